@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/base/error.hpp"
+
+#include <utility>
+
+namespace kanec {
+namespace {
+
+std::string message(const SceneFault& fault) {
+  std::string text = fault.file;
+  if (fault.line > 0) text += ":" + std::to_string(fault.line);
+  const auto append = [&text](const std::string& part) {
+    if (!part.empty()) text += (text.empty() ? "" : ": ") + part;
+  };
+  append(fault.body);
+  append(fault.field);
+  if (!fault.found.empty()) append("found " + fault.found);
+  if (!fault.allowed.empty()) text += "; allowed: " + fault.allowed;
+  return text;
+}
+
+}  // namespace
+
+SceneError::SceneError(SceneFault fault) : Error(message(fault)), fault_(std::move(fault)) {}
+
+FileError::FileError(const std::string& path, const std::string& cause) : Error(path + ": " + cause) {}
+
+BuildError::BuildError(const std::string& what, std::string command, std::string output)
+    : Error(what + (command.empty() ? "" : "\n  command: " + command) + (output.empty() ? "" : "\n" + output)),
+      command_(std::move(command)),
+      output_(std::move(output)) {}
+
+}  // namespace kanec

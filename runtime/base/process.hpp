@@ -1,0 +1,24 @@
+// Another program, started without a shell. Not here: which compiler or plotter is wanted.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanec {
+
+struct ProcessResult {
+  int status = 0;      // exit status; 128 + signal number when killed
+  std::string output;  // standard output and standard error, in the order they came
+};
+
+// The executable that `name` means: itself when it holds a slash, else the first on PATH. Empty when there is none.
+std::optional<std::filesystem::path> find_program(const std::string& name);
+
+// Runs argv[0] with the arguments, feeds `input`, waits. No shell sees any of it. Throws FileError when it cannot start.
+ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input = {});
+
+}  // namespace kanec
