@@ -6,6 +6,9 @@
 add_library(kanec_flags INTERFACE)
 target_compile_options(kanec_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(kanec_flags INTERFACE -Wno-restrict)  # false alarms on string + literal, GCC bug 105651
+endif()
 target_include_directories(kanec_flags INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/include)
 if(KANEC_SANITIZE)
   target_compile_options(kanec_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

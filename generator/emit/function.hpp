@@ -1,0 +1,22 @@
+// One function of a program as a C++ function template, section by section. Not: the file around it.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/emit/model.hpp"
+#include "generator/emit/statements.hpp"
+#include "generator/program/program.hpp"
+
+namespace kanec::emit {
+
+// Fields of the Prepared struct: results that depend on parameters only, by node.
+using PreparedNames = std::unordered_map<program::Index, Name>;
+
+std::string emit_function(const Model& model, const program::Program& program,
+                          const std::vector<program::Stage>& stages, const program::Function& function,
+                          const PreparedNames& prepared);
+
+}  // namespace kanec::emit

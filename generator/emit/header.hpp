@@ -1,0 +1,19 @@
+// The emitted files: one self-contained header a model, and the source that instantiates it for the runtime.
+// Not: how they are compiled (runtime/compile).
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "generator/emit/model.hpp"
+#include "generator/program/program.hpp"
+
+namespace kanec::emit {
+
+// C++17, namespace kanec::<model>, function templates over the scalar; needs nothing but the standard library.
+std::string emit_header(const Model& model, const program::Program& program);
+
+// "<model>_abi.cpp": the header's functions in double behind the descriptor of runtime/abi/abi.h.
+std::string emit_abi(const Model& model, const program::Program& program);
+
+}  // namespace kanec::emit

@@ -1,0 +1,19 @@
+// What the emitted files say about the model besides its arithmetic. Not: the program.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/scene/scene.hpp"
+
+namespace kanec::emit {
+
+struct Model {
+  const scene::Scene* scene = nullptr;
+  std::string version;  // of the generator: "0.1.0"
+  std::string hash;     // of scene, generator and options
+  std::string options;  // as text: "functions: all"
+};
+
+}  // namespace kanec::emit

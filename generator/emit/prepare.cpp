@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/emit/prepare.hpp"
+
+#include <set>
+
+#include "generator/program/ledger.hpp"
+#include "runtime/base/text.hpp"
+
+namespace kanec::emit {
+namespace {
+
+using program::Index;
+using program::Ref;
+using program::Stage;
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+// Operations on parameters that results of the state, or outputs, use directly.
+std::vector<Ref> fields(const program::Program& program, const std::vector<Stage>& stages) {
+  std::vector<bool> is_field(program.nodes.size(), false);
+  const auto mark = [&](Index i) {
+    if (stages[at(i)] == Stage::parameter && operands(program.nodes[at(i)]).count > 0) is_field[at(i)] = true;
+  };
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const program::Operands from = operands(program.nodes[i]);
+    for (int j = 0; j < from.count && stages[i] == Stage::state; ++j) mark(from.at[j]);
+  }
+  for (const Ref output : all_outputs(program)) mark(output.node);
+  std::vector<Ref> result;
+  for (std::size_t i = 0; i < is_field.size(); ++i)
+    if (is_field[i]) result.push_back({static_cast<Index>(i), false});
+  return result;
+}
+
+// Labels of quantities that are fields; a label that two nodes bear goes to the first.
+std::unordered_map<Index, std::string> labels(const program::Program& program) {
+  std::unordered_map<Index, std::string> result;
+  std::set<std::string> taken;
+  for (const program::Function& function : program.functions)
+    for (const program::Quantity& quantity : function.quantities)
+      for (std::size_t i = 0; i < quantity.entries.size(); ++i) {
+        const Ref entry = quantity.entries[i];
+        if (entry.negative || result.count(entry.node) > 0) continue;
+        if (taken.insert(quantity.labels[i]).second) result[entry.node] = quantity.labels[i];
+      }
+  return result;
+}
+
+std::string named_struct(const std::string& what, const std::string& name, const std::vector<scene::Named>& list) {
+  std::string text = "// " + what + "\ntemplate <class T>\nstruct " + name + " {\n";
+  for (const scene::Named& named : list) text += "  T " + named.name + " = T(" + shortest(named.value) + ");\n";
+  return text + "};\n\n";
+}
+
+}  // namespace
+
+Preparation emit_prepare(const scene::Scene& scene, const program::Program& program,
+                         const std::vector<Stage>& stages) {
+  Preparation result;
+  result.text = named_struct("Run-time parameters with the scene's defaults, SI units.", "Parameters", scene.parameters) +
+                named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", scene.inputs);
+  const std::vector<Ref> wanted = fields(program, stages);
+  const auto known = labels(program);
+  Statements statements(program, stages, Stage::parameter, wanted);
+  std::string members;
+  std::string stores;
+  int unnamed = 0;
+  for (const Ref field : wanted) {
+    const auto label = known.find(field.node);
+    const std::string name = label != known.end() ? label->second : "c" + std::to_string(++unnamed);
+    statements.define(name, field);
+    members += "  T " + name + ";\n";
+    stores += "  c." + name + " = " + name + ";\n";
+    result.names[field.node] = {"c." + name, false};
+  }
+  result.text += "// What depends on parameters only, computed once for many calls.\ntemplate <class T>\nstruct Prepared {\n"
+                 "  Parameters<T> p;\n" + members + "};\n\n";
+  result.text += "// prepare: " + program::text(program::prepare_ledger(program)) +
+                 "\ntemplate <class T>\nPrepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {\n"
+                 "  Prepared<T> c{};\n  c.p = p;\n";
+  for (const std::string& line : statements.take_lines()) result.text += line + "\n";
+  result.text += stores + "  return c;\n}\n";
+  return result;
+}
+
+}  // namespace kanec::emit

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/emit/statements.hpp"
+
+#include <utility>
+
+#include "runtime/base/error.hpp"
+#include "runtime/base/text.hpp"
+
+namespace kanec::emit {
+namespace {
+
+using program::Group;
+using program::Index;
+using program::Node;
+using program::Ref;
+using program::Stage;
+
+constexpr std::size_t width = 118;
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+std::string literal(double value) {
+  std::string digits = shortest(value);
+  return "T(" + digits + ")";
+}
+
+}  // namespace
+
+std::string variable_name(const program::Program& program, const program::Variable& variable, Stage stage) {
+  const auto i = static_cast<std::size_t>(variable.index);
+  switch (variable.group) {
+    case Group::parameter: return (stage == Stage::parameter ? "p." : "c.p.") + program.names.parameters[i];
+    case Group::input: return "u." + program.names.inputs[i];
+    case Group::x: return program.names.x[i];
+    case Group::y: return program.names.y[i];
+    case Group::ydot: return program.names.ydot[i];
+  }
+  throw InternalError("emit: a variable of no group");
+}
+
+Statements::Statements(const program::Program& program, const std::vector<Stage>& stages, Stage stage,
+                       const std::vector<Ref>& roots)
+    : program_(program), stages_(stages), stage_(stage), alive_(reachable(program, roots)) {
+  count_uses(roots);
+}
+
+// Uses by nodes of this stage and by the outputs; what a later stage takes counts as an output of this one.
+void Statements::count_uses(const std::vector<Ref>& roots) {
+  uses_.assign(program_.nodes.size(), 0);
+  for (const Ref root : roots) ++uses_[at(root.node)];
+  for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
+    if (!alive_[i]) continue;
+    const program::Operands from = operands(program_.nodes[i]);
+    for (int j = 0; j < from.count; ++j) ++uses_[at(from.at[j])];
+  }
+}
+
+void Statements::number_temporaries(const std::string& prefix) { prefix_ = prefix; }
+
+void Statements::define(const std::string& label, Ref ref) {
+  const Stage stage = stages_[at(ref.node)];
+  const bool is_operation = operands(program_.nodes[at(ref.node)]).count > 0;
+  if (!needs(ref) || has_name(ref) || stage != stage_ || !is_operation) return;
+  make_temporaries(ref.node);
+  const Text t = operation(program_.nodes[at(ref.node)]);
+  const Name given{ref.negative != t.negative ? "minus_" + label : label, t.negative};
+  line("const T " + given.text + " = " + t.text + ";");
+  name(ref.node, given);
+}
+
+std::string Statements::value(Ref ref) {
+  make_temporaries(ref.node);
+  if (!has_name(ref) && uses_[at(ref.node)] > 1 && operands(program_.nodes[at(ref.node)]).count > 0) {
+    const std::string label = prefix_ + std::to_string(++temporaries_[prefix_]);
+    define(label, {ref.node, false});
+  }
+  Text t = expression(ref.node);
+  t.negative = t.negative != ref.negative;
+  return text(t);
+}
+
+// Names for what stands below this node and is used more than once, operands first.
+void Statements::make_temporaries(Index node) {
+  const program::Operands from = operands(program_.nodes[at(node)]);
+  for (int i = 0; i < from.count; ++i) {
+    const Index operand = from.at[i];
+    const bool is_operation = operands(program_.nodes[at(operand)]).count > 0;
+    if (!is_operation || names_.count(operand) > 0 || stages_[at(operand)] != stage_) continue;
+    make_temporaries(operand);
+    if (uses_[at(operand)] > 1) define(prefix_ + std::to_string(++temporaries_[prefix_]), {operand, false});
+  }
+}
+
+Statements::Text Statements::expression(Index node) {
+  const auto known = names_.find(node);
+  if (known != names_.end()) return {known->second.text, 2, known->second.negative};
+  return operation(program_.nodes[at(node)]);
+}
+
+Statements::Text Statements::operation(const Node& node) {
+  return std::visit(
+      Overloaded{
+          [&](const program::Constant& op) -> Text { return {literal(op.value.rounded()), 2, false}; },
+          [&](const program::Variable& op) -> Text {
+            variables_.push_back(op);
+            return {variable_name(program_, op, stage_), 2, false};
+          },
+          [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
+          [&](const program::Subtract& op) {
+            Text b = expression(op.b);
+            b.negative = !b.negative;
+            return sum(expression(op.a), std::move(b));
+          },
+          [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
+          [&](const program::Divide& op) -> Text {
+            const Text a = expression(op.a);
+            const Text b = expression(op.b);
+            const std::string over = a.level < 1 ? "(" + a.text + ")" : a.text;
+            const std::string under = b.level < 2 ? "(" + b.text + ")" : b.text;
+            return {over + " / " + under, 1, a.negative != b.negative};
+          },
+          [&](const program::SquareRoot& op) { return call("sqrt", op.a); },
+          [&](const program::Sine& op) { return call("sin", op.a); },
+          [&](const program::Cosine& op) { return call("cos", op.a); },
+      },
+      node);
+}
+
+// Keeps the association of the program: a sum on the right stands in parentheses, unless the two can change places.
+Statements::Text Statements::sum(Text a, Text b) {
+  const bool both = a.negative && b.negative;
+  if (a.negative && !both) std::swap(a, b);
+  const bool minus = b.negative && !both;
+  if (!minus && b.level == 0 && a.level > 0) std::swap(a, b);
+  const std::string right = b.level == 0 ? "(" + b.text + ")" : b.text;
+  return {a.text + (minus ? " - " : " + ") + right, 0, both};
+}
+
+Statements::Text Statements::product(Text a, Text b) {
+  if (b.level == 1 && a.level != 1) std::swap(a, b);
+  const std::string left = a.level == 0 ? "(" + a.text + ")" : a.text;
+  const std::string right = b.level < 2 ? "(" + b.text + ")" : b.text;
+  return {left + " * " + right, 1, a.negative != b.negative};
+}
+
+Statements::Text Statements::call(const char* function, Index argument) {
+  return {function + ("(" + text(expression(argument)) + ")"), 2, false};
+}
+
+std::string Statements::text(const Text& t) const {
+  if (!t.negative) return t.text;
+  return t.level == 0 ? "-(" + t.text + ")" : "-" + t.text;
+}
+
+void Statements::line(const std::string& text) {
+  for (std::string& part : wrapped("  " + text, "      ")) lines_.push_back(std::move(part));
+}
+
+std::vector<std::string> wrapped(std::string text, const std::string& indent) {
+  std::vector<std::string> lines;
+  while (text.size() > width) {
+    const std::size_t blank = text.rfind(' ', width);
+    if (blank == std::string::npos || text.find_first_not_of(" /") > blank) break;
+    lines.push_back(text.substr(0, blank));
+    text = indent + text.substr(blank + 1);
+  }
+  lines.push_back(text);
+  return lines;
+}
+
+std::vector<std::string> Statements::take_lines() { return std::exchange(lines_, {}); }
+
+std::vector<program::Variable> Statements::take_variables() { return std::exchange(variables_, {}); }
+
+}  // namespace kanec::emit

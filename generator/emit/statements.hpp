@@ -1,0 +1,80 @@
+// Nodes of a program as C++ statements: which results get a name, which stand inside an expression. Not: functions and files.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/program/program.hpp"
+
+namespace kanec::emit {
+
+// The name of a node's value, or of its negative.
+struct Name {
+  std::string text;
+  bool negative = false;
+};
+
+// A line broken at blanks to the width of the emitted code; further lines begin with `indent`.
+std::vector<std::string> wrapped(std::string text, const std::string& indent);
+
+// Prints one function's nodes of one stage. Names given once stay; a node that is used more than once and has none gets a
+// numbered temporary.
+class Statements {
+ public:
+  // roots: what the function returns. Nodes of another stage must have names before they are used.
+  Statements(const program::Program& program, const std::vector<program::Stage>& stages, program::Stage stage,
+             const std::vector<program::Ref>& roots);
+
+  bool needs(program::Ref ref) const { return alive_[at(ref.node)]; }
+  bool has_name(program::Ref ref) const { return names_.count(ref.node) > 0; }
+  void name(program::Index node, Name name) { names_[node] = std::move(name); }
+
+  // Temporaries are numbered from 1 behind this prefix from now on.
+  void number_temporaries(const std::string& prefix);
+
+  // Appends "const T <label> = <expression>;" where the node has no name yet, and temporaries before it. Where the program
+  // holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign.
+  void define(const std::string& label, program::Ref ref);
+  // The expression of a value, after temporaries that it needs.
+  std::string value(program::Ref ref);
+
+  void line(const std::string& text);  // wrapped and indented
+  // What was appended since, and the variables first read since.
+  std::vector<std::string> take_lines();
+  std::vector<program::Variable> take_variables();
+
+ private:
+  struct Text {
+    std::string text;
+    int level;  // 0 sum, 1 product, 2 single
+    bool negative;
+  };
+
+  static std::size_t at(program::Index index) { return static_cast<std::size_t>(index); }
+  void count_uses(const std::vector<program::Ref>& roots);
+  void make_temporaries(program::Index node);
+  Text expression(program::Index node);
+  Text operation(const program::Node& node);
+  Text sum(Text a, Text b);
+  Text product(Text a, Text b);
+  Text call(const char* function, program::Index argument);
+  std::string text(const Text& t) const;
+
+  const program::Program& program_;
+  const std::vector<program::Stage>& stages_;
+  program::Stage stage_;
+  std::vector<bool> alive_;
+  std::vector<int> uses_;
+  std::unordered_map<program::Index, Name> names_;
+  std::string prefix_ = "t";
+  std::unordered_map<std::string, int> temporaries_;  // made so far, by prefix
+  std::vector<std::string> lines_;
+  std::vector<program::Variable> variables_;
+};
+
+// Name of an argument's entry: "eps1_2", "u.thrust", "c.p.m_1".
+std::string variable_name(const program::Program& program, const program::Variable& variable, program::Stage stage);
+
+}  // namespace kanec::emit

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/lower/block.hpp"
+
+#include "runtime/base/error.hpp"
+
+namespace kanec::lower {
+namespace {
+
+struct Cyclic {
+  int i, j, k;
+};
+constexpr Cyclic cyclic[] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+
+Block identity_times(Builder& builder, Ref value) {
+  const Ref zero = builder.constant(0.0);
+  return {3, 3, {value, zero, zero, zero, value, zero, zero, zero, value}};
+}
+
+}  // namespace
+
+Block scalar(Ref value) { return {1, 1, {value}}; }
+
+Block vector(Ref a, Ref b, Ref c) { return {3, 1, {a, b, c}}; }
+
+Block operator-(const Block& a) {
+  Block result = a;
+  for (Ref& entry : result.entries) entry = -entry;
+  return result;
+}
+
+Block transposed(const Block& a) {
+  Block result{a.columns, a.rows, {}};
+  for (int i = 0; i < a.rows; ++i)
+    for (int j = 0; j < a.columns; ++j) result.at(j, i) = a.at(i, j);
+  return result;
+}
+
+Block add(Builder& builder, const Block& a, const Block& b) {
+  if (a.is_scalar() && b.size() == 9) return add(builder, identity_times(builder, a.at(0)), b);
+  if (b.is_scalar() && a.size() == 9) return add(builder, a, identity_times(builder, b.at(0)));
+  if (a.rows != b.rows || a.columns != b.columns) throw InternalError("sum of blocks of different shape");
+  Block result = a;
+  for (int i = 0; i < a.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.entries[at] = builder.add(a.entries[at], b.entries[at]);
+  }
+  return result;
+}
+
+Block multiply(Builder& builder, const Block& a, const Block& b) {
+  if (a.is_scalar() || b.is_scalar()) {
+    const Block& factor = a.is_scalar() ? a : b;
+    Block result = a.is_scalar() ? b : a;
+    for (int i = 0; i < result.size(); ++i) {
+      Ref& entry = result.entries[static_cast<std::size_t>(i)];
+      entry = builder.multiply(factor.at(0), entry);
+    }
+    return result;
+  }
+  if (a.columns != b.rows) throw InternalError("product of blocks whose shapes do not fit");
+  Block result{a.rows, b.columns, {}};
+  for (int i = 0; i < a.rows; ++i)
+    for (int j = 0; j < b.columns; ++j) {
+      Ref entry = builder.multiply(a.at(i, 0), b.at(0, j));
+      for (int k = 1; k < a.columns; ++k) entry = builder.add(entry, builder.multiply(a.at(i, k), b.at(k, j)));
+      result.at(i, j) = entry;
+    }
+  return result;
+}
+
+Block skew(Builder& builder, const Block& a) {
+  const Ref zero = builder.constant(0.0);
+  return {3, 3, {zero, -a.at(2), a.at(1), a.at(2), zero, -a.at(0), -a.at(1), a.at(0), zero}};
+}
+
+Ref dot(Builder& builder, const Block& a, const Block& b) { return multiply(builder, transposed(a), b).at(0); }
+
+Block rotation(Builder& builder, const Block& e, Ref eps4) {
+  const Block twice = multiply(builder, scalar(builder.constant(2.0)), e);
+  const auto product = [&](int i, Ref other) { return builder.multiply(twice.at(i), other); };
+  const Ref xx = product(0, e.at(0)), yy = product(1, e.at(1)), zz = product(2, e.at(2));
+  const Ref xy = product(0, e.at(1)), xz = product(0, e.at(2)), yz = product(1, e.at(2));
+  const Ref wx = product(0, eps4), wy = product(1, eps4), wz = product(2, eps4);
+  const auto one_less = [&](Ref a, Ref b) { return builder.subtract(builder.subtract(builder.constant(1.0), a), b); };
+  const auto sum = [&](Ref a, Ref b) { return builder.add(a, b); };
+  return {3, 3, {one_less(yy, zz), sum(xy, -wz), sum(xz, wy),    //
+                 sum(xy, wz), one_less(xx, zz), sum(yz, -wx),    //
+                 sum(xz, -wy), sum(yz, wx), one_less(xx, yy)}};
+}
+
+Block inverse(Builder& builder, const Block& symmetric) {
+  const auto& I = symmetric;
+  Block cofactor{3, 3, {}};
+  for (const auto [i, j, k] : cyclic) {
+    const auto minor = [&](Ref a, Ref b, Ref c, Ref d) {
+      return builder.subtract(builder.multiply(a, b), builder.multiply(c, d));
+    };
+    cofactor.at(i, i) = minor(I.at(j, j), I.at(k, k), I.at(j, k), I.at(j, k));
+    cofactor.at(j, k) = cofactor.at(k, j) = minor(I.at(i, j), I.at(i, k), I.at(j, k), I.at(i, i));
+  }
+  Ref determinant = builder.multiply(I.at(0, 0), cofactor.at(0, 0));
+  for (int j = 1; j < 3; ++j) determinant = builder.add(determinant, builder.multiply(I.at(0, j), cofactor.at(0, j)));
+  return multiply(builder, scalar(builder.divide(builder.constant(1.0), determinant)), cofactor);
+}
+
+Block gyroscopic(Builder& builder, const Block& inertia, const Block& omega) {
+  const auto times = [&](Ref a, Ref b) { return builder.multiply(a, b); };
+  const auto less = [&](Ref a, Ref b) { return builder.subtract(a, b); };
+  const auto& I = inertia;
+  const auto& w = omega;
+  Block result{3, 1, {}};
+  for (const auto [i, j, k] : cyclic) {
+    const Ref squares = less(times(w.at(j), w.at(j)), times(w.at(k), w.at(k)));
+    Ref sum = times(less(I.at(k, k), I.at(j, j)), times(w.at(j), w.at(k)));
+    sum = builder.add(sum, times(I.at(j, k), squares));
+    sum = builder.add(sum, times(I.at(i, k), times(w.at(i), w.at(j))));
+    result.at(i) = less(sum, times(I.at(i, j), times(w.at(i), w.at(k))));
+  }
+  return result;
+}
+
+Block inertia_moment(Builder& builder, const Block& spin, const Block& inertia) {
+  const auto times = [&](Ref a, Ref b) { return builder.multiply(a, b); };
+  const auto less = [&](Ref a, Ref b) { return builder.subtract(a, b); };
+  const Ref half = builder.constant(0.5);
+  Block J = -inertia;
+  for (const auto [i, j, k] : cyclic)
+    J.at(i, i) = times(half, less(builder.add(inertia.at(j, j), inertia.at(k, k)), inertia.at(i, i)));
+  const auto& U = spin;
+  Block result{3, 1, {}};
+  for (const auto [i, j, k] : cyclic) {
+    Ref sum = less(times(J.at(j, j), U.at(k, j)), times(J.at(k, k), U.at(j, k)));
+    sum = builder.add(sum, times(J.at(j, k), less(U.at(k, k), U.at(j, j))));
+    sum = builder.add(sum, times(J.at(i, j), U.at(k, i)));
+    result.at(i) = less(sum, times(J.at(i, k), U.at(j, i)));
+  }
+  return result;
+}
+
+}  // namespace kanec::lower

@@ -1,0 +1,49 @@
+// Scalars, 3-vectors and 3×3 matrices of program results, and their arithmetic entry by entry. Zeros and ones are left
+// to the passes. Not: GiNaC.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "generator/program/builder.hpp"
+
+namespace kanec::lower {
+
+using program::Builder;
+using program::Ref;
+
+// Row-major; a vector is one column.
+struct Block {
+  int rows = 1;
+  int columns = 1;
+  std::array<Ref, 9> entries{};
+
+  Ref& at(int i, int j = 0) { return entries[static_cast<std::size_t>(i * columns + j)]; }
+  Ref at(int i, int j = 0) const { return entries[static_cast<std::size_t>(i * columns + j)]; }
+  int size() const { return rows * columns; }
+  bool is_scalar() const { return size() == 1; }
+};
+
+Block scalar(Ref value);
+Block vector(Ref a, Ref b, Ref c);
+Block operator-(const Block& a);
+Block transposed(const Block& a);
+
+// Sums in which a scalar stands for that times the identity where the others are matrices.
+Block add(Builder& builder, const Block& a, const Block& b);
+// Matrix product, or scaling where one of the two is a scalar.
+Block multiply(Builder& builder, const Block& a, const Block& b);
+Block skew(Builder& builder, const Block& a);
+Ref dot(Builder& builder, const Block& a, const Block& b);
+
+// R_Kᵀ of Euler parameters (e, ε4) of unit norm: 23 operations.
+Block rotation(Builder& builder, const Block& e, Ref eps4);
+// Inverse of a symmetric matrix through its cofactors.
+Block inverse(Builder& builder, const Block& symmetric);
+// ω × I ω by the products of speeds, which ω̃ω̃ shares.
+Block gyroscopic(Builder& builder, const Block& inertia, const Block& omega);
+// I ω̇ + ω × I ω as the axial vector of U J − (U J)ᵀ, J = ½ tr(I) 1 − I.
+Block inertia_moment(Builder& builder, const Block& spin, const Block& inertia);
+
+}  // namespace kanec::lower

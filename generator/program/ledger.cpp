@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/ledger.hpp"
+
+namespace kanec::program {
+namespace {
+
+void count(const Node& node, Ledger& ledger) {
+  ledger.adds += std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node);
+  ledger.multiplies += std::holds_alternative<Multiply>(node);
+  ledger.divides += std::holds_alternative<Divide>(node);
+  ledger.square_roots += std::holds_alternative<SquareRoot>(node);
+  ledger.trigonometric += std::holds_alternative<Sine>(node) || std::holds_alternative<Cosine>(node);
+}
+
+Ledger counted(const Program& program, const std::vector<Ref>& roots, Stage wanted) {
+  const std::vector<Stage> stage = stages(program);
+  const std::vector<bool> alive = reachable(program, roots);
+  Ledger result;
+  for (std::size_t i = 0; i < program.nodes.size(); ++i)
+    if (alive[i] && stage[i] == wanted) count(program.nodes[i], result);
+  return result;
+}
+
+}  // namespace
+
+Ledger ledger(const Program& program, const Function& function) {
+  return counted(program, function.outputs, Stage::state);
+}
+
+Ledger prepare_ledger(const Program& program) { return counted(program, all_outputs(program), Stage::parameter); }
+
+std::string text(const Ledger& ledger) {
+  std::string result = std::to_string(ledger.adds) + " add, " + std::to_string(ledger.multiplies) + " multiply";
+  const auto append = [&result](int n, const char* what) {
+    if (n > 0) result += ", " + std::to_string(n) + " " + what;
+  };
+  append(ledger.divides, "divide");
+  append(ledger.square_roots, "square root");
+  append(ledger.trigonometric, "sine or cosine");
+  return result;
+}
+
+}  // namespace kanec::program

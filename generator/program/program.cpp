@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/program.hpp"
+
+#include <algorithm>
+
+#include "runtime/base/error.hpp"
+
+namespace kanec::program {
+namespace {
+
+template <class Op>
+Operands operands_of(const Op& op) {
+  if constexpr (requires { op.b; })
+    return {{op.a, op.b}, 2};
+  else if constexpr (requires { op.a; })
+    return {{op.a, 0}, 1};
+  else
+    return {{0, 0}, 0};
+}
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+Stage own_stage(const Node& node) {
+  const auto* variable = std::get_if<Variable>(&node);
+  if (variable == nullptr) return Stage::constant;
+  return variable->group == Group::parameter ? Stage::parameter : Stage::state;
+}
+
+}  // namespace
+
+Operands operands(const Node& node) {
+  return std::visit([](const auto& op) { return operands_of(op); }, node);
+}
+
+std::vector<Stage> stages(const Program& program) {
+  std::vector<Stage> result;
+  result.reserve(program.nodes.size());
+  for (const Node& node : program.nodes) {
+    Stage stage = own_stage(node);
+    const Operands from = operands(node);
+    for (int i = 0; i < from.count; ++i) stage = std::max(stage, result[at(from.at[i])]);
+    result.push_back(stage);
+  }
+  return result;
+}
+
+std::vector<bool> reachable(const Program& program, const std::vector<Ref>& roots) {
+  std::vector<bool> result(program.nodes.size(), false);
+  for (const Ref root : roots) result[at(root.node)] = true;
+  for (std::size_t i = program.nodes.size(); i-- > 0;) {
+    if (!result[i]) continue;
+    const Operands from = operands(program.nodes[i]);
+    for (int j = 0; j < from.count; ++j) result[at(from.at[j])] = true;
+  }
+  return result;
+}
+
+std::vector<Ref> all_outputs(const Program& program) {
+  std::vector<Ref> result;
+  for (const Function& function : program.functions)
+    result.insert(result.end(), function.outputs.begin(), function.outputs.end());
+  return result;
+}
+
+void check(const Program& program) {
+  const auto size = static_cast<Index>(program.nodes.size());
+  for (Index i = 0; i < size; ++i) {
+    const Operands from = operands(program.nodes[at(i)]);
+    for (int j = 0; j < from.count; ++j)
+      if (from.at[j] < 0 || from.at[j] >= i) throw InternalError("program: an operand stands after its user");
+  }
+  const auto in_range = [size](Ref ref) { return ref.node >= 0 && ref.node < size; };
+  for (const Function& function : program.functions) {
+    if (!std::all_of(function.outputs.begin(), function.outputs.end(), in_range))
+      throw InternalError("program: an output refers to no node");
+    for (const Quantity& quantity : function.quantities)
+      if (!std::all_of(quantity.entries.begin(), quantity.entries.end(), in_range))
+        throw InternalError("program: a quantity refers to no node");
+  }
+}
+
+}  // namespace kanec::program

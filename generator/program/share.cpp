@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <bit>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+#include "generator/program/passes.hpp"
+
+namespace kanec::program {
+namespace {
+
+// Operation and operands, commutative ones in ascending order; of constants the bits.
+using Key = std::array<std::uint64_t, 3>;
+
+struct Hash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t part : key) hash = (hash ^ part) * 0x9e3779b97f4a7c15u + (hash >> 29);
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+Key key_of(const Node& node) {
+  Key key = {node.index(), 0, 0};
+  if (const auto* constant = std::get_if<Constant>(&node)) {
+    key[1] = std::bit_cast<std::uint64_t>(constant->value.high);
+    key[2] = std::bit_cast<std::uint64_t>(constant->value.low);
+  } else if (const auto* variable = std::get_if<Variable>(&node)) {
+    key[1] = static_cast<std::uint64_t>(variable->group);
+    key[2] = static_cast<std::uint64_t>(variable->index);
+  } else {
+    const Operands from = operands(node);
+    for (int i = 0; i < from.count; ++i) key[static_cast<std::size_t>(i) + 1] = static_cast<std::uint64_t>(from.at[i]);
+    const bool commutes = std::holds_alternative<Add>(node) || std::holds_alternative<Multiply>(node);
+    if (commutes && key[1] > key[2]) std::swap(key[1], key[2]);
+  }
+  return key;
+}
+
+class Sharing {
+ public:
+  Ref operator()(Builder& builder, const Node& node, Ref a, Ref b) {
+    const Ref made = same_again(builder, node, a, b);
+    const Node& now = builder.nodes().back();
+    if (const auto* difference = std::get_if<Subtract>(&now)) {
+      const auto reversed = known_.find(key_of(Subtract{difference->b, difference->a}));
+      if (reversed != known_.end()) return drop(builder, -Ref{reversed->second, made.negative});
+    }
+    const auto [entry, is_new] = known_.emplace(key_of(now), made.node);
+    return is_new ? made : drop(builder, {entry->second, made.negative});
+  }
+
+ private:
+  static Ref drop(Builder& builder, Ref instead) {
+    builder.nodes().pop_back();
+    return instead;
+  }
+  std::unordered_map<Key, Index, Hash> known_;
+};
+
+}  // namespace
+
+Program share(const Program& program) {
+  Sharing sharing;
+  return rebuilt(program, std::ref(sharing));
+}
+
+}  // namespace kanec::program

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symbolic/factor.hpp"
+
+#include <algorithm>
+
+#include "generator/symbolic/order.hpp"
+
+namespace kanec::symbolic {
+
+using GiNaC::ex;
+
+namespace {
+
+enum class End { left, right };
+
+const ex& outer(const Term& term, End end) { return end == End::left ? term.factors.front() : term.factors.back(); }
+
+struct Common {
+  ex factor;
+  End end = End::left;
+  std::size_t count = 1;
+};
+
+// The factor at an end of most terms; at equal counts the right end, then the fixed order of letters.
+Common most_common(const std::vector<Term>& terms) {
+  Common best;
+  for (const End end : {End::right, End::left})
+    for (const Term& candidate : terms) {
+      if (candidate.factors.empty()) continue;
+      const ex& factor = outer(candidate, end);
+      const auto count = static_cast<std::size_t>(std::count_if(terms.begin(), terms.end(), [&](const Term& term) {
+        return !term.factors.empty() && outer(term, end).is_equal(factor);
+      }));
+      const bool tie = count == best.count && count > 1 && end == best.end && precedes(factor, best.factor);
+      if (count > best.count || tie) best = {factor, end, count};
+    }
+  return best;
+}
+
+Term without(Term term, End end) {
+  term.factors.erase(end == End::left ? term.factors.begin() : term.factors.end() - 1);
+  return term;
+}
+
+ex factored(const std::vector<Term>& terms) {
+  const Common common = most_common(terms);
+  if (common.count < 2) return sum(terms);
+  std::vector<Term> inside;
+  std::vector<Term> rest;
+  for (const Term& term : terms) {
+    const bool has = !term.factors.empty() && outer(term, common.end).is_equal(common.factor);
+    if (has)
+      inside.push_back(without(term, common.end));
+    else
+      rest.push_back(term);
+  }
+  const ex other = factored(inside);
+  return (common.end == End::left ? common.factor * other : other * common.factor) + factored(rest);
+}
+
+}  // namespace
+
+ex factored(const ex& e) { return factored(expanded(e)); }
+
+ex with_orthonormal_rotations(const ex& e, const SymbolTable& table) {
+  const auto inverse_pair = [&table](const ex& a, const ex& b) {
+    if (!GiNaC::is_a<Atom>(a) || !GiNaC::is_a<Atom>(b)) return false;
+    const Symbol& symbol = table.of(a);
+    return !symbol.transpose.is_equal(a) && symbol.transpose.is_equal(b);
+  };
+  std::vector<Term> terms = expanded(e);
+  for (Term& term : terms) {
+    std::vector<ex> kept;
+    for (const ex& factor : term.factors) {
+      if (!kept.empty() && inverse_pair(kept.back(), factor))
+        kept.pop_back();
+      else
+        kept.push_back(factor);
+    }
+    term.factors = kept;
+  }
+  return sum(terms);
+}
+
+}  // namespace kanec::symbolic

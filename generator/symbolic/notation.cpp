@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symbolic/notation.hpp"
+
+#include "generator/symbolic/order.hpp"
+
+namespace kanec::symbolic {
+namespace {
+
+using GiNaC::ex;
+
+class Notation {
+ public:
+  Notation(const SymbolTable& table, Style style) : table_(table), latex_(style == Style::latex) {}
+
+  std::string of(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product(ordered(e));
+    if (GiNaC::is_a<GiNaC::ncmul>(e)) return product({e.begin(), e.end()});
+    if (GiNaC::is_a<Atom>(e)) return letter(table_.of(e), "");
+    if (GiNaC::is_a<GiNaC::function>(e)) return function(e);
+    if (GiNaC::is_a<GiNaC::power>(e)) return reciprocal(e);
+    return number(GiNaC::ex_to<GiNaC::numeric>(e));
+  }
+
+ private:
+  std::string sum(const ex& e) const {
+    std::string result;
+    for (const ex& operand : ordered(e)) {
+      const std::string term = of(operand);
+      if (result.empty())
+        result = term;
+      else if (term[0] == '-')
+        result += " - " + term.substr(1);
+      else
+        result += " + " + term;
+    }
+    return result;
+  }
+
+  // A number stands first; -1 is a sign; factors that are sums stand in parentheses.
+  std::string product(const std::vector<ex>& factors) const {
+    std::string sign;
+    std::string result;
+    for (const ex& factor : factors) {
+      if (factor.is_equal(-1)) {
+        sign = "-";
+        continue;
+      }
+      std::string text = of(factor);
+      if (GiNaC::is_a<GiNaC::add>(factor)) text = "(" + text + ")";
+      if (text[0] == '-') {
+        sign = sign.empty() ? "-" : "";
+        text = text.substr(1);
+      }
+      result += (result.empty() ? "" : " ") + text;
+    }
+    return sign + result;
+  }
+
+  std::string letter(const Symbol& symbol, const std::string& accent) const {
+    const bool is_transpose = symbol.role == Role::quantity && symbol.name.find('t') == 1 &&
+                              !symbol.transpose.is_equal(symbol.atom);
+    std::string name = is_transpose ? symbol.name.substr(0, 1) + symbol.name.substr(2) : symbol.name;
+    const std::string body = symbol.body > 0 ? std::to_string(symbol.body) : "";
+    if (latex_) {
+      const std::string base = accent.empty() ? symbol.latex : accent + "{" + symbol.latex + "}";
+      const bool indexed = base.find('_') != std::string::npos || body.empty();
+      const std::string subscript = body.empty() ? "" : indexed ? "^{(" + body + ")}" : "_{" + body + "}";
+      return base + subscript + (is_transpose ? (indexed ? "{}^{T}" : "^{T}") : "");
+    }
+    return name + body + accent + (is_transpose ? "^T" : "");
+  }
+
+  std::string function(const ex& e) const {
+    const auto argument = [&](std::size_t i) { return of(e.op(i)); };
+    if (is_ex_the_function(e, skew)) return skew_of(e.op(0));
+    if (is_ex_the_function(e, dot)) return grouped(e.op(0)) + (latex_ ? " \\cdot " : " . ") + grouped(e.op(1));
+    if (is_ex_the_function(e, inverse)) return argument(0) + "^" + (latex_ ? "{-1}" : "-1");
+    if (is_ex_the_function(e, gyroscopic))
+      return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
+    if (is_ex_the_function(e, rotation)) {
+      // Rᵀ = 1 + 2 ẽ (ε4 + ẽ)
+      return "1 + 2 " + skew_of(e.op(0)) + " (" + argument(1) + " + " + skew_of(e.op(0)) + ")";
+    }
+    // inertia_moment(U, I), J = tr(I)/2 - I
+    const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + argument(1) + ")" : "tr(" + argument(1) + ")/2";
+    return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " (" + trace + " - " + argument(1) + "))";
+  }
+
+  std::string skew_of(const ex& e) const {
+    if (GiNaC::is_a<Atom>(e)) return letter(table_.of(e), latex_ ? "\\tilde" : "~");
+    return latex_ ? "\\widetilde{(" + of(e) + ")}" : "(" + of(e) + ")~";
+  }
+
+  std::string grouped(const ex& e) const {
+    return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::ncmul>(e) ? "(" + of(e) + ")" : of(e);
+  }
+
+  std::string reciprocal(const ex& e) const {
+    const std::string exponent = of(e.op(1));
+    return of(e.op(0)) + "^" + (latex_ ? "{" + exponent + "}" : exponent);
+  }
+
+  std::string number(const GiNaC::numeric& value) const {
+    if (value.is_integer()) return std::to_string(value.to_long());
+    const std::string sign = value.is_negative() ? "-" : "";
+    const std::string over = std::to_string(GiNaC::abs(value.numer()).to_long());
+    const std::string under = std::to_string(value.denom().to_long());
+    return latex_ ? sign + "\\tfrac{" + over + "}{" + under + "}" : sign + over + "/" + under;
+  }
+
+  const SymbolTable& table_;
+  bool latex_;
+};
+
+}  // namespace
+
+std::string notation(const ex& e, const SymbolTable& table, Style style) { return Notation(table, style).of(e); }
+
+}  // namespace kanec::symbolic

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symbolic/order.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace kanec::symbolic {
+
+using GiNaC::ex;
+
+namespace {
+
+using Key = std::vector<long>;
+
+bool commutes(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e); }
+
+// Letters by index; functions and numbers by negative marks, numbers also by value.
+void append_key(const ex& e, Key& key) {
+  if (GiNaC::is_a<Atom>(e)) {
+    key.push_back(GiNaC::ex_to<Atom>(e).index());
+  } else if (GiNaC::is_a<GiNaC::numeric>(e)) {
+    key.push_back(-3);
+    key.push_back(static_cast<long>(GiNaC::ex_to<GiNaC::numeric>(e).to_double() * 16));
+  } else {
+    const std::vector<ex> operands = commutes(e) ? ordered(e) : std::vector<ex>(e.begin(), e.end());
+    for (const ex& operand : operands)
+      if (!GiNaC::is_a<GiNaC::numeric>(operand)) append_key(operand, key);
+    key.push_back(GiNaC::is_a<GiNaC::function>(e) ? -2 : -1);
+    for (const ex& operand : operands)
+      if (GiNaC::is_a<GiNaC::numeric>(operand)) append_key(operand, key);
+  }
+}
+
+}  // namespace
+
+std::vector<ex> ordered(const ex& e) {
+  std::vector<std::pair<Key, ex>> keyed;
+  for (const ex& operand : e) {
+    keyed.emplace_back(Key{}, operand);
+    append_key(operand, keyed.back().first);
+  }
+  std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<ex> operands;
+  for (auto& [key, operand] : keyed) operands.push_back(operand);
+  return operands;
+}
+
+bool precedes(const ex& a, const ex& b) {
+  Key key_a;
+  Key key_b;
+  append_key(a, key_a);
+  append_key(b, key_b);
+  return key_a < key_b;
+}
+
+}  // namespace kanec::symbolic
