@@ -1,2 +1,118 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/scene/read.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "generator/scene/body.hpp"
+#include "generator/scene/check.hpp"
+#include "generator/scene/connection.hpp"
+#include "generator/scene/nesting.hpp"
+#include "generator/scene/node.hpp"
+#include "generator/scene/symbols.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+
+namespace kanec::scene {
+namespace {
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_key_depth(text, file);
+  try {
+    return toml::parse(text, std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    const auto line = static_cast<int>(error.source().begin.line);
+    fail({file, line}, std::string(error.description()), "TOML 1.0 (https://toml.io)");
+  }
+}
+
+std::vector<int> read_connection(const Table& root) {
+  const Node node = root.at("connection", "the lower-numbered body array, as [0, 1, 2, 2, 1, 5]");
+  const std::vector<Node> entries = node.list("a list of whole numbers, one a body");
+  std::vector<int> lower;
+  for (const Node& entry : entries)
+    lower.push_back(entry.integer("a whole number, 0 (the inertial frame) or a lower body"));
+  check_connection(lower, [&](std::size_t k) { return k == 0 ? node.place() : entries[k - 1].place(); });
+  return lower;
+}
+
+std::string tables_of(std::size_t bodies) {
+  return std::to_string(bodies) + (bodies == 1 ? " [[body]] table" : " [[body]] tables");
+}
+
+std::vector<Node> body_tables(const Table& root, std::size_t wanted) {
+  const std::string allowed = tables_of(wanted) + ", one a number of connection";
+  const Node node = root.at("body", allowed);
+  const std::vector<Node> tables = node.list(allowed);
+  if (tables.size() != wanted) fail(node.place(), tables_of(tables.size()), allowed);
+  return tables;
+}
+
+void refuse_duplicates(const std::vector<Body>& bodies, const std::vector<Node>& tables) {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (bodies[j].name == bodies[k].name) {
+        Place place = tables[k].place();
+        place.body = "body " + std::to_string(k + 1);
+        place.field = "name";
+        fail(place, in_quotes(bodies[k].name) + ", the name of body " + std::to_string(j + 1), "another name");
+      }
+}
+
+void read_bodies(const Table& root, Symbols& symbols, Scene& scene) {
+  const std::vector<Node> tables = body_tables(root, scene.lower.size());
+  for (const Node& table : tables) scene.bodies.push_back(read_body(table, size(scene) + 1, symbols, scene));
+  refuse_duplicates(scene.bodies, tables);
+}
+
+Simulation read_simulation(const Table& root) {
+  Simulation out;
+  const std::optional<Node> node = root.find("simulate");
+  if (!node) return out;
+  const Table table(*node, "simulate.");
+  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance"});
+  const auto real = [&table](const char* key, double& value) {
+    if (const auto found = table.find(key)) value = found->real("a positive number");
+  };
+  real("duration", out.duration);
+  real("output_step", out.output_step);
+  real("step", out.step);
+  real("relative_tolerance", out.relative_tolerance);
+  real("absolute_tolerance", out.absolute_tolerance);
+  if (const auto found = table.find("integrator")) out.integrator = found->text("rk4, arkode, cvode, cvode_bdf");
+  check_simulation(out, [&table](const std::string& key) {
+    const auto found = table.find(key);
+    Place place = found ? found->place() : table.place();
+    if (!found) place.field = "simulate." + key + " (default)";
+    return place;
+  });
+  return out;
+}
+
+Scene read_scene(const Table& root) {
+  root.only({"name", "connection", "gravity", "parameters", "inputs", "body", "simulate"});
+  Scene scene;
+  Symbols symbols;
+  scene.name = read_scene_name(root.at("name", "the name of the scene"));
+  if (const auto node = root.find("parameters")) symbols.add_parameters(Table(*node, "parameters."));
+  if (const auto node = root.find("inputs")) symbols.add_inputs(Table(*node, "inputs."));
+  if (const auto node = root.find("gravity")) scene.gravity = symbols.vector(*node, &Symbols::constant_or_parameter);
+  scene.lower = read_connection(root);
+  read_bodies(root, symbols, scene);
+  scene.simulation = read_simulation(root);
+  scene.parameters = symbols.parameters();
+  scene.inputs = symbols.inputs();
+  for (std::string& warning : symbols.warnings()) scene.warnings.push_back(std::move(warning));
+  return scene;
+}
+
+}  // namespace
+
+Scene parse(std::string_view text, const std::string& file) {
+  const toml::table table = parse_toml(text, file);
+  return read_scene(Table(table, {file}, ""));
+}
+
+Scene read(const std::filesystem::path& path) { return parse(read_file(path), path.string()); }
+
+}  // namespace kanec::scene

@@ -14,8 +14,7 @@ void append(std::vector<double>& out, const Scene& scene, Project project) {
 
 void append_names(std::vector<std::string>& out, const Scene& scene, const std::string& letter, int components) {
   for (int k = 1; k <= size(scene); ++k)
-    for (int i = 1; i <= components; ++i)
-      out.push_back(letter + "_" + std::to_string(k) + "_" + std::to_string(i));
+    for (int i = 1; i <= components; ++i) out.push_back(letter + "_" + std::to_string(k) + "_" + std::to_string(i));
 }
 
 std::vector<double> values(const std::vector<Named>& list) {
@@ -28,15 +27,19 @@ std::vector<double> values(const std::vector<Named>& list) {
 
 std::vector<double> initial_coordinates(const Scene& scene) {
   std::vector<double> x;
-  append(x, scene, [](const BodyState& state) -> auto& { return state.eps; });
-  append(x, scene, [](const BodyState& state) -> auto& { return state.s; });
+  append(
+      x, scene, [](const BodyState& state) -> auto& { return state.eps; });
+  append(
+      x, scene, [](const BodyState& state) -> auto& { return state.s; });
   return x;
 }
 
 std::vector<double> initial_speeds(const Scene& scene) {
   std::vector<double> y;
-  append(y, scene, [](const BodyState& state) -> auto& { return state.omega; });
-  append(y, scene, [](const BodyState& state) -> auto& { return state.sdot; });
+  append(
+      y, scene, [](const BodyState& state) -> auto& { return state.omega; });
+  append(
+      y, scene, [](const BodyState& state) -> auto& { return state.sdot; });
   return y;
 }
 

@@ -17,6 +17,10 @@ Letters letters_of(SymbolTable& table, const scene::Body& body, int k) {
     return absent ? ex(0) : add(role, name, latex, Shape::vector);
   };
   Letters l;
+  l.q = add_unless(is_zero(body.q), Role::q, "q", "q");
+  l.s = add(Role::s, "s", "s", Shape::vector);
+  l.sdot = add(Role::sdot, "sdot", "\\dot s", Shape::vector);
+  l.sddot = add(Role::sddot, "sddot", "\\ddot s", Shape::vector);
   l.to_inertial = add(Role::quantity, "Rt", "R", Shape::matrix);
   l.to_body = add(Role::quantity, "R", "R", Shape::matrix);
   table.pair(l.to_inertial, l.to_body);
@@ -24,10 +28,6 @@ Letters letters_of(SymbolTable& table, const scene::Body& body, int k) {
   l.eps4 = add(Role::euler_scalar, "eps4_", "\\varepsilon_{4}", Shape::scalar);
   l.omega = add(Role::omega, "omega", "\\omega", Shape::vector);
   l.omegadot = add(Role::omegadot, "omegadot", "\\dot\\omega", Shape::vector);
-  l.q = add_unless(is_zero(body.q), Role::q, "q", "q");
-  l.s = add(Role::s, "s", "s", Shape::vector);
-  l.sdot = add(Role::sdot, "sdot", "\\dot s", Shape::vector);
-  l.sddot = add(Role::sddot, "sddot", "\\ddot s", Shape::vector);
   l.r = add_unless(is_zero(body.r), Role::r, "r", "r");
   l.mass = add(Role::mass, "m", "m", Shape::scalar);
   l.inertia = add(Role::inertia, "I", "I", Shape::matrix);

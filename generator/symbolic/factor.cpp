@@ -42,9 +42,21 @@ Term without(Term term, End end) {
   return term;
 }
 
-ex factored(const std::vector<Term>& terms) {
+bool is_negative(const Term& term) {
+  for (const ex& factor : term.scalar.nops() > 0 ? std::vector<ex>(term.scalar.begin(), term.scalar.end())
+                                                 : std::vector<ex>{term.scalar})
+    if (factor.info(GiNaC::info_flags::negative)) return true;
+  return false;
+}
+
+// A sum of negative terms as the negative of a sum of positive ones.
+ex factored(std::vector<Term> terms) {
   const Common common = most_common(terms);
   if (common.count < 2) return sum(terms);
+  if (std::all_of(terms.begin(), terms.end(), is_negative)) {
+    for (Term& term : terms) term.scalar = -term.scalar;
+    return -factored(terms);
+  }
   std::vector<Term> inside;
   std::vector<Term> rest;
   for (const Term& term : terms) {

@@ -35,8 +35,10 @@ void append_key(const ex& e, Key& key) {
 
 std::vector<ex> ordered(const ex& e) {
   std::vector<std::pair<Key, ex>> keyed;
+  const bool is_product = GiNaC::is_a<GiNaC::mul>(e);
   for (const ex& operand : e) {
-    keyed.emplace_back(Key{}, operand);
+    const bool is_block = is_product && operand.return_type() != GiNaC::return_types::commutative;
+    keyed.emplace_back(Key{is_block ? 1 : 0}, operand);
     append_key(operand, keyed.back().first);
   }
   std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

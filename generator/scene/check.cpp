@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/scene/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "generator/scene/eigenvalues.hpp"
+#include "runtime/base/text.hpp"
+
+namespace kanec::scene {
+namespace {
+
+// Below this part of the largest, a moment cannot be told from zero: eigenvalues are known to a few 1e-16 of it.
+constexpr double zero_moment = 1e-14;
+// Moments of a flat body meet the inequality exactly; written in decimal they may miss it by some roundings.
+constexpr double triangle_margin = 1e-12;
+// Smaller ones have no reciprocal worth the name.
+constexpr double least_mass = 1e-100;
+constexpr double most_rows = 1e8;
+constexpr double most_steps = 1e12;
+constexpr double tightest_relative = 1e-15;
+
+std::string listed(const std::array<double, 3>& moments) {
+  return shortest(moments[0]) + ", " + shortest(moments[1]) + ", " + shortest(moments[2]);
+}
+
+std::string entries(const Symmetric& inertia, const Symbols& symbols) {
+  const auto entry = [&symbols](const char* name, const Number& number) {
+    return std::string(name) + " " + symbols.shown(number);
+  };
+  return entry("xx", inertia.xx) + ", " + entry("yy", inertia.yy) + ", " + entry("zz", inertia.zz) + ", " +
+         entry("xy", inertia.xy) + ", " + entry("xz", inertia.xz) + ", " + entry("yz", inertia.yz);
+}
+
+std::array<double, 3> principal_moments(const Symmetric& inertia, const Symbols& symbols) {
+  const auto value = [&symbols](const Number& number) { return symbols.value(number); };
+  return eigenvalues({{{value(inertia.xx), value(inertia.xy), value(inertia.xz)},
+                       {value(inertia.xy), value(inertia.yy), value(inertia.yz)},
+                       {value(inertia.xz), value(inertia.yz), value(inertia.zz)}}});
+}
+
+void check_positive(double value, const Place& place) {
+  if (!(std::isfinite(value) && value > 0)) fail(place, shortest(value), "a positive finite number");
+}
+
+// `what` so many times in the duration, each `interval` long
+void check_count(double duration, double interval, double most, const std::string& what, const Place& place) {
+  if (duration / interval > most)
+    fail(place, shortest(interval) + ", which makes " + shortest(std::ceil(duration / interval)) + " " + what,
+         "at most " + shortest(most) + " " + what + " in the duration, " + shortest(duration));
+}
+
+}  // namespace
+
+void check_mass(const Number& mass, const Symbols& symbols, const Place& place) {
+  const double value = symbols.value(mass);
+  if (value >= least_mass) return;
+  const std::string reason =
+      value < 0 ? "" : ": without mass the acceleration of a free body is undetermined (A is singular)";
+  fail(place, symbols.shown(mass), "a positive number" + reason);
+}
+
+std::optional<std::string> check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place) {
+  const std::array<double, 3> moments = principal_moments(inertia, symbols);
+  const double zero = zero_moment * moments[2];
+  if (moments[0] < -zero || moments[2] < 0)
+    fail(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) + ")",
+         "a positive definite matrix; one of these is negative");
+  if (moments[0] <= zero || moments[2] < least_mass)
+    fail(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) + ")",
+         "a positive definite matrix: about an axis without inertia the angular acceleration of a free body is "
+         "undetermined (A is singular)");
+  if (moments[0] + moments[1] >= moments[2] * (1 - triangle_margin)) return std::nullopt;
+  return remark(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) +
+                           ") violate the triangle inequality: the largest exceeds the sum of the others, as in no "
+                           "rigid body; modelled as written");
+}
+
+void check_simulation(const Simulation& simulation, const PlaceOf& place_of) {
+  check_positive(simulation.duration, place_of("duration"));
+  check_positive(simulation.output_step, place_of("output_step"));
+  check_positive(simulation.step, place_of("step"));
+  check_positive(simulation.relative_tolerance, place_of("relative_tolerance"));
+  check_positive(simulation.absolute_tolerance, place_of("absolute_tolerance"));
+  check_count(simulation.duration, simulation.output_step, most_rows, "rows", place_of("output_step"));
+  check_count(simulation.duration, simulation.step, most_steps, "steps", place_of("step"));
+  if (simulation.absolute_tolerance >= 1)
+    fail(place_of("absolute_tolerance"), shortest(simulation.absolute_tolerance), "a positive number below 1");
+  if (simulation.relative_tolerance < tightest_relative || simulation.relative_tolerance >= 1)
+    fail(place_of("relative_tolerance"), shortest(simulation.relative_tolerance), "from 1e-15 to below 1");
+  const std::vector<std::string> integrators = {"rk4", "arkode", "cvode", "cvode_bdf"};
+  if (std::find(integrators.begin(), integrators.end(), simulation.integrator) == integrators.end())
+    fail(place_of("integrator"), in_quotes(simulation.integrator), one_of(integrators, simulation.integrator));
+}
+
+}  // namespace kanec::scene

@@ -1,0 +1,27 @@
+// Whether a body's mass and inertia and a simulation's settings can be modelled. Not: how they are read.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "generator/scene/place.hpp"
+#include "generator/scene/scene.hpp"
+#include "generator/scene/symbols.hpp"
+
+namespace kanec::scene {
+
+// Parameters are judged by their defaults. A free joint needs a positive mass and a positive definite inertia, else A
+// is singular. Both throw SceneError; check_inertia returns a warning where the principal moments violate the triangle
+// inequality, which no rigid body does and published models do.
+void check_mass(const Number& mass, const Symbols& symbols, const Place& place);
+std::optional<std::string> check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place);
+
+// Where the setting of a key of Simulation stands: in a file, or on a command line.
+using PlaceOf = std::function<Place(const std::string& key)>;
+
+// Refuses settings that no integrator can follow. Throws SceneError.
+void check_simulation(const Simulation& simulation, const PlaceOf& place_of);
+
+}  // namespace kanec::scene

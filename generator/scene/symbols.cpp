@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/scene/symbols.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "runtime/base/text.hpp"
+
+namespace kanec::scene {
+namespace {
+
+constexpr auto name_rule =
+    "a C++ identifier: letters, digits, single underscores, at most 63, a letter first, no keyword";
+
+// Types and namespaces of the emitted code, and macros of C++ headers.
+constexpr std::array reserved = {"kanec", "std",   "T",      "Parameters", "Inputs",   "Prepared", "NULL",
+                                 "NAN",   "errno", "assert", "INFINITY",   "HUGE_VAL", "linux",    "unix"};
+
+// Namespaces of kanec itself, beside which the one of a scene would stand.
+constexpr std::array namespaces = {"scene",   "symbolic",  "program", "lower", "emit",
+                                   "generic", "integrate", "compile", "cli",   "detail"};
+
+template <class List>
+bool contains(const List& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+void check_name(const std::string& name, const Place& place) {
+  if (!is_identifier(name)) fail(place, in_quotes(name), name_rule);
+  if (contains(reserved, name)) fail(place, in_quotes(name) + ", which the emitted code uses itself", "another name");
+}
+
+template <class List>
+std::optional<int> index_of(const List& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.named.name == name; });
+  if (found == list.end()) return std::nullopt;
+  return static_cast<int>(found - list.begin());
+}
+
+}  // namespace
+
+std::string read_name(const Node& node) {
+  std::string name = node.text(name_rule);
+  check_name(name, node.place());
+  return name;
+}
+
+std::string read_scene_name(const Node& node) {
+  std::string name = read_name(node);
+  if (contains(namespaces, name)) fail(node.place(), in_quotes(name) + ", a namespace of kanec", "another name");
+  return name;
+}
+
+void Symbols::add_parameters(const Table& table) { add(parameters_, table); }
+void Symbols::add_inputs(const Table& table) { add(inputs_, table); }
+
+void Symbols::add(std::vector<Symbol>& list, const Table& table) {
+  for (const auto& [name, node] : table.entries()) {
+    check_name(name, node.place());
+    const auto& other = &list == &inputs_ ? parameters_ : inputs_;
+    if (const auto twin = index_of(other, name))
+      fail(node.place(),
+           "a parameter and an input of this name, the other on line " +
+               std::to_string(other[static_cast<std::size_t>(*twin)].place.line),
+           "two names");
+    list.push_back({{name, node.real("a finite number, the default")}, node.place()});
+  }
+}
+
+Number Symbols::constant_or_parameter(const Node& node) { return read(node, false); }
+Number Symbols::any(const Node& node) { return read(node, true); }
+
+Number Symbols::read(const Node& node, bool inputs_allowed) {
+  const std::string kinds = inputs_allowed ? "parameter or input" : "parameter";
+  if (!node.is_text()) return Number::constant(node.real("a finite number, or the name of a " + kinds));
+  const std::string name = node.text("");
+  if (const auto index = index_of(parameters_, name)) {
+    parameters_[static_cast<std::size_t>(*index)].used = true;
+    return Number::parameter(*index);
+  }
+  const auto index = index_of(inputs_, name);
+  if (index && !inputs_allowed)
+    fail(node.place(), "the input " + name, "a number or a parameter: inputs are for force and moment alone");
+  if (index) {
+    inputs_[static_cast<std::size_t>(*index)].used = true;
+    return Number::input(*index);
+  }
+  std::vector<std::string> known;
+  for (const Symbol& symbol : parameters_) known.push_back(symbol.named.name);
+  for (const Symbol& symbol : inputs_)
+    if (inputs_allowed) known.push_back(symbol.named.name);
+  const std::string names = known.empty() ? " (this scene has none)" : ": " + one_of(known, name);
+  fail(node.place(), "the text " + in_quotes(name), "a number or the name of a " + kinds + names);
+}
+
+Vector Symbols::vector(const Node& node, Number (Symbols::*read_one)(const Node&)) {
+  Vector out;
+  const std::vector<Node> list = node.list(3, "a list of 3 numbers or names");
+  for (std::size_t i = 0; i < 3; ++i) out[i] = (this->*read_one)(list[i]);
+  return out;
+}
+
+double Symbols::value(const Number& number) const {
+  if (number.kind == Number::Kind::constant) return number.value;
+  const auto& list = number.kind == Number::Kind::parameter ? parameters_ : inputs_;
+  return list[static_cast<std::size_t>(number.index)].named.value;
+}
+
+std::string Symbols::shown(const Number& number) const {
+  if (number.kind == Number::Kind::constant) return shortest(number.value);
+  const auto& list = number.kind == Number::Kind::parameter ? parameters_ : inputs_;
+  const Named& named = list[static_cast<std::size_t>(number.index)].named;
+  return named.name + " = " + shortest(named.value);
+}
+
+std::vector<std::string> Symbols::warnings() const {
+  std::vector<std::string> out;
+  for (const auto* list : {&parameters_, &inputs_})
+    for (const Symbol& symbol : *list)
+      if (!symbol.used) out.push_back(remark(symbol.place, "nothing in the scene uses it"));
+  return out;
+}
+
+std::vector<Named> Symbols::named(const std::vector<Symbol>& list) {
+  std::vector<Named> out;
+  for (const Symbol& symbol : list) out.push_back(symbol.named);
+  return out;
+}
+
+}  // namespace kanec::scene
