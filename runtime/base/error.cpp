@@ -8,14 +8,17 @@ namespace {
 
 std::string message(const SceneFault& fault) {
   std::string text = fault.file;
-  if (fault.line > 0) text += ":" + std::to_string(fault.line);
-  const auto append = [&text](const std::string& part) {
-    if (!part.empty()) text += (text.empty() ? "" : ": ") + part;
+  if (fault.line > 0) text.append(":").append(std::to_string(fault.line));
+  const auto append = [&text](const char* separator, const char* label, const std::string& part) {
+    if (part.empty()) return;
+    if (!text.empty()) text += separator;
+    text += label;
+    text += part;
   };
-  append(fault.body);
-  append(fault.field);
-  if (!fault.found.empty()) append("found " + fault.found);
-  if (!fault.allowed.empty()) text += "; allowed: " + fault.allowed;
+  append(": ", "", fault.body);
+  append(": ", "", fault.field);
+  append(": ", "found ", fault.found);
+  append("; ", "allowed: ", fault.allowed);
   return text;
 }
 

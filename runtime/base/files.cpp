@@ -9,22 +9,24 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
 
 namespace kanec {
 namespace fs = std::filesystem;
 
 std::string read_file(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw FileError(path.string(), std::strerror(errno));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) throw FileError(path.string(), std::strerror(errno));
   std::string text;
   char block[65536];
-  ssize_t n = 0;
-  while ((n = ::read(descriptor, block, sizeof block)) > 0) text.append(block, static_cast<std::size_t>(n));
-  const int error = errno;
-  ::close(descriptor);
-  if (n < 0) throw FileError(path.string(), std::strerror(error));
-  return text;
+  for (;;) {
+    const ssize_t n = ::read(file.get(), block, sizeof block);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw FileError(path.string(), std::strerror(errno));
+    if (n == 0) return text;
+    text.append(block, static_cast<std::size_t>(n));
+  }
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {

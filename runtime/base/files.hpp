@@ -12,7 +12,7 @@ namespace kanec {
 std::string read_file(const std::filesystem::path& path);
 
 // A file that appears under its name only by commit(): written to a temporary name beside it, flushed to disk, renamed.
-// Every failure (unwritable folder, disk full) throws FileError and leaves no trace; so does destruction without commit().
+// A failure (unwritable folder, disk full) throws FileError and leaves no trace; nor does destruction without commit().
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

@@ -18,7 +18,8 @@ struct ProcessResult {
 // The executable that `name` means: itself when it holds a slash, else the first on PATH. Empty when there is none.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-// Runs argv[0] with the arguments, feeds `input`, waits. No shell sees any of it. Throws FileError when it cannot start.
+// Runs argv[0] with the arguments and `input` as its standard input, until it ends and its output is closed. No shell
+// sees any of it. Throws FileError when it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input = {});
 
 }  // namespace kanec

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <string_view>
+
+#include "kanec_abi_text.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/base/text.hpp"
+#include "runtime/compile/compile.hpp"
+#include "runtime/compile/key.hpp"
+#include "runtime/compile/library.hpp"
+
+namespace kanec::compile {
+
+namespace fs = std::filesystem;
+
+// `folder` is there when nothing is kept; it outlives the library that is loaded from it.
+struct Model::State {
+  std::optional<TemporaryFolder> folder;
+  Library library;
+  fs::path path;
+  bool from_cache = false;
+  double seconds = 0.0;
+  std::vector<std::string> notes;
+};
+
+Model::Model(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(Model&&) noexcept = default;
+const kanec_model& Model::abi() const { return state_->library.model(); }
+bool Model::from_cache() const { return state_->from_cache; }
+double Model::compile_seconds() const { return state_->seconds; }
+const fs::path& Model::library() const { return state_->path; }
+const std::vector<std::string>& Model::notes() const { return state_->notes; }
+
+namespace {
+
+constexpr char made_name[] = "made";  // in the workplace: what becomes the entry
+
+struct Job {
+  const Source& source;
+  Compiler compiler;
+  std::vector<std::string> flags;
+  Cache::Place place;
+};
+
+bool is_file_name(std::string_view name) {
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+  return !name.empty() && name[0] != '.' && name[0] != '-' && name.find_first_not_of(allowed) == name.npos;
+}
+
+void check_names(const Source& source) {
+  if (!is_identifier(source.name)) throw InternalError("model name is no identifier: " + source.name);
+  std::set<std::string> names = {"abi.h", made_name};  // ours
+  for (const auto& [name, text] : source.files) {
+    if (!is_file_name(name)) throw InternalError("unsound name of a source file: " + name);
+    if (!names.insert(name).second) throw InternalError("source file given twice: " + name);
+  }
+  const auto is_main = [&source](const auto& file) { return file.first == source.main; };
+  if (std::none_of(source.files.begin(), source.files.end(), is_main))
+    throw InternalError("source file to compile is not given: " + source.main);
+}
+
+Job plan(const Source& source, const Options& options) {
+  check_names(source);
+  Job job{source, find_compiler(options.compiler), options.flags_given ? options.flags : default_flags(), {}};
+  job.place = Cache::place(source.name, cache_key(source, job.compiler, job.flags));
+  return job;
+}
+
+std::string not_kept(const FileError& error) { return std::string("the compiled model is not kept: ") + error.what(); }
+
+std::optional<Cache> open_cache(const Options& options, std::vector<std::string>& notes) {
+  if (!options.use_cache) return std::nullopt;
+  try {
+    return Cache(options.cache.empty() ? default_cache() : options.cache);
+  } catch (const FileError& error) {
+    notes.push_back(not_kept(error));
+    return std::nullopt;
+  }
+}
+
+// An entry that cannot be loaded, or is not what its key says, counts as none.
+std::unique_ptr<Model::State> fetch(const Cache& cache, const Job& job) {
+  const auto path = cache.find(job.place);
+  if (!path) return nullptr;
+  try {
+    return std::make_unique<Model::State>(Model::State{std::nullopt, Library(*path, job.source), *path, true, 0.0, {}});
+  } catch (const LoadError&) {
+  }
+  try {
+    cache.discard(job.place);
+  } catch (const FileError&) {  // what cannot be removed is passed over each time
+  }
+  return nullptr;
+}
+
+TemporaryFolder with_sources(TemporaryFolder folder, const Source& source) {
+  write_file(folder.path() / "abi.h", abi_text);
+  for (const auto& [name, text] : source.files) write_file(folder.path() / name, text);
+  const fs::path made = folder.path() / made_name;
+  if (::mkdir(made.c_str(), 0700) != 0) throw FileError(made.string(), std::strerror(errno));
+  return folder;
+}
+
+// The sources, laid out in the cache or, where that cannot be, in the system's temporary folder.
+TemporaryFolder workplace(std::optional<Cache>& cache, const Job& job, std::vector<std::string>& notes) {
+  if (cache) {
+    try {
+      return with_sources(cache->workplace(job.place), job.source);
+    } catch (const FileError& error) {
+      notes.push_back(not_kept(error));
+      cache.reset();
+    }
+  }
+  return with_sources(TemporaryFolder(temporary_root() / "kanec"), job.source);
+}
+
+std::unique_ptr<Model::State> make(const Job& job, TemporaryFolder folder) {
+  const fs::path library = folder.path() / made_name / library_name;
+  const double seconds =
+      make_library(command_line(job.compiler, job.flags, folder.path() / job.source.main, library), library);
+  Library loaded(library, job.source);
+  return std::make_unique<Model::State>(
+      Model::State{std::move(folder), std::move(loaded), library, false, seconds, {}});
+}
+
+void keep(const Cache& cache, const Job& job, Model::State& state) {
+  try {
+    state.path = cache.store(state.path.parent_path(), job.place);
+    state.folder.reset();
+  } catch (const FileError& error) {
+    state.notes.push_back(not_kept(error));
+  }
+}
+
+}  // namespace
+
+Model build(const Source& source, const Options& options) {
+  const Job job = plan(source, options);
+  std::vector<std::string> notes;
+  std::optional<Cache> cache = open_cache(options, notes);
+  if (cache)
+    if (auto state = fetch(*cache, job)) return Model(std::move(state));
+  const Lock lock = cache ? cache->lock(job.place) : Lock();
+  if (cache)
+    if (auto state = fetch(*cache, job)) return Model(std::move(state));  // made by another process meanwhile
+  auto state = make(job, workplace(cache, job, notes));
+  state->notes = std::move(notes);
+  if (cache) keep(*cache, job, *state);
+  return Model(std::move(state));
+}
+
+}  // namespace kanec::compile

@@ -1,0 +1,23 @@
+// Everything that decides what a compiled model is, as one text. Not: where it is kept.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/compile/compiler.hpp"
+#include "runtime/compile/source.hpp"
+
+namespace kanec::compile {
+
+// ABI version, all source texts with abi.h, the compiler (path, file behind it, version), flags, the environment that
+// compilers heed, and the processor that -march=native means. Two builds may share a library only if their keys are
+// equal.
+std::string cache_key(const Source& source, const Compiler& compiler, const std::vector<std::string>& flags);
+
+// The lines of /proc/cpuinfo that name the first processor's kind and abilities; its clock rates and the like are left
+// out.
+std::string processor(std::string_view cpuinfo);
+
+}  // namespace kanec::compile

@@ -1,0 +1,28 @@
+// A model's shared library, loaded and compared with what it should be. Not: where it comes from.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "runtime/abi/abi.h"
+#include "runtime/compile/source.hpp"
+
+namespace kanec::compile {
+
+class Library {
+ public:
+  // Loads the file and checks its descriptor: ABI version and size, hash, nx, ny. Throws LoadError. The file must be
+  // whole: a truncated one may kill the process.
+  Library(const std::filesystem::path& path, const Source& expected);
+  const kanec_model& model() const { return *model_; }
+
+ private:
+  struct Close {
+    void operator()(void* handle) const;
+  };
+  std::unique_ptr<void, Close> handle_;
+  const kanec_model* model_;
+};
+
+}  // namespace kanec::compile

@@ -1,0 +1,22 @@
+// What the generator hands over for compilation. Not: how it is emitted (generator/emit).
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanec::compile {
+
+struct Source {
+  std::string name;  // of the model, an identifier
+  std::string hash;  // expected kanec_model::hash
+  int nx = 0;        // expected sizes
+  int ny = 0;
+  // File name and text: the emitted header, and what instantiates it for double and exports the descriptor. They
+  // include each other by bare name; abi.h is put beside them.
+  std::vector<std::pair<std::string, std::string>> files;
+  std::string main;  // the file to compile
+};
+
+}  // namespace kanec::compile
