@@ -48,7 +48,7 @@ class Lowering {
   void place_entries(const symbolic::Function& function, program::Function& result) {
     result.outputs.assign(static_cast<std::size_t>(function.n_out), builder_.constant(0.0));
     for (const symbolic::Output& output : function.outputs) {
-      Block block = of(output.block);
+      Block block = output.stride > 1 ? matrix(of(output.block)) : of(output.block);
       if (output.transposed) block = transposed(block);
       for (int i = 0; i < block.rows; ++i)
         for (int j = 0; j < block.columns; ++j)
@@ -63,18 +63,18 @@ class Lowering {
       auto known = places.find(output.block);
       if (known == places.end()) {
         known = places.emplace(output.block, static_cast<int>(places.size())).first;
-        const Block zero{3, 3, zeros()};
-        const Block block = add(builder_, zero, of(output.block));
+        const Block block = matrix(of(output.block));
         result.outputs.insert(result.outputs.end(), block.entries.begin(), block.entries.end());
       }
       result.placements.push_back({GiNaC::ex_to<GiNaC::numeric>(known->second).to_int(), output.offset});
     }
   }
 
-  std::array<Ref, 9> zeros() {
-    std::array<Ref, 9> result{};
-    result.fill(builder_.constant(0.0));
-    return result;
+  // A scalar as that times the identity.
+  Block matrix(const Block& block) {
+    Block zero{3, 3, {}};
+    zero.entries.fill(builder_.constant(0.0));
+    return block.is_scalar() ? add(builder_, zero, block) : block;
   }
 
   // Outward by ascending bodies, inward by descending ones, the whole system last; inside a body as derived.
