@@ -27,8 +27,7 @@ std::string wrapper(const scene::Scene& scene, const program::Function& function
          function.name + "(" + arguments + ", out);\n}\n\n";
 }
 
-std::string record(const program::Program& program, const program::Function& function) {
-  const program::Ledger cost = program::ledger(program, function);
+std::string record(const program::Function& function, const program::Ledger& cost) {
   std::string text = "    {\"" + function.name + "\", " + std::to_string(function.n_out);
   for (const int n : {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric})
     text += ", " + std::to_string(n);
@@ -58,7 +57,8 @@ std::string emit_abi(const Model& model, const program::Program& program) {
           "model::Parameters<double>" + spread("p", scene.parameters.size()) + "));\n}\n\n";
   for (const program::Function& function : program.functions) text += wrapper(scene, function);
   text += "const kanec_function functions[] = {\n";
-  for (const program::Function& function : program.functions) text += record(program, function);
+  const std::vector<program::Ledger> costs = program::ledgers(program);
+  for (std::size_t i = 0; i < costs.size(); ++i) text += record(program.functions[i], costs[i]);
   text += "};\n\n" + named_lists("parameter", scene.parameters) + named_lists("input", scene.inputs) + "\n";
   text += "const kanec_model description = {\n    KANEC_ABI_VERSION, sizeof(kanec_model), \"" + scene.name + "\", \"" +
           model.hash + "\", " + std::to_string(size(scene)) + ", model::nx, model::ny,\n    model::n_parameters, model::n_inputs, " +

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "generator/emit/signature.hpp"
-#include "generator/program/ledger.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -21,8 +20,8 @@ using program::Stage;
 class Emission {
  public:
   Emission(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-           const Function& function, const PreparedNames& prepared)
-      : model_(model), program_(program), function_(function), statements_(program, stages, Stage::state, function.outputs) {
+           const Function& function, const program::Ledger& cost, const PreparedNames& prepared)
+      : model_(model), program_(program), function_(function), cost_(cost), statements_(program, stages, Stage::state, function.outputs) {
     for (const auto& [node, name] : prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
@@ -31,7 +30,7 @@ class Emission {
   std::string text() {
     const Signature& shape = signature(function_.name);
     text_ = "// " + function_.name + ": " + function_.meaning + ".\n// " + shape.layout + "\n// " +
-            program::text(program::ledger(program_, function_)) + "\n";
+            program::text(cost_) + "\n";
     text_ += "template <class T>\n";
     for (const std::string& line : wrapped("void " + function_.name + "(" + parameter_list(shape) + ") noexcept {", "    "))
       text_ += line + "\n";
@@ -51,9 +50,8 @@ class Emission {
 
  private:
   void use_functions() {
-    const program::Ledger ledger = program::ledger(program_, function_);
-    if (ledger.square_roots > 0) text_ += "  using std::sqrt;\n";
-    if (ledger.trigonometric > 0) text_ += "  using std::cos, std::sin;\n";
+    if (cost_.square_roots > 0) text_ += "  using std::sqrt;\n";
+    if (cost_.trigonometric > 0) text_ += "  using std::cos, std::sin;\n";
   }
 
   bool is_zero(Ref ref) const {
@@ -182,6 +180,7 @@ class Emission {
   const Model& model_;
   const program::Program& program_;
   const Function& function_;
+  program::Ledger cost_;
   Statements statements_;
   std::unordered_map<Index, std::vector<std::size_t>> places_;  // outputs by node
   std::vector<bool> stored_;
@@ -194,8 +193,8 @@ class Emission {
 }  // namespace
 
 std::string emit_function(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-                          const Function& function, const PreparedNames& prepared) {
-  return Emission(model, program, stages, function, prepared).text();
+                          const Function& function, const program::Ledger& cost, const PreparedNames& prepared) {
+  return Emission(model, program, stages, function, cost, prepared).text();
 }
 
 }  // namespace kanec::emit

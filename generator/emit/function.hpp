@@ -8,6 +8,7 @@
 
 #include "generator/emit/model.hpp"
 #include "generator/emit/statements.hpp"
+#include "generator/program/ledger.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
@@ -17,6 +18,6 @@ using PreparedNames = std::unordered_map<program::Index, Name>;
 
 std::string emit_function(const Model& model, const program::Program& program,
                           const std::vector<program::Stage>& stages, const program::Function& function,
-                          const PreparedNames& prepared);
+                          const program::Ledger& cost, const PreparedNames& prepared);
 
 }  // namespace kanec::emit

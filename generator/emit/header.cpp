@@ -24,17 +24,18 @@ std::string bodies(const scene::Scene& scene) {
   return text;
 }
 
-std::string operations(const program::Program& program) {
+std::string operations(const program::Program& program, const std::vector<program::Ledger>& costs) {
   std::string text;
-  for (const program::Function& function : program.functions) {
-    const program::Ledger ledger = program::ledger(program, function);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const program::Function& function = program.functions[i];
+    const program::Ledger& ledger = costs[i];
     text += "//   " + function.name + std::string(24 - std::min<std::size_t>(23, function.name.size()), ' ') +
             std::to_string(ledger.operations()) + " (" + program::text(ledger) + ")\n";
   }
   return text;
 }
 
-std::string preamble(const Model& model, const program::Program& program) {
+std::string preamble(const Model& model, const program::Program& program, const std::vector<program::Ledger>& costs) {
   const scene::Scene& scene = *model.scene;
   std::string text = "// SPDX-License-Identifier: BSD-3-Clause\n// " + scene.name + ": equations of motion of " +
                      std::to_string(size(scene)) + " rigid " + (size(scene) == 1 ? "body" : "bodies") +
@@ -51,7 +52,7 @@ std::string preamble(const Model& model, const program::Program& program) {
       "// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:\n"
       "// float, double, long double, or any type with + - * / and a constructor from double.\n"
       "//\n// operations of one call (adds + multiplies + divides):\n";
-  return text + operations(program);
+  return text + operations(program, costs);
 }
 
 std::string includes(const program::Program& program) {
@@ -69,14 +70,15 @@ std::string emit_header(const Model& model, const program::Program& program) {
   const scene::Scene& scene = *model.scene;
   const std::vector<program::Stage> stages = program::stages(program);
   const Preparation preparation = emit_prepare(scene, program, stages);
-  std::string text = preamble(model, program) + includes(program) + "namespace kanec::" + scene.name + " {\n\n";
+  const std::vector<program::Ledger> costs = program::ledgers(program);
+  std::string text = preamble(model, program, costs) + includes(program) + "namespace kanec::" + scene.name + " {\n\n";
   text += constant("n_bodies", size(scene)) + constant("nx", n_coordinates(scene)) + constant("ny", n_speeds(scene)) +
           constant("n_parameters", static_cast<int>(scene.parameters.size())) +
           constant("n_inputs", static_cast<int>(scene.inputs.size())) + "inline constexpr char model_hash[] = \"" +
           model.hash + "\";\n\n";
   text += preparation.text;
-  for (const program::Function& function : program.functions)
-    text += "\n" + emit_function(model, program, stages, function, preparation.names);
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    text += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.names);
   return text + "\n}  // namespace kanec::" + scene.name + "\n";
 }
 

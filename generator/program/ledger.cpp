@@ -12,8 +12,7 @@ void count(const Node& node, Ledger& ledger) {
   ledger.trigonometric += std::holds_alternative<Sine>(node) || std::holds_alternative<Cosine>(node);
 }
 
-Ledger counted(const Program& program, const std::vector<Ref>& roots, Stage wanted) {
-  const std::vector<Stage> stage = stages(program);
+Ledger counted(const Program& program, const std::vector<Stage>& stage, const std::vector<Ref>& roots, Stage wanted) {
   const std::vector<bool> alive = reachable(program, roots);
   Ledger result;
   for (std::size_t i = 0; i < program.nodes.size(); ++i)
@@ -24,10 +23,20 @@ Ledger counted(const Program& program, const std::vector<Ref>& roots, Stage want
 }  // namespace
 
 Ledger ledger(const Program& program, const Function& function) {
-  return counted(program, function.outputs, Stage::state);
+  return counted(program, stages(program), function.outputs, Stage::state);
 }
 
-Ledger prepare_ledger(const Program& program) { return counted(program, all_outputs(program), Stage::parameter); }
+std::vector<Ledger> ledgers(const Program& program) {
+  const std::vector<Stage> stage = stages(program);
+  std::vector<Ledger> result;
+  for (const Function& function : program.functions)
+    result.push_back(counted(program, stage, function.outputs, Stage::state));
+  return result;
+}
+
+Ledger prepare_ledger(const Program& program) {
+  return counted(program, stages(program), all_outputs(program), Stage::parameter);
+}
 
 std::string text(const Ledger& ledger) {
   std::string result = std::to_string(ledger.adds) + " add, " + std::to_string(ledger.multiplies) + " multiply";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/program/program.hpp"
 
@@ -21,6 +22,9 @@ struct Ledger {
 
 // One call of the function; what depends on parameters only is prepare()'s.
 Ledger ledger(const Program& program, const Function& function);
+
+// The same for every function of the program, in order.
+std::vector<Ledger> ledgers(const Program& program);
 
 // What prepare() does for all functions of the program.
 Ledger prepare_ledger(const Program& program);

@@ -16,8 +16,8 @@ using Key = std::array<std::uint64_t, 3>;
 struct Hash {
   std::size_t operator()(const Key& key) const {
     std::uint64_t hash = 0;
-    for (const std::uint64_t part : key) hash = (hash ^ part) * 0x9e3779b97f4a7c15u + (hash >> 29);
-    return static_cast<std::size_t>(hash);
+    for (const std::uint64_t part : key) hash = (std::rotl(hash, 23) ^ part) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
 };
 
@@ -40,6 +40,8 @@ Key key_of(const Node& node) {
 
 class Sharing {
  public:
+  explicit Sharing(std::size_t size) { known_.reserve(size); }
+
   Ref operator()(Builder& builder, const Node& node, Ref a, Ref b) {
     const Ref made = same_again(builder, node, a, b);
     const Node& now = builder.nodes().back();
@@ -62,7 +64,7 @@ class Sharing {
 }  // namespace
 
 Program share(const Program& program) {
-  Sharing sharing;
+  Sharing sharing(program.nodes.size());
   return rebuilt(program, std::ref(sharing));
 }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <arkode/arkode_erkstep.h>
+
+#include "runtime/base/error.hpp"
+#include "runtime/integrate/norm.hpp"
+#include "runtime/integrate/stepper.hpp"
+#include "runtime/integrate/sundials.hpp"
+
+namespace kanec::integrate {
+namespace {
+
+extern "C" int kanec_arkode_project(realtype, N_Vector z, void* data) {
+  auto& callback = *static_cast<CallbackData*>(data);
+  callback.norm_error = normalise(N_VGetArrayPointer(z), callback.system.n_bodies());
+  return 0;
+}
+
+bool failed_in_rates(int flag) {
+  return flag == ARK_RHSFUNC_FAIL || flag == ARK_FIRST_RHSFUNC_ERR || flag == ARK_REPTD_RHSFUNC_ERR ||
+         flag == ARK_UNREC_RHSFUNC_ERR;
+}
+
+struct ErkDeleter {
+  void operator()(void* memory) const { ERKStepFree(&memory); }
+};
+
+// Explicit embedded pairs, projection inside every accepted step (before its end rate is computed: none of the pairs
+// for orders 4, 5, 6, 8 carries the last stage over). Rows are ends of steps, reached by shortening the last one:
+// ARKODE's interpolant has order 5 at most, less than the method.
+class Arkode final : public Stepper {
+ public:
+  Arkode(System& system, std::vector<double> z, const Options& options, StepBook& book)
+      : book_(book), data_{system, 0.0, {}}, z_(std::move(z)), vector_(view(z_, context_)) {
+    memory_.reset(ERKStepCreate(kanec_sundials_rates, 0.0, vector_.get(), context_));
+    if (!memory_) throw InternalError("ERKStepCreate failed");
+    void* erk = memory_.get();
+    require(ERKStepSetErrHandlerFn(erk, kanec_sundials_message, &data_), "ERKStepSetErrHandlerFn", data_);
+    require(ERKStepSetUserData(erk, &data_), "ERKStepSetUserData", data_);
+    require(ERKStepSetOrder(erk, arkode_order(options)), "ERKStepSetOrder", data_);
+    require(ERKStepSStolerances(erk, options.relative_tolerance, options.absolute_tolerance), "ERKStepSStolerances",
+            data_);
+    require(ERKStepSetPostprocessStepFn(erk, kanec_arkode_project), "ERKStepSetPostprocessStepFn", data_);
+  }
+
+  std::span<const double> advance(double t) override {
+    if (t > t_) require(ERKStepSetStopTime(memory_.get(), t), "ERKStepSetStopTime", data_);
+    while (t_ < t) step(t);
+    return z_;
+  }
+
+ private:
+  void step(double limit) {
+    data_.system.clear_fault();
+    double next = t_;
+    const int flag = ERKStepEvolve(memory_.get(), limit, vector_.get(), &next, ARK_ONE_STEP);
+    if (flag < 0) throw_step_failure("arkode", next, failed_in_rates(flag), data_);
+    require_progress("arkode", t_, next, data_);
+    t_ = next;
+    long failed = 0;
+    require(ERKStepGetNumErrTestFails(memory_.get(), &failed), "ERKStepGetNumErrTestFails", data_);
+    book_.failed = failed;
+    book_.accepted(t_, data_.norm_error);
+  }
+
+  StepBook& book_;
+  CallbackData data_;
+  sundials::Context context_;
+  std::vector<double> z_;
+  VectorHandle vector_;
+  std::unique_ptr<void, ErkDeleter> memory_;
+  double t_ = 0.0;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book) {
+  return std::make_unique<Arkode>(system, std::move(z), options, book);
+}
+
+}  // namespace kanec::integrate

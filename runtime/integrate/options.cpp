@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/integrate/options.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "runtime/base/error.hpp"
+#include "runtime/base/text.hpp"
+
+namespace kanec::integrate {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Method>, 4> methods = {
+    {{"rk4", Method::rk4}, {"arkode", Method::arkode}, {"cvode", Method::cvode}, {"cvode_bdf", Method::cvode_bdf}}};
+
+[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
+  throw InputError(option + ": found " + found + "; allowed: " + allowed);
+}
+
+void require_positive(const std::string& option, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) refuse(option, shortest(value), "a positive number");
+}
+
+// More intervals than this and consecutive times are no longer told apart reliably.
+void require_resolvable(const std::string& option, double step, double duration) {
+  if (duration / step > 1e14) refuse(option, shortest(step), "at least 1e-14 of the duration");
+}
+
+void check_tolerance(const std::string& option, double value) {
+  if (!(value > 0.0 && value < 1.0)) refuse(option, shortest(value), "a number between 0 and 1, both excluded");
+}
+
+}  // namespace
+
+int arkode_order(const Options& options) {
+  if (options.order != 0) return options.order;
+  return options.relative_tolerance > 1e-6 ? 5 : 8;
+}
+
+void check(const Options& options) {
+  if (!(options.duration >= 0.0) || !std::isfinite(options.duration))
+    refuse("duration", shortest(options.duration), "zero or a positive number");
+  require_positive("output step", options.output_step);
+  require_resolvable("output step", options.output_step, options.duration);
+  require_positive("step", options.step);
+  require_resolvable("step", options.step, options.duration);
+  check_tolerance("relative tolerance", options.relative_tolerance);
+  check_tolerance("absolute tolerance", options.absolute_tolerance);
+  const int order = arkode_order(options);
+  if (order != 4 && order != 5 && order != 6 && order != 8) refuse("order", std::to_string(order), "0, 4, 5, 6, 8");
+  if (options.max_steps < 1) refuse("max steps", std::to_string(options.max_steps), "at least 1");
+}
+
+Method method_of(std::string_view name) {
+  std::string allowed;
+  for (const auto& [known, method] : methods) {
+    if (name == known) return method;
+    if (!allowed.empty()) allowed += ", ";
+    allowed += known;
+  }
+  refuse("integrator", std::string("'").append(name) + "'", allowed);
+}
+
+std::string name_of(Method method) {
+  for (const auto& [name, known] : methods)
+    if (method == known) return std::string(name);
+  throw InternalError("integration method without a name");
+}
+
+RowTimes::RowTimes(double duration, double output_step) : duration_(duration), step_(output_step), last_(0) {
+  const double intervals = duration / output_step;
+  const double whole = std::round(intervals);
+  // a last interval shorter than a millionth of the step is rounding, not a row
+  const bool even = std::fabs(intervals - whole) < 1e-6;
+  last_ = static_cast<std::int64_t>(even ? whole : std::ceil(intervals));
+  if (last_ == 0 && duration > 0.0) last_ = 1;
+}
+
+}  // namespace kanec::integrate

@@ -1,0 +1,41 @@
+// The rows of a run as a picture (SVG), drawn by gnuplot: coordinates, speeds, energies and the energy balance over
+// time. Not: the numbers themselves (trajectory.hpp keeps every row; here long runs are thinned).
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/base/files.hpp"
+#include "runtime/integrate/plot_script.hpp"
+#include "runtime/integrate/simulate.hpp"
+#include "runtime/integrate/trajectory.hpp"
+
+namespace kanec::integrate {
+
+// The file stands under its name after finish() only.
+class Plot {
+ public:
+  // Throws InputError where there is no gnuplot, FileError where `path` cannot be written: both before the run.
+  Plot(const std::filesystem::path& path, const StateNames& names, bool has_energy);
+
+  void add(const Row& row);
+
+  // Runs gnuplot and writes the file. Throws FileError with gnuplot's words where it fails.
+  void finish();
+
+ private:
+  void append_current();
+  void thin();
+
+  std::filesystem::path path_;
+  std::filesystem::path gnuplot_;
+  AtomicFile file_;
+  PlotData data_;
+  std::vector<double> current_;  // the last row
+  std::size_t most_samples_;
+  std::int64_t seen_ = 0, stride_ = 1;
+};
+
+}  // namespace kanec::integrate

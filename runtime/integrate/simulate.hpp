@@ -1,0 +1,48 @@
+// A run from an initial state to a duration: rows to an observer, a summary at the end. Not here: files
+// (trajectory.hpp), pictures (plot.hpp), how any of it is shown. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/abi/solver.hpp"
+#include "runtime/integrate/balance.hpp"
+#include "runtime/integrate/options.hpp"
+
+namespace kanec::integrate {
+
+// The state at one output time; the spans are valid during the call only.
+struct Row {
+  double t;                      // [s]
+  std::span<const double> x, y;  // Euler parameters of unit norm
+  double work;                   // of the applied loads since the start [J]; 0 where the model has no `power`
+  std::optional<Energy> energy;  // empty where the model has no `energy`
+};
+
+struct Summary {
+  std::int64_t rows = 0;
+  std::int64_t steps = 0;        // accepted
+  std::int64_t failed = 0;       // rejected by error control or not converged
+  std::int64_t restarts = 0;     // cvode (Adams) only: new starts because of the norm of the Euler parameters
+  std::int64_t evaluations = 0;  // of ẋ and ẏ
+  double wall_seconds = 0.0;     // whole run, observer included
+  std::optional<EnergyBalance> energy;
+  std::optional<MomentumChange> linear_momentum;   // [kg m/s]
+  std::optional<MomentumChange> angular_momentum;  // about the inertial origin [kg m²/s]
+  double worst_norm_error_before = 0.0;  // | |ε| - 1 | at the end of a step, before projection, over all steps
+  double worst_norm_error_after = 0.0;   // the same in the rows
+  std::vector<double> x, y;              // at the end
+};
+
+using Observer = std::function<void(const Row&)>;
+using Progress = std::function<void(double fraction)>;  // after every step; 0 to 1
+
+// Throws InputError (options, initial state, a model without the functions needed), IntegrationError (time and cause),
+// and whatever the observer throws. Inputs and parameters are those of the solver.
+Summary simulate(const Solver& solver, std::span<const double> x, std::span<const double> y, const Options& options,
+                 const Observer& observer = {}, const Progress& progress = {});
+
+}  // namespace kanec::integrate

@@ -1,0 +1,50 @@
+// What every integration method offers, and the book of its steps. Not: the methods (rk4, arkode, cvode) themselves.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/integrate/options.hpp"
+#include "runtime/integrate/system.hpp"
+
+namespace kanec::integrate {
+
+// Steps taken so far; one for all methods.
+class StepBook {
+ public:
+  StepBook(std::int64_t max_steps, std::function<void(double)> at_time)
+      : max_steps_(max_steps), at_time_(std::move(at_time)) {}
+
+  // An accepted step that ends at t, with | |ε| - 1 | before projection. Throws IntegrationError beyond max_steps.
+  void accepted(double t, double norm_error);
+
+  std::int64_t steps = 0;
+  std::int64_t failed = 0;    // rejected by error control or not converged
+  std::int64_t restarts = 0;  // of a multistep method, because of the norm of the Euler parameters
+  double worst_norm_error = 0.0;
+
+ private:
+  std::int64_t max_steps_;
+  std::function<void(double)> at_time_;  // may be empty
+};
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  // Goes on to time t, not before the last one asked for, never evaluating beyond the end it was made for. Returns z
+  // there with projected Euler parameters, valid until the next call. Throws IntegrationError.
+  virtual std::span<const double> advance(double t) = 0;
+};
+
+// `z` at t = 0; system and book must outlive the stepper.
+std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_cvode(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, const Options& options, StepBook& book);
+
+}  // namespace kanec::integrate

@@ -1,0 +1,46 @@
+// What the ARKODE and CVODE adapters share: handles, the callback into System, errors. Not: any stepping.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "runtime/integrate/system.hpp"
+
+namespace kanec::integrate {
+
+struct VectorDeleter {
+  void operator()(N_Vector vector) const { N_VDestroy(vector); }
+};
+using VectorHandle = std::unique_ptr<std::remove_pointer_t<N_Vector>, VectorDeleter>;
+
+// An N_Vector over the entries of `values`, which must outlive it and keep their place.
+VectorHandle view(std::vector<double>& values, const sundials::Context& context);
+
+// What the C callbacks are given.
+struct CallbackData {
+  System& system;
+  double norm_error = 0.0;  // before the last projection made inside the library
+  std::string message;      // last error that the library reported
+};
+
+// Signatures of ARKRhsFn and CVRhsFn (1: not finite), and of their error handlers: messages are kept, warnings dropped.
+extern "C" int kanec_sundials_rates(realtype t, N_Vector z, N_Vector zdot, void* data);
+extern "C" void kanec_sundials_message(int code, const char* module, const char* function, char* message, void* data);
+
+// Throws IntegrationError for a failed step: the rate that is not finite if `in_rates`, else the library's own words.
+[[noreturn]] void throw_step_failure(const char* library, double t, bool in_rates, const CallbackData& data);
+
+// Throws InternalError for a failed set-up call (flag < 0).
+void require(int flag, const char* call, const CallbackData& data);
+
+// Throws IntegrationError when the step from t to next did not move: the step size has collapsed, or a rate is not
+// finite.
+void require_progress(const char* library, double t, double next, const CallbackData& data);
+
+}  // namespace kanec::integrate
