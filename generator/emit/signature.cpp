@@ -29,11 +29,20 @@ const Signature& signature(const std::string& function) {
 
 std::string parameter_list(const Signature& signature) {
   std::string list = "[[maybe_unused]] const Prepared<T>& c";
-  if (signature.x) list += ", const T* x";
-  if (signature.y) list += ", const T* y";
-  if (signature.ydot) list += ", const T* ydot";
+  if (signature.x) list += ", [[maybe_unused]] const T* x";
+  if (signature.y) list += ", [[maybe_unused]] const T* y";
+  if (signature.ydot) list += ", [[maybe_unused]] const T* ydot";
   if (signature.inputs) list += ", [[maybe_unused]] const Inputs<T>& u";
-  return list + ", T* " + signature.out;
+  return list + ", [[maybe_unused]] T* " + signature.out;
+}
+
+std::string argument_list(const Signature& signature) {
+  std::string list = "c";
+  if (signature.x) list += ", x";
+  if (signature.y) list += ", y";
+  if (signature.ydot) list += ", ydot";
+  if (signature.inputs) list += ", u";
+  return list + ", " + signature.out;
 }
 
 }  // namespace kanec::emit

@@ -17,5 +17,7 @@ const Signature& signature(const std::string& function);
 
 // "const Prepared<T>& c, const T* x, T* xdot"
 std::string parameter_list(const Signature& signature);
+// "c, x, xdot"
+std::string argument_list(const Signature& signature);
 
 }  // namespace kanec::emit

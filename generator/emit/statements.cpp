@@ -68,6 +68,7 @@ void Statements::define(const std::string& label, Ref ref) {
   const Text t = operation(program_.nodes[at(ref.node)]);
   const Name given{ref.negative != t.negative ? "minus_" + label : label, t.negative};
   line("const T " + given.text + " = " + t.text + ";");
+  defined_.push_back(given.text);
   name(ref.node, given);
 }
 
@@ -96,7 +97,10 @@ void Statements::make_temporaries(Index node) {
 
 Statements::Text Statements::expression(Index node) {
   const auto known = names_.find(node);
-  if (known != names_.end()) return {known->second.text, 2, known->second.negative};
+  if (known != names_.end()) {
+    if (stages_[at(node)] == stage_) used_.push_back(known->second.text);
+    return {known->second.text, 2, known->second.negative};
+  }
   return operation(program_.nodes[at(node)]);
 }
 
@@ -174,5 +178,9 @@ std::vector<std::string> wrapped(std::string text, const std::string& indent) {
 std::vector<std::string> Statements::take_lines() { return std::exchange(lines_, {}); }
 
 std::vector<program::Variable> Statements::take_variables() { return std::exchange(variables_, {}); }
+
+std::vector<std::string> Statements::take_defined() { return std::exchange(defined_, {}); }
+
+std::vector<std::string> Statements::take_used() { return std::exchange(used_, {}); }
 
 }  // namespace kanec::emit

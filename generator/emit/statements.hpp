@@ -44,6 +44,9 @@ class Statements {
   // What was appended since, and the variables first read since.
   std::vector<std::string> take_lines();
   std::vector<program::Variable> take_variables();
+  // Names of results made and used since, prepared parameters not among them.
+  std::vector<std::string> take_defined();
+  std::vector<std::string> take_used();
 
  private:
   struct Text {
@@ -72,6 +75,7 @@ class Statements {
   std::unordered_map<std::string, int> temporaries_;  // made so far, by prefix
   std::vector<std::string> lines_;
   std::vector<program::Variable> variables_;
+  std::vector<std::string> defined_, used_;
 };
 
 // Name of an argument's entry: "eps1_2", "u.thrust", "c.p.m_1".

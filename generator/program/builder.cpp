@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/program/builder.hpp"
 
-#include "runtime/base/error.hpp"
-
 namespace kanec::program {
 
 Ref Builder::append(const Node& node) {
@@ -18,7 +16,7 @@ Ref Builder::add(Ref a, Ref b) {
 }
 
 Ref Builder::square_root(Ref a) {
-  if (a.negative) throw InternalError("program: square root of a negated result");
+  if (a.negative) a = append(Subtract{constant(0.0).node, a.node});
   return append(SquareRoot{a.node});
 }
 

@@ -16,9 +16,9 @@ class Builder {
   Ref subtract(Ref a, Ref b) { return add(a, -b); }
   Ref multiply(Ref a, Ref b) { return {append(Multiply{a.node, b.node}).node, a.negative != b.negative}; }
   Ref divide(Ref a, Ref b) { return {append(Divide{a.node, b.node}).node, a.negative != b.negative}; }
-  Ref square_root(Ref a);                                                   // of a positive reference
-  Ref sine(Ref a) { return {append(Sine{a.node}).node, a.negative}; }       // odd
-  Ref cosine(Ref a) { return append(Cosine{a.node}); }                      // even
+  Ref square_root(Ref a);                                              // of a negative reference: one subtraction more
+  Ref sine(Ref a) { return {append(Sine{a.node}).node, a.negative}; }  // odd
+  Ref cosine(Ref a) { return append(Cosine{a.node}); }                 // even
   std::vector<Node>& nodes() { return nodes_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 

@@ -24,8 +24,9 @@ struct Hash {
 Key key_of(const Node& node) {
   Key key = {node.index(), 0, 0};
   if (const auto* constant = std::get_if<Constant>(&node)) {
-    key[1] = std::bit_cast<std::uint64_t>(constant->value.high);
-    key[2] = std::bit_cast<std::uint64_t>(constant->value.low);
+    // adding 0.0 makes one of the two zeros
+    key[1] = std::bit_cast<std::uint64_t>(constant->value.high + 0.0);
+    key[2] = std::bit_cast<std::uint64_t>(constant->value.low + 0.0);
   } else if (const auto* variable = std::get_if<Variable>(&node)) {
     key[1] = static_cast<std::uint64_t>(variable->group);
     key[2] = static_cast<std::uint64_t>(variable->index);

@@ -46,15 +46,17 @@ class SumSharing {
  private:
   using Terms = std::vector<Ref>;
 
-  // A sum is inner when its one use is in another sum and no name or output stands for it.
+  // A sum is inner when its one use is in another sum of its stage and no name or output stands for it.
   void find_inner() {
+    const std::vector<Stage> stage = stages(program_);
     std::vector<int> uses(program_.nodes.size(), 0);
     std::vector<bool> used_in_sum(program_.nodes.size(), false);
-    for (const Node& node : program_.nodes) {
-      const Operands from = operands(node);
+    for (std::size_t user = 0; user < program_.nodes.size(); ++user) {
+      const Operands from = operands(program_.nodes[user]);
       for (int i = 0; i < from.count; ++i) {
-        ++uses[at(from.at[i])];
-        if (is_sum(node)) used_in_sum[at(from.at[i])] = true;
+        const std::size_t operand = at(from.at[i]);
+        ++uses[operand];
+        if (is_sum(program_.nodes[user]) && stage[user] == stage[operand]) used_in_sum[operand] = true;
       }
     }
     for (const Ref ref : all_outputs(program_)) uses[at(ref.node)] += 2;
@@ -89,7 +91,10 @@ class SumSharing {
     for (const auto& [index, terms] : sums_)
       for (std::size_t i = 0; i < terms.size(); ++i)
         for (std::size_t j = i + 1; j < terms.size(); ++j)
-          if (terms[i].node != terms[j].node) found[pair_of(terms[i], terms[j])].push_back(index);
+          if (terms[i].node != terms[j].node) {
+            std::vector<Index>& holders = found[pair_of(terms[i], terms[j])];
+            if (holders.empty() || holders.back() != index) holders.push_back(index);
+          }
     std::vector<std::pair<Pair, std::vector<Index>>> frequent;
     for (auto& entry : found)
       if (entry.second.size() > 1) frequent.push_back(entry);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/emit/section.hpp"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "generator/emit/statements.hpp"
+
+namespace kanec::emit {
+namespace {
+
+using program::Group;
+using program::Variable;
+
+std::string array(Group group) { return group == Group::x ? "x" : group == Group::y ? "y" : "ydot"; }
+
+// Entries of the state that no section before has read, a vector a line.
+std::string loads(const program::Program& program, const Section& section, std::set<std::pair<Group, program::Index>>& known) {
+  std::set<std::pair<Group, program::Index>> read;
+  for (const Variable& v : section.reads)
+    if (v.group != Group::parameter && v.group != Group::input && known.insert({v.group, v.index}).second)
+      read.insert({v.group, v.index});
+  std::string result;
+  std::string vector;
+  for (const auto& [group, index] : read) {
+    const std::string name = variable_name(program, {group, index}, program::Stage::state);
+    const std::string stem = name.substr(0, name.rfind('_'));
+    result += stem == vector ? ", " : (result.empty() ? "  const T " : ";\n  const T ");
+    vector = stem;
+    result += name + " = " + array(group) + "[" + std::to_string(index) + "]";
+  }
+  return result.empty() ? "" : result + ";\n";
+}
+
+std::string body(const program::Program& program, std::span<const Section> sections) {
+  std::set<std::pair<Group, program::Index>> known;
+  std::string text;
+  for (const Section& section : sections) {
+    if (!section.heading.empty()) text += "\n  // ---- " + section.heading + "\n";
+    text += loads(program, section, known);
+    for (const std::string& line : section.lines) text += line + "\n";
+  }
+  return text;
+}
+
+std::string opening(const std::string& name, const std::string& parameters) {
+  std::string text = "template <class T>\n";
+  for (const std::string& line : wrapped(name + "(" + parameters + ") noexcept {", "    ")) text += line + "\n";
+  return text;
+}
+
+std::size_t length(std::span<const Section> sections) {
+  std::size_t lines = 0;
+  for (const Section& section : sections) lines += section.lines.size();
+  return lines;
+}
+
+std::vector<std::span<const Section>> cut(std::span<const Section> sections, std::size_t piece) {
+  std::vector<std::span<const Section>> pieces;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= sections.size(); ++i) {
+    const bool full = i == sections.size() || length(sections.subspan(first, i + 1 - first)) > piece;
+    if (!full) continue;
+    pieces.push_back(sections.subspan(first, i - first));
+    first = i;
+  }
+  return pieces;
+}
+
+std::set<std::string> made_in(std::span<const Section> piece) {
+  std::set<std::string> names;
+  for (const Section& section : piece) names.insert(section.defines.begin(), section.defines.end());
+  return names;
+}
+
+// Names that a piece uses and does not make.
+std::set<std::string> taken_by(std::span<const Section> piece) {
+  const std::set<std::string> own = made_in(piece);
+  std::set<std::string> names;
+  for (const Section& section : piece)
+    std::copy_if(section.uses.begin(), section.uses.end(), std::inserter(names, names.end()),
+                 [&own](const std::string& name) { return own.count(name) == 0; });
+  return names;
+}
+
+std::string listed(const std::string& front, const std::set<std::string>& names, const std::string& separator,
+                   const std::string& back) {
+  std::string text = front;
+  for (const std::string& name : names) text += (&name == &*names.begin() ? "" : separator) + name;
+  std::string result;
+  for (const std::string& line : wrapped(text + back, "      ")) result += line + "\n";
+  return names.empty() ? "" : result;
+}
+
+std::string split(const program::Program& program, const Shape& shape, const std::vector<std::span<const Section>>& pieces) {
+  const std::string space = shape.name + "_pieces";
+  std::set<std::string> crossing;
+  for (const auto& piece : pieces) crossing.merge(taken_by(piece));
+  std::string text = "namespace " + space + " {\n\n// results that one piece makes and another uses\ntemplate <class T>\nstruct Shared {\n" +
+                     listed("  T ", crossing, ", ", ";") + "};\n";
+  std::string calls;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::string name = "piece_" + std::to_string(i + 1);
+    const std::string local = shape.out_local.empty() ? "" : ", T* " + shape.out_local;
+    text += "\n" + opening("[[gnu::noinline]] void " + name, shape.parameters + local + ", Shared<T>& shared") + shape.usings;
+    for (const std::string& taken : taken_by(pieces[i])) text += "  const T " + taken + " = shared." + taken + ";\n";
+    text += body(program, pieces[i]);
+    for (const std::string& made : made_in(pieces[i]))
+      if (crossing.count(made) > 0) text += "  shared." + made + " = " + made + ";\n";
+    text += "}\n";
+    calls += "  " + space + "::" + name + "(" + shape.arguments + (local.empty() ? "" : ", " + shape.out_local) + ", shared);\n";
+  }
+  text += "\n}  // namespace " + space + "\n\n";
+  return text + opening("void " + shape.name, shape.parameters) + shape.begin + "  " + space + "::Shared<T> shared;\n" +
+         calls + shape.end + "}\n";
+}
+
+}  // namespace
+
+std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,
+                          const Lengths& lengths) {
+  if (length(sections) > lengths.whole) return split(program, shape, cut(sections, lengths.piece));
+  return opening("void " + shape.name, shape.parameters) + shape.usings + shape.begin + body(program, sections) +
+         shape.end + "}\n";
+}
+
+}  // namespace kanec::emit

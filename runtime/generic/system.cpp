@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/generic/system.inl"
+
+namespace kanec::generic {
+
+template class System<double>;
+template class System<long double>;
+
+}  // namespace kanec::generic
