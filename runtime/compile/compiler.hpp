@@ -18,7 +18,7 @@ struct Compiler {
 // arguments after blanks. Throws BuildError that names all that were tried, or shows what a broken one says.
 Compiler find_compiler(const std::string& wish);
 
-// $KANEC_CXXFLAGS split on blanks, or -O2 -march=native -fno-math-errno.
+// $KANEC_CXXFLAGS split on blanks, or -O2 -march=native -fno-math-errno -fno-tree-slp-vectorize.
 std::vector<std::string> default_flags();
 
 // The whole command for one shared library: what every model needs (C++17, position independent, nothing exported but

@@ -100,7 +100,7 @@ TEST_F(FindCompiler, broken_one_is_shown_with_what_it_says) {
 
 TEST(DefaultFlags, are_those_of_the_environment_or_ours) {
   const Variable none("KANEC_CXXFLAGS", std::nullopt);
-  EXPECT_THAT(default_flags(), ElementsAre("-O2", "-march=native", "-fno-math-errno"));
+  EXPECT_THAT(default_flags(), ElementsAre("-O2", "-march=native", "-fno-math-errno", "-fno-tree-slp-vectorize"));
   const Variable some("KANEC_CXXFLAGS", " -O3  -g ");
   EXPECT_THAT(default_flags(), ElementsAre("-O3", "-g"));
   const Variable empty("KANEC_CXXFLAGS", "");
