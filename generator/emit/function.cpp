@@ -33,7 +33,8 @@ class Emission {
   std::string text() {
     const Signature& signature = emit::signature(function_.name);
     const bool placed = !function_.placements.empty();
-    Shape shape{function_.name, parameter_list(signature), argument_list(signature), "", "", "", usings()};
+    Shape shape{function_.name, parameter_list(signature, reads()), parameter_list(signature, {}), argument_list(signature),
+                "", "", "", usings()};
     if (placed) {
       out_ = shape.out_local = "block";
       shape.begin = "  T block[" + std::to_string(function_.outputs.size()) + "];\n";
@@ -53,6 +54,21 @@ class Emission {
   std::string usings() const {
     return std::string(cost_.square_roots > 0 ? "  using std::sqrt;\n" : "") +
            (cost_.trigonometric > 0 ? "  using std::cos, std::sin;\n" : "");
+  }
+
+  Reads reads() const {
+    Reads reads;
+    for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
+      if (!statements_.needs({static_cast<Index>(i), false})) continue;
+      if (const auto* variable = std::get_if<program::Variable>(&program_.nodes[i])) {
+        reads.prepared |= variable->group == program::Group::parameter;
+        reads.x |= variable->group == program::Group::x;
+        reads.y |= variable->group == program::Group::y;
+        reads.ydot |= variable->group == program::Group::ydot;
+        reads.inputs |= variable->group == program::Group::input;
+      }
+    }
+    return reads;
   }
 
   bool is_zero(Ref ref) const {
@@ -103,7 +119,7 @@ class Emission {
   }
 
   void store_rest() {
-    constexpr std::size_t lines_a_section = 500;
+    constexpr std::size_t lines_a_section = 250;
     statements_.number_temporaries("t");
     if (!function_.quantities.empty()) section_.heading = "results";
     for (const Ref output : function_.outputs) {

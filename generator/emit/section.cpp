@@ -94,6 +94,11 @@ std::string listed(const std::string& front, const std::set<std::string>& names,
   return names.empty() ? "" : result;
 }
 
+// The result is the last parameter; a piece may leave it to others.
+std::string maybe_unused_out(std::string parameters) {
+  return parameters.insert(parameters.rfind("T* "), "[[maybe_unused]] ");
+}
+
 std::string split(const program::Program& program, const Shape& shape, const std::vector<std::span<const Section>>& pieces) {
   const std::string space = shape.name + "_pieces";
   std::set<std::string> crossing;
@@ -104,7 +109,7 @@ std::string split(const program::Program& program, const Shape& shape, const std
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
     const std::string local = shape.out_local.empty() ? "" : ", T* " + shape.out_local;
-    text += "\n" + opening("[[gnu::noinline]] void " + name, shape.parameters + local + ", Shared<T>& shared") + shape.usings;
+    text += "\n" + opening("[[gnu::noinline]] void " + name, maybe_unused_out(shape.piece_parameters) + local + ", [[maybe_unused]] Shared<T>& shared") + shape.usings;
     for (const std::string& taken : taken_by(pieces[i])) text += "  const T " + taken + " = shared." + taken + ";\n";
     text += body(program, pieces[i]);
     for (const std::string& made : made_in(pieces[i]))

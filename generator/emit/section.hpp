@@ -22,6 +22,7 @@ struct Section {
 struct Shape {
   std::string name;        // "accelerations"
   std::string parameters;  // of the template
+  std::string piece_parameters;  // the same where any may be unused
   std::string arguments;   // as passed on to a piece
   std::string begin;       // statements before the sections
   std::string end;         // and after
@@ -32,7 +33,7 @@ struct Shape {
 // The longest function that is left whole and the length of a piece, in lines.
 struct Lengths {
   std::size_t whole = 6000;
-  std::size_t piece = 3000;
+  std::size_t piece = 500;
 };
 
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,

@@ -27,13 +27,17 @@ const Signature& signature(const std::string& function) {
   return found->second;
 }
 
-std::string parameter_list(const Signature& signature) {
-  std::string list = "[[maybe_unused]] const Prepared<T>& c";
-  if (signature.x) list += ", [[maybe_unused]] const T* x";
-  if (signature.y) list += ", [[maybe_unused]] const T* y";
-  if (signature.ydot) list += ", [[maybe_unused]] const T* ydot";
-  if (signature.inputs) list += ", [[maybe_unused]] const Inputs<T>& u";
-  return list + ", [[maybe_unused]] T* " + signature.out;
+std::string parameter_list(const Signature& signature, const Reads& reads) {
+  std::string list;
+  const auto append = [&list](bool wanted, bool read, const std::string& parameter) {
+    if (wanted) list += (read ? "" : "[[maybe_unused]] ") + parameter + ", ";
+  };
+  append(true, reads.prepared, "const Prepared<T>& c");
+  append(signature.x, reads.x, "const T* x");
+  append(signature.y, reads.y, "const T* y");
+  append(signature.ydot, reads.ydot, "const T* ydot");
+  append(signature.inputs, reads.inputs, "const Inputs<T>& u");
+  return list + "T* " + signature.out;
 }
 
 std::string argument_list(const Signature& signature) {

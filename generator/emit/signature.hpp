@@ -15,8 +15,13 @@ struct Signature {
 // Throws InternalError for a function that has none.
 const Signature& signature(const std::string& function);
 
+// Which arguments a body reads; the others are marked [[maybe_unused]].
+struct Reads {
+  bool prepared = false, x = false, y = false, ydot = false, inputs = false;
+};
+
 // "const Prepared<T>& c, const T* x, T* xdot"
-std::string parameter_list(const Signature& signature);
+std::string parameter_list(const Signature& signature, const Reads& reads);
 // "c, x, xdot"
 std::string argument_list(const Signature& signature);
 

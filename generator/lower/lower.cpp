@@ -40,7 +40,8 @@ class Lowering {
   program::Function lowered(const symbolic::Function& function) {
     program::Function result{function.name, function.meaning, {}, {}, {}, function.n_out, 0};
     used_.assign(values_.size(), false);
-    function.repeated ? place_blocks(function, result) : place_entries(function, result);
+    const bool has_places = function.repeated && !function.outputs.empty();
+    has_places ? place_blocks(function, result) : place_entries(function, result);
     result.quantities = quantities_in_order();
     return result;
   }

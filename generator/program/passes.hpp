@@ -16,7 +16,7 @@ Program simplify(const Program& program);
 // Each operation once: hash-consing modulo commutation and the sign of differences.
 Program share(const Program& program);
 
-// Partial sums that several sums of three and more terms have in common, taken out once. Re-associates those sums.
+// Partial sums that several sums of a function have in common, taken out once. Re-associates sums of three and more terms.
 Program share_sums(const Program& program);
 
 // Operations that no output needs are dropped, and quantities of which nothing is left.

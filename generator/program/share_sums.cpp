@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "generator/program/passes.hpp"
 
@@ -21,7 +22,8 @@ struct Pair {
 
 class SumSharing {
  public:
-  explicit SumSharing(const Program& program) : program_(program), first_pair_(static_cast<Index>(program.nodes.size())) {
+  explicit SumSharing(const Program& program)
+      : program_(program), first_pair_(static_cast<Index>(program.nodes.size())) {
     find_inner();
     for (Index i = 0; i < first_pair_; ++i)
       if (is_sum(program.nodes[at(i)]) && !inner_[at(i)]) flatten({i, false}, sums_[i]);
@@ -109,7 +111,8 @@ class SumSharing {
     std::vector<Index> holders;
     for (const Index index : where)
       if (places(sums_[index], pair).first >= 0) holders.push_back(index);
-    const bool only_whole_sums = std::all_of(holders.begin(), holders.end(), [&](Index i) { return sums_[i].size() == 2; });
+    const bool only_whole_sums =
+        std::all_of(holders.begin(), holders.end(), [&](Index i) { return sums_[i].size() == 2; });
     if (holders.size() < 2 || only_whole_sums) return false;
     const Index name = first_pair_ + static_cast<Index>(pairs_.size());
     pairs_.push_back(pair);
@@ -150,7 +153,8 @@ class SumSharing {
 
   Ref chain(Builder& builder, const Terms& terms, const std::vector<Ref>& to, std::map<Index, Ref>& pair_nodes) const {
     Ref result = made(builder, terms[0], to, pair_nodes);
-    for (std::size_t i = 1; i < terms.size(); ++i) result = builder.add(result, made(builder, terms[i], to, pair_nodes));
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      result = builder.add(result, made(builder, terms[i], to, pair_nodes));
     return result;
   }
 
@@ -161,8 +165,36 @@ class SumSharing {
   std::vector<Pair> pairs_;
 };
 
+// Appends the nodes and functions of another program.
+void append(Program& program, const Program& other) {
+  const auto first = static_cast<Index>(program.nodes.size());
+  const auto moved = [first](Ref ref) { return Ref{ref.node + first, ref.negative}; };
+  Builder builder;
+  builder.nodes() = std::move(program.nodes);
+  for (const Node& node : other.nodes) {
+    const Operands from = operands(node);
+    same_again(builder, node, {from.at[0] + first, false}, {from.at[1] + first, false});
+  }
+  program.nodes = std::move(builder.nodes());
+  for (Function function : other.functions) {
+    std::transform(function.outputs.begin(), function.outputs.end(), function.outputs.begin(), moved);
+    for (Quantity& quantity : function.quantities)
+      std::transform(quantity.entries.begin(), quantity.entries.end(), quantity.entries.begin(), moved);
+    program.functions.push_back(std::move(function));
+  }
+}
+
 }  // namespace
 
-Program share_sums(const Program& program) { return SumSharing(program).result(); }
+// Function by function: what they have in common is no saving to any of them, and so each has the same code whatever
+// others the program holds.
+Program share_sums(const Program& program) {
+  Program result{program.names, {}, {}};
+  for (const Function& function : program.functions) {
+    const Program alone = drop_dead({program.names, program.nodes, {function}});
+    append(result, SumSharing(alone).result());
+  }
+  return share(result);
+}
 
 }  // namespace kanec::program

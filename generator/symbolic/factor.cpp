@@ -18,7 +18,13 @@ const ex& outer(const Term& term, End end) { return end == End::left ? term.fact
 struct Common {
   ex factor;
   End end = End::left;
+  bool alone = false;  // of terms that have no other factor: numbers and blocks make no sum
   std::size_t count = 1;
+
+  bool is_of(const Term& term) const {
+    if (term.factors.empty() || (term.factors.size() == 1) != alone) return false;
+    return outer(term, end).is_equal(factor);
+  }
 };
 
 // The factor at an end of most terms; at equal counts the right end, then the fixed order of letters.
@@ -27,12 +33,12 @@ Common most_common(const std::vector<Term>& terms) {
   for (const End end : {End::right, End::left})
     for (const Term& candidate : terms) {
       if (candidate.factors.empty()) continue;
-      const ex& factor = outer(candidate, end);
-      const auto count = static_cast<std::size_t>(std::count_if(terms.begin(), terms.end(), [&](const Term& term) {
-        return !term.factors.empty() && outer(term, end).is_equal(factor);
-      }));
-      const bool tie = count == best.count && count > 1 && end == best.end && precedes(factor, best.factor);
-      if (count > best.count || tie) best = {factor, end, count};
+      Common common{outer(candidate, end), end, candidate.factors.size() == 1};
+      common.count = static_cast<std::size_t>(
+          std::count_if(terms.begin(), terms.end(), [&](const Term& term) { return common.is_of(term); }));
+      const bool tie =
+          common.count == best.count && common.count > 1 && end == best.end && precedes(common.factor, best.factor);
+      if (common.count > best.count || tie) best = common;
     }
   return best;
 }
@@ -43,8 +49,8 @@ Term without(Term term, End end) {
 }
 
 bool is_negative(const Term& term) {
-  for (const ex& factor : term.scalar.nops() > 0 ? std::vector<ex>(term.scalar.begin(), term.scalar.end())
-                                                 : std::vector<ex>{term.scalar})
+  for (const ex& factor :
+       term.scalar.nops() > 0 ? std::vector<ex>(term.scalar.begin(), term.scalar.end()) : std::vector<ex>{term.scalar})
     if (factor.info(GiNaC::info_flags::negative)) return true;
   return false;
 }
@@ -60,8 +66,7 @@ ex factored(std::vector<Term> terms) {
   std::vector<Term> inside;
   std::vector<Term> rest;
   for (const Term& term : terms) {
-    const bool has = !term.factors.empty() && outer(term, common.end).is_equal(common.factor);
-    if (has)
+    if (common.is_of(term))
       inside.push_back(without(term, common.end));
     else
       rest.push_back(term);
