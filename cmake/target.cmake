@@ -15,11 +15,15 @@ if(KANEC_SANITIZE)
   target_link_options(kanec_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets): the link line is the whole permission of a folder.
+# kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets [PRECOMPILE heavy headers]): the link line is the whole
+# permission of a folder. Sources still include what they use; precompiled headers only save time.
 function(kanec_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC kanec_flags ${ARG_LINK})
+  if(ARG_PRECOMPILE)
+    target_precompile_headers(${name} PRIVATE ${ARG_PRECOMPILE})
+  endif()
 endfunction()
 
 # kanec_test(NAME SOURCES ... LINK ...): one GoogleTest program; each test is known to ctest as NAME.Suite.test.
@@ -28,6 +32,7 @@ function(kanec_test name)
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE kanec_flags ${ARG_LINK} GTest::gtest_main GTest::gmock)
+  target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
   target_compile_definitions(${name} PRIVATE KANEC_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KANEC_BINARY_DIR="${CMAKE_BINARY_DIR}")
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/header.hpp"
 #include "generator/emit/signature.hpp"
+#include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
-#include "runtime/base/text.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -40,7 +40,7 @@ std::string named_lists(const std::string& what, const std::vector<scene::Named>
   std::string values = "const double " + what + "_defaults[] = {";
   for (const scene::Named& named : list) {
     names += "\"" + named.name + "\", ";
-    values += shortest(named.value) + ", ";
+    values += literal(named.value) + ", ";
   }
   return names + "nullptr};\n" + values + "0};\n";
 }

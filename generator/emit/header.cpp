@@ -35,12 +35,20 @@ std::string operations(const program::Program& program, const std::vector<progra
   return text;
 }
 
+std::string comment(const std::string& text) {
+  std::string lines;
+  for (const std::string& line : wrapped("// " + text, "// ")) lines += line + "\n";
+  return lines;
+}
+
 std::string preamble(const Model& model, const program::Program& program, const std::vector<program::Ledger>& costs) {
   const scene::Scene& scene = *model.scene;
-  std::string text = "// SPDX-License-Identifier: BSD-3-Clause\n// " + scene.name + ": equations of motion of " +
-                     std::to_string(size(scene)) + " rigid " + (size(scene) == 1 ? "body" : "bodies") +
-                     ", made by kanec " + model.version + ". Not to be edited by hand.\n//\n";
-  text += "// model " + model.hash + "; " + model.options + "\n// bodies, each with a free joint:\n" + bodies(scene);
+  std::string text = "// SPDX-License-Identifier: BSD-3-Clause\n" +
+                     comment(scene.name + ": equations of motion of " + std::to_string(size(scene)) + " rigid " +
+                             (size(scene) == 1 ? "body" : "bodies") + ", made by kanec " + model.version +
+                             ". Not to be edited by hand.");
+  text += "//\n" + comment("model " + model.hash + "; " + model.options) + "// bodies, each with a free joint:\n" +
+          bodies(scene);
   text +=
       "//\n"
       "// Units SI, angles in rad. x = (eps_1 .. eps_N ; s_1 .. s_N), y = (omega_1 .. omega_N ; sdot_1 .. sdot_N):\n"
@@ -50,7 +58,7 @@ std::string preamble(const Model& model, const program::Program& program, const 
       "//   sdot   rate of s [m/s] (3)\n"
       "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n"
       "// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:\n"
-      "// float, double, long double, or any type with + - * / and a constructor from double.\n"
+      "// float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one.\n"
       "//\n// operations of one call (adds + multiplies + divides):\n";
   return text + operations(program, costs);
 }

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "generator/program/ledger.hpp"
-#include "runtime/base/text.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -46,9 +45,35 @@ std::unordered_map<Index, std::string> labels(const program::Program& program) {
   return result;
 }
 
+// The body in whose section each node is first used, 0 for the whole system and for what outputs use directly. Fields
+// without a label are numbered by it, so that a change to one body renames no other's.
+class Owners {
+ public:
+  explicit Owners(const program::Program& program) : program_(program), owner_(program.nodes.size(), -1) {
+    for (const program::Function& function : program.functions) {
+      for (const program::Quantity& quantity : function.quantities)
+        for (const Ref entry : quantity.entries) claim(entry.node, quantity.body);
+      for (const Ref output : function.outputs) claim(output.node, 0);
+    }
+  }
+
+  int of(Index node) const { return owner_[at(node)]; }
+
+ private:
+  void claim(Index node, int body) {
+    if (owner_[at(node)] >= 0) return;
+    owner_[at(node)] = body;
+    const program::Operands from = operands(program_.nodes[at(node)]);
+    for (int i = 0; i < from.count; ++i) claim(from.at[i], body);
+  }
+
+  const program::Program& program_;
+  std::vector<int> owner_;
+};
+
 std::string named_struct(const std::string& what, const std::string& name, const std::vector<scene::Named>& list) {
   std::string text = "// " + what + "\ntemplate <class T>\nstruct " + name + " {\n";
-  for (const scene::Named& named : list) text += "  T " + named.name + " = T(" + shortest(named.value) + ");\n";
+  for (const scene::Named& named : list) text += "  T " + named.name + " = T(" + literal(named.value) + ");\n";
   return text + "};\n\n";
 }
 
@@ -64,10 +89,14 @@ Preparation emit_prepare(const scene::Scene& scene, const program::Program& prog
   Statements statements(program, stages, Stage::parameter, wanted);
   std::string members;
   std::string stores;
-  int unnamed = 0;
+  const Owners owners(program);
+  std::unordered_map<int, int> unnamed;  // by body
   for (const Ref field : wanted) {
     const auto label = known.find(field.node);
-    const std::string name = label != known.end() ? label->second : "c" + std::to_string(++unnamed);
+    const int body = owners.of(field.node);
+    const std::string name = label != known.end()
+                                 ? label->second
+                                 : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]);
     statements.define(name, field);
     members += "  T " + name + ";\n";
     stores += "  c." + name + " = " + name + ";\n";

@@ -21,13 +21,16 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
-
-std::string literal(double value) {
-  std::string digits = shortest(value);
-  return "T(" + digits + ")";
-}
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
 
 }  // namespace
+
+std::string literal(double value) {
+  const std::string digits = shortest(value);
+  const bool is_whole = digits.find_first_of(".e") == std::string::npos;
+  return is_whole && digits.size() > 9 ? digits + ".0" : digits;
+}
 
 std::string variable_name(const program::Program& program, const program::Variable& variable, Stage stage) {
   const auto i = static_cast<std::size_t>(variable.index);
@@ -107,7 +110,7 @@ Statements::Text Statements::expression(Index node) {
 Statements::Text Statements::operation(const Node& node) {
   return std::visit(
       Overloaded{
-          [&](const program::Constant& op) -> Text { return {literal(op.value.rounded()), 2, false}; },
+          [&](const program::Constant& op) -> Text { return {"T(" + literal(op.value.rounded()) + ")", 2, false}; },
           [&](const program::Variable& op) -> Text {
             variables_.push_back(op);
             return {variable_name(program_, op, stage_), 2, false};

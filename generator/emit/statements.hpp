@@ -16,6 +16,9 @@ struct Name {
   bool negative = false;
 };
 
+// A number as C++ reads it back: "0.1", "2", "12345678901234567168.0" where an integer literal would be too large.
+std::string literal(double value);
+
 // A line broken at blanks to the width of the emitted code; further lines begin with `indent`.
 std::vector<std::string> wrapped(std::string text, const std::string& indent);
 

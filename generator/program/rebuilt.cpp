@@ -8,6 +8,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
 
 Ref moved(const std::vector<Ref>& to, Ref ref) {
   const Ref now = to[static_cast<std::size_t>(ref.node)];

@@ -1,0 +1,5537 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
+//
+// model bb57fcb91a8c0307; all functions
+// bodies, each with a free joint:
+//   1 hub on the inertial frame
+//   2 boom on 1
+//   3 panel on 2
+//   4 payload on 2
+//   5 arm on 1
+//   6 tool on 5
+//
+// Units SI, angles in rad. x = (eps_1 .. eps_N ; s_1 .. s_N), y = (omega_1 .. omega_N ; sdot_1 .. sdot_N):
+//   eps    Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
+//   s      translation from the joint point, axes of the lower body [m] (3)
+//   omega  absolute angular velocity, body axes [rad/s] (3)
+//   sdot   rate of s [m/s] (3)
+// R takes inertial components to body components; a~ b = a x b; matrices are row-major.
+// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
+// float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one.
+//
+// operations of one call (adds + multiplies + divides):
+//   kinematics              138 (48 add, 90 multiply)
+//   poses                   351 (180 add, 171 multiply)
+//   energy                  711 (337 add, 374 multiply)
+//   momentum                958 (465 add, 493 multiply)
+//   power                   535 (263 add, 272 multiply)
+//   accelerations           944 (472 add, 472 multiply)
+//   residual                1237 (619 add, 618 multiply)
+//   forcing                 1119 (510 add, 609 multiply)
+//   mass_matrix             1530 (501 add, 1029 multiply)
+//   partial_velocities      450 (180 add, 270 multiply)
+//   partial_velocity_rates  792 (324 add, 468 multiply)
+#pragma once
+
+namespace kanec::six_body {
+
+inline constexpr int n_bodies = 6;
+inline constexpr int nx = 42;
+inline constexpr int ny = 36;
+inline constexpr int n_parameters = 1;
+inline constexpr int n_inputs = 1;
+inline constexpr char model_hash[] = "bb57fcb91a8c0307";
+
+// Run-time parameters with the scene's defaults, SI units.
+template <class T>
+struct Parameters {
+  T m_payload = T(1.2);
+};
+
+// Run-time inputs with the scene's defaults, SI units.
+template <class T>
+struct Inputs {
+  T thrust = T(2);
+};
+
+// What depends on parameters only, computed once for many calls.
+template <class T>
+struct Prepared {
+  Parameters<T> p;
+  T c4_1;
+  T a4_1;
+  T c4_2;
+  T a4_3;
+  T m_sub2;
+  T m_sub1;
+  T c0_1;
+  T c0_2;
+  T c0_3;
+  T c0_4;
+  T c0_5;
+  T c0_6;
+};
+
+// prepare: 8 add, 10 multiply, 1 divide
+template <class T>
+Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+  Prepared<T> c{};
+  c.p = p;
+  const T c4_1 = T(0.5) * p.m_payload;
+  const T t1 = T(1) / p.m_payload;
+  const T a4_1 = t1 * T(0.1);
+  const T c4_2 = t1 * T(0.15);
+  const T a4_3 = t1 * T(0.05);
+  const T m_sub2 = T(5.3) + p.m_payload;
+  const T m_sub1 = T(15.5) + m_sub2;
+  const T c0_1 = p.m_payload * T(0.013600000000000001) + T(0.06);
+  const T c0_2 = p.m_payload * T(0.0018) + T(0.004);
+  const T c0_3 = p.m_payload * T(0.003) - T(0.002);
+  const T c0_4 = p.m_payload * T(0.010900000000000002) + T(0.075);
+  const T c0_5 = T(0.003) - p.m_payload * T(0.006);
+  const T c0_6 = p.m_payload * T(0.0045) + T(0.052);
+  c.c4_1 = c4_1;
+  c.a4_1 = a4_1;
+  c.c4_2 = c4_2;
+  c.a4_3 = a4_3;
+  c.m_sub2 = m_sub2;
+  c.m_sub1 = m_sub1;
+  c.c0_1 = c0_1;
+  c.c0_2 = c0_2;
+  c.c0_3 = c0_3;
+  c.c0_4 = c0_4;
+  c.c0_5 = c0_5;
+  c.c0_6 = c0_6;
+  return c;
+}
+
+// kinematics: xdot, the kinematical equations.
+// rates of x (nx) [1/s], [m/s]
+// 48 add, 90 multiply
+template <class T>
+void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // w1 = 1/2 omega1: half the angular velocity [rad/s]
+  const T w1_1 = T(0.5) * omega1_1;
+  const T w1_2 = T(0.5) * omega1_2;
+  const T w1_3 = T(0.5) * omega1_3;
+  // edot1 = e1~ w1 + eps4_1 w1: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot1_1 = eps1_2 * w1_3 - eps1_3 * w1_2 + eps1_4 * w1_1;
+  const T edot1_2 = eps1_3 * w1_1 - eps1_1 * w1_3 + eps1_4 * w1_2;
+  const T edot1_3 = eps1_1 * w1_2 - eps1_2 * w1_1 + eps1_4 * w1_3;
+  xdot[0] = edot1_1;
+  xdot[1] = edot1_2;
+  xdot[2] = edot1_3;
+  // eps4dot1 = -e1 . w1: rate of eps_4 [1/s]
+  const T minus_eps4dot1 = eps1_1 * w1_1 + eps1_2 * w1_2 + eps1_3 * w1_3;
+  xdot[3] = -minus_eps4dot1;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  // w2 = 1/2 omega2: half the angular velocity [rad/s]
+  const T w2_1 = T(0.5) * omega2_1;
+  const T w2_2 = T(0.5) * omega2_2;
+  const T w2_3 = T(0.5) * omega2_3;
+  // edot2 = e2~ w2 + eps4_2 w2: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot2_1 = eps2_2 * w2_3 - eps2_3 * w2_2 + eps2_4 * w2_1;
+  const T edot2_2 = eps2_3 * w2_1 - eps2_1 * w2_3 + eps2_4 * w2_2;
+  const T edot2_3 = eps2_1 * w2_2 - eps2_2 * w2_1 + eps2_4 * w2_3;
+  xdot[4] = edot2_1;
+  xdot[5] = edot2_2;
+  xdot[6] = edot2_3;
+  // eps4dot2 = -e2 . w2: rate of eps_4 [1/s]
+  const T minus_eps4dot2 = eps2_1 * w2_1 + eps2_2 * w2_2 + eps2_3 * w2_3;
+  xdot[7] = -minus_eps4dot2;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  // w3 = 1/2 omega3: half the angular velocity [rad/s]
+  const T w3_1 = T(0.5) * omega3_1;
+  const T w3_2 = T(0.5) * omega3_2;
+  const T w3_3 = T(0.5) * omega3_3;
+  // edot3 = e3~ w3 + eps4_3 w3: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot3_1 = eps3_2 * w3_3 - eps3_3 * w3_2 + eps3_4 * w3_1;
+  const T edot3_2 = eps3_3 * w3_1 - eps3_1 * w3_3 + eps3_4 * w3_2;
+  const T edot3_3 = eps3_1 * w3_2 - eps3_2 * w3_1 + eps3_4 * w3_3;
+  xdot[8] = edot3_1;
+  xdot[9] = edot3_2;
+  xdot[10] = edot3_3;
+  // eps4dot3 = -e3 . w3: rate of eps_4 [1/s]
+  const T minus_eps4dot3 = eps3_1 * w3_1 + eps3_2 * w3_2 + eps3_3 * w3_3;
+  xdot[11] = -minus_eps4dot3;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  // w4 = 1/2 omega4: half the angular velocity [rad/s]
+  const T w4_1 = T(0.5) * omega4_1;
+  const T w4_2 = T(0.5) * omega4_2;
+  const T w4_3 = T(0.5) * omega4_3;
+  // edot4 = e4~ w4 + eps4_4 w4: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot4_1 = eps4_2 * w4_3 - eps4_3 * w4_2 + eps4_4 * w4_1;
+  const T edot4_2 = eps4_3 * w4_1 - eps4_1 * w4_3 + eps4_4 * w4_2;
+  const T edot4_3 = eps4_1 * w4_2 - eps4_2 * w4_1 + eps4_4 * w4_3;
+  xdot[12] = edot4_1;
+  xdot[13] = edot4_2;
+  xdot[14] = edot4_3;
+  // eps4dot4 = -e4 . w4: rate of eps_4 [1/s]
+  const T minus_eps4dot4 = eps4_1 * w4_1 + eps4_2 * w4_2 + eps4_3 * w4_3;
+  xdot[15] = -minus_eps4dot4;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  // w5 = 1/2 omega5: half the angular velocity [rad/s]
+  const T w5_1 = T(0.5) * omega5_1;
+  const T w5_2 = T(0.5) * omega5_2;
+  const T w5_3 = T(0.5) * omega5_3;
+  // edot5 = e5~ w5 + eps4_5 w5: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot5_1 = eps5_2 * w5_3 - eps5_3 * w5_2 + eps5_4 * w5_1;
+  const T edot5_2 = eps5_3 * w5_1 - eps5_1 * w5_3 + eps5_4 * w5_2;
+  const T edot5_3 = eps5_1 * w5_2 - eps5_2 * w5_1 + eps5_4 * w5_3;
+  xdot[16] = edot5_1;
+  xdot[17] = edot5_2;
+  xdot[18] = edot5_3;
+  // eps4dot5 = -e5 . w5: rate of eps_4 [1/s]
+  const T minus_eps4dot5 = eps5_1 * w5_1 + eps5_2 * w5_2 + eps5_3 * w5_3;
+  xdot[19] = -minus_eps4dot5;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  // w6 = 1/2 omega6: half the angular velocity [rad/s]
+  const T w6_1 = T(0.5) * omega6_1;
+  const T w6_2 = T(0.5) * omega6_2;
+  const T w6_3 = T(0.5) * omega6_3;
+  // edot6 = e6~ w6 + eps4_6 w6: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot6_1 = eps6_2 * w6_3 - eps6_3 * w6_2 + eps6_4 * w6_1;
+  const T edot6_2 = eps6_3 * w6_1 - eps6_1 * w6_3 + eps6_4 * w6_2;
+  const T edot6_3 = eps6_1 * w6_2 - eps6_2 * w6_1 + eps6_4 * w6_3;
+  xdot[20] = edot6_1;
+  xdot[21] = edot6_2;
+  xdot[22] = edot6_3;
+  // eps4dot6 = -e6 . w6: rate of eps_4 [1/s]
+  const T minus_eps4dot6 = eps6_1 * w6_1 + eps6_2 * w6_2 + eps6_3 * w6_3;
+  xdot[23] = -minus_eps4dot6;
+
+  // ---- results
+  const T sdot1_1 = y[18], sdot1_2 = y[19], sdot1_3 = y[20];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  xdot[24] = sdot1_1;
+  xdot[25] = sdot1_2;
+  xdot[26] = sdot1_3;
+  xdot[27] = sdot2_1;
+  xdot[28] = sdot2_2;
+  xdot[29] = sdot2_3;
+  xdot[30] = sdot3_1;
+  xdot[31] = sdot3_2;
+  xdot[32] = sdot3_3;
+  xdot[33] = sdot4_1;
+  xdot[34] = sdot4_2;
+  xdot[35] = sdot4_3;
+  xdot[36] = sdot5_1;
+  xdot[37] = sdot5_2;
+  xdot[38] = sdot5_3;
+  xdot[39] = sdot6_1;
+  xdot[40] = sdot6_2;
+  xdot[41] = sdot6_3;
+}
+
+// poses: attitude R and mass centre p of each body.
+// R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
+// 180 add, 171 multiply
+template <class T>
+void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_1 = x[24], s1_2 = x[25], s1_3 = x[26];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  pose[0] = R1_11;
+  pose[1] = R1_12;
+  pose[2] = R1_13;
+  pose[3] = R1_21;
+  pose[4] = R1_22;
+  pose[5] = R1_23;
+  pose[6] = R1_31;
+  pose[7] = R1_32;
+  pose[8] = R1_33;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_1 = s1_1 + R1_11 * T(0.05) - R1_21 * T(0.02) + R1_31 * T(0.08);
+  const T p1_2 = s1_2 + R1_12 * T(0.05) - R1_22 * T(0.02) + R1_32 * T(0.08);
+  const T p1_3 = s1_3 + R1_13 * T(0.05) - R1_23 * T(0.02) + R1_33 * T(0.08);
+  pose[9] = p1_1;
+  pose[10] = p1_2;
+  pose[11] = p1_3;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  pose[12] = R2_11;
+  pose[13] = R2_12;
+  pose[14] = R2_13;
+  pose[15] = R2_21;
+  pose[16] = R2_22;
+  pose[17] = R2_23;
+  pose[18] = R2_31;
+  pose[19] = R2_32;
+  pose[20] = R2_33;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // P2 = s1 + R1^T d2: position of the body origin, inertial axes [m]
+  const T P2_1 = s1_1 + R1_11 * d2_1 + R1_21 * d2_2 + R1_31 * d2_3;
+  const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
+  const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T p2_1 = R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45) + P2_1;
+  const T p2_2 = R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45) + P2_2;
+  const T p2_3 = R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45) + P2_3;
+  pose[21] = p2_1;
+  pose[22] = p2_2;
+  pose[23] = p2_3;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  pose[24] = R3_11;
+  pose[25] = R3_12;
+  pose[26] = R3_13;
+  pose[27] = R3_21;
+  pose[28] = R3_22;
+  pose[29] = R3_23;
+  pose[30] = R3_31;
+  pose[31] = R3_32;
+  pose[32] = R3_33;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
+  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
+  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
+  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02) + P3_1;
+  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02) + P3_2;
+  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02) + P3_3;
+  pose[33] = p3_1;
+  pose[34] = p3_2;
+  pose[35] = p3_3;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  pose[36] = R4_11;
+  pose[37] = R4_12;
+  pose[38] = R4_13;
+  pose[39] = R4_21;
+  pose[40] = R4_22;
+  pose[41] = R4_23;
+  pose[42] = R4_31;
+  pose[43] = R4_32;
+  pose[44] = R4_33;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
+  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
+  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
+  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T p4_1 = R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1) + P4_1;
+  const T p4_2 = R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1) + P4_2;
+  const T p4_3 = R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1) + P4_3;
+  pose[45] = p4_1;
+  pose[46] = p4_2;
+  pose[47] = p4_3;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  pose[48] = R5_11;
+  pose[49] = R5_12;
+  pose[50] = R5_13;
+  pose[51] = R5_21;
+  pose[52] = R5_22;
+  pose[53] = R5_23;
+  pose[54] = R5_31;
+  pose[55] = R5_32;
+  pose[56] = R5_33;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // P5 = s1 + R1^T d5: position of the body origin, inertial axes [m]
+  const T P5_1 = s1_1 + R1_11 * d5_1 + R1_21 * d5_2 + R1_31 * d5_3;
+  const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
+  const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T p5_1 = R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04) + P5_1;
+  const T p5_2 = R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04) + P5_2;
+  const T p5_3 = R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04) + P5_3;
+  pose[57] = p5_1;
+  pose[58] = p5_2;
+  pose[59] = p5_3;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  pose[60] = R6_11;
+  pose[61] = R6_12;
+  pose[62] = R6_13;
+  pose[63] = R6_21;
+  pose[64] = R6_22;
+  pose[65] = R6_23;
+  pose[66] = R6_31;
+  pose[67] = R6_32;
+  pose[68] = R6_33;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
+  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
+  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
+  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_1 = R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07) + P6_1;
+  const T p6_2 = R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07) + P6_2;
+  const T p6_3 = R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07) + P6_3;
+  pose[69] = p6_1;
+  pose[70] = p6_2;
+  pose[71] = p6_3;
+}
+
+// energy: kinetic and potential energy [J].
+// kinetic, potential (2) [J]
+// 337 add, 374 multiply
+template <class T>
+void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_3 = x[26];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot1_1 = y[18], sdot1_2 = y[19], sdot1_3 = y[20];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_3 = s1_3 + R1_13 * T(0.05) - R1_23 * T(0.02) + R1_33 * T(0.08);
+  // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
+  const T t1_14 = T(0.05) * omega1_3;
+  const T t1_15 = t1_14 - omega1_1 * T(0.08);
+  const T t1_16 = T(0.05) * omega1_2;
+  const T t1_17 = omega1_1 * T(0.02) + t1_16;
+  const T v1_1 = sdot1_1 + R1_11 * t1_13 + R1_21 * t1_15 - R1_31 * t1_17;
+  const T v1_2 = sdot1_2 + R1_12 * t1_13 + R1_22 * t1_15 - R1_32 * t1_17;
+  const T v1_3 = sdot1_3 + R1_13 * t1_13 + R1_23 * t1_15 - R1_33 * t1_17;
+  // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
+  const T T1 = T(0.5) * (omega1_1 * (T(1.1) * omega1_1 + T(0.04) * omega1_2 - T(0.03) * omega1_3) + omega1_2 *
+      (T(0.04) * omega1_1 + T(0.95) * omega1_2 + t1_14) + omega1_3 * (t1_16 - T(0.03) * omega1_1 + T(1.3) * omega1_3))
+      + T(6) * (v1_1 * v1_1 + v1_2 * v1_2 + v1_3 * v1_3);
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // P2 = s1 + R1^T d2: position of the body origin, inertial axes [m]
+  const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T p2_3 = R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45) + P2_3;
+  // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
+  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
+  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
+  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
+  const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
+  const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_16 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
+  const T t2_17 = T(0.03) * omega2_3;
+  const T t2_18 = t2_17 - omega2_1 * T(0.45);
+  const T t2_19 = T(0.03) * omega2_2;
+  const T t2_20 = omega2_1 * T(0.04) - t2_19;
+  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
+  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
+  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
+  const T T2 = T(0.5) * (omega2_1 * (T(0.42) * omega2_1 + T(0.02) * omega2_2 + T(0.01) * omega2_3) + omega2_2 *
+      (T(0.02) * omega2_1 + T(0.38) * omega2_2 - t2_17) + omega2_3 * (T(0.01) * omega2_1 - t2_19 + T(0.11) *
+      omega2_3)) + T(1.75) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
+  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02) + P3_3;
+  // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
+  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
+  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
+  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
+  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
+  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_16 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
+  const T t3_17 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
+  const T t3_18 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
+  const T v3_1 = R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18 + Pdot3_1;
+  const T v3_2 = R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18 + Pdot3_2;
+  const T v3_3 = R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
+  const T T3 = T(0.5) * (omega3_1 * (T(0.21) * omega3_1 - T(0.012) * omega3_2 + T(0.006) * omega3_3) + omega3_2 *
+      (T(0.09) * omega3_2 - T(0.012) * omega3_1 + T(0.008) * omega3_3) + omega3_3 * (T(0.006) * omega3_1 + T(0.008) *
+      omega3_2 + T(0.27) * omega3_3)) + T(0.9) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
+  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T p4_3 = R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1) + P4_3;
+  // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
+  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
+  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
+  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
+  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
+  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_16 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
+  const T t4_17 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
+  const T t4_18 = T(0.06) * omega4_1;
+  const T t4_19 = t4_18 + omega4_2 * T(0.03);
+  const T v4_1 = R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
+  const T v4_2 = R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
+  const T v4_3 = R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
+  const T T4 = T(0.5) * (omega4_1 * (t4_18 + T(0.004) * omega4_2 - T(0.002) * omega4_3) + omega4_2 * (T(0.004) *
+      omega4_1 + T(0.075) * omega4_2 + T(0.003) * omega4_3) + omega4_3 * (T(0.003) * omega4_2 - T(0.002) * omega4_1 +
+      T(0.052) * omega4_3)) + c.c4_1 * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // P5 = s1 + R1^T d5: position of the body origin, inertial axes [m]
+  const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T p5_3 = R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04) + P5_3;
+  // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
+  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
+  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
+  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
+  const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
+  const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
+  // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
+  const T t5_16 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
+  const T t5_17 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
+  const T t5_18 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
+  const T v5_1 = R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18 + Pdot5_1;
+  const T v5_2 = R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18 + Pdot5_2;
+  const T v5_3 = R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
+  const T T5 = T(0.5) * (omega5_1 * (T(0.08) * omega5_1 + T(0.005) * omega5_2 + T(0.012) * omega5_3) + omega5_2 *
+      (T(0.005) * omega5_1 + T(0.31) * omega5_2 - T(0.007) * omega5_3) + omega5_3 * (T(0.012) * omega5_1 - T(0.007) *
+      omega5_2 + T(0.33) * omega5_3)) + T(1.3) * (v5_1 * v5_1 + v5_2 * v5_2 + v5_3 * v5_3);
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
+  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_3 = R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07) + P6_3;
+  // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
+  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
+  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
+  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
+  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
+  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
+  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_16 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
+  const T t6_17 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
+  const T t6_18 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
+  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
+  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
+  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
+  const T T6 = T(0.5) * (omega6_1 * (T(0.022) * omega6_1 + T(0.0015) * omega6_2 - T(0.001) * omega6_3) + omega6_2 *
+      (T(0.0015) * omega6_1 + T(0.018) * omega6_2 + T(0.002) * omega6_3) + omega6_3 * (T(0.002) * omega6_2 - T(0.001)
+      * omega6_1 + T(0.027) * omega6_3)) + T(0.45) * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
+
+  // ---- whole system
+  // kinetic = T1 + T2 + T3 + T4 + T5 + T6: kinetic energy of the system [J]
+  const T kinetic = T1 + T2 + T3 + T4 + T5 + T6;
+  energy[0] = kinetic;
+  // mp = m1 p1 + m2 p2 + m3 p3 + m4 p4 + m5 p5 + m6 p6: first moment of mass, inertial axes [kg m]
+  const T mp_3 = T(12) * p1_3 + T(3.5) * p2_3 + T(1.8) * p3_3 + c.p.m_payload * p4_3 + T(2.6) * p5_3 + T(0.9) * p6_3;
+  // potential = -g . mp: potential energy of gravity [J]
+  const T potential = T(9.81) * mp_3;
+  energy[1] = potential;
+}
+
+// momentum: linear and angular momentum, inertial axes, about the inertial origin.
+// linear (3) [kg m/s], angular (3) [kg m^2/s]
+// 465 add, 493 multiply
+template <class T>
+void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_1 = x[24], s1_2 = x[25], s1_3 = x[26];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot1_1 = y[18], sdot1_2 = y[19], sdot1_3 = y[20];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_1 = s1_1 + R1_11 * T(0.05) - R1_21 * T(0.02) + R1_31 * T(0.08);
+  const T p1_2 = s1_2 + R1_12 * T(0.05) - R1_22 * T(0.02) + R1_32 * T(0.08);
+  const T p1_3 = s1_3 + R1_13 * T(0.05) - R1_23 * T(0.02) + R1_33 * T(0.08);
+  // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
+  const T t1_14 = T(0.05) * omega1_3;
+  const T t1_15 = t1_14 - omega1_1 * T(0.08);
+  const T t1_16 = T(0.05) * omega1_2;
+  const T t1_17 = omega1_1 * T(0.02) + t1_16;
+  const T v1_1 = sdot1_1 + R1_11 * t1_13 + R1_21 * t1_15 - R1_31 * t1_17;
+  const T v1_2 = sdot1_2 + R1_12 * t1_13 + R1_22 * t1_15 - R1_32 * t1_17;
+  const T v1_3 = sdot1_3 + R1_13 * t1_13 + R1_23 * t1_15 - R1_33 * t1_17;
+  // l1 = m1 v1: linear momentum, inertial axes [kg m/s]
+  const T l1_1 = T(12) * v1_1;
+  const T l1_2 = T(12) * v1_2;
+  const T l1_3 = T(12) * v1_3;
+  // H1 = R1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t1_18 = T(1.1) * omega1_1 + T(0.04) * omega1_2 - T(0.03) * omega1_3;
+  const T t1_19 = T(0.04) * omega1_1 + T(0.95) * omega1_2 + t1_14;
+  const T t1_20 = t1_16 - T(0.03) * omega1_1 + T(1.3) * omega1_3;
+  const T H1_1 = R1_11 * t1_18 + R1_21 * t1_19 + R1_31 * t1_20 + p1_2 * l1_3 - p1_3 * l1_2;
+  const T H1_2 = R1_12 * t1_18 + R1_22 * t1_19 + R1_32 * t1_20 + p1_3 * l1_1 - p1_1 * l1_3;
+  const T H1_3 = R1_13 * t1_18 + R1_23 * t1_19 + R1_33 * t1_20 + p1_1 * l1_2 - p1_2 * l1_1;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // P2 = s1 + R1^T d2: position of the body origin, inertial axes [m]
+  const T P2_1 = s1_1 + R1_11 * d2_1 + R1_21 * d2_2 + R1_31 * d2_3;
+  const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
+  const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T p2_1 = R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45) + P2_1;
+  const T p2_2 = R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45) + P2_2;
+  const T p2_3 = R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45) + P2_3;
+  // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
+  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
+  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
+  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
+  const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
+  const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_16 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
+  const T t2_17 = T(0.03) * omega2_3;
+  const T t2_18 = t2_17 - omega2_1 * T(0.45);
+  const T t2_19 = T(0.03) * omega2_2;
+  const T t2_20 = omega2_1 * T(0.04) - t2_19;
+  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
+  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
+  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
+  const T l2_1 = T(3.5) * v2_1;
+  const T l2_2 = T(3.5) * v2_2;
+  const T l2_3 = T(3.5) * v2_3;
+  // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t2_21 = T(0.42) * omega2_1 + T(0.02) * omega2_2 + T(0.01) * omega2_3;
+  const T t2_22 = T(0.02) * omega2_1 + T(0.38) * omega2_2 - t2_17;
+  const T t2_23 = T(0.01) * omega2_1 - t2_19 + T(0.11) * omega2_3;
+  const T H2_1 = R2_11 * t2_21 + R2_21 * t2_22 + R2_31 * t2_23 + p2_2 * l2_3 - p2_3 * l2_2;
+  const T H2_2 = R2_12 * t2_21 + R2_22 * t2_22 + R2_32 * t2_23 + p2_3 * l2_1 - p2_1 * l2_3;
+  const T H2_3 = R2_13 * t2_21 + R2_23 * t2_22 + R2_33 * t2_23 + p2_1 * l2_2 - p2_2 * l2_1;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
+  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
+  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
+  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02) + P3_1;
+  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02) + P3_2;
+  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02) + P3_3;
+  // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
+  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
+  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
+  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
+  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
+  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_16 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
+  const T t3_17 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
+  const T t3_18 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
+  const T v3_1 = R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18 + Pdot3_1;
+  const T v3_2 = R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18 + Pdot3_2;
+  const T v3_3 = R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
+  const T l3_1 = T(1.8) * v3_1;
+  const T l3_2 = T(1.8) * v3_2;
+  const T l3_3 = T(1.8) * v3_3;
+  // H3 = R3^T I3 omega3 + p3~ l3: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t3_19 = T(0.21) * omega3_1 - T(0.012) * omega3_2 + T(0.006) * omega3_3;
+  const T t3_20 = T(0.09) * omega3_2 - T(0.012) * omega3_1 + T(0.008) * omega3_3;
+  const T t3_21 = T(0.006) * omega3_1 + T(0.008) * omega3_2 + T(0.27) * omega3_3;
+  const T H3_1 = R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21 + p3_2 * l3_3 - p3_3 * l3_2;
+  const T H3_2 = R3_12 * t3_19 + R3_22 * t3_20 + R3_32 * t3_21 + p3_3 * l3_1 - p3_1 * l3_3;
+  const T H3_3 = R3_13 * t3_19 + R3_23 * t3_20 + R3_33 * t3_21 + p3_1 * l3_2 - p3_2 * l3_1;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
+  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
+  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
+  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T p4_1 = R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1) + P4_1;
+  const T p4_2 = R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1) + P4_2;
+  const T p4_3 = R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1) + P4_3;
+  // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
+  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
+  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
+  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
+  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
+  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_16 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
+  const T t4_17 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
+  const T t4_18 = T(0.06) * omega4_1;
+  const T t4_19 = t4_18 + omega4_2 * T(0.03);
+  const T v4_1 = R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
+  const T v4_2 = R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
+  const T v4_3 = R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
+  const T l4_1 = c.p.m_payload * v4_1;
+  const T l4_2 = c.p.m_payload * v4_2;
+  const T l4_3 = c.p.m_payload * v4_3;
+  // H4 = R4^T I4 omega4 + p4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t4_20 = t4_18 + T(0.004) * omega4_2 - T(0.002) * omega4_3;
+  const T t4_21 = T(0.004) * omega4_1 + T(0.075) * omega4_2 + T(0.003) * omega4_3;
+  const T t4_22 = T(0.003) * omega4_2 - T(0.002) * omega4_1 + T(0.052) * omega4_3;
+  const T H4_1 = R4_11 * t4_20 + R4_21 * t4_21 + R4_31 * t4_22 + p4_2 * l4_3 - p4_3 * l4_2;
+  const T H4_2 = R4_12 * t4_20 + R4_22 * t4_21 + R4_32 * t4_22 + p4_3 * l4_1 - p4_1 * l4_3;
+  const T H4_3 = R4_13 * t4_20 + R4_23 * t4_21 + R4_33 * t4_22 + p4_1 * l4_2 - p4_2 * l4_1;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // P5 = s1 + R1^T d5: position of the body origin, inertial axes [m]
+  const T P5_1 = s1_1 + R1_11 * d5_1 + R1_21 * d5_2 + R1_31 * d5_3;
+  const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
+  const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T p5_1 = R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04) + P5_1;
+  const T p5_2 = R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04) + P5_2;
+  const T p5_3 = R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04) + P5_3;
+  // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
+  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
+  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
+  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
+  const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
+  const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
+  // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
+  const T t5_16 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
+  const T t5_17 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
+  const T t5_18 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
+  const T v5_1 = R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18 + Pdot5_1;
+  const T v5_2 = R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18 + Pdot5_2;
+  const T v5_3 = R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
+  const T l5_1 = T(2.6) * v5_1;
+  const T l5_2 = T(2.6) * v5_2;
+  const T l5_3 = T(2.6) * v5_3;
+  // H5 = R5^T I5 omega5 + p5~ l5: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t5_19 = T(0.08) * omega5_1 + T(0.005) * omega5_2 + T(0.012) * omega5_3;
+  const T t5_20 = T(0.005) * omega5_1 + T(0.31) * omega5_2 - T(0.007) * omega5_3;
+  const T t5_21 = T(0.012) * omega5_1 - T(0.007) * omega5_2 + T(0.33) * omega5_3;
+  const T H5_1 = R5_11 * t5_19 + R5_21 * t5_20 + R5_31 * t5_21 + p5_2 * l5_3 - p5_3 * l5_2;
+  const T H5_2 = R5_12 * t5_19 + R5_22 * t5_20 + R5_32 * t5_21 + p5_3 * l5_1 - p5_1 * l5_3;
+  const T H5_3 = R5_13 * t5_19 + R5_23 * t5_20 + R5_33 * t5_21 + p5_1 * l5_2 - p5_2 * l5_1;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
+  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
+  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
+  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_1 = R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07) + P6_1;
+  const T p6_2 = R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07) + P6_2;
+  const T p6_3 = R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07) + P6_3;
+  // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
+  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
+  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
+  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
+  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
+  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
+  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_16 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
+  const T t6_17 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
+  const T t6_18 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
+  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
+  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
+  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
+  const T l6_1 = T(0.9) * v6_1;
+  const T l6_2 = T(0.9) * v6_2;
+  const T l6_3 = T(0.9) * v6_3;
+  // H6 = R6^T I6 omega6 + p6~ l6: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t6_19 = T(0.022) * omega6_1 + T(0.0015) * omega6_2 - T(0.001) * omega6_3;
+  const T t6_20 = T(0.0015) * omega6_1 + T(0.018) * omega6_2 + T(0.002) * omega6_3;
+  const T t6_21 = T(0.002) * omega6_2 - T(0.001) * omega6_1 + T(0.027) * omega6_3;
+  const T H6_1 = R6_11 * t6_19 + R6_21 * t6_20 + R6_31 * t6_21 + p6_2 * l6_3 - p6_3 * l6_2;
+  const T H6_2 = R6_12 * t6_19 + R6_22 * t6_20 + R6_32 * t6_21 + p6_3 * l6_1 - p6_1 * l6_3;
+  const T H6_3 = R6_13 * t6_19 + R6_23 * t6_20 + R6_33 * t6_21 + p6_1 * l6_2 - p6_2 * l6_1;
+
+  // ---- whole system
+  // linear = l1 + l2 + l3 + l4 + l5 + l6: linear momentum of the system [kg m/s]
+  const T linear_1 = l1_1 + l2_1 + l3_1 + l4_1 + l5_1 + l6_1;
+  const T linear_2 = l1_2 + l2_2 + l3_2 + l4_2 + l5_2 + l6_2;
+  const T linear_3 = l1_3 + l2_3 + l3_3 + l4_3 + l5_3 + l6_3;
+  momentum[0] = linear_1;
+  momentum[1] = linear_2;
+  momentum[2] = linear_3;
+  // angular = H1 + H2 + H3 + H4 + H5 + H6: angular momentum of the system about the inertial origin [kg m^2/s]
+  const T angular_1 = H1_1 + H2_1 + H3_1 + H4_1 + H5_1 + H6_1;
+  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H5_2 + H6_2;
+  const T angular_3 = H1_3 + H2_3 + H3_3 + H4_3 + H5_3 + H6_3;
+  momentum[3] = angular_1;
+  momentum[4] = angular_2;
+  momentum[5] = angular_3;
+}
+
+// power: power of the applied loads, without gravity [W].
+// power (1) [W]
+// 263 add, 272 multiply
+template <class T>
+void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* out) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot1_1 = y[18], sdot1_2 = y[19], sdot1_3 = y[20];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
+  const T t1_14 = T(0.05) * omega1_3 - omega1_1 * T(0.08);
+  const T t1_15 = omega1_1 * T(0.02) + T(0.05) * omega1_2;
+  const T v1_1 = sdot1_1 + R1_11 * t1_13 + R1_21 * t1_14 - R1_31 * t1_15;
+  const T v1_2 = sdot1_2 + R1_12 * t1_13 + R1_22 * t1_14 - R1_32 * t1_15;
+  const T v1_3 = sdot1_3 + R1_13 * t1_13 + R1_23 * t1_14 - R1_33 * t1_15;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
+  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
+  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
+  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
+  const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
+  const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_16 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
+  const T t2_17 = T(0.03) * omega2_3 - omega2_1 * T(0.45);
+  const T t2_18 = omega2_1 * T(0.04) - T(0.03) * omega2_2;
+  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_17 + R2_31 * t2_18 + Pdot2_1;
+  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_17 + R2_32 * t2_18 + Pdot2_2;
+  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_17 + R2_33 * t2_18 + Pdot2_3;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
+  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
+  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
+  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
+  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
+  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_16 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
+  const T t3_17 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
+  const T t3_18 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
+  const T v3_1 = R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18 + Pdot3_1;
+  const T v3_2 = R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18 + Pdot3_2;
+  const T v3_3 = R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
+  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
+  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
+  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
+  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
+  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_16 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
+  const T t4_17 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
+  const T t4_18 = T(0.06) * omega4_1 + omega4_2 * T(0.03);
+  const T v4_1 = R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_18 + Pdot4_1;
+  const T v4_2 = R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_18 + Pdot4_2;
+  const T v4_3 = R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_18 + Pdot4_3;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
+  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
+  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
+  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
+  const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
+  const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
+  // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
+  const T t5_16 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
+  const T t5_17 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
+  const T t5_18 = omega5_1 * T(0.02);
+  const T t5_19 = t5_18 - omega5_2 * T(0.38);
+  const T v5_1 = R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_19 + Pdot5_1;
+  const T v5_2 = R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_19 + Pdot5_2;
+  const T v5_3 = R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_19 + Pdot5_3;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
+  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
+  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
+  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
+  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
+  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
+  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_16 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
+  const T t6_17 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
+  const T t6_18 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
+  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
+  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
+  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+
+  // ---- whole system
+  // power = F1 . v1 + M1 . omega1 + F2 . v2 + M2 . omega2 + F3 . v3 + M3 . omega3 + F4 . v4 + M4 . omega4 + F5 . v5 +
+  //   M5 . omega5 + F6 . v6 + M6 . omega6: power of the applied loads [W]
+  const T power = T(0.5) * v1_1 - T(0.3) * v1_2 + u.thrust * v1_3 + T(0.05) * omega1_1 - T(0.02) * omega1_2 + T(0.03)
+      * omega1_3 + T(0.2) * v2_1 + T(0.1) * v2_2 - T(0.4) * v2_3 + T(0.01) * omega2_1 + T(0.02) * omega2_2 - T(0.015)
+      * omega2_3 + T(0.05) * v3_2 - T(0.1) * v3_1 + T(0.15) * v3_3 + T(0.004) * omega3_2 - T(0.008) * omega3_1 +
+      T(0.012) * omega3_3 + T(0.1) * v4_1 - T(0.15) * v4_2 + T(0.05) * v4_3 + T(0.003) * omega4_1 + T(0.002) *
+      omega4_2 - T(0.004) * omega4_3 + T(0.12) * v5_1 - T(0.07) * v5_2 + T(0.09) * v5_3 + T(0.01) * omega5_2 - t5_18 +
+      T(0.005) * omega5_3 + T(0.05) * v6_1 + T(0.08) * v6_2 - T(0.06) * v6_3 + T(0.002) * omega6_1 - T(0.001) *
+      omega6_2 + T(0.0015) * omega6_3;
+  out[0] = power;
+}
+
+// accelerations: ydot from A ydot = f.
+// rates of y (ny) [rad/s^2], [m/s^2]
+// 472 add, 472 multiply
+template <class T>
+void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // N1 = -omega1~ I1 omega1 + M1: applied less gyroscopic moment, body axes [N m]
+  const T t1_13 = omega1_2 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T t1_15 = omega1_3 * omega1_3;
+  const T t1_16 = omega1_1 * omega1_2;
+  const T t1_17 = omega1_1 * omega1_3;
+  const T N1_1 = T(0.05) - T(0.3500000000000001) * t1_13 - T(0.05) * (t1_14 - t1_15) + T(0.03) * t1_16 + T(0.04) *
+      t1_17;
+  const T t1_18 = omega1_1 * omega1_1;
+  const T minus_N1_2 = T(0.02) + T(0.04) * t1_13 - T(0.19999999999999996) * t1_17 - T(0.03) * (t1_15 - t1_18) -
+      T(0.05) * t1_16;
+  const T N1_3 = T(0.03) - T(0.04) * (t1_18 - t1_14) + T(0.15000000000000013) * t1_16 - T(0.05) * t1_17 - T(0.03) *
+      t1_13;
+  // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
+  const T omegadot1_1 = T(0.9111440494716103) * N1_1 + T(0.03955067476408207) * minus_N1_2 + T(0.022547580940271084) *
+      N1_3;
+  const T minus_omegadot1_2 = T(0.03955067476408207) * N1_1 + T(1.0564835384177513) * minus_N1_2 +
+      T(0.041546690126007715) * N1_3;
+  const T omegadot1_3 = T(0.022547580940271084) * N1_1 + T(0.041546690126007715) * minus_N1_2 + T(0.7713490476419296)
+      * N1_3;
+  ydot[0] = omegadot1_1;
+  ydot[1] = -minus_omegadot1_2;
+  ydot[2] = omegadot1_3;
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U1_11 = t1_15 + t1_14;
+  const T U1_12 = t1_16 - omegadot1_3;
+  const T U1_13 = t1_17 - minus_omegadot1_2;
+  const T U1_21 = t1_16 + omegadot1_3;
+  const T minus_U1_22 = t1_15 + t1_18;
+  const T U1_23 = t1_13 - omegadot1_1;
+  const T U1_31 = t1_17 + minus_omegadot1_2;
+  const T U1_32 = t1_13 + omegadot1_1;
+  const T minus_U1_33 = t1_14 + t1_18;
+  // a1 = m1^-1 F1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a1_3 = T(0.08333333333333333) * u.thrust;
+  // Pddot1 = -R1^T U1 r1 + a1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
+  const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
+  const T Pddot1_1 = T(0.041666666666666664) - R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21;
+  const T minus_Pddot1_2 = T(0.024999999999999998) + R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21;
+  const T Pddot1_3 = a1_3 - R1_13 * t1_19 - R1_23 * t1_20 - R1_33 * t1_21;
+  ydot[18] = Pddot1_1;
+  ydot[19] = -minus_Pddot1_2;
+  // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_3 = Pddot1_3 - T(9.81);
+  ydot[20] = sddot1_3;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // N2 = -omega2~ I2 omega2 + M2: applied less gyroscopic moment, body axes [N m]
+  const T t2_13 = omega2_1 * omega2_2;
+  const T t2_14 = omega2_2 * omega2_3;
+  const T t2_15 = omega2_2 * omega2_2;
+  const T t2_16 = omega2_3 * omega2_3;
+  const T t2_17 = omega2_1 * omega2_3;
+  const T N2_1 = T(0.01) - T(0.01) * t2_13 + T(0.27) * t2_14 + T(0.03) * (t2_15 - t2_16) + T(0.02) * t2_17;
+  const T t2_18 = omega2_1 * omega2_1;
+  const T N2_2 = T(0.02) - T(0.31) * t2_17 - T(0.01) * (t2_16 - t2_18) - T(0.02) * t2_14 - T(0.03) * t2_13;
+  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_18 - t2_15) - T(0.03999999999999998) * t2_13 - T(0.03) * t2_17 -
+      T(0.01) * t2_14;
+  // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
+  const T omegadot2_1 = T(2.394052915008195) * N2_1 - T(0.14633575275111216) * N2_2 + T(0.2575509248419574) *
+      minus_N2_3;
+  const T omegadot2_2 = T(2.698431280730508) * N2_2 - T(0.14633575275111216) * N2_1 - T(0.7492390540856941) *
+      minus_N2_3;
+  const T omegadot2_3 = T(0.7492390540856941) * N2_2 - T(0.2575509248419574) * N2_1 - T(9.318660735190821) *
+      minus_N2_3;
+  ydot[3] = omegadot2_1;
+  ydot[4] = omegadot2_2;
+  ydot[5] = omegadot2_3;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U2_11 = t2_16 + t2_15;
+  const T U2_12 = t2_13 - omegadot2_3;
+  const T U2_13 = t2_17 + omegadot2_2;
+  const T U2_21 = t2_13 + omegadot2_3;
+  const T minus_U2_22 = t2_16 + t2_18;
+  const T U2_23 = t2_14 - omegadot2_1;
+  const T U2_31 = t2_17 - omegadot2_2;
+  const T U2_32 = t2_14 + omegadot2_1;
+  const T minus_U2_33 = t2_15 + t2_18;
+  // Pddot2 = -R2^T U2 r2 + a2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t2_19 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
+  const T t2_20 = U2_21 * T(0.03) - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
+  const T t2_21 = U2_31 * T(0.03) + U2_32 * T(0.04) - minus_U2_33 * T(0.45);
+  const T Pddot2_1 = T(0.05714285714285715) - R2_11 * t2_19 - R2_21 * t2_20 - R2_31 * t2_21;
+  const T Pddot2_2 = T(0.028571428571428574) - R2_12 * t2_19 - R2_22 * t2_20 - R2_32 * t2_21;
+  const T minus_Pddot2_3 = T(0.1142857142857143) + R2_13 * t2_19 + R2_23 * t2_20 + R2_33 * t2_21;
+  // sddot2 = R1 (-Pddot1 + Pddot2) - 2 omega1~ sdot2 - U1 d2: relative acceleration, axes of the lower body [m/s^2]
+  const T t2_22 = Pddot2_1 - Pddot1_1;
+  const T t2_23 = Pddot2_2 + minus_Pddot1_2;
+  const T t2_24 = minus_Pddot2_3 + Pddot1_3;
+  const T t2_25 = T(2) * omega1_3;
+  const T t2_26 = T(2) * omega1_2;
+  const T sddot2_1 = R1_11 * t2_22 + R1_12 * t2_23 - R1_13 * t2_24 + t2_25 * sdot2_2 - t2_26 * sdot2_3 - U1_12 * d2_2
+      + minus_U1_11 * d2_1 - U1_13 * d2_3;
+  const T t2_27 = T(2) * omega1_1;
+  const T sddot2_2 = R1_21 * t2_22 + R1_22 * t2_23 - R1_23 * t2_24 + t2_27 * sdot2_3 - t2_25 * sdot2_1 - U1_21 * d2_1
+      + minus_U1_22 * d2_2 - U1_23 * d2_3;
+  const T sddot2_3 = R1_31 * t2_22 + R1_32 * t2_23 - R1_33 * t2_24 + t2_26 * sdot2_1 - t2_27 * sdot2_2 - U1_31 * d2_1
+      - U1_32 * d2_2 + minus_U1_33 * d2_3;
+  ydot[21] = sddot2_1;
+  ydot[22] = sddot2_2;
+  ydot[23] = sddot2_3;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // N3 = -omega3~ I3 omega3 + M3: applied less gyroscopic moment, body axes [N m]
+  const T t3_13 = omega3_2 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T t3_15 = omega3_3 * omega3_3;
+  const T t3_16 = omega3_1 * omega3_2;
+  const T t3_17 = omega3_1 * omega3_3;
+  const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * t3_13 + T(0.008) * (t3_14 - t3_15) + T(0.006) * t3_16 +
+      T(0.012) * t3_17;
+  const T t3_18 = omega3_1 * omega3_1;
+  const T N3_2 = T(0.004) - T(0.006) * (t3_15 - t3_18) + T(0.060000000000000026) * t3_17 + T(0.012) * t3_13 + T(0.008)
+      * t3_16;
+  const T N3_3 = T(0.012) - T(0.008) * t3_17 + T(0.12) * t3_16 + T(0.012) * (t3_18 - t3_14) + T(0.006) * t3_13;
+  // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
+  const T omegadot3_1 = T(0.6515680436788388) * N3_2 - T(4.802738171107158) * minus_N3_1 - T(0.12603323472619873) *
+      N3_3;
+  const T omegadot3_2 = T(11.228847818436046) * N3_2 - T(0.6515680436788388) * minus_N3_1 - T(0.34718589188726445) *
+      N3_3;
+  const T omegadot3_3 = T(0.12603323472619873) * minus_N3_1 - T(0.34718589188726445) * N3_2 + T(3.716791431642427) *
+      N3_3;
+  ydot[6] = omegadot3_1;
+  ydot[7] = omegadot3_2;
+  ydot[8] = omegadot3_3;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U3_11 = t3_15 + t3_14;
+  const T U3_12 = t3_16 - omegadot3_3;
+  const T U3_13 = t3_17 + omegadot3_2;
+  const T U3_21 = t3_16 + omegadot3_3;
+  const T minus_U3_22 = t3_15 + t3_18;
+  const T U3_23 = t3_13 - omegadot3_1;
+  const T U3_31 = t3_17 - omegadot3_2;
+  const T U3_32 = t3_13 + omegadot3_1;
+  const T minus_U3_33 = t3_14 + t3_18;
+  // Pddot3 = -R3^T U3 r3 + a3: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t3_19 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
+  const T t3_20 = U3_21 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
+  const T t3_21 = U3_31 * T(0.1) + U3_32 * T(0.35) + minus_U3_33 * T(0.02);
+  const T minus_Pddot3_1 = T(0.05555555555555556) + R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21;
+  const T Pddot3_2 = T(0.02777777777777778) - R3_12 * t3_19 - R3_22 * t3_20 - R3_32 * t3_21;
+  const T Pddot3_3 = T(0.08333333333333333) - R3_13 * t3_19 - R3_23 * t3_20 - R3_33 * t3_21;
+  // sddot3 = R2 (-Pddot2 + Pddot3) - 2 omega2~ sdot3 - U2 d3: relative acceleration, axes of the lower body [m/s^2]
+  const T t3_22 = Pddot3_2 - Pddot2_2;
+  const T t3_23 = minus_Pddot3_1 + Pddot2_1;
+  const T t3_24 = Pddot3_3 + minus_Pddot2_3;
+  const T t3_25 = T(2) * omega2_3;
+  const T t3_26 = T(2) * omega2_2;
+  const T sddot3_1 = R2_12 * t3_22 - R2_11 * t3_23 + R2_13 * t3_24 + t3_25 * sdot3_2 - t3_26 * sdot3_3 - U2_12 * d3_2
+      + minus_U2_11 * d3_1 - U2_13 * d3_3;
+  const T t3_27 = T(2) * omega2_1;
+  const T sddot3_2 = R2_22 * t3_22 - R2_21 * t3_23 + R2_23 * t3_24 + t3_27 * sdot3_3 - t3_25 * sdot3_1 - U2_21 * d3_1
+      + minus_U2_22 * d3_2 - U2_23 * d3_3;
+  const T sddot3_3 = R2_32 * t3_22 - R2_31 * t3_23 + R2_33 * t3_24 + t3_26 * sdot3_1 - t3_27 * sdot3_2 - U2_31 * d3_1
+      - U2_32 * d3_2 + minus_U2_33 * d3_3;
+  ydot[24] = sddot3_1;
+  ydot[25] = sddot3_2;
+  ydot[26] = sddot3_3;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // N4 = -omega4~ I4 omega4 + M4: applied less gyroscopic moment, body axes [N m]
+  const T t4_13 = omega4_2 * omega4_2;
+  const T t4_14 = omega4_3 * omega4_3;
+  const T t4_15 = omega4_2 * omega4_3;
+  const T t4_16 = omega4_1 * omega4_2;
+  const T t4_17 = omega4_1 * omega4_3;
+  const T N4_1 = T(0.003) - T(0.003) * (t4_13 - t4_14) + T(0.023) * t4_15 + T(0.002) * t4_16 + T(0.004) * t4_17;
+  const T t4_18 = omega4_1 * omega4_1;
+  const T N4_2 = T(0.002) - T(0.008) * t4_17 + T(0.002) * (t4_14 - t4_18) - T(0.004) * t4_15 + T(0.003) * t4_16;
+  const T minus_N4_3 = T(0.004) + T(0.015) * t4_16 + T(0.004) * (t4_18 - t4_13) + T(0.003) * t4_17 + T(0.002) * t4_15;
+  // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
+  const T omegadot4_1 = T(16.751334596177028) * N4_1 - T(0.9213018770449458) * N4_2 - T(0.6974341312209403) *
+      minus_N4_3;
+  const T omegadot4_2 = T(13.414844153607715) * N4_2 - T(0.9213018770449458) * N4_1 + T(0.8093680041329431) *
+      minus_N4_3;
+  const T omegadot4_3 = T(0.6974341312209403) * N4_1 - T(0.8093680041329431) * N4_2 - T(19.30428792836232) *
+      minus_N4_3;
+  ydot[9] = omegadot4_1;
+  ydot[10] = omegadot4_2;
+  ydot[11] = omegadot4_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U4_11 = t4_14 + t4_13;
+  const T U4_12 = t4_16 - omegadot4_3;
+  const T U4_13 = t4_17 + omegadot4_2;
+  const T U4_21 = t4_16 + omegadot4_3;
+  const T minus_U4_22 = t4_14 + t4_18;
+  const T U4_23 = t4_15 - omegadot4_1;
+  const T U4_31 = t4_17 - omegadot4_2;
+  const T U4_32 = t4_15 + omegadot4_1;
+  const T minus_U4_33 = t4_13 + t4_18;
+  // Pddot4 = -R4^T U4 r4 + a4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t4_19 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
+  const T t4_20 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_21 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
+  const T Pddot4_1 = c.a4_1 - R4_11 * t4_19 - R4_21 * t4_20 - R4_31 * t4_21;
+  const T minus_Pddot4_2 = c.c4_2 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
+  const T Pddot4_3 = c.a4_3 - R4_13 * t4_19 - R4_23 * t4_20 - R4_33 * t4_21;
+  // sddot4 = R2 (-Pddot2 + Pddot4) - 2 omega2~ sdot4 - U2 d4: relative acceleration, axes of the lower body [m/s^2]
+  const T t4_22 = Pddot4_1 - Pddot2_1;
+  const T t4_23 = minus_Pddot4_2 + Pddot2_2;
+  const T t4_24 = Pddot4_3 + minus_Pddot2_3;
+  const T sddot4_1 = R2_11 * t4_22 - R2_12 * t4_23 + R2_13 * t4_24 + t3_25 * sdot4_2 - t3_26 * sdot4_3 - U2_12 * d4_2
+      + minus_U2_11 * d4_1 - U2_13 * d4_3;
+  const T sddot4_2 = R2_21 * t4_22 - R2_22 * t4_23 + R2_23 * t4_24 + t3_27 * sdot4_3 - t3_25 * sdot4_1 - U2_21 * d4_1
+      + minus_U2_22 * d4_2 - U2_23 * d4_3;
+  const T sddot4_3 = R2_31 * t4_22 - R2_32 * t4_23 + R2_33 * t4_24 + t3_26 * sdot4_1 - t3_27 * sdot4_2 - U2_31 * d4_1
+      - U2_32 * d4_2 + minus_U2_33 * d4_3;
+  ydot[27] = sddot4_1;
+  ydot[28] = sddot4_2;
+  ydot[29] = sddot4_3;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // N5 = -omega5~ I5 omega5 + M5: applied less gyroscopic moment, body axes [N m]
+  const T t5_13 = omega5_2 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T t5_15 = omega5_3 * omega5_3;
+  const T t5_16 = omega5_1 * omega5_2;
+  const T t5_17 = omega5_1 * omega5_3;
+  const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * t5_13 - T(0.007) * (t5_14 - t5_15) + T(0.012) * t5_16 -
+      T(0.005) * t5_17;
+  const T t5_18 = omega5_1 * omega5_1;
+  const T N5_2 = T(0.01) - T(0.012) * (t5_15 - t5_18) + T(0.25) * t5_17 - T(0.005) * t5_13 - T(0.007) * t5_16;
+  const T N5_3 = T(0.005) - T(0.22999999999999998) * t5_16 - T(0.005) * (t5_18 - t5_14) + T(0.007) * t5_17 + T(0.012)
+      * t5_13;
+  // omegadot5 = Iinv5 N5: I omegadot + omega~ I omega = M
+  const T minus_omegadot5_1 = T(12.58264780621066) * minus_N5_1 + T(0.21337993071920358) * N5_2 +
+      T(0.46207707027140105) * N5_3;
+  const T omegadot5_2 = T(0.21337993071920358) * minus_N5_1 + T(3.230970854073477) * N5_2 + T(0.07629501559740844) *
+      N5_3;
+  const T omegadot5_3 = T(0.46207707027140105) * minus_N5_1 + T(0.07629501559740844) * N5_2 + T(3.0487242119770865) *
+      N5_3;
+  ydot[12] = -minus_omegadot5_1;
+  ydot[13] = omegadot5_2;
+  ydot[14] = omegadot5_3;
+  // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U5_11 = t5_15 + t5_14;
+  const T U5_12 = t5_16 - omegadot5_3;
+  const T U5_13 = t5_17 + omegadot5_2;
+  const T U5_21 = t5_16 + omegadot5_3;
+  const T minus_U5_22 = t5_15 + t5_18;
+  const T U5_23 = t5_13 + minus_omegadot5_1;
+  const T U5_31 = t5_17 - omegadot5_2;
+  const T U5_32 = t5_13 - minus_omegadot5_1;
+  const T minus_U5_33 = t5_14 + t5_18;
+  // Pddot5 = -R5^T U5 r5 + a5: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t5_19 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
+  const T t5_20 = U5_21 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
+  const T t5_21 = U5_31 * T(0.38) + U5_32 * T(0.02) + minus_U5_33 * T(0.04);
+  const T Pddot5_1 = T(0.04615384615384615) - R5_11 * t5_19 - R5_21 * t5_20 - R5_31 * t5_21;
+  const T minus_Pddot5_2 = T(0.026923076923076925) + R5_12 * t5_19 + R5_22 * t5_20 + R5_32 * t5_21;
+  const T Pddot5_3 = T(0.03461538461538461) - R5_13 * t5_19 - R5_23 * t5_20 - R5_33 * t5_21;
+  // sddot5 = R1 (-Pddot1 + Pddot5) - 2 omega1~ sdot5 - U1 d5: relative acceleration, axes of the lower body [m/s^2]
+  const T t5_22 = Pddot5_1 - Pddot1_1;
+  const T t5_23 = minus_Pddot1_2 - minus_Pddot5_2;
+  const T t5_24 = Pddot5_3 - Pddot1_3;
+  const T sddot5_1 = R1_11 * t5_22 + R1_12 * t5_23 + R1_13 * t5_24 + t2_25 * sdot5_2 - t2_26 * sdot5_3 - U1_12 * d5_2
+      + minus_U1_11 * d5_1 - U1_13 * d5_3;
+  const T sddot5_2 = R1_21 * t5_22 + R1_22 * t5_23 + R1_23 * t5_24 + t2_27 * sdot5_3 - t2_25 * sdot5_1 - U1_21 * d5_1
+      + minus_U1_22 * d5_2 - U1_23 * d5_3;
+  const T sddot5_3 = R1_31 * t5_22 + R1_32 * t5_23 + R1_33 * t5_24 + t2_26 * sdot5_1 - t2_27 * sdot5_2 - U1_31 * d5_1
+      - U1_32 * d5_2 + minus_U1_33 * d5_3;
+  ydot[30] = sddot5_1;
+  ydot[31] = sddot5_2;
+  ydot[32] = sddot5_3;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // N6 = -omega6~ I6 omega6 + M6: applied less gyroscopic moment, body axes [N m]
+  const T t6_13 = omega6_2 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T t6_15 = omega6_3 * omega6_3;
+  const T t6_16 = omega6_1 * omega6_2;
+  const T t6_17 = omega6_1 * omega6_3;
+  const T N6_1 = T(0.002) - T(0.009000000000000001) * t6_13 - T(0.002) * (t6_14 - t6_15) + T(0.001) * t6_16 +
+      T(0.0015) * t6_17;
+  const T t6_18 = omega6_1 * omega6_1;
+  const T minus_N6_2 = T(0.001) + T(0.0015) * t6_13 - T(0.005000000000000001) * t6_17 - T(0.001) * (t6_15 - t6_18) -
+      T(0.002) * t6_16;
+  const T N6_3 = T(0.0015) - T(0.0015) * (t6_18 - t6_14) + T(0.004) * t6_16 - T(0.002) * t6_17 - T(0.001) * t6_13;
+  // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
+  const T omegadot6_1 = T(45.82075718325927) * N6_1 + T(4.040211992299832) * minus_N6_2 + T(1.9963400432540346) *
+      N6_3;
+  const T minus_omegadot6_2 = T(4.040211992299832) * N6_1 + T(56.37284026903059) * minus_N6_2 + T(4.325403427050408) *
+      N6_3;
+  const T omegadot6_3 = T(1.9963400432540346) * N6_1 + T(4.325403427050408) * minus_N6_2 + T(37.43137581101314) *
+      N6_3;
+  ydot[15] = omegadot6_1;
+  ydot[16] = -minus_omegadot6_2;
+  ydot[17] = omegadot6_3;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U6_11 = t6_15 + t6_14;
+  const T U6_12 = t6_16 - omegadot6_3;
+  const T U6_13 = t6_17 - minus_omegadot6_2;
+  const T U6_21 = t6_16 + omegadot6_3;
+  const T minus_U6_22 = t6_15 + t6_18;
+  const T U6_23 = t6_13 - omegadot6_1;
+  const T U6_31 = t6_17 + minus_omegadot6_2;
+  const T U6_32 = t6_13 + omegadot6_1;
+  const T minus_U6_33 = t6_14 + t6_18;
+  // Pddot6 = -R6^T U6 r6 + a6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t6_19 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_20 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
+  const T t6_21 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
+  const T Pddot6_1 = T(0.05555555555555556) - R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21;
+  const T Pddot6_2 = T(0.08888888888888889) - R6_12 * t6_19 - R6_22 * t6_20 - R6_32 * t6_21;
+  const T minus_Pddot6_3 = T(0.06666666666666667) + R6_13 * t6_19 + R6_23 * t6_20 + R6_33 * t6_21;
+  // sddot6 = R5 (-Pddot5 + Pddot6) - 2 omega5~ sdot6 - U5 d6: relative acceleration, axes of the lower body [m/s^2]
+  const T t6_22 = Pddot6_1 - Pddot5_1;
+  const T t6_23 = Pddot6_2 + minus_Pddot5_2;
+  const T t6_24 = minus_Pddot6_3 + Pddot5_3;
+  const T t6_25 = T(2) * omega5_3;
+  const T t6_26 = T(2) * omega5_2;
+  const T sddot6_1 = R5_11 * t6_22 + R5_12 * t6_23 - R5_13 * t6_24 + t6_25 * sdot6_2 - t6_26 * sdot6_3 - U5_12 * d6_2
+      + minus_U5_11 * d6_1 - U5_13 * d6_3;
+  const T t6_27 = T(2) * omega5_1;
+  const T sddot6_2 = R5_21 * t6_22 + R5_22 * t6_23 - R5_23 * t6_24 + t6_27 * sdot6_3 - t6_25 * sdot6_1 - U5_21 * d6_1
+      + minus_U5_22 * d6_2 - U5_23 * d6_3;
+  const T sddot6_3 = R5_31 * t6_22 + R5_32 * t6_23 - R5_33 * t6_24 + t6_26 * sdot6_1 - t6_27 * sdot6_2 - U5_31 * d6_1
+      - U5_32 * d6_2 + minus_U5_33 * d6_3;
+  ydot[33] = sddot6_1;
+  ydot[34] = sddot6_2;
+  ydot[35] = sddot6_3;
+}
+
+// residual: r = A ydot - f.
+// r (ny) [N m], [N]
+// 619 add, 618 multiply
+template <class T>
+void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T omegadot1_1 = ydot[0], omegadot1_2 = ydot[1], omegadot1_3 = ydot[2];
+  const T sddot1_1 = ydot[18], sddot1_2 = ydot[19], sddot1_3 = ydot[20];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T t1_15 = omega1_1 * omega1_2;
+  const T U1_12 = t1_15 - omegadot1_3;
+  const T t1_16 = omega1_1 * omega1_3;
+  const T U1_13 = t1_16 + omegadot1_2;
+  const T U1_21 = t1_15 + omegadot1_3;
+  const T t1_17 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_17;
+  const T t1_18 = omega1_2 * omega1_3;
+  const T U1_23 = t1_18 - omegadot1_1;
+  const T U1_31 = t1_16 - omegadot1_2;
+  const T U1_32 = t1_18 + omegadot1_1;
+  const T minus_U1_33 = t1_14 + t1_17;
+  // Pddot1 = -g + sddot1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T Pddot1_3 = sddot1_3 + T(9.81);
+  // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
+  const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
+  const T a1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21 + sddot1_1;
+  const T a1_2 = R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21 + sddot1_2;
+  const T a1_3 = R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21 + Pddot1_3;
+  // G1 = m1 a1 - F1: force balance, inertial axes [N]
+  const T G1_1 = T(12) * a1_1 - T(0.5);
+  const T G1_2 = T(12) * a1_2 + T(0.3);
+  const T G1_3 = T(12) * a1_3 - u.thrust;
+  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  const T N1_1 = T(0.7250000000000001) * U1_32 - T(0.375) * U1_23 - T(0.05) * (minus_U1_22 - minus_U1_33) - T(0.04) *
+      U1_31 - T(0.03) * U1_21 - T(0.05);
+  const T N1_2 = T(0.375) * U1_13 - T(0.575) * U1_31 + T(0.03) * (minus_U1_33 - minus_U1_11) - T(0.05) * U1_12 +
+      T(0.04) * U1_32 + T(0.02);
+  const T N1_3 = T(0.575) * U1_21 - T(0.7250000000000001) * U1_12 - T(0.04) * (minus_U1_11 - minus_U1_22) + T(0.03) *
+      U1_23 + T(0.05) * U1_13 - T(0.03);
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  const T omegadot2_1 = ydot[3], omegadot2_2 = ydot[4], omegadot2_3 = ydot[5];
+  const T sddot2_1 = ydot[21], sddot2_2 = ydot[22], sddot2_3 = ydot[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_13 = omega2_3 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_13 + t2_14;
+  const T t2_15 = omega2_1 * omega2_2;
+  const T U2_12 = t2_15 - omegadot2_3;
+  const T t2_16 = omega2_1 * omega2_3;
+  const T U2_13 = t2_16 + omegadot2_2;
+  const T U2_21 = t2_15 + omegadot2_3;
+  const T t2_17 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_13 + t2_17;
+  const T t2_18 = omega2_2 * omega2_3;
+  const T U2_23 = t2_18 - omegadot2_1;
+  const T U2_31 = t2_16 - omegadot2_2;
+  const T U2_32 = t2_18 + omegadot2_1;
+  const T minus_U2_33 = t2_14 + t2_17;
+  // Pddot2 = R1^T (2 omega1~ sdot2 + sddot2 + U1 d2) + Pddot1: acceleration of the body origin, less gravity,
+  //   inertial axes [m/s^2]
+  const T t2_19 = T(2) * omega1_3;
+  const T t2_20 = T(2) * omega1_2;
+  const T t2_21 = sddot2_1 - t2_19 * sdot2_2 + t2_20 * sdot2_3 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_22 = T(2) * omega1_1;
+  const T t2_23 = sddot2_2 - t2_22 * sdot2_3 + t2_19 * sdot2_1 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = sddot2_3 - t2_20 * sdot2_1 + t2_22 * sdot2_2 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
+  const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
+  const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_25 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
+  const T t2_26 = U2_21 * T(0.03) - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
+  const T t2_27 = U2_31 * T(0.03) + U2_32 * T(0.04) - minus_U2_33 * T(0.45);
+  const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
+  // G2 = m2 a2 - F2: force balance, inertial axes [N]
+  const T G2_1 = T(3.5) * a2_1 - T(0.2);
+  const T G2_2 = T(3.5) * a2_2 - T(0.1);
+  const T G2_3 = T(3.5) * a2_3 + T(0.4);
+  // N2 = -M2 + axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  const T N2_1 = T(0.07499999999999998) * U2_32 - T(0.345) * U2_23 + T(0.03) * (minus_U2_22 - minus_U2_33) - T(0.02) *
+      U2_31 + T(0.01) * U2_21 - T(0.01);
+  const T N2_2 = T(0.345) * U2_13 - T(0.03500000000000001) * U2_31 - T(0.01) * (minus_U2_33 - minus_U2_11) + T(0.03) *
+      U2_12 + T(0.02) * U2_32 - T(0.02);
+  const T N2_3 = T(0.03500000000000001) * U2_21 - T(0.07499999999999998) * U2_12 - T(0.02) * (minus_U2_11 -
+      minus_U2_22) - T(0.01) * U2_23 - T(0.03) * U2_13 + T(0.015);
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  const T omegadot3_1 = ydot[6], omegadot3_2 = ydot[7], omegadot3_3 = ydot[8];
+  const T sddot3_1 = ydot[24], sddot3_2 = ydot[25], sddot3_3 = ydot[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_13 = omega3_3 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_13 + t3_14;
+  const T t3_15 = omega3_1 * omega3_2;
+  const T U3_12 = t3_15 - omegadot3_3;
+  const T t3_16 = omega3_1 * omega3_3;
+  const T U3_13 = t3_16 + omegadot3_2;
+  const T U3_21 = t3_15 + omegadot3_3;
+  const T t3_17 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_13 + t3_17;
+  const T t3_18 = omega3_2 * omega3_3;
+  const T U3_23 = t3_18 - omegadot3_1;
+  const T U3_31 = t3_16 - omegadot3_2;
+  const T U3_32 = t3_18 + omegadot3_1;
+  const T minus_U3_33 = t3_14 + t3_17;
+  // Pddot3 = R2^T (2 omega2~ sdot3 + sddot3 + U2 d3) + Pddot2: acceleration of the body origin, less gravity,
+  //   inertial axes [m/s^2]
+  const T t3_19 = T(2) * omega2_3;
+  const T t3_20 = T(2) * omega2_2;
+  const T t3_21 = sddot3_1 - t3_19 * sdot3_2 + t3_20 * sdot3_3 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_22 = T(2) * omega2_1;
+  const T t3_23 = sddot3_2 - t3_22 * sdot3_3 + t3_19 * sdot3_1 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = sddot3_3 - t3_20 * sdot3_1 + t3_22 * sdot3_2 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
+  // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_25 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
+  const T t3_26 = U3_21 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
+  const T t3_27 = U3_31 * T(0.1) + U3_32 * T(0.35) + minus_U3_33 * T(0.02);
+  const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
+  // G3 = m3 a3 - F3: force balance, inertial axes [N]
+  const T G3_1 = T(1.8) * a3_1 + T(0.1);
+  const T G3_2 = T(1.8) * a3_2 - T(0.05);
+  const T G3_3 = T(1.8) * a3_3 - T(0.15);
+  // N3 = -M3 + axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  const T N3_1 = T(0.195) * U3_32 - T(0.014999999999999986) * U3_23 - T(0.008) * (minus_U3_22 - minus_U3_33) +
+      T(0.012) * U3_31 + T(0.006) * U3_21 + T(0.008);
+  const T N3_2 = T(0.014999999999999986) * U3_13 - T(0.07500000000000001) * U3_31 - T(0.006) * (minus_U3_33 -
+      minus_U3_11) - T(0.008) * U3_12 - T(0.012) * U3_32 - T(0.004);
+  const T N3_3 = T(0.07500000000000001) * U3_21 - T(0.195) * U3_12 + T(0.012) * (minus_U3_11 - minus_U3_22) - T(0.006)
+      * U3_23 + T(0.008) * U3_13 - T(0.012);
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  const T omegadot4_1 = ydot[9], omegadot4_2 = ydot[10], omegadot4_3 = ydot[11];
+  const T sddot4_1 = ydot[27], sddot4_2 = ydot[28], sddot4_3 = ydot[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_13 = omega4_3 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_13 + t4_14;
+  const T t4_15 = omega4_1 * omega4_2;
+  const T U4_12 = t4_15 - omegadot4_3;
+  const T t4_16 = omega4_1 * omega4_3;
+  const T U4_13 = t4_16 + omegadot4_2;
+  const T U4_21 = t4_15 + omegadot4_3;
+  const T t4_17 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_13 + t4_17;
+  const T t4_18 = omega4_2 * omega4_3;
+  const T U4_23 = t4_18 - omegadot4_1;
+  const T U4_31 = t4_16 - omegadot4_2;
+  const T U4_32 = t4_18 + omegadot4_1;
+  const T minus_U4_33 = t4_14 + t4_17;
+  // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
+  //   inertial axes [m/s^2]
+  const T t4_19 = sddot4_1 - t3_19 * sdot4_2 + t3_20 * sdot4_3 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = sddot4_2 - t3_22 * sdot4_3 + t3_19 * sdot4_1 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = sddot4_3 - t3_20 * sdot4_1 + t3_22 * sdot4_2 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
+  const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
+  const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
+  const T t4_23 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_24 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
+  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  // G4 = m4 a4 - F4: force balance, inertial axes [N]
+  const T G4_1 = c.p.m_payload * a4_1 - T(0.1);
+  const T G4_2 = c.p.m_payload * a4_2 + T(0.15);
+  const T G4_3 = c.p.m_payload * a4_3 - T(0.05);
+  // N4 = -M4 + axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  const T N4_1 = T(0.0185) * U4_32 - T(0.041499999999999995) * U4_23 - T(0.003) * (minus_U4_22 - minus_U4_33) -
+      T(0.004) * U4_31 - T(0.002) * U4_21 - T(0.003);
+  const T N4_2 = T(0.041499999999999995) * U4_13 - T(0.0335) * U4_31 + T(0.002) * (minus_U4_33 - minus_U4_11) -
+      T(0.003) * U4_12 + T(0.004) * U4_32 - T(0.002);
+  const T N4_3 = T(0.0335) * U4_21 - T(0.0185) * U4_12 - T(0.004) * (minus_U4_11 - minus_U4_22) + T(0.002) * U4_23 +
+      T(0.003) * U4_13 + T(0.004);
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  const T omegadot5_1 = ydot[12], omegadot5_2 = ydot[13], omegadot5_3 = ydot[14];
+  const T sddot5_1 = ydot[30], sddot5_2 = ydot[31], sddot5_3 = ydot[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t5_13 = omega5_3 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_13 + t5_14;
+  const T t5_15 = omega5_1 * omega5_2;
+  const T U5_12 = t5_15 - omegadot5_3;
+  const T t5_16 = omega5_1 * omega5_3;
+  const T U5_13 = t5_16 + omegadot5_2;
+  const T U5_21 = t5_15 + omegadot5_3;
+  const T t5_17 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_13 + t5_17;
+  const T t5_18 = omega5_2 * omega5_3;
+  const T U5_23 = t5_18 - omegadot5_1;
+  const T U5_31 = t5_16 - omegadot5_2;
+  const T U5_32 = t5_18 + omegadot5_1;
+  const T minus_U5_33 = t5_14 + t5_17;
+  // Pddot5 = R1^T (2 omega1~ sdot5 + sddot5 + U1 d5) + Pddot1: acceleration of the body origin, less gravity,
+  //   inertial axes [m/s^2]
+  const T t5_19 = sddot5_1 - t2_19 * sdot5_2 + t2_20 * sdot5_3 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = sddot5_2 - t2_22 * sdot5_3 + t2_19 * sdot5_1 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = sddot5_3 - t2_20 * sdot5_1 + t2_22 * sdot5_2 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T Pddot5_1 = R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21 + sddot1_1;
+  const T Pddot5_2 = R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21 + sddot1_2;
+  const T Pddot5_3 = R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21 + Pddot1_3;
+  // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_22 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
+  const T t5_23 = U5_21 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
+  const T t5_24 = U5_31 * T(0.38) + U5_32 * T(0.02) + minus_U5_33 * T(0.04);
+  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  // G5 = m5 a5 - F5: force balance, inertial axes [N]
+  const T G5_1 = T(2.6) * a5_1 - T(0.12);
+  const T G5_2 = T(2.6) * a5_2 + T(0.07);
+  const T G5_3 = T(2.6) * a5_3 - T(0.09);
+  // N5 = -M5 + axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  const T N5_1 = T(0.05000000000000001) * U5_32 - T(0.029999999999999992) * U5_23 + T(0.007) * (minus_U5_22 -
+      minus_U5_33) - T(0.005) * U5_31 + T(0.012) * U5_21 + T(0.02);
+  const T N5_2 = T(0.029999999999999992) * U5_13 - T(0.28) * U5_31 - T(0.012) * (minus_U5_33 - minus_U5_11) + T(0.007)
+      * U5_12 + T(0.005) * U5_32 - T(0.01);
+  const T N5_3 = T(0.28) * U5_21 - T(0.05000000000000001) * U5_12 - T(0.005) * (minus_U5_11 - minus_U5_22) - T(0.012)
+      * U5_23 - T(0.007) * U5_13 - T(0.005);
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  const T omegadot6_1 = ydot[15], omegadot6_2 = ydot[16], omegadot6_3 = ydot[17];
+  const T sddot6_1 = ydot[33], sddot6_2 = ydot[34], sddot6_3 = ydot[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_13 = omega6_3 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_13 + t6_14;
+  const T t6_15 = omega6_1 * omega6_2;
+  const T U6_12 = t6_15 - omegadot6_3;
+  const T t6_16 = omega6_1 * omega6_3;
+  const T U6_13 = t6_16 + omegadot6_2;
+  const T U6_21 = t6_15 + omegadot6_3;
+  const T t6_17 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_13 + t6_17;
+  const T t6_18 = omega6_2 * omega6_3;
+  const T U6_23 = t6_18 - omegadot6_1;
+  const T U6_31 = t6_16 - omegadot6_2;
+  const T U6_32 = t6_18 + omegadot6_1;
+  const T minus_U6_33 = t6_14 + t6_17;
+  // Pddot6 = R5^T (2 omega5~ sdot6 + sddot6 + U5 d6) + Pddot5: acceleration of the body origin, less gravity,
+  //   inertial axes [m/s^2]
+  const T t6_19 = T(2) * omega5_3;
+  const T t6_20 = T(2) * omega5_2;
+  const T t6_21 = sddot6_1 - t6_19 * sdot6_2 + t6_20 * sdot6_3 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_22 = T(2) * omega5_1;
+  const T t6_23 = sddot6_2 - t6_22 * sdot6_3 + t6_19 * sdot6_1 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = sddot6_3 - t6_20 * sdot6_1 + t6_22 * sdot6_2 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
+  const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
+  const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
+  // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_25 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_26 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
+  const T t6_27 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
+  const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
+  const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
+  const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
+  // G6 = m6 a6 - F6: force balance, inertial axes [N]
+  const T G6_1 = T(0.9) * a6_1 - T(0.05);
+  const T G6_2 = T(0.9) * a6_2 - T(0.08);
+  const T G6_3 = T(0.9) * a6_3 + T(0.06);
+  // N6 = -M6 + axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  const T N6_1 = T(0.0155) * U6_32 - T(0.006499999999999999) * U6_23 - T(0.002) * (minus_U6_22 - minus_U6_33) -
+      T(0.0015) * U6_31 - T(0.001) * U6_21 - T(0.002);
+  const T N6_2 = T(0.006499999999999999) * U6_13 - T(0.0115) * U6_31 + T(0.001) * (minus_U6_33 - minus_U6_11) -
+      T(0.002) * U6_12 + T(0.0015) * U6_32 + T(0.001);
+  const T N6_3 = T(0.0115) * U6_21 - T(0.0155) * U6_12 - T(0.0015) * (minus_U6_11 - minus_U6_22) + T(0.001) * U6_23 +
+      T(0.002) * U6_13 - T(0.0015);
+
+  // ---- body 6 (tool) and what it carries
+  // r_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
+  const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
+  const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
+  const T r_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
+  const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
+  const T r_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 + N6_2;
+  const T r_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
+  r[15] = r_omega6_1;
+  r[16] = r_omega6_2;
+  r[17] = r_omega6_3;
+  // r_sdot6 = R5 G6: Kane's equation of sdot [N]
+  const T r_sdot6_1 = R5_11 * G6_1 + R5_12 * G6_2 + R5_13 * G6_3;
+  const T r_sdot6_2 = R5_21 * G6_1 + R5_22 * G6_2 + R5_23 * G6_3;
+  const T r_sdot6_3 = R5_31 * G6_1 + R5_32 * G6_2 + R5_33 * G6_3;
+  r[33] = r_sdot6_1;
+  r[34] = r_sdot6_2;
+  r[35] = r_sdot6_3;
+
+  // ---- body 5 (arm) and what it carries
+  // r_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
+  const T b5_1 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
+  const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
+  const T r_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 + N5_1;
+  const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
+  const T r_omega5_2 = d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3 - T(0.04) * b5_3 - T(0.38) * b5_2 + N5_2;
+  const T r_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N5_3;
+  r[12] = r_omega5_1;
+  r[13] = r_omega5_2;
+  r[14] = r_omega5_3;
+  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
+  const T S5_1 = G5_1 + G6_1;
+  const T S5_2 = G5_2 + G6_2;
+  const T S5_3 = G5_3 + G6_3;
+  // r_sdot5 = R1 S5: Kane's equation of sdot [N]
+  const T r_sdot5_1 = R1_11 * S5_1 + R1_12 * S5_2 + R1_13 * S5_3;
+  const T r_sdot5_2 = R1_21 * S5_1 + R1_22 * S5_2 + R1_23 * S5_3;
+  const T r_sdot5_3 = R1_31 * S5_1 + R1_32 * S5_2 + R1_33 * S5_3;
+  r[30] = r_sdot5_1;
+  r[31] = r_sdot5_2;
+  r[32] = r_sdot5_3;
+
+  // ---- body 4 (payload) and what it carries
+  // r_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
+  const T b4_1 = R4_31 * G4_1 + R4_32 * G4_2 + R4_33 * G4_3;
+  const T b4_2 = R4_21 * G4_1 + R4_22 * G4_2 + R4_23 * G4_3;
+  const T r_omega4_1 = T(0.06) * b4_1 - T(0.1) * b4_2 + N4_1;
+  const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
+  const T r_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_1 + N4_2;
+  const T r_omega4_3 = N4_3 - T(0.03) * b4_2 - T(0.06) * b4_3;
+  r[9] = r_omega4_1;
+  r[10] = r_omega4_2;
+  r[11] = r_omega4_3;
+  // r_sdot4 = R2 G4: Kane's equation of sdot [N]
+  const T r_sdot4_1 = R2_11 * G4_1 + R2_12 * G4_2 + R2_13 * G4_3;
+  const T r_sdot4_2 = R2_21 * G4_1 + R2_22 * G4_2 + R2_23 * G4_3;
+  const T r_sdot4_3 = R2_31 * G4_1 + R2_32 * G4_2 + R2_33 * G4_3;
+  r[27] = r_sdot4_1;
+  r[28] = r_sdot4_2;
+  r[29] = r_sdot4_3;
+
+  // ---- body 3 (panel) and what it carries
+  // r_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
+  const T b3_1 = R3_21 * G3_1 + R3_22 * G3_2 + R3_23 * G3_3;
+  const T b3_2 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
+  const T r_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 + N3_1;
+  const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
+  const T r_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T r_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
+  r[6] = r_omega3_1;
+  r[7] = r_omega3_2;
+  r[8] = r_omega3_3;
+  // r_sdot3 = R2 G3: Kane's equation of sdot [N]
+  const T r_sdot3_1 = R2_11 * G3_1 + R2_12 * G3_2 + R2_13 * G3_3;
+  const T r_sdot3_2 = R2_21 * G3_1 + R2_22 * G3_2 + R2_23 * G3_3;
+  const T r_sdot3_3 = R2_31 * G3_1 + R2_32 * G3_2 + R2_33 * G3_3;
+  r[24] = r_sdot3_1;
+  r[25] = r_sdot3_2;
+  r[26] = r_sdot3_3;
+
+  // ---- body 2 (boom) and what it carries
+  // r_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
+  const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
+  const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
+  const T r_omega2_1 = T(0.04) * b2_1 - T(0.45) * b2_2 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d4_2 * r_sdot4_3 - d4_3
+      * r_sdot4_2 + N2_1;
+  const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
+  const T r_omega2_2 = T(0.45) * b2_3 - T(0.03) * b2_1 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 + d4_3 * r_sdot4_1 - d4_1
+      * r_sdot4_3 + N2_2;
+  const T r_omega2_3 = T(0.03) * b2_2 - T(0.04) * b2_3 + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d4_1 * r_sdot4_2 - d4_2
+      * r_sdot4_1 + N2_3;
+  r[3] = r_omega2_1;
+  r[4] = r_omega2_2;
+  r[5] = r_omega2_3;
+  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
+  const T S2_1 = G2_1 + G3_1 + G4_1;
+  const T S2_2 = G2_2 + G3_2 + G4_2;
+  const T S2_3 = G2_3 + G3_3 + G4_3;
+  // r_sdot2 = R1 S2: Kane's equation of sdot [N]
+  const T r_sdot2_1 = R1_11 * S2_1 + R1_12 * S2_2 + R1_13 * S2_3;
+  const T r_sdot2_2 = R1_21 * S2_1 + R1_22 * S2_2 + R1_23 * S2_3;
+  const T r_sdot2_3 = R1_31 * S2_1 + R1_32 * S2_2 + R1_33 * S2_3;
+  r[21] = r_sdot2_1;
+  r[22] = r_sdot2_2;
+  r[23] = r_sdot2_3;
+
+  // ---- body 1 (hub) and what it carries
+  // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
+  const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
+  const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
+  const T r_omega1_1 = d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 - T(0.08) * b1_1 - T(0.02) * b1_2 + d5_2 * r_sdot5_3 - d5_3
+      * r_sdot5_2 + N1_1;
+  const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
+  const T r_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1 - d5_1
+      * r_sdot5_3 + N1_2;
+  const T r_omega1_3 = T(0.05) * b1_1 + T(0.02) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d5_1 * r_sdot5_2 - d5_2
+      * r_sdot5_1 + N1_3;
+  r[0] = r_omega1_1;
+  r[1] = r_omega1_2;
+  r[2] = r_omega1_3;
+  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
+  const T S1_1 = G1_1 + S5_1 + S2_1;
+  const T S1_2 = G1_2 + S5_2 + S2_2;
+  const T S1_3 = G1_3 + S5_3 + S2_3;
+  r[18] = S1_1;
+  r[19] = S1_2;
+  r[20] = S1_3;
+}
+
+// forcing: f of A ydot = f.
+// f (ny) [N m], [N]
+// 510 add, 609 multiply
+template <class T>
+void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
+  const T t1_14 = omega1_1 * T(0.02) + T(0.05) * omega1_2;
+  const T t1_15 = omega1_3 * t1_13 + omega1_1 * t1_14;
+  const T t1_16 = T(0.05) * omega1_3 - omega1_1 * T(0.08);
+  const T t1_17 = omega1_3 * t1_16 + omega1_2 * t1_14;
+  const T t1_18 = omega1_1 * t1_16 - omega1_2 * t1_13;
+  const T a1_1 = R1_21 * t1_15 - R1_11 * t1_17 + R1_31 * t1_18;
+  const T a1_2 = R1_22 * t1_15 - R1_12 * t1_17 + R1_32 * t1_18;
+  const T a1_3 = R1_23 * t1_15 - R1_13 * t1_17 + R1_33 * t1_18 + T(9.81);
+  // G1 = -m1 a1 + F1: applied less inertia force at ydot = 0, inertial axes [N]
+  const T G1_1 = T(0.5) - T(12) * a1_1;
+  const T minus_G1_2 = T(12) * a1_2 + T(0.3);
+  const T G1_3 = u.thrust - T(12) * a1_3;
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t1_19 = omega1_2 * omega1_3;
+  const T t1_20 = omega1_2 * omega1_2;
+  const T t1_21 = omega1_3 * omega1_3;
+  const T t1_22 = omega1_1 * omega1_2;
+  const T t1_23 = omega1_1 * omega1_3;
+  const T N1_1 = T(0.05) - T(0.3500000000000001) * t1_19 - T(0.05) * (t1_20 - t1_21) + T(0.03) * t1_22 + T(0.04) *
+      t1_23;
+  const T t1_24 = omega1_1 * omega1_1;
+  const T minus_N1_2 = T(0.02) + T(0.04) * t1_19 - T(0.19999999999999996) * t1_23 - T(0.03) * (t1_21 - t1_24) -
+      T(0.05) * t1_22;
+  const T N1_3 = T(0.03) - T(0.04) * (t1_24 - t1_20) + T(0.15000000000000013) * t1_22 - T(0.05) * t1_23 - T(0.03) *
+      t1_19;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // Pddot2 = R1^T omega1~ (omega1~ d2 + 2 sdot2) + Pddot1: acceleration of the body origin, less gravity, inertial
+  //   axes [m/s^2]
+  const T t2_13 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
+  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
+  const T t2_15 = omega1_2 * t2_13 - omega1_3 * t2_14;
+  const T t2_16 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
+  const T t2_17 = omega1_3 * t2_16 - omega1_1 * t2_13;
+  const T t2_18 = omega1_1 * t2_14 - omega1_2 * t2_16;
+  const T Pddot2_1 = R1_11 * t2_15 + R1_21 * t2_17 + R1_31 * t2_18;
+  const T Pddot2_2 = R1_12 * t2_15 + R1_22 * t2_17 + R1_32 * t2_18;
+  const T Pddot2_3 = R1_13 * t2_15 + R1_23 * t2_17 + R1_33 * t2_18 + T(9.81);
+  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_19 = omega2_1 * T(0.04) - T(0.03) * omega2_2;
+  const T t2_20 = T(0.03) * omega2_3 - omega2_1 * T(0.45);
+  const T t2_21 = omega2_2 * t2_19 - omega2_3 * t2_20;
+  const T t2_22 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
+  const T t2_23 = omega2_3 * t2_22 - omega2_1 * t2_19;
+  const T t2_24 = omega2_1 * t2_20 - omega2_2 * t2_22;
+  const T a2_1 = R2_11 * t2_21 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_21 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_21 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
+  // G2 = -m2 a2 + F2: applied less inertia force at ydot = 0, inertial axes [N]
+  const T G2_1 = T(0.2) - T(3.5) * a2_1;
+  const T G2_2 = T(0.1) - T(3.5) * a2_2;
+  const T minus_G2_3 = T(3.5) * a2_3 + T(0.4);
+  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t2_25 = omega2_1 * omega2_2;
+  const T t2_26 = omega2_2 * omega2_3;
+  const T t2_27 = omega2_2 * omega2_2;
+  const T t2_28 = omega2_3 * omega2_3;
+  const T t2_29 = omega2_1 * omega2_3;
+  const T N2_1 = T(0.01) - T(0.01) * t2_25 + T(0.27) * t2_26 + T(0.03) * (t2_27 - t2_28) + T(0.02) * t2_29;
+  const T t2_30 = omega2_1 * omega2_1;
+  const T N2_2 = T(0.02) - T(0.31) * t2_29 - T(0.01) * (t2_28 - t2_30) - T(0.02) * t2_26 - T(0.03) * t2_25;
+  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_30 - t2_27) - T(0.03999999999999998) * t2_25 - T(0.03) * t2_29 -
+      T(0.01) * t2_26;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // Pddot3 = R2^T omega2~ (omega2~ d3 + 2 sdot3) + Pddot2: acceleration of the body origin, less gravity, inertial
+  //   axes [m/s^2]
+  const T t3_13 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
+  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
+  const T t3_15 = omega2_2 * t3_13 - omega2_3 * t3_14;
+  const T t3_16 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
+  const T t3_17 = omega2_3 * t3_16 - omega2_1 * t3_13;
+  const T t3_18 = omega2_1 * t3_14 - omega2_2 * t3_16;
+  const T Pddot3_1 = R2_11 * t3_15 + R2_21 * t3_17 + R2_31 * t3_18 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_15 + R2_22 * t3_17 + R2_32 * t3_18 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_15 + R2_23 * t3_17 + R2_33 * t3_18 + Pddot2_3;
+  // a3 = R3^T omega3~ omega3~ r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_19 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
+  const T t3_20 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
+  const T t3_21 = omega3_2 * t3_19 - omega3_3 * t3_20;
+  const T t3_22 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
+  const T t3_23 = omega3_3 * t3_22 + omega3_1 * t3_19;
+  const T t3_24 = omega3_1 * t3_20 + omega3_2 * t3_22;
+  const T a3_1 = R3_11 * t3_21 - R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_21 - R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_21 - R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  // G3 = -m3 a3 + F3: applied less inertia force at ydot = 0, inertial axes [N]
+  const T minus_G3_1 = T(1.8) * a3_1 + T(0.1);
+  const T G3_2 = T(0.05) - T(1.8) * a3_2;
+  const T G3_3 = T(0.15) - T(1.8) * a3_3;
+  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t3_25 = omega3_2 * omega3_3;
+  const T t3_26 = omega3_2 * omega3_2;
+  const T t3_27 = omega3_3 * omega3_3;
+  const T t3_28 = omega3_1 * omega3_2;
+  const T t3_29 = omega3_1 * omega3_3;
+  const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * t3_25 + T(0.008) * (t3_26 - t3_27) + T(0.006) * t3_28 +
+      T(0.012) * t3_29;
+  const T t3_30 = omega3_1 * omega3_1;
+  const T N3_2 = T(0.004) - T(0.006) * (t3_27 - t3_30) + T(0.060000000000000026) * t3_29 + T(0.012) * t3_25 + T(0.008)
+      * t3_28;
+  const T N3_3 = T(0.012) - T(0.008) * t3_29 + T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26) + T(0.006) * t3_25;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // Pddot4 = R2^T omega2~ (omega2~ d4 + 2 sdot4) + Pddot2: acceleration of the body origin, less gravity, inertial
+  //   axes [m/s^2]
+  const T t4_13 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
+  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
+  const T t4_15 = omega2_2 * t4_13 - omega2_3 * t4_14;
+  const T t4_16 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
+  const T t4_17 = omega2_3 * t4_16 - omega2_1 * t4_13;
+  const T t4_18 = omega2_1 * t4_14 - omega2_2 * t4_16;
+  const T Pddot4_1 = R2_11 * t4_15 + R2_21 * t4_17 + R2_31 * t4_18 + Pddot2_1;
+  const T Pddot4_2 = R2_12 * t4_15 + R2_22 * t4_17 + R2_32 * t4_18 + Pddot2_2;
+  const T Pddot4_3 = R2_13 * t4_15 + R2_23 * t4_17 + R2_33 * t4_18 + Pddot2_3;
+  // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_19 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
+  const T t4_20 = T(0.06) * omega4_1 + omega4_2 * T(0.03);
+  const T t4_21 = omega4_3 * t4_19 + omega4_2 * t4_20;
+  const T t4_22 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
+  const T t4_23 = omega4_3 * t4_22 - omega4_1 * t4_20;
+  const T t4_24 = omega4_1 * t4_19 + omega4_2 * t4_22;
+  const T a4_1 = R4_11 * t4_21 + R4_21 * t4_23 - R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_21 + R4_22 * t4_23 - R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_21 + R4_23 * t4_23 - R4_33 * t4_24 + Pddot4_3;
+  // G4 = -m4 a4 + F4: applied less inertia force at ydot = 0, inertial axes [N]
+  const T G4_1 = T(0.1) - c.p.m_payload * a4_1;
+  const T minus_G4_2 = c.p.m_payload * a4_2 + T(0.15);
+  const T G4_3 = T(0.05) - c.p.m_payload * a4_3;
+  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t4_25 = omega4_2 * omega4_2;
+  const T t4_26 = omega4_3 * omega4_3;
+  const T t4_27 = omega4_2 * omega4_3;
+  const T t4_28 = omega4_1 * omega4_2;
+  const T t4_29 = omega4_1 * omega4_3;
+  const T N4_1 = T(0.003) - T(0.003) * (t4_25 - t4_26) + T(0.023) * t4_27 + T(0.002) * t4_28 + T(0.004) * t4_29;
+  const T t4_30 = omega4_1 * omega4_1;
+  const T N4_2 = T(0.002) - T(0.008) * t4_29 + T(0.002) * (t4_26 - t4_30) - T(0.004) * t4_27 + T(0.003) * t4_28;
+  const T minus_N4_3 = T(0.004) + T(0.015) * t4_28 + T(0.004) * (t4_30 - t4_25) + T(0.003) * t4_29 + T(0.002) * t4_27;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // Pddot5 = R1^T omega1~ (omega1~ d5 + 2 sdot5) + Pddot1: acceleration of the body origin, less gravity, inertial
+  //   axes [m/s^2]
+  const T t5_13 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
+  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
+  const T t5_15 = omega1_2 * t5_13 - omega1_3 * t5_14;
+  const T t5_16 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
+  const T t5_17 = omega1_3 * t5_16 - omega1_1 * t5_13;
+  const T t5_18 = omega1_1 * t5_14 - omega1_2 * t5_16;
+  const T Pddot5_1 = R1_11 * t5_15 + R1_21 * t5_17 + R1_31 * t5_18;
+  const T Pddot5_2 = R1_12 * t5_15 + R1_22 * t5_17 + R1_32 * t5_18;
+  const T Pddot5_3 = R1_13 * t5_15 + R1_23 * t5_17 + R1_33 * t5_18 + T(9.81);
+  // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_19 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
+  const T t5_20 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
+  const T t5_21 = omega5_2 * t5_19 - omega5_3 * t5_20;
+  const T t5_22 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
+  const T t5_23 = omega5_3 * t5_22 + omega5_1 * t5_19;
+  const T t5_24 = omega5_1 * t5_20 + omega5_2 * t5_22;
+  const T a5_1 = R5_11 * t5_21 - R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_21 - R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_21 - R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  // G5 = -m5 a5 + F5: applied less inertia force at ydot = 0, inertial axes [N]
+  const T G5_1 = T(0.12) - T(2.6) * a5_1;
+  const T minus_G5_2 = T(2.6) * a5_2 + T(0.07);
+  const T G5_3 = T(0.09) - T(2.6) * a5_3;
+  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t5_25 = omega5_2 * omega5_3;
+  const T t5_26 = omega5_2 * omega5_2;
+  const T t5_27 = omega5_3 * omega5_3;
+  const T t5_28 = omega5_1 * omega5_2;
+  const T t5_29 = omega5_1 * omega5_3;
+  const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * t5_25 - T(0.007) * (t5_26 - t5_27) + T(0.012) * t5_28 -
+      T(0.005) * t5_29;
+  const T t5_30 = omega5_1 * omega5_1;
+  const T N5_2 = T(0.01) - T(0.012) * (t5_27 - t5_30) + T(0.25) * t5_29 - T(0.005) * t5_25 - T(0.007) * t5_28;
+  const T N5_3 = T(0.005) - T(0.22999999999999998) * t5_28 - T(0.005) * (t5_30 - t5_26) + T(0.007) * t5_29 + T(0.012)
+      * t5_25;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // Pddot6 = R5^T omega5~ (omega5~ d6 + 2 sdot6) + Pddot5: acceleration of the body origin, less gravity, inertial
+  //   axes [m/s^2]
+  const T t6_13 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
+  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
+  const T t6_15 = omega5_2 * t6_13 - omega5_3 * t6_14;
+  const T t6_16 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
+  const T t6_17 = omega5_3 * t6_16 - omega5_1 * t6_13;
+  const T t6_18 = omega5_1 * t6_14 - omega5_2 * t6_16;
+  const T Pddot6_1 = R5_11 * t6_15 + R5_21 * t6_17 + R5_31 * t6_18 + Pddot5_1;
+  const T Pddot6_2 = R5_12 * t6_15 + R5_22 * t6_17 + R5_32 * t6_18 + Pddot5_2;
+  const T Pddot6_3 = R5_13 * t6_15 + R5_23 * t6_17 + R5_33 * t6_18 + Pddot5_3;
+  // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_19 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
+  const T t6_20 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
+  const T t6_21 = omega6_3 * t6_19 + omega6_1 * t6_20;
+  const T t6_22 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
+  const T t6_23 = omega6_3 * t6_22 + omega6_2 * t6_20;
+  const T t6_24 = omega6_1 * t6_22 - omega6_2 * t6_19;
+  const T a6_1 = R6_21 * t6_21 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
+  const T a6_2 = R6_22 * t6_21 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
+  const T a6_3 = R6_23 * t6_21 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  // G6 = -m6 a6 + F6: applied less inertia force at ydot = 0, inertial axes [N]
+  const T G6_1 = T(0.05) - T(0.9) * a6_1;
+  const T G6_2 = T(0.08) - T(0.9) * a6_2;
+  const T minus_G6_3 = T(0.9) * a6_3 + T(0.06);
+  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at omegadot = 0, body axes [N m]
+  const T t6_25 = omega6_2 * omega6_3;
+  const T t6_26 = omega6_2 * omega6_2;
+  const T t6_27 = omega6_3 * omega6_3;
+  const T t6_28 = omega6_1 * omega6_2;
+  const T t6_29 = omega6_1 * omega6_3;
+  const T N6_1 = T(0.002) - T(0.009000000000000001) * t6_25 - T(0.002) * (t6_26 - t6_27) + T(0.001) * t6_28 +
+      T(0.0015) * t6_29;
+  const T t6_30 = omega6_1 * omega6_1;
+  const T minus_N6_2 = T(0.001) + T(0.0015) * t6_25 - T(0.005000000000000001) * t6_29 - T(0.001) * (t6_27 - t6_30) -
+      T(0.002) * t6_28;
+  const T N6_3 = T(0.0015) - T(0.0015) * (t6_30 - t6_26) + T(0.004) * t6_28 - T(0.002) * t6_29 - T(0.001) * t6_25;
+
+  // ---- body 6 (tool) and what it carries
+  // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
+  const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 - R6_23 * minus_G6_3;
+  const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 - R6_33 * minus_G6_3;
+  const T f_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
+  const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 - R6_13 * minus_G6_3;
+  const T f_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 - minus_N6_2;
+  const T f_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
+  f[15] = f_omega6_1;
+  f[16] = f_omega6_2;
+  f[17] = f_omega6_3;
+  // f_sdot6 = R5 G6: Kane's equation of sdot [N]
+  const T f_sdot6_1 = R5_11 * G6_1 + R5_12 * G6_2 - R5_13 * minus_G6_3;
+  const T f_sdot6_2 = R5_21 * G6_1 + R5_22 * G6_2 - R5_23 * minus_G6_3;
+  const T f_sdot6_3 = R5_31 * G6_1 + R5_32 * G6_2 - R5_33 * minus_G6_3;
+  f[33] = f_sdot6_1;
+  f[34] = f_sdot6_2;
+  f[35] = f_sdot6_3;
+
+  // ---- body 5 (arm) and what it carries
+  // f_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
+  const T b5_1 = R5_21 * G5_1 - R5_22 * minus_G5_2 + R5_23 * G5_3;
+  const T b5_2 = R5_31 * G5_1 - R5_32 * minus_G5_2 + R5_33 * G5_3;
+  const T f_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * f_sdot6_3 - d6_3 * f_sdot6_2 - minus_N5_1;
+  const T b5_3 = R5_11 * G5_1 - R5_12 * minus_G5_2 + R5_13 * G5_3;
+  const T f_omega5_2 = d6_3 * f_sdot6_1 - d6_1 * f_sdot6_3 - T(0.04) * b5_3 - T(0.38) * b5_2 + N5_2;
+  const T f_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * f_sdot6_2 - d6_2 * f_sdot6_1 + N5_3;
+  f[12] = f_omega5_1;
+  f[13] = f_omega5_2;
+  f[14] = f_omega5_3;
+  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
+  const T S5_1 = G5_1 + G6_1;
+  const T S5_2 = G6_2 - minus_G5_2;
+  const T S5_3 = G5_3 - minus_G6_3;
+  // f_sdot5 = R1 S5: Kane's equation of sdot [N]
+  const T f_sdot5_1 = R1_11 * S5_1 + R1_12 * S5_2 + R1_13 * S5_3;
+  const T f_sdot5_2 = R1_21 * S5_1 + R1_22 * S5_2 + R1_23 * S5_3;
+  const T f_sdot5_3 = R1_31 * S5_1 + R1_32 * S5_2 + R1_33 * S5_3;
+  f[30] = f_sdot5_1;
+  f[31] = f_sdot5_2;
+  f[32] = f_sdot5_3;
+
+  // ---- body 4 (payload) and what it carries
+  // f_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
+  const T b4_1 = R4_31 * G4_1 - R4_32 * minus_G4_2 + R4_33 * G4_3;
+  const T b4_2 = R4_21 * G4_1 - R4_22 * minus_G4_2 + R4_23 * G4_3;
+  const T f_omega4_1 = T(0.06) * b4_1 - T(0.1) * b4_2 + N4_1;
+  const T b4_3 = R4_11 * G4_1 - R4_12 * minus_G4_2 + R4_13 * G4_3;
+  const T f_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_1 + N4_2;
+  const T minus_f_omega4_3 = T(0.03) * b4_2 + T(0.06) * b4_3 + minus_N4_3;
+  f[9] = f_omega4_1;
+  f[10] = f_omega4_2;
+  f[11] = -minus_f_omega4_3;
+  // f_sdot4 = R2 G4: Kane's equation of sdot [N]
+  const T f_sdot4_1 = R2_11 * G4_1 - R2_12 * minus_G4_2 + R2_13 * G4_3;
+  const T f_sdot4_2 = R2_21 * G4_1 - R2_22 * minus_G4_2 + R2_23 * G4_3;
+  const T f_sdot4_3 = R2_31 * G4_1 - R2_32 * minus_G4_2 + R2_33 * G4_3;
+  f[27] = f_sdot4_1;
+  f[28] = f_sdot4_2;
+  f[29] = f_sdot4_3;
+
+  // ---- body 3 (panel) and what it carries
+  // f_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
+  const T b3_1 = R3_22 * G3_2 - R3_21 * minus_G3_1 + R3_23 * G3_3;
+  const T b3_2 = R3_32 * G3_2 - R3_31 * minus_G3_1 + R3_33 * G3_3;
+  const T f_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 - minus_N3_1;
+  const T b3_3 = R3_12 * G3_2 - R3_11 * minus_G3_1 + R3_13 * G3_3;
+  const T f_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T f_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
+  f[6] = f_omega3_1;
+  f[7] = f_omega3_2;
+  f[8] = f_omega3_3;
+  // f_sdot3 = R2 G3: Kane's equation of sdot [N]
+  const T f_sdot3_1 = R2_12 * G3_2 - R2_11 * minus_G3_1 + R2_13 * G3_3;
+  const T f_sdot3_2 = R2_22 * G3_2 - R2_21 * minus_G3_1 + R2_23 * G3_3;
+  const T f_sdot3_3 = R2_32 * G3_2 - R2_31 * minus_G3_1 + R2_33 * G3_3;
+  f[24] = f_sdot3_1;
+  f[25] = f_sdot3_2;
+  f[26] = f_sdot3_3;
+
+  // ---- body 2 (boom) and what it carries
+  // f_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
+  const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 - R2_33 * minus_G2_3;
+  const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 - R2_23 * minus_G2_3;
+  const T f_omega2_1 = T(0.04) * b2_1 - T(0.45) * b2_2 + d3_2 * f_sdot3_3 - d3_3 * f_sdot3_2 + d4_2 * f_sdot4_3 - d4_3
+      * f_sdot4_2 + N2_1;
+  const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 - R2_13 * minus_G2_3;
+  const T f_omega2_2 = T(0.45) * b2_3 - T(0.03) * b2_1 + d3_3 * f_sdot3_1 - d3_1 * f_sdot3_3 + d4_3 * f_sdot4_1 - d4_1
+      * f_sdot4_3 + N2_2;
+  const T f_omega2_3 = T(0.03) * b2_2 - T(0.04) * b2_3 + d3_1 * f_sdot3_2 - d3_2 * f_sdot3_1 + d4_1 * f_sdot4_2 - d4_2
+      * f_sdot4_1 - minus_N2_3;
+  f[3] = f_omega2_1;
+  f[4] = f_omega2_2;
+  f[5] = f_omega2_3;
+  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
+  const T S2_1 = G2_1 - minus_G3_1 + G4_1;
+  const T S2_2 = G2_2 + G3_2 - minus_G4_2;
+  const T S2_3 = G3_3 - minus_G2_3 + G4_3;
+  // f_sdot2 = R1 S2: Kane's equation of sdot [N]
+  const T f_sdot2_1 = R1_11 * S2_1 + R1_12 * S2_2 + R1_13 * S2_3;
+  const T f_sdot2_2 = R1_21 * S2_1 + R1_22 * S2_2 + R1_23 * S2_3;
+  const T f_sdot2_3 = R1_31 * S2_1 + R1_32 * S2_2 + R1_33 * S2_3;
+  f[21] = f_sdot2_1;
+  f[22] = f_sdot2_2;
+  f[23] = f_sdot2_3;
+
+  // ---- body 1 (hub) and what it carries
+  // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
+  const T b1_1 = R1_21 * G1_1 - R1_22 * minus_G1_2 + R1_23 * G1_3;
+  const T b1_2 = R1_31 * G1_1 - R1_32 * minus_G1_2 + R1_33 * G1_3;
+  const T f_omega1_1 = d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 - T(0.08) * b1_1 - T(0.02) * b1_2 + d5_2 * f_sdot5_3 - d5_3
+      * f_sdot5_2 + N1_1;
+  const T b1_3 = R1_11 * G1_1 - R1_12 * minus_G1_2 + R1_13 * G1_3;
+  const T f_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 + d5_3 * f_sdot5_1 - d5_1
+      * f_sdot5_3 - minus_N1_2;
+  const T f_omega1_3 = T(0.05) * b1_1 + T(0.02) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d5_1 * f_sdot5_2 - d5_2
+      * f_sdot5_1 + N1_3;
+  f[0] = f_omega1_1;
+  f[1] = f_omega1_2;
+  f[2] = f_omega1_3;
+  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
+  const T S1_1 = G1_1 + S5_1 + S2_1;
+  const T S1_2 = S5_2 - minus_G1_2 + S2_2;
+  const T S1_3 = G1_3 + S5_3 + S2_3;
+  f[18] = S1_1;
+  f[19] = S1_2;
+  f[20] = S1_3;
+}
+
+// mass_matrix: A, symmetric positive definite.
+// A (ny x ny) [kg m^2], [kg m], [kg]
+// 501 add, 1029 multiply
+template <class T>
+void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
+  for (int i = 0; i < 1296; ++i) A[i] = T(0);
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // C1_2 = R1 R2^T: takes components in the body to those in body 1
+  const T C1_2_11 = R1_11 * R2_11 + R1_12 * R2_12 + R1_13 * R2_13;
+  const T C1_2_12 = R1_11 * R2_21 + R1_12 * R2_22 + R1_13 * R2_23;
+  const T C1_2_13 = R1_11 * R2_31 + R1_12 * R2_32 + R1_13 * R2_33;
+  const T C1_2_21 = R1_21 * R2_11 + R1_22 * R2_12 + R1_23 * R2_13;
+  const T C1_2_22 = R1_21 * R2_21 + R1_22 * R2_22 + R1_23 * R2_23;
+  const T C1_2_23 = R1_21 * R2_31 + R1_22 * R2_32 + R1_23 * R2_33;
+  const T C1_2_31 = R1_31 * R2_11 + R1_32 * R2_12 + R1_33 * R2_13;
+  const T C1_2_32 = R1_31 * R2_21 + R1_32 * R2_22 + R1_33 * R2_23;
+  const T C1_2_33 = R1_31 * R2_31 + R1_32 * R2_32 + R1_33 * R2_33;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // C1_3 = R1 R3^T: takes components in the body to those in body 1
+  const T C1_3_11 = R1_11 * R3_11 + R1_12 * R3_12 + R1_13 * R3_13;
+  const T C1_3_12 = R1_11 * R3_21 + R1_12 * R3_22 + R1_13 * R3_23;
+  const T C1_3_13 = R1_11 * R3_31 + R1_12 * R3_32 + R1_13 * R3_33;
+  const T C1_3_21 = R1_21 * R3_11 + R1_22 * R3_12 + R1_23 * R3_13;
+  const T C1_3_22 = R1_21 * R3_21 + R1_22 * R3_22 + R1_23 * R3_23;
+  const T C1_3_23 = R1_21 * R3_31 + R1_22 * R3_32 + R1_23 * R3_33;
+  const T C1_3_31 = R1_31 * R3_11 + R1_32 * R3_12 + R1_33 * R3_13;
+  const T C1_3_32 = R1_31 * R3_21 + R1_32 * R3_22 + R1_33 * R3_23;
+  const T C1_3_33 = R1_31 * R3_31 + R1_32 * R3_32 + R1_33 * R3_33;
+  // C2_3 = R2 R3^T: takes components in the body to those in body 2
+  const T C2_3_11 = R2_11 * R3_11 + R2_12 * R3_12 + R2_13 * R3_13;
+  const T C2_3_12 = R2_11 * R3_21 + R2_12 * R3_22 + R2_13 * R3_23;
+  const T C2_3_13 = R2_11 * R3_31 + R2_12 * R3_32 + R2_13 * R3_33;
+  const T C2_3_21 = R2_21 * R3_11 + R2_22 * R3_12 + R2_23 * R3_13;
+  const T C2_3_22 = R2_21 * R3_21 + R2_22 * R3_22 + R2_23 * R3_23;
+  const T C2_3_23 = R2_21 * R3_31 + R2_22 * R3_32 + R2_23 * R3_33;
+  const T C2_3_31 = R2_31 * R3_11 + R2_32 * R3_12 + R2_33 * R3_13;
+  const T C2_3_32 = R2_31 * R3_21 + R2_32 * R3_22 + R2_33 * R3_23;
+  const T C2_3_33 = R2_31 * R3_31 + R2_32 * R3_32 + R2_33 * R3_33;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // C1_4 = R1 R4^T: takes components in the body to those in body 1
+  const T C1_4_11 = R1_11 * R4_11 + R1_12 * R4_12 + R1_13 * R4_13;
+  const T C1_4_12 = R1_11 * R4_21 + R1_12 * R4_22 + R1_13 * R4_23;
+  const T C1_4_13 = R1_11 * R4_31 + R1_12 * R4_32 + R1_13 * R4_33;
+  const T C1_4_21 = R1_21 * R4_11 + R1_22 * R4_12 + R1_23 * R4_13;
+  const T C1_4_22 = R1_21 * R4_21 + R1_22 * R4_22 + R1_23 * R4_23;
+  const T C1_4_23 = R1_21 * R4_31 + R1_22 * R4_32 + R1_23 * R4_33;
+  const T C1_4_31 = R1_31 * R4_11 + R1_32 * R4_12 + R1_33 * R4_13;
+  const T C1_4_32 = R1_31 * R4_21 + R1_32 * R4_22 + R1_33 * R4_23;
+  const T C1_4_33 = R1_31 * R4_31 + R1_32 * R4_32 + R1_33 * R4_33;
+  // C2_4 = R2 R4^T: takes components in the body to those in body 2
+  const T C2_4_11 = R2_11 * R4_11 + R2_12 * R4_12 + R2_13 * R4_13;
+  const T C2_4_12 = R2_11 * R4_21 + R2_12 * R4_22 + R2_13 * R4_23;
+  const T C2_4_13 = R2_11 * R4_31 + R2_12 * R4_32 + R2_13 * R4_33;
+  const T C2_4_21 = R2_21 * R4_11 + R2_22 * R4_12 + R2_23 * R4_13;
+  const T C2_4_22 = R2_21 * R4_21 + R2_22 * R4_22 + R2_23 * R4_23;
+  const T C2_4_23 = R2_21 * R4_31 + R2_22 * R4_32 + R2_23 * R4_33;
+  const T C2_4_31 = R2_31 * R4_11 + R2_32 * R4_12 + R2_33 * R4_13;
+  const T C2_4_32 = R2_31 * R4_21 + R2_32 * R4_22 + R2_33 * R4_23;
+  const T C2_4_33 = R2_31 * R4_31 + R2_32 * R4_32 + R2_33 * R4_33;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // C1_5 = R1 R5^T: takes components in the body to those in body 1
+  const T C1_5_11 = R1_11 * R5_11 + R1_12 * R5_12 + R1_13 * R5_13;
+  const T C1_5_12 = R1_11 * R5_21 + R1_12 * R5_22 + R1_13 * R5_23;
+  const T C1_5_13 = R1_11 * R5_31 + R1_12 * R5_32 + R1_13 * R5_33;
+  const T C1_5_21 = R1_21 * R5_11 + R1_22 * R5_12 + R1_23 * R5_13;
+  const T C1_5_22 = R1_21 * R5_21 + R1_22 * R5_22 + R1_23 * R5_23;
+  const T C1_5_23 = R1_21 * R5_31 + R1_22 * R5_32 + R1_23 * R5_33;
+  const T C1_5_31 = R1_31 * R5_11 + R1_32 * R5_12 + R1_33 * R5_13;
+  const T C1_5_32 = R1_31 * R5_21 + R1_32 * R5_22 + R1_33 * R5_23;
+  const T C1_5_33 = R1_31 * R5_31 + R1_32 * R5_32 + R1_33 * R5_33;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // C1_6 = R1 R6^T: takes components in the body to those in body 1
+  const T C1_6_11 = R1_11 * R6_11 + R1_12 * R6_12 + R1_13 * R6_13;
+  const T C1_6_12 = R1_11 * R6_21 + R1_12 * R6_22 + R1_13 * R6_23;
+  const T C1_6_13 = R1_11 * R6_31 + R1_12 * R6_32 + R1_13 * R6_33;
+  const T C1_6_21 = R1_21 * R6_11 + R1_22 * R6_12 + R1_23 * R6_13;
+  const T C1_6_22 = R1_21 * R6_21 + R1_22 * R6_22 + R1_23 * R6_23;
+  const T C1_6_23 = R1_21 * R6_31 + R1_22 * R6_32 + R1_23 * R6_33;
+  const T C1_6_31 = R1_31 * R6_11 + R1_32 * R6_12 + R1_33 * R6_13;
+  const T C1_6_32 = R1_31 * R6_21 + R1_32 * R6_22 + R1_33 * R6_23;
+  const T C1_6_33 = R1_31 * R6_31 + R1_32 * R6_32 + R1_33 * R6_33;
+  // C5_6 = R5 R6^T: takes components in the body to those in body 5
+  const T C5_6_11 = R5_11 * R6_11 + R5_12 * R6_12 + R5_13 * R6_13;
+  const T C5_6_12 = R5_11 * R6_21 + R5_12 * R6_22 + R5_13 * R6_23;
+  const T C5_6_13 = R5_11 * R6_31 + R5_12 * R6_32 + R5_13 * R6_33;
+  const T C5_6_21 = R5_21 * R6_11 + R5_22 * R6_12 + R5_23 * R6_13;
+  const T C5_6_22 = R5_21 * R6_21 + R5_22 * R6_22 + R5_23 * R6_23;
+  const T C5_6_23 = R5_21 * R6_31 + R5_22 * R6_32 + R5_23 * R6_33;
+  const T C5_6_31 = R5_31 * R6_11 + R5_32 * R6_12 + R5_33 * R6_13;
+  const T C5_6_32 = R5_31 * R6_21 + R5_32 * R6_22 + R5_33 * R6_23;
+  const T C5_6_33 = R5_31 * R6_31 + R5_32 * R6_32 + R5_33 * R6_33;
+
+  // ---- body 5 (arm) and what it carries
+  // h5 = m5 r5 + m6 d6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T b5_1 = T(0.9) * d6_1;
+  const T h5_1 = T(0.9880000000000001) + b5_1;
+  const T b5_2 = T(0.9) * d6_2;
+  const T h5_2 = T(0.052000000000000005) + b5_2;
+  const T b5_3 = T(0.9) * d6_3;
+  const T h5_3 = b5_3 - T(0.10400000000000001);
+
+  // ---- body 2 (boom) and what it carries
+  A[777] = c.m_sub2;
+  A[814] = c.m_sub2;
+  A[851] = c.m_sub2;
+  // h2 = m2 r2 + m3 d3 + m4 d4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T b2_1 = T(1.8) * d3_1;
+  const T b2_2 = c.p.m_payload * d4_1;
+  const T h2_1 = T(0.105) + b2_1 + b2_2;
+  const T b2_3 = T(1.8) * d3_2;
+  const T b2_4 = c.p.m_payload * d4_2;
+  const T h2_2 = T(0.14) + b2_3 + b2_4;
+  const T b2_5 = T(1.8) * d3_3;
+  const T b2_6 = c.p.m_payload * d4_3;
+  const T h2_3 = T(1.575) + b2_5 + b2_6;
+
+  // ---- body 1 (hub) and what it carries
+  A[666] = c.m_sub1;
+  A[703] = c.m_sub1;
+  A[740] = c.m_sub1;
+  // h1 = m1 r1 + m_sub5 d5 + m_sub2 d2: first moment of mass carried, about the body origin, body axes [kg m]
+  const T b1_1 = T(3.5) * d5_1;
+  const T b1_2 = c.m_sub2 * d2_1;
+  const T h1_1 = T(0.6000000000000001) + b1_1 + b1_2;
+  const T b1_3 = T(3.5) * d5_2;
+  const T b1_4 = c.m_sub2 * d2_2;
+  const T h1_2 = b1_3 - T(0.24) + b1_4;
+  const T b1_5 = T(3.5) * d5_3;
+  const T b1_6 = c.m_sub2 * d2_3;
+  const T h1_3 = T(0.96) + b1_5 + b1_6;
+
+  // ---- results
+  const T t1 = d5_3 * d5_3;
+  const T t2 = d5_2 * d5_2;
+  const T t3 = d2_3 * d2_3;
+  const T t4 = d2_2 * d2_2;
+  A[0] = T(1.1816) + T(3.5) * (t1 + t2) + c.m_sub2 * (t3 + t4);
+  const T t5 = T(0.052000000000000005) - d5_2 * d5_1 * T(3.5) - d2_2 * d2_1 * c.m_sub2;
+  A[1] = t5;
+  A[36] = t5;
+  const T t6 = T(0.078) + d5_3 * d5_1 * T(3.5) + d2_3 * d2_1 * c.m_sub2;
+  A[2] = -t6;
+  A[72] = -t6;
+  const T t7 = h2_2 * C1_2_23 - h2_3 * C1_2_22;
+  const T t8 = h2_2 * C1_2_33 - h2_3 * C1_2_32;
+  const T t9 = d2_3 * t7 - d2_2 * t8;
+  A[3] = -t9;
+  A[108] = -t9;
+  const T t10 = h2_3 * C1_2_21 - h2_1 * C1_2_23;
+  const T t11 = h2_3 * C1_2_31 - h2_1 * C1_2_33;
+  const T t12 = d2_3 * t10 - d2_2 * t11;
+  A[4] = -t12;
+  A[144] = -t12;
+  const T t13 = h2_1 * C1_2_22 - h2_2 * C1_2_21;
+  const T t14 = h2_1 * C1_2_32 - h2_2 * C1_2_31;
+  const T t15 = d2_3 * t13 - d2_2 * t14;
+  A[5] = -t15;
+  A[180] = -t15;
+  const T t16 = T(0.02) * C1_3_22 + T(0.35) * C1_3_23;
+  const T t17 = T(0.02) * C1_3_32 + T(0.35) * C1_3_33;
+  const T t18 = T(1.8) * (d2_3 * t16 - d2_2 * t17);
+  A[6] = -t18;
+  A[216] = -t18;
+  const T t19 = T(0.02) * C1_3_31 + T(0.1) * C1_3_33;
+  const T t20 = T(0.02) * C1_3_21 + T(0.1) * C1_3_23;
+  const T t21 = T(1.8) * (d2_2 * t19 - d2_3 * t20);
+  A[7] = -t21;
+  A[252] = -t21;
+  const T t22 = T(0.1) * C1_3_22 - T(0.35) * C1_3_21;
+  const T t23 = T(0.1) * C1_3_32 - T(0.35) * C1_3_31;
+  const T t24 = T(1.8) * (d2_3 * t22 - d2_2 * t23);
+  A[8] = -t24;
+  A[288] = -t24;
+  const T t25 = T(0.06) * C1_4_23 - T(0.1) * C1_4_22;
+  const T t26 = T(0.06) * C1_4_33 - T(0.1) * C1_4_32;
+  const T t27 = c.p.m_payload * (d2_3 * t25 - d2_2 * t26);
+  A[9] = -t27;
+  A[324] = -t27;
+  const T t28 = T(0.1) * C1_4_21 + T(0.03) * C1_4_23;
+  const T t29 = T(0.1) * C1_4_31 + T(0.03) * C1_4_33;
+  const T t30 = c.p.m_payload * (d2_3 * t28 - d2_2 * t29);
+  A[10] = -t30;
+  A[360] = -t30;
+  const T t31 = T(0.03) * C1_4_32 + T(0.06) * C1_4_31;
+  const T t32 = T(0.03) * C1_4_22 + T(0.06) * C1_4_21;
+  const T t33 = c.p.m_payload * (d2_2 * t31 - d2_3 * t32);
+  A[11] = -t33;
+  A[396] = -t33;
+  const T t34 = h5_2 * C1_5_23 - h5_3 * C1_5_22;
+  const T t35 = h5_2 * C1_5_33 - h5_3 * C1_5_32;
+  const T t36 = d5_3 * t34 - d5_2 * t35;
+  A[12] = -t36;
+  A[432] = -t36;
+  const T t37 = h5_3 * C1_5_21 - h5_1 * C1_5_23;
+  const T t38 = h5_3 * C1_5_31 - h5_1 * C1_5_33;
+  const T t39 = d5_3 * t37 - d5_2 * t38;
+  A[13] = -t39;
+  A[468] = -t39;
+  const T t40 = h5_1 * C1_5_22 - h5_2 * C1_5_21;
+  const T t41 = h5_1 * C1_5_32 - h5_2 * C1_5_31;
+  const T t42 = d5_3 * t40 - d5_2 * t41;
+  A[14] = -t42;
+  A[504] = -t42;
+  const T t43 = T(0.07) * C1_6_32 + T(0.05) * C1_6_33;
+  const T t44 = T(0.07) * C1_6_22 + T(0.05) * C1_6_23;
+  const T t45 = T(0.9) * (d5_2 * t43 - d5_3 * t44);
+  A[15] = -t45;
+  A[540] = -t45;
+  const T t46 = T(0.07) * C1_6_21 - T(0.09) * C1_6_23;
+  const T t47 = T(0.07) * C1_6_31 - T(0.09) * C1_6_33;
+  const T t48 = T(0.9) * (d5_3 * t46 - d5_2 * t47);
+  A[16] = -t48;
+  A[576] = -t48;
+  const T t49 = T(0.09) * C1_6_22 + T(0.05) * C1_6_21;
+  const T t50 = T(0.09) * C1_6_32 + T(0.05) * C1_6_31;
+  const T t51 = T(0.9) * (d5_3 * t49 - d5_2 * t50);
+  A[17] = -t51;
+  A[612] = -t51;
+  const T t52 = h1_2 * R1_31 - h1_3 * R1_21;
+  A[18] = t52;
+  A[648] = t52;
+  const T t53 = h1_2 * R1_32 - h1_3 * R1_22;
+  A[19] = t53;
+  A[684] = t53;
+  const T t54 = h1_2 * R1_33 - h1_3 * R1_23;
+  A[20] = t54;
+  A[720] = t54;
+  A[22] = -b1_6;
+  A[57] = b1_6;
+  A[757] = b1_6;
+  A[792] = -b1_6;
+  A[23] = b1_4;
+  A[93] = -b1_4;
+  A[758] = -b1_4;
+  A[828] = b1_4;
+  const T t55 = d2_2 * C1_2_31 - d2_3 * C1_2_21;
+  const T t56 = T(1.8) * t55;
+  A[24] = t56;
+  A[864] = t56;
+  const T t57 = d2_2 * C1_2_32 - d2_3 * C1_2_22;
+  const T t58 = T(1.8) * t57;
+  A[25] = t58;
+  A[900] = t58;
+  const T t59 = d2_2 * C1_2_33 - d2_3 * C1_2_23;
+  const T t60 = T(1.8) * t59;
+  A[26] = t60;
+  A[936] = t60;
+  const T t61 = c.p.m_payload * t55;
+  A[27] = t61;
+  A[972] = t61;
+  const T t62 = c.p.m_payload * t57;
+  A[28] = t62;
+  A[1008] = t62;
+  const T t63 = c.p.m_payload * t59;
+  A[29] = t63;
+  A[1044] = t63;
+  A[31] = -b1_5;
+  A[66] = b1_5;
+  A[1081] = b1_5;
+  A[1116] = -b1_5;
+  A[32] = b1_3;
+  A[102] = -b1_3;
+  A[1082] = -b1_3;
+  A[1152] = b1_3;
+  const T t64 = T(0.9) * (d5_2 * C1_5_31 - d5_3 * C1_5_21);
+  A[33] = t64;
+  A[1188] = t64;
+  const T t65 = T(0.9) * (d5_2 * C1_5_32 - d5_3 * C1_5_22);
+  A[34] = t65;
+  A[1224] = t65;
+  const T t66 = T(0.9) * (d5_2 * C1_5_33 - d5_3 * C1_5_23);
+  A[35] = t66;
+  A[1260] = t66;
+  const T t67 = d5_1 * d5_1;
+  const T t68 = d2_1 * d2_1;
+  A[37] = T(1.0568) + T(3.5) * (t1 + t67) + c.m_sub2 * (t3 + t68);
+  const T t69 = T(0.0692) - d5_3 * d5_2 * T(3.5) - d2_3 * d2_2 * c.m_sub2;
+  A[38] = t69;
+  A[73] = t69;
+  const T t70 = h2_2 * C1_2_13 - h2_3 * C1_2_12;
+  const T t71 = d2_1 * t8 - d2_3 * t70;
+  A[39] = -t71;
+  A[109] = -t71;
+  const T t72 = h2_3 * C1_2_11 - h2_1 * C1_2_13;
+  const T t73 = d2_1 * t11 - d2_3 * t72;
+  A[40] = -t73;
+  A[145] = -t73;
+  const T t74 = h2_1 * C1_2_12 - h2_2 * C1_2_11;
+  const T t75 = d2_1 * t14 - d2_3 * t74;
+  A[41] = -t75;
+  A[181] = -t75;
+  const T t76 = T(0.02) * C1_3_12 + T(0.35) * C1_3_13;
+  const T t77 = T(1.8) * (d2_1 * t17 - d2_3 * t76);
+  A[42] = -t77;
+  A[217] = -t77;
+  const T t78 = T(0.02) * C1_3_11 + T(0.1) * C1_3_13;
+  const T t79 = T(1.8) * (d2_3 * t78 - d2_1 * t19);
+  A[43] = -t79;
+  A[253] = -t79;
+  const T t80 = T(0.1) * C1_3_12 - T(0.35) * C1_3_11;
+  const T t81 = T(1.8) * (d2_1 * t23 - d2_3 * t80);
+  A[44] = -t81;
+  A[289] = -t81;
+  const T t82 = T(0.06) * C1_4_13 - T(0.1) * C1_4_12;
+  const T t83 = c.p.m_payload * (d2_1 * t26 - d2_3 * t82);
+  A[45] = -t83;
+  A[325] = -t83;
+  const T t84 = T(0.1) * C1_4_11 + T(0.03) * C1_4_13;
+  const T t85 = c.p.m_payload * (d2_1 * t29 - d2_3 * t84);
+  A[46] = -t85;
+  A[361] = -t85;
+  const T t86 = T(0.03) * C1_4_12 + T(0.06) * C1_4_11;
+  const T t87 = c.p.m_payload * (d2_3 * t86 - d2_1 * t31);
+  A[47] = -t87;
+  A[397] = -t87;
+  const T t88 = h5_2 * C1_5_13 - h5_3 * C1_5_12;
+  const T t89 = d5_1 * t35 - d5_3 * t88;
+  A[48] = -t89;
+  A[433] = -t89;
+  const T t90 = h5_3 * C1_5_11 - h5_1 * C1_5_13;
+  const T t91 = d5_1 * t38 - d5_3 * t90;
+  A[49] = -t91;
+  A[469] = -t91;
+  const T t92 = h5_1 * C1_5_12 - h5_2 * C1_5_11;
+  const T t93 = d5_1 * t41 - d5_3 * t92;
+  A[50] = -t93;
+  A[505] = -t93;
+  const T t94 = T(0.07) * C1_6_12 + T(0.05) * C1_6_13;
+  const T t95 = T(0.9) * (d5_3 * t94 - d5_1 * t43);
+  A[51] = -t95;
+  A[541] = -t95;
+  const T t96 = T(0.07) * C1_6_11 - T(0.09) * C1_6_13;
+  const T t97 = T(0.9) * (d5_1 * t47 - d5_3 * t96);
+  A[52] = -t97;
+  A[577] = -t97;
+  const T t98 = T(0.09) * C1_6_12 + T(0.05) * C1_6_11;
+  const T t99 = T(0.9) * (d5_1 * t50 - d5_3 * t98);
+  A[53] = -t99;
+  A[613] = -t99;
+  const T t100 = h1_3 * R1_11 - h1_1 * R1_31;
+  A[54] = t100;
+  A[649] = t100;
+  const T t101 = h1_3 * R1_12 - h1_1 * R1_32;
+  A[55] = t101;
+  A[685] = t101;
+  const T t102 = h1_3 * R1_13 - h1_1 * R1_33;
+  A[56] = t102;
+  A[721] = t102;
+  A[59] = -b1_2;
+  A[94] = b1_2;
+  A[794] = b1_2;
+  A[829] = -b1_2;
+  const T t103 = d2_3 * C1_2_11 - d2_1 * C1_2_31;
+  const T t104 = T(1.8) * t103;
+  A[60] = t104;
+  A[865] = t104;
+  const T t105 = d2_3 * C1_2_12 - d2_1 * C1_2_32;
+  const T t106 = T(1.8) * t105;
+  A[61] = t106;
+  A[901] = t106;
+  const T t107 = d2_3 * C1_2_13 - d2_1 * C1_2_33;
+  const T t108 = T(1.8) * t107;
+  A[62] = t108;
+  A[937] = t108;
+  const T t109 = c.p.m_payload * t103;
+  A[63] = t109;
+  A[973] = t109;
+  const T t110 = c.p.m_payload * t105;
+  A[64] = t110;
+  A[1009] = t110;
+  const T t111 = c.p.m_payload * t107;
+  A[65] = t111;
+  A[1045] = t111;
+  A[68] = -b1_1;
+  A[103] = b1_1;
+  A[1118] = b1_1;
+  A[1153] = -b1_1;
+  const T t112 = T(0.9) * (d5_3 * C1_5_11 - d5_1 * C1_5_31);
+  A[69] = t112;
+  A[1189] = t112;
+  const T t113 = T(0.9) * (d5_3 * C1_5_12 - d5_1 * C1_5_32);
+  A[70] = t113;
+  A[1225] = t113;
+  const T t114 = T(0.9) * (d5_3 * C1_5_13 - d5_1 * C1_5_33);
+  A[71] = t114;
+  A[1261] = t114;
+  A[74] = T(1.3348) + T(3.5) * (t2 + t67) + c.m_sub2 * (t4 + t68);
+  const T t115 = d2_2 * t70 - d2_1 * t7;
+  A[75] = -t115;
+  A[110] = -t115;
+  const T t116 = d2_2 * t72 - d2_1 * t10;
+  A[76] = -t116;
+  A[146] = -t116;
+  const T t117 = d2_2 * t74 - d2_1 * t13;
+  A[77] = -t117;
+  A[182] = -t117;
+  const T t118 = T(1.8) * (d2_2 * t76 - d2_1 * t16);
+  A[78] = -t118;
+  A[218] = -t118;
+  const T t119 = T(1.8) * (d2_1 * t20 - d2_2 * t78);
+  A[79] = -t119;
+  A[254] = -t119;
+  const T t120 = T(1.8) * (d2_2 * t80 - d2_1 * t22);
+  A[80] = -t120;
+  A[290] = -t120;
+  const T t121 = c.p.m_payload * (d2_2 * t82 - d2_1 * t25);
+  A[81] = -t121;
+  A[326] = -t121;
+  const T t122 = c.p.m_payload * (d2_2 * t84 - d2_1 * t28);
+  A[82] = -t122;
+  A[362] = -t122;
+  const T t123 = c.p.m_payload * (d2_1 * t32 - d2_2 * t86);
+  A[83] = -t123;
+  A[398] = -t123;
+  const T t124 = d5_2 * t88 - d5_1 * t34;
+  A[84] = -t124;
+  A[434] = -t124;
+  const T t125 = d5_2 * t90 - d5_1 * t37;
+  A[85] = -t125;
+  A[470] = -t125;
+  const T t126 = d5_2 * t92 - d5_1 * t40;
+  A[86] = -t126;
+  A[506] = -t126;
+  const T t127 = T(0.9) * (d5_1 * t44 - d5_2 * t94);
+  A[87] = -t127;
+  A[542] = -t127;
+  const T t128 = T(0.9) * (d5_2 * t96 - d5_1 * t46);
+  A[88] = -t128;
+  A[578] = -t128;
+  const T t129 = T(0.9) * (d5_2 * t98 - d5_1 * t49);
+  A[89] = -t129;
+  A[614] = -t129;
+  const T t130 = h1_1 * R1_21 - h1_2 * R1_11;
+  A[90] = t130;
+  A[650] = t130;
+  const T t131 = h1_1 * R1_22 - h1_2 * R1_12;
+  A[91] = t131;
+  A[686] = t131;
+  const T t132 = h1_1 * R1_23 - h1_2 * R1_13;
+  A[92] = t132;
+  A[722] = t132;
+  const T t133 = d2_1 * C1_2_21 - d2_2 * C1_2_11;
+  const T t134 = T(1.8) * t133;
+  A[96] = t134;
+  A[866] = t134;
+  const T t135 = d2_1 * C1_2_22 - d2_2 * C1_2_12;
+  const T t136 = T(1.8) * t135;
+  A[97] = t136;
+  A[902] = t136;
+  const T t137 = d2_1 * C1_2_23 - d2_2 * C1_2_13;
+  const T t138 = T(1.8) * t137;
+  A[98] = t138;
+  A[938] = t138;
+  const T t139 = c.p.m_payload * t133;
+  A[99] = t139;
+  A[974] = t139;
+  const T t140 = c.p.m_payload * t135;
+  A[100] = t140;
+  A[1010] = t140;
+  const T t141 = c.p.m_payload * t137;
+  A[101] = t141;
+  A[1046] = t141;
+  const T t142 = T(0.9) * (d5_1 * C1_5_21 - d5_2 * C1_5_11);
+  A[105] = t142;
+  A[1190] = t142;
+  const T t143 = T(0.9) * (d5_1 * C1_5_22 - d5_2 * C1_5_12);
+  A[106] = t143;
+  A[1226] = t143;
+  const T t144 = T(0.9) * (d5_1 * C1_5_23 - d5_2 * C1_5_13);
+  A[107] = t144;
+  A[1262] = t144;
+  const T t145 = d3_3 * d3_3;
+  const T t146 = d3_2 * d3_2;
+  const T t147 = d4_3 * d4_3;
+  const T t148 = d4_2 * d4_2;
+  A[111] = T(1.13435) + T(1.8) * (t145 + t146) + c.p.m_payload * (t147 + t148);
+  const T t149 = T(0.0158) - d3_2 * d3_1 * T(1.8) - d4_2 * d4_1 * c.p.m_payload;
+  A[112] = t149;
+  A[147] = t149;
+  const T t150 = T(0.03725) + d3_3 * d3_1 * T(1.8) + d4_3 * d4_1 * c.p.m_payload;
+  A[113] = -t150;
+  A[183] = -t150;
+  const T t151 = T(0.02) * C2_3_22 + T(0.35) * C2_3_23;
+  const T t152 = T(0.02) * C2_3_32 + T(0.35) * C2_3_33;
+  const T t153 = T(1.8) * (d3_3 * t151 - d3_2 * t152);
+  A[114] = -t153;
+  A[219] = -t153;
+  const T t154 = T(0.02) * C2_3_31 + T(0.1) * C2_3_33;
+  const T t155 = T(0.02) * C2_3_21 + T(0.1) * C2_3_23;
+  const T t156 = T(1.8) * (d3_2 * t154 - d3_3 * t155);
+  A[115] = -t156;
+  A[255] = -t156;
+  const T t157 = T(0.1) * C2_3_22 - T(0.35) * C2_3_21;
+  const T t158 = T(0.1) * C2_3_32 - T(0.35) * C2_3_31;
+  const T t159 = T(1.8) * (d3_3 * t157 - d3_2 * t158);
+  A[116] = -t159;
+  A[291] = -t159;
+  const T t160 = T(0.06) * C2_4_23 - T(0.1) * C2_4_22;
+  const T t161 = T(0.06) * C2_4_33 - T(0.1) * C2_4_32;
+  const T t162 = c.p.m_payload * (d4_3 * t160 - d4_2 * t161);
+  A[117] = -t162;
+  A[327] = -t162;
+  const T t163 = T(0.1) * C2_4_21 + T(0.03) * C2_4_23;
+  const T t164 = T(0.1) * C2_4_31 + T(0.03) * C2_4_33;
+  const T t165 = c.p.m_payload * (d4_3 * t163 - d4_2 * t164);
+  A[118] = -t165;
+  A[363] = -t165;
+  const T t166 = T(0.03) * C2_4_32 + T(0.06) * C2_4_31;
+  const T t167 = T(0.03) * C2_4_22 + T(0.06) * C2_4_21;
+  const T t168 = c.p.m_payload * (d4_2 * t166 - d4_3 * t167);
+  A[119] = -t168;
+  A[399] = -t168;
+  const T t169 = h2_2 * R2_31 - h2_3 * R2_21;
+  A[126] = t169;
+  A[651] = t169;
+  const T t170 = h2_2 * R2_32 - h2_3 * R2_22;
+  A[127] = t170;
+  A[687] = t170;
+  const T t171 = h2_2 * R2_33 - h2_3 * R2_23;
+  A[128] = t171;
+  A[723] = t171;
+  A[129] = t70;
+  A[759] = t70;
+  A[130] = t7;
+  A[795] = t7;
+  A[131] = t8;
+  A[831] = t8;
+  A[133] = -b2_5;
+  A[168] = b2_5;
+  A[868] = b2_5;
+  A[903] = -b2_5;
+  A[134] = b2_3;
+  A[204] = -b2_3;
+  A[869] = -b2_3;
+  A[939] = b2_3;
+  A[136] = -b2_6;
+  A[171] = b2_6;
+  A[976] = b2_6;
+  A[1011] = -b2_6;
+  A[137] = b2_4;
+  A[207] = -b2_4;
+  A[977] = -b2_4;
+  A[1047] = b2_4;
+  const T t172 = d3_1 * d3_1;
+  const T t173 = d4_1 * d4_1;
+  A[148] = T(1.0919) + T(1.8) * (t145 + t172) + c.p.m_payload * (t147 + t173);
+  const T t174 = T(0.093) + d3_3 * d3_2 * T(1.8) + d4_3 * d4_2 * c.p.m_payload;
+  A[149] = -t174;
+  A[184] = -t174;
+  const T t175 = T(0.02) * C2_3_12 + T(0.35) * C2_3_13;
+  const T t176 = T(1.8) * (d3_1 * t152 - d3_3 * t175);
+  A[150] = -t176;
+  A[220] = -t176;
+  const T t177 = T(0.02) * C2_3_11 + T(0.1) * C2_3_13;
+  const T t178 = T(1.8) * (d3_3 * t177 - d3_1 * t154);
+  A[151] = -t178;
+  A[256] = -t178;
+  const T t179 = T(0.1) * C2_3_12 - T(0.35) * C2_3_11;
+  const T t180 = T(1.8) * (d3_1 * t158 - d3_3 * t179);
+  A[152] = -t180;
+  A[292] = -t180;
+  const T t181 = T(0.06) * C2_4_13 - T(0.1) * C2_4_12;
+  const T t182 = c.p.m_payload * (d4_1 * t161 - d4_3 * t181);
+  A[153] = -t182;
+  A[328] = -t182;
+  const T t183 = T(0.1) * C2_4_11 + T(0.03) * C2_4_13;
+  const T t184 = c.p.m_payload * (d4_1 * t164 - d4_3 * t183);
+  A[154] = -t184;
+  A[364] = -t184;
+  const T t185 = T(0.03) * C2_4_12 + T(0.06) * C2_4_11;
+  const T t186 = c.p.m_payload * (d4_3 * t185 - d4_1 * t166);
+  A[155] = -t186;
+  A[400] = -t186;
+  const T t187 = h2_3 * R2_11 - h2_1 * R2_31;
+  A[162] = t187;
+  A[652] = t187;
+  const T t188 = h2_3 * R2_12 - h2_1 * R2_32;
+  A[163] = t188;
+  A[688] = t188;
+  const T t189 = h2_3 * R2_13 - h2_1 * R2_33;
+  A[164] = t189;
+  A[724] = t189;
+  A[165] = t72;
+  A[760] = t72;
+  A[166] = t10;
+  A[796] = t10;
+  A[167] = t11;
+  A[832] = t11;
+  A[170] = -b2_1;
+  A[205] = b2_1;
+  A[905] = b2_1;
+  A[940] = -b2_1;
+  A[173] = -b2_2;
+  A[208] = b2_2;
+  A[1013] = b2_2;
+  A[1048] = -b2_2;
+  A[185] = T(0.11875) + T(1.8) * (t146 + t172) + c.p.m_payload * (t148 + t173);
+  const T t190 = T(1.8) * (d3_2 * t175 - d3_1 * t151);
+  A[186] = -t190;
+  A[221] = -t190;
+  const T t191 = T(1.8) * (d3_1 * t155 - d3_2 * t177);
+  A[187] = -t191;
+  A[257] = -t191;
+  const T t192 = T(1.8) * (d3_2 * t179 - d3_1 * t157);
+  A[188] = -t192;
+  A[293] = -t192;
+  const T t193 = c.p.m_payload * (d4_2 * t181 - d4_1 * t160);
+  A[189] = -t193;
+  A[329] = -t193;
+  const T t194 = c.p.m_payload * (d4_2 * t183 - d4_1 * t163);
+  A[190] = -t194;
+  A[365] = -t194;
+  const T t195 = c.p.m_payload * (d4_1 * t167 - d4_2 * t185);
+  A[191] = -t195;
+  A[401] = -t195;
+  const T t196 = h2_1 * R2_21 - h2_2 * R2_11;
+  A[198] = t196;
+  A[653] = t196;
+  const T t197 = h2_1 * R2_22 - h2_2 * R2_12;
+  A[199] = t197;
+  A[689] = t197;
+  const T t198 = h2_1 * R2_23 - h2_2 * R2_13;
+  A[200] = t198;
+  A[725] = t198;
+  A[201] = t74;
+  A[761] = t74;
+  A[202] = t13;
+  A[797] = t13;
+  A[203] = t14;
+  A[833] = t14;
+  A[222] = T(0.43122);
+  A[223] = -T(0.075);
+  A[258] = -T(0.075);
+  A[224] = T(0.009600000000000001);
+  A[294] = T(0.009600000000000001);
+  const T t199 = T(1.8) * (T(0.02) * R3_21 + T(0.35) * R3_31);
+  A[234] = t199;
+  A[654] = t199;
+  const T t200 = T(1.8) * (T(0.02) * R3_22 + T(0.35) * R3_32);
+  A[235] = t200;
+  A[690] = t200;
+  const T t201 = T(1.8) * (T(0.02) * R3_23 + T(0.35) * R3_33);
+  A[236] = t201;
+  A[726] = t201;
+  const T t202 = T(1.8) * t76;
+  A[237] = t202;
+  A[762] = t202;
+  const T t203 = T(1.8) * t16;
+  A[238] = t203;
+  A[798] = t203;
+  const T t204 = T(1.8) * t17;
+  A[239] = t204;
+  A[834] = t204;
+  const T t205 = T(1.8) * t175;
+  A[240] = t205;
+  A[870] = t205;
+  const T t206 = T(1.8) * t151;
+  A[241] = t206;
+  A[906] = t206;
+  const T t207 = T(1.8) * t152;
+  A[242] = t207;
+  A[942] = t207;
+  A[259] = T(0.10872);
+  A[260] = T(0.0206);
+  A[295] = T(0.0206);
+  const T t208 = T(1.8) * (T(0.02) * R3_11 + T(0.1) * R3_31);
+  A[270] = -t208;
+  A[655] = -t208;
+  const T t209 = T(1.8) * (T(0.02) * R3_12 + T(0.1) * R3_32);
+  A[271] = -t209;
+  A[691] = -t209;
+  const T t210 = T(1.8) * (T(0.02) * R3_13 + T(0.1) * R3_33);
+  A[272] = -t210;
+  A[727] = -t210;
+  const T t211 = T(1.8) * t78;
+  A[273] = -t211;
+  A[763] = -t211;
+  const T t212 = T(1.8) * t20;
+  A[274] = -t212;
+  A[799] = -t212;
+  const T t213 = T(1.8) * t19;
+  A[275] = -t213;
+  A[835] = -t213;
+  const T t214 = T(1.8) * t177;
+  A[276] = -t214;
+  A[871] = -t214;
+  const T t215 = T(1.8) * t155;
+  A[277] = -t215;
+  A[907] = -t215;
+  const T t216 = T(1.8) * t154;
+  A[278] = -t216;
+  A[943] = -t216;
+  A[296] = T(0.5085);
+  const T t217 = T(1.8) * (T(0.1) * R3_21 - T(0.35) * R3_11);
+  A[306] = t217;
+  A[656] = t217;
+  const T t218 = T(1.8) * (T(0.1) * R3_22 - T(0.35) * R3_12);
+  A[307] = t218;
+  A[692] = t218;
+  const T t219 = T(1.8) * (T(0.1) * R3_23 - T(0.35) * R3_13);
+  A[308] = t219;
+  A[728] = t219;
+  const T t220 = T(1.8) * t80;
+  A[309] = t220;
+  A[764] = t220;
+  const T t221 = T(1.8) * t22;
+  A[310] = t221;
+  A[800] = t221;
+  const T t222 = T(1.8) * t23;
+  A[311] = t222;
+  A[836] = t222;
+  const T t223 = T(1.8) * t179;
+  A[312] = t223;
+  A[872] = t223;
+  const T t224 = T(1.8) * t157;
+  A[313] = t224;
+  A[908] = t224;
+  const T t225 = T(1.8) * t158;
+  A[314] = t225;
+  A[944] = t225;
+  A[333] = c.c0_1;
+  A[334] = c.c0_2;
+  A[369] = c.c0_2;
+  A[335] = c.c0_3;
+  A[405] = c.c0_3;
+  const T t226 = c.p.m_payload * (T(0.06) * R4_31 - T(0.1) * R4_21);
+  A[342] = t226;
+  A[657] = t226;
+  const T t227 = c.p.m_payload * (T(0.06) * R4_32 - T(0.1) * R4_22);
+  A[343] = t227;
+  A[693] = t227;
+  const T t228 = c.p.m_payload * (T(0.06) * R4_33 - T(0.1) * R4_23);
+  A[344] = t228;
+  A[729] = t228;
+  const T t229 = c.p.m_payload * t82;
+  A[345] = t229;
+  A[765] = t229;
+  const T t230 = c.p.m_payload * t25;
+  A[346] = t230;
+  A[801] = t230;
+  const T t231 = c.p.m_payload * t26;
+  A[347] = t231;
+  A[837] = t231;
+  const T t232 = c.p.m_payload * t181;
+  A[351] = t232;
+  A[981] = t232;
+  const T t233 = c.p.m_payload * t160;
+  A[352] = t233;
+  A[1017] = t233;
+  const T t234 = c.p.m_payload * t161;
+  A[353] = t234;
+  A[1053] = t234;
+  A[370] = c.c0_4;
+  A[371] = c.c0_5;
+  A[406] = c.c0_5;
+  const T t235 = c.p.m_payload * (T(0.1) * R4_11 + T(0.03) * R4_31);
+  A[378] = t235;
+  A[658] = t235;
+  const T t236 = c.p.m_payload * (T(0.1) * R4_12 + T(0.03) * R4_32);
+  A[379] = t236;
+  A[694] = t236;
+  const T t237 = c.p.m_payload * (T(0.1) * R4_13 + T(0.03) * R4_33);
+  A[380] = t237;
+  A[730] = t237;
+  const T t238 = c.p.m_payload * t84;
+  A[381] = t238;
+  A[766] = t238;
+  const T t239 = c.p.m_payload * t28;
+  A[382] = t239;
+  A[802] = t239;
+  const T t240 = c.p.m_payload * t29;
+  A[383] = t240;
+  A[838] = t240;
+  const T t241 = c.p.m_payload * t183;
+  A[387] = t241;
+  A[982] = t241;
+  const T t242 = c.p.m_payload * t163;
+  A[388] = t242;
+  A[1018] = t242;
+  const T t243 = c.p.m_payload * t164;
+  A[389] = t243;
+  A[1054] = t243;
+  A[407] = c.c0_6;
+  const T t244 = c.p.m_payload * (T(0.03) * R4_21 + T(0.06) * R4_11);
+  A[414] = -t244;
+  A[659] = -t244;
+  const T t245 = c.p.m_payload * (T(0.03) * R4_22 + T(0.06) * R4_12);
+  A[415] = -t245;
+  A[695] = -t245;
+  const T t246 = c.p.m_payload * (T(0.03) * R4_23 + T(0.06) * R4_13);
+  A[416] = -t246;
+  A[731] = -t246;
+  const T t247 = c.p.m_payload * t86;
+  A[417] = -t247;
+  A[767] = -t247;
+  const T t248 = c.p.m_payload * t32;
+  A[418] = -t248;
+  A[803] = -t248;
+  const T t249 = c.p.m_payload * t31;
+  A[419] = -t249;
+  A[839] = -t249;
+  const T t250 = c.p.m_payload * t185;
+  A[423] = -t250;
+  A[983] = -t250;
+  const T t251 = c.p.m_payload * t167;
+  A[424] = -t251;
+  A[1019] = -t251;
+  const T t252 = c.p.m_payload * t166;
+  A[425] = -t252;
+  A[1055] = -t252;
+  const T t253 = d6_3 * d6_3;
+  const T t254 = d6_2 * d6_2;
+  A[444] = T(0.0852) + T(0.9) * (t253 + t254);
+  const T t255 = T(0.01476) + d6_2 * d6_1 * T(0.9);
+  A[445] = -t255;
+  A[480] = -t255;
+  const T t256 = T(0.05152) - d6_3 * d6_1 * T(0.9);
+  A[446] = t256;
+  A[516] = t256;
+  const T t257 = T(0.07) * C5_6_32 + T(0.05) * C5_6_33;
+  const T t258 = T(0.07) * C5_6_22 + T(0.05) * C5_6_23;
+  const T t259 = T(0.9) * (d6_2 * t257 - d6_3 * t258);
+  A[447] = -t259;
+  A[552] = -t259;
+  const T t260 = T(0.07) * C5_6_21 - T(0.09) * C5_6_23;
+  const T t261 = T(0.07) * C5_6_31 - T(0.09) * C5_6_33;
+  const T t262 = T(0.9) * (d6_3 * t260 - d6_2 * t261);
+  A[448] = -t262;
+  A[588] = -t262;
+  const T t263 = T(0.09) * C5_6_22 + T(0.05) * C5_6_21;
+  const T t264 = T(0.09) * C5_6_32 + T(0.05) * C5_6_31;
+  const T t265 = T(0.9) * (d6_3 * t263 - d6_2 * t264);
+  A[449] = -t265;
+  A[624] = -t265;
+  const T t266 = h5_2 * R5_31 - h5_3 * R5_21;
+  A[450] = t266;
+  A[660] = t266;
+  const T t267 = h5_2 * R5_32 - h5_3 * R5_22;
+  A[451] = t267;
+  A[696] = t267;
+  const T t268 = h5_2 * R5_33 - h5_3 * R5_23;
+  A[452] = t268;
+  A[732] = t268;
+  A[462] = t88;
+  A[1092] = t88;
+  A[463] = t34;
+  A[1128] = t34;
+  A[464] = t35;
+  A[1164] = t35;
+  A[466] = -b5_3;
+  A[501] = b5_3;
+  A[1201] = b5_3;
+  A[1236] = -b5_3;
+  A[467] = b5_2;
+  A[537] = -b5_2;
+  A[1202] = -b5_2;
+  A[1272] = b5_2;
+  const T t269 = d6_1 * d6_1;
+  A[481] = T(0.6896) + T(0.9) * (t253 + t269);
+  const T t270 = T(0.00492) + d6_3 * d6_2 * T(0.9);
+  A[482] = -t270;
+  A[517] = -t270;
+  const T t271 = T(0.07) * C5_6_12 + T(0.05) * C5_6_13;
+  const T t272 = T(0.9) * (d6_3 * t271 - d6_1 * t257);
+  A[483] = -t272;
+  A[553] = -t272;
+  const T t273 = T(0.07) * C5_6_11 - T(0.09) * C5_6_13;
+  const T t274 = T(0.9) * (d6_1 * t261 - d6_3 * t273);
+  A[484] = -t274;
+  A[589] = -t274;
+  const T t275 = T(0.09) * C5_6_12 + T(0.05) * C5_6_11;
+  const T t276 = T(0.9) * (d6_1 * t264 - d6_3 * t275);
+  A[485] = -t276;
+  A[625] = -t276;
+  const T t277 = h5_3 * R5_11 - h5_1 * R5_31;
+  A[486] = t277;
+  A[661] = t277;
+  const T t278 = h5_3 * R5_12 - h5_1 * R5_32;
+  A[487] = t278;
+  A[697] = t278;
+  const T t279 = h5_3 * R5_13 - h5_1 * R5_33;
+  A[488] = t279;
+  A[733] = t279;
+  A[498] = t90;
+  A[1093] = t90;
+  A[499] = t37;
+  A[1129] = t37;
+  A[500] = t38;
+  A[1165] = t38;
+  A[503] = -b5_1;
+  A[538] = b5_1;
+  A[1238] = b5_1;
+  A[1273] = -b5_1;
+  A[518] = T(0.70648) + T(0.9) * (t254 + t269);
+  const T t280 = T(0.9) * (d6_1 * t258 - d6_2 * t271);
+  A[519] = -t280;
+  A[554] = -t280;
+  const T t281 = T(0.9) * (d6_2 * t273 - d6_1 * t260);
+  A[520] = -t281;
+  A[590] = -t281;
+  const T t282 = T(0.9) * (d6_2 * t275 - d6_1 * t263);
+  A[521] = -t282;
+  A[626] = -t282;
+  const T t283 = h5_1 * R5_21 - h5_2 * R5_11;
+  A[522] = t283;
+  A[662] = t283;
+  const T t284 = h5_1 * R5_22 - h5_2 * R5_12;
+  A[523] = t284;
+  A[698] = t284;
+  const T t285 = h5_1 * R5_23 - h5_2 * R5_13;
+  A[524] = t285;
+  A[734] = t285;
+  A[534] = t92;
+  A[1094] = t92;
+  A[535] = t40;
+  A[1130] = t40;
+  A[536] = t41;
+  A[1166] = t41;
+  A[555] = T(0.02866);
+  A[556] = T(0.00555);
+  A[591] = T(0.00555);
+  A[557] = -T(0.006670000000000001);
+  A[627] = -T(0.006670000000000001);
+  const T t286 = T(0.9) * (T(0.07) * R6_21 + T(0.05) * R6_31);
+  A[558] = -t286;
+  A[663] = -t286;
+  const T t287 = T(0.9) * (T(0.07) * R6_22 + T(0.05) * R6_32);
+  A[559] = -t287;
+  A[699] = -t287;
+  const T t288 = T(0.9) * (T(0.07) * R6_23 + T(0.05) * R6_33);
+  A[560] = -t288;
+  A[735] = -t288;
+  const T t289 = T(0.9) * t94;
+  A[570] = -t289;
+  A[1095] = -t289;
+  const T t290 = T(0.9) * t44;
+  A[571] = -t290;
+  A[1131] = -t290;
+  const T t291 = T(0.9) * t43;
+  A[572] = -t291;
+  A[1167] = -t291;
+  const T t292 = T(0.9) * t271;
+  A[573] = -t292;
+  A[1203] = -t292;
+  const T t293 = T(0.9) * t258;
+  A[574] = -t293;
+  A[1239] = -t293;
+  const T t294 = T(0.9) * t257;
+  A[575] = -t294;
+  A[1275] = -t294;
+  A[592] = T(0.0297);
+  A[593] = T(0.005150000000000001);
+  A[628] = T(0.005150000000000001);
+  const T t295 = T(0.9) * (T(0.07) * R6_11 - T(0.09) * R6_31);
+  A[594] = t295;
+  A[664] = t295;
+  const T t296 = T(0.9) * (T(0.07) * R6_12 - T(0.09) * R6_32);
+  A[595] = t296;
+  A[700] = t296;
+  const T t297 = T(0.9) * (T(0.07) * R6_13 - T(0.09) * R6_33);
+  A[596] = t297;
+  A[736] = t297;
+  const T t298 = T(0.9) * t96;
+  A[606] = t298;
+  A[1096] = t298;
+  const T t299 = T(0.9) * t46;
+  A[607] = t299;
+  A[1132] = t299;
+  const T t300 = T(0.9) * t47;
+  A[608] = t300;
+  A[1168] = t300;
+  const T t301 = T(0.9) * t273;
+  A[609] = t301;
+  A[1204] = t301;
+  const T t302 = T(0.9) * t260;
+  A[610] = t302;
+  A[1240] = t302;
+  const T t303 = T(0.9) * t261;
+  A[611] = t303;
+  A[1276] = t303;
+  A[629] = T(0.03654);
+  const T t304 = T(0.9) * (T(0.09) * R6_21 + T(0.05) * R6_11);
+  A[630] = t304;
+  A[665] = t304;
+  const T t305 = T(0.9) * (T(0.09) * R6_22 + T(0.05) * R6_12);
+  A[631] = t305;
+  A[701] = t305;
+  const T t306 = T(0.9) * (T(0.09) * R6_23 + T(0.05) * R6_13);
+  A[632] = t306;
+  A[737] = t306;
+  const T t307 = T(0.9) * t98;
+  A[642] = t307;
+  A[1097] = t307;
+  const T t308 = T(0.9) * t49;
+  A[643] = t308;
+  A[1133] = t308;
+  const T t309 = T(0.9) * t50;
+  A[644] = t309;
+  A[1169] = t309;
+  const T t310 = T(0.9) * t275;
+  A[645] = t310;
+  A[1205] = t310;
+  const T t311 = T(0.9) * t263;
+  A[646] = t311;
+  A[1241] = t311;
+  const T t312 = T(0.9) * t264;
+  A[647] = t312;
+  A[1277] = t312;
+  const T t313 = c.m_sub2 * R1_11;
+  A[669] = t313;
+  A[774] = t313;
+  const T t314 = c.m_sub2 * R1_21;
+  A[670] = t314;
+  A[810] = t314;
+  const T t315 = c.m_sub2 * R1_31;
+  A[671] = t315;
+  A[846] = t315;
+  const T t316 = T(1.8) * R2_11;
+  A[672] = t316;
+  A[882] = t316;
+  const T t317 = T(1.8) * R2_21;
+  A[673] = t317;
+  A[918] = t317;
+  const T t318 = T(1.8) * R2_31;
+  A[674] = t318;
+  A[954] = t318;
+  const T t319 = c.p.m_payload * R2_11;
+  A[675] = t319;
+  A[990] = t319;
+  const T t320 = c.p.m_payload * R2_21;
+  A[676] = t320;
+  A[1026] = t320;
+  const T t321 = c.p.m_payload * R2_31;
+  A[677] = t321;
+  A[1062] = t321;
+  const T t322 = T(3.5) * R1_11;
+  A[678] = t322;
+  A[1098] = t322;
+  const T t323 = T(3.5) * R1_21;
+  A[679] = t323;
+  A[1134] = t323;
+  const T t324 = T(3.5) * R1_31;
+  A[680] = t324;
+  A[1170] = t324;
+  const T t325 = T(0.9) * R5_11;
+  A[681] = t325;
+  A[1206] = t325;
+  const T t326 = T(0.9) * R5_21;
+  A[682] = t326;
+  A[1242] = t326;
+  const T t327 = T(0.9) * R5_31;
+  A[683] = t327;
+  A[1278] = t327;
+  const T t328 = c.m_sub2 * R1_12;
+  A[705] = t328;
+  A[775] = t328;
+  const T t329 = c.m_sub2 * R1_22;
+  A[706] = t329;
+  A[811] = t329;
+  const T t330 = c.m_sub2 * R1_32;
+  A[707] = t330;
+  A[847] = t330;
+  const T t331 = T(1.8) * R2_12;
+  A[708] = t331;
+  A[883] = t331;
+  const T t332 = T(1.8) * R2_22;
+  A[709] = t332;
+  A[919] = t332;
+  const T t333 = T(1.8) * R2_32;
+  A[710] = t333;
+  A[955] = t333;
+  const T t334 = c.p.m_payload * R2_12;
+  A[711] = t334;
+  A[991] = t334;
+  const T t335 = c.p.m_payload * R2_22;
+  A[712] = t335;
+  A[1027] = t335;
+  const T t336 = c.p.m_payload * R2_32;
+  A[713] = t336;
+  A[1063] = t336;
+  const T t337 = T(3.5) * R1_12;
+  A[714] = t337;
+  A[1099] = t337;
+  const T t338 = T(3.5) * R1_22;
+  A[715] = t338;
+  A[1135] = t338;
+  const T t339 = T(3.5) * R1_32;
+  A[716] = t339;
+  A[1171] = t339;
+  const T t340 = T(0.9) * R5_12;
+  A[717] = t340;
+  A[1207] = t340;
+  const T t341 = T(0.9) * R5_22;
+  A[718] = t341;
+  A[1243] = t341;
+  const T t342 = T(0.9) * R5_32;
+  A[719] = t342;
+  A[1279] = t342;
+  const T t343 = c.m_sub2 * R1_13;
+  A[741] = t343;
+  A[776] = t343;
+  const T t344 = c.m_sub2 * R1_23;
+  A[742] = t344;
+  A[812] = t344;
+  const T t345 = c.m_sub2 * R1_33;
+  A[743] = t345;
+  A[848] = t345;
+  const T t346 = T(1.8) * R2_13;
+  A[744] = t346;
+  A[884] = t346;
+  const T t347 = T(1.8) * R2_23;
+  A[745] = t347;
+  A[920] = t347;
+  const T t348 = T(1.8) * R2_33;
+  A[746] = t348;
+  A[956] = t348;
+  const T t349 = c.p.m_payload * R2_13;
+  A[747] = t349;
+  A[992] = t349;
+  const T t350 = c.p.m_payload * R2_23;
+  A[748] = t350;
+  A[1028] = t350;
+  const T t351 = c.p.m_payload * R2_33;
+  A[749] = t351;
+  A[1064] = t351;
+  const T t352 = T(3.5) * R1_13;
+  A[750] = t352;
+  A[1100] = t352;
+  const T t353 = T(3.5) * R1_23;
+  A[751] = t353;
+  A[1136] = t353;
+  const T t354 = T(3.5) * R1_33;
+  A[752] = t354;
+  A[1172] = t354;
+  const T t355 = T(0.9) * R5_13;
+  A[753] = t355;
+  A[1208] = t355;
+  const T t356 = T(0.9) * R5_23;
+  A[754] = t356;
+  A[1244] = t356;
+  const T t357 = T(0.9) * R5_33;
+  A[755] = t357;
+  A[1280] = t357;
+  const T t358 = T(1.8) * C1_2_11;
+  A[780] = t358;
+  A[885] = t358;
+  const T t359 = T(1.8) * C1_2_12;
+  A[781] = t359;
+  A[921] = t359;
+  const T t360 = T(1.8) * C1_2_13;
+  A[782] = t360;
+  A[957] = t360;
+  const T t361 = c.p.m_payload * C1_2_11;
+  A[783] = t361;
+  A[993] = t361;
+  const T t362 = c.p.m_payload * C1_2_12;
+  A[784] = t362;
+  A[1029] = t362;
+  const T t363 = c.p.m_payload * C1_2_13;
+  A[785] = t363;
+  A[1065] = t363;
+  const T t364 = T(1.8) * C1_2_21;
+  A[816] = t364;
+  A[886] = t364;
+  const T t365 = T(1.8) * C1_2_22;
+  A[817] = t365;
+  A[922] = t365;
+  const T t366 = T(1.8) * C1_2_23;
+  A[818] = t366;
+  A[958] = t366;
+  const T t367 = c.p.m_payload * C1_2_21;
+  A[819] = t367;
+  A[994] = t367;
+  const T t368 = c.p.m_payload * C1_2_22;
+  A[820] = t368;
+  A[1030] = t368;
+  const T t369 = c.p.m_payload * C1_2_23;
+  A[821] = t369;
+  A[1066] = t369;
+  const T t370 = T(1.8) * C1_2_31;
+  A[852] = t370;
+  A[887] = t370;
+  const T t371 = T(1.8) * C1_2_32;
+  A[853] = t371;
+  A[923] = t371;
+  const T t372 = T(1.8) * C1_2_33;
+  A[854] = t372;
+  A[959] = t372;
+  const T t373 = c.p.m_payload * C1_2_31;
+  A[855] = t373;
+  A[995] = t373;
+  const T t374 = c.p.m_payload * C1_2_32;
+  A[856] = t374;
+  A[1031] = t374;
+  const T t375 = c.p.m_payload * C1_2_33;
+  A[857] = t375;
+  A[1067] = t375;
+  A[888] = T(1.8);
+  A[925] = T(1.8);
+  A[962] = T(1.8);
+  A[999] = c.p.m_payload;
+  A[1036] = c.p.m_payload;
+  A[1073] = c.p.m_payload;
+  A[1110] = T(3.5);
+  A[1147] = T(3.5);
+  A[1184] = T(3.5);
+  const T t376 = T(0.9) * C1_5_11;
+  A[1113] = t376;
+  A[1218] = t376;
+  const T t377 = T(0.9) * C1_5_12;
+  A[1114] = t377;
+  A[1254] = t377;
+  const T t378 = T(0.9) * C1_5_13;
+  A[1115] = t378;
+  A[1290] = t378;
+  const T t379 = T(0.9) * C1_5_21;
+  A[1149] = t379;
+  A[1219] = t379;
+  const T t380 = T(0.9) * C1_5_22;
+  A[1150] = t380;
+  A[1255] = t380;
+  const T t381 = T(0.9) * C1_5_23;
+  A[1151] = t381;
+  A[1291] = t381;
+  const T t382 = T(0.9) * C1_5_31;
+  A[1185] = t382;
+  A[1220] = t382;
+  const T t383 = T(0.9) * C1_5_32;
+  A[1186] = t383;
+  A[1256] = t383;
+  const T t384 = T(0.9) * C1_5_33;
+  A[1187] = t384;
+  A[1292] = t384;
+  A[1221] = T(0.9);
+  A[1258] = T(0.9);
+  A[1295] = T(0.9);
+}
+
+// partial_velocities: partial velocities v_y of the mass centres: v = v_y y.
+// v_y of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 180 add, 270 multiply
+template <class T>
+void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
+  T block[135];
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  block[36] = R1_11;
+  block[39] = R1_12;
+  block[42] = R1_13;
+  block[37] = R1_21;
+  block[40] = R1_22;
+  block[43] = R1_23;
+  block[38] = R1_31;
+  block[41] = R1_32;
+  block[44] = R1_33;
+  // B1_1 = -R1^T r1~
+  const T minus_B1_1_11 = R1_21 * T(0.08) + R1_31 * T(0.02);
+  const T minus_B1_1_12 = R1_31 * T(0.05) - R1_11 * T(0.08);
+  const T B1_1_13 = R1_11 * T(0.02) + R1_21 * T(0.05);
+  const T minus_B1_1_21 = R1_22 * T(0.08) + R1_32 * T(0.02);
+  const T minus_B1_1_22 = R1_32 * T(0.05) - R1_12 * T(0.08);
+  const T B1_1_23 = R1_12 * T(0.02) + R1_22 * T(0.05);
+  const T minus_B1_1_31 = R1_23 * T(0.08) + R1_33 * T(0.02);
+  const T minus_B1_1_32 = R1_33 * T(0.05) - R1_13 * T(0.08);
+  const T B1_1_33 = R1_13 * T(0.02) + R1_23 * T(0.05);
+  block[0] = -minus_B1_1_11;
+  block[1] = -minus_B1_1_12;
+  block[2] = B1_1_13;
+  block[3] = -minus_B1_1_21;
+  block[4] = -minus_B1_1_22;
+  block[5] = B1_1_23;
+  block[6] = -minus_B1_1_31;
+  block[7] = -minus_B1_1_32;
+  block[8] = B1_1_33;
+  // B3_1 = -R1^T d2~
+  const T t1_13 = T(0.25) + s2_3;
+  const T t1_14 = T(0.1) + s2_2;
+  const T minus_B3_1_11 = R1_21 * t1_13 - R1_31 * t1_14;
+  const T t1_15 = T(0.4) + s2_1;
+  const T minus_B3_1_12 = R1_31 * t1_15 - R1_11 * t1_13;
+  const T minus_B3_1_13 = R1_11 * t1_14 - R1_21 * t1_15;
+  const T minus_B3_1_21 = R1_22 * t1_13 - R1_32 * t1_14;
+  const T minus_B3_1_22 = R1_32 * t1_15 - R1_12 * t1_13;
+  const T minus_B3_1_23 = R1_12 * t1_14 - R1_22 * t1_15;
+  const T minus_B3_1_31 = R1_23 * t1_13 - R1_33 * t1_14;
+  const T minus_B3_1_32 = R1_33 * t1_15 - R1_13 * t1_13;
+  const T minus_B3_1_33 = R1_13 * t1_14 - R1_23 * t1_15;
+  block[18] = -minus_B3_1_11;
+  block[19] = -minus_B3_1_12;
+  block[20] = -minus_B3_1_13;
+  block[21] = -minus_B3_1_21;
+  block[22] = -minus_B3_1_22;
+  block[23] = -minus_B3_1_23;
+  block[24] = -minus_B3_1_31;
+  block[25] = -minus_B3_1_32;
+  block[26] = -minus_B3_1_33;
+  // B11_1 = -R1^T d5~
+  const T t1_16 = s5_3 - T(0.2);
+  const T t1_17 = T(0.12) + s5_2;
+  const T minus_B11_1_11 = R1_21 * t1_16 - R1_31 * t1_17;
+  const T t1_18 = s5_1 - T(0.35);
+  const T minus_B11_1_12 = R1_31 * t1_18 - R1_11 * t1_16;
+  const T minus_B11_1_13 = R1_11 * t1_17 - R1_21 * t1_18;
+  const T minus_B11_1_21 = R1_22 * t1_16 - R1_32 * t1_17;
+  const T minus_B11_1_22 = R1_32 * t1_18 - R1_12 * t1_16;
+  const T minus_B11_1_23 = R1_12 * t1_17 - R1_22 * t1_18;
+  const T minus_B11_1_31 = R1_23 * t1_16 - R1_33 * t1_17;
+  const T minus_B11_1_32 = R1_33 * t1_18 - R1_13 * t1_16;
+  const T minus_B11_1_33 = R1_13 * t1_17 - R1_23 * t1_18;
+  block[90] = -minus_B11_1_11;
+  block[91] = -minus_B11_1_12;
+  block[92] = -minus_B11_1_13;
+  block[93] = -minus_B11_1_21;
+  block[94] = -minus_B11_1_22;
+  block[95] = -minus_B11_1_23;
+  block[96] = -minus_B11_1_31;
+  block[97] = -minus_B11_1_32;
+  block[98] = -minus_B11_1_33;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  block[63] = R2_11;
+  block[66] = R2_12;
+  block[69] = R2_13;
+  block[64] = R2_21;
+  block[67] = R2_22;
+  block[70] = R2_23;
+  block[65] = R2_31;
+  block[68] = R2_32;
+  block[71] = R2_33;
+  // B4_2 = -R2^T r2~
+  const T minus_B4_2_11 = R2_21 * T(0.45) - R2_31 * T(0.04);
+  const T minus_B4_2_12 = R2_31 * T(0.03) - R2_11 * T(0.45);
+  const T minus_B4_2_13 = R2_11 * T(0.04) - R2_21 * T(0.03);
+  const T minus_B4_2_21 = R2_22 * T(0.45) - R2_32 * T(0.04);
+  const T minus_B4_2_22 = R2_32 * T(0.03) - R2_12 * T(0.45);
+  const T minus_B4_2_23 = R2_12 * T(0.04) - R2_22 * T(0.03);
+  const T minus_B4_2_31 = R2_23 * T(0.45) - R2_33 * T(0.04);
+  const T minus_B4_2_32 = R2_33 * T(0.03) - R2_13 * T(0.45);
+  const T minus_B4_2_33 = R2_13 * T(0.04) - R2_23 * T(0.03);
+  block[27] = -minus_B4_2_11;
+  block[28] = -minus_B4_2_12;
+  block[29] = -minus_B4_2_13;
+  block[30] = -minus_B4_2_21;
+  block[31] = -minus_B4_2_22;
+  block[32] = -minus_B4_2_23;
+  block[33] = -minus_B4_2_31;
+  block[34] = -minus_B4_2_32;
+  block[35] = -minus_B4_2_33;
+  // B6_2 = -R2^T d3~
+  const T t2_13 = T(0.8) + s3_3;
+  const T t2_14 = T(0.2) + s3_2;
+  const T minus_B6_2_11 = R2_21 * t2_13 - R2_31 * t2_14;
+  const T t2_15 = T(0.05) + s3_1;
+  const T minus_B6_2_12 = R2_31 * t2_15 - R2_11 * t2_13;
+  const T minus_B6_2_13 = R2_11 * t2_14 - R2_21 * t2_15;
+  const T minus_B6_2_21 = R2_22 * t2_13 - R2_32 * t2_14;
+  const T minus_B6_2_22 = R2_32 * t2_15 - R2_12 * t2_13;
+  const T minus_B6_2_23 = R2_12 * t2_14 - R2_22 * t2_15;
+  const T minus_B6_2_31 = R2_23 * t2_13 - R2_33 * t2_14;
+  const T minus_B6_2_32 = R2_33 * t2_15 - R2_13 * t2_13;
+  const T minus_B6_2_33 = R2_13 * t2_14 - R2_23 * t2_15;
+  block[45] = -minus_B6_2_11;
+  block[46] = -minus_B6_2_12;
+  block[47] = -minus_B6_2_13;
+  block[48] = -minus_B6_2_21;
+  block[49] = -minus_B6_2_22;
+  block[50] = -minus_B6_2_23;
+  block[51] = -minus_B6_2_31;
+  block[52] = -minus_B6_2_32;
+  block[53] = -minus_B6_2_33;
+  // B9_2 = -R2^T d4~
+  const T t2_16 = T(0.9) + s4_3;
+  const T t2_17 = s4_2 - T(0.15);
+  const T minus_B9_2_11 = R2_21 * t2_16 - R2_31 * t2_17;
+  const T t2_18 = s4_1 - T(0.06);
+  const T minus_B9_2_12 = R2_31 * t2_18 - R2_11 * t2_16;
+  const T minus_B9_2_13 = R2_11 * t2_17 - R2_21 * t2_18;
+  const T minus_B9_2_21 = R2_22 * t2_16 - R2_32 * t2_17;
+  const T minus_B9_2_22 = R2_32 * t2_18 - R2_12 * t2_16;
+  const T minus_B9_2_23 = R2_12 * t2_17 - R2_22 * t2_18;
+  const T minus_B9_2_31 = R2_23 * t2_16 - R2_33 * t2_17;
+  const T minus_B9_2_32 = R2_33 * t2_18 - R2_13 * t2_16;
+  const T minus_B9_2_33 = R2_13 * t2_17 - R2_23 * t2_18;
+  block[72] = -minus_B9_2_11;
+  block[73] = -minus_B9_2_12;
+  block[74] = -minus_B9_2_13;
+  block[75] = -minus_B9_2_21;
+  block[76] = -minus_B9_2_22;
+  block[77] = -minus_B9_2_23;
+  block[78] = -minus_B9_2_31;
+  block[79] = -minus_B9_2_32;
+  block[80] = -minus_B9_2_33;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // B7_3 = -R3^T r3~
+  const T B7_3_11 = T(0.02) * R3_21 + T(0.35) * R3_31;
+  const T minus_B7_3_12 = T(0.02) * R3_11 + T(0.1) * R3_31;
+  const T B7_3_13 = T(0.1) * R3_21 - T(0.35) * R3_11;
+  const T B7_3_21 = T(0.02) * R3_22 + T(0.35) * R3_32;
+  const T minus_B7_3_22 = T(0.02) * R3_12 + T(0.1) * R3_32;
+  const T B7_3_23 = T(0.1) * R3_22 - T(0.35) * R3_12;
+  const T B7_3_31 = T(0.02) * R3_23 + T(0.35) * R3_33;
+  const T minus_B7_3_32 = T(0.02) * R3_13 + T(0.1) * R3_33;
+  const T B7_3_33 = T(0.1) * R3_23 - T(0.35) * R3_13;
+  block[54] = B7_3_11;
+  block[55] = -minus_B7_3_12;
+  block[56] = B7_3_13;
+  block[57] = B7_3_21;
+  block[58] = -minus_B7_3_22;
+  block[59] = B7_3_23;
+  block[60] = B7_3_31;
+  block[61] = -minus_B7_3_32;
+  block[62] = B7_3_33;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // B10_4 = -R4^T r4~
+  const T B10_4_11 = T(0.06) * R4_31 - T(0.1) * R4_21;
+  const T B10_4_12 = T(0.1) * R4_11 + T(0.03) * R4_31;
+  const T minus_B10_4_13 = T(0.03) * R4_21 + T(0.06) * R4_11;
+  const T B10_4_21 = T(0.06) * R4_32 - T(0.1) * R4_22;
+  const T B10_4_22 = T(0.1) * R4_12 + T(0.03) * R4_32;
+  const T minus_B10_4_23 = T(0.03) * R4_22 + T(0.06) * R4_12;
+  const T B10_4_31 = T(0.06) * R4_33 - T(0.1) * R4_23;
+  const T B10_4_32 = T(0.1) * R4_13 + T(0.03) * R4_33;
+  const T minus_B10_4_33 = T(0.03) * R4_23 + T(0.06) * R4_13;
+  block[81] = B10_4_11;
+  block[82] = B10_4_12;
+  block[83] = -minus_B10_4_13;
+  block[84] = B10_4_21;
+  block[85] = B10_4_22;
+  block[86] = -minus_B10_4_23;
+  block[87] = B10_4_31;
+  block[88] = B10_4_32;
+  block[89] = -minus_B10_4_33;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  block[126] = R5_11;
+  block[129] = R5_12;
+  block[132] = R5_13;
+  block[127] = R5_21;
+  block[130] = R5_22;
+  block[133] = R5_23;
+  block[128] = R5_31;
+  block[131] = R5_32;
+  block[134] = R5_33;
+  // B12_5 = -R5^T r5~
+  const T B12_5_11 = R5_21 * T(0.04) + R5_31 * T(0.02);
+  const T minus_B12_5_12 = R5_11 * T(0.04) + R5_31 * T(0.38);
+  const T minus_B12_5_13 = R5_11 * T(0.02) - R5_21 * T(0.38);
+  const T B12_5_21 = R5_22 * T(0.04) + R5_32 * T(0.02);
+  const T minus_B12_5_22 = R5_12 * T(0.04) + R5_32 * T(0.38);
+  const T minus_B12_5_23 = R5_12 * T(0.02) - R5_22 * T(0.38);
+  const T B12_5_31 = R5_23 * T(0.04) + R5_33 * T(0.02);
+  const T minus_B12_5_32 = R5_13 * T(0.04) + R5_33 * T(0.38);
+  const T minus_B12_5_33 = R5_13 * T(0.02) - R5_23 * T(0.38);
+  block[99] = B12_5_11;
+  block[100] = -minus_B12_5_12;
+  block[101] = -minus_B12_5_13;
+  block[102] = B12_5_21;
+  block[103] = -minus_B12_5_22;
+  block[104] = -minus_B12_5_23;
+  block[105] = B12_5_31;
+  block[106] = -minus_B12_5_32;
+  block[107] = -minus_B12_5_33;
+  // B13_5 = -R5^T d6~
+  const T t5_13 = T(0.05) + s6_3;
+  const T t5_14 = s6_2 - T(0.03);
+  const T minus_B13_5_11 = R5_21 * t5_13 - R5_31 * t5_14;
+  const T t5_15 = T(0.75) + s6_1;
+  const T minus_B13_5_12 = R5_31 * t5_15 - R5_11 * t5_13;
+  const T minus_B13_5_13 = R5_11 * t5_14 - R5_21 * t5_15;
+  const T minus_B13_5_21 = R5_22 * t5_13 - R5_32 * t5_14;
+  const T minus_B13_5_22 = R5_32 * t5_15 - R5_12 * t5_13;
+  const T minus_B13_5_23 = R5_12 * t5_14 - R5_22 * t5_15;
+  const T minus_B13_5_31 = R5_23 * t5_13 - R5_33 * t5_14;
+  const T minus_B13_5_32 = R5_33 * t5_15 - R5_13 * t5_13;
+  const T minus_B13_5_33 = R5_13 * t5_14 - R5_23 * t5_15;
+  block[108] = -minus_B13_5_11;
+  block[109] = -minus_B13_5_12;
+  block[110] = -minus_B13_5_13;
+  block[111] = -minus_B13_5_21;
+  block[112] = -minus_B13_5_22;
+  block[113] = -minus_B13_5_23;
+  block[114] = -minus_B13_5_31;
+  block[115] = -minus_B13_5_32;
+  block[116] = -minus_B13_5_33;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // B14_6 = -R6^T r6~
+  const T minus_B14_6_11 = T(0.07) * R6_21 + T(0.05) * R6_31;
+  const T B14_6_12 = T(0.07) * R6_11 - T(0.09) * R6_31;
+  const T B14_6_13 = T(0.09) * R6_21 + T(0.05) * R6_11;
+  const T minus_B14_6_21 = T(0.07) * R6_22 + T(0.05) * R6_32;
+  const T B14_6_22 = T(0.07) * R6_12 - T(0.09) * R6_32;
+  const T B14_6_23 = T(0.09) * R6_22 + T(0.05) * R6_12;
+  const T minus_B14_6_31 = T(0.07) * R6_23 + T(0.05) * R6_33;
+  const T B14_6_32 = T(0.07) * R6_13 - T(0.09) * R6_33;
+  const T B14_6_33 = T(0.09) * R6_23 + T(0.05) * R6_13;
+  block[117] = -minus_B14_6_11;
+  block[118] = B14_6_12;
+  block[119] = B14_6_13;
+  block[120] = -minus_B14_6_21;
+  block[121] = B14_6_22;
+  block[122] = B14_6_23;
+  block[123] = -minus_B14_6_31;
+  block[124] = B14_6_32;
+  block[125] = B14_6_33;
+
+  // ---- results
+  block[9] = T(1);
+  block[13] = T(1);
+  block[17] = T(1);
+  block[10] = T(0);
+  block[11] = T(0);
+  block[12] = T(0);
+  block[14] = T(0);
+  block[15] = T(0);
+  block[16] = T(0);
+
+  // {block, place of its first entry}; the same block stands where bodies share it, 0 elsewhere
+  static constexpr int places[][2] = {
+      {0,0}, {1,18}, {2,108}, {3,111}, {1,126}, {4,129}, {2,216}, {5,219}, {6,222}, {1,234}, {4,237}, {7,240},
+      {2,324}, {8,327}, {9,333}, {1,342}, {4,345}, {7,351}, {10,432}, {11,444}, {1,450}, {4,462}, {10,540}, {12,552},
+      {13,555}, {1,558}, {4,570}, {14,573},
+  };
+  for (int i = 0; i < 648; ++i) v_y[i] = T(0);
+  for (const auto& place : places)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) v_y[place[1] + i * 36 + j] = block[9 * place[0] + 3 * i + j];
+}
+
+// partial_velocity_rates: time derivatives of the partial velocities.
+// v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 324 add, 468 multiply
+template <class T>
+void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
+  T block[126];
+
+  // ---- body 1 (hub) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // B1_1 = -R1^T omega1~ r1~
+  const T t1_13 = R1_31 * omega1_1 - R1_11 * omega1_3;
+  const T t1_14 = R1_11 * omega1_2 - R1_21 * omega1_1;
+  const T minus_B1_1_11 = t1_13 * T(0.08) + t1_14 * T(0.02);
+  const T t1_15 = R1_21 * omega1_3 - R1_31 * omega1_2;
+  const T minus_B1_1_12 = t1_14 * T(0.05) - t1_15 * T(0.08);
+  const T B1_1_13 = t1_15 * T(0.02) + t1_13 * T(0.05);
+  const T t1_16 = R1_32 * omega1_1 - R1_12 * omega1_3;
+  const T t1_17 = R1_12 * omega1_2 - R1_22 * omega1_1;
+  const T minus_B1_1_21 = t1_16 * T(0.08) + t1_17 * T(0.02);
+  const T t1_18 = R1_22 * omega1_3 - R1_32 * omega1_2;
+  const T minus_B1_1_22 = t1_17 * T(0.05) - t1_18 * T(0.08);
+  const T B1_1_23 = t1_18 * T(0.02) + t1_16 * T(0.05);
+  const T t1_19 = R1_33 * omega1_1 - R1_13 * omega1_3;
+  const T t1_20 = R1_13 * omega1_2 - R1_23 * omega1_1;
+  const T minus_B1_1_31 = t1_19 * T(0.08) + t1_20 * T(0.02);
+  const T t1_21 = R1_23 * omega1_3 - R1_33 * omega1_2;
+  const T minus_B1_1_32 = t1_20 * T(0.05) - t1_21 * T(0.08);
+  const T B1_1_33 = t1_21 * T(0.02) + t1_19 * T(0.05);
+  block[0] = -minus_B1_1_11;
+  block[1] = -minus_B1_1_12;
+  block[2] = B1_1_13;
+  block[3] = -minus_B1_1_21;
+  block[4] = -minus_B1_1_22;
+  block[5] = B1_1_23;
+  block[6] = -minus_B1_1_31;
+  block[7] = -minus_B1_1_32;
+  block[8] = B1_1_33;
+  // B2_1 = -R1^T omega1~ d2~ - R1^T sdot2~
+  const T t1_22 = T(0.25) + s2_3;
+  const T t1_23 = T(0.1) + s2_2;
+  const T minus_B2_1_11 = t1_13 * t1_22 - t1_14 * t1_23 + R1_21 * sdot2_3 - R1_31 * sdot2_2;
+  const T t1_24 = T(0.4) + s2_1;
+  const T minus_B2_1_12 = t1_14 * t1_24 - t1_15 * t1_22 + R1_31 * sdot2_1 - R1_11 * sdot2_3;
+  const T minus_B2_1_13 = t1_15 * t1_23 - t1_13 * t1_24 + R1_11 * sdot2_2 - R1_21 * sdot2_1;
+  const T minus_B2_1_21 = t1_16 * t1_22 - t1_17 * t1_23 + R1_22 * sdot2_3 - R1_32 * sdot2_2;
+  const T minus_B2_1_22 = t1_17 * t1_24 - t1_18 * t1_22 + R1_32 * sdot2_1 - R1_12 * sdot2_3;
+  const T minus_B2_1_23 = t1_18 * t1_23 - t1_16 * t1_24 + R1_12 * sdot2_2 - R1_22 * sdot2_1;
+  const T minus_B2_1_31 = t1_19 * t1_22 - t1_20 * t1_23 + R1_23 * sdot2_3 - R1_33 * sdot2_2;
+  const T minus_B2_1_32 = t1_20 * t1_24 - t1_21 * t1_22 + R1_33 * sdot2_1 - R1_13 * sdot2_3;
+  const T minus_B2_1_33 = t1_21 * t1_23 - t1_19 * t1_24 + R1_13 * sdot2_2 - R1_23 * sdot2_1;
+  block[9] = -minus_B2_1_11;
+  block[10] = -minus_B2_1_12;
+  block[11] = -minus_B2_1_13;
+  block[12] = -minus_B2_1_21;
+  block[13] = -minus_B2_1_22;
+  block[14] = -minus_B2_1_23;
+  block[15] = -minus_B2_1_31;
+  block[16] = -minus_B2_1_32;
+  block[17] = -minus_B2_1_33;
+  block[27] = t1_15;
+  block[28] = t1_13;
+  block[29] = t1_14;
+  block[30] = t1_18;
+  block[31] = t1_16;
+  block[32] = t1_17;
+  block[33] = t1_21;
+  block[34] = t1_19;
+  block[35] = t1_20;
+  // B10_1 = -R1^T omega1~ d5~ - R1^T sdot5~
+  const T t1_25 = s5_3 - T(0.2);
+  const T t1_26 = T(0.12) + s5_2;
+  const T minus_B10_1_11 = t1_13 * t1_25 - t1_14 * t1_26 + R1_21 * sdot5_3 - R1_31 * sdot5_2;
+  const T t1_27 = s5_1 - T(0.35);
+  const T minus_B10_1_12 = t1_14 * t1_27 - t1_15 * t1_25 + R1_31 * sdot5_1 - R1_11 * sdot5_3;
+  const T minus_B10_1_13 = t1_15 * t1_26 - t1_13 * t1_27 + R1_11 * sdot5_2 - R1_21 * sdot5_1;
+  const T minus_B10_1_21 = t1_16 * t1_25 - t1_17 * t1_26 + R1_22 * sdot5_3 - R1_32 * sdot5_2;
+  const T minus_B10_1_22 = t1_17 * t1_27 - t1_18 * t1_25 + R1_32 * sdot5_1 - R1_12 * sdot5_3;
+  const T minus_B10_1_23 = t1_18 * t1_26 - t1_16 * t1_27 + R1_12 * sdot5_2 - R1_22 * sdot5_1;
+  const T minus_B10_1_31 = t1_19 * t1_25 - t1_20 * t1_26 + R1_23 * sdot5_3 - R1_33 * sdot5_2;
+  const T minus_B10_1_32 = t1_20 * t1_27 - t1_21 * t1_25 + R1_33 * sdot5_1 - R1_13 * sdot5_3;
+  const T minus_B10_1_33 = t1_21 * t1_26 - t1_19 * t1_27 + R1_13 * sdot5_2 - R1_23 * sdot5_1;
+  block[81] = -minus_B10_1_11;
+  block[82] = -minus_B10_1_12;
+  block[83] = -minus_B10_1_13;
+  block[84] = -minus_B10_1_21;
+  block[85] = -minus_B10_1_22;
+  block[86] = -minus_B10_1_23;
+  block[87] = -minus_B10_1_31;
+  block[88] = -minus_B10_1_32;
+  block[89] = -minus_B10_1_33;
+
+  // ---- body 2 (boom) on body 1
+  const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t2_1 = T(2) * eps2_2;
+  const T t2_2 = t2_1 * eps2_2;
+  const T t2_3 = T(2) * eps2_3;
+  const T t2_4 = t2_3 * eps2_3;
+  const T R2_11 = T(1) - t2_2 - t2_4;
+  const T t2_5 = T(2) * eps2_1;
+  const T t2_6 = t2_5 * eps2_2;
+  const T t2_7 = t2_3 * eps2_4;
+  const T R2_12 = t2_6 + t2_7;
+  const T t2_8 = t2_5 * eps2_3;
+  const T t2_9 = t2_1 * eps2_4;
+  const T R2_13 = t2_8 - t2_9;
+  const T R2_21 = t2_6 - t2_7;
+  const T t2_10 = T(1) - t2_5 * eps2_1;
+  const T R2_22 = t2_10 - t2_4;
+  const T t2_11 = t2_1 * eps2_3;
+  const T t2_12 = t2_5 * eps2_4;
+  const T R2_23 = t2_11 + t2_12;
+  const T R2_31 = t2_8 + t2_9;
+  const T R2_32 = t2_11 - t2_12;
+  const T R2_33 = t2_10 - t2_2;
+  // B3_2 = -R2^T omega2~ r2~
+  const T t2_13 = R2_31 * omega2_1 - R2_11 * omega2_3;
+  const T t2_14 = R2_11 * omega2_2 - R2_21 * omega2_1;
+  const T minus_B3_2_11 = t2_13 * T(0.45) - t2_14 * T(0.04);
+  const T t2_15 = R2_21 * omega2_3 - R2_31 * omega2_2;
+  const T minus_B3_2_12 = t2_14 * T(0.03) - t2_15 * T(0.45);
+  const T minus_B3_2_13 = t2_15 * T(0.04) - t2_13 * T(0.03);
+  const T t2_16 = R2_32 * omega2_1 - R2_12 * omega2_3;
+  const T t2_17 = R2_12 * omega2_2 - R2_22 * omega2_1;
+  const T minus_B3_2_21 = t2_16 * T(0.45) - t2_17 * T(0.04);
+  const T t2_18 = R2_22 * omega2_3 - R2_32 * omega2_2;
+  const T minus_B3_2_22 = t2_17 * T(0.03) - t2_18 * T(0.45);
+  const T minus_B3_2_23 = t2_18 * T(0.04) - t2_16 * T(0.03);
+  const T t2_19 = R2_33 * omega2_1 - R2_13 * omega2_3;
+  const T t2_20 = R2_13 * omega2_2 - R2_23 * omega2_1;
+  const T minus_B3_2_31 = t2_19 * T(0.45) - t2_20 * T(0.04);
+  const T t2_21 = R2_23 * omega2_3 - R2_33 * omega2_2;
+  const T minus_B3_2_32 = t2_20 * T(0.03) - t2_21 * T(0.45);
+  const T minus_B3_2_33 = t2_21 * T(0.04) - t2_19 * T(0.03);
+  block[18] = -minus_B3_2_11;
+  block[19] = -minus_B3_2_12;
+  block[20] = -minus_B3_2_13;
+  block[21] = -minus_B3_2_21;
+  block[22] = -minus_B3_2_22;
+  block[23] = -minus_B3_2_23;
+  block[24] = -minus_B3_2_31;
+  block[25] = -minus_B3_2_32;
+  block[26] = -minus_B3_2_33;
+  // B5_2 = -R2^T omega2~ d3~ - R2^T sdot3~
+  const T t2_22 = T(0.8) + s3_3;
+  const T t2_23 = T(0.2) + s3_2;
+  const T minus_B5_2_11 = t2_13 * t2_22 - t2_14 * t2_23 + R2_21 * sdot3_3 - R2_31 * sdot3_2;
+  const T t2_24 = T(0.05) + s3_1;
+  const T minus_B5_2_12 = t2_14 * t2_24 - t2_15 * t2_22 + R2_31 * sdot3_1 - R2_11 * sdot3_3;
+  const T minus_B5_2_13 = t2_15 * t2_23 - t2_13 * t2_24 + R2_11 * sdot3_2 - R2_21 * sdot3_1;
+  const T minus_B5_2_21 = t2_16 * t2_22 - t2_17 * t2_23 + R2_22 * sdot3_3 - R2_32 * sdot3_2;
+  const T minus_B5_2_22 = t2_17 * t2_24 - t2_18 * t2_22 + R2_32 * sdot3_1 - R2_12 * sdot3_3;
+  const T minus_B5_2_23 = t2_18 * t2_23 - t2_16 * t2_24 + R2_12 * sdot3_2 - R2_22 * sdot3_1;
+  const T minus_B5_2_31 = t2_19 * t2_22 - t2_20 * t2_23 + R2_23 * sdot3_3 - R2_33 * sdot3_2;
+  const T minus_B5_2_32 = t2_20 * t2_24 - t2_21 * t2_22 + R2_33 * sdot3_1 - R2_13 * sdot3_3;
+  const T minus_B5_2_33 = t2_21 * t2_23 - t2_19 * t2_24 + R2_13 * sdot3_2 - R2_23 * sdot3_1;
+  block[36] = -minus_B5_2_11;
+  block[37] = -minus_B5_2_12;
+  block[38] = -minus_B5_2_13;
+  block[39] = -minus_B5_2_21;
+  block[40] = -minus_B5_2_22;
+  block[41] = -minus_B5_2_23;
+  block[42] = -minus_B5_2_31;
+  block[43] = -minus_B5_2_32;
+  block[44] = -minus_B5_2_33;
+  block[54] = t2_15;
+  block[55] = t2_13;
+  block[56] = t2_14;
+  block[57] = t2_18;
+  block[58] = t2_16;
+  block[59] = t2_17;
+  block[60] = t2_21;
+  block[61] = t2_19;
+  block[62] = t2_20;
+  // B8_2 = -R2^T omega2~ d4~ - R2^T sdot4~
+  const T t2_25 = T(0.9) + s4_3;
+  const T t2_26 = s4_2 - T(0.15);
+  const T minus_B8_2_11 = t2_13 * t2_25 - t2_14 * t2_26 + R2_21 * sdot4_3 - R2_31 * sdot4_2;
+  const T t2_27 = s4_1 - T(0.06);
+  const T minus_B8_2_12 = t2_14 * t2_27 - t2_15 * t2_25 + R2_31 * sdot4_1 - R2_11 * sdot4_3;
+  const T minus_B8_2_13 = t2_15 * t2_26 - t2_13 * t2_27 + R2_11 * sdot4_2 - R2_21 * sdot4_1;
+  const T minus_B8_2_21 = t2_16 * t2_25 - t2_17 * t2_26 + R2_22 * sdot4_3 - R2_32 * sdot4_2;
+  const T minus_B8_2_22 = t2_17 * t2_27 - t2_18 * t2_25 + R2_32 * sdot4_1 - R2_12 * sdot4_3;
+  const T minus_B8_2_23 = t2_18 * t2_26 - t2_16 * t2_27 + R2_12 * sdot4_2 - R2_22 * sdot4_1;
+  const T minus_B8_2_31 = t2_19 * t2_25 - t2_20 * t2_26 + R2_23 * sdot4_3 - R2_33 * sdot4_2;
+  const T minus_B8_2_32 = t2_20 * t2_27 - t2_21 * t2_25 + R2_33 * sdot4_1 - R2_13 * sdot4_3;
+  const T minus_B8_2_33 = t2_21 * t2_26 - t2_19 * t2_27 + R2_13 * sdot4_2 - R2_23 * sdot4_1;
+  block[63] = -minus_B8_2_11;
+  block[64] = -minus_B8_2_12;
+  block[65] = -minus_B8_2_13;
+  block[66] = -minus_B8_2_21;
+  block[67] = -minus_B8_2_22;
+  block[68] = -minus_B8_2_23;
+  block[69] = -minus_B8_2_31;
+  block[70] = -minus_B8_2_32;
+  block[71] = -minus_B8_2_33;
+
+  // ---- body 3 (panel) on body 2
+  const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t3_1 = T(2) * eps3_2;
+  const T t3_2 = t3_1 * eps3_2;
+  const T t3_3 = T(2) * eps3_3;
+  const T t3_4 = t3_3 * eps3_3;
+  const T R3_11 = T(1) - t3_2 - t3_4;
+  const T t3_5 = T(2) * eps3_1;
+  const T t3_6 = t3_5 * eps3_2;
+  const T t3_7 = t3_3 * eps3_4;
+  const T R3_12 = t3_6 + t3_7;
+  const T t3_8 = t3_5 * eps3_3;
+  const T t3_9 = t3_1 * eps3_4;
+  const T R3_13 = t3_8 - t3_9;
+  const T R3_21 = t3_6 - t3_7;
+  const T t3_10 = T(1) - t3_5 * eps3_1;
+  const T R3_22 = t3_10 - t3_4;
+  const T t3_11 = t3_1 * eps3_3;
+  const T t3_12 = t3_5 * eps3_4;
+  const T R3_23 = t3_11 + t3_12;
+  const T R3_31 = t3_8 + t3_9;
+  const T R3_32 = t3_11 - t3_12;
+  const T R3_33 = t3_10 - t3_2;
+  // B6_3 = -R3^T omega3~ r3~
+  const T t3_13 = R3_31 * omega3_1 - R3_11 * omega3_3;
+  const T t3_14 = R3_11 * omega3_2 - R3_21 * omega3_1;
+  const T B6_3_11 = t3_13 * T(0.02) + t3_14 * T(0.35);
+  const T t3_15 = R3_21 * omega3_3 - R3_31 * omega3_2;
+  const T minus_B6_3_12 = t3_15 * T(0.02) + t3_14 * T(0.1);
+  const T minus_B6_3_13 = t3_15 * T(0.35) - t3_13 * T(0.1);
+  const T t3_16 = R3_32 * omega3_1 - R3_12 * omega3_3;
+  const T t3_17 = R3_12 * omega3_2 - R3_22 * omega3_1;
+  const T B6_3_21 = t3_16 * T(0.02) + t3_17 * T(0.35);
+  const T t3_18 = R3_22 * omega3_3 - R3_32 * omega3_2;
+  const T minus_B6_3_22 = t3_18 * T(0.02) + t3_17 * T(0.1);
+  const T minus_B6_3_23 = t3_18 * T(0.35) - t3_16 * T(0.1);
+  const T t3_19 = R3_33 * omega3_1 - R3_13 * omega3_3;
+  const T t3_20 = R3_13 * omega3_2 - R3_23 * omega3_1;
+  const T B6_3_31 = t3_19 * T(0.02) + t3_20 * T(0.35);
+  const T t3_21 = R3_23 * omega3_3 - R3_33 * omega3_2;
+  const T minus_B6_3_32 = t3_21 * T(0.02) + t3_20 * T(0.1);
+  const T minus_B6_3_33 = t3_21 * T(0.35) - t3_19 * T(0.1);
+  block[45] = B6_3_11;
+  block[46] = -minus_B6_3_12;
+  block[47] = -minus_B6_3_13;
+  block[48] = B6_3_21;
+  block[49] = -minus_B6_3_22;
+  block[50] = -minus_B6_3_23;
+  block[51] = B6_3_31;
+  block[52] = -minus_B6_3_32;
+  block[53] = -minus_B6_3_33;
+
+  // ---- body 4 (payload) on body 2
+  const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t4_1 = T(2) * eps4_2;
+  const T t4_2 = t4_1 * eps4_2;
+  const T t4_3 = T(2) * eps4_3;
+  const T t4_4 = t4_3 * eps4_3;
+  const T R4_11 = T(1) - t4_2 - t4_4;
+  const T t4_5 = T(2) * eps4_1;
+  const T t4_6 = t4_5 * eps4_2;
+  const T t4_7 = t4_3 * eps4_4;
+  const T R4_12 = t4_6 + t4_7;
+  const T t4_8 = t4_5 * eps4_3;
+  const T t4_9 = t4_1 * eps4_4;
+  const T R4_13 = t4_8 - t4_9;
+  const T R4_21 = t4_6 - t4_7;
+  const T t4_10 = T(1) - t4_5 * eps4_1;
+  const T R4_22 = t4_10 - t4_4;
+  const T t4_11 = t4_1 * eps4_3;
+  const T t4_12 = t4_5 * eps4_4;
+  const T R4_23 = t4_11 + t4_12;
+  const T R4_31 = t4_8 + t4_9;
+  const T R4_32 = t4_11 - t4_12;
+  const T R4_33 = t4_10 - t4_2;
+  // B9_4 = -R4^T omega4~ r4~
+  const T t4_13 = R4_31 * omega4_1 - R4_11 * omega4_3;
+  const T t4_14 = R4_11 * omega4_2 - R4_21 * omega4_1;
+  const T minus_B9_4_11 = t4_13 * T(0.1) - t4_14 * T(0.06);
+  const T t4_15 = R4_21 * omega4_3 - R4_31 * omega4_2;
+  const T B9_4_12 = t4_15 * T(0.1) + t4_14 * T(0.03);
+  const T minus_B9_4_13 = t4_15 * T(0.06) + t4_13 * T(0.03);
+  const T t4_16 = R4_32 * omega4_1 - R4_12 * omega4_3;
+  const T t4_17 = R4_12 * omega4_2 - R4_22 * omega4_1;
+  const T minus_B9_4_21 = t4_16 * T(0.1) - t4_17 * T(0.06);
+  const T t4_18 = R4_22 * omega4_3 - R4_32 * omega4_2;
+  const T B9_4_22 = t4_18 * T(0.1) + t4_17 * T(0.03);
+  const T minus_B9_4_23 = t4_18 * T(0.06) + t4_16 * T(0.03);
+  const T t4_19 = R4_33 * omega4_1 - R4_13 * omega4_3;
+  const T t4_20 = R4_13 * omega4_2 - R4_23 * omega4_1;
+  const T minus_B9_4_31 = t4_19 * T(0.1) - t4_20 * T(0.06);
+  const T t4_21 = R4_23 * omega4_3 - R4_33 * omega4_2;
+  const T B9_4_32 = t4_21 * T(0.1) + t4_20 * T(0.03);
+  const T minus_B9_4_33 = t4_21 * T(0.06) + t4_19 * T(0.03);
+  block[72] = -minus_B9_4_11;
+  block[73] = B9_4_12;
+  block[74] = -minus_B9_4_13;
+  block[75] = -minus_B9_4_21;
+  block[76] = B9_4_22;
+  block[77] = -minus_B9_4_23;
+  block[78] = -minus_B9_4_31;
+  block[79] = B9_4_32;
+  block[80] = -minus_B9_4_33;
+
+  // ---- body 5 (arm) on body 1
+  const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t5_1 = T(2) * eps5_2;
+  const T t5_2 = t5_1 * eps5_2;
+  const T t5_3 = T(2) * eps5_3;
+  const T t5_4 = t5_3 * eps5_3;
+  const T R5_11 = T(1) - t5_2 - t5_4;
+  const T t5_5 = T(2) * eps5_1;
+  const T t5_6 = t5_5 * eps5_2;
+  const T t5_7 = t5_3 * eps5_4;
+  const T R5_12 = t5_6 + t5_7;
+  const T t5_8 = t5_5 * eps5_3;
+  const T t5_9 = t5_1 * eps5_4;
+  const T R5_13 = t5_8 - t5_9;
+  const T R5_21 = t5_6 - t5_7;
+  const T t5_10 = T(1) - t5_5 * eps5_1;
+  const T R5_22 = t5_10 - t5_4;
+  const T t5_11 = t5_1 * eps5_3;
+  const T t5_12 = t5_5 * eps5_4;
+  const T R5_23 = t5_11 + t5_12;
+  const T R5_31 = t5_8 + t5_9;
+  const T R5_32 = t5_11 - t5_12;
+  const T R5_33 = t5_10 - t5_2;
+  // B11_5 = -R5^T omega5~ r5~
+  const T t5_13 = R5_31 * omega5_1 - R5_11 * omega5_3;
+  const T t5_14 = R5_11 * omega5_2 - R5_21 * omega5_1;
+  const T B11_5_11 = t5_13 * T(0.04) + t5_14 * T(0.02);
+  const T t5_15 = R5_21 * omega5_3 - R5_31 * omega5_2;
+  const T minus_B11_5_12 = t5_15 * T(0.04) + t5_14 * T(0.38);
+  const T minus_B11_5_13 = t5_15 * T(0.02) - t5_13 * T(0.38);
+  const T t5_16 = R5_32 * omega5_1 - R5_12 * omega5_3;
+  const T t5_17 = R5_12 * omega5_2 - R5_22 * omega5_1;
+  const T B11_5_21 = t5_16 * T(0.04) + t5_17 * T(0.02);
+  const T t5_18 = R5_22 * omega5_3 - R5_32 * omega5_2;
+  const T minus_B11_5_22 = t5_18 * T(0.04) + t5_17 * T(0.38);
+  const T minus_B11_5_23 = t5_18 * T(0.02) - t5_16 * T(0.38);
+  const T t5_19 = R5_33 * omega5_1 - R5_13 * omega5_3;
+  const T t5_20 = R5_13 * omega5_2 - R5_23 * omega5_1;
+  const T B11_5_31 = t5_19 * T(0.04) + t5_20 * T(0.02);
+  const T t5_21 = R5_23 * omega5_3 - R5_33 * omega5_2;
+  const T minus_B11_5_32 = t5_21 * T(0.04) + t5_20 * T(0.38);
+  const T minus_B11_5_33 = t5_21 * T(0.02) - t5_19 * T(0.38);
+  block[90] = B11_5_11;
+  block[91] = -minus_B11_5_12;
+  block[92] = -minus_B11_5_13;
+  block[93] = B11_5_21;
+  block[94] = -minus_B11_5_22;
+  block[95] = -minus_B11_5_23;
+  block[96] = B11_5_31;
+  block[97] = -minus_B11_5_32;
+  block[98] = -minus_B11_5_33;
+  // B12_5 = -R5^T omega5~ d6~ - R5^T sdot6~
+  const T t5_22 = T(0.05) + s6_3;
+  const T t5_23 = s6_2 - T(0.03);
+  const T minus_B12_5_11 = t5_13 * t5_22 - t5_14 * t5_23 + R5_21 * sdot6_3 - R5_31 * sdot6_2;
+  const T t5_24 = T(0.75) + s6_1;
+  const T minus_B12_5_12 = t5_14 * t5_24 - t5_15 * t5_22 + R5_31 * sdot6_1 - R5_11 * sdot6_3;
+  const T minus_B12_5_13 = t5_15 * t5_23 - t5_13 * t5_24 + R5_11 * sdot6_2 - R5_21 * sdot6_1;
+  const T minus_B12_5_21 = t5_16 * t5_22 - t5_17 * t5_23 + R5_22 * sdot6_3 - R5_32 * sdot6_2;
+  const T minus_B12_5_22 = t5_17 * t5_24 - t5_18 * t5_22 + R5_32 * sdot6_1 - R5_12 * sdot6_3;
+  const T minus_B12_5_23 = t5_18 * t5_23 - t5_16 * t5_24 + R5_12 * sdot6_2 - R5_22 * sdot6_1;
+  const T minus_B12_5_31 = t5_19 * t5_22 - t5_20 * t5_23 + R5_23 * sdot6_3 - R5_33 * sdot6_2;
+  const T minus_B12_5_32 = t5_20 * t5_24 - t5_21 * t5_22 + R5_33 * sdot6_1 - R5_13 * sdot6_3;
+  const T minus_B12_5_33 = t5_21 * t5_23 - t5_19 * t5_24 + R5_13 * sdot6_2 - R5_23 * sdot6_1;
+  block[99] = -minus_B12_5_11;
+  block[100] = -minus_B12_5_12;
+  block[101] = -minus_B12_5_13;
+  block[102] = -minus_B12_5_21;
+  block[103] = -minus_B12_5_22;
+  block[104] = -minus_B12_5_23;
+  block[105] = -minus_B12_5_31;
+  block[106] = -minus_B12_5_32;
+  block[107] = -minus_B12_5_33;
+  block[117] = t5_15;
+  block[118] = t5_13;
+  block[119] = t5_14;
+  block[120] = t5_18;
+  block[121] = t5_16;
+  block[122] = t5_17;
+  block[123] = t5_21;
+  block[124] = t5_19;
+  block[125] = t5_20;
+
+  // ---- body 6 (tool) on body 5
+  const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t6_1 = T(2) * eps6_2;
+  const T t6_2 = t6_1 * eps6_2;
+  const T t6_3 = T(2) * eps6_3;
+  const T t6_4 = t6_3 * eps6_3;
+  const T R6_11 = T(1) - t6_2 - t6_4;
+  const T t6_5 = T(2) * eps6_1;
+  const T t6_6 = t6_5 * eps6_2;
+  const T t6_7 = t6_3 * eps6_4;
+  const T R6_12 = t6_6 + t6_7;
+  const T t6_8 = t6_5 * eps6_3;
+  const T t6_9 = t6_1 * eps6_4;
+  const T R6_13 = t6_8 - t6_9;
+  const T R6_21 = t6_6 - t6_7;
+  const T t6_10 = T(1) - t6_5 * eps6_1;
+  const T R6_22 = t6_10 - t6_4;
+  const T t6_11 = t6_1 * eps6_3;
+  const T t6_12 = t6_5 * eps6_4;
+  const T R6_23 = t6_11 + t6_12;
+  const T R6_31 = t6_8 + t6_9;
+  const T R6_32 = t6_11 - t6_12;
+  const T R6_33 = t6_10 - t6_2;
+  // B13_6 = -R6^T omega6~ r6~
+  const T t6_13 = R6_31 * omega6_1 - R6_11 * omega6_3;
+  const T t6_14 = R6_11 * omega6_2 - R6_21 * omega6_1;
+  const T minus_B13_6_11 = t6_13 * T(0.07) + t6_14 * T(0.05);
+  const T t6_15 = R6_21 * omega6_3 - R6_31 * omega6_2;
+  const T minus_B13_6_12 = t6_14 * T(0.09) - t6_15 * T(0.07);
+  const T B13_6_13 = t6_15 * T(0.05) + t6_13 * T(0.09);
+  const T t6_16 = R6_32 * omega6_1 - R6_12 * omega6_3;
+  const T t6_17 = R6_12 * omega6_2 - R6_22 * omega6_1;
+  const T minus_B13_6_21 = t6_16 * T(0.07) + t6_17 * T(0.05);
+  const T t6_18 = R6_22 * omega6_3 - R6_32 * omega6_2;
+  const T minus_B13_6_22 = t6_17 * T(0.09) - t6_18 * T(0.07);
+  const T B13_6_23 = t6_18 * T(0.05) + t6_16 * T(0.09);
+  const T t6_19 = R6_33 * omega6_1 - R6_13 * omega6_3;
+  const T t6_20 = R6_13 * omega6_2 - R6_23 * omega6_1;
+  const T minus_B13_6_31 = t6_19 * T(0.07) + t6_20 * T(0.05);
+  const T t6_21 = R6_23 * omega6_3 - R6_33 * omega6_2;
+  const T minus_B13_6_32 = t6_20 * T(0.09) - t6_21 * T(0.07);
+  const T B13_6_33 = t6_21 * T(0.05) + t6_19 * T(0.09);
+  block[108] = -minus_B13_6_11;
+  block[109] = -minus_B13_6_12;
+  block[110] = B13_6_13;
+  block[111] = -minus_B13_6_21;
+  block[112] = -minus_B13_6_22;
+  block[113] = B13_6_23;
+  block[114] = -minus_B13_6_31;
+  block[115] = -minus_B13_6_32;
+  block[116] = B13_6_33;
+
+  // {block, place of its first entry}; the same block stands where bodies share it, 0 elsewhere
+  static constexpr int places[][2] = {
+      {0,0}, {1,108}, {2,111}, {3,129}, {1,216}, {4,219}, {5,222}, {3,237}, {6,240}, {1,324}, {7,327}, {8,333},
+      {3,345}, {6,351}, {9,432}, {10,444}, {3,462}, {9,540}, {11,552}, {12,555}, {3,570}, {13,573},
+  };
+  for (int i = 0; i < 648; ++i) v_y_dot[i] = T(0);
+  for (const auto& place : places)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) v_y_dot[place[1] + i * 36 + j] = block[9 * place[0] + 3 * i + j];
+}
+
+}  // namespace kanec::six_body

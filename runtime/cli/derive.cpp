@@ -1,0 +1,72 @@
+// kanec derive: the tables of the derivation. SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symbolic/derive.hpp"
+
+#include <optional>
+
+#include "generator/emit/tables.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/commands.hpp"
+#include "runtime/cli/output.hpp"
+#include "runtime/cli/scene_argument.hpp"
+
+namespace kanec::cli {
+namespace {
+
+constexpr auto footer = R"(Example: the source's six bodies, on paper
+  kanec derive --connection 0,1,2,2,1,5 --format latex -o six.tex && pdflatex six.tex
+
+Prints the connection array, u(K), the state vectors, the kinematical equations, positions, velocities, partial
+velocities and their time derivatives, A and f; R1^T is R_1 transposed, a~ the skew matrix of a.)";
+
+struct Options {
+  SceneArgument scene;
+  std::string format = "text";
+  bool json = false;
+  std::string output;
+};
+
+Json tables_json(const symbolic::Equations& equations) {
+  Json tables = Json::array();
+  for (const emit::Table& table : emit::tables(equations, symbolic::Style::text)) {
+    Json rows = Json::array();
+    for (const auto& [left, right] : table.rows) rows.push_back({{"left", left}, {"right", right}});
+    tables.push_back({{"title", table.title}, {"rows", std::move(rows)}});
+  }
+  const scene::Scene& scene = equations.scene;
+  return {{"model", scene.name},        {"connection", scene.lower}, {"depth", scene::depth(scene.lower)},
+          {"nx", n_coordinates(scene)}, {"ny", n_speeds(scene)},     {"tables", std::move(tables)}};
+}
+
+std::string document(const symbolic::Equations& equations, const std::string& format) {
+  if (format == "json") return json_text(tables_json(equations));
+  return format == "latex" ? emit::latex_document(equations) : emit::text_document(equations);
+}
+
+int derive(const Options& options) {
+  const scene::Scene scene = load(options.scene);
+  std::optional<AtomicFile> file;
+  if (!options.output.empty()) file.emplace(options.output);
+  const std::string text = document(symbolic::derive(scene), options.json ? "json" : options.format);
+  if (file) {
+    file->write(text);
+    file->commit();
+  } else {
+    print(text);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_derive(CLI::App& app, Action& action) {
+  const auto [command, options] =
+      add_command(app, action, "derive", "Kane's equations of a scene, symbolically, block by block", footer, &derive);
+  add_scene(*command, options->scene);
+  command->add_option("--format", options->format, "how to print them (text)")
+      ->option_text("text|latex|json")
+      ->check(CLI::IsMember({"text", "latex", "json"}));
+  command->add_flag("--json", options->json, "the same as --format json");
+  command->add_option("-o,--output", options->output, "into this file")->option_text("FILE");
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,26 @@
+// What stands between the stages of the pipeline, as text for whoever looks for a mistake. Not: what they do.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/pipeline.hpp"
+#include "generator/program/ledger.hpp"
+#include "runtime/cli/output.hpp"
+
+namespace kanec::cli {
+
+// scene, equations, program, ledger, header, abi
+std::vector<std::string> stage_names();
+
+// scene: TOML that reads back; equations: the named quantities in order; program: one operation a line, named results
+// and outputs by function; ledger, header, abi: as `generate` has them. Throws InputError for another stage.
+std::string dump(const scene::Scene& scene, const std::vector<std::string>& functions, const std::string& stage);
+
+// Operations by function, as a table and for machines.
+std::string ledger_text(const program::Program& program);
+Json ledger_json(const program::Ledger& ledger);
+Json ledgers_json(const program::Program& program);
+
+}  // namespace kanec::cli

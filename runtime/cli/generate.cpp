@@ -1,0 +1,163 @@
+// kanec generate: the emitted header as a file. SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <deque>
+#include <filesystem>
+#include <optional>
+
+#include "generator/pipeline.hpp"
+#include "kanec_abi_text.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/commands.hpp"
+#include "runtime/cli/dump.hpp"
+#include "runtime/cli/model.hpp"
+#include "runtime/cli/scene_argument.hpp"
+
+namespace kanec::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
+  kanec generate models/six_body -o .
+  cat > fall.cpp <<'EOF'
+  #include <cstdio>
+  #include "six_body.hpp"
+  int main() {
+    namespace model = kanec::six_body;
+    const auto prepared = model::prepare(model::Parameters<double>{});
+    double x[model::nx] = {}, y[model::ny] = {}, ydot[model::ny];
+    for (int k = 0; k < model::n_bodies; ++k) x[4 * k + 3] = 1.0;  // eps = (0, 0, 0, 1)
+    model::accelerations(prepared, x, y, model::Inputs<double>{}, ydot);
+    std::printf("%.17g\n", ydot[20]);  // third component of the rate of sdot_1
+  }
+  EOF
+  g++ -O2 fall.cpp && ./a.out
+
+The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
+written as well. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
+
+struct Options {
+  SceneArgument scene;
+  std::vector<std::string> functions;
+  std::string output;
+  std::string stage;
+  bool abi = false;
+  bool json = false;
+};
+
+// A file that is announced, so that an unwritable one is known, before there is anything to write.
+struct Product {
+  fs::path path;
+  AtomicFile file;
+  std::size_t bytes = 0;
+
+  explicit Product(const fs::path& path_) : path(path_), file(path_) {}
+  void write(const std::string& text) {
+    file.write(text);
+    bytes = text.size();
+  }
+};
+
+bool means_folder(const std::string& output) {
+  std::error_code ignored;
+  return output.empty() || output.back() == '/' || fs::is_directory(output, ignored);
+}
+
+std::deque<Product> open_products(const Options& options, const std::string& name) {
+  std::deque<Product> products;
+  const bool folder = means_folder(options.output);
+  products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
+  if (!options.abi) return products;
+  if (!folder)
+    throw InputError("--output: found the file '" + options.output + "'; allowed with --abi: a folder, since " + name +
+                     "_abi.cpp includes " + name + ".hpp by that name");
+  products.emplace_back(fs::path(options.output) / (name + "_abi.cpp"));
+  products.emplace_back(fs::path(options.output) / "abi.h");
+  return products;
+}
+
+void write(std::deque<Product>& products, const Generated& generated) {
+  products[0].write(generated.header);
+  if (products.size() > 1) {
+    products[1].write(generated.abi);
+    products[2].write(abi_text);
+  }
+  for (Product& product : products) product.file.commit();
+}
+
+std::string report(const scene::Scene& scene, const Generated& generated, const std::deque<Product>& products) {
+  std::string text =
+      fmt::format("{}: {}, {}, {}, {}, {}; model {}\n\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
+                  counted(static_cast<std::size_t>(n_coordinates(scene)), "coordinate", "coordinates"),
+                  counted(static_cast<std::size_t>(n_speeds(scene)), "speed", "speeds"),
+                  counted(scene.parameters.size(), "parameter", "parameters"),
+                  counted(scene.inputs.size(), "input", "inputs"), generated.hash);
+  text += ledger_text(generated.program) + "\n";
+  for (const Product& product : products)
+    text += fmt::format("wrote {} ({} bytes)\n", product.path.string(), product.bytes);
+  return text;
+}
+
+Json report_json(const scene::Scene& scene, const Generated& generated, const std::deque<Product>& products) {
+  Json files = Json::array();
+  for (const Product& product : products) files.push_back({{"path", product.path.string()}, {"bytes", product.bytes}});
+  Json prepare = ledger_json(program::prepare_ledger(generated.program));
+  return {{"model", scene.name},
+          {"hash", generated.hash},
+          {"version", version()},
+          {"n_bodies", size(scene)},
+          {"nx", n_coordinates(scene)},
+          {"ny", n_speeds(scene)},
+          {"n_parameters", scene.parameters.size()},
+          {"n_inputs", scene.inputs.size()},
+          {"functions", ledgers_json(generated.program)},
+          {"prepare", std::move(prepare)},
+          {"files", std::move(files)}};
+}
+
+int dump_stage(const Options& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
+  std::optional<AtomicFile> file;
+  if (!options.output.empty()) file.emplace(options.output);
+  const std::string text = dump(scene, functions, options.stage);
+  if (file) {
+    file->write(text);
+    file->commit();
+  } else {
+    print(text);
+  }
+  return 0;
+}
+
+int generate_files(const Options& options) {
+  const scene::Scene scene = load(options.scene);
+  const std::vector<std::string> functions = chosen_functions(scene, options.functions);
+  if (!options.stage.empty()) return dump_stage(options, scene, functions);
+  std::deque<Product> products = open_products(options, scene.name);
+  const Generated generated = generate(scene, {functions});
+  write(products, generated);
+  if (options.json)
+    print_json(report_json(scene, generated, products));
+  else
+    print(report(scene, generated, products));
+  return 0;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Action& action) {
+  const auto [command, options] =
+      add_command(app, action, "generate", "the emitted C++ header of a scene, with its operations counted", footer,
+                  &generate_files);
+  add_scene(*command, options->scene);
+  add_functions(*command, options->functions);
+  command->add_option("-o,--output", options->output, "folder of <name>.hpp, or a file (./)")->option_text("DIR|FILE");
+  command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
+  command->add_option("--dump", options->stage, "print a stage instead")
+      ->option_text("STAGE")
+      ->check(CLI::IsMember(stage_names()));
+  command->add_flag("--json", options->json, "report for machines");
+}
+
+}  // namespace kanec::cli

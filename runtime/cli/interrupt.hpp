@@ -1,0 +1,31 @@
+// Ctrl-C and SIGTERM as an exception, so that what is half done is cleared away. Not: any other signal.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <signal.h>
+
+#include <exception>
+
+namespace kanec::cli {
+
+class Interrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+// While one of these lives the signals are only noted, and poll() throws Interrupted after one came. A signal that our
+// caller ignores stays ignored.
+class Interrupts {
+ public:
+  Interrupts();
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+  void poll() const;
+
+ private:
+  struct sigaction interrupt_before_ {};
+  struct sigaction terminate_before_ {};
+};
+
+}  // namespace kanec::cli

@@ -1,0 +1,46 @@
+// From a scene to a compiled and loaded model, told in a line on standard error. Not: any of the steps.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/pipeline.hpp"
+#include "runtime/compile/compile.hpp"
+
+namespace kanec::cli {
+
+struct BuildArguments {
+  std::string compiler;
+  std::string flags;
+  bool flags_given = false;
+  bool no_cache = false;
+  std::string cache;
+};
+
+void add_build(CLI::App& command, BuildArguments& arguments);
+compile::Options compile_options(const BuildArguments& arguments);
+
+struct CompiledModel {
+  Generated generated;
+  compile::Model library;
+};
+
+// All that the scene has where `functions` is empty. Throws InputError, BuildError, LoadError, Interrupted.
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
+                    const BuildArguments& arguments);
+
+// Functions of a model of this scene: all but `power` where it has no applied loads.
+std::vector<std::string> functions_of(const scene::Scene& scene);
+bool has_loads(const scene::Scene& scene);
+
+// --functions a,b
+void add_functions(CLI::App& command, std::vector<std::string>& functions);
+
+// Checked, each once; empty = all. Throws InputError with the nearest known name.
+std::vector<std::string> chosen_functions(const scene::Scene& scene, const std::vector<std::string>& names);
+void check_function(const scene::Scene& scene, const std::string& name);
+
+}  // namespace kanec::cli

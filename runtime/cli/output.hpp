@@ -1,0 +1,34 @@
+// Standard output that notices when nobody gets it, and remarks on standard error. Not: files, which runtime/base
+// writes. SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace kanec::cli {
+
+// Objects keep the order in which they were filled.
+using Json = nlohmann::ordered_json;
+
+// Standard descriptors that the caller closed are given a place, so that no file opened later is taken for them.
+// Writing to a closed standard output fails, as it should.
+void guard_standard_streams();
+
+// To standard output, at once. Throws FileError (closed, disk full).
+void print(std::string_view text);
+
+// Indented, lists of plain values on one line each, a line feed at the end. Numbers read back exactly; what is not
+// finite is null.
+std::string json_text(const Json& json);
+
+// That to standard output. Throws FileError.
+void print_json(const Json& json);
+
+// "kanec: <text>" on standard error; a failure there is nobody's.
+void remark(std::string_view text);
+
+// In four digits.
+std::string brief(double value);
+
+}  // namespace kanec::cli

@@ -1,0 +1,29 @@
+// The three ways to a function's result, which share nothing but the scene (emitted, generic) or the program (emitted,
+// precise). Not: their comparison (agreement.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/program/program.hpp"
+#include "generator/scene/scene.hpp"
+#include "runtime/abi/solver.hpp"
+#include "runtime/cli/precise.hpp"
+#include "runtime/cli/state_file.hpp"
+
+namespace kanec::cli {
+
+// The compiled code, with the state's parameters and inputs.
+std::vector<double> emitted(const kanec_model& model, const std::string& function, const State& state);
+
+// runtime/generic, in double or long double.
+template <class Real>
+std::vector<Real> generic_path(const scene::Scene& scene, const std::string& function, const State& state);
+
+extern template std::vector<double> generic_path(const scene::Scene&, const std::string&, const State&);
+extern template std::vector<long double> generic_path(const scene::Scene&, const std::string&, const State&);
+
+// The program that was emitted, its constants rounded as they are there, in 50 digits.
+std::vector<Precise> precise(const program::Program& program, const std::string& function, const State& state);
+
+}  // namespace kanec::cli

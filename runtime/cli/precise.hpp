@@ -1,0 +1,34 @@
+// A real number of 50 decimal digits, by CLN: the scalar in which a program tells the rounding error of its emitted
+// code. Not: a type for anything else. SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+namespace kanec::cli {
+
+class Precise {
+ public:
+  // Exactly this number, which must be finite; throws InputError where it is not.
+  Precise(double value = 0.0);  // NOLINT: a double is a Precise
+
+  friend Precise operator+(const Precise& a, const Precise& b) { return Precise(a.value_ + b.value_); }
+  friend Precise operator-(const Precise& a, const Precise& b) { return Precise(a.value_ - b.value_); }
+  friend Precise operator*(const Precise& a, const Precise& b) { return Precise(a.value_ * b.value_); }
+  friend Precise operator/(const Precise& a, const Precise& b);  // throws InputError for b = 0
+  Precise operator-() const { return Precise(-value_); }
+
+  friend Precise sqrt(const Precise& a);  // throws InputError for a < 0
+  friend Precise sin(const Precise& a);
+  friend Precise cos(const Precise& a);
+
+  Precise magnitude() const { return Precise(cln::abs(value_)); }
+  // The nearest double; infinite beyond their range.
+  double rounded() const;
+
+ private:
+  explicit Precise(const cln::cl_F& value) : value_(value) {}
+  cln::cl_F value_;
+};
+
+}  // namespace kanec::cli

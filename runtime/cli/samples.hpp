@@ -1,0 +1,19 @@
+// Random states of a scene, the same for the same seed everywhere. Not: what they are used for.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generator/scene/scene.hpp"
+#include "runtime/cli/state_file.hpp"
+
+namespace kanec::cli {
+
+// The first is the scene's initial state but for a random ydot. In the others Euler parameters are any of unit norm,
+// all other coordinates, speeds and rates between -1 and 1 of their unit. Parameters and inputs of every second one are
+// the scene's defaults, those of the rest near them: parameters within 1 %, or 0.001 where they are zero (and the
+// defaults again where a mass or an inertia could not be so), inputs within 1 + |default|.
+std::vector<State> samples(const scene::Scene& scene, int count, std::uint64_t seed);
+
+}  // namespace kanec::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/settings.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "generator/scene/place.hpp"
+#include "generator/scene/read.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/text.hpp"
+#include "runtime/cli/scene_text.hpp"
+
+namespace kanec::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& found, const std::string& allowed) {
+  throw InputError("--set: found " + found + "; allowed: " + allowed);
+}
+
+std::optional<double> finite_number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// The known names, or, where they are too many to read, the nearest.
+std::string listed(const std::vector<std::string>& known, const std::string& name) {
+  if (known.size() <= 20) return scene::one_of(known, name);
+  const std::string near = nearest(name, known);
+  return "one of the scene's " + std::to_string(known.size()) + " parameters and inputs" +
+         (near.empty() ? "" : " (did you mean " + near + "?)");
+}
+
+scene::Named& find(scene::Scene& scene, const std::string& name) {
+  std::vector<std::string> known;
+  for (auto* list : {&scene.parameters, &scene.inputs})
+    for (scene::Named& named : *list) {
+      if (named.name == name) return named;
+      known.push_back(named.name);
+    }
+  if (known.empty())
+    refuse(scene::in_quotes(name), "nothing: scene " + scene.name + " has no parameters and no inputs");
+  refuse(scene::in_quotes(name), listed(known, name));
+}
+
+}  // namespace
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings) {
+  command.add_option("--set", settings, "another value for a parameter or an input; may be given many times")
+      ->option_text("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void check_defaults(const scene::Scene& scene, const std::string& origin) {
+  try {
+    scene::parse(scene_text(scene), origin);
+  } catch (const SceneError& error) {
+    SceneFault fault = error.fault();
+    fault.line = 0;  // of a text that nobody sees
+    throw SceneError(fault);
+  }
+}
+
+scene::Scene with_settings(scene::Scene scene, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    const std::size_t sign = setting.find('=');
+    if (sign == std::string::npos) refuse(scene::in_quotes(setting), "NAME=VALUE");
+    const std::string name = setting.substr(0, sign), text = setting.substr(sign + 1);
+    scene::Named& named = find(scene, name);
+    const std::optional<double> value = finite_number(text);
+    if (!value) refuse(name + " = " + scene::in_quotes(text), "a finite number");
+    named.value = *value;
+  }
+  if (!settings.empty()) check_defaults(scene, "--set");
+  return scene;
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,197 @@
+// kanec simulate: a scene compiled and integrated. SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "generator/scene/check.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/commands.hpp"
+#include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/model.hpp"
+#include "runtime/cli/progress.hpp"
+#include "runtime/cli/scene_argument.hpp"
+#include "runtime/cli/settings.hpp"
+#include "runtime/cli/state_file.hpp"
+#include "runtime/cli/summary.hpp"
+#include "runtime/integrate/plot.hpp"
+#include "runtime/integrate/trajectory.hpp"
+
+namespace kanec::cli {
+namespace {
+
+constexpr auto footer =
+    R"(Example: the six bodies with a heavier payload and no thrust, 20 s, as numbers and as a picture
+  kanec simulate models/six_body --set m_payload=2.5 --set thrust=0 --duration 20 --csv six.csv --plot six.svg
+
+What is not given here is as in the scene's [simulate]. The Euler parameters are projected to unit norm after every
+step; the summary says how far they were off before. Energy change minus work, and without gravity and loads the
+momenta too, would be zero if there were no errors. The CSV has a column a coordinate, speed and energy, with units
+in its header, every number exact. --final leaves the last state as `kanec eval --input` takes it.)";
+
+struct Options {
+  SceneArgument scene;
+  BuildArguments build;
+  std::vector<std::string> settings;
+  std::optional<double> duration, output_step, step, relative_tolerance, absolute_tolerance;
+  std::optional<std::string> integrator;
+  std::string csv, plot, final_state;
+  bool json = false;
+};
+
+// The scene's settings, overruled by the command line, each judged where it stands.
+scene::Simulation simulation_of(const scene::Scene& scene, const Options& options) {
+  scene::Simulation run = scene.simulation;
+  std::map<std::string, std::string> given;  // the option in place of a key
+  const auto overrule = [&](const char* key, const char* name, const auto& option, auto& value) {
+    if (!option) return;
+    value = *option;
+    given[key] = name;
+  };
+  overrule("duration", "--duration", options.duration, run.duration);
+  overrule("output_step", "--output-step", options.output_step, run.output_step);
+  overrule("integrator", "--integrator", options.integrator, run.integrator);
+  overrule("step", "--step", options.step, run.step);
+  overrule("relative_tolerance", "--rtol", options.relative_tolerance, run.relative_tolerance);
+  overrule("absolute_tolerance", "--atol", options.absolute_tolerance, run.absolute_tolerance);
+  scene::check_simulation(run, [&](const std::string& key) {
+    const auto option = given.find(key);
+    return option != given.end() ? scene::Place{option->second} : scene::Place{scene.name, 0, "", "simulate." + key};
+  });
+  return run;
+}
+
+integrate::Options integration(const scene::Simulation& run) {
+  integrate::Options options;
+  options.method = integrate::method_of(run.integrator);
+  options.duration = run.duration;
+  options.output_step = run.output_step;
+  options.step = run.step;
+  options.relative_tolerance = run.relative_tolerance;
+  options.absolute_tolerance = run.absolute_tolerance;
+  return options;
+}
+
+void refuse_same_file(const Options& options) {
+  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < i; ++j)
+      if (!files[i]->empty() && *files[i] == *files[j])
+        throw InputError("--csv, --plot, --final: found '" + *files[i] + "' twice; allowed: a file each");
+}
+
+// What the run leaves behind; each file is opened before the run and appears after it.
+class Products {
+ public:
+  Products(const Options& options, const scene::Scene& scene) {
+    refuse_same_file(options);
+    const integrate::StateNames names{coordinate_names(scene), speed_names(scene)};
+    if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
+    if (!options.plot.empty()) plot_.emplace(options.plot, names, true);
+    if (!options.final_state.empty()) final_.emplace(options.final_state);
+  }
+
+  void add(const integrate::Row& row) {
+    if (csv_) csv_->add(row);
+    if (plot_) plot_->add(row);
+  }
+
+  void finish(const Json& final_state) {
+    if (csv_) csv_->finish();
+    if (plot_) plot_->finish();
+    if (!final_) return;
+    final_->write(json_text(final_state));
+    final_->commit();
+  }
+
+ private:
+  std::optional<integrate::Trajectory> csv_;
+  std::optional<integrate::Plot> plot_;
+  std::optional<AtomicFile> final_;
+};
+
+std::vector<std::string> needed_functions(const scene::Scene& scene) {
+  std::vector<std::string> names = {"kinematics", "accelerations", "energy", "momentum"};
+  if (has_loads(scene)) names.emplace_back("power");
+  return names;
+}
+
+integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene,
+                                   const integrate::Options& options, Products& products,
+                                   const Interrupts& interrupts) {
+  Solver solver(model);
+  const State start = initial_state(scene);
+  solver.set_parameters(start.parameters);
+  solver.set_inputs(start.inputs);
+  ProgressBar bar(scene.name);
+  const auto progress = [&](double fraction) {
+    interrupts.poll();
+    bar.show(fraction);
+  };
+  return integrate::simulate(
+      solver, start.x, start.y, options, [&](const auto& row) { products.add(row); }, progress);
+}
+
+bool isolated(const scene::Scene& scene) {
+  return !has_loads(scene) &&
+         std::all_of(scene.gravity.begin(), scene.gravity.end(), [](const auto& g) { return g.is_zero(); });
+}
+
+State final_state(const scene::Scene& scene, const integrate::Summary& summary) {
+  return {summary.x, summary.y, {}, default_parameters(scene), default_inputs(scene)};
+}
+
+int simulate_scene(const Options& options) {
+  const scene::Scene scene = load(options.scene);
+  const scene::Scene set = with_settings(scene, options.settings);
+  const integrate::Options run = integration(simulation_of(scene, options));
+  const Interrupts interrupts;
+  Products products(options, scene);
+  const CompiledModel model = build(scene, needed_functions(scene), options.build);
+  const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
+  const Json last = state_json(set, final_state(set, summary));
+  products.finish(last);
+  if (!options.json) {
+    print(scene.name + "\n" + summary_text(summary, run, isolated(scene)));
+    return 0;
+  }
+  Json json = {{"model", scene.name}, {"hash", model.generated.hash}};
+  json.update(summary_json(summary, run));
+  json["final"] = last;
+  print_json(json);
+  return 0;
+}
+
+void add_files(CLI::App& command, Options& options) {
+  const std::string group = "Files";
+  command.add_option("--csv", options.csv, "the trajectory")->option_text("FILE")->group(group);
+  command.add_option("--plot", options.plot, "coordinates, speeds, energies, drawn by gnuplot")
+      ->option_text("FILE.svg")
+      ->group(group);
+  command.add_option("--final", options.final_state, "the state at the end, for kanec eval")
+      ->option_text("FILE.json")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  const auto [command, options] = add_command(
+      app, action, "simulate", "compile a scene (once), integrate it, tell what became of it", footer, &simulate_scene);
+  add_scene(*command, options->scene);
+  command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
+  command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
+  command->add_option("--integrator", options->integrator, "rk4: fixed step; the others: SUNDIALS, error control")
+      ->option_text("rk4|arkode|cvode|cvode_bdf");
+  command->add_option("--step", options->step, "of rk4, the longest [s]")->option_text("SECONDS");
+  command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
+  command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");
+  add_settings(*command, options->settings);
+  command->add_flag("--json", options->json, "summary for machines, with the state at the end");
+  add_files(*command, *options);
+  add_build(*command, options->build);
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "runtime/base/text.hpp"
+
+namespace kanec::cli {
+namespace {
+
+using integrate::Deviation;
+using integrate::EnergyBalance;
+using integrate::MomentumChange;
+
+class Lines {
+ public:
+  void add(const std::string& label, const std::string& text) { text_ += fmt::format("  {:<30} {}\n", label, text); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string relative(const Deviation& deviation) { return brief(deviation.relative()) + " relative"; }
+
+std::string method_text(const integrate::Options& options) {
+  const std::string name = integrate::name_of(options.method);
+  if (options.method == integrate::Method::rk4) return name + ", steps of at most " + shortest(options.step) + " s";
+  return fmt::format("{}, tolerances {} relative, {} absolute", name, shortest(options.relative_tolerance),
+                     shortest(options.absolute_tolerance));
+}
+
+void add_steps(Lines& lines, const integrate::Summary& summary) {
+  std::string steps = fmt::format("{} accepted, {} rejected", summary.steps, summary.failed);
+  if (summary.restarts > 0) steps += fmt::format(", {} restarts for the norm of eps", summary.restarts);
+  lines.add("steps", steps);
+  lines.add("evaluations", fmt::format("{} of xdot and ydot", summary.evaluations));
+  lines.add("rows", std::to_string(summary.rows));
+  lines.add("wall time", fmt::format("{:.3g} s", summary.wall_seconds));
+}
+
+void add_energy(Lines& lines, const EnergyBalance& energy) {
+  const auto parts = [](const integrate::Energy& e) {
+    return fmt::format("{:.10g} J = {:.10g} kinetic {:+.10g} potential", e.total(), e.kinetic, e.potential);
+  };
+  lines.add("energy at the start", parts(energy.start));
+  lines.add("energy at the end", parts(energy.end));
+  lines.add("energy change", fmt::format("{:.10g} J", energy.change()));
+  lines.add("work of applied loads", fmt::format("{:.10g} J", energy.work));
+  lines.add("energy change minus work",
+            fmt::format("{} J at the end, {}; at worst {} J, {}", brief(energy.at_end.value), relative(energy.at_end),
+                        brief(energy.worst.value), relative(energy.worst)));
+}
+
+void add_momentum(Lines& lines, const std::string& label, const std::string& unit, const MomentumChange& change) {
+  lines.add(label, fmt::format("{} {} at the end, {}; at worst {} {}, {}", brief(change.at_end.value), unit,
+                               relative(change.at_end), brief(change.worst.value), unit, relative(change.worst)));
+}
+
+Json deviation_json(const Deviation& deviation) {
+  return {{"value", deviation.value}, {"relative", deviation.relative()}};
+}
+
+Json energy_json(const integrate::Energy& energy) {
+  return {{"kinetic", energy.kinetic}, {"potential", energy.potential}, {"total", energy.total()}};
+}
+
+Json balance_json(const EnergyBalance& energy) {
+  return {{"start", energy_json(energy.start)},
+          {"end", energy_json(energy.end)},
+          {"change", energy.change()},
+          {"work", energy.work},
+          {"change_minus_work", deviation_json(energy.at_end)},
+          {"worst", deviation_json(energy.worst)}};
+}
+
+Json momentum_json(const MomentumChange& change) {
+  return {{"start", change.start},
+          {"end", change.end},
+          {"change", deviation_json(change.at_end)},
+          {"worst", deviation_json(change.worst)}};
+}
+
+}  // namespace
+
+std::string summary_text(const integrate::Summary& summary, const integrate::Options& options, bool isolated) {
+  Lines lines;
+  lines.add("integrator", method_text(options));
+  lines.add("time",
+            fmt::format("0 to {} s, a row every {} s", shortest(options.duration), shortest(options.output_step)));
+  add_steps(lines, summary);
+  if (summary.energy) add_energy(lines, *summary.energy);
+  if (summary.linear_momentum) add_momentum(lines, "linear momentum changed by", "kg m/s", *summary.linear_momentum);
+  if (summary.angular_momentum)
+    add_momentum(lines, "angular momentum changed by", "kg m^2/s", *summary.angular_momentum);
+  if (summary.linear_momentum && !isolated) lines.add("", "(gravity or loads act: the momenta are not kept)");
+  lines.add("worst | |eps| - 1 |",
+            fmt::format("{} before projection, {} in the rows", brief(summary.worst_norm_error_before),
+                        brief(summary.worst_norm_error_after)));
+  return lines.text();
+}
+
+Json summary_json(const integrate::Summary& summary, const integrate::Options& options) {
+  Json json = {{"integrator", integrate::name_of(options.method)},
+               {"duration", options.duration},
+               {"output_step", options.output_step},
+               {"step", options.step},
+               {"relative_tolerance", options.relative_tolerance},
+               {"absolute_tolerance", options.absolute_tolerance},
+               {"rows", summary.rows},
+               {"steps", summary.steps},
+               {"failed_steps", summary.failed},
+               {"restarts", summary.restarts},
+               {"evaluations", summary.evaluations},
+               {"wall_seconds", summary.wall_seconds}};
+  if (summary.energy) json["energy"] = balance_json(*summary.energy);
+  if (summary.linear_momentum) json["linear_momentum"] = momentum_json(*summary.linear_momentum);
+  if (summary.angular_momentum) json["angular_momentum"] = momentum_json(*summary.angular_momentum);
+  json["norm_error"] = {{"before_projection", summary.worst_norm_error_before},
+                        {"in_rows", summary.worst_norm_error_after}};
+  return json;
+}
+
+}  // namespace kanec::cli

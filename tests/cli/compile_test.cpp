@@ -1,0 +1,108 @@
+// Compilation as a user of the command meets it, with a private cache and a compiler that counts its runs.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include "runtime/compile/compiler.hpp"
+#include "tests/cli/program.hpp"
+
+namespace kanec::cli::test {
+namespace {
+
+class Compile : public Program {
+ protected:
+  Compile() {
+    const std::string real = compile::find_compiler("").path.string();
+    write_script("count", "for word; do test \"$word\" = --version && exec '" + real +
+                              "' --version; done\necho run >> '" + (tools_.path() / "runs").string() + "'\nexec '" +
+                              real + "' \"$@\"\n");
+    write_script("broken",
+                 "for word; do test \"$word\" = --version && echo broken 1.0 && exit; done\n"
+                 "echo 'all is lost' >&2\nexit 3\n");
+  }
+
+  void write_script(const std::string& name, const std::string& text) const {
+    std::ofstream(tools_.path() / name) << "#!/bin/sh\n" << text;
+    fs::permissions(tools_.path() / name, fs::perms(0700));
+  }
+
+  std::string tool(const std::string& name) const { return (tools_.path() / name).string(); }
+  fs::path cache() const { return tools_.path() / "cache"; }
+
+  std::vector<std::string> simulate(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"simulate", model("free_body"), "--duration", "0.1",
+                                          "--cache",  cache().string(),   "--compiler", tool("count")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  int runs() const {
+    std::ifstream file(tools_.path() / "runs");
+    return static_cast<int>(std::count(std::istreambuf_iterator<char>(file), {}, '\n'));
+  }
+
+  // The one library in the cache.
+  fs::path library() const {
+    for (const std::string& name : names(cache()))
+      if (name != "tmp") return cache() / name / "model.so";
+    throw std::runtime_error("nothing in the cache");
+  }
+
+ private:
+  Folder tools_;
+};
+
+TEST_F(Compile, second_run_compiles_nothing) {
+  const Answer first = kanec(simulate({}));
+  EXPECT_EQ(first.status, 0);
+  EXPECT_THAT(first.err, HasSubstr("kanec: free_body: compiled in "));
+  const Answer second = kanec(simulate({}));
+  EXPECT_EQ(second.err, "kanec: free_body: from the cache\n");
+  EXPECT_EQ(runs(), 1);
+}
+
+TEST_F(Compile, flags_are_handed_on_and_told_apart) {
+  kanec(simulate({"--flags", "-O0"}));
+  kanec(simulate({"--flags", "-O1 -g"}));
+  EXPECT_EQ(runs(), 2);
+  const Answer answer = kanec(simulate({"--flags", "-no-such-flag"}));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, HasSubstr("-no-such-flag"));
+}
+
+TEST_F(Compile, without_cache_nothing_is_kept) {
+  EXPECT_EQ(kanec(simulate({"--no-cache"})).status, 0);
+  EXPECT_EQ(kanec(simulate({"--no-cache"})).status, 0);
+  EXPECT_EQ(runs(), 2);
+  EXPECT_THAT(names(cache()), IsEmpty());
+}
+
+TEST_F(Compile, truncated_cache_is_rebuilt_without_a_word) {
+  const std::string first = kanec(simulate({"--json"})).out;
+  fs::resize_file(library(), fs::file_size(library()) / 2);
+  const Answer second = kanec(simulate({"--json"}));
+  EXPECT_EQ(second.status, 0);
+  EXPECT_THAT(second.err, testing::MatchesRegex("kanec: free_body: compiled in [^\n]* s\n"));
+  EXPECT_EQ(runs(), 2);
+  EXPECT_EQ(json::parse(second.out).at("final"), json::parse(first).at("final"));
+}
+
+TEST_F(Compile, no_compiler_is_told) {
+  refuses(simulate({"--compiler", "no-such-compiler"}), "no C++ compiler found; tried no-such-compiler");
+  const Variable path("PATH", "/nowhere");
+  refuses({"simulate", model("free_body"), "--cache", cache().string()}, "install one (Debian: apt install g++)");
+}
+
+TEST_F(Compile, output_of_a_compiler_that_fails_is_shown) {
+  refuses(simulate({"--compiler", tool("broken"), "--csv", "free.csv"}), "all is lost");
+  EXPECT_EQ(names(cache()), std::vector<std::string>{"tmp"});
+  EXPECT_THAT(names(cache() / "tmp"), IsEmpty());
+}
+
+TEST_F(Compile, cache_that_cannot_be_is_done_without) {
+  const Answer answer = kanec(simulate({"--cache", "/dev/null/cache"}));
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, HasSubstr("kanec: note: the compiled model is not kept: "));
+}
+
+}  // namespace
+}  // namespace kanec::cli::test

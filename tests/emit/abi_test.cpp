@@ -1,0 +1,106 @@
+// The source that puts a header's functions behind the ABI, compiled and loaded. Oracles: the scene, the ledger, and
+// the program evaluated operation by operation. SPDX-License-Identifier: GPL-2.0-or-later
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+
+#include "generator/pipeline.hpp"
+#include "generator/program/ledger.hpp"
+#include "generator/scene/read.hpp"
+#include "runtime/abi/solver.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/base/process.hpp"
+#include "tests/base/folder.hpp"
+#include "tests/lower/sample.hpp"
+
+namespace kanec::test {
+namespace {
+
+// Compiled with strict warnings and loaded; unloaded with this.
+class Loaded {
+ public:
+  explicit Loaded(const Generated& generated) {
+    const std::filesystem::path source = folder_.path() / (generated.name + "_abi.cpp");
+    const std::string library = (folder_.path() / "model.so").string();
+    write_file(folder_.path() / (generated.name + ".hpp"), generated.header);
+    write_file(source, generated.abi);
+    const ProcessResult result = run_process({"g++", "-std=c++17", "-O0", "-ffp-contract=off", "-Wall", "-Wextra",
+                                              "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-shared", "-fPIC",
+                                              "-I" KANEC_SOURCE_DIR "/runtime/abi", source.string(), "-o", library});
+    if (result.status != 0 || !result.output.empty()) throw std::runtime_error(result.output);
+    handle_ = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) throw std::runtime_error(::dlerror());
+  }
+  ~Loaded() {
+    if (handle_ != nullptr) ::dlclose(handle_);
+  }
+  Loaded(const Loaded&) = delete;
+  Loaded& operator=(const Loaded&) = delete;
+
+  const kanec_model& model() const { return *reinterpret_cast<kanec_entry>(::dlsym(handle_, KANEC_ENTRY))(); }
+
+ private:
+  Folder folder_;
+  void* handle_ = nullptr;
+};
+
+class Abi : public testing::TestWithParam<const char*> {
+ protected:
+  const scene::Scene scene = scene::read(std::string(KANEC_SOURCE_DIR "/models/") + GetParam() + "/scene.toml");
+  const Generated generated = generate(scene);
+  const Loaded loaded{generated};
+  const kanec_model& model = loaded.model();
+
+  static void expect_named(const char* const* names, const double* defaults,
+                           const std::vector<scene::Named>& expected) {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(names[i], expected[i].name);
+      EXPECT_EQ(defaults[i], expected[i].value);
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, Abi, testing::Values("free_body", "six_body"));
+
+TEST_P(Abi, describes_the_model_and_evaluates_its_program) {
+  EXPECT_EQ(model.abi_version, KANEC_ABI_VERSION);
+  EXPECT_EQ(model.struct_size, sizeof(kanec_model));
+  EXPECT_EQ(model.name, scene.name);
+  EXPECT_EQ(model.hash, generated.hash);
+  EXPECT_EQ(model.n_bodies, size(scene));
+  EXPECT_EQ(model.nx, n_coordinates(scene));
+  EXPECT_EQ(model.ny, n_speeds(scene));
+  ASSERT_EQ(static_cast<std::size_t>(model.n_parameters), scene.parameters.size());
+  ASSERT_EQ(static_cast<std::size_t>(model.n_inputs), scene.inputs.size());
+  expect_named(model.parameter_names, model.parameter_defaults, scene.parameters);
+  expect_named(model.input_names, model.input_defaults, scene.inputs);
+
+  Random random(15);
+  const Sample sample = sample_of(scene, random);
+  Solver solver(model);
+  solver.set_parameters(sample.parameters);
+  solver.set_inputs(sample.inputs);
+  const program::Arguments<double> at{sample.parameters, sample.state.x, sample.state.y, sample.state.ydot,
+                                      sample.inputs};
+  const std::vector<program::Function>& functions = generated.program.functions;
+  ASSERT_EQ(static_cast<std::size_t>(model.n_functions), functions.size());
+  for (const program::Function& function : functions) {
+    SCOPED_TRACE(function.name);
+    const kanec_function* record = solver.find(function.name);
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->n_out, function.n_out);
+    EXPECT_EQ((program::Ledger{record->adds, record->multiplies, record->divides, record->square_roots,
+                               record->trigonometric}),
+              program::ledger(generated.program, function));
+    std::vector<double> out(static_cast<std::size_t>(function.n_out), 12345.0);
+    solver.evaluate(*record, 0, at.x.data(), at.y.data(), at.ydot.data(), out.data());
+    EXPECT_EQ(out, evaluate(generated.program, function, at));
+  }
+}
+
+}  // namespace
+}  // namespace kanec::test

@@ -1,0 +1,52 @@
+// An emitted header compiled alone in a small program of its own, run, and its results read back. Not: the runtime's
+// way of compiling (runtime/compile), nor any expectation.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/pipeline.hpp"
+#include "tests/base/folder.hpp"
+#include "tests/lower/sample.hpp"
+
+namespace kanec::test {
+
+// What a strict user would ask for.
+std::vector<std::string> strict_flags();
+
+// Operations that a function executed in a scalar that counts.
+struct Counts {
+  int adds = 0, multiplies = 0, divides = 0, negations = 0;
+};
+
+class Driver {
+ public:
+  Driver(const Sample& sample, const Generated& generated);
+
+  // Compiles with g++ or another compiler, `flags` besides the strict ones; scalars: of float, double, long double,
+  // counted. Returns the compiler's output, empty when it had nothing to say.
+  std::string compile(const std::string& compiler, const std::vector<std::string>& flags,
+                      const std::vector<std::string>& scalars);
+  // Runs it on the sample's arguments.
+  void run();
+
+  // Results by function name, "prepare" among the counts.
+  template <class T>
+  std::vector<T> results(const std::string& scalar, const std::string& function) const;
+  const Counts& counts(const std::string& function) const { return counts_.at(function); }
+
+ private:
+  std::string source(const std::vector<std::string>& scalars) const;
+  std::string call(const program::Function& function) const;
+  std::string input() const;
+
+  const Sample& sample_;
+  const Generated& generated_;
+  Folder folder_;
+  std::map<std::string, std::vector<long double>> results_;  // by "double accelerations"
+  std::map<std::string, Counts> counts_;
+};
+
+}  // namespace kanec::test

@@ -1,0 +1,136 @@
+// Every pass on random programs. Oracle: the program before the pass, evaluated exactly in a prime field, and its
+// ledger. SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <ostream>
+#include <string>
+
+#include "generator/program/ledger.hpp"
+#include "tests/program/random_program.hpp"
+
+namespace kanec::program {
+namespace {
+
+using test::Field;
+using test::Random;
+
+struct NamedPass {
+  const char* name;
+  Program (*apply)(const Program&);
+  friend void PrintTo(const NamedPass& pass, std::ostream* out) { *out << pass.name; }
+};
+
+class EveryPass : public testing::TestWithParam<NamedPass> {
+ protected:
+  static constexpr int n_programs = 150;
+
+  // Calls test(before, after, arguments) for many programs.
+  template <class Test>
+  void for_programs(Test test) const {
+    for (int seed = 0; seed < n_programs; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      Random random(static_cast<std::uint64_t>(seed));
+      const Program before = test::random_program(random, 20 + 2 * seed);
+      test(before, GetParam().apply(before), test::random_arguments(random));
+      if (HasFatalFailure()) return;
+    }
+  }
+};
+
+TEST_P(EveryPass, keeps_every_output) {
+  for_programs([](const Program& before, const Program& after, const Arguments<Field>& arguments) {
+    ASSERT_EQ(before.functions.size(), after.functions.size());
+    for (std::size_t i = 0; i < before.functions.size(); ++i)
+      ASSERT_EQ(evaluate(before, before.functions[i], arguments), evaluate(after, after.functions[i], arguments));
+  });
+}
+
+// Operations of prepare() and of one call of each function.
+int total(const Program& program) {
+  int n = prepare_ledger(program).operations();
+  for (const Function& function : program.functions) n += ledger(program, function).operations();
+  return n;
+}
+
+TEST_P(EveryPass, never_raises_the_cost) {
+  for_programs([](const Program& before, const Program& after, const Arguments<Field>&) {
+    int roots = prepare_ledger(before).square_roots;
+    for (std::size_t i = 0; i < before.functions.size(); ++i) {
+      const Ledger was = ledger(before, before.functions[i]);
+      const Ledger is = ledger(after, after.functions[i]);
+      // a sign taken out of the argument of a root comes back as a subtraction
+      ASSERT_LE(is.operations(), was.operations() + was.square_roots);
+      ASSERT_LE(is.divides, was.divides);
+      ASSERT_LE(is.square_roots, was.square_roots);
+      ASSERT_LE(is.trigonometric, was.trigonometric);
+      roots += was.square_roots;
+    }
+    ASSERT_LE(total(after), total(before) + roots);
+  });
+}
+
+TEST_P(EveryPass, leaves_a_program_that_passes_the_check) {
+  for_programs([](const Program&, const Program& after, const Arguments<Field>&) { ASSERT_NO_THROW(check(after)); });
+}
+
+TEST_P(EveryPass, keeps_the_value_under_every_name_that_it_leaves) {
+  for_programs([](const Program& before, const Program& after, const Arguments<Field>& arguments) {
+    const auto was = test::entry_values(before, arguments);
+    const auto is = test::entry_values(after, arguments);
+    for (std::size_t i = 0; i < before.functions.size(); ++i) {
+      std::map<std::string, Field> by_label;
+      std::size_t at = 0;
+      for (const Quantity& quantity : before.functions[i].quantities)
+        for (const std::string& label : quantity.labels) by_label[label] = was[i][at++];
+      at = 0;
+      for (const Quantity& quantity : after.functions[i].quantities) {
+        ASSERT_EQ(quantity.labels.size(), quantity.entries.size());
+        for (const std::string& label : quantity.labels) ASSERT_EQ(is[i][at++], by_label.at(label)) << label;
+      }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Passes, EveryPass,
+                         testing::Values(NamedPass{"simplify", simplify}, NamedPass{"share", share},
+                                         NamedPass{"share_sums", share_sums}, NamedPass{"drop_dead", drop_dead},
+                                         NamedPass{"optimized", [](const Program& p) { return optimized(p); }}),
+                         [](const auto& pass) { return std::string(pass.param.name); });
+
+// Not promised where sums are re-associated.
+TEST(Passes, find_nothing_more_to_do_in_their_own_result) {
+  for (const auto pass : {simplify, share, drop_dead})
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+      Random random(seed);
+      const Program once = pass(test::random_program(random, 150));
+      const Program twice = pass(once);
+      for (std::size_t i = 0; i < once.functions.size(); ++i)
+        ASSERT_EQ(ledger(twice, twice.functions[i]), ledger(once, once.functions[i])) << "seed " << seed;
+    }
+}
+
+// But for divisions by zero and the sign of the argument of a root, which are left to the machine.
+TEST(Optimized, holds_each_operation_once_and_none_on_constants) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Random random(seed);
+    const Program program = optimized(test::random_program(random, 200));
+    const std::vector<bool> alive = reachable(program, all_outputs(program));
+    const auto constant = [&](Index i) { return std::get_if<Constant>(&program.nodes[static_cast<std::size_t>(i)]); };
+    for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+      ASSERT_TRUE(alive[i]) << "seed " << seed;
+      const Operands from = operands(program.nodes[i]);
+      if (from.count < 2 || !constant(from.at[0]) || !constant(from.at[1])) continue;
+      const bool by_zero = std::holds_alternative<Divide>(program.nodes[i]);
+      const bool sign =
+          std::holds_alternative<Subtract>(program.nodes[i]) && constant(from.at[0])->value == Number(0.0);
+      ASSERT_TRUE(by_zero || sign) << "seed " << seed;
+    }
+    EXPECT_EQ(share(program).nodes.size(), program.nodes.size()) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace kanec::program
