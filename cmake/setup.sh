@@ -14,11 +14,12 @@ missing_packages() {
   done
 }
 
-# Installs what is missing, through sudo when not root; where that cannot be, names the packages and stops.
+# Installs what is missing, through sudo when not root; where that cannot be, names the packages and stops. On other
+# systems names them and goes on.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    echo "This is no Debian system: these packages, or what they are called here, are needed:"
-    echo $packages
+    echo "This is no Debian system: these packages, or what they are called here, are needed:" >&2
+    echo $packages >&2
     return 0
   fi
   missing=$(missing_packages)

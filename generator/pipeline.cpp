@@ -30,7 +30,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const symbolic::Equations equations = symbolic::derive(scene);
   const program::Program program = program::optimized(lower::lower(equations, options.functions));
   // the hash is of the text that it stands in, written first with a mark in its place
-  const std::string mark = "@model-hash@";
+  const std::string mark = "@model-hash-mark";
   const emit::Model model{&scene, version(), mark, options_text(options)};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 861f8453c885147d; all functions
+// model 762c586c5975b7ef; all functions
 // bodies, each with a free joint:
 //   1 body_1 on the inertial frame
 //   2 body_2 on 1
@@ -40,7 +40,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "861f8453c885147d";
+inline constexpr char model_hash[] = "762c586c5975b7ef";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model b19e323116efecdd; all functions
+// model 9c878e296d6c253b; all functions
 // bodies, each with a free joint:
 //   1 handle on the inertial frame
 //
@@ -34,7 +34,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "b19e323116efecdd";
+inline constexpr char model_hash[] = "9c878e296d6c253b";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 80313e1fbdfcfd44; all functions
+// model 03a86c94f5cab56e; all functions
 // bodies, each with a free joint:
 //   1 body_1 on the inertial frame
 //   2 body_2 on 1
@@ -46,7 +46,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "80313e1fbdfcfd44";
+inline constexpr char model_hash[] = "03a86c94f5cab56e";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>

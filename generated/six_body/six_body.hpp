@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model bb57fcb91a8c0307; all functions
+// model 2b969c73e32b8ecd; all functions
 // bodies, each with a free joint:
 //   1 hub on the inertial frame
 //   2 boom on 1
@@ -40,7 +40,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "bb57fcb91a8c0307";
+inline constexpr char model_hash[] = "2b969c73e32b8ecd";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>

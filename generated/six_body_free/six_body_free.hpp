@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 628f54fa76b128a4; all functions
+// model 65b594a23f22b53a; all functions
 // bodies, each with a free joint:
 //   1 hub on the inertial frame
 //   2 boom on 1
@@ -39,7 +39,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "628f54fa76b128a4";
+inline constexpr char model_hash[] = "65b594a23f22b53a";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>

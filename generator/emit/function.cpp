@@ -107,9 +107,9 @@ class Emission {
 
   // Stores all outputs that are this node or its negative.
   void store(Index node) {
-    const auto places = places_.find(node);
-    if (places == places_.end()) return;
-    for (const std::size_t i : places->second) {
+    const auto places = places_.extract(node);  // once a node: zeros are many
+    if (places.empty()) return;
+    for (const std::size_t i : places.mapped()) {
       if (stored_[i]) continue;
       stored_[i] = true;
       const std::string value = statements_.value(function_.outputs[i]);

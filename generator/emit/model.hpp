@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "generator/scene/scene.hpp"
 
@@ -12,8 +11,8 @@ namespace kanec::emit {
 struct Model {
   const scene::Scene* scene = nullptr;
   std::string version;  // of the generator: "0.1.0"
-  std::string hash;     // of scene, generator and options
-  std::string options;  // as text: "functions: all"
+  std::string hash;     // of the emitted text
+  std::string options;  // as text: "all functions"
 };
 
 }  // namespace kanec::emit

@@ -2,6 +2,7 @@
 #include "generator/emit/section.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <span>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/statements.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "runtime/base/error.hpp"
@@ -27,6 +28,7 @@ Overloaded(F...) -> Overloaded<F...>;
 }  // namespace
 
 std::string literal(double value) {
+  if (!std::isfinite(value)) throw InputError("a constant of the model is not finite: its numbers are too large or too small");
   const std::string digits = shortest(value);
   const bool is_whole = digits.find_first_of(".e") == std::string::npos;
   return is_whole && digits.size() > 9 ? digits + ".0" : digits;
@@ -50,7 +52,7 @@ Statements::Statements(const program::Program& program, const std::vector<Stage>
   count_uses(roots);
 }
 
-// Uses by nodes of this stage and by the outputs; what a later stage takes counts as an output of this one.
+// Uses by the nodes that the roots need and by the roots themselves.
 void Statements::count_uses(const std::vector<Ref>& roots) {
   uses_.assign(program_.nodes.size(), 0);
   for (const Ref root : roots) ++uses_[at(root.node)];

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "generator/program/program.hpp"
@@ -44,7 +46,7 @@ class Statements {
   std::string value(program::Ref ref);
 
   void line(const std::string& text);  // wrapped and indented
-  // What was appended since, and the variables first read since.
+  // What was appended since, and the variables read since.
   std::vector<std::string> take_lines();
   std::vector<program::Variable> take_variables();
   // Names of results made and used since, prepared parameters not among them.

@@ -2,9 +2,9 @@
 #include "generator/emit/tables.hpp"
 
 #include <map>
-#include <set>
 
 #include "generator/symbolic/factor.hpp"
+#include "runtime/base/error.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -166,7 +166,7 @@ class Tables {
   const symbolic::Function& function(const std::string& name) const {
     for (const symbolic::Function& f : equations_.functions)
       if (f.name == name) return f;
-    return equations_.functions.front();
+    throw InternalError("tables: no function " + name);
   }
 
   // The named quantities that a function's blocks are written in, besides attitudes.

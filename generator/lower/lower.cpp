@@ -2,8 +2,8 @@
 #include "generator/lower/lower.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <utility>
 
 #include "generator/lower/block.hpp"
 #include "generator/symbolic/notation.hpp"
@@ -15,7 +15,6 @@ namespace {
 
 using GiNaC::ex;
 using program::Group;
-using program::Index;
 using program::Number;
 using symbolic::Atom;
 using symbolic::Role;
@@ -299,7 +298,10 @@ program::Program lower(const symbolic::Equations& equations, const std::vector<s
   std::vector<const symbolic::Function*> wanted;
   for (const symbolic::Function& function : equations.functions)
     if (functions.empty()) wanted.push_back(&function);
-  for (const std::string& name : functions) wanted.push_back(&find(equations, name));
+  for (const std::string& name : functions) {
+    const symbolic::Function* function = &find(equations, name);
+    if (std::find(wanted.begin(), wanted.end(), function) == wanted.end()) wanted.push_back(function);
+  }
   program::Program program = Lowering(equations).result(wanted);
   program.names = argument_names(equations.scene);
   return program;

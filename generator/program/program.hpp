@@ -33,6 +33,7 @@ struct Add { Index a, b; };                  // a + b
 struct Subtract { Index a, b; };             // a - b
 struct Multiply { Index a, b; };             // a * b
 struct Divide { Index a, b; };               // a / b
+// Not yet made by any lowering: one-axis joints will.
 struct SquareRoot { Index a; };              // sqrt(a)
 struct Sine { Index a; };                    // sin(a)
 struct Cosine { Index a; };                  // cos(a)

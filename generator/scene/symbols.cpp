@@ -26,9 +26,17 @@ bool contains(const List& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+// Capitals alone, or M_ and a letter: by custom macros, and many that C headers define (M_PI, EOF, BUFSIZ, INT_MAX).
+bool looks_like_macro(const std::string& name) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  if (name.size() > 2 && name.compare(0, 2, "M_") == 0 && is_capital(name[2])) return true;
+  return name.size() > 2 && std::all_of(name.begin(), name.end(), [&](char c) { return is_capital(c) || c == '_'; });
+}
+
 void check_name(const std::string& name, const Place& place) {
   if (!is_identifier(name)) fail(place, in_quotes(name), name_rule);
   if (contains(reserved, name)) fail(place, in_quotes(name) + ", which the emitted code uses itself", "another name");
+  if (looks_like_macro(name)) fail(place, in_quotes(name) + ", which may be a macro in C headers", "a name with small letters");
 }
 
 template <class List>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/algebra.hpp"
 
+#include <utility>
+
 #include "runtime/base/error.hpp"
 
 namespace kanec::symbolic {

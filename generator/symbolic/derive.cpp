@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/derive.hpp"
 
+#include <utility>
+
 #include "generator/symbolic/partials.hpp"
 
 namespace kanec::symbolic {

@@ -34,7 +34,7 @@ struct Output {
 
 struct Function {
   std::string name;     // "accelerations"
-  std::string meaning;  // "speeds' rates from A ydot = f"
+  std::string meaning;  // "ydot from A ydot = f"
   std::vector<Output> outputs;
   int n_out = 0;
   bool repeated = false;  // the same blocks stand at many places (partial velocities)
@@ -49,7 +49,7 @@ struct Tables {
   std::vector<GiNaC::ex> origin_rate, velocity;         // Ṗ_K, v_K
   std::vector<Blocks> omega_y, v_y;                     // partial angular velocities, partial velocities
   std::vector<Blocks> omega_y_dot, v_y_dot;             // their time derivatives
-  std::vector<Blocks> origin_y, origin_y_dot;           // the same of the body origins
+  std::vector<Blocks> origin_y;                         // partial velocities of the body origins
 };
 
 // Letters of one body.

@@ -48,11 +48,11 @@ Term without(Term term, End end) {
   return term;
 }
 
+// By its numeric factor: -2 m is, 1/m and m1 - m2 are not.
 bool is_negative(const Term& term) {
-  for (const ex& factor :
-       term.scalar.nops() > 0 ? std::vector<ex>(term.scalar.begin(), term.scalar.end()) : std::vector<ex>{term.scalar})
-    if (factor.info(GiNaC::info_flags::negative)) return true;
-  return false;
+  const auto negative_number = [](const ex& e) { return GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_negative(); };
+  if (!GiNaC::is_a<GiNaC::mul>(term.scalar)) return negative_number(term.scalar);
+  return std::any_of(term.scalar.begin(), term.scalar.end(), negative_number);
 }
 
 // A sum of negative terms as the negative of a sum of positive ones.

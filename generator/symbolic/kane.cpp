@@ -1,7 +1,6 @@
 // Kane's equations: r = Σ_K v_{K,y}ᵀ (m_K v̇_K − F_K) + Σ_K ω_{K,y}ᵀ (I_K ω̇_K + ω̃_K I_K ω_K − M_K), and f = −r at ẏ = 0.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/acceleration_chain.hpp"
-#include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/partials.hpp"
 
 namespace kanec::symbolic {
@@ -17,8 +16,7 @@ struct Balance {
 };
 
 // Projects the balances on the speeds: column by column from the leaves, bodies that share a partial velocity at once.
-void project(Derivation& derivation, const Balance& balance, Function& function, const std::string& name,
-             const std::string& unit_of_omega, const std::string& unit_of_sdot) {
+void project(Derivation& derivation, const Balance& balance, Function& function, const std::string& name) {
   SubsetSums forces(balance.force, "S", "S", "sum of the force balances of the subtree, inertial axes [N]");
   const auto row = [&](int column, int body, const ex& moment, const std::string& of, const std::string& latex,
                        const std::string& meaning) {
@@ -30,8 +28,8 @@ void project(Derivation& derivation, const Balance& balance, Function& function,
   };
   for (int k = derivation.size(); k >= 1; --k) {
     row(derivation.omega_column(k), k, balance.moment[static_cast<std::size_t>(k)], "omega", name + "_{\\omega}",
-        "Kane's equation of omega " + unit_of_omega);
-    row(derivation.sdot_column(k), k, 0, "sdot", name + "_{\\dot s}", "Kane's equation of sdot " + unit_of_sdot);
+        "Kane's equation of omega [N m]");
+    row(derivation.sdot_column(k), k, 0, "sdot", name + "_{\\dot s}", "Kane's equation of sdot [N]");
   }
 }
 
@@ -51,7 +49,7 @@ void derive_residual(Derivation& derivation) {
                                                "moment balance about the mass centre, body axes [N m]"));
   }
   Function function{"residual", "r = A ydot - f", {}, 6 * derivation.size(), false};
-  project(derivation, balance, function, "r", "[N m]", "[N]");
+  project(derivation, balance, function, "r");
   derivation.equations.functions.push_back(function);
 }
 
@@ -73,7 +71,7 @@ void derive_forcing(Derivation& derivation) {
                                                "applied less inertia moment at omegadot = 0, body axes [N m]"));
   }
   Function function{"forcing", "f of A ydot = f", {}, 6 * derivation.size(), false};
-  project(derivation, balance, function, "f", "[N m]", "[N]");
+  project(derivation, balance, function, "f");
   derivation.equations.functions.push_back(function);
 }
 

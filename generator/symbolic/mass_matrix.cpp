@@ -122,13 +122,10 @@ class MassMatrix {
     return symbol;
   }
 
-  // r_J belongs to J, d_c to the lower body of c.
+  // The body that all terms belong to: J of r_J, the lower body of c of d_c.
   int first_body(const ex& moment) const {
-    for (const Term& term : expanded(moment)) {
-      const Symbol& symbol = derivation_.equations.table.of(term.factors.back());
-      return symbol.role == Role::r ? symbol.body : derivation_.lower(symbol.body);
-    }
-    return 1;
+    const Symbol& symbol = derivation_.equations.table.of(expanded(moment).front().factors.back());
+    return symbol.role == Role::r ? symbol.body : derivation_.lower(symbol.body);
   }
 
   Derivation& derivation_;

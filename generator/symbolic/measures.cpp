@@ -5,7 +5,6 @@
 namespace kanec::symbolic {
 
 using GiNaC::ex;
-using GiNaC::numeric;
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include "generator/symbolic/order.hpp"
 
 #include <algorithm>
-#include <string>
+#include <utility>
 
 namespace kanec::symbolic {
 
@@ -13,6 +13,14 @@ namespace {
 using Key = std::vector<long>;
 
 bool commutes(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e); }
+
+// One negative mark a kind of expression, functions by their name.
+long kind(const ex& e) {
+  if (!GiNaC::is_a<GiNaC::function>(e)) return -1;
+  long mark = -1000;
+  for (const char c : GiNaC::ex_to<GiNaC::function>(e).get_name()) mark = mark * 31 - c;
+  return mark;
+}
 
 // Letters by index; functions and numbers by negative marks, numbers also by value.
 void append_key(const ex& e, Key& key) {
@@ -25,7 +33,7 @@ void append_key(const ex& e, Key& key) {
     const std::vector<ex> operands = commutes(e) ? ordered(e) : std::vector<ex>(e.begin(), e.end());
     for (const ex& operand : operands)
       if (!GiNaC::is_a<GiNaC::numeric>(operand)) append_key(operand, key);
-    key.push_back(GiNaC::is_a<GiNaC::function>(e) ? -2 : -1);
+    key.push_back(kind(e));
     for (const ex& operand : operands)
       if (GiNaC::is_a<GiNaC::numeric>(operand)) append_key(operand, key);
   }

@@ -1,5 +1,7 @@
 // Partial velocities by differentiating the velocities with respect to the speeds, and their rates in time.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include "generator/symbolic/derivation.hpp"
 #include "generator/symbolic/partials.hpp"
 
@@ -46,7 +48,6 @@ void derive_partial_velocities(Derivation& derivation) {
     tables.origin_y.push_back(origin);
     tables.v_y.push_back(centre);
     tables.omega_y.push_back({{derivation.omega_column(k), ex(1)}});
-    tables.origin_y_dot.push_back(rates_of(derivation, origin, known));
     tables.v_y_dot.push_back(rates_of(derivation, centre, known));
     tables.omega_y_dot.push_back({});
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/abi/solver.hpp"
 
+#include "runtime/base/error.hpp"
+
 namespace kanec {
 namespace {
 
@@ -14,9 +16,15 @@ Solver::Solver(const kanec_model& model)
   set_inputs(list(model.input_defaults, model.n_inputs));
 }
 
-void Solver::set_parameters(std::span<const double> parameters) { model_->prepare(parameters.data(), prepared_.data()); }
+void Solver::set_parameters(std::span<const double> parameters) {
+  if (parameters.size() != static_cast<std::size_t>(model_->n_parameters)) throw InputError("wrong number of parameters");
+  model_->prepare(parameters.data(), prepared_.data());
+}
 
-void Solver::set_inputs(std::span<const double> inputs) { inputs_.assign(inputs.begin(), inputs.end()); }
+void Solver::set_inputs(std::span<const double> inputs) {
+  if (inputs.size() != static_cast<std::size_t>(model_->n_inputs)) throw InputError("wrong number of inputs");
+  inputs_.assign(inputs.begin(), inputs.end());
+}
 
 const kanec_function* Solver::find(std::string_view name) const {
   for (const kanec_function& function : std::span(model_->functions, static_cast<std::size_t>(model_->n_functions)))

@@ -30,8 +30,8 @@ class Solver {
   explicit Solver(const kanec_model& model);
 
   const kanec_model& model() const { return *model_; }
-  void set_parameters(std::span<const double> parameters);  // n_parameters; runs prepare()
-  void set_inputs(std::span<const double> inputs);          // n_inputs
+  void set_parameters(std::span<const double> parameters);  // runs prepare(); InputError unless n_parameters
+  void set_inputs(std::span<const double> inputs);          // InputError unless n_inputs
   std::span<const double> inputs() const { return inputs_; }
 
   // The function of that name, or nullptr where the model was emitted without it.

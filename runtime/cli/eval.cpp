@@ -63,6 +63,7 @@ std::vector<double> evaluate(const Options& options, const scene::Scene& scene, 
 void overrule(scene::Scene scene, const std::vector<std::string>& settings, State& state) {
   for (std::size_t i = 0; i < scene.parameters.size(); ++i) scene.parameters[i].value = state.parameters[i];
   for (std::size_t i = 0; i < scene.inputs.size(); ++i) scene.inputs[i].value = state.inputs[i];
+  if (settings.empty()) check_defaults(scene, "--input");
   const scene::Scene set = with_settings(scene, settings);
   state.parameters = default_parameters(set);
   state.inputs = default_inputs(set);

@@ -65,9 +65,8 @@ double error(const Sample& s, const program::Program& program, const program::Fu
 TEST_P(Functions, agree_with_the_generic_path_in_double) {
   for_samples([&](const Sample& s) {
     const program::Program program = program_of(s.scene);
-    for (const program::Function& function : program.functions) {
+    for (const program::Function& function : program.functions)
       EXPECT_LT(error<double>(s, program, function), 1e-12) << function.name;
-    }
   });
 }
 

@@ -37,6 +37,13 @@ TEST(Names, that_are_keywords_are_refused) {
   EXPECT_EQ(message(with_table("[inputs]\nxor = 1")), "f:7: inputs.xor: found \"xor\"" + rule);
 }
 
+TEST(Names, that_C_headers_may_define_as_macros_are_refused) {
+  for (const std::string name : {"M_PI", "EOF", "INT_MAX"})
+    EXPECT_EQ(message(with_table("[parameters]\n" + name + " = 1")),
+              "f:7: parameters." + name + ": found \"" + name +
+                  "\", which may be a macro in C headers; allowed: a name with small letters");
+}
+
 TEST(Names, that_the_emitted_code_uses_are_refused) {
   for (const std::string name : {"kanec", "std", "T", "Parameters", "NAN", "linux"})
     EXPECT_EQ(message(scene_named(name)),
