@@ -2,7 +2,6 @@
 #include "generator/emit/section.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <span>
 #include <utility>
@@ -18,7 +17,8 @@ using program::Variable;
 std::string array(Group group) { return group == Group::x ? "x" : group == Group::y ? "y" : "ydot"; }
 
 // Entries of the state that no section before has read, a vector a line.
-std::string loads(const program::Program& program, const Section& section, std::set<std::pair<Group, program::Index>>& known) {
+std::string loads(const program::Program& program, const Section& section,
+                  std::set<std::pair<Group, program::Index>>& known) {
   std::set<std::pair<Group, program::Index>> read;
   for (const Variable& v : section.reads)
     if (v.group != Group::parameter && v.group != Group::input && known.insert({v.group, v.index}).second)
@@ -70,19 +70,17 @@ std::vector<std::span<const Section>> cut(std::span<const Section> sections, std
   return pieces;
 }
 
-std::set<std::string> made_in(std::span<const Section> piece) {
-  std::set<std::string> names;
-  for (const Section& section : piece) names.insert(section.defines.begin(), section.defines.end());
-  return names;
-}
+// Names that a piece makes, and those that it uses and does not make.
+struct Names {
+  std::set<std::string> made, taken;
+};
 
-// Names that a piece uses and does not make.
-std::set<std::string> taken_by(std::span<const Section> piece) {
-  const std::set<std::string> own = made_in(piece);
-  std::set<std::string> names;
+Names names_of(std::span<const Section> piece) {
+  Names names;
+  for (const Section& section : piece) names.made.insert(section.defines.begin(), section.defines.end());
   for (const Section& section : piece)
-    std::copy_if(section.uses.begin(), section.uses.end(), std::inserter(names, names.end()),
-                 [&own](const std::string& name) { return own.count(name) == 0; });
+    for (const std::string& name : section.uses)
+      if (names.made.count(name) == 0) names.taken.insert(name);
   return names;
 }
 
@@ -100,23 +98,33 @@ std::string maybe_unused_out(std::string parameters) {
   return parameters.insert(parameters.rfind("T* "), "[[maybe_unused]] ");
 }
 
-std::string split(const program::Program& program, const Shape& shape, const std::vector<std::span<const Section>>& pieces) {
+std::string split(const program::Program& program, const Shape& shape,
+                  const std::vector<std::span<const Section>>& pieces) {
   const std::string space = shape.name + "_pieces";
+  std::vector<Names> names;
   std::set<std::string> crossing;
-  for (const auto& piece : pieces) crossing.merge(taken_by(piece));
-  std::string text = "namespace " + space + " {\n\n// results that one piece makes and another uses\ntemplate <class T>\nstruct Shared {\n" +
+  for (const auto& piece : pieces) {
+    names.push_back(names_of(piece));
+    crossing.insert(names.back().taken.begin(), names.back().taken.end());
+  }
+  std::string text = "namespace " + space +
+                     " {\n\n// results that one piece makes and another uses\ntemplate <class T>\nstruct Shared {\n" +
                      listed("  T ", crossing, ", ", ";") + "};\n";
   std::string calls;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
     const std::string local = shape.out_local.empty() ? "" : ", T* " + shape.out_local;
-    text += "\n" + opening("[[gnu::noinline]] void " + name, maybe_unused_out(shape.piece_parameters) + local + ", [[maybe_unused]] Shared<T>& shared") + shape.usings;
-    for (const std::string& taken : taken_by(pieces[i])) text += "  const T " + taken + " = shared." + taken + ";\n";
+    text += "\n" +
+            opening("[[gnu::noinline]] void " + name,
+                    maybe_unused_out(shape.piece_parameters) + local + ", [[maybe_unused]] Shared<T>& shared") +
+            shape.usings;
+    for (const std::string& taken : names[i].taken) text += "  const T " + taken + " = shared." + taken + ";\n";
     text += body(program, pieces[i]);
-    for (const std::string& made : made_in(pieces[i]))
+    for (const std::string& made : names[i].made)
       if (crossing.count(made) > 0) text += "  shared." + made + " = " + made + ";\n";
     text += "}\n";
-    calls += "  " + space + "::" + name + "(" + shape.arguments + (local.empty() ? "" : ", " + shape.out_local) + ", shared);\n";
+    calls += "  " + space + "::" + name + "(" + shape.arguments + (local.empty() ? "" : ", " + shape.out_local) +
+             ", shared);\n";
   }
   text += "\n}  // namespace " + space + "\n\n";
   return text + opening("void " + shape.name, shape.parameters) + shape.begin + "  " + space + "::Shared<T> shared;\n" +

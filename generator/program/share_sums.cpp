@@ -88,17 +88,20 @@ class SumSharing {
 
   // Takes out the pairs found in two and more sums, the most frequent first. False when there was none.
   bool take_out_a_round() {
-    std::map<Pair, std::vector<Index>> found;
+    std::vector<std::pair<Pair, Index>> found;
     for (const auto& [index, terms] : sums_)
       for (std::size_t i = 0; i < terms.size(); ++i)
         for (std::size_t j = i + 1; j < terms.size(); ++j)
-          if (terms[i].node != terms[j].node) {
-            std::vector<Index>& holders = found[pair_of(terms[i], terms[j])];
-            if (holders.empty() || holders.back() != index) holders.push_back(index);
-          }
+          if (terms[i].node != terms[j].node) found.emplace_back(pair_of(terms[i], terms[j]), index);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::pair<Pair, std::vector<Index>>> frequent;
-    for (auto& entry : found)
-      if (entry.second.size() > 1) frequent.push_back(entry);
+    for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+      if (found[i].first != found[i + 1].first) continue;
+      if (frequent.empty() || frequent.back().first != found[i].first)
+        frequent.push_back({found[i].first, {found[i].second}});
+      frequent.back().second.push_back(found[i + 1].second);
+    }
     std::stable_sort(frequent.begin(), frequent.end(),
                      [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
     bool any = false;

@@ -50,7 +50,9 @@ Term without(Term term, End end) {
 
 // By its numeric factor: -2 m is, 1/m and m1 - m2 are not.
 bool is_negative(const Term& term) {
-  const auto negative_number = [](const ex& e) { return GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_negative(); };
+  const auto negative_number = [](const ex& e) {
+    return GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_negative();
+  };
   if (!GiNaC::is_a<GiNaC::mul>(term.scalar)) return negative_number(term.scalar);
   return std::any_of(term.scalar.begin(), term.scalar.end(), negative_number);
 }
