@@ -16,15 +16,12 @@ std::string spread(const std::string& array, std::size_t count) {
 
 std::string wrapper(const scene::Scene& scene, const program::Function& function) {
   const Signature& shape = signature(function.name);
-  std::string arguments = "*static_cast<const Prepared*>(prepared)";
-  if (shape.x) arguments += ", x";
-  if (shape.y) arguments += ", y";
-  if (shape.ydot) arguments += ", ydot";
-  if (shape.inputs) arguments += ", model::Inputs<double>" + spread("u", scene.inputs.size());
+  const std::string arguments = argument_list(shape, "*static_cast<const Prepared*>(prepared)",
+                                              "model::Inputs<double>" + spread("u", scene.inputs.size()), "out");
   return "void " + function.name +
          "(const void* prepared, double, [[maybe_unused]] const double* x, [[maybe_unused]] const double* y,\n"
          "    [[maybe_unused]] const double* ydot, [[maybe_unused]] const double* u, double* out) {\n  model::" +
-         function.name + "(" + arguments + ", out);\n}\n\n";
+         function.name + "(" + arguments + ");\n}\n\n";
 }
 
 std::string record(const program::Function& function, const program::Ledger& cost) {

@@ -33,7 +33,7 @@ class Emission {
   std::string text() {
     const Signature& signature = emit::signature(function_.name);
     const bool placed = !function_.placements.empty();
-    Shape shape{function_.name, parameter_list(signature, reads()), parameter_list(signature, {}), argument_list(signature),
+    Shape shape{function_.name, parameter_list(signature, reads()), parameter_list(signature, {}), argument_list(signature, "c", "u", signature.out),
                 "", "", "", usings()};
     if (placed) {
       out_ = shape.out_local = "block";

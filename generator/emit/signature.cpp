@@ -40,13 +40,14 @@ std::string parameter_list(const Signature& signature, const Reads& reads) {
   return list + "T* " + signature.out;
 }
 
-std::string argument_list(const Signature& signature) {
-  std::string list = "c";
+std::string argument_list(const Signature& signature, const std::string& prepared, const std::string& inputs,
+                          const std::string& out) {
+  std::string list = prepared;
   if (signature.x) list += ", x";
   if (signature.y) list += ", y";
   if (signature.ydot) list += ", ydot";
-  if (signature.inputs) list += ", u";
-  return list + ", " + signature.out;
+  if (signature.inputs) list += ", " + inputs;
+  return list + ", " + out;
 }
 
 }  // namespace kanec::emit

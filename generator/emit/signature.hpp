@@ -9,7 +9,7 @@ namespace kanec::emit {
 struct Signature {
   bool x, y, ydot, inputs;
   const char* out;     // name of the result
-  const char* layout;  // "ydot (36): omegadot_1 … omegadot_6 [rad/s^2], sddot_1 … sddot_6 [m/s^2]", sizes in letters
+  const char* layout;  // "rates of y (ny) [rad/s^2], [m/s^2]"
 };
 
 // Throws InternalError for a function that has none.
@@ -22,7 +22,8 @@ struct Reads {
 
 // "const Prepared<T>& c, const T* x, T* xdot"
 std::string parameter_list(const Signature& signature, const Reads& reads);
-// "c, x, xdot"
-std::string argument_list(const Signature& signature);
+// "c, x, xdot" with the given expressions for the prepared parameters and the inputs
+std::string argument_list(const Signature& signature, const std::string& prepared, const std::string& inputs,
+                          const std::string& out);
 
 }  // namespace kanec::emit

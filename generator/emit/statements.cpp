@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/program/overloaded.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 
@@ -17,13 +18,6 @@ using program::Ref;
 using program::Stage;
 
 constexpr std::size_t width = 118;
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 }  // namespace
 
@@ -111,7 +105,7 @@ Statements::Text Statements::expression(Index node) {
 
 Statements::Text Statements::operation(const Node& node) {
   return std::visit(
-      Overloaded{
+      program::Overloaded{
           [&](const program::Constant& op) -> Text { return {"T(" + literal(op.value.rounded()) + ")", 2, false}; },
           [&](const program::Variable& op) -> Text {
             variables_.push_back(op);

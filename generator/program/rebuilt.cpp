@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/overloaded.hpp"
 #include "generator/program/passes.hpp"
 
 namespace kanec::program {
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 Ref moved(const std::vector<Ref>& to, Ref ref) {
   const Ref now = to[static_cast<std::size_t>(ref.node)];

@@ -29,7 +29,7 @@ ex through_spin(const ex& acceleration, const ex& spin, const Rates& rates, cons
 
 Accelerations derive_acceleration_chain(Derivation& derivation, Rates rates) {
   const Tables& tables = derivation.equations.tables;
-  Accelerations chain{{ex(0)}, {ex(0)}, {ex(0)}};
+  Accelerations chain{{ex(0)}, {ex(0)}};
   for (int k = 1; k <= derivation.size(); ++k) {
     const auto at = static_cast<std::size_t>(k);
     const int below = derivation.lower(k);
@@ -42,7 +42,6 @@ Accelerations derive_acceleration_chain(Derivation& derivation, Rates rates) {
         "acceleration of the body origin, less gravity, inertial axes [m/s^2]");
     rates.set(derivation.origin_rates[at], Pddot);
     const ex centre = rates.of(tables.velocity[at - 1]);
-    chain.origin.push_back(Pddot);
     chain.centre.push_back(derivation.define("a", "a", k, Pass::outward,
                                              through_spin(centre, chain.spin[at], rates, derivation.letters(k)),
                                              "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"));

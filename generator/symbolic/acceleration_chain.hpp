@@ -18,7 +18,6 @@ GiNaC::ex through_spin(const GiNaC::ex& acceleration, const GiNaC::ex& spin, con
 // every v_K then changes by the same g t.
 struct Accelerations {
   std::vector<GiNaC::ex> spin;    // U_K
-  std::vector<GiNaC::ex> origin;  // P̈_K − g
   std::vector<GiNaC::ex> centre;  // a_K = v̇_K − g
 };
 

@@ -41,7 +41,6 @@ class Derivation {
 
   Equations equations;
   Rates rates;                           // of rotations, s and what is defined from them; ω̇ and s̈ are letters
-  std::vector<GiNaC::ex> d;              // q_K + s_K, by K
   std::vector<GiNaC::ex> origin_rates;   // Ṗ_K, by K
   std::vector<GiNaC::ex> velocities;     // v_K, by K
   std::vector<GiNaC::ex> origins, centres;

@@ -9,7 +9,7 @@ using GiNaC::ex;
 
 // P_K = P_L + R_Lᵀ (q_K + s_K), p_K = P_K + R_Kᵀ r_K, with P_0 = 0 and R_0 = 1.
 void derive_positions(Derivation& derivation) {
-  derivation.d = derivation.origins = derivation.centres = {ex(0)};
+  derivation.origins = derivation.centres = {ex(0)};
   for (int k = 1; k <= derivation.size(); ++k) {
     const Letters& body = derivation.letters(k);
     const auto below = static_cast<std::size_t>(derivation.lower(k));
@@ -22,7 +22,6 @@ void derive_positions(Derivation& derivation) {
     const ex P = derivation.define("P", "P", k, Pass::outward, origin, "position of the body origin, inertial axes [m]");
     const ex centre = P + body.to_inertial * body.r;
     derivation.equations.tables.centre.push_back(centre);
-    derivation.d.push_back(d);
     derivation.origins.push_back(P);
     derivation.centres.push_back(
         derivation.define("p", "p", k, Pass::outward, centre, "position of the mass centre, inertial axes [m]"));
