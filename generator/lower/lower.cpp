@@ -223,14 +223,15 @@ class Lowering {
       return vector(variable(group, first), variable(group, first + 1), variable(group, first + 2));
     };
     const auto body = [&]() -> const scene::Body& { return scene.bodies[static_cast<std::size_t>(k)]; };
+    const auto at = [&]() -> const scene::BodyLayout& { return layout_.bodies[static_cast<std::size_t>(k)]; };
     switch (symbol.role) {
-      case Role::euler_vector: return three(Group::x, eps_at(scene, k));
-      case Role::euler_scalar: return scalar(variable(Group::x, eps_at(scene, k) + 3));
-      case Role::omega: return three(Group::y, omega_at(scene, k));
-      case Role::s: return three(Group::x, s_at(scene, k));
-      case Role::sdot: return three(Group::y, sdot_at(scene, k));
-      case Role::omegadot: return three(Group::ydot, omega_at(scene, k));
-      case Role::sddot: return three(Group::ydot, sdot_at(scene, k));
+      case Role::euler_vector: return three(Group::x, at().eps);
+      case Role::euler_scalar: return scalar(variable(Group::x, at().eps + 3));
+      case Role::omega: return three(Group::y, at().omega);
+      case Role::s: return three(Group::x, at().s[0]);
+      case Role::sdot: return three(Group::y, at().sdot[0]);
+      case Role::omegadot: return three(Group::ydot, at().omega);
+      case Role::sddot: return three(Group::ydot, at().sdot[0]);
       case Role::mass: return scalar(value(body().mass));
       case Role::inertia: return symmetric(body().inertia);
       case Role::r: return three_numbers(body().r);
@@ -259,6 +260,7 @@ class Lowering {
   }
 
   const symbolic::Equations& equations_;
+  const scene::Layout layout_{equations_.scene};
   Builder builder_;
   std::vector<std::optional<Block>> values_;                     // of letters, by table index
   std::vector<const symbolic::Quantity*> definitions_;           // likewise

@@ -76,18 +76,21 @@ void normalise(std::array<double, 4>& eps, const Place& place, std::vector<std::
         remark(place, "Euler parameters of norm " + shortest(static_cast<double>(norm)) + ", normalised to 1"));
 }
 
-BodyState read_state(const Table& body, std::vector<std::string>& notes) {
-  BodyState state;
-  const std::optional<Node> node = body.find("initial");
-  if (!node) return state;
+void read_state(const Table& table_of_body, Body& body, std::vector<std::string>& notes) {
+  const std::optional<Node> node = table_of_body.find("initial");
+  if (!node) return;
   const Table table(*node, "initial.");
   table.only({"eps", "omega", "s", "sdot"});
-  read_numbers(table, "eps", state.eps);
-  read_numbers(table, "omega", state.omega);
-  read_numbers(table, "s", state.s);
-  read_numbers(table, "sdot", state.sdot);
-  if (const auto eps = table.find("eps")) normalise(state.eps, eps->place(), notes);
-  return state;
+  read_numbers(table, "eps", body.initial.eps);
+  read_numbers(table, "omega", body.initial.omega);
+  std::array<double, 3> s{}, sdot{};
+  read_numbers(table, "s", s);
+  read_numbers(table, "sdot", sdot);
+  for (std::size_t i = 0; i < 3; ++i) {
+    body.joint.slides[i].value = s[i];
+    body.joint.slides[i].rate = sdot[i];
+  }
+  if (const auto eps = table.find("eps")) normalise(body.initial.eps, eps->place(), notes);
 }
 
 Vector vector_or_zero(const Table& table, const char* key, Symbols& symbols, Number (Symbols::*read)(const Node&)) {
@@ -122,7 +125,7 @@ Body read_body(const Node& node, int k, Symbols& symbols, Scene& scene) {
   body.q = vector_or_zero(table, "q", symbols, &Symbols::constant_or_parameter);
   body.force = vector_or_zero(table, "force", symbols, &Symbols::any);
   body.moment = vector_or_zero(table, "moment", symbols, &Symbols::any);
-  body.initial = read_state(table, scene.notes);
+  read_state(table, body, scene.notes);
   return body;
 }
 

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/scene/scene.hpp"
 
+#include <algorithm>
+
 namespace kanec::scene {
 namespace {
-
-template <class Project>
-void append(std::vector<double>& out, const Scene& scene, Project project) {
-  for (const Body& body : scene.bodies) {
-    const auto& part = project(body.initial);
-    out.insert(out.end(), part.begin(), part.end());
-  }
-}
-
-void append_names(std::vector<std::string>& out, const Scene& scene, const std::string& letter, int components) {
-  for (int k = 1; k <= size(scene); ++k)
-    for (int i = 1; i <= components; ++i) out.push_back(letter + "_" + std::to_string(k) + "_" + std::to_string(i));
-}
 
 std::vector<double> values(const std::vector<Named>& list) {
   std::vector<double> out;
@@ -26,20 +15,36 @@ std::vector<double> values(const std::vector<Named>& list) {
 }  // namespace
 
 std::vector<double> initial_coordinates(const Scene& scene) {
-  std::vector<double> x;
-  append(
-      x, scene, [](const BodyState& state) -> auto& { return state.eps; });
-  append(
-      x, scene, [](const BodyState& state) -> auto& { return state.s; });
+  const Layout layout(scene);
+  std::vector<double> x(static_cast<std::size_t>(layout.nx));
+  const auto set = [&](const std::vector<Coordinate>& coordinates, const std::vector<int>& at) {
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i] >= 0) x[static_cast<std::size_t>(at[i])] = coordinates[i].value;
+  };
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const BodyLayout& at = layout.bodies[k];
+    const auto& eps = scene.bodies[k].initial.eps;
+    if (at.eps >= 0) std::copy(eps.begin(), eps.end(), x.begin() + at.eps);
+    set(scene.bodies[k].joint.turns, at.theta);
+    set(scene.bodies[k].joint.slides, at.s);
+  }
   return x;
 }
 
 std::vector<double> initial_speeds(const Scene& scene) {
-  std::vector<double> y;
-  append(
-      y, scene, [](const BodyState& state) -> auto& { return state.omega; });
-  append(
-      y, scene, [](const BodyState& state) -> auto& { return state.sdot; });
+  const Layout layout(scene);
+  std::vector<double> y(static_cast<std::size_t>(layout.ny));
+  const auto set = [&](const std::vector<Coordinate>& coordinates, const std::vector<int>& at) {
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i] >= 0) y[static_cast<std::size_t>(at[i])] = coordinates[i].rate;
+  };
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const BodyLayout& at = layout.bodies[k];
+    const auto& omega = scene.bodies[k].initial.omega;
+    if (at.omega >= 0) std::copy(omega.begin(), omega.end(), y.begin() + at.omega);
+    set(scene.bodies[k].joint.turns, at.thetadot);
+    set(scene.bodies[k].joint.slides, at.sdot);
+  }
   return y;
 }
 
@@ -51,20 +56,6 @@ std::vector<int> depth(const std::vector<int>& lower) {
   for (std::size_t k = 0; k < lower.size(); ++k)
     if (lower[k] > 0) u[k] = u[static_cast<std::size_t>(lower[k] - 1)] + 1;
   return u;
-}
-
-std::vector<std::string> coordinate_names(const Scene& scene) {
-  std::vector<std::string> names;
-  append_names(names, scene, "eps", 4);
-  append_names(names, scene, "s", 3);
-  return names;
-}
-
-std::vector<std::string> speed_names(const Scene& scene) {
-  std::vector<std::string> names;
-  append_names(names, scene, "omega", 3);
-  append_names(names, scene, "sdot", 3);
-  return names;
 }
 
 }  // namespace kanec::scene

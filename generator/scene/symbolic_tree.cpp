@@ -50,7 +50,9 @@ Body symbolic_body(Scene& scene, int k, int lower) {
   body.force = add_vector(scene.inputs, Number::input, numbered("F"), {0, 0, 0});
   body.moment = add_vector(scene.inputs, Number::input, numbered("M"), {0, 0, 0});
   body.initial.omega = {0.1, -0.2, 0.3};
-  body.initial.sdot = {0.01, 0.02, -0.01};
+  body.joint.slides[0].rate = 0.01;
+  body.joint.slides[1].rate = 0.02;
+  body.joint.slides[2].rate = -0.01;
   return body;
 }
 

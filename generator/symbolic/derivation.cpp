@@ -7,8 +7,6 @@ using GiNaC::ex;
 
 namespace {
 
-bool is_zero(const scene::Vector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
-
 Letters letters_of(SymbolTable& table, const scene::Body& body, int k) {
   const auto add = [&](Role role, const char* name, const char* latex, Shape shape) {
     return table.add(role, name, latex, k, shape);

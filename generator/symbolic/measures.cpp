@@ -10,17 +10,19 @@ namespace {
 
 // Kinematical equations: ė = ½ (ε4 ω + e × ω), ε̇4 = −½ e·ω, ds/dt = ṡ.
 void derive_kinematics(Derivation& derivation) {
-  Function function{"kinematics", "xdot, the kinematical equations", {}, 7 * derivation.size(), false};
+  const scene::Layout layout(derivation.equations.scene);
+  Function function{"kinematics", "xdot, the kinematical equations", {}, layout.nx, false};
   for (int k = 1; k <= derivation.size(); ++k) {
     const Letters& body = derivation.letters(k);
+    const scene::BodyLayout& at = layout.bodies[static_cast<std::size_t>(k - 1)];
     const ex half = derivation.define("w", "w", k, Pass::outward, body.omega / 2, "half the angular velocity [rad/s]");
     const ex edot = derivation.define("edot", "\\dot e", k, Pass::outward, body.eps4 * half + skew(body.e) * half,
                                       "rates of eps_1, eps_2, eps_3 [1/s]");
     const ex eps4dot = derivation.define("eps4dot", "\\dot\\varepsilon_{4}", k, Pass::outward, -dot(body.e, half),
                                          "rate of eps_4 [1/s]");
-    function.outputs.push_back({edot, scene::eps_at(derivation.equations.scene, k - 1), 1, false});
-    function.outputs.push_back({eps4dot, scene::eps_at(derivation.equations.scene, k - 1) + 3, 1, false});
-    function.outputs.push_back({body.sdot, scene::s_at(derivation.equations.scene, k - 1), 1, false});
+    function.outputs.push_back({edot, at.eps, 1, false});
+    function.outputs.push_back({eps4dot, at.eps + 3, 1, false});
+    function.outputs.push_back({body.sdot, at.s[0], 1, false});
   }
   derivation.equations.functions.push_back(function);
 }

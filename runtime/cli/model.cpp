@@ -32,10 +32,6 @@ compile::Source source_of(const Generated& generated, const scene::Scene& scene)
           main};
 }
 
-bool is_zero(const scene::Vector& vector) {
-  return std::all_of(vector.begin(), vector.end(), [](const scene::Number& number) { return number.is_zero(); });
-}
-
 }  // namespace
 
 void add_build(CLI::App& command, BuildArguments& arguments) {

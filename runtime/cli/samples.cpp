@@ -65,7 +65,8 @@ std::vector<double> near_inputs(const scene::Scene& scene, Random& random) {
 State sample(const scene::Scene& scene, Random& random, bool defaults) {
   State state = initial_state(scene);
   state.x = random.numbers(state.x.size());
-  for (int k = 0; k < size(scene); ++k) random.unit(&state.x[static_cast<std::size_t>(eps_at(scene, k))]);
+  for (const scene::BodyLayout& at : scene::Layout(scene).bodies)
+    if (at.eps >= 0) random.unit(&state.x[static_cast<std::size_t>(at.eps)]);
   state.y = random.numbers(state.y.size());
   state.ydot = random.numbers(state.ydot.size());
   if (defaults) return state;

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <vector>
 
 #include "runtime/base/text.hpp"
@@ -19,8 +19,7 @@ std::string real(double value) {
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-template <std::size_t n>
-std::string list(const std::array<double, n>& values) {
+std::string list(std::span<const double> values) {
   std::vector<std::string> words;
   for (const double value : values) words.push_back(real(value));
   return fmt::format("[{}]", fmt::join(words, ", "));
@@ -72,9 +71,14 @@ class Writer {
     vector("q", body.q);
     vector("force", body.force);
     vector("moment", body.moment);
-    const scene::BodyState& state = body.initial;
+    const scene::BallState& state = body.initial;
+    std::vector<double> s, sdot;
+    for (const scene::Coordinate& slide : body.joint.slides) {
+      s.push_back(slide.value);
+      sdot.push_back(slide.rate);
+    }
     text_ += fmt::format("[body.initial]\neps = {}\nomega = {}\ns = {}\nsdot = {}\n", list(state.eps),
-                         list(state.omega), list(state.s), list(state.sdot));
+                         list(state.omega), list(s), list(sdot));
   }
 
   void write(const scene::Simulation& run) {

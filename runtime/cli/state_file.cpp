@@ -129,8 +129,11 @@ std::vector<double> read_named(const Field& root, const std::string& name, const
 
 std::vector<std::string> normalise(const scene::Scene& scene, const std::string& file, std::vector<double>& x) {
   std::vector<std::string> notes;
+  const scene::Layout layout(scene);
   for (int k = 0; k < size(scene); ++k) {
-    double* eps = &x[static_cast<std::size_t>(eps_at(scene, k))];
+    const int at = layout.bodies[static_cast<std::size_t>(k)].eps;
+    if (at < 0) continue;
+    double* eps = &x[static_cast<std::size_t>(at)];
     const double norm = std::hypot(std::hypot(eps[0], eps[1]), std::hypot(eps[2], eps[3]));
     const std::string field = file + ": x.eps_" + std::to_string(k + 1) + ": ";
     if (norm == 0.0) throw InputError(field + "found norm 0; allowed: Euler parameters, of which one is not zero");

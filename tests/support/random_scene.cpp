@@ -91,13 +91,11 @@ std::array<double, 4> random_eps(Random& random) {
   return eps;
 }
 
-scene::BodyState random_body_state(Random& random) {
-  scene::BodyState state;
-  state.eps = random_eps(random);
-  state.omega = random_array<3>(random, 3);
-  state.s = random_array<3>(random, 1);
-  state.sdot = random_array<3>(random, 2);
-  return state;
+void randomise_state(Random& random, scene::Body& body) {
+  body.initial.eps = random_eps(random);
+  body.initial.omega = random_array<3>(random, 3);
+  for (scene::Coordinate& slide : body.joint.slides) slide.value = random.uniform(-1, 1);
+  for (scene::Coordinate& slide : body.joint.slides) slide.rate = random.uniform(-2, 2);
 }
 
 scene::Body random_body(Random& random, Maker& make, int k, bool loads) {
@@ -113,7 +111,7 @@ scene::Body random_body(Random& random, Maker& make, int k, bool loads) {
     body.force = make.load("F_" + number, 10);
     body.moment = make.load("M_" + number, 5);
   }
-  body.initial = random_body_state(random);
+  randomise_state(random, body);
   return body;
 }
 
@@ -143,7 +141,7 @@ scene::Scene random_scene(Random& random, int n_bodies, const RandomSceneOptions
 
 State random_state(Random& random, const scene::Scene& scene) {
   scene::Scene moved = scene;
-  for (scene::Body& body : moved.bodies) body.initial = random_body_state(random);
+  for (scene::Body& body : moved.bodies) randomise_state(random, body);
   State state{scene::initial_coordinates(moved), scene::initial_speeds(moved), {}};
   for (int i = 0; i < scene::n_speeds(scene); ++i) state.ydot.push_back(random.uniform(-10, 10));
   return state;

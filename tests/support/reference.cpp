@@ -143,21 +143,23 @@ Reference read_reference(const std::filesystem::path& path) {
 
 template <class Real>
 Converted<Real> convert(const scene::Scene& scene, const ReferenceState& state) {
-  const std::vector<Placed<Real>> at = place_all<Real>(scene, state);
+  const std::vector<Placed<Real>> placed_bodies = place_all<Real>(scene, state);
   Converted<Real> out;
   out.x.resize(scene::n_coordinates(scene));
   out.y.resize(scene::n_speeds(scene));
   out.ydot.resize(scene::n_speeds(scene));
+  const scene::Layout layout(scene);
   for (int body = 0; body < scene::size(scene); ++body) {
-    const Placed<Real>& placed = at[static_cast<std::size_t>(body) + 1];
-    out.x.template segment<4>(scene::eps_at(scene, body)) = placed.to_inertial.coeffs();
-    out.x.template segment<3>(scene::s_at(scene, body)) = placed.s;
-    out.y.template segment<3>(scene::omega_at(scene, body)) = placed.omega;
-    out.y.template segment<3>(scene::sdot_at(scene, body)) = placed.sdot;
-    out.ydot.template segment<3>(scene::omega_at(scene, body)) = placed.omegadot;
-    out.ydot.template segment<3>(scene::sdot_at(scene, body)) = placed.sddot;
+    const scene::BodyLayout& at = layout.bodies[static_cast<std::size_t>(body)];
+    const Placed<Real>& placed = placed_bodies[static_cast<std::size_t>(body) + 1];
+    out.x.template segment<4>(at.eps) = placed.to_inertial.coeffs();
+    out.x.template segment<3>(at.s[0]) = placed.s;
+    out.y.template segment<3>(at.omega) = placed.omega;
+    out.y.template segment<3>(at.sdot[0]) = placed.sdot;
+    out.ydot.template segment<3>(at.omega) = placed.omegadot;
+    out.ydot.template segment<3>(at.sdot[0]) = placed.sddot;
   }
-  out.u = loads<Real>(scene, state, at);
+  out.u = loads<Real>(scene, state, placed_bodies);
   return out;
 }
 
