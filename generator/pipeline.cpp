@@ -40,6 +40,13 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   return {program, scene.name, hash, std::move(header), std::move(abi)};
 }
 
+std::vector<Available> available_functions(const scene::Scene& scene) {
+  std::vector<Available> result;
+  for (const symbolic::Function& function : symbolic::derive(scene).functions)
+    result.push_back({function.name, function.meaning, function.n_out, function.signature});
+  return result;
+}
+
 std::string version() { return KANEC_VERSION; }
 
 }  // namespace kanec

@@ -22,6 +22,17 @@ struct Generated {
   std::string abi;     // <name>_abi.cpp
 };
 
+// A function that a scene's solver can have.
+struct Available {
+  std::string name;
+  std::string meaning;
+  int n_out = 0;
+  program::Signature signature;
+};
+
+// All of them, in order.
+std::vector<Available> available_functions(const scene::Scene& scene);
+
 // Throws InputError for a function that the scene does not have.
 Generated generate(const scene::Scene& scene, const GenerateOptions& options = {});
 

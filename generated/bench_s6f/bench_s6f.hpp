@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 762c586c5975b7ef; all functions
+// model 20ac0918c8ba65ec; all functions
 // bodies, each with a free joint:
 //   1 body_1 on the inertial frame
 //   2 body_2 on 1
@@ -40,7 +40,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "762c586c5975b7ef";
+inline constexpr char model_hash[] = "20ac0918c8ba65ec";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -103,7 +103,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
 }
 
 // kinematics: xdot, the kinematical equations.
-// rates of x (nx) [1/s], [m/s]
+// rates of x (nx) [1/s], [rad/s], [m/s]
 // 48 add, 90 multiply
 template <class T>
 void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9c878e296d6c253b; all functions
+// model 008f71db3924a7c2; all functions
 // bodies, each with a free joint:
 //   1 handle on the inertial frame
 //
@@ -34,7 +34,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9c878e296d6c253b";
+inline constexpr char model_hash[] = "008f71db3924a7c2";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -61,7 +61,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
 }
 
 // kinematics: xdot, the kinematical equations.
-// rates of x (nx) [1/s], [m/s]
+// rates of x (nx) [1/s], [rad/s], [m/s]
 // 8 add, 15 multiply
 template <class T>
 void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {

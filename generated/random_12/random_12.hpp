@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 03a86c94f5cab56e; all functions
+// model b41848d7debea77d; all functions
 // bodies, each with a free joint:
 //   1 body_1 on the inertial frame
 //   2 body_2 on 1
@@ -46,7 +46,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "03a86c94f5cab56e";
+inline constexpr char model_hash[] = "b41848d7debea77d";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -73,7 +73,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
 }
 
 // kinematics: xdot, the kinematical equations.
-// rates of x (nx) [1/s], [m/s]
+// rates of x (nx) [1/s], [rad/s], [m/s]
 // 96 add, 180 multiply
 template <class T>
 void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {

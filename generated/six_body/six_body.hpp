@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2b969c73e32b8ecd; all functions
+// model 6e8dc7e132ea3294; all functions
 // bodies, each with a free joint:
 //   1 hub on the inertial frame
 //   2 boom on 1
@@ -40,7 +40,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "2b969c73e32b8ecd";
+inline constexpr char model_hash[] = "6e8dc7e132ea3294";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -106,7 +106,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
 }
 
 // kinematics: xdot, the kinematical equations.
-// rates of x (nx) [1/s], [m/s]
+// rates of x (nx) [1/s], [rad/s], [m/s]
 // 48 add, 90 multiply
 template <class T>
 void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 65b594a23f22b53a; all functions
+// model 9908b5a921a8f45d; all functions
 // bodies, each with a free joint:
 //   1 hub on the inertial frame
 //   2 boom on 1
@@ -39,7 +39,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "65b594a23f22b53a";
+inline constexpr char model_hash[] = "9908b5a921a8f45d";
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -66,7 +66,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
 }
 
 // kinematics: xdot, the kinematical equations.
-// rates of x (nx) [1/s], [m/s]
+// rates of x (nx) [1/s], [rad/s], [m/s]
 // 48 add, 90 multiply
 template <class T>
 void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {

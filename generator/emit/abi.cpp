@@ -15,7 +15,7 @@ std::string spread(const std::string& array, std::size_t count) {
 }
 
 std::string wrapper(const scene::Scene& scene, const program::Function& function) {
-  const Signature& shape = signature(function.name);
+  const Signature& shape = function.signature;
   const std::string arguments = argument_list(shape, "*static_cast<const Prepared*>(prepared)",
                                               "model::Inputs<double>" + spread("u", scene.inputs.size()), "out");
   return "void " + function.name +

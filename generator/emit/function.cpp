@@ -31,7 +31,7 @@ class Emission {
   }
 
   std::string text() {
-    const Signature& signature = emit::signature(function_.name);
+    const Signature& signature = function_.signature;
     const bool placed = !function_.placements.empty();
     Shape shape{function_.name, parameter_list(signature, reads()), parameter_list(signature, {}), argument_list(signature, "c", "u", signature.out),
                 "", "", "", usings()};

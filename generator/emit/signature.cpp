@@ -1,31 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/signature.hpp"
 
-#include <map>
-
-#include "runtime/base/error.hpp"
-
 namespace kanec::emit {
-
-const Signature& signature(const std::string& function) {
-  static const std::map<std::string, Signature> known = {
-      {"kinematics", {true, true, false, false, "xdot", "rates of x (nx) [1/s], [m/s]"}},
-      {"poses", {true, false, false, false, "pose", "R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)"}},
-      {"energy", {true, true, false, false, "energy", "kinetic, potential (2) [J]"}},
-      {"momentum", {true, true, false, false, "momentum", "linear (3) [kg m/s], angular (3) [kg m^2/s]"}},
-      {"power", {true, true, false, true, "out", "power (1) [W]"}},
-      {"accelerations", {true, true, false, true, "ydot", "rates of y (ny) [rad/s^2], [m/s^2]"}},
-      {"residual", {true, true, true, true, "r", "r (ny) [N m], [N]"}},
-      {"forcing", {true, true, false, true, "f", "f (ny) [N m], [N]"}},
-      {"mass_matrix", {true, false, false, false, "A", "A (ny x ny) [kg m^2], [kg m], [kg]"}},
-      {"partial_velocities", {true, false, false, false, "v_y", "v_y of body 1, of body 2, ... (n_bodies x 3 x ny)"}},
-      {"partial_velocity_rates",
-       {true, true, false, false, "v_y_dot", "v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)"}},
-  };
-  const auto found = known.find(function);
-  if (found == known.end()) throw InternalError("emit: no signature of function " + function);
-  return found->second;
-}
 
 std::string parameter_list(const Signature& signature, const Reads& reads) {
   std::string list;

@@ -1,19 +1,14 @@
-// Arguments of each emitted function and the layout of its result. Not: what it computes.
+// The argument lists of emitted functions. Not: their bodies.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <string>
 
+#include "generator/program/program.hpp"
+
 namespace kanec::emit {
 
-struct Signature {
-  bool x, y, ydot, inputs;
-  const char* out;     // name of the result
-  const char* layout;  // "rates of y (ny) [rad/s^2], [m/s^2]"
-};
-
-// Throws InternalError for a function that has none.
-const Signature& signature(const std::string& function);
+using program::Signature;
 
 // Which arguments a body reads; the others are marked [[maybe_unused]].
 struct Reads {

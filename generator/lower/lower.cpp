@@ -37,7 +37,7 @@ class Lowering {
   static std::size_t index(const ex& atom) { return static_cast<std::size_t>(GiNaC::ex_to<Atom>(atom).index()); }
 
   program::Function lowered(const symbolic::Function& function) {
-    program::Function result{function.name, function.meaning, {}, {}, {}, function.n_out, 0};
+    program::Function result{function.name, function.meaning, {}, {}, {}, function.n_out, 0, function.signature};
     used_.assign(values_.size(), false);
     const bool has_places = function.repeated && !function.outputs.empty();
     has_places ? place_blocks(function, result) : place_entries(function, result);
@@ -110,7 +110,7 @@ class Lowering {
         result.entries.push_back(block.at(i, j));
       }
     result.body = quantity.body;
-    result.pass = quantity.pass == symbolic::Pass::outward ? program::Pass::outward : program::Pass::inward;
+    result.pass = quantity.pass;
     result.equation = symbolic::notation(quantity.symbol, equations_.table, symbolic::Style::text) + " = " +
                       symbolic::notation(quantity.value, equations_.table, symbolic::Style::text);
     result.meaning = quantity.meaning;

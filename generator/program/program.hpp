@@ -60,6 +60,14 @@ struct Placement {
   Index offset;
 };
 
+// Which arguments a function takes, what its result is called in code, and the result's layout. Time comes first where the
+// function reads it; inputs are also taken where it reads them.
+struct Signature {
+  bool x = true, y = true, ydot = false, inputs = false;
+  std::string out = "out";
+  std::string layout;  // "rates of x (nx) [1/s], [m/s]"
+};
+
 struct Function {
   std::string name;
   std::string meaning;
@@ -68,6 +76,7 @@ struct Function {
   std::vector<Placement> placements;
   Index n_out = 0;
   Index stride = 0;  // of the placements
+  Signature signature = {};
 };
 
 // Names of the arguments' entries, by group.

@@ -39,7 +39,8 @@ ex solve_sddot(Derivation& derivation, Rates& rates, int k, const ex& Pddot, con
 void derive_accelerations(Derivation& derivation) {
   Rates rates = derivation.rates;
   std::vector<ex> spin = {ex(0)};
-  Function function{"accelerations", "ydot from A ydot = f", {}, 6 * derivation.size(), false};
+  Function function{"accelerations", "ydot from A ydot = f", {}, 6 * derivation.size(), false,
+                    {true, true, false, true, "ydot", "rates of y (ny) [rad/s^2], [m/s^2]"}};
   for (int k = 1; k <= derivation.size(); ++k) {
     const Letters& body = derivation.letters(k);
     const auto at = static_cast<std::size_t>(k);

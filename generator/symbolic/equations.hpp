@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "generator/program/program.hpp"
 #include "generator/scene/scene.hpp"
 #include "generator/symbolic/symbols.hpp"
 
 namespace kanec::symbolic {
 
-// Root to leaves, or back.
-enum class Pass { outward, inward };
+using program::Pass;
 
 // A named step of the derivation, written in the letters and the quantities before it.
 struct Quantity {
@@ -38,6 +38,7 @@ struct Function {
   std::vector<Output> outputs;
   int n_out = 0;
   bool repeated = false;  // the same blocks stand at many places (partial velocities)
+  program::Signature signature = {};
 };
 
 // Columns of the state y: ω_K is column K-1, ṡ_K column N+K-1.

@@ -48,7 +48,8 @@ void derive_residual(Derivation& derivation) {
                                                inertia_moment(chain.spin[at], body.inertia) - body.moment,
                                                "moment balance about the mass centre, body axes [N m]"));
   }
-  Function function{"residual", "r = A ydot - f", {}, 6 * derivation.size(), false};
+  Function function{"residual", "r = A ydot - f", {}, 6 * derivation.size(), false,
+                    {true, true, true, true, "r", "r (ny) [N m], [N]"}};
   project(derivation, balance, function, "r");
   derivation.equations.functions.push_back(function);
 }
@@ -70,7 +71,8 @@ void derive_forcing(Derivation& derivation) {
                                                body.moment - gyroscopic(body.inertia, body.omega),
                                                "applied less inertia moment at omegadot = 0, body axes [N m]"));
   }
-  Function function{"forcing", "f of A ydot = f", {}, 6 * derivation.size(), false};
+  Function function{"forcing", "f of A ydot = f", {}, 6 * derivation.size(), false,
+                    {true, true, false, true, "f", "f (ny) [N m], [N]"}};
   project(derivation, balance, function, "f");
   derivation.equations.functions.push_back(function);
 }

@@ -139,7 +139,8 @@ class MassMatrix {
 void derive_mass_matrix(Derivation& derivation) {
   MassMatrix mass_matrix(derivation);
   const int ny = 6 * derivation.size();
-  Function function{"mass_matrix", "A, symmetric positive definite", {}, ny * ny, false};
+  Function function{"mass_matrix", "A, symmetric positive definite", {}, ny * ny, false,
+                    {true, false, false, false, "A", "A (ny x ny) [kg m^2], [kg m], [kg]"}};
   for (int i = 2 * derivation.size() - 1; i >= 0; --i)
     for (int j = i; j < 2 * derivation.size(); ++j) {
       const ex value = mass_matrix.block(i, j);

@@ -11,7 +11,8 @@ namespace {
 // Kinematical equations: ė = ½ (ε4 ω + e × ω), ε̇4 = −½ e·ω, ds/dt = ṡ.
 void derive_kinematics(Derivation& derivation) {
   const scene::Layout layout(derivation.equations.scene);
-  Function function{"kinematics", "xdot, the kinematical equations", {}, layout.nx, false};
+  Function function{"kinematics", "xdot, the kinematical equations", {}, layout.nx, false,
+                    {true, true, false, false, "xdot", "rates of x (nx) [1/s], [rad/s], [m/s]"}};
   for (int k = 1; k <= derivation.size(); ++k) {
     const Letters& body = derivation.letters(k);
     const scene::BodyLayout& at = layout.bodies[static_cast<std::size_t>(k - 1)];
@@ -28,7 +29,8 @@ void derive_kinematics(Derivation& derivation) {
 }
 
 void derive_poses(Derivation& derivation) {
-  Function function{"poses", "attitude R and mass centre p of each body", {}, 12 * derivation.size(), false};
+  Function function{"poses", "attitude R and mass centre p of each body", {}, 12 * derivation.size(), false,
+                    {true, false, false, false, "pose", "R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)"}};
   for (int k = 1; k <= derivation.size(); ++k) {
     function.outputs.push_back({derivation.letters(k).to_body, 12 * (k - 1), 3, false});
     function.outputs.push_back({derivation.centres[static_cast<std::size_t>(k)], 12 * (k - 1) + 9, 1, false});
@@ -55,7 +57,8 @@ void derive_energy(Derivation& derivation) {
                                   "potential energy of gravity [J]");
   }
   derivation.equations.functions.push_back(
-      {"energy", "kinetic and potential energy [J]", {{kinetic, 0, 1, false}, {potential, 1, 1, false}}, 2, false});
+      {"energy", "kinetic and potential energy [J]", {{kinetic, 0, 1, false}, {potential, 1, 1, false}}, 2, false,
+       {true, true, false, false, "energy", "kinetic, potential (2) [J]"}});
 }
 
 void derive_momentum(Derivation& derivation) {
@@ -78,7 +81,8 @@ void derive_momentum(Derivation& derivation) {
                                             "linear and angular momentum, inertial axes, about the inertial origin",
                                             {{linear, 0, 1, false}, {angular, 3, 1, false}},
                                             6,
-                                            false});
+                                            false,
+                                            {true, true, false, false, "momentum", "linear (3) [kg m/s], angular (3) [kg m^2/s]"}});
 }
 
 // Only where the scene has applied loads.
@@ -91,7 +95,8 @@ void derive_power(Derivation& derivation) {
   }
   if (power.is_zero()) return;
   power = derivation.define("power", "W", 0, Pass::inward, power, "power of the applied loads [W]");
-  derivation.equations.functions.push_back({"power", "power of the applied loads, without gravity [W]", {{power, 0, 1, false}}, 1, false});
+  derivation.equations.functions.push_back({"power", "power of the applied loads, without gravity [W]", {{power, 0, 1, false}}, 1, false,
+                                            {true, true, false, true, "out", "power (1) [W]"}});
 }
 
 }  // namespace

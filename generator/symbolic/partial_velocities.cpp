@@ -56,9 +56,11 @@ void derive_partial_velocities(Derivation& derivation) {
 namespace {
 
 void add_function(Derivation& derivation, const std::string& name, const std::string& meaning,
-                  const std::vector<Blocks>& rows) {
+                  const std::vector<Blocks>& rows, bool reads_speeds) {
   const int ny = 6 * derivation.size();
-  Function function{name, meaning, {}, 3 * ny * derivation.size(), true};
+  Function function{name, meaning, {}, 3 * ny * derivation.size(), true,
+                    {true, reads_speeds, false, false, reads_speeds ? "v_y_dot" : "v_y",
+                     (reads_speeds ? "v_y_dot" : "v_y") + std::string(" of body 1, of body 2, ... (n_bodies x 3 x ny)")}};
   GiNaC::exmap named;
   for (int k = 1; k <= derivation.size(); ++k)
     for (const auto& [column, block] : rows[static_cast<std::size_t>(k - 1)]) {
@@ -81,9 +83,9 @@ void add_function(Derivation& derivation, const std::string& name, const std::st
 
 void derive_partial_velocity_functions(Derivation& derivation) {
   add_function(derivation, "partial_velocities", "partial velocities v_y of the mass centres: v = v_y y",
-               derivation.equations.tables.v_y);
+               derivation.equations.tables.v_y, false);
   add_function(derivation, "partial_velocity_rates", "time derivatives of the partial velocities",
-               derivation.equations.tables.v_y_dot);
+               derivation.equations.tables.v_y_dot, true);
 }
 
 std::vector<Group> groups(const std::vector<Blocks>& rows, int column) {

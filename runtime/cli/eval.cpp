@@ -74,7 +74,7 @@ State input_state(const Options& options, const scene::Scene& scene) {
     throw InputError(
         "--input is not given; allowed: a file, or - for standard input (--template prints one to begin with)");
   const std::string name = options.input == "-" ? "standard input" : options.input;
-  ReadState read = read_state(read_input(options.input), name, scene, needs_of(options.function));
+  ReadState read = read_state(read_input(options.input), name, scene, needs_of(scene, options.function));
   for (const std::string& note : read.notes) remark("note: " + note);
   overrule(scene, options.settings, read.state);
   return read.state;
@@ -87,7 +87,7 @@ void keep_what_is_read(State& state, const Needs& needs) {
 
 int print_template(const Options& options, const scene::Scene& scene) {
   State state = initial_state(with_settings(scene, options.settings));
-  keep_what_is_read(state, needs_of(options.function));
+  keep_what_is_read(state, needs_of(scene, options.function));
   print_json(state_json(scene, state));
   return 0;
 }
@@ -124,7 +124,7 @@ int eval(const Options& given) {
   const Layout layout = result_layout(scene, options.function);
   if (std::any_of(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }))
     remark("note: a result is not finite (null in JSON)");
-  keep_what_is_read(state, needs_of(options.function));
+  keep_what_is_read(state, needs_of(scene, options.function));
   if (options.json)
     print_json(json_of(options, scene, state, layout, values));
   else

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "generator/emit/signature.hpp"
+#include "generator/pipeline.hpp"
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
@@ -158,9 +158,10 @@ State initial_state(const scene::Scene& scene) {
           default_inputs(scene)};
 }
 
-Needs needs_of(const std::string& function) {
-  const emit::Signature& signature = emit::signature(function);
-  return {signature.y, signature.ydot};
+Needs needs_of(const scene::Scene& scene, const std::string& function) {
+  for (const Available& available : available_functions(scene))
+    if (available.name == function) return {available.signature.y, available.signature.ydot};
+  throw InternalError("no function " + function);
 }
 
 ReadState read_state(std::string_view text, const std::string& file, const scene::Scene& scene, const Needs& needs) {

@@ -33,7 +33,7 @@ struct Needs {
   bool ydot = false;
 };
 // Those of a function that the scene has.
-Needs needs_of(const std::string& function);
+Needs needs_of(const scene::Scene& scene, const std::string& function);
 
 struct ReadState {
   State state;

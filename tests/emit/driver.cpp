@@ -90,7 +90,7 @@ Driver::Driver(const Sample& sample, const Generated& generated) : sample_(sampl
 }
 
 std::string Driver::call(const program::Function& function) const {
-  const emit::Signature& signature = emit::signature(function.name);
+  const program::Signature& signature = function.signature;
   std::string arguments = "c";
   if (signature.x) arguments += ", x.data()";
   if (signature.y) arguments += ", y.data()";

@@ -88,7 +88,7 @@ class Maker {
   }
 
   program::Function function(const std::string& name) {
-    program::Function function{name, "", {}, {}, {}, 0, 0};
+    program::Function function{name, "", {}, {}, {}, 0, 0, {}};
     for (int i = 0; i < 5; ++i) {
       program::Quantity quantity;
       quantity.name = "q" + std::to_string(i);
