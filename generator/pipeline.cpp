@@ -4,18 +4,18 @@
 #include <utility>
 
 #include "generator/emit/header.hpp"
-#include "generator/lower/lower.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/symbolic/derive.hpp"
+#include "generator/regular.hpp"
 #include "runtime/base/hash.hpp"
 
 namespace kanec {
 namespace {
 
-std::string options_text(const GenerateOptions& options) {
-  if (options.functions.empty()) return "all functions";
+std::string options_text(const scene::Scene& scene, const GenerateOptions& options) {
+  const std::vector<std::string>& named = options.functions.empty() ? scene.functions : options.functions;
+  if (named.empty()) return "the usual functions";
   std::string text = "functions";
-  for (const std::string& function : options.functions) text += " " + function;
+  for (const std::string& function : named) text += " " + function;
   return text;
 }
 
@@ -24,27 +24,27 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
+std::string without(std::string text, const std::string& what) {
+  replace_all(text, what, "");
+  return text;
+}
+
 }  // namespace
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
-  const symbolic::Equations equations = symbolic::derive(scene);
-  const program::Program program = program::optimized(lower::lower(equations, options.functions));
-  // the hash is of the text that it stands in, written first with a mark in its place
+  check_regular(scene);
+  const program::Program program = program::optimized(program_of(scene, requested_functions(scene, options.functions)));
+  // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their places
   const std::string mark = "@model-hash-mark";
-  const emit::Model model{&scene, version(), mark, options_text(options)};
+  const std::string source = scene.source.empty() ? "" : "@model-source-mark";
+  const emit::Model model{&scene, version(), mark, options_text(scene, options), source};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
-  const std::string hash = fingerprint(header + abi);
+  const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
+  if (!source.empty()) replace_all(header, source, scene.source);
   replace_all(abi, mark, hash);
   return {program, scene.name, hash, std::move(header), std::move(abi)};
-}
-
-std::vector<Available> available_functions(const scene::Scene& scene) {
-  std::vector<Available> result;
-  for (const symbolic::Function& function : symbolic::derive(scene).functions)
-    result.push_back({function.name, function.meaning, function.n_out, function.signature});
-  return result;
 }
 
 std::string version() { return KANEC_VERSION; }

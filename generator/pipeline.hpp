@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "generator/program/program.hpp"
+#include "generator/reductions.hpp"
+#include "generator/requests.hpp"
 #include "generator/scene/scene.hpp"
 
 namespace kanec {
 
 struct GenerateOptions {
-  std::vector<std::string> functions;  // all that the scene has when empty
+  std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
 };
 
 struct Generated {
@@ -22,18 +24,7 @@ struct Generated {
   std::string abi;     // <name>_abi.cpp
 };
 
-// A function that a scene's solver can have.
-struct Available {
-  std::string name;
-  std::string meaning;
-  int n_out = 0;
-  program::Signature signature;
-};
-
-// All of them, in order.
-std::vector<Available> available_functions(const scene::Scene& scene);
-
-// Throws InputError for a function that the scene does not have.
+// Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.
 Generated generate(const scene::Scene& scene, const GenerateOptions& options = {});
 
 std::string version();

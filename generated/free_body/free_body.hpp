@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 008f71db3924a7c2; all functions
-// bodies, each with a free joint:
-//   1 handle on the inertial frame
+// model 24036269e324f6ce of free_body/scene.toml; the usual functions
+// bodies and their joints:
+//   1 handle on the inertial frame: free
 //
-// Units SI, angles in rad. x = (eps_1 .. eps_N ; s_1 .. s_N), y = (omega_1 .. omega_N ; sdot_1 .. sdot_N):
-//   eps    Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
-//   s      translation from the joint point, axes of the lower body [m] (3)
-//   omega  absolute angular velocity, body axes [rad/s] (3)
-//   sdot   rate of s [m/s] (3)
+// Units SI, angles in rad. Coordinates and speeds, all rotations before all translations:
+//   x = (eps_1_1 .. eps_1_4, s_1_1 .. s_1_3)
+//   y = (omega_1_1 .. omega_1_3, sdot_1_1 .. sdot_1_3)
+//   eps       Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
+//   s         translation from the joint point, axes of the lower body [m]
+//   omega     absolute angular velocity, body axes [rad/s] (3)
+//   sdot      rate of s [m/s]
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one.
@@ -34,16 +36,26 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "008f71db3924a7c2";
+inline constexpr char model_hash[] = "24036269e324f6ce";
+
+// Where each coordinate stands in x and each speed in y.
+namespace at {
+inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, s_1_1 = 4, s_1_2 = 5, s_1_3 = 6;
+inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, sdot_1_1 = 3, sdot_1_2 = 4, sdot_1_3 = 5;
+inline constexpr int handle_eps_1 = 0, handle_eps_2 = 1, handle_eps_3 = 2, handle_eps_4 = 3, handle_s_1 = 4,
+    handle_s_2 = 5, handle_s_3 = 6;
+inline constexpr int handle_omega_1 = 0, handle_omega_2 = 1, handle_omega_3 = 2, handle_sdot_1 = 3, handle_sdot_2 = 4,
+    handle_sdot_3 = 5;
+}  // namespace at
+
+// Entries of mass_matrix that are not always 0, row by row.
+inline constexpr int mass_matrix_nonzeros = 6;
+inline constexpr int mass_matrix_rows[] = {0, 1, 2, 3, 4, 5};
+inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5};
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
 struct Parameters {
-};
-
-// Run-time inputs with the scene's defaults, SI units.
-template <class T>
-struct Inputs {
 };
 
 // What depends on parameters only, computed once for many calls.
@@ -212,8 +224,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
 // rates of y (ny) [rad/s^2], [m/s^2]
 // 0 add, 9 multiply
 template <class T>
-void accelerations([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, [[maybe_unused]]
-    const Inputs<T>& u, T* ydot) noexcept {
+void accelerations([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, T* ydot) noexcept {
 
   // ---- body 1 (handle) on the inertial frame
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
@@ -239,8 +250,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const
 // r (ny) [N m], [N]
 // 9 add, 12 multiply
 template <class T>
-void residual([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const T* ydot,
-    [[maybe_unused]] const Inputs<T>& u, T* r) noexcept {
+void residual([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const T* ydot, T* r)
+    noexcept {
 
   // ---- body 1 (handle) on the inertial frame
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
@@ -277,12 +288,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x
 // f (ny) [N m], [N]
 // 0 add, 6 multiply
 template <class T>
-void forcing([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, [[maybe_unused]] const
-    Inputs<T>& u, T* f) noexcept {
+void forcing([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, T* f) noexcept {
 
   // ---- body 1 (handle) on the inertial frame
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N1_1 = omega1_2 * omega1_3 * T(0.008);
   const T N1_2 = omega1_1 * omega1_3 * T(0.018000000000000002);
   const T minus_N1_3 = omega1_1 * omega1_2 * T(0.01);

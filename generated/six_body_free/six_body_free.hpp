@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9908b5a921a8f45d; all functions
-// bodies, each with a free joint:
-//   1 hub on the inertial frame
-//   2 boom on 1
-//   3 panel on 2
-//   4 payload on 2
-//   5 arm on 1
-//   6 tool on 5
+// model 333efa68b461ccea of six_body_free/scene.toml; the usual functions
+// bodies and their joints:
+//   1 hub on the inertial frame: free
+//   2 boom on 1: free
+//   3 panel on 2: free
+//   4 payload on 2: free
+//   5 arm on 1: free
+//   6 tool on 5: free
 //
-// Units SI, angles in rad. x = (eps_1 .. eps_N ; s_1 .. s_N), y = (omega_1 .. omega_N ; sdot_1 .. sdot_N):
-//   eps    Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
-//   s      translation from the joint point, axes of the lower body [m] (3)
-//   omega  absolute angular velocity, body axes [rad/s] (3)
-//   sdot   rate of s [m/s] (3)
+// Units SI, angles in rad. Coordinates and speeds, all rotations before all translations:
+//   x = (eps_1_1 .. eps_1_4, eps_2_1 .. eps_2_4, eps_3_1 .. eps_3_4, eps_4_1 .. eps_4_4, eps_5_1 .. eps_5_4,
+//   eps_6_1 .. eps_6_4, s_1_1 .. s_1_3, s_2_1 .. s_2_3, s_3_1 .. s_3_3, s_4_1 .. s_4_3, s_5_1 .. s_5_3,
+//   s_6_1 .. s_6_3)
+//   y = (omega_1_1 .. omega_1_3, omega_2_1 .. omega_2_3, omega_3_1 .. omega_3_3, omega_4_1 .. omega_4_3,
+//   omega_5_1 .. omega_5_3, omega_6_1 .. omega_6_3, sdot_1_1 .. sdot_1_3, sdot_2_1 .. sdot_2_3, sdot_3_1 .. sdot_3_3,
+//   sdot_4_1 .. sdot_4_3, sdot_5_1 .. sdot_5_3, sdot_6_1 .. sdot_6_3)
+//   eps       Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
+//   s         translation from the joint point, axes of the lower body [m]
+//   omega     absolute angular velocity, body axes [rad/s] (3)
+//   sdot      rate of s [m/s]
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one.
@@ -27,7 +33,7 @@
 //   accelerations           906 (435 add, 471 multiply)
 //   residual                1200 (582 add, 618 multiply)
 //   forcing                 1080 (471 add, 609 multiply)
-//   mass_matrix             1530 (501 add, 1029 multiply)
+//   mass_matrix             1395 (501 add, 894 multiply)
 //   partial_velocities      450 (180 add, 270 multiply)
 //   partial_velocity_rates  792 (324 add, 468 multiply)
 #pragma once
@@ -39,16 +45,92 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9908b5a921a8f45d";
+inline constexpr char model_hash[] = "333efa68b461ccea";
+
+// Where each coordinate stands in x and each speed in y.
+namespace at {
+inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, eps_2_1 = 4, eps_2_2 = 5, eps_2_3 = 6,
+    eps_2_4 = 7, eps_3_1 = 8, eps_3_2 = 9, eps_3_3 = 10, eps_3_4 = 11, eps_4_1 = 12, eps_4_2 = 13, eps_4_3 = 14,
+    eps_4_4 = 15, eps_5_1 = 16, eps_5_2 = 17, eps_5_3 = 18, eps_5_4 = 19, eps_6_1 = 20, eps_6_2 = 21, eps_6_3 = 22,
+    eps_6_4 = 23, s_1_1 = 24, s_1_2 = 25, s_1_3 = 26, s_2_1 = 27, s_2_2 = 28, s_2_3 = 29, s_3_1 = 30, s_3_2 = 31,
+    s_3_3 = 32, s_4_1 = 33, s_4_2 = 34, s_4_3 = 35, s_5_1 = 36, s_5_2 = 37, s_5_3 = 38, s_6_1 = 39, s_6_2 = 40,
+    s_6_3 = 41;
+inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, omega_2_1 = 3, omega_2_2 = 4, omega_2_3 = 5,
+    omega_3_1 = 6, omega_3_2 = 7, omega_3_3 = 8, omega_4_1 = 9, omega_4_2 = 10, omega_4_3 = 11, omega_5_1 = 12,
+    omega_5_2 = 13, omega_5_3 = 14, omega_6_1 = 15, omega_6_2 = 16, omega_6_3 = 17, sdot_1_1 = 18, sdot_1_2 = 19,
+    sdot_1_3 = 20, sdot_2_1 = 21, sdot_2_2 = 22, sdot_2_3 = 23, sdot_3_1 = 24, sdot_3_2 = 25, sdot_3_3 = 26,
+    sdot_4_1 = 27, sdot_4_2 = 28, sdot_4_3 = 29, sdot_5_1 = 30, sdot_5_2 = 31, sdot_5_3 = 32, sdot_6_1 = 33,
+    sdot_6_2 = 34, sdot_6_3 = 35;
+inline constexpr int hub_eps_1 = 0, hub_eps_2 = 1, hub_eps_3 = 2, hub_eps_4 = 3, boom_eps_1 = 4, boom_eps_2 = 5,
+    boom_eps_3 = 6, boom_eps_4 = 7, panel_eps_1 = 8, panel_eps_2 = 9, panel_eps_3 = 10, panel_eps_4 = 11,
+    payload_eps_1 = 12, payload_eps_2 = 13, payload_eps_3 = 14, payload_eps_4 = 15, arm_eps_1 = 16, arm_eps_2 = 17,
+    arm_eps_3 = 18, arm_eps_4 = 19, tool_eps_1 = 20, tool_eps_2 = 21, tool_eps_3 = 22, tool_eps_4 = 23, hub_s_1 = 24,
+    hub_s_2 = 25, hub_s_3 = 26, boom_s_1 = 27, boom_s_2 = 28, boom_s_3 = 29, panel_s_1 = 30, panel_s_2 = 31,
+    panel_s_3 = 32, payload_s_1 = 33, payload_s_2 = 34, payload_s_3 = 35, arm_s_1 = 36, arm_s_2 = 37, arm_s_3 = 38,
+    tool_s_1 = 39, tool_s_2 = 40, tool_s_3 = 41;
+inline constexpr int hub_omega_1 = 0, hub_omega_2 = 1, hub_omega_3 = 2, boom_omega_1 = 3, boom_omega_2 = 4,
+    boom_omega_3 = 5, panel_omega_1 = 6, panel_omega_2 = 7, panel_omega_3 = 8, payload_omega_1 = 9,
+    payload_omega_2 = 10, payload_omega_3 = 11, arm_omega_1 = 12, arm_omega_2 = 13, arm_omega_3 = 14,
+    tool_omega_1 = 15, tool_omega_2 = 16, tool_omega_3 = 17, hub_sdot_1 = 18, hub_sdot_2 = 19, hub_sdot_3 = 20,
+    boom_sdot_1 = 21, boom_sdot_2 = 22, boom_sdot_3 = 23, panel_sdot_1 = 24, panel_sdot_2 = 25, panel_sdot_3 = 26,
+    payload_sdot_1 = 27, payload_sdot_2 = 28, payload_sdot_3 = 29, arm_sdot_1 = 30, arm_sdot_2 = 31, arm_sdot_3 = 32,
+    tool_sdot_1 = 33, tool_sdot_2 = 34, tool_sdot_3 = 35;
+}  // namespace at
+
+// Entries of mass_matrix that are not always 0, row by row.
+inline constexpr int mass_matrix_nonzeros = 726;
+inline constexpr int mass_matrix_rows[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2,
+    2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8,
+    8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10,
+    10, 10, 10, 10, 10, 10, 10, 10, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 12, 12,
+    12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13,
+    13, 13, 13, 13, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 14, 15, 15, 15, 15, 15, 15, 15,
+    15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16,
+    16, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 18, 18, 18, 18, 18, 18, 18, 18, 18,
+    18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 18, 19, 19, 19,
+    19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19, 19,
+    19, 19, 19, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20,
+    20, 20, 20, 20, 20, 20, 20, 20, 20, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21, 21,
+    21, 21, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 22, 23, 23, 23, 23, 23,
+    23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 23, 24, 24, 24, 24, 24, 24, 24, 24, 24, 24, 24, 24,
+    24, 24, 24, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 25, 26, 26, 26, 26, 26, 26, 26, 26, 26, 26,
+    26, 26, 26, 26, 26, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 27, 28, 28, 28, 28, 28, 28, 28, 28,
+    28, 28, 28, 28, 28, 28, 28, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 29, 30, 30, 30, 30, 30, 30,
+    30, 30, 30, 30, 30, 30, 30, 30, 30, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 31, 32, 32, 32, 32,
+    32, 32, 32, 32, 32, 32, 32, 32, 32, 32, 32, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 33, 34, 34,
+    34, 34, 34, 34, 34, 34, 34, 34, 34, 34, 34, 34, 34, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35, 35};
+inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19,
+    20, 22, 23, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
+    17, 18, 19, 20, 21, 23, 24, 25, 26, 27, 28, 29, 30, 32, 33, 34, 35, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
+    14, 15, 16, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 33, 34, 35, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+    11, 18, 19, 20, 21, 22, 23, 25, 26, 28, 29, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 18, 19, 20, 21, 22, 23, 24, 26,
+    27, 29, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 0, 1, 2, 3, 4, 5, 6, 7, 8,
+    18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 1, 2, 3, 4, 5, 6, 7, 8, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 1, 2, 3, 4,
+    5, 6, 7, 8, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 1, 2, 3, 4, 5, 9, 10, 11, 18, 19, 20, 21, 22, 23, 27, 28, 29,
+    0, 1, 2, 3, 4, 5, 9, 10, 11, 18, 19, 20, 21, 22, 23, 27, 28, 29, 0, 1, 2, 3, 4, 5, 9, 10, 11, 18, 19, 20, 21, 22,
+    23, 27, 28, 29, 0, 1, 2, 12, 13, 14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 34, 35, 0, 1, 2, 12, 13, 14, 15, 16, 17,
+    18, 19, 20, 30, 31, 32, 33, 35, 0, 1, 2, 12, 13, 14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 33, 34, 0, 1, 2, 12, 13,
+    14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 33, 34, 35, 0, 1, 2, 12, 13, 14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 33,
+    34, 35, 0, 1, 2, 12, 13, 14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 33, 34, 35, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+    12, 13, 14, 15, 16, 17, 18, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 0, 1, 2, 3, 4, 5, 6, 7, 8,
+    9, 10, 11, 12, 13, 14, 15, 16, 17, 19, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 0, 1, 2, 3, 4,
+    5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 1,
+    2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 18, 19, 20, 21, 24, 25, 26, 27, 28, 29, 0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 18, 19,
+    20, 22, 24, 25, 26, 27, 28, 29, 0, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 18, 19, 20, 23, 24, 25, 26, 27, 28, 29, 0, 1,
+    2, 4, 5, 6, 7, 8, 18, 19, 20, 21, 22, 23, 24, 0, 1, 2, 3, 5, 6, 7, 8, 18, 19, 20, 21, 22, 23, 25, 0, 1, 2, 3, 4,
+    6, 7, 8, 18, 19, 20, 21, 22, 23, 26, 0, 1, 2, 4, 5, 9, 10, 11, 18, 19, 20, 21, 22, 23, 27, 0, 1, 2, 3, 5, 9, 10,
+    11, 18, 19, 20, 21, 22, 23, 28, 0, 1, 2, 3, 4, 9, 10, 11, 18, 19, 20, 21, 22, 23, 29, 1, 2, 12, 13, 14, 15, 16,
+    17, 18, 19, 20, 30, 33, 34, 35, 0, 2, 12, 13, 14, 15, 16, 17, 18, 19, 20, 31, 33, 34, 35, 0, 1, 12, 13, 14, 15,
+    16, 17, 18, 19, 20, 32, 33, 34, 35, 0, 1, 2, 13, 14, 15, 16, 17, 18, 19, 20, 30, 31, 32, 33, 0, 1, 2, 12, 14, 15,
+    16, 17, 18, 19, 20, 30, 31, 32, 34, 0, 1, 2, 12, 13, 15, 16, 17, 18, 19, 20, 30, 31, 32, 35};
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
 struct Parameters {
-};
-
-// Run-time inputs with the scene's defaults, SI units.
-template <class T>
-struct Inputs {
 };
 
 // What depends on parameters only, computed once for many calls.
@@ -1220,8 +1302,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
 // rates of y (ny) [rad/s^2], [m/s^2]
 // 435 add, 471 multiply
 template <class T>
-void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[maybe_unused]] const Inputs<T>& u,
-    T* ydot) noexcept {
+void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1725,8 +1806,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 // r (ny) [N m], [N]
 // 582 add, 618 multiply
 template <class T>
-void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, [[maybe_unused]] const
-    Inputs<T>& u, T* r) noexcept {
+void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2205,6 +2285,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[35] = r_sdot6_3;
 
   // ---- body 5 (arm) and what it carries
+  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
+  const T S5_1 = G5_1 + G6_1;
+  const T S5_2 = G5_2 + G6_2;
+  const T S5_3 = G5_3 + G6_3;
   // r_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
@@ -2215,10 +2299,6 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
-  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
-  const T S5_1 = G5_1 + G6_1;
-  const T S5_2 = G5_2 + G6_2;
-  const T S5_3 = G5_3 + G6_3;
   // r_sdot5 = R1 S5: Kane's equation of sdot [N]
   const T r_sdot5_1 = R1_11 * S5_1 + R1_12 * S5_2 + R1_13 * S5_3;
   const T r_sdot5_2 = R1_21 * S5_1 + R1_22 * S5_2 + R1_23 * S5_3;
@@ -2266,6 +2346,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[26] = r_sdot3_3;
 
   // ---- body 2 (boom) and what it carries
+  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
+  const T S2_1 = G2_1 + G3_1 + G4_1;
+  const T S2_2 = G2_2 + G3_2 + G4_2;
+  const T S2_3 = G2_3 + G3_3 + G4_3;
   // r_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
   const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
@@ -2279,10 +2363,6 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
-  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
-  const T S2_1 = G2_1 + G3_1 + G4_1;
-  const T S2_2 = G2_2 + G3_2 + G4_2;
-  const T S2_3 = G2_3 + G3_3 + G4_3;
   // r_sdot2 = R1 S2: Kane's equation of sdot [N]
   const T r_sdot2_1 = R1_11 * S2_1 + R1_12 * S2_2 + R1_13 * S2_3;
   const T r_sdot2_2 = R1_21 * S2_1 + R1_22 * S2_2 + R1_23 * S2_3;
@@ -2292,6 +2372,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[23] = r_sdot2_3;
 
   // ---- body 1 (hub) and what it carries
+  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
+  const T S1_1 = G1_1 + S5_1 + S2_1;
+  const T S1_2 = G1_2 + S5_2 + S2_2;
+  const T S1_3 = G1_3 + S5_3 + S2_3;
+  r[18] = S1_1;
+  r[19] = S1_2;
+  r[20] = S1_3;
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
@@ -2305,21 +2392,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
-  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
-  const T S1_1 = G1_1 + S5_1 + S2_1;
-  const T S1_2 = G1_2 + S5_2 + S2_2;
-  const T S1_3 = G1_3 + S5_3 + S2_3;
-  r[18] = S1_1;
-  r[19] = S1_2;
-  r[20] = S1_3;
 }
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
 // 471 add, 609 multiply
 template <class T>
-void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[maybe_unused]] const Inputs<T>& u, T* f)
-    noexcept {
+void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2360,7 +2439,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G1_1 = T(12) * a1_1;
   const T minus_G1_2 = T(12) * a1_2;
   const T minus_G1_3 = T(12) * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
   const T t1_19 = omega1_2 * omega1_3;
   const T t1_20 = omega1_2 * omega1_2;
   const T t1_21 = omega1_3 * omega1_3;
@@ -2427,7 +2506,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G2_1 = T(3.5) * a2_1;
   const T minus_G2_2 = T(3.5) * a2_2;
   const T minus_G2_3 = T(3.5) * a2_3;
-  // N2 = -omega2~ I2 omega2: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N2 = -omega2~ I2 omega2: applied less inertia moment at ydot = 0, body axes [N m]
   const T t2_25 = omega2_1 * omega2_2;
   const T t2_26 = omega2_2 * omega2_3;
   const T t2_27 = omega2_2 * omega2_2;
@@ -2494,7 +2573,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G3_1 = T(1.8) * a3_1;
   const T minus_G3_2 = T(1.8) * a3_2;
   const T minus_G3_3 = T(1.8) * a3_3;
-  // N3 = -omega3~ I3 omega3: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N3 = -omega3~ I3 omega3: applied less inertia moment at ydot = 0, body axes [N m]
   const T t3_25 = omega3_2 * omega3_3;
   const T t3_26 = omega3_2 * omega3_2;
   const T t3_27 = omega3_3 * omega3_3;
@@ -2563,7 +2642,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G4_1 = T(1.2) * a4_1;
   const T minus_G4_2 = T(1.2) * a4_2;
   const T minus_G4_3 = T(1.2) * a4_3;
-  // N4 = -omega4~ I4 omega4: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N4 = -omega4~ I4 omega4: applied less inertia moment at ydot = 0, body axes [N m]
   const T t4_25 = omega4_2 * omega4_2;
   const T t4_26 = omega4_3 * omega4_3;
   const T t4_27 = omega4_2 * omega4_3;
@@ -2630,7 +2709,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G5_1 = T(2.6) * a5_1;
   const T minus_G5_2 = T(2.6) * a5_2;
   const T minus_G5_3 = T(2.6) * a5_3;
-  // N5 = -omega5~ I5 omega5: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N5 = -omega5~ I5 omega5: applied less inertia moment at ydot = 0, body axes [N m]
   const T t5_25 = omega5_2 * omega5_3;
   const T t5_26 = omega5_2 * omega5_2;
   const T t5_27 = omega5_3 * omega5_3;
@@ -2699,7 +2778,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   const T minus_G6_1 = T(0.9) * a6_1;
   const T minus_G6_2 = T(0.9) * a6_2;
   const T minus_G6_3 = T(0.9) * a6_3;
-  // N6 = -omega6~ I6 omega6: applied less inertia moment at omegadot = 0, body axes [N m]
+  // N6 = -omega6~ I6 omega6: applied less inertia moment at ydot = 0, body axes [N m]
   const T t6_25 = omega6_2 * omega6_3;
   const T t6_26 = omega6_2 * omega6_2;
   const T t6_27 = omega6_3 * omega6_3;
@@ -2732,6 +2811,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[35] = -minus_f_sdot6_3;
 
   // ---- body 5 (arm) and what it carries
+  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
+  const T minus_S5_1 = minus_G5_1 + minus_G6_1;
+  const T minus_S5_2 = minus_G5_2 + minus_G6_2;
+  const T minus_S5_3 = minus_G5_3 + minus_G6_3;
   // f_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * minus_G5_1 + R5_22 * minus_G5_2 + R5_23 * minus_G5_3;
   const T b5_2 = R5_31 * minus_G5_1 + R5_32 * minus_G5_2 + R5_33 * minus_G5_3;
@@ -2742,10 +2825,6 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
-  // S5 = G5 + G6: sum of the force balances of the subtree, inertial axes [N]
-  const T minus_S5_1 = minus_G5_1 + minus_G6_1;
-  const T minus_S5_2 = minus_G5_2 + minus_G6_2;
-  const T minus_S5_3 = minus_G5_3 + minus_G6_3;
   // f_sdot5 = R1 S5: Kane's equation of sdot [N]
   const T minus_f_sdot5_1 = R1_11 * minus_S5_1 + R1_12 * minus_S5_2 + R1_13 * minus_S5_3;
   const T minus_f_sdot5_2 = R1_21 * minus_S5_1 + R1_22 * minus_S5_2 + R1_23 * minus_S5_3;
@@ -2793,6 +2872,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[26] = -minus_f_sdot3_3;
 
   // ---- body 2 (boom) and what it carries
+  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
+  const T minus_S2_1 = minus_G2_1 + minus_G3_1 + minus_G4_1;
+  const T minus_S2_2 = minus_G2_2 + minus_G3_2 + minus_G4_2;
+  const T minus_S2_3 = minus_G2_3 + minus_G3_3 + minus_G4_3;
   // f_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3;
   const T b2_2 = R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3;
@@ -2806,10 +2889,6 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
-  // S2 = G2 + G3 + G4: sum of the force balances of the subtree, inertial axes [N]
-  const T minus_S2_1 = minus_G2_1 + minus_G3_1 + minus_G4_1;
-  const T minus_S2_2 = minus_G2_2 + minus_G3_2 + minus_G4_2;
-  const T minus_S2_3 = minus_G2_3 + minus_G3_3 + minus_G4_3;
   // f_sdot2 = R1 S2: Kane's equation of sdot [N]
   const T minus_f_sdot2_1 = R1_11 * minus_S2_1 + R1_12 * minus_S2_2 + R1_13 * minus_S2_3;
   const T minus_f_sdot2_2 = R1_21 * minus_S2_1 + R1_22 * minus_S2_2 + R1_23 * minus_S2_3;
@@ -2819,6 +2898,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[23] = -minus_f_sdot2_3;
 
   // ---- body 1 (hub) and what it carries
+  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
+  const T minus_S1_1 = minus_G1_1 + minus_S5_1 + minus_S2_1;
+  const T minus_S1_2 = minus_G1_2 + minus_S5_2 + minus_S2_2;
+  const T minus_S1_3 = minus_G1_3 + minus_S5_3 + minus_S2_3;
+  f[18] = -minus_S1_1;
+  f[19] = -minus_S1_2;
+  f[20] = -minus_S1_3;
   // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * minus_G1_1 + R1_22 * minus_G1_2 + R1_23 * minus_G1_3;
   const T b1_2 = R1_31 * minus_G1_1 + R1_32 * minus_G1_2 + R1_33 * minus_G1_3;
@@ -2832,18 +2918,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, [[ma
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
-  // S1 = G1 + S5 + S2: sum of the force balances of the subtree, inertial axes [N]
-  const T minus_S1_1 = minus_G1_1 + minus_S5_1 + minus_S2_1;
-  const T minus_S1_2 = minus_G1_2 + minus_S5_2 + minus_S2_2;
-  const T minus_S1_3 = minus_G1_3 + minus_S5_3 + minus_S2_3;
-  f[18] = -minus_S1_1;
-  f[19] = -minus_S1_2;
-  f[20] = -minus_S1_3;
 }
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 501 add, 1029 multiply
+// 501 add, 894 multiply
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   for (int i = 0; i < 1296; ++i) A[i] = T(0);
@@ -2942,16 +3021,6 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T d3_1 = T(0.05) + s3_1;
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
-  // C1_3 = R1 R3^T: takes components in the body to those in body 1
-  const T C1_3_11 = R1_11 * R3_11 + R1_12 * R3_12 + R1_13 * R3_13;
-  const T C1_3_12 = R1_11 * R3_21 + R1_12 * R3_22 + R1_13 * R3_23;
-  const T C1_3_13 = R1_11 * R3_31 + R1_12 * R3_32 + R1_13 * R3_33;
-  const T C1_3_21 = R1_21 * R3_11 + R1_22 * R3_12 + R1_23 * R3_13;
-  const T C1_3_22 = R1_21 * R3_21 + R1_22 * R3_22 + R1_23 * R3_23;
-  const T C1_3_23 = R1_21 * R3_31 + R1_22 * R3_32 + R1_23 * R3_33;
-  const T C1_3_31 = R1_31 * R3_11 + R1_32 * R3_12 + R1_33 * R3_13;
-  const T C1_3_32 = R1_31 * R3_21 + R1_32 * R3_22 + R1_33 * R3_23;
-  const T C1_3_33 = R1_31 * R3_31 + R1_32 * R3_32 + R1_33 * R3_33;
   // C2_3 = R2 R3^T: takes components in the body to those in body 2
   const T C2_3_11 = R2_11 * R3_11 + R2_12 * R3_12 + R2_13 * R3_13;
   const T C2_3_12 = R2_11 * R3_21 + R2_12 * R3_22 + R2_13 * R3_23;
@@ -2962,6 +3031,16 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T C2_3_31 = R2_31 * R3_11 + R2_32 * R3_12 + R2_33 * R3_13;
   const T C2_3_32 = R2_31 * R3_21 + R2_32 * R3_22 + R2_33 * R3_23;
   const T C2_3_33 = R2_31 * R3_31 + R2_32 * R3_32 + R2_33 * R3_33;
+  // C1_3 = R1 R3^T: takes components in the body to those in body 1
+  const T C1_3_11 = R1_11 * R3_11 + R1_12 * R3_12 + R1_13 * R3_13;
+  const T C1_3_12 = R1_11 * R3_21 + R1_12 * R3_22 + R1_13 * R3_23;
+  const T C1_3_13 = R1_11 * R3_31 + R1_12 * R3_32 + R1_13 * R3_33;
+  const T C1_3_21 = R1_21 * R3_11 + R1_22 * R3_12 + R1_23 * R3_13;
+  const T C1_3_22 = R1_21 * R3_21 + R1_22 * R3_22 + R1_23 * R3_23;
+  const T C1_3_23 = R1_21 * R3_31 + R1_22 * R3_32 + R1_23 * R3_33;
+  const T C1_3_31 = R1_31 * R3_11 + R1_32 * R3_12 + R1_33 * R3_13;
+  const T C1_3_32 = R1_31 * R3_21 + R1_32 * R3_22 + R1_33 * R3_23;
+  const T C1_3_33 = R1_31 * R3_31 + R1_32 * R3_32 + R1_33 * R3_33;
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2992,16 +3071,6 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T d4_1 = s4_1 - T(0.06);
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
-  // C1_4 = R1 R4^T: takes components in the body to those in body 1
-  const T C1_4_11 = R1_11 * R4_11 + R1_12 * R4_12 + R1_13 * R4_13;
-  const T C1_4_12 = R1_11 * R4_21 + R1_12 * R4_22 + R1_13 * R4_23;
-  const T C1_4_13 = R1_11 * R4_31 + R1_12 * R4_32 + R1_13 * R4_33;
-  const T C1_4_21 = R1_21 * R4_11 + R1_22 * R4_12 + R1_23 * R4_13;
-  const T C1_4_22 = R1_21 * R4_21 + R1_22 * R4_22 + R1_23 * R4_23;
-  const T C1_4_23 = R1_21 * R4_31 + R1_22 * R4_32 + R1_23 * R4_33;
-  const T C1_4_31 = R1_31 * R4_11 + R1_32 * R4_12 + R1_33 * R4_13;
-  const T C1_4_32 = R1_31 * R4_21 + R1_32 * R4_22 + R1_33 * R4_23;
-  const T C1_4_33 = R1_31 * R4_31 + R1_32 * R4_32 + R1_33 * R4_33;
   // C2_4 = R2 R4^T: takes components in the body to those in body 2
   const T C2_4_11 = R2_11 * R4_11 + R2_12 * R4_12 + R2_13 * R4_13;
   const T C2_4_12 = R2_11 * R4_21 + R2_12 * R4_22 + R2_13 * R4_23;
@@ -3012,6 +3081,16 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T C2_4_31 = R2_31 * R4_11 + R2_32 * R4_12 + R2_33 * R4_13;
   const T C2_4_32 = R2_31 * R4_21 + R2_32 * R4_22 + R2_33 * R4_23;
   const T C2_4_33 = R2_31 * R4_31 + R2_32 * R4_32 + R2_33 * R4_33;
+  // C1_4 = R1 R4^T: takes components in the body to those in body 1
+  const T C1_4_11 = R1_11 * R4_11 + R1_12 * R4_12 + R1_13 * R4_13;
+  const T C1_4_12 = R1_11 * R4_21 + R1_12 * R4_22 + R1_13 * R4_23;
+  const T C1_4_13 = R1_11 * R4_31 + R1_12 * R4_32 + R1_13 * R4_33;
+  const T C1_4_21 = R1_21 * R4_11 + R1_22 * R4_12 + R1_23 * R4_13;
+  const T C1_4_22 = R1_21 * R4_21 + R1_22 * R4_22 + R1_23 * R4_23;
+  const T C1_4_23 = R1_21 * R4_31 + R1_22 * R4_32 + R1_23 * R4_33;
+  const T C1_4_31 = R1_31 * R4_11 + R1_32 * R4_12 + R1_33 * R4_13;
+  const T C1_4_32 = R1_31 * R4_21 + R1_32 * R4_22 + R1_33 * R4_23;
+  const T C1_4_33 = R1_31 * R4_31 + R1_32 * R4_32 + R1_33 * R4_33;
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3082,16 +3161,6 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T d6_1 = T(0.75) + s6_1;
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
-  // C1_6 = R1 R6^T: takes components in the body to those in body 1
-  const T C1_6_11 = R1_11 * R6_11 + R1_12 * R6_12 + R1_13 * R6_13;
-  const T C1_6_12 = R1_11 * R6_21 + R1_12 * R6_22 + R1_13 * R6_23;
-  const T C1_6_13 = R1_11 * R6_31 + R1_12 * R6_32 + R1_13 * R6_33;
-  const T C1_6_21 = R1_21 * R6_11 + R1_22 * R6_12 + R1_23 * R6_13;
-  const T C1_6_22 = R1_21 * R6_21 + R1_22 * R6_22 + R1_23 * R6_23;
-  const T C1_6_23 = R1_21 * R6_31 + R1_22 * R6_32 + R1_23 * R6_33;
-  const T C1_6_31 = R1_31 * R6_11 + R1_32 * R6_12 + R1_33 * R6_13;
-  const T C1_6_32 = R1_31 * R6_21 + R1_32 * R6_22 + R1_33 * R6_23;
-  const T C1_6_33 = R1_31 * R6_31 + R1_32 * R6_32 + R1_33 * R6_33;
   // C5_6 = R5 R6^T: takes components in the body to those in body 5
   const T C5_6_11 = R5_11 * R6_11 + R5_12 * R6_12 + R5_13 * R6_13;
   const T C5_6_12 = R5_11 * R6_21 + R5_12 * R6_22 + R5_13 * R6_23;
@@ -3102,6 +3171,16 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T C5_6_31 = R5_31 * R6_11 + R5_32 * R6_12 + R5_33 * R6_13;
   const T C5_6_32 = R5_31 * R6_21 + R5_32 * R6_22 + R5_33 * R6_23;
   const T C5_6_33 = R5_31 * R6_31 + R5_32 * R6_32 + R5_33 * R6_33;
+  // C1_6 = R1 R6^T: takes components in the body to those in body 1
+  const T C1_6_11 = R1_11 * R6_11 + R1_12 * R6_12 + R1_13 * R6_13;
+  const T C1_6_12 = R1_11 * R6_21 + R1_12 * R6_22 + R1_13 * R6_23;
+  const T C1_6_13 = R1_11 * R6_31 + R1_12 * R6_32 + R1_13 * R6_33;
+  const T C1_6_21 = R1_21 * R6_11 + R1_22 * R6_12 + R1_23 * R6_13;
+  const T C1_6_22 = R1_21 * R6_21 + R1_22 * R6_22 + R1_23 * R6_23;
+  const T C1_6_23 = R1_21 * R6_31 + R1_22 * R6_32 + R1_23 * R6_33;
+  const T C1_6_31 = R1_31 * R6_11 + R1_32 * R6_12 + R1_33 * R6_13;
+  const T C1_6_32 = R1_31 * R6_21 + R1_32 * R6_22 + R1_33 * R6_23;
+  const T C1_6_33 = R1_31 * R6_31 + R1_32 * R6_32 + R1_33 * R6_33;
 
   // ---- body 5 (arm) and what it carries
   // h5 = m5 r5 + m6 d6: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3111,6 +3190,25 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T h5_2 = T(0.052000000000000005) + b5_2;
   const T b5_3 = T(0.9) * d6_3;
   const T h5_3 = b5_3 - T(0.10400000000000001);
+  // J5 = -m5 r5~ r5~ + I5 - m6 d6~ d6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_4 = d6_3 * d6_3;
+  const T b5_5 = d6_2 * d6_2;
+  const T J5_11 = T(0.0852) + T(0.9) * (b5_4 + b5_5);
+  const T minus_J5_12 = T(0.01476) + d6_2 * d6_1 * T(0.9);
+  const T J5_13 = T(0.05152) - d6_3 * d6_1 * T(0.9);
+  const T b5_6 = d6_1 * d6_1;
+  const T J5_22 = T(0.6896) + T(0.9) * (b5_4 + b5_6);
+  const T minus_J5_23 = T(0.00492) + d6_3 * d6_2 * T(0.9);
+  const T J5_33 = T(0.70648) + T(0.9) * (b5_5 + b5_6);
+  A[444] = J5_11;
+  A[445] = -minus_J5_12;
+  A[480] = -minus_J5_12;
+  A[446] = J5_13;
+  A[516] = J5_13;
+  A[481] = J5_22;
+  A[482] = -minus_J5_23;
+  A[517] = -minus_J5_23;
+  A[518] = J5_33;
 
   // ---- body 2 (boom) and what it carries
   // h2 = m2 r2 + m3 d3 + m4 d4: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3123,6 +3221,28 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b2_5 = T(1.8) * d3_3;
   const T b2_6 = T(1.2) * d4_3;
   const T h2_3 = T(1.575) + b2_5 + b2_6;
+  // J2 = -m2 r2~ r2~ + I2 - m3 d3~ d3~ - m4 d4~ d4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_7 = d3_3 * d3_3;
+  const T b2_8 = d3_2 * d3_2;
+  const T b2_9 = d4_3 * d4_3;
+  const T b2_10 = d4_2 * d4_2;
+  const T J2_11 = T(1.13435) + T(1.8) * (b2_7 + b2_8) + T(1.2) * (b2_9 + b2_10);
+  const T J2_12 = T(0.0158) - d3_2 * d3_1 * T(1.8) - d4_2 * d4_1 * T(1.2);
+  const T minus_J2_13 = T(0.03725) + d3_3 * d3_1 * T(1.8) + d4_3 * d4_1 * T(1.2);
+  const T b2_11 = d3_1 * d3_1;
+  const T b2_12 = d4_1 * d4_1;
+  const T J2_22 = T(1.0919) + T(1.8) * (b2_7 + b2_11) + T(1.2) * (b2_9 + b2_12);
+  const T minus_J2_23 = T(0.093) + d3_3 * d3_2 * T(1.8) + d4_3 * d4_2 * T(1.2);
+  const T J2_33 = T(0.11875) + T(1.8) * (b2_8 + b2_11) + T(1.2) * (b2_10 + b2_12);
+  A[111] = J2_11;
+  A[112] = J2_12;
+  A[147] = J2_12;
+  A[113] = -minus_J2_13;
+  A[183] = -minus_J2_13;
+  A[148] = J2_22;
+  A[149] = -minus_J2_23;
+  A[184] = -minus_J2_23;
+  A[185] = J2_33;
 
   // ---- body 1 (hub) and what it carries
   // h1 = m1 r1 + m_sub5 d5 + m_sub2 d2: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3135,103 +3255,115 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_5 = T(3.5) * d5_3;
   const T b1_6 = T(6.5) * d2_3;
   const T h1_3 = T(0.96) + b1_5 + b1_6;
+  // J1 = -m1 r1~ r1~ + I1 - m_sub5 d5~ d5~ - m_sub2 d2~ d2~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b1_7 = d5_3 * d5_3;
+  const T b1_8 = d5_2 * d5_2;
+  const T b1_9 = d2_3 * d2_3;
+  const T b1_10 = d2_2 * d2_2;
+  const T J1_11 = T(1.1816) + T(3.5) * (b1_7 + b1_8) + T(6.5) * (b1_9 + b1_10);
+  const T J1_12 = T(0.052000000000000005) - d5_2 * d5_1 * T(3.5) - d2_2 * d2_1 * T(6.5);
+  const T minus_J1_13 = T(0.078) + d5_3 * d5_1 * T(3.5) + d2_3 * d2_1 * T(6.5);
+  const T b1_11 = d5_1 * d5_1;
+  const T b1_12 = d2_1 * d2_1;
+  const T J1_22 = T(1.0568) + T(3.5) * (b1_7 + b1_11) + T(6.5) * (b1_9 + b1_12);
+  const T J1_23 = T(0.0692) - d5_3 * d5_2 * T(3.5) - d2_3 * d2_2 * T(6.5);
+  const T J1_33 = T(1.3348) + T(3.5) * (b1_8 + b1_11) + T(6.5) * (b1_10 + b1_12);
+  A[0] = J1_11;
+  A[1] = J1_12;
+  A[36] = J1_12;
+  A[2] = -minus_J1_13;
+  A[72] = -minus_J1_13;
+  A[37] = J1_22;
+  A[38] = J1_23;
+  A[73] = J1_23;
+  A[74] = J1_33;
 
   // ---- results
-  const T t1 = d5_3 * d5_3;
-  const T t2 = d5_2 * d5_2;
-  const T t3 = d2_3 * d2_3;
-  const T t4 = d2_2 * d2_2;
-  A[0] = T(1.1816) + T(3.5) * (t1 + t2) + T(6.5) * (t3 + t4);
-  const T t5 = T(0.052000000000000005) - d5_2 * d5_1 * T(3.5) - d2_2 * d2_1 * T(6.5);
-  A[1] = t5;
-  A[36] = t5;
-  const T t6 = T(0.078) + d5_3 * d5_1 * T(3.5) + d2_3 * d2_1 * T(6.5);
-  A[2] = -t6;
-  A[72] = -t6;
-  const T t7 = h2_2 * C1_2_23 - h2_3 * C1_2_22;
-  const T t8 = h2_2 * C1_2_33 - h2_3 * C1_2_32;
-  const T t9 = d2_3 * t7 - d2_2 * t8;
-  A[3] = -t9;
-  A[108] = -t9;
-  const T t10 = h2_3 * C1_2_21 - h2_1 * C1_2_23;
-  const T t11 = h2_3 * C1_2_31 - h2_1 * C1_2_33;
+  const T t1 = C1_2_32 * h2_3 - C1_2_33 * h2_2;
+  const T t2 = C1_2_22 * h2_3 - C1_2_23 * h2_2;
+  const T t3 = d2_2 * t1 - d2_3 * t2;
+  A[3] = -t3;
+  A[108] = -t3;
+  const T t4 = C1_2_33 * h2_1 - C1_2_31 * h2_3;
+  const T t5 = C1_2_23 * h2_1 - C1_2_21 * h2_3;
+  const T t6 = d2_2 * t4 - d2_3 * t5;
+  A[4] = -t6;
+  A[144] = -t6;
+  const T t7 = C1_2_31 * h2_2 - C1_2_32 * h2_1;
+  const T t8 = C1_2_21 * h2_2 - C1_2_22 * h2_1;
+  const T t9 = d2_2 * t7 - d2_3 * t8;
+  A[5] = -t9;
+  A[180] = -t9;
+  const T t10 = C1_3_22 * T(0.036000000000000004) + C1_3_23 * T(0.63);
+  const T t11 = C1_3_32 * T(0.036000000000000004) + C1_3_33 * T(0.63);
   const T t12 = d2_3 * t10 - d2_2 * t11;
-  A[4] = -t12;
-  A[144] = -t12;
-  const T t13 = h2_1 * C1_2_22 - h2_2 * C1_2_21;
-  const T t14 = h2_1 * C1_2_32 - h2_2 * C1_2_31;
-  const T t15 = d2_3 * t13 - d2_2 * t14;
-  A[5] = -t15;
-  A[180] = -t15;
-  const T t16 = T(0.02) * C1_3_22 + T(0.35) * C1_3_23;
-  const T t17 = T(0.02) * C1_3_32 + T(0.35) * C1_3_33;
-  const T t18 = T(1.8) * (d2_3 * t16 - d2_2 * t17);
-  A[6] = -t18;
-  A[216] = -t18;
-  const T t19 = T(0.02) * C1_3_31 + T(0.1) * C1_3_33;
-  const T t20 = T(0.02) * C1_3_21 + T(0.1) * C1_3_23;
-  const T t21 = T(1.8) * (d2_2 * t19 - d2_3 * t20);
-  A[7] = -t21;
-  A[252] = -t21;
-  const T t22 = T(0.1) * C1_3_22 - T(0.35) * C1_3_21;
-  const T t23 = T(0.1) * C1_3_32 - T(0.35) * C1_3_31;
-  const T t24 = T(1.8) * (d2_3 * t22 - d2_2 * t23);
-  A[8] = -t24;
-  A[288] = -t24;
-  const T t25 = T(0.06) * C1_4_23 - T(0.1) * C1_4_22;
-  const T t26 = T(0.06) * C1_4_33 - T(0.1) * C1_4_32;
-  const T t27 = T(1.2) * (d2_3 * t25 - d2_2 * t26);
-  A[9] = -t27;
-  A[324] = -t27;
-  const T t28 = T(0.1) * C1_4_21 + T(0.03) * C1_4_23;
-  const T t29 = T(0.1) * C1_4_31 + T(0.03) * C1_4_33;
-  const T t30 = T(1.2) * (d2_3 * t28 - d2_2 * t29);
-  A[10] = -t30;
-  A[360] = -t30;
-  const T t31 = T(0.03) * C1_4_32 + T(0.06) * C1_4_31;
-  const T t32 = T(0.03) * C1_4_22 + T(0.06) * C1_4_21;
-  const T t33 = T(1.2) * (d2_2 * t31 - d2_3 * t32);
-  A[11] = -t33;
-  A[396] = -t33;
-  const T t34 = h5_2 * C1_5_23 - h5_3 * C1_5_22;
-  const T t35 = h5_2 * C1_5_33 - h5_3 * C1_5_32;
-  const T t36 = d5_3 * t34 - d5_2 * t35;
-  A[12] = -t36;
-  A[432] = -t36;
-  const T t37 = h5_3 * C1_5_21 - h5_1 * C1_5_23;
-  const T t38 = h5_3 * C1_5_31 - h5_1 * C1_5_33;
-  const T t39 = d5_3 * t37 - d5_2 * t38;
-  A[13] = -t39;
-  A[468] = -t39;
-  const T t40 = h5_1 * C1_5_22 - h5_2 * C1_5_21;
-  const T t41 = h5_1 * C1_5_32 - h5_2 * C1_5_31;
-  const T t42 = d5_3 * t40 - d5_2 * t41;
-  A[14] = -t42;
-  A[504] = -t42;
-  const T t43 = T(0.07) * C1_6_32 + T(0.05) * C1_6_33;
-  const T t44 = T(0.07) * C1_6_22 + T(0.05) * C1_6_23;
-  const T t45 = T(0.9) * (d5_2 * t43 - d5_3 * t44);
-  A[15] = -t45;
-  A[540] = -t45;
-  const T t46 = T(0.07) * C1_6_21 - T(0.09) * C1_6_23;
-  const T t47 = T(0.07) * C1_6_31 - T(0.09) * C1_6_33;
-  const T t48 = T(0.9) * (d5_3 * t46 - d5_2 * t47);
-  A[16] = -t48;
-  A[576] = -t48;
-  const T t49 = T(0.09) * C1_6_22 + T(0.05) * C1_6_21;
-  const T t50 = T(0.09) * C1_6_32 + T(0.05) * C1_6_31;
-  const T t51 = T(0.9) * (d5_3 * t49 - d5_2 * t50);
-  A[17] = -t51;
-  A[612] = -t51;
-  const T t52 = h1_2 * R1_31 - h1_3 * R1_21;
-  A[18] = t52;
-  A[648] = t52;
-  const T t53 = h1_2 * R1_32 - h1_3 * R1_22;
-  A[19] = t53;
-  A[684] = t53;
-  const T t54 = h1_2 * R1_33 - h1_3 * R1_23;
-  A[20] = t54;
-  A[720] = t54;
+  A[6] = -t12;
+  A[216] = -t12;
+  const T t13 = C1_3_31 * T(0.036000000000000004) + C1_3_33 * T(0.18000000000000002);
+  const T t14 = C1_3_21 * T(0.036000000000000004) + C1_3_23 * T(0.18000000000000002);
+  const T t15 = d2_2 * t13 - d2_3 * t14;
+  A[7] = -t15;
+  A[252] = -t15;
+  const T t16 = C1_3_31 * T(0.63) - C1_3_32 * T(0.18000000000000002);
+  const T t17 = C1_3_21 * T(0.63) - C1_3_22 * T(0.18000000000000002);
+  const T t18 = d2_2 * t16 - d2_3 * t17;
+  A[8] = -t18;
+  A[288] = -t18;
+  const T t19 = C1_4_32 * T(0.12) - C1_4_33 * T(0.072);
+  const T t20 = C1_4_22 * T(0.12) - C1_4_23 * T(0.072);
+  const T t21 = d2_2 * t19 - d2_3 * t20;
+  A[9] = -t21;
+  A[324] = -t21;
+  const T t22 = C1_4_21 * T(0.12) + C1_4_23 * T(0.036);
+  const T t23 = C1_4_31 * T(0.12) + C1_4_33 * T(0.036);
+  const T t24 = d2_3 * t22 - d2_2 * t23;
+  A[10] = -t24;
+  A[360] = -t24;
+  const T t25 = C1_4_31 * T(0.072) + C1_4_32 * T(0.036);
+  const T t26 = C1_4_21 * T(0.072) + C1_4_22 * T(0.036);
+  const T t27 = d2_2 * t25 - d2_3 * t26;
+  A[11] = -t27;
+  A[396] = -t27;
+  const T t28 = C1_5_32 * h5_3 - C1_5_33 * h5_2;
+  const T t29 = C1_5_22 * h5_3 - C1_5_23 * h5_2;
+  const T t30 = d5_2 * t28 - d5_3 * t29;
+  A[12] = -t30;
+  A[432] = -t30;
+  const T t31 = C1_5_33 * h5_1 - C1_5_31 * h5_3;
+  const T t32 = C1_5_23 * h5_1 - C1_5_21 * h5_3;
+  const T t33 = d5_2 * t31 - d5_3 * t32;
+  A[13] = -t33;
+  A[468] = -t33;
+  const T t34 = C1_5_31 * h5_2 - C1_5_32 * h5_1;
+  const T t35 = C1_5_21 * h5_2 - C1_5_22 * h5_1;
+  const T t36 = d5_2 * t34 - d5_3 * t35;
+  A[14] = -t36;
+  A[504] = -t36;
+  const T t37 = C1_6_32 * T(0.06300000000000001) + C1_6_33 * T(0.045000000000000005);
+  const T t38 = C1_6_22 * T(0.06300000000000001) + C1_6_23 * T(0.045000000000000005);
+  const T t39 = d5_2 * t37 - d5_3 * t38;
+  A[15] = -t39;
+  A[540] = -t39;
+  const T t40 = C1_6_33 * T(0.081) - C1_6_31 * T(0.06300000000000001);
+  const T t41 = C1_6_23 * T(0.081) - C1_6_21 * T(0.06300000000000001);
+  const T t42 = d5_2 * t40 - d5_3 * t41;
+  A[16] = -t42;
+  A[576] = -t42;
+  const T t43 = C1_6_21 * T(0.045000000000000005) + C1_6_22 * T(0.081);
+  const T t44 = C1_6_31 * T(0.045000000000000005) + C1_6_32 * T(0.081);
+  const T t45 = d5_3 * t43 - d5_2 * t44;
+  A[17] = -t45;
+  A[612] = -t45;
+  const T t46 = h1_2 * R1_31 - h1_3 * R1_21;
+  A[18] = t46;
+  A[648] = t46;
+  const T t47 = h1_2 * R1_32 - h1_3 * R1_22;
+  A[19] = t47;
+  A[684] = t47;
+  const T t48 = h1_2 * R1_33 - h1_3 * R1_23;
+  A[20] = t48;
+  A[720] = t48;
   A[22] = -b1_6;
   A[57] = b1_6;
   A[757] = b1_6;
@@ -3240,27 +3372,27 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[93] = -b1_4;
   A[758] = -b1_4;
   A[828] = b1_4;
-  const T t55 = d2_2 * C1_2_31 - d2_3 * C1_2_21;
-  const T t56 = T(1.8) * t55;
-  A[24] = t56;
-  A[864] = t56;
-  const T t57 = d2_2 * C1_2_32 - d2_3 * C1_2_22;
-  const T t58 = T(1.8) * t57;
-  A[25] = t58;
-  A[900] = t58;
-  const T t59 = d2_2 * C1_2_33 - d2_3 * C1_2_23;
-  const T t60 = T(1.8) * t59;
-  A[26] = t60;
-  A[936] = t60;
-  const T t61 = T(1.2) * t55;
-  A[27] = t61;
-  A[972] = t61;
-  const T t62 = T(1.2) * t57;
-  A[28] = t62;
-  A[1008] = t62;
-  const T t63 = T(1.2) * t59;
-  A[29] = t63;
-  A[1044] = t63;
+  const T t49 = d2_2 * C1_2_31 - d2_3 * C1_2_21;
+  const T t50 = T(1.8) * t49;
+  A[24] = t50;
+  A[864] = t50;
+  const T t51 = d2_2 * C1_2_32 - d2_3 * C1_2_22;
+  const T t52 = T(1.8) * t51;
+  A[25] = t52;
+  A[900] = t52;
+  const T t53 = d2_2 * C1_2_33 - d2_3 * C1_2_23;
+  const T t54 = T(1.8) * t53;
+  A[26] = t54;
+  A[936] = t54;
+  const T t55 = T(1.2) * t49;
+  A[27] = t55;
+  A[972] = t55;
+  const T t56 = T(1.2) * t51;
+  A[28] = t56;
+  A[1008] = t56;
+  const T t57 = T(1.2) * t53;
+  A[29] = t57;
+  A[1044] = t57;
   A[31] = -b1_5;
   A[66] = b1_5;
   A[1081] = b1_5;
@@ -3269,269 +3401,251 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[102] = -b1_3;
   A[1082] = -b1_3;
   A[1152] = b1_3;
-  const T t64 = T(0.9) * (d5_2 * C1_5_31 - d5_3 * C1_5_21);
-  A[33] = t64;
-  A[1188] = t64;
-  const T t65 = T(0.9) * (d5_2 * C1_5_32 - d5_3 * C1_5_22);
-  A[34] = t65;
-  A[1224] = t65;
-  const T t66 = T(0.9) * (d5_2 * C1_5_33 - d5_3 * C1_5_23);
-  A[35] = t66;
-  A[1260] = t66;
-  const T t67 = d5_1 * d5_1;
-  const T t68 = d2_1 * d2_1;
-  A[37] = T(1.0568) + T(3.5) * (t1 + t67) + T(6.5) * (t3 + t68);
-  const T t69 = T(0.0692) - d5_3 * d5_2 * T(3.5) - d2_3 * d2_2 * T(6.5);
-  A[38] = t69;
-  A[73] = t69;
-  const T t70 = h2_2 * C1_2_13 - h2_3 * C1_2_12;
-  const T t71 = d2_1 * t8 - d2_3 * t70;
-  A[39] = -t71;
-  A[109] = -t71;
-  const T t72 = h2_3 * C1_2_11 - h2_1 * C1_2_13;
-  const T t73 = d2_1 * t11 - d2_3 * t72;
-  A[40] = -t73;
-  A[145] = -t73;
-  const T t74 = h2_1 * C1_2_12 - h2_2 * C1_2_11;
-  const T t75 = d2_1 * t14 - d2_3 * t74;
-  A[41] = -t75;
-  A[181] = -t75;
-  const T t76 = T(0.02) * C1_3_12 + T(0.35) * C1_3_13;
-  const T t77 = T(1.8) * (d2_1 * t17 - d2_3 * t76);
-  A[42] = -t77;
-  A[217] = -t77;
-  const T t78 = T(0.02) * C1_3_11 + T(0.1) * C1_3_13;
-  const T t79 = T(1.8) * (d2_3 * t78 - d2_1 * t19);
-  A[43] = -t79;
-  A[253] = -t79;
-  const T t80 = T(0.1) * C1_3_12 - T(0.35) * C1_3_11;
-  const T t81 = T(1.8) * (d2_1 * t23 - d2_3 * t80);
-  A[44] = -t81;
-  A[289] = -t81;
-  const T t82 = T(0.06) * C1_4_13 - T(0.1) * C1_4_12;
-  const T t83 = T(1.2) * (d2_1 * t26 - d2_3 * t82);
-  A[45] = -t83;
-  A[325] = -t83;
-  const T t84 = T(0.1) * C1_4_11 + T(0.03) * C1_4_13;
-  const T t85 = T(1.2) * (d2_1 * t29 - d2_3 * t84);
-  A[46] = -t85;
-  A[361] = -t85;
-  const T t86 = T(0.03) * C1_4_12 + T(0.06) * C1_4_11;
-  const T t87 = T(1.2) * (d2_3 * t86 - d2_1 * t31);
-  A[47] = -t87;
-  A[397] = -t87;
-  const T t88 = h5_2 * C1_5_13 - h5_3 * C1_5_12;
-  const T t89 = d5_1 * t35 - d5_3 * t88;
-  A[48] = -t89;
-  A[433] = -t89;
-  const T t90 = h5_3 * C1_5_11 - h5_1 * C1_5_13;
-  const T t91 = d5_1 * t38 - d5_3 * t90;
-  A[49] = -t91;
-  A[469] = -t91;
-  const T t92 = h5_1 * C1_5_12 - h5_2 * C1_5_11;
-  const T t93 = d5_1 * t41 - d5_3 * t92;
-  A[50] = -t93;
-  A[505] = -t93;
-  const T t94 = T(0.07) * C1_6_12 + T(0.05) * C1_6_13;
-  const T t95 = T(0.9) * (d5_3 * t94 - d5_1 * t43);
-  A[51] = -t95;
-  A[541] = -t95;
-  const T t96 = T(0.07) * C1_6_11 - T(0.09) * C1_6_13;
-  const T t97 = T(0.9) * (d5_1 * t47 - d5_3 * t96);
-  A[52] = -t97;
-  A[577] = -t97;
-  const T t98 = T(0.09) * C1_6_12 + T(0.05) * C1_6_11;
-  const T t99 = T(0.9) * (d5_1 * t50 - d5_3 * t98);
-  A[53] = -t99;
-  A[613] = -t99;
-  const T t100 = h1_3 * R1_11 - h1_1 * R1_31;
-  A[54] = t100;
-  A[649] = t100;
-  const T t101 = h1_3 * R1_12 - h1_1 * R1_32;
-  A[55] = t101;
-  A[685] = t101;
-  const T t102 = h1_3 * R1_13 - h1_1 * R1_33;
-  A[56] = t102;
-  A[721] = t102;
+  const T t58 = T(0.9) * (d5_2 * C1_5_31 - d5_3 * C1_5_21);
+  A[33] = t58;
+  A[1188] = t58;
+  const T t59 = T(0.9) * (d5_2 * C1_5_32 - d5_3 * C1_5_22);
+  A[34] = t59;
+  A[1224] = t59;
+  const T t60 = T(0.9) * (d5_2 * C1_5_33 - d5_3 * C1_5_23);
+  A[35] = t60;
+  A[1260] = t60;
+  const T t61 = C1_2_12 * h2_3 - C1_2_13 * h2_2;
+  const T t62 = d2_3 * t61 - d2_1 * t1;
+  A[39] = -t62;
+  A[109] = -t62;
+  const T t63 = C1_2_13 * h2_1 - C1_2_11 * h2_3;
+  const T t64 = d2_3 * t63 - d2_1 * t4;
+  A[40] = -t64;
+  A[145] = -t64;
+  const T t65 = C1_2_11 * h2_2 - C1_2_12 * h2_1;
+  const T t66 = d2_3 * t65 - d2_1 * t7;
+  A[41] = -t66;
+  A[181] = -t66;
+  const T t67 = C1_3_12 * T(0.036000000000000004) + C1_3_13 * T(0.63);
+  const T t68 = d2_1 * t11 - d2_3 * t67;
+  A[42] = -t68;
+  A[217] = -t68;
+  const T t69 = C1_3_11 * T(0.036000000000000004) + C1_3_13 * T(0.18000000000000002);
+  const T t70 = d2_3 * t69 - d2_1 * t13;
+  A[43] = -t70;
+  A[253] = -t70;
+  const T t71 = C1_3_11 * T(0.63) - C1_3_12 * T(0.18000000000000002);
+  const T t72 = d2_3 * t71 - d2_1 * t16;
+  A[44] = -t72;
+  A[289] = -t72;
+  const T t73 = C1_4_12 * T(0.12) - C1_4_13 * T(0.072);
+  const T t74 = d2_3 * t73 - d2_1 * t19;
+  A[45] = -t74;
+  A[325] = -t74;
+  const T t75 = C1_4_11 * T(0.12) + C1_4_13 * T(0.036);
+  const T t76 = d2_1 * t23 - d2_3 * t75;
+  A[46] = -t76;
+  A[361] = -t76;
+  const T t77 = C1_4_11 * T(0.072) + C1_4_12 * T(0.036);
+  const T t78 = d2_3 * t77 - d2_1 * t25;
+  A[47] = -t78;
+  A[397] = -t78;
+  const T t79 = C1_5_12 * h5_3 - C1_5_13 * h5_2;
+  const T t80 = d5_3 * t79 - d5_1 * t28;
+  A[48] = -t80;
+  A[433] = -t80;
+  const T t81 = C1_5_13 * h5_1 - C1_5_11 * h5_3;
+  const T t82 = d5_3 * t81 - d5_1 * t31;
+  A[49] = -t82;
+  A[469] = -t82;
+  const T t83 = C1_5_11 * h5_2 - C1_5_12 * h5_1;
+  const T t84 = d5_3 * t83 - d5_1 * t34;
+  A[50] = -t84;
+  A[505] = -t84;
+  const T t85 = C1_6_12 * T(0.06300000000000001) + C1_6_13 * T(0.045000000000000005);
+  const T t86 = d5_3 * t85 - d5_1 * t37;
+  A[51] = -t86;
+  A[541] = -t86;
+  const T t87 = C1_6_13 * T(0.081) - C1_6_11 * T(0.06300000000000001);
+  const T t88 = d5_3 * t87 - d5_1 * t40;
+  A[52] = -t88;
+  A[577] = -t88;
+  const T t89 = C1_6_11 * T(0.045000000000000005) + C1_6_12 * T(0.081);
+  const T t90 = d5_1 * t44 - d5_3 * t89;
+  A[53] = -t90;
+  A[613] = -t90;
+  const T t91 = h1_3 * R1_11 - h1_1 * R1_31;
+  A[54] = t91;
+  A[649] = t91;
+  const T t92 = h1_3 * R1_12 - h1_1 * R1_32;
+  A[55] = t92;
+  A[685] = t92;
+  const T t93 = h1_3 * R1_13 - h1_1 * R1_33;
+  A[56] = t93;
+  A[721] = t93;
   A[59] = -b1_2;
   A[94] = b1_2;
   A[794] = b1_2;
   A[829] = -b1_2;
-  const T t103 = d2_3 * C1_2_11 - d2_1 * C1_2_31;
-  const T t104 = T(1.8) * t103;
-  A[60] = t104;
-  A[865] = t104;
-  const T t105 = d2_3 * C1_2_12 - d2_1 * C1_2_32;
-  const T t106 = T(1.8) * t105;
-  A[61] = t106;
-  A[901] = t106;
-  const T t107 = d2_3 * C1_2_13 - d2_1 * C1_2_33;
-  const T t108 = T(1.8) * t107;
-  A[62] = t108;
-  A[937] = t108;
-  const T t109 = T(1.2) * t103;
-  A[63] = t109;
-  A[973] = t109;
-  const T t110 = T(1.2) * t105;
-  A[64] = t110;
-  A[1009] = t110;
-  const T t111 = T(1.2) * t107;
-  A[65] = t111;
-  A[1045] = t111;
+  const T t94 = d2_3 * C1_2_11 - d2_1 * C1_2_31;
+  const T t95 = T(1.8) * t94;
+  A[60] = t95;
+  A[865] = t95;
+  const T t96 = d2_3 * C1_2_12 - d2_1 * C1_2_32;
+  const T t97 = T(1.8) * t96;
+  A[61] = t97;
+  A[901] = t97;
+  const T t98 = d2_3 * C1_2_13 - d2_1 * C1_2_33;
+  const T t99 = T(1.8) * t98;
+  A[62] = t99;
+  A[937] = t99;
+  const T t100 = T(1.2) * t94;
+  A[63] = t100;
+  A[973] = t100;
+  const T t101 = T(1.2) * t96;
+  A[64] = t101;
+  A[1009] = t101;
+  const T t102 = T(1.2) * t98;
+  A[65] = t102;
+  A[1045] = t102;
   A[68] = -b1_1;
   A[103] = b1_1;
   A[1118] = b1_1;
   A[1153] = -b1_1;
-  const T t112 = T(0.9) * (d5_3 * C1_5_11 - d5_1 * C1_5_31);
-  A[69] = t112;
-  A[1189] = t112;
-  const T t113 = T(0.9) * (d5_3 * C1_5_12 - d5_1 * C1_5_32);
-  A[70] = t113;
-  A[1225] = t113;
-  const T t114 = T(0.9) * (d5_3 * C1_5_13 - d5_1 * C1_5_33);
-  A[71] = t114;
-  A[1261] = t114;
-  A[74] = T(1.3348) + T(3.5) * (t2 + t67) + T(6.5) * (t4 + t68);
-  const T t115 = d2_2 * t70 - d2_1 * t7;
-  A[75] = -t115;
-  A[110] = -t115;
-  const T t116 = d2_2 * t72 - d2_1 * t10;
-  A[76] = -t116;
-  A[146] = -t116;
-  const T t117 = d2_2 * t74 - d2_1 * t13;
-  A[77] = -t117;
-  A[182] = -t117;
-  const T t118 = T(1.8) * (d2_2 * t76 - d2_1 * t16);
-  A[78] = -t118;
-  A[218] = -t118;
-  const T t119 = T(1.8) * (d2_1 * t20 - d2_2 * t78);
-  A[79] = -t119;
-  A[254] = -t119;
-  const T t120 = T(1.8) * (d2_2 * t80 - d2_1 * t22);
-  A[80] = -t120;
-  A[290] = -t120;
-  const T t121 = T(1.2) * (d2_2 * t82 - d2_1 * t25);
-  A[81] = -t121;
-  A[326] = -t121;
-  const T t122 = T(1.2) * (d2_2 * t84 - d2_1 * t28);
-  A[82] = -t122;
-  A[362] = -t122;
-  const T t123 = T(1.2) * (d2_1 * t32 - d2_2 * t86);
-  A[83] = -t123;
-  A[398] = -t123;
-  const T t124 = d5_2 * t88 - d5_1 * t34;
-  A[84] = -t124;
-  A[434] = -t124;
-  const T t125 = d5_2 * t90 - d5_1 * t37;
-  A[85] = -t125;
-  A[470] = -t125;
-  const T t126 = d5_2 * t92 - d5_1 * t40;
-  A[86] = -t126;
-  A[506] = -t126;
-  const T t127 = T(0.9) * (d5_1 * t44 - d5_2 * t94);
-  A[87] = -t127;
-  A[542] = -t127;
-  const T t128 = T(0.9) * (d5_2 * t96 - d5_1 * t46);
-  A[88] = -t128;
-  A[578] = -t128;
-  const T t129 = T(0.9) * (d5_2 * t98 - d5_1 * t49);
-  A[89] = -t129;
-  A[614] = -t129;
-  const T t130 = h1_1 * R1_21 - h1_2 * R1_11;
-  A[90] = t130;
-  A[650] = t130;
-  const T t131 = h1_1 * R1_22 - h1_2 * R1_12;
-  A[91] = t131;
-  A[686] = t131;
-  const T t132 = h1_1 * R1_23 - h1_2 * R1_13;
-  A[92] = t132;
-  A[722] = t132;
-  const T t133 = d2_1 * C1_2_21 - d2_2 * C1_2_11;
-  const T t134 = T(1.8) * t133;
-  A[96] = t134;
-  A[866] = t134;
-  const T t135 = d2_1 * C1_2_22 - d2_2 * C1_2_12;
-  const T t136 = T(1.8) * t135;
-  A[97] = t136;
-  A[902] = t136;
-  const T t137 = d2_1 * C1_2_23 - d2_2 * C1_2_13;
-  const T t138 = T(1.8) * t137;
-  A[98] = t138;
-  A[938] = t138;
-  const T t139 = T(1.2) * t133;
-  A[99] = t139;
-  A[974] = t139;
-  const T t140 = T(1.2) * t135;
-  A[100] = t140;
-  A[1010] = t140;
-  const T t141 = T(1.2) * t137;
-  A[101] = t141;
-  A[1046] = t141;
-  const T t142 = T(0.9) * (d5_1 * C1_5_21 - d5_2 * C1_5_11);
-  A[105] = t142;
-  A[1190] = t142;
-  const T t143 = T(0.9) * (d5_1 * C1_5_22 - d5_2 * C1_5_12);
-  A[106] = t143;
-  A[1226] = t143;
-  const T t144 = T(0.9) * (d5_1 * C1_5_23 - d5_2 * C1_5_13);
-  A[107] = t144;
-  A[1262] = t144;
-  const T t145 = d3_3 * d3_3;
-  const T t146 = d3_2 * d3_2;
-  const T t147 = d4_3 * d4_3;
-  const T t148 = d4_2 * d4_2;
-  A[111] = T(1.13435) + T(1.8) * (t145 + t146) + T(1.2) * (t147 + t148);
-  const T t149 = T(0.0158) - d3_2 * d3_1 * T(1.8) - d4_2 * d4_1 * T(1.2);
-  A[112] = t149;
-  A[147] = t149;
-  const T t150 = T(0.03725) + d3_3 * d3_1 * T(1.8) + d4_3 * d4_1 * T(1.2);
-  A[113] = -t150;
-  A[183] = -t150;
-  const T t151 = T(0.02) * C2_3_22 + T(0.35) * C2_3_23;
-  const T t152 = T(0.02) * C2_3_32 + T(0.35) * C2_3_33;
-  const T t153 = T(1.8) * (d3_3 * t151 - d3_2 * t152);
-  A[114] = -t153;
-  A[219] = -t153;
-  const T t154 = T(0.02) * C2_3_31 + T(0.1) * C2_3_33;
-  const T t155 = T(0.02) * C2_3_21 + T(0.1) * C2_3_23;
-  const T t156 = T(1.8) * (d3_2 * t154 - d3_3 * t155);
-  A[115] = -t156;
-  A[255] = -t156;
-  const T t157 = T(0.1) * C2_3_22 - T(0.35) * C2_3_21;
-  const T t158 = T(0.1) * C2_3_32 - T(0.35) * C2_3_31;
-  const T t159 = T(1.8) * (d3_3 * t157 - d3_2 * t158);
-  A[116] = -t159;
-  A[291] = -t159;
-  const T t160 = T(0.06) * C2_4_23 - T(0.1) * C2_4_22;
-  const T t161 = T(0.06) * C2_4_33 - T(0.1) * C2_4_32;
-  const T t162 = T(1.2) * (d4_3 * t160 - d4_2 * t161);
-  A[117] = -t162;
-  A[327] = -t162;
-  const T t163 = T(0.1) * C2_4_21 + T(0.03) * C2_4_23;
-  const T t164 = T(0.1) * C2_4_31 + T(0.03) * C2_4_33;
-  const T t165 = T(1.2) * (d4_3 * t163 - d4_2 * t164);
-  A[118] = -t165;
-  A[363] = -t165;
-  const T t166 = T(0.03) * C2_4_32 + T(0.06) * C2_4_31;
-  const T t167 = T(0.03) * C2_4_22 + T(0.06) * C2_4_21;
-  const T t168 = T(1.2) * (d4_2 * t166 - d4_3 * t167);
-  A[119] = -t168;
-  A[399] = -t168;
-  const T t169 = h2_2 * R2_31 - h2_3 * R2_21;
-  A[126] = t169;
-  A[651] = t169;
-  const T t170 = h2_2 * R2_32 - h2_3 * R2_22;
-  A[127] = t170;
-  A[687] = t170;
-  const T t171 = h2_2 * R2_33 - h2_3 * R2_23;
-  A[128] = t171;
-  A[723] = t171;
-  A[129] = t70;
-  A[759] = t70;
-  A[130] = t7;
-  A[795] = t7;
-  A[131] = t8;
-  A[831] = t8;
+  const T t103 = T(0.9) * (d5_3 * C1_5_11 - d5_1 * C1_5_31);
+  A[69] = t103;
+  A[1189] = t103;
+  const T t104 = T(0.9) * (d5_3 * C1_5_12 - d5_1 * C1_5_32);
+  A[70] = t104;
+  A[1225] = t104;
+  const T t105 = T(0.9) * (d5_3 * C1_5_13 - d5_1 * C1_5_33);
+  A[71] = t105;
+  A[1261] = t105;
+  const T t106 = d2_1 * t2 - d2_2 * t61;
+  A[75] = -t106;
+  A[110] = -t106;
+  const T t107 = d2_1 * t5 - d2_2 * t63;
+  A[76] = -t107;
+  A[146] = -t107;
+  const T t108 = d2_1 * t8 - d2_2 * t65;
+  A[77] = -t108;
+  A[182] = -t108;
+  const T t109 = d2_2 * t67 - d2_1 * t10;
+  A[78] = -t109;
+  A[218] = -t109;
+  const T t110 = d2_1 * t14 - d2_2 * t69;
+  A[79] = -t110;
+  A[254] = -t110;
+  const T t111 = d2_1 * t17 - d2_2 * t71;
+  A[80] = -t111;
+  A[290] = -t111;
+  const T t112 = d2_1 * t20 - d2_2 * t73;
+  A[81] = -t112;
+  A[326] = -t112;
+  const T t113 = d2_2 * t75 - d2_1 * t22;
+  A[82] = -t113;
+  A[362] = -t113;
+  const T t114 = d2_1 * t26 - d2_2 * t77;
+  A[83] = -t114;
+  A[398] = -t114;
+  const T t115 = d5_1 * t29 - d5_2 * t79;
+  A[84] = -t115;
+  A[434] = -t115;
+  const T t116 = d5_1 * t32 - d5_2 * t81;
+  A[85] = -t116;
+  A[470] = -t116;
+  const T t117 = d5_1 * t35 - d5_2 * t83;
+  A[86] = -t117;
+  A[506] = -t117;
+  const T t118 = d5_1 * t38 - d5_2 * t85;
+  A[87] = -t118;
+  A[542] = -t118;
+  const T t119 = d5_1 * t41 - d5_2 * t87;
+  A[88] = -t119;
+  A[578] = -t119;
+  const T t120 = d5_2 * t89 - d5_1 * t43;
+  A[89] = -t120;
+  A[614] = -t120;
+  const T t121 = h1_1 * R1_21 - h1_2 * R1_11;
+  A[90] = t121;
+  A[650] = t121;
+  const T t122 = h1_1 * R1_22 - h1_2 * R1_12;
+  A[91] = t122;
+  A[686] = t122;
+  const T t123 = h1_1 * R1_23 - h1_2 * R1_13;
+  A[92] = t123;
+  A[722] = t123;
+  const T t124 = d2_1 * C1_2_21 - d2_2 * C1_2_11;
+  const T t125 = T(1.8) * t124;
+  A[96] = t125;
+  A[866] = t125;
+  const T t126 = d2_1 * C1_2_22 - d2_2 * C1_2_12;
+  const T t127 = T(1.8) * t126;
+  A[97] = t127;
+  A[902] = t127;
+  const T t128 = d2_1 * C1_2_23 - d2_2 * C1_2_13;
+  const T t129 = T(1.8) * t128;
+  A[98] = t129;
+  A[938] = t129;
+  const T t130 = T(1.2) * t124;
+  A[99] = t130;
+  A[974] = t130;
+  const T t131 = T(1.2) * t126;
+  A[100] = t131;
+  A[1010] = t131;
+  const T t132 = T(1.2) * t128;
+  A[101] = t132;
+  A[1046] = t132;
+  const T t133 = T(0.9) * (d5_1 * C1_5_21 - d5_2 * C1_5_11);
+  A[105] = t133;
+  A[1190] = t133;
+  const T t134 = T(0.9) * (d5_1 * C1_5_22 - d5_2 * C1_5_12);
+  A[106] = t134;
+  A[1226] = t134;
+  const T t135 = T(0.9) * (d5_1 * C1_5_23 - d5_2 * C1_5_13);
+  A[107] = t135;
+  A[1262] = t135;
+  const T t136 = C2_3_22 * T(0.036000000000000004) + C2_3_23 * T(0.63);
+  const T t137 = C2_3_32 * T(0.036000000000000004) + C2_3_33 * T(0.63);
+  const T t138 = d3_3 * t136 - d3_2 * t137;
+  A[114] = -t138;
+  A[219] = -t138;
+  const T t139 = C2_3_31 * T(0.036000000000000004) + C2_3_33 * T(0.18000000000000002);
+  const T t140 = C2_3_21 * T(0.036000000000000004) + C2_3_23 * T(0.18000000000000002);
+  const T t141 = d3_2 * t139 - d3_3 * t140;
+  A[115] = -t141;
+  A[255] = -t141;
+  const T t142 = C2_3_31 * T(0.63) - C2_3_32 * T(0.18000000000000002);
+  const T t143 = C2_3_21 * T(0.63) - C2_3_22 * T(0.18000000000000002);
+  const T t144 = d3_2 * t142 - d3_3 * t143;
+  A[116] = -t144;
+  A[291] = -t144;
+  const T t145 = C2_4_32 * T(0.12) - C2_4_33 * T(0.072);
+  const T t146 = C2_4_22 * T(0.12) - C2_4_23 * T(0.072);
+  const T t147 = d4_2 * t145 - d4_3 * t146;
+  A[117] = -t147;
+  A[327] = -t147;
+  const T t148 = C2_4_21 * T(0.12) + C2_4_23 * T(0.036);
+  const T t149 = C2_4_31 * T(0.12) + C2_4_33 * T(0.036);
+  const T t150 = d4_3 * t148 - d4_2 * t149;
+  A[118] = -t150;
+  A[363] = -t150;
+  const T t151 = C2_4_31 * T(0.072) + C2_4_32 * T(0.036);
+  const T t152 = C2_4_21 * T(0.072) + C2_4_22 * T(0.036);
+  const T t153 = d4_2 * t151 - d4_3 * t152;
+  A[119] = -t153;
+  A[399] = -t153;
+  const T t154 = R2_21 * h2_3 - R2_31 * h2_2;
+  A[126] = -t154;
+  A[651] = -t154;
+  const T t155 = R2_22 * h2_3 - R2_32 * h2_2;
+  A[127] = -t155;
+  A[687] = -t155;
+  const T t156 = R2_23 * h2_3 - R2_33 * h2_2;
+  A[128] = -t156;
+  A[723] = -t156;
+  A[129] = -t61;
+  A[759] = -t61;
+  A[130] = -t2;
+  A[795] = -t2;
+  A[131] = -t1;
+  A[831] = -t1;
   A[133] = -b2_5;
   A[168] = b2_5;
   A[868] = b2_5;
@@ -3548,51 +3662,45 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[207] = -b2_4;
   A[977] = -b2_4;
   A[1047] = b2_4;
-  const T t172 = d3_1 * d3_1;
-  const T t173 = d4_1 * d4_1;
-  A[148] = T(1.0919) + T(1.8) * (t145 + t172) + T(1.2) * (t147 + t173);
-  const T t174 = T(0.093) + d3_3 * d3_2 * T(1.8) + d4_3 * d4_2 * T(1.2);
-  A[149] = -t174;
-  A[184] = -t174;
-  const T t175 = T(0.02) * C2_3_12 + T(0.35) * C2_3_13;
-  const T t176 = T(1.8) * (d3_1 * t152 - d3_3 * t175);
-  A[150] = -t176;
-  A[220] = -t176;
-  const T t177 = T(0.02) * C2_3_11 + T(0.1) * C2_3_13;
-  const T t178 = T(1.8) * (d3_3 * t177 - d3_1 * t154);
-  A[151] = -t178;
-  A[256] = -t178;
-  const T t179 = T(0.1) * C2_3_12 - T(0.35) * C2_3_11;
-  const T t180 = T(1.8) * (d3_1 * t158 - d3_3 * t179);
-  A[152] = -t180;
-  A[292] = -t180;
-  const T t181 = T(0.06) * C2_4_13 - T(0.1) * C2_4_12;
-  const T t182 = T(1.2) * (d4_1 * t161 - d4_3 * t181);
-  A[153] = -t182;
-  A[328] = -t182;
-  const T t183 = T(0.1) * C2_4_11 + T(0.03) * C2_4_13;
-  const T t184 = T(1.2) * (d4_1 * t164 - d4_3 * t183);
-  A[154] = -t184;
-  A[364] = -t184;
-  const T t185 = T(0.03) * C2_4_12 + T(0.06) * C2_4_11;
-  const T t186 = T(1.2) * (d4_3 * t185 - d4_1 * t166);
-  A[155] = -t186;
-  A[400] = -t186;
-  const T t187 = h2_3 * R2_11 - h2_1 * R2_31;
-  A[162] = t187;
-  A[652] = t187;
-  const T t188 = h2_3 * R2_12 - h2_1 * R2_32;
-  A[163] = t188;
-  A[688] = t188;
-  const T t189 = h2_3 * R2_13 - h2_1 * R2_33;
-  A[164] = t189;
-  A[724] = t189;
-  A[165] = t72;
-  A[760] = t72;
-  A[166] = t10;
-  A[796] = t10;
-  A[167] = t11;
-  A[832] = t11;
+  const T t157 = C2_3_12 * T(0.036000000000000004) + C2_3_13 * T(0.63);
+  const T t158 = d3_1 * t137 - d3_3 * t157;
+  A[150] = -t158;
+  A[220] = -t158;
+  const T t159 = C2_3_11 * T(0.036000000000000004) + C2_3_13 * T(0.18000000000000002);
+  const T t160 = d3_3 * t159 - d3_1 * t139;
+  A[151] = -t160;
+  A[256] = -t160;
+  const T t161 = C2_3_11 * T(0.63) - C2_3_12 * T(0.18000000000000002);
+  const T t162 = d3_3 * t161 - d3_1 * t142;
+  A[152] = -t162;
+  A[292] = -t162;
+  const T t163 = C2_4_12 * T(0.12) - C2_4_13 * T(0.072);
+  const T t164 = d4_3 * t163 - d4_1 * t145;
+  A[153] = -t164;
+  A[328] = -t164;
+  const T t165 = C2_4_11 * T(0.12) + C2_4_13 * T(0.036);
+  const T t166 = d4_1 * t149 - d4_3 * t165;
+  A[154] = -t166;
+  A[364] = -t166;
+  const T t167 = C2_4_11 * T(0.072) + C2_4_12 * T(0.036);
+  const T t168 = d4_3 * t167 - d4_1 * t151;
+  A[155] = -t168;
+  A[400] = -t168;
+  const T t169 = R2_31 * h2_1 - R2_11 * h2_3;
+  A[162] = -t169;
+  A[652] = -t169;
+  const T t170 = R2_32 * h2_1 - R2_12 * h2_3;
+  A[163] = -t170;
+  A[688] = -t170;
+  const T t171 = R2_33 * h2_1 - R2_13 * h2_3;
+  A[164] = -t171;
+  A[724] = -t171;
+  A[165] = -t63;
+  A[760] = -t63;
+  A[166] = -t5;
+  A[796] = -t5;
+  A[167] = -t4;
+  A[832] = -t4;
   A[170] = -b2_1;
   A[205] = b2_1;
   A[905] = b2_1;
@@ -3601,259 +3709,213 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[208] = b2_2;
   A[1013] = b2_2;
   A[1048] = -b2_2;
-  A[185] = T(0.11875) + T(1.8) * (t146 + t172) + T(1.2) * (t148 + t173);
-  const T t190 = T(1.8) * (d3_2 * t175 - d3_1 * t151);
-  A[186] = -t190;
-  A[221] = -t190;
-  const T t191 = T(1.8) * (d3_1 * t155 - d3_2 * t177);
-  A[187] = -t191;
-  A[257] = -t191;
-  const T t192 = T(1.8) * (d3_2 * t179 - d3_1 * t157);
-  A[188] = -t192;
-  A[293] = -t192;
-  const T t193 = T(1.2) * (d4_2 * t181 - d4_1 * t160);
-  A[189] = -t193;
-  A[329] = -t193;
-  const T t194 = T(1.2) * (d4_2 * t183 - d4_1 * t163);
-  A[190] = -t194;
-  A[365] = -t194;
-  const T t195 = T(1.2) * (d4_1 * t167 - d4_2 * t185);
-  A[191] = -t195;
-  A[401] = -t195;
-  const T t196 = h2_1 * R2_21 - h2_2 * R2_11;
-  A[198] = t196;
-  A[653] = t196;
-  const T t197 = h2_1 * R2_22 - h2_2 * R2_12;
-  A[199] = t197;
-  A[689] = t197;
-  const T t198 = h2_1 * R2_23 - h2_2 * R2_13;
-  A[200] = t198;
-  A[725] = t198;
-  A[201] = t74;
-  A[761] = t74;
-  A[202] = t13;
-  A[797] = t13;
-  A[203] = t14;
-  A[833] = t14;
+  const T t172 = d3_2 * t157 - d3_1 * t136;
+  A[186] = -t172;
+  A[221] = -t172;
+  const T t173 = d3_1 * t140 - d3_2 * t159;
+  A[187] = -t173;
+  A[257] = -t173;
+  const T t174 = d3_1 * t143 - d3_2 * t161;
+  A[188] = -t174;
+  A[293] = -t174;
+  const T t175 = d4_1 * t146 - d4_2 * t163;
+  A[189] = -t175;
+  A[329] = -t175;
+  const T t176 = d4_2 * t165 - d4_1 * t148;
+  A[190] = -t176;
+  A[365] = -t176;
+  const T t177 = d4_1 * t152 - d4_2 * t167;
+  A[191] = -t177;
+  A[401] = -t177;
+  const T t178 = R2_11 * h2_2 - R2_21 * h2_1;
+  A[198] = -t178;
+  A[653] = -t178;
+  const T t179 = R2_12 * h2_2 - R2_22 * h2_1;
+  A[199] = -t179;
+  A[689] = -t179;
+  const T t180 = R2_13 * h2_2 - R2_23 * h2_1;
+  A[200] = -t180;
+  A[725] = -t180;
+  A[201] = -t65;
+  A[761] = -t65;
+  A[202] = -t8;
+  A[797] = -t8;
+  A[203] = -t7;
+  A[833] = -t7;
   A[222] = T(0.43122);
   A[223] = -T(0.075);
   A[258] = -T(0.075);
   A[224] = T(0.009600000000000001);
   A[294] = T(0.009600000000000001);
-  const T t199 = T(1.8) * (T(0.02) * R3_21 + T(0.35) * R3_31);
-  A[234] = t199;
-  A[654] = t199;
-  const T t200 = T(1.8) * (T(0.02) * R3_22 + T(0.35) * R3_32);
-  A[235] = t200;
-  A[690] = t200;
-  const T t201 = T(1.8) * (T(0.02) * R3_23 + T(0.35) * R3_33);
-  A[236] = t201;
-  A[726] = t201;
-  const T t202 = T(1.8) * t76;
-  A[237] = t202;
-  A[762] = t202;
-  const T t203 = T(1.8) * t16;
-  A[238] = t203;
-  A[798] = t203;
-  const T t204 = T(1.8) * t17;
-  A[239] = t204;
-  A[834] = t204;
-  const T t205 = T(1.8) * t175;
-  A[240] = t205;
-  A[870] = t205;
-  const T t206 = T(1.8) * t151;
-  A[241] = t206;
-  A[906] = t206;
-  const T t207 = T(1.8) * t152;
-  A[242] = t207;
-  A[942] = t207;
+  const T t181 = R3_21 * T(0.036000000000000004) + R3_31 * T(0.63);
+  A[234] = t181;
+  A[654] = t181;
+  const T t182 = R3_22 * T(0.036000000000000004) + R3_32 * T(0.63);
+  A[235] = t182;
+  A[690] = t182;
+  const T t183 = R3_23 * T(0.036000000000000004) + R3_33 * T(0.63);
+  A[236] = t183;
+  A[726] = t183;
+  A[237] = t67;
+  A[762] = t67;
+  A[238] = t10;
+  A[798] = t10;
+  A[239] = t11;
+  A[834] = t11;
+  A[240] = t157;
+  A[870] = t157;
+  A[241] = t136;
+  A[906] = t136;
+  A[242] = t137;
+  A[942] = t137;
   A[259] = T(0.10872);
   A[260] = T(0.0206);
   A[295] = T(0.0206);
-  const T t208 = T(1.8) * (T(0.02) * R3_11 + T(0.1) * R3_31);
-  A[270] = -t208;
-  A[655] = -t208;
-  const T t209 = T(1.8) * (T(0.02) * R3_12 + T(0.1) * R3_32);
-  A[271] = -t209;
-  A[691] = -t209;
-  const T t210 = T(1.8) * (T(0.02) * R3_13 + T(0.1) * R3_33);
-  A[272] = -t210;
-  A[727] = -t210;
-  const T t211 = T(1.8) * t78;
-  A[273] = -t211;
-  A[763] = -t211;
-  const T t212 = T(1.8) * t20;
-  A[274] = -t212;
-  A[799] = -t212;
-  const T t213 = T(1.8) * t19;
-  A[275] = -t213;
-  A[835] = -t213;
-  const T t214 = T(1.8) * t177;
-  A[276] = -t214;
-  A[871] = -t214;
-  const T t215 = T(1.8) * t155;
-  A[277] = -t215;
-  A[907] = -t215;
-  const T t216 = T(1.8) * t154;
-  A[278] = -t216;
-  A[943] = -t216;
+  const T t184 = R3_11 * T(0.036000000000000004) + R3_31 * T(0.18000000000000002);
+  A[270] = -t184;
+  A[655] = -t184;
+  const T t185 = R3_12 * T(0.036000000000000004) + R3_32 * T(0.18000000000000002);
+  A[271] = -t185;
+  A[691] = -t185;
+  const T t186 = R3_13 * T(0.036000000000000004) + R3_33 * T(0.18000000000000002);
+  A[272] = -t186;
+  A[727] = -t186;
+  A[273] = -t69;
+  A[763] = -t69;
+  A[274] = -t14;
+  A[799] = -t14;
+  A[275] = -t13;
+  A[835] = -t13;
+  A[276] = -t159;
+  A[871] = -t159;
+  A[277] = -t140;
+  A[907] = -t140;
+  A[278] = -t139;
+  A[943] = -t139;
   A[296] = T(0.5085);
-  const T t217 = T(1.8) * (T(0.1) * R3_21 - T(0.35) * R3_11);
-  A[306] = t217;
-  A[656] = t217;
-  const T t218 = T(1.8) * (T(0.1) * R3_22 - T(0.35) * R3_12);
-  A[307] = t218;
-  A[692] = t218;
-  const T t219 = T(1.8) * (T(0.1) * R3_23 - T(0.35) * R3_13);
-  A[308] = t219;
-  A[728] = t219;
-  const T t220 = T(1.8) * t80;
-  A[309] = t220;
-  A[764] = t220;
-  const T t221 = T(1.8) * t22;
-  A[310] = t221;
-  A[800] = t221;
-  const T t222 = T(1.8) * t23;
-  A[311] = t222;
-  A[836] = t222;
-  const T t223 = T(1.8) * t179;
-  A[312] = t223;
-  A[872] = t223;
-  const T t224 = T(1.8) * t157;
-  A[313] = t224;
-  A[908] = t224;
-  const T t225 = T(1.8) * t158;
-  A[314] = t225;
-  A[944] = t225;
+  const T t187 = R3_11 * T(0.63) - R3_21 * T(0.18000000000000002);
+  A[306] = -t187;
+  A[656] = -t187;
+  const T t188 = R3_12 * T(0.63) - R3_22 * T(0.18000000000000002);
+  A[307] = -t188;
+  A[692] = -t188;
+  const T t189 = R3_13 * T(0.63) - R3_23 * T(0.18000000000000002);
+  A[308] = -t189;
+  A[728] = -t189;
+  A[309] = -t71;
+  A[764] = -t71;
+  A[310] = -t17;
+  A[800] = -t17;
+  A[311] = -t16;
+  A[836] = -t16;
+  A[312] = -t161;
+  A[872] = -t161;
+  A[313] = -t143;
+  A[908] = -t143;
+  A[314] = -t142;
+  A[944] = -t142;
   A[333] = T(0.07632);
   A[334] = T(0.00616);
   A[369] = T(0.00616);
   A[335] = T(0.0015999999999999999);
   A[405] = T(0.0015999999999999999);
-  const T t226 = T(1.2) * (T(0.06) * R4_31 - T(0.1) * R4_21);
-  A[342] = t226;
-  A[657] = t226;
-  const T t227 = T(1.2) * (T(0.06) * R4_32 - T(0.1) * R4_22);
-  A[343] = t227;
-  A[693] = t227;
-  const T t228 = T(1.2) * (T(0.06) * R4_33 - T(0.1) * R4_23);
-  A[344] = t228;
-  A[729] = t228;
-  const T t229 = T(1.2) * t82;
-  A[345] = t229;
-  A[765] = t229;
-  const T t230 = T(1.2) * t25;
-  A[346] = t230;
-  A[801] = t230;
-  const T t231 = T(1.2) * t26;
-  A[347] = t231;
-  A[837] = t231;
-  const T t232 = T(1.2) * t181;
-  A[351] = t232;
-  A[981] = t232;
-  const T t233 = T(1.2) * t160;
-  A[352] = t233;
-  A[1017] = t233;
-  const T t234 = T(1.2) * t161;
-  A[353] = t234;
-  A[1053] = t234;
+  const T t190 = R4_21 * T(0.12) - R4_31 * T(0.072);
+  A[342] = -t190;
+  A[657] = -t190;
+  const T t191 = R4_22 * T(0.12) - R4_32 * T(0.072);
+  A[343] = -t191;
+  A[693] = -t191;
+  const T t192 = R4_23 * T(0.12) - R4_33 * T(0.072);
+  A[344] = -t192;
+  A[729] = -t192;
+  A[345] = -t73;
+  A[765] = -t73;
+  A[346] = -t20;
+  A[801] = -t20;
+  A[347] = -t19;
+  A[837] = -t19;
+  A[351] = -t163;
+  A[981] = -t163;
+  A[352] = -t146;
+  A[1017] = -t146;
+  A[353] = -t145;
+  A[1053] = -t145;
   A[370] = T(0.08807999999999999);
   A[371] = -T(0.0042);
   A[406] = -T(0.0042);
-  const T t235 = T(1.2) * (T(0.1) * R4_11 + T(0.03) * R4_31);
-  A[378] = t235;
-  A[658] = t235;
-  const T t236 = T(1.2) * (T(0.1) * R4_12 + T(0.03) * R4_32);
-  A[379] = t236;
-  A[694] = t236;
-  const T t237 = T(1.2) * (T(0.1) * R4_13 + T(0.03) * R4_33);
-  A[380] = t237;
-  A[730] = t237;
-  const T t238 = T(1.2) * t84;
-  A[381] = t238;
-  A[766] = t238;
-  const T t239 = T(1.2) * t28;
-  A[382] = t239;
-  A[802] = t239;
-  const T t240 = T(1.2) * t29;
-  A[383] = t240;
-  A[838] = t240;
-  const T t241 = T(1.2) * t183;
-  A[387] = t241;
-  A[982] = t241;
-  const T t242 = T(1.2) * t163;
-  A[388] = t242;
-  A[1018] = t242;
-  const T t243 = T(1.2) * t164;
-  A[389] = t243;
-  A[1054] = t243;
+  const T t193 = R4_11 * T(0.12) + R4_31 * T(0.036);
+  A[378] = t193;
+  A[658] = t193;
+  const T t194 = R4_12 * T(0.12) + R4_32 * T(0.036);
+  A[379] = t194;
+  A[694] = t194;
+  const T t195 = R4_13 * T(0.12) + R4_33 * T(0.036);
+  A[380] = t195;
+  A[730] = t195;
+  A[381] = t75;
+  A[766] = t75;
+  A[382] = t22;
+  A[802] = t22;
+  A[383] = t23;
+  A[838] = t23;
+  A[387] = t165;
+  A[982] = t165;
+  A[388] = t148;
+  A[1018] = t148;
+  A[389] = t149;
+  A[1054] = t149;
   A[407] = T(0.0574);
-  const T t244 = T(1.2) * (T(0.03) * R4_21 + T(0.06) * R4_11);
-  A[414] = -t244;
-  A[659] = -t244;
-  const T t245 = T(1.2) * (T(0.03) * R4_22 + T(0.06) * R4_12);
-  A[415] = -t245;
-  A[695] = -t245;
-  const T t246 = T(1.2) * (T(0.03) * R4_23 + T(0.06) * R4_13);
-  A[416] = -t246;
-  A[731] = -t246;
-  const T t247 = T(1.2) * t86;
-  A[417] = -t247;
-  A[767] = -t247;
-  const T t248 = T(1.2) * t32;
-  A[418] = -t248;
-  A[803] = -t248;
-  const T t249 = T(1.2) * t31;
-  A[419] = -t249;
-  A[839] = -t249;
-  const T t250 = T(1.2) * t185;
-  A[423] = -t250;
-  A[983] = -t250;
-  const T t251 = T(1.2) * t167;
-  A[424] = -t251;
-  A[1019] = -t251;
-  const T t252 = T(1.2) * t166;
-  A[425] = -t252;
-  A[1055] = -t252;
-  const T t253 = d6_3 * d6_3;
-  const T t254 = d6_2 * d6_2;
-  A[444] = T(0.0852) + T(0.9) * (t253 + t254);
-  const T t255 = T(0.01476) + d6_2 * d6_1 * T(0.9);
-  A[445] = -t255;
-  A[480] = -t255;
-  const T t256 = T(0.05152) - d6_3 * d6_1 * T(0.9);
-  A[446] = t256;
-  A[516] = t256;
-  const T t257 = T(0.07) * C5_6_32 + T(0.05) * C5_6_33;
-  const T t258 = T(0.07) * C5_6_22 + T(0.05) * C5_6_23;
-  const T t259 = T(0.9) * (d6_2 * t257 - d6_3 * t258);
-  A[447] = -t259;
-  A[552] = -t259;
-  const T t260 = T(0.07) * C5_6_21 - T(0.09) * C5_6_23;
-  const T t261 = T(0.07) * C5_6_31 - T(0.09) * C5_6_33;
-  const T t262 = T(0.9) * (d6_3 * t260 - d6_2 * t261);
-  A[448] = -t262;
-  A[588] = -t262;
-  const T t263 = T(0.09) * C5_6_22 + T(0.05) * C5_6_21;
-  const T t264 = T(0.09) * C5_6_32 + T(0.05) * C5_6_31;
-  const T t265 = T(0.9) * (d6_3 * t263 - d6_2 * t264);
-  A[449] = -t265;
-  A[624] = -t265;
-  const T t266 = h5_2 * R5_31 - h5_3 * R5_21;
-  A[450] = t266;
-  A[660] = t266;
-  const T t267 = h5_2 * R5_32 - h5_3 * R5_22;
-  A[451] = t267;
-  A[696] = t267;
-  const T t268 = h5_2 * R5_33 - h5_3 * R5_23;
-  A[452] = t268;
-  A[732] = t268;
-  A[462] = t88;
-  A[1092] = t88;
-  A[463] = t34;
-  A[1128] = t34;
-  A[464] = t35;
-  A[1164] = t35;
+  const T t196 = R4_11 * T(0.072) + R4_21 * T(0.036);
+  A[414] = -t196;
+  A[659] = -t196;
+  const T t197 = R4_12 * T(0.072) + R4_22 * T(0.036);
+  A[415] = -t197;
+  A[695] = -t197;
+  const T t198 = R4_13 * T(0.072) + R4_23 * T(0.036);
+  A[416] = -t198;
+  A[731] = -t198;
+  A[417] = -t77;
+  A[767] = -t77;
+  A[418] = -t26;
+  A[803] = -t26;
+  A[419] = -t25;
+  A[839] = -t25;
+  A[423] = -t167;
+  A[983] = -t167;
+  A[424] = -t152;
+  A[1019] = -t152;
+  A[425] = -t151;
+  A[1055] = -t151;
+  const T t199 = C5_6_32 * T(0.06300000000000001) + C5_6_33 * T(0.045000000000000005);
+  const T t200 = C5_6_22 * T(0.06300000000000001) + C5_6_23 * T(0.045000000000000005);
+  const T t201 = d6_2 * t199 - d6_3 * t200;
+  A[447] = -t201;
+  A[552] = -t201;
+  const T t202 = C5_6_33 * T(0.081) - C5_6_31 * T(0.06300000000000001);
+  const T t203 = C5_6_23 * T(0.081) - C5_6_21 * T(0.06300000000000001);
+  const T t204 = d6_2 * t202 - d6_3 * t203;
+  A[448] = -t204;
+  A[588] = -t204;
+  const T t205 = C5_6_21 * T(0.045000000000000005) + C5_6_22 * T(0.081);
+  const T t206 = C5_6_31 * T(0.045000000000000005) + C5_6_32 * T(0.081);
+  const T t207 = d6_3 * t205 - d6_2 * t206;
+  A[449] = -t207;
+  A[624] = -t207;
+  const T t208 = R5_21 * h5_3 - R5_31 * h5_2;
+  A[450] = -t208;
+  A[660] = -t208;
+  const T t209 = R5_22 * h5_3 - R5_32 * h5_2;
+  A[451] = -t209;
+  A[696] = -t209;
+  const T t210 = R5_23 * h5_3 - R5_33 * h5_2;
+  A[452] = -t210;
+  A[732] = -t210;
+  A[462] = -t79;
+  A[1092] = -t79;
+  A[463] = -t29;
+  A[1128] = -t29;
+  A[464] = -t28;
+  A[1164] = -t28;
   A[466] = -b5_3;
   A[501] = b5_3;
   A[1201] = b5_3;
@@ -3862,352 +3924,328 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[537] = -b5_2;
   A[1202] = -b5_2;
   A[1272] = b5_2;
-  const T t269 = d6_1 * d6_1;
-  A[481] = T(0.6896) + T(0.9) * (t253 + t269);
-  const T t270 = T(0.00492) + d6_3 * d6_2 * T(0.9);
-  A[482] = -t270;
-  A[517] = -t270;
-  const T t271 = T(0.07) * C5_6_12 + T(0.05) * C5_6_13;
-  const T t272 = T(0.9) * (d6_3 * t271 - d6_1 * t257);
-  A[483] = -t272;
-  A[553] = -t272;
-  const T t273 = T(0.07) * C5_6_11 - T(0.09) * C5_6_13;
-  const T t274 = T(0.9) * (d6_1 * t261 - d6_3 * t273);
-  A[484] = -t274;
-  A[589] = -t274;
-  const T t275 = T(0.09) * C5_6_12 + T(0.05) * C5_6_11;
-  const T t276 = T(0.9) * (d6_1 * t264 - d6_3 * t275);
-  A[485] = -t276;
-  A[625] = -t276;
-  const T t277 = h5_3 * R5_11 - h5_1 * R5_31;
-  A[486] = t277;
-  A[661] = t277;
-  const T t278 = h5_3 * R5_12 - h5_1 * R5_32;
-  A[487] = t278;
-  A[697] = t278;
-  const T t279 = h5_3 * R5_13 - h5_1 * R5_33;
-  A[488] = t279;
-  A[733] = t279;
-  A[498] = t90;
-  A[1093] = t90;
-  A[499] = t37;
-  A[1129] = t37;
-  A[500] = t38;
-  A[1165] = t38;
+  const T t211 = C5_6_12 * T(0.06300000000000001) + C5_6_13 * T(0.045000000000000005);
+  const T t212 = d6_3 * t211 - d6_1 * t199;
+  A[483] = -t212;
+  A[553] = -t212;
+  const T t213 = C5_6_13 * T(0.081) - C5_6_11 * T(0.06300000000000001);
+  const T t214 = d6_3 * t213 - d6_1 * t202;
+  A[484] = -t214;
+  A[589] = -t214;
+  const T t215 = C5_6_11 * T(0.045000000000000005) + C5_6_12 * T(0.081);
+  const T t216 = d6_1 * t206 - d6_3 * t215;
+  A[485] = -t216;
+  A[625] = -t216;
+  const T t217 = R5_31 * h5_1 - R5_11 * h5_3;
+  A[486] = -t217;
+  A[661] = -t217;
+  const T t218 = R5_32 * h5_1 - R5_12 * h5_3;
+  A[487] = -t218;
+  A[697] = -t218;
+  const T t219 = R5_33 * h5_1 - R5_13 * h5_3;
+  A[488] = -t219;
+  A[733] = -t219;
+  A[498] = -t81;
+  A[1093] = -t81;
+  A[499] = -t32;
+  A[1129] = -t32;
+  A[500] = -t31;
+  A[1165] = -t31;
   A[503] = -b5_1;
   A[538] = b5_1;
   A[1238] = b5_1;
   A[1273] = -b5_1;
-  A[518] = T(0.70648) + T(0.9) * (t254 + t269);
-  const T t280 = T(0.9) * (d6_1 * t258 - d6_2 * t271);
-  A[519] = -t280;
-  A[554] = -t280;
-  const T t281 = T(0.9) * (d6_2 * t273 - d6_1 * t260);
-  A[520] = -t281;
-  A[590] = -t281;
-  const T t282 = T(0.9) * (d6_2 * t275 - d6_1 * t263);
-  A[521] = -t282;
-  A[626] = -t282;
-  const T t283 = h5_1 * R5_21 - h5_2 * R5_11;
-  A[522] = t283;
-  A[662] = t283;
-  const T t284 = h5_1 * R5_22 - h5_2 * R5_12;
-  A[523] = t284;
-  A[698] = t284;
-  const T t285 = h5_1 * R5_23 - h5_2 * R5_13;
-  A[524] = t285;
-  A[734] = t285;
-  A[534] = t92;
-  A[1094] = t92;
-  A[535] = t40;
-  A[1130] = t40;
-  A[536] = t41;
-  A[1166] = t41;
+  const T t220 = d6_1 * t200 - d6_2 * t211;
+  A[519] = -t220;
+  A[554] = -t220;
+  const T t221 = d6_1 * t203 - d6_2 * t213;
+  A[520] = -t221;
+  A[590] = -t221;
+  const T t222 = d6_2 * t215 - d6_1 * t205;
+  A[521] = -t222;
+  A[626] = -t222;
+  const T t223 = R5_11 * h5_2 - R5_21 * h5_1;
+  A[522] = -t223;
+  A[662] = -t223;
+  const T t224 = R5_12 * h5_2 - R5_22 * h5_1;
+  A[523] = -t224;
+  A[698] = -t224;
+  const T t225 = R5_13 * h5_2 - R5_23 * h5_1;
+  A[524] = -t225;
+  A[734] = -t225;
+  A[534] = -t83;
+  A[1094] = -t83;
+  A[535] = -t35;
+  A[1130] = -t35;
+  A[536] = -t34;
+  A[1166] = -t34;
   A[555] = T(0.02866);
   A[556] = T(0.00555);
   A[591] = T(0.00555);
   A[557] = -T(0.006670000000000001);
   A[627] = -T(0.006670000000000001);
-  const T t286 = T(0.9) * (T(0.07) * R6_21 + T(0.05) * R6_31);
-  A[558] = -t286;
-  A[663] = -t286;
-  const T t287 = T(0.9) * (T(0.07) * R6_22 + T(0.05) * R6_32);
-  A[559] = -t287;
-  A[699] = -t287;
-  const T t288 = T(0.9) * (T(0.07) * R6_23 + T(0.05) * R6_33);
-  A[560] = -t288;
-  A[735] = -t288;
-  const T t289 = T(0.9) * t94;
-  A[570] = -t289;
-  A[1095] = -t289;
-  const T t290 = T(0.9) * t44;
-  A[571] = -t290;
-  A[1131] = -t290;
-  const T t291 = T(0.9) * t43;
-  A[572] = -t291;
-  A[1167] = -t291;
-  const T t292 = T(0.9) * t271;
-  A[573] = -t292;
-  A[1203] = -t292;
-  const T t293 = T(0.9) * t258;
-  A[574] = -t293;
-  A[1239] = -t293;
-  const T t294 = T(0.9) * t257;
-  A[575] = -t294;
-  A[1275] = -t294;
+  const T t226 = R6_21 * T(0.06300000000000001) + R6_31 * T(0.045000000000000005);
+  A[558] = -t226;
+  A[663] = -t226;
+  const T t227 = R6_22 * T(0.06300000000000001) + R6_32 * T(0.045000000000000005);
+  A[559] = -t227;
+  A[699] = -t227;
+  const T t228 = R6_23 * T(0.06300000000000001) + R6_33 * T(0.045000000000000005);
+  A[560] = -t228;
+  A[735] = -t228;
+  A[570] = -t85;
+  A[1095] = -t85;
+  A[571] = -t38;
+  A[1131] = -t38;
+  A[572] = -t37;
+  A[1167] = -t37;
+  A[573] = -t211;
+  A[1203] = -t211;
+  A[574] = -t200;
+  A[1239] = -t200;
+  A[575] = -t199;
+  A[1275] = -t199;
   A[592] = T(0.0297);
   A[593] = T(0.005150000000000001);
   A[628] = T(0.005150000000000001);
-  const T t295 = T(0.9) * (T(0.07) * R6_11 - T(0.09) * R6_31);
-  A[594] = t295;
-  A[664] = t295;
-  const T t296 = T(0.9) * (T(0.07) * R6_12 - T(0.09) * R6_32);
-  A[595] = t296;
-  A[700] = t296;
-  const T t297 = T(0.9) * (T(0.07) * R6_13 - T(0.09) * R6_33);
-  A[596] = t297;
-  A[736] = t297;
-  const T t298 = T(0.9) * t96;
-  A[606] = t298;
-  A[1096] = t298;
-  const T t299 = T(0.9) * t46;
-  A[607] = t299;
-  A[1132] = t299;
-  const T t300 = T(0.9) * t47;
-  A[608] = t300;
-  A[1168] = t300;
-  const T t301 = T(0.9) * t273;
-  A[609] = t301;
-  A[1204] = t301;
-  const T t302 = T(0.9) * t260;
-  A[610] = t302;
-  A[1240] = t302;
-  const T t303 = T(0.9) * t261;
-  A[611] = t303;
-  A[1276] = t303;
+  const T t229 = R6_31 * T(0.081) - R6_11 * T(0.06300000000000001);
+  A[594] = -t229;
+  A[664] = -t229;
+  const T t230 = R6_32 * T(0.081) - R6_12 * T(0.06300000000000001);
+  A[595] = -t230;
+  A[700] = -t230;
+  const T t231 = R6_33 * T(0.081) - R6_13 * T(0.06300000000000001);
+  A[596] = -t231;
+  A[736] = -t231;
+  A[606] = -t87;
+  A[1096] = -t87;
+  A[607] = -t41;
+  A[1132] = -t41;
+  A[608] = -t40;
+  A[1168] = -t40;
+  A[609] = -t213;
+  A[1204] = -t213;
+  A[610] = -t203;
+  A[1240] = -t203;
+  A[611] = -t202;
+  A[1276] = -t202;
   A[629] = T(0.03654);
-  const T t304 = T(0.9) * (T(0.09) * R6_21 + T(0.05) * R6_11);
-  A[630] = t304;
-  A[665] = t304;
-  const T t305 = T(0.9) * (T(0.09) * R6_22 + T(0.05) * R6_12);
-  A[631] = t305;
-  A[701] = t305;
-  const T t306 = T(0.9) * (T(0.09) * R6_23 + T(0.05) * R6_13);
-  A[632] = t306;
-  A[737] = t306;
-  const T t307 = T(0.9) * t98;
-  A[642] = t307;
-  A[1097] = t307;
-  const T t308 = T(0.9) * t49;
-  A[643] = t308;
-  A[1133] = t308;
-  const T t309 = T(0.9) * t50;
-  A[644] = t309;
-  A[1169] = t309;
-  const T t310 = T(0.9) * t275;
-  A[645] = t310;
-  A[1205] = t310;
-  const T t311 = T(0.9) * t263;
-  A[646] = t311;
-  A[1241] = t311;
-  const T t312 = T(0.9) * t264;
-  A[647] = t312;
-  A[1277] = t312;
+  const T t232 = R6_11 * T(0.045000000000000005) + R6_21 * T(0.081);
+  A[630] = t232;
+  A[665] = t232;
+  const T t233 = R6_12 * T(0.045000000000000005) + R6_22 * T(0.081);
+  A[631] = t233;
+  A[701] = t233;
+  const T t234 = R6_13 * T(0.045000000000000005) + R6_23 * T(0.081);
+  A[632] = t234;
+  A[737] = t234;
+  A[642] = t89;
+  A[1097] = t89;
+  A[643] = t43;
+  A[1133] = t43;
+  A[644] = t44;
+  A[1169] = t44;
+  A[645] = t215;
+  A[1205] = t215;
+  A[646] = t205;
+  A[1241] = t205;
+  A[647] = t206;
+  A[1277] = t206;
   A[666] = T(22);
   A[703] = T(22);
   A[740] = T(22);
-  const T t313 = T(6.5) * R1_11;
-  A[669] = t313;
-  A[774] = t313;
-  const T t314 = T(6.5) * R1_21;
-  A[670] = t314;
-  A[810] = t314;
-  const T t315 = T(6.5) * R1_31;
-  A[671] = t315;
-  A[846] = t315;
-  const T t316 = T(1.8) * R2_11;
-  A[672] = t316;
-  A[882] = t316;
-  const T t317 = T(1.8) * R2_21;
-  A[673] = t317;
-  A[918] = t317;
-  const T t318 = T(1.8) * R2_31;
-  A[674] = t318;
-  A[954] = t318;
-  const T t319 = T(1.2) * R2_11;
-  A[675] = t319;
-  A[990] = t319;
-  const T t320 = T(1.2) * R2_21;
-  A[676] = t320;
-  A[1026] = t320;
-  const T t321 = T(1.2) * R2_31;
-  A[677] = t321;
-  A[1062] = t321;
-  const T t322 = T(3.5) * R1_11;
-  A[678] = t322;
-  A[1098] = t322;
-  const T t323 = T(3.5) * R1_21;
-  A[679] = t323;
-  A[1134] = t323;
-  const T t324 = T(3.5) * R1_31;
-  A[680] = t324;
-  A[1170] = t324;
-  const T t325 = T(0.9) * R5_11;
-  A[681] = t325;
-  A[1206] = t325;
-  const T t326 = T(0.9) * R5_21;
-  A[682] = t326;
-  A[1242] = t326;
-  const T t327 = T(0.9) * R5_31;
-  A[683] = t327;
-  A[1278] = t327;
-  const T t328 = T(6.5) * R1_12;
-  A[705] = t328;
-  A[775] = t328;
-  const T t329 = T(6.5) * R1_22;
-  A[706] = t329;
-  A[811] = t329;
-  const T t330 = T(6.5) * R1_32;
-  A[707] = t330;
-  A[847] = t330;
-  const T t331 = T(1.8) * R2_12;
-  A[708] = t331;
-  A[883] = t331;
-  const T t332 = T(1.8) * R2_22;
-  A[709] = t332;
-  A[919] = t332;
-  const T t333 = T(1.8) * R2_32;
-  A[710] = t333;
-  A[955] = t333;
-  const T t334 = T(1.2) * R2_12;
-  A[711] = t334;
-  A[991] = t334;
-  const T t335 = T(1.2) * R2_22;
-  A[712] = t335;
-  A[1027] = t335;
-  const T t336 = T(1.2) * R2_32;
-  A[713] = t336;
-  A[1063] = t336;
-  const T t337 = T(3.5) * R1_12;
-  A[714] = t337;
-  A[1099] = t337;
-  const T t338 = T(3.5) * R1_22;
-  A[715] = t338;
-  A[1135] = t338;
-  const T t339 = T(3.5) * R1_32;
-  A[716] = t339;
-  A[1171] = t339;
-  const T t340 = T(0.9) * R5_12;
-  A[717] = t340;
-  A[1207] = t340;
-  const T t341 = T(0.9) * R5_22;
-  A[718] = t341;
-  A[1243] = t341;
-  const T t342 = T(0.9) * R5_32;
-  A[719] = t342;
-  A[1279] = t342;
-  const T t343 = T(6.5) * R1_13;
-  A[741] = t343;
-  A[776] = t343;
-  const T t344 = T(6.5) * R1_23;
-  A[742] = t344;
-  A[812] = t344;
-  const T t345 = T(6.5) * R1_33;
-  A[743] = t345;
-  A[848] = t345;
-  const T t346 = T(1.8) * R2_13;
-  A[744] = t346;
-  A[884] = t346;
-  const T t347 = T(1.8) * R2_23;
-  A[745] = t347;
-  A[920] = t347;
-  const T t348 = T(1.8) * R2_33;
-  A[746] = t348;
-  A[956] = t348;
-  const T t349 = T(1.2) * R2_13;
-  A[747] = t349;
-  A[992] = t349;
-  const T t350 = T(1.2) * R2_23;
-  A[748] = t350;
-  A[1028] = t350;
-  const T t351 = T(1.2) * R2_33;
-  A[749] = t351;
-  A[1064] = t351;
-  const T t352 = T(3.5) * R1_13;
-  A[750] = t352;
-  A[1100] = t352;
-  const T t353 = T(3.5) * R1_23;
-  A[751] = t353;
-  A[1136] = t353;
-  const T t354 = T(3.5) * R1_33;
-  A[752] = t354;
-  A[1172] = t354;
-  const T t355 = T(0.9) * R5_13;
-  A[753] = t355;
-  A[1208] = t355;
-  const T t356 = T(0.9) * R5_23;
-  A[754] = t356;
-  A[1244] = t356;
-  const T t357 = T(0.9) * R5_33;
-  A[755] = t357;
-  A[1280] = t357;
+  const T t235 = T(6.5) * R1_11;
+  A[669] = t235;
+  A[774] = t235;
+  const T t236 = T(6.5) * R1_21;
+  A[670] = t236;
+  A[810] = t236;
+  const T t237 = T(6.5) * R1_31;
+  A[671] = t237;
+  A[846] = t237;
+  const T t238 = T(1.8) * R2_11;
+  A[672] = t238;
+  A[882] = t238;
+  const T t239 = T(1.8) * R2_21;
+  A[673] = t239;
+  A[918] = t239;
+  const T t240 = T(1.8) * R2_31;
+  A[674] = t240;
+  A[954] = t240;
+  const T t241 = T(1.2) * R2_11;
+  A[675] = t241;
+  A[990] = t241;
+  const T t242 = T(1.2) * R2_21;
+  A[676] = t242;
+  A[1026] = t242;
+  const T t243 = T(1.2) * R2_31;
+  A[677] = t243;
+  A[1062] = t243;
+  const T t244 = T(3.5) * R1_11;
+  A[678] = t244;
+  A[1098] = t244;
+  const T t245 = T(3.5) * R1_21;
+  A[679] = t245;
+  A[1134] = t245;
+  const T t246 = T(3.5) * R1_31;
+  A[680] = t246;
+  A[1170] = t246;
+  const T t247 = T(0.9) * R5_11;
+  A[681] = t247;
+  A[1206] = t247;
+  const T t248 = T(0.9) * R5_21;
+  A[682] = t248;
+  A[1242] = t248;
+  const T t249 = T(0.9) * R5_31;
+  A[683] = t249;
+  A[1278] = t249;
+  const T t250 = T(6.5) * R1_12;
+  A[705] = t250;
+  A[775] = t250;
+  const T t251 = T(6.5) * R1_22;
+  A[706] = t251;
+  A[811] = t251;
+  const T t252 = T(6.5) * R1_32;
+  A[707] = t252;
+  A[847] = t252;
+  const T t253 = T(1.8) * R2_12;
+  A[708] = t253;
+  A[883] = t253;
+  const T t254 = T(1.8) * R2_22;
+  A[709] = t254;
+  A[919] = t254;
+  const T t255 = T(1.8) * R2_32;
+  A[710] = t255;
+  A[955] = t255;
+  const T t256 = T(1.2) * R2_12;
+  A[711] = t256;
+  A[991] = t256;
+  const T t257 = T(1.2) * R2_22;
+  A[712] = t257;
+  A[1027] = t257;
+  const T t258 = T(1.2) * R2_32;
+  A[713] = t258;
+  A[1063] = t258;
+  const T t259 = T(3.5) * R1_12;
+  A[714] = t259;
+  A[1099] = t259;
+  const T t260 = T(3.5) * R1_22;
+  A[715] = t260;
+  A[1135] = t260;
+  const T t261 = T(3.5) * R1_32;
+  A[716] = t261;
+  A[1171] = t261;
+  const T t262 = T(0.9) * R5_12;
+  A[717] = t262;
+  A[1207] = t262;
+  const T t263 = T(0.9) * R5_22;
+  A[718] = t263;
+  A[1243] = t263;
+  const T t264 = T(0.9) * R5_32;
+  A[719] = t264;
+  A[1279] = t264;
+  const T t265 = T(6.5) * R1_13;
+  A[741] = t265;
+  A[776] = t265;
+  const T t266 = T(6.5) * R1_23;
+  A[742] = t266;
+  A[812] = t266;
+  const T t267 = T(6.5) * R1_33;
+  A[743] = t267;
+  A[848] = t267;
+  const T t268 = T(1.8) * R2_13;
+  A[744] = t268;
+  A[884] = t268;
+  const T t269 = T(1.8) * R2_23;
+  A[745] = t269;
+  A[920] = t269;
+  const T t270 = T(1.8) * R2_33;
+  A[746] = t270;
+  A[956] = t270;
+  const T t271 = T(1.2) * R2_13;
+  A[747] = t271;
+  A[992] = t271;
+  const T t272 = T(1.2) * R2_23;
+  A[748] = t272;
+  A[1028] = t272;
+  const T t273 = T(1.2) * R2_33;
+  A[749] = t273;
+  A[1064] = t273;
+  const T t274 = T(3.5) * R1_13;
+  A[750] = t274;
+  A[1100] = t274;
+  const T t275 = T(3.5) * R1_23;
+  A[751] = t275;
+  A[1136] = t275;
+  const T t276 = T(3.5) * R1_33;
+  A[752] = t276;
+  A[1172] = t276;
+  const T t277 = T(0.9) * R5_13;
+  A[753] = t277;
+  A[1208] = t277;
+  const T t278 = T(0.9) * R5_23;
+  A[754] = t278;
+  A[1244] = t278;
+  const T t279 = T(0.9) * R5_33;
+  A[755] = t279;
+  A[1280] = t279;
   A[777] = T(6.5);
   A[814] = T(6.5);
   A[851] = T(6.5);
-  const T t358 = T(1.8) * C1_2_11;
-  A[780] = t358;
-  A[885] = t358;
-  const T t359 = T(1.8) * C1_2_12;
-  A[781] = t359;
-  A[921] = t359;
-  const T t360 = T(1.8) * C1_2_13;
-  A[782] = t360;
-  A[957] = t360;
-  const T t361 = T(1.2) * C1_2_11;
-  A[783] = t361;
-  A[993] = t361;
-  const T t362 = T(1.2) * C1_2_12;
-  A[784] = t362;
-  A[1029] = t362;
-  const T t363 = T(1.2) * C1_2_13;
-  A[785] = t363;
-  A[1065] = t363;
-  const T t364 = T(1.8) * C1_2_21;
-  A[816] = t364;
-  A[886] = t364;
-  const T t365 = T(1.8) * C1_2_22;
-  A[817] = t365;
-  A[922] = t365;
-  const T t366 = T(1.8) * C1_2_23;
-  A[818] = t366;
-  A[958] = t366;
-  const T t367 = T(1.2) * C1_2_21;
-  A[819] = t367;
-  A[994] = t367;
-  const T t368 = T(1.2) * C1_2_22;
-  A[820] = t368;
-  A[1030] = t368;
-  const T t369 = T(1.2) * C1_2_23;
-  A[821] = t369;
-  A[1066] = t369;
-  const T t370 = T(1.8) * C1_2_31;
-  A[852] = t370;
-  A[887] = t370;
-  const T t371 = T(1.8) * C1_2_32;
-  A[853] = t371;
-  A[923] = t371;
-  const T t372 = T(1.8) * C1_2_33;
-  A[854] = t372;
-  A[959] = t372;
-  const T t373 = T(1.2) * C1_2_31;
-  A[855] = t373;
-  A[995] = t373;
-  const T t374 = T(1.2) * C1_2_32;
-  A[856] = t374;
-  A[1031] = t374;
-  const T t375 = T(1.2) * C1_2_33;
-  A[857] = t375;
-  A[1067] = t375;
+  const T t280 = T(1.8) * C1_2_11;
+  A[780] = t280;
+  A[885] = t280;
+  const T t281 = T(1.8) * C1_2_12;
+  A[781] = t281;
+  A[921] = t281;
+  const T t282 = T(1.8) * C1_2_13;
+  A[782] = t282;
+  A[957] = t282;
+  const T t283 = T(1.2) * C1_2_11;
+  A[783] = t283;
+  A[993] = t283;
+  const T t284 = T(1.2) * C1_2_12;
+  A[784] = t284;
+  A[1029] = t284;
+  const T t285 = T(1.2) * C1_2_13;
+  A[785] = t285;
+  A[1065] = t285;
+  const T t286 = T(1.8) * C1_2_21;
+  A[816] = t286;
+  A[886] = t286;
+  const T t287 = T(1.8) * C1_2_22;
+  A[817] = t287;
+  A[922] = t287;
+  const T t288 = T(1.8) * C1_2_23;
+  A[818] = t288;
+  A[958] = t288;
+  const T t289 = T(1.2) * C1_2_21;
+  A[819] = t289;
+  A[994] = t289;
+  const T t290 = T(1.2) * C1_2_22;
+  A[820] = t290;
+  A[1030] = t290;
+  const T t291 = T(1.2) * C1_2_23;
+  A[821] = t291;
+  A[1066] = t291;
+  const T t292 = T(1.8) * C1_2_31;
+  A[852] = t292;
+  A[887] = t292;
+  const T t293 = T(1.8) * C1_2_32;
+  A[853] = t293;
+  A[923] = t293;
+  const T t294 = T(1.8) * C1_2_33;
+  A[854] = t294;
+  A[959] = t294;
+  const T t295 = T(1.2) * C1_2_31;
+  A[855] = t295;
+  A[995] = t295;
+  const T t296 = T(1.2) * C1_2_32;
+  A[856] = t296;
+  A[1031] = t296;
+  const T t297 = T(1.2) * C1_2_33;
+  A[857] = t297;
+  A[1067] = t297;
   A[888] = T(1.8);
   A[925] = T(1.8);
   A[962] = T(1.8);
@@ -4217,33 +4255,33 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[1110] = T(3.5);
   A[1147] = T(3.5);
   A[1184] = T(3.5);
-  const T t376 = T(0.9) * C1_5_11;
-  A[1113] = t376;
-  A[1218] = t376;
-  const T t377 = T(0.9) * C1_5_12;
-  A[1114] = t377;
-  A[1254] = t377;
-  const T t378 = T(0.9) * C1_5_13;
-  A[1115] = t378;
-  A[1290] = t378;
-  const T t379 = T(0.9) * C1_5_21;
-  A[1149] = t379;
-  A[1219] = t379;
-  const T t380 = T(0.9) * C1_5_22;
-  A[1150] = t380;
-  A[1255] = t380;
-  const T t381 = T(0.9) * C1_5_23;
-  A[1151] = t381;
-  A[1291] = t381;
-  const T t382 = T(0.9) * C1_5_31;
-  A[1185] = t382;
-  A[1220] = t382;
-  const T t383 = T(0.9) * C1_5_32;
-  A[1186] = t383;
-  A[1256] = t383;
-  const T t384 = T(0.9) * C1_5_33;
-  A[1187] = t384;
-  A[1292] = t384;
+  const T t298 = T(0.9) * C1_5_11;
+  A[1113] = t298;
+  A[1218] = t298;
+  const T t299 = T(0.9) * C1_5_12;
+  A[1114] = t299;
+  A[1254] = t299;
+  const T t300 = T(0.9) * C1_5_13;
+  A[1115] = t300;
+  A[1290] = t300;
+  const T t301 = T(0.9) * C1_5_21;
+  A[1149] = t301;
+  A[1219] = t301;
+  const T t302 = T(0.9) * C1_5_22;
+  A[1150] = t302;
+  A[1255] = t302;
+  const T t303 = T(0.9) * C1_5_23;
+  A[1151] = t303;
+  A[1291] = t303;
+  const T t304 = T(0.9) * C1_5_31;
+  A[1185] = t304;
+  A[1220] = t304;
+  const T t305 = T(0.9) * C1_5_32;
+  A[1186] = t305;
+  A[1256] = t305;
+  const T t306 = T(0.9) * C1_5_33;
+  A[1187] = t306;
+  A[1292] = t306;
   A[1221] = T(0.9);
   A[1258] = T(0.9);
   A[1295] = T(0.9);
@@ -4258,8 +4296,6 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
-  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
-  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
   // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t1_1 = T(2) * eps1_2;
   const T t1_2 = t1_1 * eps1_2;
@@ -4310,55 +4346,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   block[6] = -minus_B1_1_31;
   block[7] = -minus_B1_1_32;
   block[8] = B1_1_33;
-  // B3_1 = -R1^T d2~
-  const T t1_13 = T(0.25) + s2_3;
-  const T t1_14 = T(0.1) + s2_2;
-  const T minus_B3_1_11 = R1_21 * t1_13 - R1_31 * t1_14;
-  const T t1_15 = T(0.4) + s2_1;
-  const T minus_B3_1_12 = R1_31 * t1_15 - R1_11 * t1_13;
-  const T minus_B3_1_13 = R1_11 * t1_14 - R1_21 * t1_15;
-  const T minus_B3_1_21 = R1_22 * t1_13 - R1_32 * t1_14;
-  const T minus_B3_1_22 = R1_32 * t1_15 - R1_12 * t1_13;
-  const T minus_B3_1_23 = R1_12 * t1_14 - R1_22 * t1_15;
-  const T minus_B3_1_31 = R1_23 * t1_13 - R1_33 * t1_14;
-  const T minus_B3_1_32 = R1_33 * t1_15 - R1_13 * t1_13;
-  const T minus_B3_1_33 = R1_13 * t1_14 - R1_23 * t1_15;
-  block[18] = -minus_B3_1_11;
-  block[19] = -minus_B3_1_12;
-  block[20] = -minus_B3_1_13;
-  block[21] = -minus_B3_1_21;
-  block[22] = -minus_B3_1_22;
-  block[23] = -minus_B3_1_23;
-  block[24] = -minus_B3_1_31;
-  block[25] = -minus_B3_1_32;
-  block[26] = -minus_B3_1_33;
-  // B11_1 = -R1^T d5~
-  const T t1_16 = s5_3 - T(0.2);
-  const T t1_17 = T(0.12) + s5_2;
-  const T minus_B11_1_11 = R1_21 * t1_16 - R1_31 * t1_17;
-  const T t1_18 = s5_1 - T(0.35);
-  const T minus_B11_1_12 = R1_31 * t1_18 - R1_11 * t1_16;
-  const T minus_B11_1_13 = R1_11 * t1_17 - R1_21 * t1_18;
-  const T minus_B11_1_21 = R1_22 * t1_16 - R1_32 * t1_17;
-  const T minus_B11_1_22 = R1_32 * t1_18 - R1_12 * t1_16;
-  const T minus_B11_1_23 = R1_12 * t1_17 - R1_22 * t1_18;
-  const T minus_B11_1_31 = R1_23 * t1_16 - R1_33 * t1_17;
-  const T minus_B11_1_32 = R1_33 * t1_18 - R1_13 * t1_16;
-  const T minus_B11_1_33 = R1_13 * t1_17 - R1_23 * t1_18;
-  block[90] = -minus_B11_1_11;
-  block[91] = -minus_B11_1_12;
-  block[92] = -minus_B11_1_13;
-  block[93] = -minus_B11_1_21;
-  block[94] = -minus_B11_1_22;
-  block[95] = -minus_B11_1_23;
-  block[96] = -minus_B11_1_31;
-  block[97] = -minus_B11_1_32;
-  block[98] = -minus_B11_1_33;
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
-  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
-  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
   // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t2_1 = T(2) * eps2_2;
   const T t2_2 = t2_1 * eps2_2;
@@ -4390,6 +4381,29 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   block[65] = R2_31;
   block[68] = R2_32;
   block[71] = R2_33;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // B3_1 = -R1^T d2~
+  const T minus_B3_1_11 = R1_21 * d2_3 - R1_31 * d2_2;
+  const T minus_B3_1_12 = R1_31 * d2_1 - R1_11 * d2_3;
+  const T minus_B3_1_13 = R1_11 * d2_2 - R1_21 * d2_1;
+  const T minus_B3_1_21 = R1_22 * d2_3 - R1_32 * d2_2;
+  const T minus_B3_1_22 = R1_32 * d2_1 - R1_12 * d2_3;
+  const T minus_B3_1_23 = R1_12 * d2_2 - R1_22 * d2_1;
+  const T minus_B3_1_31 = R1_23 * d2_3 - R1_33 * d2_2;
+  const T minus_B3_1_32 = R1_33 * d2_1 - R1_13 * d2_3;
+  const T minus_B3_1_33 = R1_13 * d2_2 - R1_23 * d2_1;
+  block[18] = -minus_B3_1_11;
+  block[19] = -minus_B3_1_12;
+  block[20] = -minus_B3_1_13;
+  block[21] = -minus_B3_1_21;
+  block[22] = -minus_B3_1_22;
+  block[23] = -minus_B3_1_23;
+  block[24] = -minus_B3_1_31;
+  block[25] = -minus_B3_1_32;
+  block[26] = -minus_B3_1_33;
   // B4_2 = -R2^T r2~
   const T minus_B4_2_11 = R2_21 * T(0.45) - R2_31 * T(0.04);
   const T minus_B4_2_12 = R2_31 * T(0.03) - R2_11 * T(0.45);
@@ -4409,53 +4423,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   block[33] = -minus_B4_2_31;
   block[34] = -minus_B4_2_32;
   block[35] = -minus_B4_2_33;
-  // B6_2 = -R2^T d3~
-  const T t2_13 = T(0.8) + s3_3;
-  const T t2_14 = T(0.2) + s3_2;
-  const T minus_B6_2_11 = R2_21 * t2_13 - R2_31 * t2_14;
-  const T t2_15 = T(0.05) + s3_1;
-  const T minus_B6_2_12 = R2_31 * t2_15 - R2_11 * t2_13;
-  const T minus_B6_2_13 = R2_11 * t2_14 - R2_21 * t2_15;
-  const T minus_B6_2_21 = R2_22 * t2_13 - R2_32 * t2_14;
-  const T minus_B6_2_22 = R2_32 * t2_15 - R2_12 * t2_13;
-  const T minus_B6_2_23 = R2_12 * t2_14 - R2_22 * t2_15;
-  const T minus_B6_2_31 = R2_23 * t2_13 - R2_33 * t2_14;
-  const T minus_B6_2_32 = R2_33 * t2_15 - R2_13 * t2_13;
-  const T minus_B6_2_33 = R2_13 * t2_14 - R2_23 * t2_15;
-  block[45] = -minus_B6_2_11;
-  block[46] = -minus_B6_2_12;
-  block[47] = -minus_B6_2_13;
-  block[48] = -minus_B6_2_21;
-  block[49] = -minus_B6_2_22;
-  block[50] = -minus_B6_2_23;
-  block[51] = -minus_B6_2_31;
-  block[52] = -minus_B6_2_32;
-  block[53] = -minus_B6_2_33;
-  // B9_2 = -R2^T d4~
-  const T t2_16 = T(0.9) + s4_3;
-  const T t2_17 = s4_2 - T(0.15);
-  const T minus_B9_2_11 = R2_21 * t2_16 - R2_31 * t2_17;
-  const T t2_18 = s4_1 - T(0.06);
-  const T minus_B9_2_12 = R2_31 * t2_18 - R2_11 * t2_16;
-  const T minus_B9_2_13 = R2_11 * t2_17 - R2_21 * t2_18;
-  const T minus_B9_2_21 = R2_22 * t2_16 - R2_32 * t2_17;
-  const T minus_B9_2_22 = R2_32 * t2_18 - R2_12 * t2_16;
-  const T minus_B9_2_23 = R2_12 * t2_17 - R2_22 * t2_18;
-  const T minus_B9_2_31 = R2_23 * t2_16 - R2_33 * t2_17;
-  const T minus_B9_2_32 = R2_33 * t2_18 - R2_13 * t2_16;
-  const T minus_B9_2_33 = R2_13 * t2_17 - R2_23 * t2_18;
-  block[72] = -minus_B9_2_11;
-  block[73] = -minus_B9_2_12;
-  block[74] = -minus_B9_2_13;
-  block[75] = -minus_B9_2_21;
-  block[76] = -minus_B9_2_22;
-  block[77] = -minus_B9_2_23;
-  block[78] = -minus_B9_2_31;
-  block[79] = -minus_B9_2_32;
-  block[80] = -minus_B9_2_33;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
   // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t3_1 = T(2) * eps3_2;
   const T t3_2 = t3_1 * eps3_2;
@@ -4478,28 +4449,52 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R3_31 = t3_8 + t3_9;
   const T R3_32 = t3_11 - t3_12;
   const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // B6_2 = -R2^T d3~
+  const T minus_B6_2_11 = R2_21 * d3_3 - R2_31 * d3_2;
+  const T minus_B6_2_12 = R2_31 * d3_1 - R2_11 * d3_3;
+  const T minus_B6_2_13 = R2_11 * d3_2 - R2_21 * d3_1;
+  const T minus_B6_2_21 = R2_22 * d3_3 - R2_32 * d3_2;
+  const T minus_B6_2_22 = R2_32 * d3_1 - R2_12 * d3_3;
+  const T minus_B6_2_23 = R2_12 * d3_2 - R2_22 * d3_1;
+  const T minus_B6_2_31 = R2_23 * d3_3 - R2_33 * d3_2;
+  const T minus_B6_2_32 = R2_33 * d3_1 - R2_13 * d3_3;
+  const T minus_B6_2_33 = R2_13 * d3_2 - R2_23 * d3_1;
+  block[45] = -minus_B6_2_11;
+  block[46] = -minus_B6_2_12;
+  block[47] = -minus_B6_2_13;
+  block[48] = -minus_B6_2_21;
+  block[49] = -minus_B6_2_22;
+  block[50] = -minus_B6_2_23;
+  block[51] = -minus_B6_2_31;
+  block[52] = -minus_B6_2_32;
+  block[53] = -minus_B6_2_33;
   // B7_3 = -R3^T r3~
-  const T B7_3_11 = T(0.02) * R3_21 + T(0.35) * R3_31;
-  const T minus_B7_3_12 = T(0.02) * R3_11 + T(0.1) * R3_31;
-  const T B7_3_13 = T(0.1) * R3_21 - T(0.35) * R3_11;
-  const T B7_3_21 = T(0.02) * R3_22 + T(0.35) * R3_32;
-  const T minus_B7_3_22 = T(0.02) * R3_12 + T(0.1) * R3_32;
-  const T B7_3_23 = T(0.1) * R3_22 - T(0.35) * R3_12;
-  const T B7_3_31 = T(0.02) * R3_23 + T(0.35) * R3_33;
-  const T minus_B7_3_32 = T(0.02) * R3_13 + T(0.1) * R3_33;
-  const T B7_3_33 = T(0.1) * R3_23 - T(0.35) * R3_13;
+  const T B7_3_11 = R3_21 * T(0.02) + R3_31 * T(0.35);
+  const T minus_B7_3_12 = R3_11 * T(0.02) + R3_31 * T(0.1);
+  const T minus_B7_3_13 = R3_11 * T(0.35) - R3_21 * T(0.1);
+  const T B7_3_21 = R3_22 * T(0.02) + R3_32 * T(0.35);
+  const T minus_B7_3_22 = R3_12 * T(0.02) + R3_32 * T(0.1);
+  const T minus_B7_3_23 = R3_12 * T(0.35) - R3_22 * T(0.1);
+  const T B7_3_31 = R3_23 * T(0.02) + R3_33 * T(0.35);
+  const T minus_B7_3_32 = R3_13 * T(0.02) + R3_33 * T(0.1);
+  const T minus_B7_3_33 = R3_13 * T(0.35) - R3_23 * T(0.1);
   block[54] = B7_3_11;
   block[55] = -minus_B7_3_12;
-  block[56] = B7_3_13;
+  block[56] = -minus_B7_3_13;
   block[57] = B7_3_21;
   block[58] = -minus_B7_3_22;
-  block[59] = B7_3_23;
+  block[59] = -minus_B7_3_23;
   block[60] = B7_3_31;
   block[61] = -minus_B7_3_32;
-  block[62] = B7_3_33;
+  block[62] = -minus_B7_3_33;
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
   // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t4_1 = T(2) * eps4_2;
   const T t4_2 = t4_1 * eps4_2;
@@ -4522,29 +4517,52 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R4_31 = t4_8 + t4_9;
   const T R4_32 = t4_11 - t4_12;
   const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // B9_2 = -R2^T d4~
+  const T minus_B9_2_11 = R2_21 * d4_3 - R2_31 * d4_2;
+  const T minus_B9_2_12 = R2_31 * d4_1 - R2_11 * d4_3;
+  const T minus_B9_2_13 = R2_11 * d4_2 - R2_21 * d4_1;
+  const T minus_B9_2_21 = R2_22 * d4_3 - R2_32 * d4_2;
+  const T minus_B9_2_22 = R2_32 * d4_1 - R2_12 * d4_3;
+  const T minus_B9_2_23 = R2_12 * d4_2 - R2_22 * d4_1;
+  const T minus_B9_2_31 = R2_23 * d4_3 - R2_33 * d4_2;
+  const T minus_B9_2_32 = R2_33 * d4_1 - R2_13 * d4_3;
+  const T minus_B9_2_33 = R2_13 * d4_2 - R2_23 * d4_1;
+  block[72] = -minus_B9_2_11;
+  block[73] = -minus_B9_2_12;
+  block[74] = -minus_B9_2_13;
+  block[75] = -minus_B9_2_21;
+  block[76] = -minus_B9_2_22;
+  block[77] = -minus_B9_2_23;
+  block[78] = -minus_B9_2_31;
+  block[79] = -minus_B9_2_32;
+  block[80] = -minus_B9_2_33;
   // B10_4 = -R4^T r4~
-  const T B10_4_11 = T(0.06) * R4_31 - T(0.1) * R4_21;
-  const T B10_4_12 = T(0.1) * R4_11 + T(0.03) * R4_31;
-  const T minus_B10_4_13 = T(0.03) * R4_21 + T(0.06) * R4_11;
-  const T B10_4_21 = T(0.06) * R4_32 - T(0.1) * R4_22;
-  const T B10_4_22 = T(0.1) * R4_12 + T(0.03) * R4_32;
-  const T minus_B10_4_23 = T(0.03) * R4_22 + T(0.06) * R4_12;
-  const T B10_4_31 = T(0.06) * R4_33 - T(0.1) * R4_23;
-  const T B10_4_32 = T(0.1) * R4_13 + T(0.03) * R4_33;
-  const T minus_B10_4_33 = T(0.03) * R4_23 + T(0.06) * R4_13;
-  block[81] = B10_4_11;
+  const T minus_B10_4_11 = R4_21 * T(0.1) - R4_31 * T(0.06);
+  const T B10_4_12 = R4_11 * T(0.1) + R4_31 * T(0.03);
+  const T minus_B10_4_13 = R4_11 * T(0.06) + R4_21 * T(0.03);
+  const T minus_B10_4_21 = R4_22 * T(0.1) - R4_32 * T(0.06);
+  const T B10_4_22 = R4_12 * T(0.1) + R4_32 * T(0.03);
+  const T minus_B10_4_23 = R4_12 * T(0.06) + R4_22 * T(0.03);
+  const T minus_B10_4_31 = R4_23 * T(0.1) - R4_33 * T(0.06);
+  const T B10_4_32 = R4_13 * T(0.1) + R4_33 * T(0.03);
+  const T minus_B10_4_33 = R4_13 * T(0.06) + R4_23 * T(0.03);
+  block[81] = -minus_B10_4_11;
   block[82] = B10_4_12;
   block[83] = -minus_B10_4_13;
-  block[84] = B10_4_21;
+  block[84] = -minus_B10_4_21;
   block[85] = B10_4_22;
   block[86] = -minus_B10_4_23;
-  block[87] = B10_4_31;
+  block[87] = -minus_B10_4_31;
   block[88] = B10_4_32;
   block[89] = -minus_B10_4_33;
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
-  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
   // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t5_1 = T(2) * eps5_2;
   const T t5_2 = t5_1 * eps5_2;
@@ -4576,6 +4594,29 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   block[128] = R5_31;
   block[131] = R5_32;
   block[134] = R5_33;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // B11_1 = -R1^T d5~
+  const T minus_B11_1_11 = R1_21 * d5_3 - R1_31 * d5_2;
+  const T minus_B11_1_12 = R1_31 * d5_1 - R1_11 * d5_3;
+  const T minus_B11_1_13 = R1_11 * d5_2 - R1_21 * d5_1;
+  const T minus_B11_1_21 = R1_22 * d5_3 - R1_32 * d5_2;
+  const T minus_B11_1_22 = R1_32 * d5_1 - R1_12 * d5_3;
+  const T minus_B11_1_23 = R1_12 * d5_2 - R1_22 * d5_1;
+  const T minus_B11_1_31 = R1_23 * d5_3 - R1_33 * d5_2;
+  const T minus_B11_1_32 = R1_33 * d5_1 - R1_13 * d5_3;
+  const T minus_B11_1_33 = R1_13 * d5_2 - R1_23 * d5_1;
+  block[90] = -minus_B11_1_11;
+  block[91] = -minus_B11_1_12;
+  block[92] = -minus_B11_1_13;
+  block[93] = -minus_B11_1_21;
+  block[94] = -minus_B11_1_22;
+  block[95] = -minus_B11_1_23;
+  block[96] = -minus_B11_1_31;
+  block[97] = -minus_B11_1_32;
+  block[98] = -minus_B11_1_33;
   // B12_5 = -R5^T r5~
   const T B12_5_11 = R5_21 * T(0.04) + R5_31 * T(0.02);
   const T minus_B12_5_12 = R5_11 * T(0.04) + R5_31 * T(0.38);
@@ -4595,31 +4636,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   block[105] = B12_5_31;
   block[106] = -minus_B12_5_32;
   block[107] = -minus_B12_5_33;
-  // B13_5 = -R5^T d6~
-  const T t5_13 = T(0.05) + s6_3;
-  const T t5_14 = s6_2 - T(0.03);
-  const T minus_B13_5_11 = R5_21 * t5_13 - R5_31 * t5_14;
-  const T t5_15 = T(0.75) + s6_1;
-  const T minus_B13_5_12 = R5_31 * t5_15 - R5_11 * t5_13;
-  const T minus_B13_5_13 = R5_11 * t5_14 - R5_21 * t5_15;
-  const T minus_B13_5_21 = R5_22 * t5_13 - R5_32 * t5_14;
-  const T minus_B13_5_22 = R5_32 * t5_15 - R5_12 * t5_13;
-  const T minus_B13_5_23 = R5_12 * t5_14 - R5_22 * t5_15;
-  const T minus_B13_5_31 = R5_23 * t5_13 - R5_33 * t5_14;
-  const T minus_B13_5_32 = R5_33 * t5_15 - R5_13 * t5_13;
-  const T minus_B13_5_33 = R5_13 * t5_14 - R5_23 * t5_15;
-  block[108] = -minus_B13_5_11;
-  block[109] = -minus_B13_5_12;
-  block[110] = -minus_B13_5_13;
-  block[111] = -minus_B13_5_21;
-  block[112] = -minus_B13_5_22;
-  block[113] = -minus_B13_5_23;
-  block[114] = -minus_B13_5_31;
-  block[115] = -minus_B13_5_32;
-  block[116] = -minus_B13_5_33;
 
   // ---- body 6 (tool) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
   // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t6_1 = T(2) * eps6_2;
   const T t6_2 = t6_1 * eps6_2;
@@ -4642,24 +4662,47 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R6_31 = t6_8 + t6_9;
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // B13_5 = -R5^T d6~
+  const T minus_B13_5_11 = R5_21 * d6_3 - R5_31 * d6_2;
+  const T minus_B13_5_12 = R5_31 * d6_1 - R5_11 * d6_3;
+  const T minus_B13_5_13 = R5_11 * d6_2 - R5_21 * d6_1;
+  const T minus_B13_5_21 = R5_22 * d6_3 - R5_32 * d6_2;
+  const T minus_B13_5_22 = R5_32 * d6_1 - R5_12 * d6_3;
+  const T minus_B13_5_23 = R5_12 * d6_2 - R5_22 * d6_1;
+  const T minus_B13_5_31 = R5_23 * d6_3 - R5_33 * d6_2;
+  const T minus_B13_5_32 = R5_33 * d6_1 - R5_13 * d6_3;
+  const T minus_B13_5_33 = R5_13 * d6_2 - R5_23 * d6_1;
+  block[108] = -minus_B13_5_11;
+  block[109] = -minus_B13_5_12;
+  block[110] = -minus_B13_5_13;
+  block[111] = -minus_B13_5_21;
+  block[112] = -minus_B13_5_22;
+  block[113] = -minus_B13_5_23;
+  block[114] = -minus_B13_5_31;
+  block[115] = -minus_B13_5_32;
+  block[116] = -minus_B13_5_33;
   // B14_6 = -R6^T r6~
-  const T minus_B14_6_11 = T(0.07) * R6_21 + T(0.05) * R6_31;
-  const T B14_6_12 = T(0.07) * R6_11 - T(0.09) * R6_31;
-  const T B14_6_13 = T(0.09) * R6_21 + T(0.05) * R6_11;
-  const T minus_B14_6_21 = T(0.07) * R6_22 + T(0.05) * R6_32;
-  const T B14_6_22 = T(0.07) * R6_12 - T(0.09) * R6_32;
-  const T B14_6_23 = T(0.09) * R6_22 + T(0.05) * R6_12;
-  const T minus_B14_6_31 = T(0.07) * R6_23 + T(0.05) * R6_33;
-  const T B14_6_32 = T(0.07) * R6_13 - T(0.09) * R6_33;
-  const T B14_6_33 = T(0.09) * R6_23 + T(0.05) * R6_13;
+  const T minus_B14_6_11 = R6_21 * T(0.07) + R6_31 * T(0.05);
+  const T minus_B14_6_12 = R6_31 * T(0.09) - R6_11 * T(0.07);
+  const T B14_6_13 = R6_11 * T(0.05) + R6_21 * T(0.09);
+  const T minus_B14_6_21 = R6_22 * T(0.07) + R6_32 * T(0.05);
+  const T minus_B14_6_22 = R6_32 * T(0.09) - R6_12 * T(0.07);
+  const T B14_6_23 = R6_12 * T(0.05) + R6_22 * T(0.09);
+  const T minus_B14_6_31 = R6_23 * T(0.07) + R6_33 * T(0.05);
+  const T minus_B14_6_32 = R6_33 * T(0.09) - R6_13 * T(0.07);
+  const T B14_6_33 = R6_13 * T(0.05) + R6_23 * T(0.09);
   block[117] = -minus_B14_6_11;
-  block[118] = B14_6_12;
+  block[118] = -minus_B14_6_12;
   block[119] = B14_6_13;
   block[120] = -minus_B14_6_21;
-  block[121] = B14_6_22;
+  block[121] = -minus_B14_6_22;
   block[122] = B14_6_23;
   block[123] = -minus_B14_6_31;
-  block[124] = B14_6_32;
+  block[124] = -minus_B14_6_32;
   block[125] = B14_6_33;
 
   // ---- results
@@ -4694,11 +4737,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
-  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
-  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
-  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
-  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
   // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t1_1 = T(2) * eps1_2;
   const T t1_2 = t1_1 * eps1_2;
@@ -4749,28 +4788,6 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   block[6] = -minus_B1_1_31;
   block[7] = -minus_B1_1_32;
   block[8] = B1_1_33;
-  // B2_1 = -R1^T omega1~ d2~ - R1^T sdot2~
-  const T t1_22 = T(0.25) + s2_3;
-  const T t1_23 = T(0.1) + s2_2;
-  const T minus_B2_1_11 = t1_13 * t1_22 - t1_14 * t1_23 + R1_21 * sdot2_3 - R1_31 * sdot2_2;
-  const T t1_24 = T(0.4) + s2_1;
-  const T minus_B2_1_12 = t1_14 * t1_24 - t1_15 * t1_22 + R1_31 * sdot2_1 - R1_11 * sdot2_3;
-  const T minus_B2_1_13 = t1_15 * t1_23 - t1_13 * t1_24 + R1_11 * sdot2_2 - R1_21 * sdot2_1;
-  const T minus_B2_1_21 = t1_16 * t1_22 - t1_17 * t1_23 + R1_22 * sdot2_3 - R1_32 * sdot2_2;
-  const T minus_B2_1_22 = t1_17 * t1_24 - t1_18 * t1_22 + R1_32 * sdot2_1 - R1_12 * sdot2_3;
-  const T minus_B2_1_23 = t1_18 * t1_23 - t1_16 * t1_24 + R1_12 * sdot2_2 - R1_22 * sdot2_1;
-  const T minus_B2_1_31 = t1_19 * t1_22 - t1_20 * t1_23 + R1_23 * sdot2_3 - R1_33 * sdot2_2;
-  const T minus_B2_1_32 = t1_20 * t1_24 - t1_21 * t1_22 + R1_33 * sdot2_1 - R1_13 * sdot2_3;
-  const T minus_B2_1_33 = t1_21 * t1_23 - t1_19 * t1_24 + R1_13 * sdot2_2 - R1_23 * sdot2_1;
-  block[9] = -minus_B2_1_11;
-  block[10] = -minus_B2_1_12;
-  block[11] = -minus_B2_1_13;
-  block[12] = -minus_B2_1_21;
-  block[13] = -minus_B2_1_22;
-  block[14] = -minus_B2_1_23;
-  block[15] = -minus_B2_1_31;
-  block[16] = -minus_B2_1_32;
-  block[17] = -minus_B2_1_33;
   block[27] = t1_15;
   block[28] = t1_13;
   block[29] = t1_14;
@@ -4780,36 +4797,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   block[33] = t1_21;
   block[34] = t1_19;
   block[35] = t1_20;
-  // B10_1 = -R1^T omega1~ d5~ - R1^T sdot5~
-  const T t1_25 = s5_3 - T(0.2);
-  const T t1_26 = T(0.12) + s5_2;
-  const T minus_B10_1_11 = t1_13 * t1_25 - t1_14 * t1_26 + R1_21 * sdot5_3 - R1_31 * sdot5_2;
-  const T t1_27 = s5_1 - T(0.35);
-  const T minus_B10_1_12 = t1_14 * t1_27 - t1_15 * t1_25 + R1_31 * sdot5_1 - R1_11 * sdot5_3;
-  const T minus_B10_1_13 = t1_15 * t1_26 - t1_13 * t1_27 + R1_11 * sdot5_2 - R1_21 * sdot5_1;
-  const T minus_B10_1_21 = t1_16 * t1_25 - t1_17 * t1_26 + R1_22 * sdot5_3 - R1_32 * sdot5_2;
-  const T minus_B10_1_22 = t1_17 * t1_27 - t1_18 * t1_25 + R1_32 * sdot5_1 - R1_12 * sdot5_3;
-  const T minus_B10_1_23 = t1_18 * t1_26 - t1_16 * t1_27 + R1_12 * sdot5_2 - R1_22 * sdot5_1;
-  const T minus_B10_1_31 = t1_19 * t1_25 - t1_20 * t1_26 + R1_23 * sdot5_3 - R1_33 * sdot5_2;
-  const T minus_B10_1_32 = t1_20 * t1_27 - t1_21 * t1_25 + R1_33 * sdot5_1 - R1_13 * sdot5_3;
-  const T minus_B10_1_33 = t1_21 * t1_26 - t1_19 * t1_27 + R1_13 * sdot5_2 - R1_23 * sdot5_1;
-  block[81] = -minus_B10_1_11;
-  block[82] = -minus_B10_1_12;
-  block[83] = -minus_B10_1_13;
-  block[84] = -minus_B10_1_21;
-  block[85] = -minus_B10_1_22;
-  block[86] = -minus_B10_1_23;
-  block[87] = -minus_B10_1_31;
-  block[88] = -minus_B10_1_32;
-  block[89] = -minus_B10_1_33;
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
-  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
-  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
+  const T s2_1 = x[27], s2_2 = x[28], s2_3 = x[29];
   const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
-  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
-  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
+  const T sdot2_1 = y[21], sdot2_2 = y[22], sdot2_3 = y[23];
   // R2^T = 1 + 2 e2~ (eps4_2 + e2~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t2_1 = T(2) * eps2_2;
   const T t2_2 = t2_1 * eps2_2;
@@ -4832,6 +4825,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R2_31 = t2_8 + t2_9;
   const T R2_32 = t2_11 - t2_12;
   const T R2_33 = t2_10 - t2_2;
+  // d2 = q2 + s2: joint offset q + s, axes of the lower body [m]
+  const T d2_1 = T(0.4) + s2_1;
+  const T d2_2 = T(0.1) + s2_2;
+  const T d2_3 = T(0.25) + s2_3;
+  // B2_1 = -R1^T omega1~ d2~ - R1^T sdot2~
+  const T minus_B2_1_11 = t1_13 * d2_3 - t1_14 * d2_2 + R1_21 * sdot2_3 - R1_31 * sdot2_2;
+  const T minus_B2_1_12 = t1_14 * d2_1 - t1_15 * d2_3 + R1_31 * sdot2_1 - R1_11 * sdot2_3;
+  const T minus_B2_1_13 = t1_15 * d2_2 - t1_13 * d2_1 + R1_11 * sdot2_2 - R1_21 * sdot2_1;
+  const T minus_B2_1_21 = t1_16 * d2_3 - t1_17 * d2_2 + R1_22 * sdot2_3 - R1_32 * sdot2_2;
+  const T minus_B2_1_22 = t1_17 * d2_1 - t1_18 * d2_3 + R1_32 * sdot2_1 - R1_12 * sdot2_3;
+  const T minus_B2_1_23 = t1_18 * d2_2 - t1_16 * d2_1 + R1_12 * sdot2_2 - R1_22 * sdot2_1;
+  const T minus_B2_1_31 = t1_19 * d2_3 - t1_20 * d2_2 + R1_23 * sdot2_3 - R1_33 * sdot2_2;
+  const T minus_B2_1_32 = t1_20 * d2_1 - t1_21 * d2_3 + R1_33 * sdot2_1 - R1_13 * sdot2_3;
+  const T minus_B2_1_33 = t1_21 * d2_2 - t1_19 * d2_1 + R1_13 * sdot2_2 - R1_23 * sdot2_1;
+  block[9] = -minus_B2_1_11;
+  block[10] = -minus_B2_1_12;
+  block[11] = -minus_B2_1_13;
+  block[12] = -minus_B2_1_21;
+  block[13] = -minus_B2_1_22;
+  block[14] = -minus_B2_1_23;
+  block[15] = -minus_B2_1_31;
+  block[16] = -minus_B2_1_32;
+  block[17] = -minus_B2_1_33;
   // B3_2 = -R2^T omega2~ r2~
   const T t2_13 = R2_31 * omega2_1 - R2_11 * omega2_3;
   const T t2_14 = R2_11 * omega2_2 - R2_21 * omega2_1;
@@ -4860,28 +4876,6 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   block[24] = -minus_B3_2_31;
   block[25] = -minus_B3_2_32;
   block[26] = -minus_B3_2_33;
-  // B5_2 = -R2^T omega2~ d3~ - R2^T sdot3~
-  const T t2_22 = T(0.8) + s3_3;
-  const T t2_23 = T(0.2) + s3_2;
-  const T minus_B5_2_11 = t2_13 * t2_22 - t2_14 * t2_23 + R2_21 * sdot3_3 - R2_31 * sdot3_2;
-  const T t2_24 = T(0.05) + s3_1;
-  const T minus_B5_2_12 = t2_14 * t2_24 - t2_15 * t2_22 + R2_31 * sdot3_1 - R2_11 * sdot3_3;
-  const T minus_B5_2_13 = t2_15 * t2_23 - t2_13 * t2_24 + R2_11 * sdot3_2 - R2_21 * sdot3_1;
-  const T minus_B5_2_21 = t2_16 * t2_22 - t2_17 * t2_23 + R2_22 * sdot3_3 - R2_32 * sdot3_2;
-  const T minus_B5_2_22 = t2_17 * t2_24 - t2_18 * t2_22 + R2_32 * sdot3_1 - R2_12 * sdot3_3;
-  const T minus_B5_2_23 = t2_18 * t2_23 - t2_16 * t2_24 + R2_12 * sdot3_2 - R2_22 * sdot3_1;
-  const T minus_B5_2_31 = t2_19 * t2_22 - t2_20 * t2_23 + R2_23 * sdot3_3 - R2_33 * sdot3_2;
-  const T minus_B5_2_32 = t2_20 * t2_24 - t2_21 * t2_22 + R2_33 * sdot3_1 - R2_13 * sdot3_3;
-  const T minus_B5_2_33 = t2_21 * t2_23 - t2_19 * t2_24 + R2_13 * sdot3_2 - R2_23 * sdot3_1;
-  block[36] = -minus_B5_2_11;
-  block[37] = -minus_B5_2_12;
-  block[38] = -minus_B5_2_13;
-  block[39] = -minus_B5_2_21;
-  block[40] = -minus_B5_2_22;
-  block[41] = -minus_B5_2_23;
-  block[42] = -minus_B5_2_31;
-  block[43] = -minus_B5_2_32;
-  block[44] = -minus_B5_2_33;
   block[54] = t2_15;
   block[55] = t2_13;
   block[56] = t2_14;
@@ -4891,32 +4885,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   block[60] = t2_21;
   block[61] = t2_19;
   block[62] = t2_20;
-  // B8_2 = -R2^T omega2~ d4~ - R2^T sdot4~
-  const T t2_25 = T(0.9) + s4_3;
-  const T t2_26 = s4_2 - T(0.15);
-  const T minus_B8_2_11 = t2_13 * t2_25 - t2_14 * t2_26 + R2_21 * sdot4_3 - R2_31 * sdot4_2;
-  const T t2_27 = s4_1 - T(0.06);
-  const T minus_B8_2_12 = t2_14 * t2_27 - t2_15 * t2_25 + R2_31 * sdot4_1 - R2_11 * sdot4_3;
-  const T minus_B8_2_13 = t2_15 * t2_26 - t2_13 * t2_27 + R2_11 * sdot4_2 - R2_21 * sdot4_1;
-  const T minus_B8_2_21 = t2_16 * t2_25 - t2_17 * t2_26 + R2_22 * sdot4_3 - R2_32 * sdot4_2;
-  const T minus_B8_2_22 = t2_17 * t2_27 - t2_18 * t2_25 + R2_32 * sdot4_1 - R2_12 * sdot4_3;
-  const T minus_B8_2_23 = t2_18 * t2_26 - t2_16 * t2_27 + R2_12 * sdot4_2 - R2_22 * sdot4_1;
-  const T minus_B8_2_31 = t2_19 * t2_25 - t2_20 * t2_26 + R2_23 * sdot4_3 - R2_33 * sdot4_2;
-  const T minus_B8_2_32 = t2_20 * t2_27 - t2_21 * t2_25 + R2_33 * sdot4_1 - R2_13 * sdot4_3;
-  const T minus_B8_2_33 = t2_21 * t2_26 - t2_19 * t2_27 + R2_13 * sdot4_2 - R2_23 * sdot4_1;
-  block[63] = -minus_B8_2_11;
-  block[64] = -minus_B8_2_12;
-  block[65] = -minus_B8_2_13;
-  block[66] = -minus_B8_2_21;
-  block[67] = -minus_B8_2_22;
-  block[68] = -minus_B8_2_23;
-  block[69] = -minus_B8_2_31;
-  block[70] = -minus_B8_2_32;
-  block[71] = -minus_B8_2_33;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
+  const T s3_1 = x[30], s3_2 = x[31], s3_3 = x[32];
   const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
+  const T sdot3_1 = y[24], sdot3_2 = y[25], sdot3_3 = y[26];
   // R3^T = 1 + 2 e3~ (eps4_3 + e3~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t3_1 = T(2) * eps3_2;
   const T t3_2 = t3_1 * eps3_2;
@@ -4939,6 +4913,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R3_31 = t3_8 + t3_9;
   const T R3_32 = t3_11 - t3_12;
   const T R3_33 = t3_10 - t3_2;
+  // d3 = q3 + s3: joint offset q + s, axes of the lower body [m]
+  const T d3_1 = T(0.05) + s3_1;
+  const T d3_2 = T(0.2) + s3_2;
+  const T d3_3 = T(0.8) + s3_3;
+  // B5_2 = -R2^T omega2~ d3~ - R2^T sdot3~
+  const T minus_B5_2_11 = t2_13 * d3_3 - t2_14 * d3_2 + R2_21 * sdot3_3 - R2_31 * sdot3_2;
+  const T minus_B5_2_12 = t2_14 * d3_1 - t2_15 * d3_3 + R2_31 * sdot3_1 - R2_11 * sdot3_3;
+  const T minus_B5_2_13 = t2_15 * d3_2 - t2_13 * d3_1 + R2_11 * sdot3_2 - R2_21 * sdot3_1;
+  const T minus_B5_2_21 = t2_16 * d3_3 - t2_17 * d3_2 + R2_22 * sdot3_3 - R2_32 * sdot3_2;
+  const T minus_B5_2_22 = t2_17 * d3_1 - t2_18 * d3_3 + R2_32 * sdot3_1 - R2_12 * sdot3_3;
+  const T minus_B5_2_23 = t2_18 * d3_2 - t2_16 * d3_1 + R2_12 * sdot3_2 - R2_22 * sdot3_1;
+  const T minus_B5_2_31 = t2_19 * d3_3 - t2_20 * d3_2 + R2_23 * sdot3_3 - R2_33 * sdot3_2;
+  const T minus_B5_2_32 = t2_20 * d3_1 - t2_21 * d3_3 + R2_33 * sdot3_1 - R2_13 * sdot3_3;
+  const T minus_B5_2_33 = t2_21 * d3_2 - t2_19 * d3_1 + R2_13 * sdot3_2 - R2_23 * sdot3_1;
+  block[36] = -minus_B5_2_11;
+  block[37] = -minus_B5_2_12;
+  block[38] = -minus_B5_2_13;
+  block[39] = -minus_B5_2_21;
+  block[40] = -minus_B5_2_22;
+  block[41] = -minus_B5_2_23;
+  block[42] = -minus_B5_2_31;
+  block[43] = -minus_B5_2_32;
+  block[44] = -minus_B5_2_33;
   // B6_3 = -R3^T omega3~ r3~
   const T t3_13 = R3_31 * omega3_1 - R3_11 * omega3_3;
   const T t3_14 = R3_11 * omega3_2 - R3_21 * omega3_1;
@@ -4970,7 +4967,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
+  const T s4_1 = x[33], s4_2 = x[34], s4_3 = x[35];
   const T omega4_1 = y[9], omega4_2 = y[10], omega4_3 = y[11];
+  const T sdot4_1 = y[27], sdot4_2 = y[28], sdot4_3 = y[29];
   // R4^T = 1 + 2 e4~ (eps4_4 + e4~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t4_1 = T(2) * eps4_2;
   const T t4_2 = t4_1 * eps4_2;
@@ -4993,6 +4992,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R4_31 = t4_8 + t4_9;
   const T R4_32 = t4_11 - t4_12;
   const T R4_33 = t4_10 - t4_2;
+  // d4 = q4 + s4: joint offset q + s, axes of the lower body [m]
+  const T d4_1 = s4_1 - T(0.06);
+  const T d4_2 = s4_2 - T(0.15);
+  const T d4_3 = T(0.9) + s4_3;
+  // B8_2 = -R2^T omega2~ d4~ - R2^T sdot4~
+  const T minus_B8_2_11 = t2_13 * d4_3 - t2_14 * d4_2 + R2_21 * sdot4_3 - R2_31 * sdot4_2;
+  const T minus_B8_2_12 = t2_14 * d4_1 - t2_15 * d4_3 + R2_31 * sdot4_1 - R2_11 * sdot4_3;
+  const T minus_B8_2_13 = t2_15 * d4_2 - t2_13 * d4_1 + R2_11 * sdot4_2 - R2_21 * sdot4_1;
+  const T minus_B8_2_21 = t2_16 * d4_3 - t2_17 * d4_2 + R2_22 * sdot4_3 - R2_32 * sdot4_2;
+  const T minus_B8_2_22 = t2_17 * d4_1 - t2_18 * d4_3 + R2_32 * sdot4_1 - R2_12 * sdot4_3;
+  const T minus_B8_2_23 = t2_18 * d4_2 - t2_16 * d4_1 + R2_12 * sdot4_2 - R2_22 * sdot4_1;
+  const T minus_B8_2_31 = t2_19 * d4_3 - t2_20 * d4_2 + R2_23 * sdot4_3 - R2_33 * sdot4_2;
+  const T minus_B8_2_32 = t2_20 * d4_1 - t2_21 * d4_3 + R2_33 * sdot4_1 - R2_13 * sdot4_3;
+  const T minus_B8_2_33 = t2_21 * d4_2 - t2_19 * d4_1 + R2_13 * sdot4_2 - R2_23 * sdot4_1;
+  block[63] = -minus_B8_2_11;
+  block[64] = -minus_B8_2_12;
+  block[65] = -minus_B8_2_13;
+  block[66] = -minus_B8_2_21;
+  block[67] = -minus_B8_2_22;
+  block[68] = -minus_B8_2_23;
+  block[69] = -minus_B8_2_31;
+  block[70] = -minus_B8_2_32;
+  block[71] = -minus_B8_2_33;
   // B9_4 = -R4^T omega4~ r4~
   const T t4_13 = R4_31 * omega4_1 - R4_11 * omega4_3;
   const T t4_14 = R4_11 * omega4_2 - R4_21 * omega4_1;
@@ -5024,9 +5046,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
-  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
+  const T s5_1 = x[36], s5_2 = x[37], s5_3 = x[38];
   const T omega5_1 = y[12], omega5_2 = y[13], omega5_3 = y[14];
-  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
+  const T sdot5_1 = y[30], sdot5_2 = y[31], sdot5_3 = y[32];
   // R5^T = 1 + 2 e5~ (eps4_5 + e5~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t5_1 = T(2) * eps5_2;
   const T t5_2 = t5_1 * eps5_2;
@@ -5049,6 +5071,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R5_31 = t5_8 + t5_9;
   const T R5_32 = t5_11 - t5_12;
   const T R5_33 = t5_10 - t5_2;
+  // d5 = q5 + s5: joint offset q + s, axes of the lower body [m]
+  const T d5_1 = s5_1 - T(0.35);
+  const T d5_2 = T(0.12) + s5_2;
+  const T d5_3 = s5_3 - T(0.2);
+  // B10_1 = -R1^T omega1~ d5~ - R1^T sdot5~
+  const T minus_B10_1_11 = t1_13 * d5_3 - t1_14 * d5_2 + R1_21 * sdot5_3 - R1_31 * sdot5_2;
+  const T minus_B10_1_12 = t1_14 * d5_1 - t1_15 * d5_3 + R1_31 * sdot5_1 - R1_11 * sdot5_3;
+  const T minus_B10_1_13 = t1_15 * d5_2 - t1_13 * d5_1 + R1_11 * sdot5_2 - R1_21 * sdot5_1;
+  const T minus_B10_1_21 = t1_16 * d5_3 - t1_17 * d5_2 + R1_22 * sdot5_3 - R1_32 * sdot5_2;
+  const T minus_B10_1_22 = t1_17 * d5_1 - t1_18 * d5_3 + R1_32 * sdot5_1 - R1_12 * sdot5_3;
+  const T minus_B10_1_23 = t1_18 * d5_2 - t1_16 * d5_1 + R1_12 * sdot5_2 - R1_22 * sdot5_1;
+  const T minus_B10_1_31 = t1_19 * d5_3 - t1_20 * d5_2 + R1_23 * sdot5_3 - R1_33 * sdot5_2;
+  const T minus_B10_1_32 = t1_20 * d5_1 - t1_21 * d5_3 + R1_33 * sdot5_1 - R1_13 * sdot5_3;
+  const T minus_B10_1_33 = t1_21 * d5_2 - t1_19 * d5_1 + R1_13 * sdot5_2 - R1_23 * sdot5_1;
+  block[81] = -minus_B10_1_11;
+  block[82] = -minus_B10_1_12;
+  block[83] = -minus_B10_1_13;
+  block[84] = -minus_B10_1_21;
+  block[85] = -minus_B10_1_22;
+  block[86] = -minus_B10_1_23;
+  block[87] = -minus_B10_1_31;
+  block[88] = -minus_B10_1_32;
+  block[89] = -minus_B10_1_33;
   // B11_5 = -R5^T omega5~ r5~
   const T t5_13 = R5_31 * omega5_1 - R5_11 * omega5_3;
   const T t5_14 = R5_11 * omega5_2 - R5_21 * omega5_1;
@@ -5077,28 +5122,6 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   block[96] = B11_5_31;
   block[97] = -minus_B11_5_32;
   block[98] = -minus_B11_5_33;
-  // B12_5 = -R5^T omega5~ d6~ - R5^T sdot6~
-  const T t5_22 = T(0.05) + s6_3;
-  const T t5_23 = s6_2 - T(0.03);
-  const T minus_B12_5_11 = t5_13 * t5_22 - t5_14 * t5_23 + R5_21 * sdot6_3 - R5_31 * sdot6_2;
-  const T t5_24 = T(0.75) + s6_1;
-  const T minus_B12_5_12 = t5_14 * t5_24 - t5_15 * t5_22 + R5_31 * sdot6_1 - R5_11 * sdot6_3;
-  const T minus_B12_5_13 = t5_15 * t5_23 - t5_13 * t5_24 + R5_11 * sdot6_2 - R5_21 * sdot6_1;
-  const T minus_B12_5_21 = t5_16 * t5_22 - t5_17 * t5_23 + R5_22 * sdot6_3 - R5_32 * sdot6_2;
-  const T minus_B12_5_22 = t5_17 * t5_24 - t5_18 * t5_22 + R5_32 * sdot6_1 - R5_12 * sdot6_3;
-  const T minus_B12_5_23 = t5_18 * t5_23 - t5_16 * t5_24 + R5_12 * sdot6_2 - R5_22 * sdot6_1;
-  const T minus_B12_5_31 = t5_19 * t5_22 - t5_20 * t5_23 + R5_23 * sdot6_3 - R5_33 * sdot6_2;
-  const T minus_B12_5_32 = t5_20 * t5_24 - t5_21 * t5_22 + R5_33 * sdot6_1 - R5_13 * sdot6_3;
-  const T minus_B12_5_33 = t5_21 * t5_23 - t5_19 * t5_24 + R5_13 * sdot6_2 - R5_23 * sdot6_1;
-  block[99] = -minus_B12_5_11;
-  block[100] = -minus_B12_5_12;
-  block[101] = -minus_B12_5_13;
-  block[102] = -minus_B12_5_21;
-  block[103] = -minus_B12_5_22;
-  block[104] = -minus_B12_5_23;
-  block[105] = -minus_B12_5_31;
-  block[106] = -minus_B12_5_32;
-  block[107] = -minus_B12_5_33;
   block[117] = t5_15;
   block[118] = t5_13;
   block[119] = t5_14;
@@ -5111,7 +5134,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
 
   // ---- body 6 (tool) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
+  const T s6_1 = x[39], s6_2 = x[40], s6_3 = x[41];
   const T omega6_1 = y[15], omega6_2 = y[16], omega6_3 = y[17];
+  const T sdot6_1 = y[33], sdot6_2 = y[34], sdot6_3 = y[35];
   // R6^T = 1 + 2 e6~ (eps4_6 + e6~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
   const T t6_1 = T(2) * eps6_2;
   const T t6_2 = t6_1 * eps6_2;
@@ -5134,6 +5159,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R6_31 = t6_8 + t6_9;
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
+  // d6 = q6 + s6: joint offset q + s, axes of the lower body [m]
+  const T d6_1 = T(0.75) + s6_1;
+  const T d6_2 = s6_2 - T(0.03);
+  const T d6_3 = T(0.05) + s6_3;
+  // B12_5 = -R5^T omega5~ d6~ - R5^T sdot6~
+  const T minus_B12_5_11 = t5_13 * d6_3 - t5_14 * d6_2 + R5_21 * sdot6_3 - R5_31 * sdot6_2;
+  const T minus_B12_5_12 = t5_14 * d6_1 - t5_15 * d6_3 + R5_31 * sdot6_1 - R5_11 * sdot6_3;
+  const T minus_B12_5_13 = t5_15 * d6_2 - t5_13 * d6_1 + R5_11 * sdot6_2 - R5_21 * sdot6_1;
+  const T minus_B12_5_21 = t5_16 * d6_3 - t5_17 * d6_2 + R5_22 * sdot6_3 - R5_32 * sdot6_2;
+  const T minus_B12_5_22 = t5_17 * d6_1 - t5_18 * d6_3 + R5_32 * sdot6_1 - R5_12 * sdot6_3;
+  const T minus_B12_5_23 = t5_18 * d6_2 - t5_16 * d6_1 + R5_12 * sdot6_2 - R5_22 * sdot6_1;
+  const T minus_B12_5_31 = t5_19 * d6_3 - t5_20 * d6_2 + R5_23 * sdot6_3 - R5_33 * sdot6_2;
+  const T minus_B12_5_32 = t5_20 * d6_1 - t5_21 * d6_3 + R5_33 * sdot6_1 - R5_13 * sdot6_3;
+  const T minus_B12_5_33 = t5_21 * d6_2 - t5_19 * d6_1 + R5_13 * sdot6_2 - R5_23 * sdot6_1;
+  block[99] = -minus_B12_5_11;
+  block[100] = -minus_B12_5_12;
+  block[101] = -minus_B12_5_13;
+  block[102] = -minus_B12_5_21;
+  block[103] = -minus_B12_5_22;
+  block[104] = -minus_B12_5_23;
+  block[105] = -minus_B12_5_31;
+  block[106] = -minus_B12_5_32;
+  block[107] = -minus_B12_5_33;
   // B13_6 = -R6^T omega6~ r6~
   const T t6_13 = R6_31 * omega6_1 - R6_11 * omega6_3;
   const T t6_14 = R6_11 * omega6_2 - R6_21 * omega6_1;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/emit/calls.hpp"
 #include "generator/emit/section.hpp"
 #include "generator/emit/signature.hpp"
+#include "runtime/base/error.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -19,56 +21,48 @@ using program::Stage;
 class Emission {
  public:
   Emission(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-           const Function& function, const program::Ledger& cost, const PreparedNames& prepared)
+           const Function& function, const program::Ledger& cost, const Named& named)
       : model_(model),
         program_(program),
+        stages_(stages),
         function_(function),
+        results_(results(function)),
+        arguments_(program, function, named.has_inputs),
         cost_(cost),
         statements_(program, stages, Stage::state, function.outputs) {
-    for (const auto& [node, name] : prepared) statements_.name(node, name);
+    for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
   }
 
   std::string text() {
-    const Signature& signature = function_.signature;
     const bool placed = !function_.placements.empty();
-    Shape shape{function_.name, parameter_list(signature, reads()), parameter_list(signature, {}), argument_list(signature, "c", "u", signature.out),
-                "", "", "", usings()};
+    Shape shape{function_.name, arguments_.parameters(), arguments_.piece_parameters(), arguments_.values("c", "u"),
+                "", "", "", usings(program_, reachable(program_, function_.outputs), stages_, Stage::state)};
     if (placed) {
-      out_ = shape.out_local = "block";
+      block_ = shape.out_local = "block";
       shape.begin = "  T block[" + std::to_string(function_.outputs.size()) + "];\n";
-      shape.end = placements(signature.out);
+      shape.end = placements(results_[0].out);
     } else {
-      out_ = signature.out;
       shape.begin = zeros();
     }
     for (const Quantity& quantity : function_.quantities) add(quantity);
     end_section();
     store_rest();
-    return "// " + function_.name + ": " + function_.meaning + ".\n// " + signature.layout + "\n// " +
-           program::text(cost_) + "\n" + function_text(program_, shape, sections_);
+    return comments() + function_text(program_, shape, sections_);
   }
 
  private:
-  std::string usings() const {
-    return std::string(cost_.square_roots > 0 ? "  using std::sqrt;\n" : "") +
-           (cost_.trigonometric > 0 ? "  using std::cos, std::sin;\n" : "");
-  }
-
-  Reads reads() const {
-    Reads reads;
-    for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
-      if (!statements_.needs({static_cast<Index>(i), false})) continue;
-      if (const auto* variable = std::get_if<program::Variable>(&program_.nodes[i])) {
-        reads.prepared |= variable->group == program::Group::parameter;
-        reads.x |= variable->group == program::Group::x;
-        reads.y |= variable->group == program::Group::y;
-        reads.ydot |= variable->group == program::Group::ydot;
-        reads.inputs |= variable->group == program::Group::input;
-      }
-    }
-    return reads;
+  std::string comments() const {
+    std::string text;
+    const auto append = [&text](const std::string& comment) {
+      for (const std::string& line : wrapped("// " + comment, "//   ")) text += line + "\n";
+    };
+    append(function_.name + ": " + function_.meaning + ".");
+    for (const program::Result& result : results_)
+      append((results_.size() > 1 ? result.out + ": " : "") + result.layout);
+    append(program::text(cost_));
+    return text;
   }
 
   bool is_zero(Ref ref) const {
@@ -76,22 +70,40 @@ class Emission {
     return constant != nullptr && constant->value == program::Number(0.0);
   }
 
-  // Many zeros are stored by one loop before anything else.
+  // Many zeros of a result are stored by one loop before anything else.
   std::string zeros() {
-    const auto count =
-        std::count_if(function_.outputs.begin(), function_.outputs.end(), [this](Ref ref) { return is_zero(ref); });
-    if (count < 8) return "";
-    for (std::size_t i = 0; i < stored_.size(); ++i) stored_[i] = is_zero(function_.outputs[i]);
-    return "  for (int i = 0; i < " + std::to_string(function_.outputs.size()) + "; ++i) " + out_ + "[i] = T(0);\n";
+    std::string text;
+    std::size_t first = 0;
+    for (const program::Result& result : results_) {
+      const std::size_t end = first + static_cast<std::size_t>(result.count);
+      std::size_t count = 0;
+      for (std::size_t i = first; i < end; ++i) count += is_zero(function_.outputs[i]);
+      for (std::size_t i = first; i < end && count >= 8; ++i) stored_[i] = is_zero(function_.outputs[i]);
+      if (count >= 8)
+        text += "  for (int i = 0; i < " + std::to_string(result.count) + "; ++i) " + result.out + "[i] = T(0);\n";
+      first = end;
+    }
+    return text;
+  }
+
+  // "xdot[3]", where output i goes.
+  std::string place(std::size_t i) const {
+    if (!block_.empty()) return block_ + "[" + std::to_string(i) + "]";
+    auto at = static_cast<Index>(i);
+    for (const program::Result& result : results_) {
+      if (at < result.count) return result.out + "[" + std::to_string(at) + "]";
+      at -= result.count;
+    }
+    throw InternalError("emit: an output of no result");
   }
 
   void add(const Quantity& quantity) {
-    const std::pair place(quantity.pass, quantity.body);
-    if (place != place_) {
+    const std::pair section(quantity.pass, quantity.body);
+    if (section != pass_and_body_) {
       end_section();
-      place_ = place;
+      pass_and_body_ = section;
       section_.heading = heading();
-      const std::string letter = quantity.pass == program::Pass::outward ? "t" : "b";
+      const std::string letter = quantity.pass == program::Pass::outward ? "t" : quantity.pass == program::Pass::inward ? "b" : "z";
       statements_.number_temporaries(letter + std::to_string(quantity.body) + "_");
     }
     for (std::size_t i = 0; i < quantity.entries.size(); ++i) statements_.define(quantity.labels[i], quantity.entries[i]);
@@ -113,7 +125,7 @@ class Emission {
       if (stored_[i]) continue;
       stored_[i] = true;
       const std::string value = statements_.value(function_.outputs[i]);
-      statements_.line(out_ + "[" + std::to_string(i) + "] = " + value + ";");
+      statements_.line(place(i) + " = " + value + ";");
     }
     append(statements_.take_lines());
   }
@@ -142,13 +154,14 @@ class Emission {
   }
 
   std::string heading() const {
-    const auto [pass, k] = place_;
+    const auto [pass, k] = pass_and_body_;
     if (k == 0) return "whole system";
     const scene::Scene& scene = *model_.scene;
     const auto at = static_cast<std::size_t>(k - 1);
     const int lower = scene.lower[at];
     const std::string body = "body " + std::to_string(k) + " (" + scene.bodies[at].name + ")";
     if (pass == program::Pass::inward) return body + " and what it carries";
+    if (pass == program::Pass::solved) return body + ", solved";
     return body + " on " + (lower == 0 ? "the inertial frame" : "body " + std::to_string(lower));
   }
 
@@ -168,22 +181,25 @@ class Emission {
 
   const Model& model_;
   const program::Program& program_;
+  const std::vector<Stage>& stages_;
   const Function& function_;
+  std::vector<program::Result> results_;
+  ArgumentList arguments_;
   program::Ledger cost_;
   Statements statements_;
   std::unordered_map<Index, std::vector<std::size_t>> places_;  // outputs by node
   std::vector<bool> stored_;
-  std::pair<program::Pass, int> place_{program::Pass::outward, -1};
+  std::pair<program::Pass, int> pass_and_body_{program::Pass::outward, -1};
   Section section_;
   std::vector<Section> sections_;
-  std::string out_;
+  std::string block_;  // the local array of a function with placements
 };
 
 }  // namespace
 
 std::string emit_function(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-                          const Function& function, const program::Ledger& cost, const PreparedNames& prepared) {
-  return Emission(model, program, stages, function, cost, prepared).text();
+                          const Function& function, const program::Ledger& cost, const Named& named) {
+  return Emission(model, program, stages, function, cost, named).text();
 }
 
 }  // namespace kanec::emit

@@ -16,8 +16,14 @@ namespace kanec::emit {
 // Fields of the Prepared struct: results that depend on parameters only, by node.
 using PreparedNames = std::unordered_map<program::Index, Name>;
 
+// What a function refers to and does not make.
+struct Named {
+  PreparedNames prepared;
+  bool has_inputs = false;  // the model has a struct Inputs
+};
+
 std::string emit_function(const Model& model, const program::Program& program,
                           const std::vector<program::Stage>& stages, const program::Function& function,
-                          const program::Ledger& cost, const PreparedNames& prepared);
+                          const program::Ledger& cost, const Named& named);
 
 }  // namespace kanec::emit

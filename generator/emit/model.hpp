@@ -13,6 +13,7 @@ struct Model {
   std::string version;  // of the generator: "0.1.0"
   std::string hash;     // of the emitted text
   std::string options;  // as text: "all functions"
+  std::string source = {};  // where the scene was read: a path, or empty
 };
 
 }  // namespace kanec::emit

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "generator/emit/calls.hpp"
 #include "generator/program/ledger.hpp"
 
 namespace kanec::emit {
@@ -79,11 +80,12 @@ std::string named_struct(const std::string& what, const std::string& name, const
 
 }  // namespace
 
-Preparation emit_prepare(const scene::Scene& scene, const program::Program& program,
-                         const std::vector<Stage>& stages) {
+Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<Stage>& stages) {
   Preparation result;
-  result.text = named_struct("Run-time parameters with the scene's defaults, SI units.", "Parameters", scene.parameters) +
-                named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", scene.inputs);
+  result.named.has_inputs = !used.inputs.empty();
+  result.text = named_struct("Run-time parameters with the scene's defaults, SI units.", "Parameters", used.parameters);
+  if (result.named.has_inputs)
+    result.text += named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", used.inputs);
   const std::vector<Ref> wanted = fields(program, stages);
   const auto known = labels(program);
   Statements statements(program, stages, Stage::parameter, wanted);
@@ -100,12 +102,13 @@ Preparation emit_prepare(const scene::Scene& scene, const program::Program& prog
     statements.define(name, field);
     members += "  T " + name + ";\n";
     stores += "  c." + name + " = " + name + ";\n";
-    result.names[field.node] = {"c." + name, false};
+    result.named.prepared[field.node] = {"c." + name, false};
   }
   result.text += "// What depends on parameters only, computed once for many calls.\ntemplate <class T>\nstruct Prepared {\n"
                  "  Parameters<T> p;\n" + members + "};\n\n";
   result.text += "// prepare: " + program::text(program::prepare_ledger(program)) +
-                 "\ntemplate <class T>\nPrepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {\n"
+                 "\ntemplate <class T>\nPrepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {\n" +
+                 usings(program, reachable(program, wanted), stages, Stage::parameter) +
                  "  Prepared<T> c{};\n  c.p = p;\n";
   for (const std::string& line : statements.take_lines()) result.text += line + "\n";
   result.text += stores + "  return c;\n}\n";

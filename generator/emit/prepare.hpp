@@ -1,4 +1,5 @@
-// What depends on parameters only: the structs Parameters, Inputs and Prepared, and prepare(). Not: functions of the state.
+// What depends on parameters only: the structs Parameters, Inputs (where there are any) and
+// Prepared, and prepare(). Not: functions of the state.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -6,15 +7,15 @@
 #include <vector>
 
 #include "generator/emit/function.hpp"
+#include "generator/emit/used.hpp"
 
 namespace kanec::emit {
 
 struct Preparation {
-  PreparedNames names;  // "c.Iinv2_11", for functions of the state
-  std::string text;     // the structs and prepare()
+  Named named;       // "c.Iinv2_11", for functions of the state
+  std::string text;  // the structs and prepare()
 };
 
-Preparation emit_prepare(const scene::Scene& scene, const program::Program& program,
-                         const std::vector<program::Stage>& stages);
+Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<program::Stage>& stages);
 
 }  // namespace kanec::emit

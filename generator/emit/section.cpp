@@ -16,12 +16,14 @@ using program::Variable;
 
 std::string array(Group group) { return group == Group::x ? "x" : group == Group::y ? "y" : "ydot"; }
 
+bool is_of_state(Group group) { return group == Group::x || group == Group::y || group == Group::ydot; }
+
 // Entries of the state that no section before has read, a vector a line.
 std::string loads(const program::Program& program, const Section& section,
                   std::set<std::pair<Group, program::Index>>& known) {
   std::set<std::pair<Group, program::Index>> read;
   for (const Variable& v : section.reads)
-    if (v.group != Group::parameter && v.group != Group::input && known.insert({v.group, v.index}).second)
+    if (is_of_state(v.group) && known.insert({v.group, v.index}).second)
       read.insert({v.group, v.index});
   std::string result;
   std::string vector;
@@ -93,11 +95,6 @@ std::string listed(const std::string& front, const std::set<std::string>& names,
   return names.empty() ? "" : result;
 }
 
-// The result is the last parameter; a piece may leave it to others.
-std::string maybe_unused_out(std::string parameters) {
-  return parameters.insert(parameters.rfind("T* "), "[[maybe_unused]] ");
-}
-
 std::string split(const program::Program& program, const Shape& shape,
                   const std::vector<std::span<const Section>>& pieces) {
   const std::string space = shape.name + "_pieces";
@@ -113,10 +110,10 @@ std::string split(const program::Program& program, const Shape& shape,
   std::string calls;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
-    const std::string local = shape.out_local.empty() ? "" : ", T* " + shape.out_local;
+    const std::string local = shape.out_local.empty() ? "" : ", [[maybe_unused]] T* " + shape.out_local;
     text += "\n" +
             opening("[[gnu::noinline]] void " + name,
-                    maybe_unused_out(shape.piece_parameters) + local + ", [[maybe_unused]] Shared<T>& shared") +
+                    shape.piece_parameters + local + ", [[maybe_unused]] Shared<T>& shared") +
             shape.usings;
     for (const std::string& taken : names[i].taken) text += "  const T " + taken + " = shared." + taken + ";\n";
     text += body(program, pieces[i]);

@@ -3,22 +3,39 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
 
-using program::Signature;
-
-// Which arguments a body reads; the others are marked [[maybe_unused]].
+// Which arguments a function reads, or takes.
 struct Reads {
-  bool prepared = false, x = false, y = false, ydot = false, inputs = false;
+  bool prepared = false, time = false, x = false, y = false, ydot = false, inputs = false;
 };
 
-// "const Prepared<T>& c, const T* x, T* xdot"
-std::string parameter_list(const Signature& signature, const Reads& reads);
-// "c, x, xdot" with the given expressions for the prepared parameters and the inputs
-std::string argument_list(const Signature& signature, const std::string& prepared, const std::string& inputs,
-                          const std::string& out);
+Reads reads(const program::Program& program, const program::Function& function);
+
+// A function takes the prepared parameters, the time where it reads it, and x, y, ydot and inputs where its signature says
+// so or it reads them; inputs only where the model has any.
+class ArgumentList {
+ public:
+  ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs);
+
+  // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]].
+  std::string parameters() const { return list(reads_, false); }
+  // The same where anything may be unused.
+  std::string piece_parameters() const { return list({}, true); }
+  // "c, t, x, xdot" with the given expressions; a pointer `out` to all results is given on in parts.
+  std::string values(const std::string& prepared, const std::string& inputs) const;
+  std::string values(const std::string& prepared, const std::string& inputs, const std::string& out) const;
+
+ private:
+  std::string list(const Reads& read, bool any_unused) const;
+  std::string front(const std::string& prepared, const std::string& inputs) const;
+
+  std::vector<program::Result> results_;
+  Reads reads_, takes_;
+};
 
 }  // namespace kanec::emit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/statements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,7 @@ std::string variable_name(const program::Program& program, const program::Variab
     case Group::x: return program.names.x[i];
     case Group::y: return program.names.y[i];
     case Group::ydot: return program.names.ydot[i];
+    case Group::time: return "t";
   }
   throw InternalError("emit: a variable of no group");
 }
@@ -125,9 +127,15 @@ Statements::Text Statements::operation(const Node& node) {
             const std::string under = b.level < 2 ? "(" + b.text + ")" : b.text;
             return {over + " / " + under, 1, a.negative != b.negative};
           },
-          [&](const program::SquareRoot& op) { return call("sqrt", op.a); },
-          [&](const program::Sine& op) { return call("sin", op.a); },
-          [&](const program::Cosine& op) { return call("cos", op.a); },
+          [&](const program::SquareRoot& op) -> Text { return {"sqrt(" + argument(op.a) + ")", 2, false}; },
+          [&](const program::Sine& op) { return odd("sin", op.a); },
+          [&](const program::Cosine& op) { return even("cos", op.a); },
+          [&](const program::UnaryCall& op) { return call(op); },
+          [&](const program::BinaryCall& op) -> Text {
+            const std::string first = argument(op.a);
+            return {program::name(op.function) + ("(" + first) + ", " + argument(op.b) + ")", 2, false};
+          },
+          [&](const program::Select& op) { return selection(op); },
       },
       node);
 }
@@ -149,8 +157,37 @@ Statements::Text Statements::product(Text a, Text b) {
   return {left + " * " + right, 1, a.negative != b.negative};
 }
 
-Statements::Text Statements::call(const char* function, Index argument) {
-  return {function + ("(" + text(expression(argument)) + ")"), 2, false};
+Statements::Text Statements::call(const program::UnaryCall& op) {
+  const char* name = program::name(op.function);
+  switch (op.function) {
+    case program::Unary::tan:
+    case program::Unary::asin:
+    case program::Unary::tanh: return odd(name, op.a);
+    case program::Unary::abs: return even(name, op.a);
+    case program::Unary::acos:
+    case program::Unary::exp:
+    case program::Unary::log: break;
+  }
+  return {name + ("(" + argument(op.a) + ")"), 2, false};
+}
+
+// A sign costs nothing where the function is odd or even.
+Statements::Text Statements::odd(const char* function, Index a) {
+  const Text t = expression(a);
+  return {function + ("(" + t.text + ")"), 2, t.negative};
+}
+
+Statements::Text Statements::even(const char* function, Index a) {
+  return {function + ("(" + expression(a).text + ")"), 2, false};
+}
+
+Statements::Text Statements::selection(const program::Select& op) {
+  const Text sign = expression(op.sign);
+  const bool is_sum = sign.level == 0;
+  const std::string value = is_sum ? "(" + sign.text + ")" : sign.text;
+  const std::string condition = sign.negative ? "T(0) < " + value : value + " < T(0)";
+  const std::string first = argument(op.a);
+  return {"(" + condition + " ? " + first + " : " + argument(op.b) + ")", 2, false};
 }
 
 std::string Statements::text(const Text& t) const {
@@ -171,6 +208,7 @@ std::vector<std::string> wrapped(std::string text, const std::string& indent) {
     text = indent + text.substr(blank + 1);
   }
   lines.push_back(text);
+  for (std::string& line : lines) std::replace(line.begin(), line.end(), no_break, ' ');
   return lines;
 }
 

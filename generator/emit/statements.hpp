@@ -21,7 +21,9 @@ struct Name {
 // A number as C++ reads it back: "0.1", "2", "12345678901234567168.0" where an integer literal would be too large.
 std::string literal(double value);
 
-// A line broken at blanks to the width of the emitted code; further lines begin with `indent`.
+// A line broken at blanks to the width of the emitted code; further lines begin with `indent`. Blanks that hold together what
+// stands on either side are written `no_break` and become blanks.
+inline constexpr char no_break = '\v';
 std::vector<std::string> wrapped(std::string text, const std::string& indent);
 
 // Prints one function's nodes of one stage. Names given once stay; a node that is used more than once and has none gets a
@@ -67,7 +69,11 @@ class Statements {
   Text operation(const program::Node& node);
   Text sum(Text a, Text b);
   Text product(Text a, Text b);
-  Text call(const char* function, program::Index argument);
+  Text call(const program::UnaryCall& op);
+  Text odd(const char* function, program::Index a);
+  Text even(const char* function, program::Index a);
+  Text selection(const program::Select& op);
+  std::string argument(program::Index a) { return text(expression(a)); }
   std::string text(const Text& t) const;
 
   const program::Program& program_;

@@ -16,7 +16,7 @@ using symbolic::Style;
 class Tables {
  public:
   Tables(const symbolic::Equations& equations, Style style)
-      : equations_(equations), latex_(style == Style::latex), style_(style), n_(size(equations.scene)) {
+      : equations_(equations), latex_(style == Style::latex), style_(style), n_(equations.mechanism.size()) {
     // positions and velocities in full: names of earlier rows and of q + s written out
     for (const symbolic::Quantity& quantity : equations.quantities) {
       const std::string& name = equations.table.of(quantity.symbol).name;
@@ -53,70 +53,90 @@ class Tables {
 
   Table tree() const {
     Table table{"Connection array L(K) and steps u(K) to the first body of the tree", {}};
-    const std::vector<int> u = scene::depth(equations_.scene.lower);
-    std::string k_row, l_row, u_row;
-    for (int k = 1; k <= n_; ++k) {
-      const std::string comma = k < n_ ? ", " : "";
-      k_row += std::to_string(k) + comma;
-      l_row += std::to_string(equations_.scene.lower[at(k)]) + comma;
-      u_row += std::to_string(u[at(k)]) + comma;
-    }
-    table.rows = {{"K", "(" + k_row + ")"}, {"L(K)", "(" + l_row + ")"}, {"u(K)", "(" + u_row + ")"}};
+    const std::vector<int>& lower = equations_.scene.lower;
+    table.rows = {{"K", list(static_cast<int>(lower.size()), [](int k) { return std::to_string(k); })},
+                  {"L(K)", list(static_cast<int>(lower.size()), [&](int k) { return std::to_string(lower[at(k)]); })}};
+    const std::vector<int> u = scene::depth(lower);
+    table.rows.push_back({"u(K)", list(static_cast<int>(u.size()), [&](int k) { return std::to_string(u[at(k)]); })});
     return table;
   }
 
+  template <class Text>
+  static std::string list(int n, Text text) {
+    std::string row;
+    for (int k = 1; k <= n; ++k) row += (k > 1 ? ", " : "") + text(k);
+    return "(" + row + ")";
+  }
+
+  // Every coordinate of the state, rotations first.
+  template <class Visit>
+  void for_coordinates(bool rotation, Visit visit) const {
+    for (int j = 1; j <= n_; ++j)
+      for (const symbolic::Coordinate& c : letters(j).coordinates) {
+        const bool turns = c.freedom.kind == symbolic::Freedom::Kind::attitude || c.freedom.kind == symbolic::Freedom::Kind::turn;
+        if (c.row >= 0 && turns == rotation) visit(j, c);
+      }
+  }
+
+  std::string coordinate(int j, const symbolic::Coordinate& c) const {
+    return c.freedom.kind == symbolic::Freedom::Kind::attitude ? indexed("\\varepsilon", "eps", suffix(j)) : print(c.value);
+  }
+
   Table state() const {
-    const auto list = [&](const char* latex, const char* text) {
-      std::string result;
-      for (int k = 1; k <= n_; ++k) result += (k > 1 ? ", " : "") + indexed(latex, text, std::to_string(k));
-      return result;
-    };
-    const std::string sizes_x = std::to_string(7 * n_);
-    const std::string sizes_y = std::to_string(6 * n_);
+    std::string x[2], y[2];
+    for (const bool rotation : {true, false})
+      for_coordinates(rotation, [&](int j, const symbolic::Coordinate& c) {
+        const std::size_t part = rotation ? 0 : 1;
+        x[part] += (x[part].empty() ? "" : ", ") + coordinate(j, c);
+        y[part] += (y[part].empty() ? "" : ", ") + print(c.speed);
+      });
     return {"State vectors",
-            {{"x", "(" + list("\\varepsilon", "eps") + "; " + list("s", "s") + ")"},
-             {pick("\\dim x", "size of x"), sizes_x},
-             {"y", "(" + list("\\omega", "omega") + "; " + list("\\dot s", "sdot") + ")"},
-             {pick("\\dim y", "size of y"), sizes_y}}};
+            {{"x", "(" + x[0] + "; " + x[1] + ")"},
+             {pick("\\dim x", "size of x"), std::to_string(equations_.layout.nx)},
+             {"y", "(" + y[0] + "; " + y[1] + ")"},
+             {pick("\\dim y", "size of y"), std::to_string(equations_.layout.ny)}}};
   }
 
   Table kinematics() const {
     Table table{"Kinematical equations, e = (eps_1, eps_2, eps_3)", {}};
     if (latex_) table.title = "Kinematical equations, $e = (\\varepsilon_1, \\varepsilon_2, \\varepsilon_3)$";
-    for (int k = 1; k <= n_; ++k) {
-      const symbolic::Letters& body = letters(k);
-      const std::string index = std::to_string(k);
-      const std::string e = print(body.e), eps4 = print(body.eps4), omega = print(body.omega);
-      table.rows.push_back({pick("\\dot e_{" + index + "}", "edot" + index),
-                            pick("\\tfrac12(", "1/2 (") + eps4 + " " + omega + " + " +
-                                print(symbolic::skew(body.e) * body.omega) + ")"});
-      table.rows.push_back({pick("\\dot\\varepsilon_{4}^{(" + index + ")}", "eps4dot" + index),
-                            pick("-\\tfrac12 ", "-1/2 ") + print(symbolic::dot(body.e, body.omega))});
-      table.rows.push_back({pick("\\tfrac{d}{dt}", "d/dt ") + print(body.s), print(body.sdot)});
-    }
+    for (int j = 1; j <= n_; ++j)
+      for (const symbolic::Coordinate& c : letters(j).coordinates) {
+        if (c.row < 0) continue;
+        if (c.freedom.kind == symbolic::Freedom::Kind::attitude)
+          add_attitude(table, j);
+        else
+          table.rows.push_back({pick("\\tfrac{d}{dt}", "d/dt ") + print(c.value), print(c.speed)});
+      }
     return table;
+  }
+
+  void add_attitude(Table& table, int j) const {
+    const symbolic::Letters& link = letters(j);
+    const std::string e = print(link.e), eps4 = print(link.eps4), omega = print(link.omega), index = suffix(j);
+    table.rows.push_back({pick("\\dot e_{" + index + "}", "edot" + index),
+                          pick("\\tfrac12(", "1/2 (") + eps4 + " " + omega + " + " +
+                              print(symbolic::skew(link.e) * link.omega) + ")"});
+    table.rows.push_back({pick("\\dot\\varepsilon_{4}^{(" + index + ")}", "eps4dot" + index),
+                          pick("-\\tfrac12 ", "-1/2 ") + print(symbolic::dot(link.e, link.omega))});
   }
 
   Table of_bodies(const std::string& title, const std::string& letter, const std::vector<ex>& values) const {
     Table table{title + ", inertial axes", {}};
-    for (int k = 1; k <= n_; ++k) table.rows.push_back({indexed(letter, letter, std::to_string(k)), in_full(values[at(k)])});
+    for (int k = 1; k <= n_; ++k) table.rows.push_back({indexed(letter, letter, suffix(k)), in_full(values[at(k)])});
     return table;
   }
 
   // "v3,omega1" or "d/dt v3,omega1"
   std::string block_name(const std::string& latex, const std::string& text, const std::string& dot, int k,
                          int column) const {
-    const bool of_omega = column < n_;
-    const std::string speed = std::to_string(of_omega ? column + 1 : column + 1 - n_);
-    const std::string index = std::to_string(k) + "," + pick(of_omega ? "\\omega_{" : "\\dot s_{", of_omega ? "omega" : "sdot") +
-                              speed + (latex_ ? "}" : "");
     const std::string front = dot.empty() ? "" : pick("\\tfrac{d}{dt}", "d/dt ");
-    return front + indexed(latex, text, index);
+    return front + indexed(latex, text, suffix(k) + "," + column_name(column));
   }
 
   Table of_blocks(const std::string& title, const std::string& latex, const std::string& text, const std::string& dot,
                   const std::vector<Blocks>& rows) const {
-    Table table{title + " (3 x 3 blocks; all others are 0)", {}};
+    Table table{title + (all_wide() ? " (3 x 3 blocks; all others are 0)" : " (blocks; all others are 0)"), {}};
     for (int k = 1; k <= n_; ++k)
       for (const auto& [column, block] : rows[at(k)])
         table.rows.push_back({block_name(latex, text, dot, k, column),
@@ -136,23 +156,36 @@ class Tables {
              {"r", pick("A\\dot y - f", "A ydot - f")}}};
   }
 
-  std::string column_name(int column) const {
-    const bool of_omega = column < n_;
-    return of_omega ? indexed("\\omega", "omega", std::to_string(column + 1))
-                    : indexed("\\dot s", "sdot", std::to_string(column + 1 - n_));
+  std::string column_name(int column) const { return print(equations_.speeds[static_cast<std::size_t>(column)].letter); }
+
+  bool all_wide() const {
+    for (const symbolic::Speed& speed : equations_.speeds)
+      if (symbolic::shape_of(speed.letter) != symbolic::Shape::vector) return false;
+    return true;
+  }
+
+  int column_at(int row) const {
+    for (std::size_t i = 0; i < equations_.speeds.size(); ++i)
+      if (equations_.speeds[i].row == row) return static_cast<int>(i);
+    throw InternalError("tables: a row between speeds");
   }
 
   // The blocks as the function emits them; upper triangle.
   Table mass_matrix() const {
     Table table{"Blocks of A (upper triangle; all others are 0)", {}};
-    const int ny = 6 * n_;
-    std::map<std::pair<int, int>, ex> blocks;
-    for (const symbolic::Output& output : function("mass_matrix").outputs)
-      if (!output.transposed) blocks[{output.offset / ny / 3, output.offset % ny / 3}] = output.block;
-    for (const auto& [place, block] : blocks)
+    const int ny = equations_.layout.ny;
+    std::map<std::pair<int, int>, std::string> blocks;
+    for (const symbolic::Output& output : function("mass_matrix").outputs) {
+      const std::pair place(column_at(output.offset / ny), column_at(output.offset % ny));
+      if (place.first > place.second) continue;
+      const bool is_row = output.transposed && !output.wide;
+      const ex block = output.transposed && output.wide ? equations_.table.transposed(output.block) : output.block;
+      blocks[place] = is_row ? "(" + print(block) + ")" + pick("^{T}", "^T") : print(block);
+    }
+    for (const auto& [place, text] : blocks)
       table.rows.push_back({pick("A_{" + column_name(place.first) + "," + column_name(place.second) + "}",
                                  "A[" + column_name(place.first) + ", " + column_name(place.second) + "]"),
-                            print(block)});
+                            text});
     append_names(table, "mass_matrix");
     return table;
   }
@@ -174,7 +207,7 @@ class Tables {
     GiNaC::exset used;
     for (const symbolic::Output& output : function(name).outputs) collect(output.block, used);
     for (const symbolic::Quantity& quantity : equations_.quantities)
-      if (used.count(quantity.symbol) > 0 && equations_.table.of(quantity.symbol).name != "Rt")
+      if (used.count(quantity.symbol) > 0 && equations_.table.of(quantity.symbol).name != "Rt" && equations_.table.of(quantity.symbol).name != "Et")
         table.rows.push_back({print(quantity.symbol), print(quantity.value)});
   }
 
@@ -189,6 +222,7 @@ class Tables {
       if (quantity.symbol.is_equal(e)) collect(quantity.value, used);
   }
 
+  const std::string& suffix(int j) const { return equations_.mechanism.link(j).suffix; }
   const symbolic::Letters& letters(int k) const { return equations_.letters[static_cast<std::size_t>(k)]; }
   static std::size_t at(int k) { return static_cast<std::size_t>(k - 1); }
 
@@ -203,9 +237,21 @@ class Tables {
 
 std::vector<Table> tables(const symbolic::Equations& equations, Style style) { return Tables(equations, style).all(); }
 
+namespace {
+
+// "1 base revolute, 2 arm weld", a line.
+std::string joints(const scene::Scene& scene) {
+  std::string text;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    text += (k > 0 ? ", " : "joints: ") + std::to_string(k + 1) + " " + scene.bodies[k].joint.kind;
+  return text + "\n";
+}
+
+}  // namespace
+
 std::string text_document(const symbolic::Equations& equations) {
   std::string text = equations.scene.name + ": " + std::to_string(size(equations.scene)) +
-                     " bodies, each with a free joint\n"
+                     (size(equations.scene) == 1 ? " body" : " bodies") + "\n" + joints(equations.scene) +
                      "a~ b = a x b; R_K takes inertial components to those in body K\n";
   for (const Table& table : tables(equations, Style::text)) {
     text += "\n" + table.title + "\n";
@@ -242,7 +288,7 @@ std::string latex_document(const symbolic::Equations& equations) {
   std::string text =
       "\\documentclass{article}\n\\usepackage{amsmath}\n\\usepackage[landscape,margin=15mm]{geometry}\n"
       "\\allowdisplaybreaks\n\\begin{document}\n\\section*{" + name + ": " + std::to_string(size(equations.scene)) +
-      " bodies, each with a free joint}\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
+      (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" + joints(equations.scene) + "\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
       "$K$.\n";
   for (const Table& table : tables(equations, Style::latex)) {
     text += "\\subsection*{" + table.title + "}\n\\begin{align*}\n";

@@ -75,6 +75,27 @@ Block skew(Builder& builder, const Block& a) {
 
 Ref dot(Builder& builder, const Block& a, const Block& b) { return multiply(builder, transposed(a), b).at(0); }
 
+Block turn(Builder& builder, const Block& axis, Ref angle) {
+  const Ref sine = builder.sine(angle), cosine = builder.cosine(angle);
+  const Block cross = skew(builder, axis);
+  const Block square = multiply(builder, cross, cross);
+  // 1 + (1 - cos) ã ã = (1 + ã ã) - cos ã ã: for a coordinate axis every entry is 0, 1 or the cosine
+  const Block fixed = add(builder, scalar(builder.constant(1.0)), square);
+  return add(builder, add(builder, multiply(builder, scalar(sine), cross), multiply(builder, scalar(-cosine), square)), fixed);
+}
+
+Block congruence(Builder& builder, const Block& C, const Block& J) {
+  const Block left = multiply(builder, C, J);
+  Block result{3, 3, {}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      Ref entry = builder.multiply(left.at(i, 0), C.at(j, 0));
+      for (int k = 1; k < 3; ++k) entry = builder.add(entry, builder.multiply(left.at(i, k), C.at(j, k)));
+      result.at(i, j) = result.at(j, i) = entry;
+    }
+  return result;
+}
+
 Block rotation(Builder& builder, const Block& e, Ref eps4) {
   const Block twice = multiply(builder, scalar(builder.constant(2.0)), e);
   const auto product = [&](int i, Ref other) { return builder.multiply(twice.at(i), other); };

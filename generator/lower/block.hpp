@@ -39,6 +39,10 @@ Ref dot(Builder& builder, const Block& a, const Block& b);
 
 // R_Kᵀ of Euler parameters (e, ε4) of unit norm: 23 operations.
 Block rotation(Builder& builder, const Block& e, Ref eps4);
+// 1 + sin ã + (1 − cos) ã ã; of a coordinate axis a plane rotation.
+Block turn(Builder& builder, const Block& axis, Ref angle);
+// C J Cᵀ of a symmetric J: six entries, the other three by symmetry.
+Block congruence(Builder& builder, const Block& C, const Block& J);
 // Inverse of a symmetric matrix through its cofactors.
 Block inverse(Builder& builder, const Block& symmetric);
 // ω × I ω by the products of speeds, which ω̃ω̃ shares.

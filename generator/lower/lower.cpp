@@ -2,10 +2,13 @@
 #include "generator/lower/lower.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
-#include "generator/lower/block.hpp"
+#include "generator/lower/data.hpp"
+#include "generator/lower/elimination.hpp"
+#include "generator/lower/sections.hpp"
 #include "generator/symbolic/notation.hpp"
 #include "generator/symbolic/order.hpp"
 #include "runtime/base/error.hpp"
@@ -14,7 +17,6 @@ namespace kanec::lower {
 namespace {
 
 using GiNaC::ex;
-using program::Group;
 using program::Number;
 using symbolic::Atom;
 using symbolic::Role;
@@ -22,13 +24,11 @@ using symbolic::Role;
 class Lowering {
  public:
   explicit Lowering(const symbolic::Equations& equations)
-      : equations_(equations), values_(equations.table.all().size()), definitions_(values_.size(), nullptr) {
-    for (const symbolic::Quantity& quantity : equations.quantities) definitions_[index(quantity.symbol)] = &quantity;
-  }
+      : equations_(equations), values_(equations.table.all().size()), sections_(equations) {}
 
-  program::Program result(const std::vector<const symbolic::Function*>& functions) {
+  program::Program result() {
     program::Program program;
-    for (const symbolic::Function* function : functions) program.functions.push_back(lowered(*function));
+    for (const symbolic::Function& function : equations_.functions) program.functions.push_back(lowered(function));
     program.nodes = std::move(builder_.nodes());
     return program;
   }
@@ -48,7 +48,7 @@ class Lowering {
   void place_entries(const symbolic::Function& function, program::Function& result) {
     result.outputs.assign(static_cast<std::size_t>(function.n_out), builder_.constant(0.0));
     for (const symbolic::Output& output : function.outputs) {
-      Block block = output.stride > 1 ? matrix(of(output.block)) : of(output.block);
+      Block block = output.wide ? matrix(of(output.block)) : of(output.block);
       if (output.transposed) block = transposed(block);
       for (int i = 0; i < block.rows; ++i)
         for (int j = 0; j < block.columns; ++j)
@@ -77,43 +77,55 @@ class Lowering {
     return block.is_scalar() ? add(builder_, zero, block) : block;
   }
 
-  // Outward by ascending bodies, inward by descending ones, the whole system last; inside a body as derived.
   std::vector<program::Quantity> quantities_in_order() const {
-    std::vector<const symbolic::Quantity*> used;
-    for (const symbolic::Quantity& quantity : equations_.quantities)
-      if (used_[index(quantity.symbol)]) used.push_back(&quantity);
-    const auto key = [](const symbolic::Quantity* q) {
-      const bool inward = q->pass == symbolic::Pass::inward;
-      return std::pair(inward, q->body == 0 ? 1 : inward ? -q->body : q->body);
-    };
-    std::stable_sort(used.begin(), used.end(), [&](const auto* a, const auto* b) { return key(a) < key(b); });
     std::vector<program::Quantity> result;
-    for (const symbolic::Quantity* quantity : used) result.push_back(named(*quantity));
+    for (const Placed& placed : sections_.in_order(used_)) {
+      result.push_back(placed.quantity ? named(*placed.quantity) : solved(placed));
+      result.back().body = placed.section.body;
+      result.back().pass = placed.section.pass;
+    }
     return result;
   }
 
-  // R_Kᵀ is named by the entries of R_K, as in the text.
+  // A transpose is named by the entries of what it is the transpose of, as in the text.
   program::Quantity named(const symbolic::Quantity& quantity) const {
-    const symbolic::Symbol& symbol = equations_.table.of(quantity.symbol);
+    const symbolic::Symbol& own = equations_.table.of(quantity.symbol);
+    const symbolic::Symbol& symbol = own.is_transpose ? equations_.table.of(own.transpose) : own;
     Block block = *values_[index(quantity.symbol)];
-    const bool by_transpose = symbol.name == "Rt";
-    if (by_transpose) block = transposed(block);
-    const std::string name =
-        (by_transpose ? "R" : symbol.name) + (symbol.body > 0 ? std::to_string(symbol.body) : "");
+    if (own.is_transpose) block = transposed(block);
+    program::Quantity result = labelled(symbol.name + symbol.suffix, block);
+    result.equation = symbolic::notation(quantity.symbol, equations_.table, symbolic::Style::text) + " = " +
+                      symbolic::notation(quantity.value, equations_.table, symbolic::Style::text);
+    result.meaning = quantity.meaning;
+    return result;
+  }
+
+  static program::Quantity labelled(const std::string& name, const Block& block) {
     program::Quantity result;
     result.name = name;
     for (int i = 0; i < block.rows; ++i)
       for (int j = 0; j < block.columns; ++j) {
         const std::string row = std::to_string(i + 1);
         const std::string entry = block.columns > 1 ? row + std::to_string(j + 1) : row;
-        result.labels.push_back(block.is_scalar() ? name : name + "_" + entry);
+        const bool ends_open = !name.empty() && name.back() == '_';
+        result.labels.push_back(block.is_scalar() ? (ends_open ? name.substr(0, name.size() - 1) : name)
+                                                  : name + (ends_open ? "" : "_") + entry);
         result.entries.push_back(block.at(i, j));
       }
-    result.body = quantity.body;
-    result.pass = quantity.pass;
-    result.equation = symbolic::notation(quantity.symbol, equations_.table, symbolic::Style::text) + " = " +
-                      symbolic::notation(quantity.value, equations_.table, symbolic::Style::text);
-    result.meaning = quantity.meaning;
+    return result;
+  }
+
+  // An unknown of a solved system, or its pivots.
+  program::Quantity solved(const Placed& placed) const {
+    const symbolic::Symbol& symbol = equations_.table.of(placed.unknown);
+    const std::string name = symbol.name + symbol.suffix;
+    if (!placed.is_pivot) {
+      program::Quantity result = labelled(name, *values_[index(placed.unknown)]);
+      result.equation = name + ": from A ydot = f by elimination";
+      return result;
+    }
+    program::Quantity result = labelled("D_" + name, pivots_.at(static_cast<int>(index(placed.unknown))));
+    result.equation = "D_" + name + ": pivots of L D L^T";
     return result;
   }
 
@@ -123,20 +135,33 @@ class Lowering {
     if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
     if (GiNaC::is_a<GiNaC::mul>(e)) return scaled(e);
     if (GiNaC::is_a<GiNaC::ncmul>(e)) return chain({e.begin(), e.end()});
-    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).is_equal(-1))
-      return scalar(builder_.divide(builder_.constant(1.0), of(e.op(0)).at(0)));
+    if (GiNaC::is_a<GiNaC::power>(e)) return scalar(power(of(e.op(0)).at(0), GiNaC::ex_to<GiNaC::numeric>(e.op(1))));
     return function(e);
+  }
+
+  // Whole and half exponents.
+  Ref power(Ref base, const GiNaC::numeric& exponent) {
+    if (exponent.is_negative()) return builder_.divide(builder_.constant(1.0), power(base, -exponent));
+    if (!exponent.is_integer()) return power(builder_.square_root(base), exponent * 2);
+    Ref result = base;
+    for (int i = 1; i < exponent.to_int(); ++i) result = builder_.multiply(result, base);
+    return result;
   }
 
   Block function(const ex& e) {
     if (is_ex_the_function(e, symbolic::skew)) return skew(builder_, of(e.op(0)));
     if (is_ex_the_function(e, symbolic::dot)) return scalar(dot(builder_, of(e.op(0)), of(e.op(1))));
     if (is_ex_the_function(e, symbolic::rotation)) return rotation(builder_, of(e.op(0)), of(e.op(1)).at(0));
+    if (is_ex_the_function(e, symbolic::turn)) return turn(builder_, of(e.op(0)), of(e.op(1)).at(0));
+    if (is_ex_the_function(e, symbolic::congruence)) return congruence(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::expression)) return scalar(data_.expression(whole(e.op(0)), whole(e.op(1))));
     if (is_ex_the_function(e, symbolic::inverse)) return inverse(builder_, of(e.op(0)));
     if (is_ex_the_function(e, symbolic::gyroscopic)) return gyroscopic(builder_, of(e.op(0)), of(e.op(1)));
     if (is_ex_the_function(e, symbolic::inertia_moment)) return inertia_moment(builder_, of(e.op(0)), of(e.op(1)));
     throw InternalError("lower: an expression of no known kind");
   }
+
+  static int whole(const ex& e) { return GiNaC::ex_to<GiNaC::numeric>(e).to_int(); }
 
   Ref number(const GiNaC::numeric& value) {
     const Number quotient = Number(value.numer().to_double()) / Number(value.denom().to_double());
@@ -190,18 +215,22 @@ class Lowering {
 
   Block letter(const ex& atom) {
     const symbolic::Symbol& symbol = equations_.table.of(atom);
-    const bool is_transpose = symbol.role == Role::quantity && definitions_[index(atom)] == nullptr;
-    if (is_transpose) return transposed(letter(symbol.transpose));
-    used_[index(atom)] = true;
+    if (symbol.role == Role::quantity && !sections_.is_defined(atom)) return transposed(letter(symbol.transpose));
     std::optional<Block>& value = values_[index(atom)];
     if (symbol.role != Role::quantity) {
-      if (!value) value = data(symbol);
-    } else if (!value) {
-      value = of(definitions_[index(atom)]->value);
-    } else {
-      mark_used(definitions_[index(atom)]->value);  // lowered for another function before
+      if (!value) value = data_.of(symbol);
+      return *value;
     }
-    return *value;
+    if (value) {
+      mark_used(atom);  // lowered for another function before
+    } else {
+      used_[index(atom)] = true;
+      if (const symbolic::Quantity* definition = sections_.definition(atom))
+        values_[index(atom)] = of(definition->value);
+      else
+        solve(sections_.solve_of(atom));
+    }
+    return *values_[index(atom)];
   }
 
   void mark_used(const ex& e) {
@@ -209,102 +238,82 @@ class Lowering {
       for (const ex& operand : e) mark_used(operand);
       return;
     }
-    const bool is_defined = definitions_[index(e)] != nullptr;
-    const ex atom = is_defined ? e : equations_.table.of(e).transpose;
-    if (definitions_[index(atom)] == nullptr || used_[index(atom)]) return;
+    const ex atom = sections_.is_defined(e) ? e : equations_.table.of(e).transpose;
+    if (!sections_.is_defined(atom) || used_[index(atom)]) return;
     used_[index(atom)] = true;
-    mark_used(definitions_[index(atom)]->value);
+    for (const ex& part : sections_.parts(atom)) mark_used(part);
   }
 
-  Block data(const symbolic::Symbol& symbol) {
-    const scene::Scene& scene = equations_.scene;
-    const int k = symbol.body - 1;
-    const auto three = [&](Group group, int first) {
-      return vector(variable(group, first), variable(group, first + 1), variable(group, first + 2));
-    };
-    const auto body = [&]() -> const scene::Body& { return scene.bodies[static_cast<std::size_t>(k)]; };
-    const auto at = [&]() -> const scene::BodyLayout& { return layout_.bodies[static_cast<std::size_t>(k)]; };
-    switch (symbol.role) {
-      case Role::euler_vector: return three(Group::x, at().eps);
-      case Role::euler_scalar: return scalar(variable(Group::x, at().eps + 3));
-      case Role::omega: return three(Group::y, at().omega);
-      case Role::s: return three(Group::x, at().s[0]);
-      case Role::sdot: return three(Group::y, at().sdot[0]);
-      case Role::omegadot: return three(Group::ydot, at().omega);
-      case Role::sddot: return three(Group::ydot, at().sdot[0]);
-      case Role::mass: return scalar(value(body().mass));
-      case Role::inertia: return symmetric(body().inertia);
-      case Role::r: return three_numbers(body().r);
-      case Role::q: return three_numbers(body().q);
-      case Role::gravity: return three_numbers(scene.gravity);
-      case Role::force: return three_numbers(body().force);
-      case Role::moment: return three_numbers(body().moment);
-      case Role::quantity: break;
+  // All unknowns of a system at once.
+  void solve(const symbolic::Solve& solve) {
+    std::vector<int> first;  // row of each unknown
+    std::vector<Ref> right;
+    for (const symbolic::Solve::Unknown& unknown : solve.unknowns) {
+      used_[index(unknown.letter)] = true;
+      first.push_back(static_cast<int>(right.size()));
+      append_entries(of(unknown.right), symbolic::shape_of(unknown.letter), right);
     }
-    throw InternalError("lower: a letter without a value");
+    Entries matrix;
+    for (const symbolic::Solve::Entry& entry : solve.matrix) place(entry, first, matrix);
+    const Elimination result = eliminate(builder_, std::move(matrix), std::move(right));
+    for (std::size_t i = 0; i < solve.unknowns.size(); ++i) {
+      const ex& letter = solve.unknowns[i].letter;
+      values_[index(letter)] = part(result.solution, first[i], symbolic::shape_of(letter));
+      pivots_[static_cast<int>(index(letter))] = part(result.pivots, first[i], symbolic::shape_of(letter));
+    }
   }
 
-  Ref variable(Group group, int at) { return builder_.variable(group, at); }
-
-  Ref value(const scene::Number& number) {
-    if (number.kind == scene::Number::Kind::parameter) return variable(Group::parameter, number.index);
-    if (number.kind == scene::Number::Kind::input) return variable(Group::input, number.index);
-    return builder_.constant(number.value);
+  // A zero stands for a vector of zeros.
+  void append_entries(const Block& block, symbolic::Shape shape, std::vector<Ref>& out) {
+    const int n = shape == symbolic::Shape::vector ? 3 : 1;
+    for (int i = 0; i < n; ++i) out.push_back(block.size() == n ? block.at(i) : block.at(0));
   }
 
-  Block three_numbers(const scene::Vector& v) { return vector(value(v[0]), value(v[1]), value(v[2])); }
+  // Into the lower triangle: a row eliminated after its column.
+  void place(const symbolic::Solve::Entry& entry, const std::vector<int>& first, Entries& matrix) {
+    Block block = entry.wide ? this->matrix(of(entry.block)) : of(entry.block);
+    if (entry.transposed) block = transposed(block);
+    const int row = first[static_cast<std::size_t>(entry.row)], column = first[static_cast<std::size_t>(entry.column)];
+    for (int i = 0; i < block.rows; ++i)
+      for (int j = 0; j < block.columns; ++j)
+        matrix[{std::max(row + i, column + j), std::min(row + i, column + j)}] = block.at(i, j);
+  }
 
-  Block symmetric(const scene::Symmetric& m) {
-    const Ref xy = value(m.xy), xz = value(m.xz), yz = value(m.yz);
-    return {3, 3, {value(m.xx), xy, xz, xy, value(m.yy), yz, xz, yz, value(m.zz)}};
+  static Block part(const std::vector<Ref>& values, int first, symbolic::Shape shape) {
+    const auto at = static_cast<std::size_t>(first);
+    if (shape == symbolic::Shape::scalar) return scalar(values[at]);
+    return vector(values[at], values[at + 1], values[at + 2]);
   }
 
   const symbolic::Equations& equations_;
-  const scene::Layout layout_{equations_.scene};
   Builder builder_;
-  std::vector<std::optional<Block>> values_;                     // of letters, by table index
-  std::vector<const symbolic::Quantity*> definitions_;           // likewise
-  std::vector<bool> used_;                                       // by the function being lowered
+  Data data_{equations_, builder_};
+  std::vector<std::optional<Block>> values_;  // of letters, by table index
+  std::map<int, Block> pivots_;               // of unknowns, likewise
+  Sections sections_;
+  std::vector<bool> used_;                    // by the function being lowered
 };
+
+// "theta_3" is theta3 in code.
+std::vector<std::string> joined(std::vector<std::string> names) {
+  for (std::string& name : names) name.erase(name.find('_'), 1);
+  return names;
+}
 
 program::ArgumentNames argument_names(const scene::Scene& scene) {
   program::ArgumentNames names;
-  const auto append = [&](std::vector<std::string>& list, const std::string& letter, int components) {
-    for (int k = 1; k <= size(scene); ++k)
-      for (int i = 1; i <= components; ++i)
-        list.push_back(letter + std::to_string(k) + "_" + std::to_string(i));
-  };
-  append(names.x, "eps", 4);
-  append(names.x, "s", 3);
-  append(names.y, "omega", 3);
-  append(names.y, "sdot", 3);
-  append(names.ydot, "omegadot", 3);
-  append(names.ydot, "sddot", 3);
+  names.x = joined(coordinate_names(scene));
+  names.y = joined(speed_names(scene));
+  names.ydot = joined(speed_rate_names(scene));
   for (const scene::Named& parameter : scene.parameters) names.parameters.push_back(parameter.name);
   for (const scene::Named& input : scene.inputs) names.inputs.push_back(input.name);
   return names;
 }
 
-const symbolic::Function& find(const symbolic::Equations& equations, const std::string& name) {
-  std::string known;
-  for (const symbolic::Function& function : equations.functions) {
-    if (function.name == name) return function;
-    known += (known.empty() ? "" : ", ") + function.name;
-  }
-  throw InputError("no function '" + name + "' in this model; it has: " + known);
-}
-
 }  // namespace
 
-program::Program lower(const symbolic::Equations& equations, const std::vector<std::string>& functions) {
-  std::vector<const symbolic::Function*> wanted;
-  for (const symbolic::Function& function : equations.functions)
-    if (functions.empty()) wanted.push_back(&function);
-  for (const std::string& name : functions) {
-    const symbolic::Function* function = &find(equations, name);
-    if (std::find(wanted.begin(), wanted.end(), function) == wanted.end()) wanted.push_back(function);
-  }
-  program::Program program = Lowering(equations).result(wanted);
+program::Program lower(const symbolic::Equations& equations) {
+  program::Program program = Lowering(equations).result();
   program.names = argument_names(equations.scene);
   return program;
 }

@@ -16,14 +16,19 @@ class Builder {
   Ref subtract(Ref a, Ref b) { return add(a, -b); }
   Ref multiply(Ref a, Ref b) { return {append(Multiply{a.node, b.node}).node, a.negative != b.negative}; }
   Ref divide(Ref a, Ref b) { return {append(Divide{a.node, b.node}).node, a.negative != b.negative}; }
-  Ref square_root(Ref a);                                              // of a negative reference: one subtraction more
   Ref sine(Ref a) { return {append(Sine{a.node}).node, a.negative}; }  // odd
   Ref cosine(Ref a) { return append(Cosine{a.node}); }                 // even
+  // Where a sign cannot be carried along, a negative reference costs one subtraction, of a constant none.
+  Ref square_root(Ref a) { return append(SquareRoot{value_of(a)}); }
+  Ref call(Unary function, Ref a);
+  Ref call(Binary function, Ref a, Ref b);
+  Ref select(Ref sign, Ref a, Ref b);  // sign < 0 ? a : b
   std::vector<Node>& nodes() { return nodes_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 
  private:
   Ref append(const Node& node);
+  Index value_of(Ref a);  // a node of this value, sign included
   std::vector<Node> nodes_;
 };
 

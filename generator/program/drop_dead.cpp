@@ -29,8 +29,8 @@ Program drop_dead(const Program& program) {
   const std::vector<bool> alive = reachable(program, roots);
   // a dead node is not made again; only dead nodes refer to it
   std::size_t at = 0;
-  return rebuilt(trimmed, [&](Builder& builder, const Node& node, Ref a, Ref b) {
-    return alive[at++] ? same_again(builder, node, a, b) : Ref{};
+  return rebuilt(trimmed, [&](Builder& builder, const Node& node, const Refs& now) {
+    return alive[at++] ? same_again(builder, node, now) : Ref{};
   });
 }
 

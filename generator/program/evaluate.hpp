@@ -3,11 +3,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "generator/program/program.hpp"
+#include "runtime/base/error.hpp"
 
 namespace kanec::program {
 
@@ -15,8 +17,10 @@ namespace kanec::program {
 template <class T>
 struct Arguments {
   std::vector<T> parameters, x, y, ydot, inputs;
+  T time = T(0.0);
 
   const T& operator[](const Variable& v) const {
+    if (v.group == Group::time) return time;
     const std::vector<T>* const groups[] = {&parameters, &x, &y, &ydot, &inputs};
     return (*groups[static_cast<std::size_t>(v.group)])[static_cast<std::size_t>(v.index)];
   }
@@ -47,6 +51,33 @@ struct Evaluate {
   T operator()(const Cosine& op) const {
     using std::cos;
     return cos(of(op.a));
+  }
+  T operator()(const UnaryCall& op) const { return call(op.function, of(op.a)); }
+  T operator()(const BinaryCall& op) const { return call(op.function, of(op.a), of(op.b)); }
+  T operator()(const Select& op) const { return of(op.sign) < T(0.0) ? of(op.a) : of(op.b); }
+
+  static T call(Unary function, const T& a) {
+    using std::abs, std::acos, std::asin, std::exp, std::log, std::tan, std::tanh;
+    switch (function) {
+      case Unary::tan: return tan(a);
+      case Unary::asin: return asin(a);
+      case Unary::acos: return acos(a);
+      case Unary::exp: return exp(a);
+      case Unary::log: return log(a);
+      case Unary::abs: return abs(a);
+      case Unary::tanh: return tanh(a);
+    }
+    throw InternalError("evaluate: no such function");
+  }
+  static T call(Binary function, const T& a, const T& b) {
+    using std::atan2, std::max, std::min, std::pow;
+    switch (function) {
+      case Binary::atan2: return atan2(a, b);
+      case Binary::min: return min(a, b);
+      case Binary::max: return max(a, b);
+      case Binary::pow: return pow(a, b);
+    }
+    throw InternalError("evaluate: no such function");
   }
 };
 

@@ -10,6 +10,8 @@ void count(const Node& node, Ledger& ledger) {
   ledger.divides += std::holds_alternative<Divide>(node);
   ledger.square_roots += std::holds_alternative<SquareRoot>(node);
   ledger.trigonometric += std::holds_alternative<Sine>(node) || std::holds_alternative<Cosine>(node);
+  ledger.functions += std::holds_alternative<UnaryCall>(node) || std::holds_alternative<BinaryCall>(node) ||
+                      std::holds_alternative<Select>(node);
 }
 
 Ledger counted(const Program& program, const std::vector<Stage>& stage, const std::vector<Ref>& roots, Stage wanted) {
@@ -46,6 +48,7 @@ std::string text(const Ledger& ledger) {
   append(ledger.divides, "divide");
   append(ledger.square_roots, "square root");
   append(ledger.trigonometric, "sine or cosine");
+  append(ledger.functions, "other function");
   return result;
 }
 

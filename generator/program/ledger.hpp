@@ -1,4 +1,4 @@
-// What an evaluation of a function costs, counted exactly. Not: time.
+// What an evaluation of a function costs, counted exactly (where it selects, both values are counted). Not: time.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -14,7 +14,8 @@ struct Ledger {
   int multiplies = 0;
   int divides = 0;
   int square_roots = 0;
-  int trigonometric = 0;
+  int trigonometric = 0;  // sines and cosines
+  int functions = 0;      // others, and selections
 
   int operations() const { return adds + multiplies + divides; }
   bool operator==(const Ledger&) const = default;

@@ -34,6 +34,7 @@ Program settled(Program program) {
 
 Program optimized(Program program) {
   program = settled(std::move(program));
+  program = settled(checked(collect(program)));
   program = checked(share_sums(program));
   return settled(std::move(program));
 }

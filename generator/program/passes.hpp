@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -12,6 +13,10 @@ namespace kanec::program {
 
 // Constants folded exactly, zeros and ones eliminated, signs taken out of products, x - x = 0.
 Program simplify(const Program& program);
+
+// Constants of a sum in one, and multiples of one value: 0.3 a + b + 0.1 + 0.2 a + c + 0.4 = 0.5 a + b + 0.5 + c. What costs
+// as much either way stays.
+Program collect(const Program& program);
 
 // Each operation once: hash-consing modulo commutation and the sign of differences.
 Program share(const Program& program);
@@ -26,10 +31,18 @@ Program drop_dead(const Program& program);
 Program optimized(Program program);
 
 // A program made anew node by node. `remake` gets the builder, the node, and its operands as they now are.
-using Remake = std::function<Ref(Builder&, const Node&, Ref, Ref)>;
+using Refs = std::array<Ref, 3>;
+using Remake = std::function<Ref(Builder&, const Node&, const Refs&)>;
 Program rebuilt(const Program& program, const Remake& remake);
 
+// The functions of two programs over the same arguments in one.
+Program joined(Program first, const Program& second);
+
+// A pass over each function alone: what functions have in common is no saving to any of them, and so each has the same
+// code whatever others the program holds.
+Program by_function(const Program& program, const std::function<Program(const Program&)>& pass);
+
 // The node itself on new operands.
-Ref same_again(Builder& builder, const Node& node, Ref a, Ref b);
+Ref same_again(Builder& builder, const Node& node, const Refs& operands);
 
 }  // namespace kanec::program

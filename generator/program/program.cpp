@@ -10,12 +10,14 @@ namespace {
 
 template <class Op>
 Operands operands_of(const Op& op) {
-  if constexpr (requires { op.b; })
-    return {{op.a, op.b}, 2};
+  if constexpr (requires { op.sign; })
+    return {{op.a, op.b, op.sign}, 3};
+  else if constexpr (requires { op.b; })
+    return {{op.a, op.b, 0}, 2};
   else if constexpr (requires { op.a; })
-    return {{op.a, 0}, 1};
+    return {{op.a, 0, 0}, 1};
   else
-    return {{0, 0}, 0};
+    return {{0, 0, 0}, 0};
 }
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
@@ -32,12 +34,29 @@ Operands operands(const Node& node) {
   return std::visit([](const auto& op) { return operands_of(op); }, node);
 }
 
+const char* name(Unary function) {
+  constexpr const char* names[] = {"tan", "asin", "acos", "exp", "log", "abs", "tanh"};
+  return names[static_cast<std::size_t>(function)];
+}
+
+const char* name(Binary function) {
+  constexpr const char* names[] = {"atan2", "min", "max", "pow"};
+  return names[static_cast<std::size_t>(function)];
+}
+
+std::vector<Result> results(const Function& function) {
+  const Signature& signature = function.signature;
+  if (!signature.results.empty()) return signature.results;
+  return {{signature.out, function.n_out, signature.layout, signature.columns}};
+}
+
 std::vector<Stage> stages(const Program& program) {
   std::vector<Stage> result;
   result.reserve(program.nodes.size());
   for (const Node& node : program.nodes) {
     Stage stage = own_stage(node);
     const Operands from = operands(node);
+    if (from.count > 0) stage = Stage::parameter;
     for (int i = 0; i < from.count; ++i) stage = std::max(stage, result[at(from.at[i])]);
     result.push_back(stage);
   }

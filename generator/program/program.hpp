@@ -24,8 +24,12 @@ struct Ref {
   auto operator<=>(const Ref&) const = default;
 };
 
-// Where a variable comes from; the arguments of emitted functions.
-enum class Group { parameter, x, y, ydot, input };
+// Where a variable comes from; the arguments of emitted functions. Time is one entry, of index 0.
+enum class Group { parameter, x, y, ydot, input, time };
+
+// Further functions, named as in the standard library.
+enum class Unary { tan, asin, acos, exp, log, abs, tanh };
+enum class Binary { atan2, min, max, pow };
 
 struct Constant { Number value; };           // a literal
 struct Variable { Group group; Index index; };  // an entry of an argument
@@ -33,15 +37,18 @@ struct Add { Index a, b; };                  // a + b
 struct Subtract { Index a, b; };             // a - b
 struct Multiply { Index a, b; };             // a * b
 struct Divide { Index a, b; };               // a / b
-// Not yet made by any lowering: one-axis joints will.
 struct SquareRoot { Index a; };              // sqrt(a)
 struct Sine { Index a; };                    // sin(a)
 struct Cosine { Index a; };                  // cos(a)
+struct UnaryCall { Unary function; Index a; };
+struct BinaryCall { Binary function; Index a, b; };
+struct Select { Index a, b, sign; };         // sign < 0 ? a : b; derivatives have it
 
-using Node = std::variant<Constant, Variable, Add, Subtract, Multiply, Divide, SquareRoot, Sine, Cosine>;
+using Node = std::variant<Constant, Variable, Add, Subtract, Multiply, Divide, SquareRoot, Sine, Cosine, UnaryCall,
+                          BinaryCall, Select>;
 
-// Root to leaves, or back: which of a body's two sections a quantity stands in.
-enum class Pass { outward, inward };
+// Root to leaves, back, and out again with what was solved: which of a body's sections a quantity stands in.
+enum class Pass { outward, inward, solved };
 
 // A named step of the derivation.
 struct Quantity {
@@ -60,12 +67,22 @@ struct Placement {
   Index offset;
 };
 
+// One of the results of a combined function.
+struct Result {
+  std::string out;
+  Index count = 0;
+  std::string layout;
+  Index columns = 0;
+};
+
 // Which arguments a function takes, what its result is called in code, and the result's layout. Time comes first where the
 // function reads it; inputs are also taken where it reads them.
 struct Signature {
   bool x = true, y = true, ydot = false, inputs = false;
   std::string out = "out";
-  std::string layout;  // "rates of x (nx) [1/s], [m/s]"
+  std::string layout;                // "rates of x (nx) [1/s], [m/s]"
+  Index columns = 0;                 // of a matrix whose pattern of entries that are not always 0 is of interest; else 0
+  std::vector<Result> results = {};  // of a combined function, one after another; empty: `out` alone
 };
 
 struct Function {
@@ -79,6 +96,9 @@ struct Function {
   Signature signature = {};
 };
 
+// What the function returns: one result, or several one after another.
+std::vector<Result> results(const Function& function);
+
 // Names of the arguments' entries, by group.
 struct ArgumentNames {
   std::vector<std::string> parameters, x, y, ydot, inputs;
@@ -91,14 +111,15 @@ struct Program {
   std::vector<Function> functions;
 };
 
-// What a node depends on, the most variable part: a constant, parameters only, or the arguments of a call.
+// What a node depends on, the most variable part: a constant, parameters only, or the arguments of a call. Operations on
+// constants that no pass folds, such as their sines, are of the parameters' stage: computed once.
 enum class Stage : std::uint8_t { constant, parameter, state };
 
 std::vector<Stage> stages(const Program& program);
 
 // The operands of a node.
 struct Operands {
-  Index at[2];
+  Index at[3];
   int count;
 };
 Operands operands(const Node& node);
@@ -108,6 +129,10 @@ std::vector<bool> reachable(const Program& program, const std::vector<Ref>& root
 
 // All outputs of all functions.
 std::vector<Ref> all_outputs(const Program& program);
+
+// "tan", as code writes it.
+const char* name(Unary function);
+const char* name(Binary function);
 
 // Throws InternalError unless operands stand before their users and every reference is in range.
 void check(const Program& program);

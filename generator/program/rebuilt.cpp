@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
 #include "generator/program/overloaded.hpp"
 #include "generator/program/passes.hpp"
 
@@ -16,7 +18,8 @@ void move_all(const std::vector<Ref>& to, std::vector<Ref>& refs) {
 
 }  // namespace
 
-Ref same_again(Builder& builder, const Node& node, Ref a, Ref b) {
+Ref same_again(Builder& builder, const Node& node, const Refs& operands) {
+  const Ref a = operands[0], b = operands[1], sign = operands[2];
   return std::visit(Overloaded{
                         [&](const Constant& op) { return builder.constant(op.value); },
                         [&](const Variable& op) { return builder.variable(op.group, op.index); },
@@ -27,27 +30,54 @@ Ref same_again(Builder& builder, const Node& node, Ref a, Ref b) {
                         [&](const SquareRoot&) { return builder.square_root(a); },
                         [&](const Sine&) { return builder.sine(a); },
                         [&](const Cosine&) { return builder.cosine(a); },
+                        [&](const UnaryCall& op) { return builder.call(op.function, a); },
+                        [&](const BinaryCall& op) { return builder.call(op.function, a, b); },
+                        [&](const Select&) { return builder.select(sign, a, b); },
                     },
                     node);
 }
 
-Program rebuilt(const Program& program, const Remake& remake) {
-  Builder builder;
-  builder.nodes().reserve(program.nodes.size());
+namespace {
+
+// The nodes of a program behind those of the builder, and where each is now.
+std::vector<Ref> remade(Builder& builder, const Program& program, const Remake& remake) {
+  builder.nodes().reserve(builder.nodes().size() + program.nodes.size());
   std::vector<Ref> to;
   to.reserve(program.nodes.size());
   for (const Node& node : program.nodes) {
     const Operands from = operands(node);
-    const Ref a = from.count > 0 ? to[static_cast<std::size_t>(from.at[0])] : Ref{};
-    const Ref b = from.count > 1 ? to[static_cast<std::size_t>(from.at[1])] : Ref{};
-    to.push_back(remake(builder, node, a, b));
+    Refs now;
+    for (int i = 0; i < from.count; ++i) now[static_cast<std::size_t>(i)] = to[static_cast<std::size_t>(from.at[i])];
+    to.push_back(remake(builder, node, now));
   }
+  return to;
+}
+
+void move_all(const std::vector<Ref>& to, Function& function) {
+  for (Quantity& quantity : function.quantities) move_all(to, quantity.entries);
+  move_all(to, function.outputs);
+}
+
+}  // namespace
+
+Program rebuilt(const Program& program, const Remake& remake) {
+  Builder builder;
+  const std::vector<Ref> to = remade(builder, program, remake);
   Program result{program.names, std::move(builder.nodes()), program.functions};
-  for (Function& function : result.functions) {
-    move_all(to, function.outputs);
-    for (Quantity& quantity : function.quantities) move_all(to, quantity.entries);
-  }
+  for (Function& function : result.functions) move_all(to, function);
   return result;
+}
+
+Program joined(Program first, const Program& second) {
+  Builder builder;
+  builder.nodes() = std::move(first.nodes);
+  const std::vector<Ref> to = remade(builder, second, same_again);
+  first.nodes = std::move(builder.nodes());
+  for (Function function : second.functions) {
+    move_all(to, function);
+    first.functions.push_back(std::move(function));
+  }
+  return first;
 }
 
 }  // namespace kanec::program

@@ -11,7 +11,7 @@ namespace kanec::program {
 namespace {
 
 // Operation and operands, commutative ones in ascending order; of constants the bits.
-using Key = std::array<std::uint64_t, 3>;
+using Key = std::array<std::uint64_t, 4>;
 
 struct Hash {
   std::size_t operator()(const Key& key) const {
@@ -21,8 +21,22 @@ struct Hash {
   }
 };
 
+// The kind of node and, of calls, the function.
+std::uint64_t operation(const Node& node) {
+  std::uint64_t function = 0;
+  if (const auto* unary = std::get_if<UnaryCall>(&node)) function = static_cast<std::uint64_t>(unary->function);
+  if (const auto* binary = std::get_if<BinaryCall>(&node)) function = static_cast<std::uint64_t>(binary->function);
+  return node.index() | function << 8;
+}
+
+bool commutes(const Node& node) {
+  if (const auto* call = std::get_if<BinaryCall>(&node))
+    return call->function == Binary::min || call->function == Binary::max;
+  return std::holds_alternative<Add>(node) || std::holds_alternative<Multiply>(node);
+}
+
 Key key_of(const Node& node) {
-  Key key = {node.index(), 0, 0};
+  Key key = {operation(node), 0, 0, 0};
   if (const auto* constant = std::get_if<Constant>(&node)) {
     // adding 0.0 makes one of the two zeros
     key[1] = std::bit_cast<std::uint64_t>(constant->value.high + 0.0);
@@ -33,8 +47,7 @@ Key key_of(const Node& node) {
   } else {
     const Operands from = operands(node);
     for (int i = 0; i < from.count; ++i) key[static_cast<std::size_t>(i) + 1] = static_cast<std::uint64_t>(from.at[i]);
-    const bool commutes = std::holds_alternative<Add>(node) || std::holds_alternative<Multiply>(node);
-    if (commutes && key[1] > key[2]) std::swap(key[1], key[2]);
+    if (commutes(node) && key[1] > key[2]) std::swap(key[1], key[2]);
   }
   return key;
 }
@@ -43,8 +56,8 @@ class Sharing {
  public:
   explicit Sharing(std::size_t size) { known_.reserve(size); }
 
-  Ref operator()(Builder& builder, const Node& node, Ref a, Ref b) {
-    const Ref made = same_again(builder, node, a, b);
+  Ref operator()(Builder& builder, const Node& node, const Refs& operands) {
+    const Ref made = same_again(builder, node, operands);
     const Node& now = builder.nodes().back();
     if (const auto* difference = std::get_if<Subtract>(&now)) {
       const auto reversed = known_.find(key_of(Subtract{difference->b, difference->a}));

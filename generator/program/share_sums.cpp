@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "generator/program/passes.hpp"
+#include "generator/program/sums.hpp"
 
 namespace kanec::program {
 namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node); }
 
 // Two terms up to a common sign, and the sums that hold both. Terms from `first_pair` on are pairs taken out before.
 struct Pair {
@@ -23,9 +22,9 @@ class SumSharing {
  public:
   explicit SumSharing(const Program& program)
       : program_(program), first_pair_(static_cast<Index>(program.nodes.size())) {
-    find_inner();
-    for (Index i = 0; i < first_pair_; ++i)
-      if (is_sum(program.nodes[at(i)]) && !inner_[at(i)]) flatten({i, false}, sums_[i]);
+    Sums sums(program);
+    inner_ = std::move(sums.inner);
+    sums_ = std::move(sums.sums);
     while (take_out_a_round()) {
     }
   }
@@ -34,53 +33,17 @@ class SumSharing {
     Index now = 0;
     std::map<Index, Ref> pair_nodes;
     std::vector<Ref> to;
-    return rebuilt(program_, [&](Builder& builder, const Node& node, Ref a, Ref b) {
+    return rebuilt(program_, [&](Builder& builder, const Node& node, const Refs& operands) {
       const Index index = now++;
       const auto sum = sums_.find(index);
       const bool plain = sum == sums_.end();
-      to.push_back(plain ? (inner_[at(index)] ? Ref{} : same_again(builder, node, a, b))
+      to.push_back(plain ? (inner_[at(index)] ? Ref{} : same_again(builder, node, operands))
                          : chain(builder, sum->second, to, pair_nodes));
       return to.back();
     });
   }
 
  private:
-  using Terms = std::vector<Ref>;
-
-  // A sum is inner when its one use is in another sum of its stage and no name or output stands for it.
-  void find_inner() {
-    const std::vector<Stage> stage = stages(program_);
-    std::vector<int> uses(program_.nodes.size(), 0);
-    std::vector<bool> used_in_sum(program_.nodes.size(), false);
-    for (std::size_t user = 0; user < program_.nodes.size(); ++user) {
-      const Operands from = operands(program_.nodes[user]);
-      for (int i = 0; i < from.count; ++i) {
-        const std::size_t operand = at(from.at[i]);
-        ++uses[operand];
-        if (is_sum(program_.nodes[user]) && stage[user] == stage[operand]) used_in_sum[operand] = true;
-      }
-    }
-    for (const Ref ref : all_outputs(program_)) uses[at(ref.node)] += 2;
-    for (const Function& function : program_.functions)
-      for (const Quantity& quantity : function.quantities)
-        for (const Ref ref : quantity.entries) uses[at(ref.node)] += 2;
-    inner_.resize(program_.nodes.size());
-    for (std::size_t i = 0; i < inner_.size(); ++i)
-      inner_[i] = is_sum(program_.nodes[i]) && uses[i] == 1 && used_in_sum[i];
-  }
-
-  void flatten(Ref ref, Terms& terms) const {
-    const Operands from = operands(program_.nodes[at(ref.node)]);
-    const bool difference = std::holds_alternative<Subtract>(program_.nodes[at(ref.node)]);
-    for (int i = 0; i < 2; ++i) {
-      const Ref operand{from.at[i], ref.negative != (difference && i == 1)};
-      if (inner_[at(operand.node)])
-        flatten(operand, terms);
-      else
-        terms.push_back(operand);
-    }
-  }
-
   static Pair pair_of(Ref a, Ref b) {
     if (a.node > b.node) std::swap(a, b);
     return {a.node, b.node, a.negative != b.negative};
@@ -167,36 +130,10 @@ class SumSharing {
   std::vector<Pair> pairs_;
 };
 
-// Appends the nodes and functions of another program.
-void append(Program& program, const Program& other) {
-  const auto first = static_cast<Index>(program.nodes.size());
-  const auto moved = [first](Ref ref) { return Ref{ref.node + first, ref.negative}; };
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  for (const Node& node : other.nodes) {
-    const Operands from = operands(node);
-    same_again(builder, node, {from.at[0] + first, false}, {from.at[1] + first, false});
-  }
-  program.nodes = std::move(builder.nodes());
-  for (Function function : other.functions) {
-    std::transform(function.outputs.begin(), function.outputs.end(), function.outputs.begin(), moved);
-    for (Quantity& quantity : function.quantities)
-      std::transform(quantity.entries.begin(), quantity.entries.end(), quantity.entries.begin(), moved);
-    program.functions.push_back(std::move(function));
-  }
-}
-
 }  // namespace
 
-// Function by function: what they have in common is no saving to any of them, and so each has the same code whatever
-// others the program holds.
 Program share_sums(const Program& program) {
-  Program result{program.names, {}, {}};
-  for (const Function& function : program.functions) {
-    const Program alone = drop_dead({program.names, program.nodes, {function}});
-    append(result, SumSharing(alone).result());
-  }
-  return share(result);
+  return by_function(program, [](const Program& alone) { return SumSharing(alone).result(); });
 }
 
 }  // namespace kanec::program

@@ -2,28 +2,23 @@
 #include "generator/scene/body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "generator/scene/check.hpp"
-#include "runtime/base/text.hpp"
+#include "generator/scene/read_joint.hpp"
+#include "generator/scene/read_motion.hpp"
 
 namespace kanec::scene {
 namespace {
 
 const char* const inertia_shape = "3 principal moments, or 3 rows of 3 (about the mass centre, body axes)";
-constexpr double worst_norm = 1e-6;  // Euler parameters written with fewer digits than this are worth a note
 
 std::string body_name(const Table& table, int k) {
   const std::optional<Node> node = table.find("name");
-  return node ? read_name(*node) : "body_" + std::to_string(k);
-}
-
-Joint read_joint(const Table& table) {
-  const std::optional<Node> node = table.find("joint");
-  const std::vector<std::string> kinds = {"free"};
-  if (node && node->text("free") != "free") node->refuse(one_of(kinds, node->text("free")));
-  return {};
+  if (!node) return "body_" + std::to_string(k);
+  std::string name = read_name(*node);
+  if (name == "ground") fail(node->place(), in_quotes(name) + ", the inertial frame", "another name");
+  return name;
 }
 
 Symmetric diagonal(const std::vector<Node>& moments, Symbols& symbols) {
@@ -56,76 +51,52 @@ Symmetric read_inertia(const Node& node, Symbols& symbols) {
   return matrix ? full(rows, node.place(), symbols) : diagonal(rows, symbols);
 }
 
-template <std::size_t n>
-void read_numbers(const Table& table, const char* key, std::array<double, n>& out) {
+Vector vector_or_zero(const Table& table, const char* key, Symbols& symbols) {
   const std::optional<Node> node = table.find(key);
-  if (!node) return;
-  const std::vector<Node> list = node->list(n, "a list of " + std::to_string(n) + " numbers");
-  for (std::size_t i = 0; i < n; ++i) out[i] = list[i].real("a finite number (names are not for the initial state)");
+  return node ? symbols.vector(*node) : Vector{};
 }
 
-// To unit norm in full precision; a note where the norm was far from it.
-void normalise(std::array<double, 4>& eps, const Place& place, std::vector<std::string>& notes) {
-  long double square = 0;
-  for (const double e : eps) square += static_cast<long double>(e) * e;
-  const long double norm = std::sqrt(square);
-  if (norm == 0) fail(place, "Euler parameters of norm 0", "any other four numbers, scalar last; they are normalised");
-  for (double& e : eps) e = static_cast<double>(e / norm);
-  if (std::fabs(norm - 1) > worst_norm)
-    notes.push_back(
-        remark(place, "Euler parameters of norm " + shortest(static_cast<double>(norm)) + ", normalised to 1"));
-}
-
-void read_state(const Table& table_of_body, Body& body, std::vector<std::string>& notes) {
-  const std::optional<Node> node = table_of_body.find("initial");
-  if (!node) return;
-  const Table table(*node, "initial.");
-  table.only({"eps", "omega", "s", "sdot"});
-  read_numbers(table, "eps", body.initial.eps);
-  read_numbers(table, "omega", body.initial.omega);
-  std::array<double, 3> s{}, sdot{};
-  read_numbers(table, "s", s);
-  read_numbers(table, "sdot", sdot);
-  for (std::size_t i = 0; i < 3; ++i) {
-    body.joint.slides[i].value = s[i];
-    body.joint.slides[i].rate = sdot[i];
-  }
-  if (const auto eps = table.find("eps")) normalise(body.initial.eps, eps->place(), notes);
-}
-
-Vector vector_or_zero(const Table& table, const char* key, Symbols& symbols, Number (Symbols::*read)(const Node&)) {
-  const std::optional<Node> node = table.find(key);
-  return node ? symbols.vector(*node, read) : Vector{};
-}
-
-// The table, with "body 3 (arm)" in every place.
-Table located(const Node& node, int k, std::string* name) {
-  Place place = node.place();
-  place.field.clear();
-  place.body = "body " + std::to_string(k);
-  *name = body_name(Table(Node(node.value(), place), ""), k);
-  if (*name != "body_" + std::to_string(k)) place.body += " (" + *name + ")";
-  return Table(Node(node.value(), place), "");
+// Refuses keys that no body has as unknown ones, and those of other joints with what this one takes.
+void check_keys(const Table& table, const JointKind& kind) {
+  std::vector<std::string> own = {"name", "joint"};
+  own.insert(own.end(), kind.keys.begin(), kind.keys.end());
+  for (const char* key : {"mass", "inertia", "r", "q", "force", "moment", "initial", "motion"}) own.emplace_back(key);
+  const std::vector<std::string>& all = joint_keys();
+  for (const auto& [key, node] : table.entries())
+    if (std::find(all.begin(), all.end(), key) != all.end() && !kind.takes(key))
+      fail(node.place(), "a key that joint \"" + kind.name + "\" does not have",
+           kind.keys.empty() ? "none of its own" : one_of(kind.keys, key));
+  table.only(own);
 }
 
 }  // namespace
 
-Body read_body(const Node& node, int k, Symbols& symbols, Scene& scene) {
+BodyTable read_body_table(const Node& node, int k) {
+  Place place = node.place();
+  place.field.clear();
+  place.body = "body " + std::to_string(k);
+  std::string name = body_name(Table(Node(node.value(), place), ""), k);
+  if (name != "body_" + std::to_string(k)) place.body += " (" + name + ")";
+  BodyTable out{Table(Node(node.value(), place), ""), std::move(name)};
+  out.kind = &read_joint_kind(out.table);
+  check_keys(out.table, *out.kind);
+  return out;
+}
+
+Body read_body(const BodyTable& from, Symbols& symbols, Scene& scene) {
+  const Table& table = from.table;
   Body body;
-  const Table table = located(node, k, &body.name);
-  table.only({"name", "joint", "mass", "inertia", "r", "q", "force", "moment", "initial"});
-  body.joint = read_joint(table);
-  const Node mass = table.at("mass", "a positive number or the name of a parameter [kg]");
+  body.name = from.name;
+  body.joint = read_joint(table, *from.kind, scene.notes);
+  const Node mass = table.at("mass", "a number or the name of a parameter [kg]");
   const Node inertia = table.at("inertia", inertia_shape);
   body.mass = symbols.constant_or_parameter(mass);
   check_mass(body.mass, symbols, mass.place());
   body.inertia = read_inertia(inertia, symbols);
-  if (auto warning = check_inertia(body.inertia, symbols, inertia.place())) scene.warnings.push_back(*warning);
-  body.r = vector_or_zero(table, "r", symbols, &Symbols::constant_or_parameter);
-  body.q = vector_or_zero(table, "q", symbols, &Symbols::constant_or_parameter);
-  body.force = vector_or_zero(table, "force", symbols, &Symbols::any);
-  body.moment = vector_or_zero(table, "moment", symbols, &Symbols::any);
-  read_state(table, body, scene.notes);
+  check_inertia(body.inertia, symbols, inertia.place());
+  body.r = vector_or_zero(table, "r", symbols);
+  body.q = vector_or_zero(table, "q", symbols);
+  read_initial(table, *from.kind, body, scene.notes);
   return body;
 }
 

@@ -1,17 +1,29 @@
-// One [[body]] table to a checked Body. Not: the scene around it.
+// One [[body]] table to a Body: name, mass, joint, beginning. Not: what needs all bodies: motions (read_motion.hpp) and
+// loads (read_load.hpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "generator/scene/joint_kind.hpp"
 #include "generator/scene/node.hpp"
 #include "generator/scene/scene.hpp"
 #include "generator/scene/symbols.hpp"
 
 namespace kanec::scene {
 
-// Body `k` (from 1) of a scene. Appends to the scene's notes and warnings. Throws SceneError.
-Body read_body(const Node& node, int k, Symbols& symbols, Scene& scene);
+// A table of [[body]] whose messages name the body, "body 3 (arm)".
+struct BodyTable {
+  Table table;
+  std::string name;
+  const JointKind* kind = nullptr;
+};
+
+// That of body `k` (from 1), its keys checked. Throws SceneError.
+BodyTable read_body_table(const Node& node, int k);
+
+// Appends to the scene's notes. Throws SceneError.
+Body read_body(const BodyTable& from, Symbols& symbols, Scene& scene);
 
 }  // namespace kanec::scene

@@ -57,23 +57,22 @@ void check_count(double duration, double interval, double most, const std::strin
 
 void check_mass(const Number& mass, const Symbols& symbols, const Place& place) {
   const double value = symbols.value(mass);
-  if (value >= least_mass) return;
-  const std::string reason =
-      value < 0 ? "" : ": without mass the acceleration of a free body is undetermined (A is singular)";
-  fail(place, symbols.shown(mass), "a positive number" + reason);
+  if (value != 0 && value < least_mass) fail(place, symbols.shown(mass), "a positive number, or zero");
 }
 
-std::optional<std::string> check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place) {
+void check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place) {
   const std::array<double, 3> moments = principal_moments(inertia, symbols);
-  const double zero = zero_moment * moments[2];
-  if (moments[0] < -zero || moments[2] < 0)
+  const bool negative = moments[0] < -zero_moment * moments[2] || moments[2] < 0;
+  if (negative || (moments[2] != 0 && moments[2] < least_mass))
     fail(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) + ")",
-         "a positive definite matrix; one of these is negative");
-  if (moments[0] <= zero || moments[2] < least_mass)
-    fail(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) + ")",
-         "a positive definite matrix: about an axis without inertia the angular acceleration of a free body is "
-         "undetermined (A is singular)");
+         negative ? "a positive definite matrix; one of these is negative" : "larger ones, or zeros");
+}
+
+std::optional<std::string> inertia_warning(const Symmetric& inertia, bool one_direction, const Symbols& symbols,
+                                           const Place& place) {
+  const std::array<double, 3> moments = principal_moments(inertia, symbols);
   if (moments[0] + moments[1] >= moments[2] * (1 - triangle_margin)) return std::nullopt;
+  if (one_direction && moments[1] <= zero_moment * moments[2]) return std::nullopt;
   return remark(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) +
                            ") violate the triangle inequality: the largest exceeds the sum of the others, as in no "
                            "rigid body; modelled as written");

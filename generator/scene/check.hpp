@@ -12,11 +12,15 @@
 
 namespace kanec::scene {
 
-// Parameters are judged by their defaults. A free joint needs a positive mass and a positive definite inertia, else A
-// is singular. Both throw SceneError; check_inertia returns a warning where the principal moments violate the triangle
-// inequality, which no rigid body does and published models do.
+// Parameters are judged by their defaults. Zero is allowed here: what no coordinate accelerates may be massless
+// (singular.hpp). Both throw SceneError.
 void check_mass(const Number& mass, const Symbols& symbols, const Place& place);
-std::optional<std::string> check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place);
+void check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place& place);
+
+// Where the principal moments violate the triangle inequality, which no rigid body does and published models do. None
+// for a body with a single moment that turns about one direction: planar models give no other.
+std::optional<std::string> inertia_warning(const Symmetric& inertia, bool one_direction, const Symbols& symbols,
+                                           const Place& place);
 
 // Where the setting of a key of Simulation stands: in a file, or on a command line.
 using PlaceOf = std::function<Place(const std::string& key)>;

@@ -50,7 +50,7 @@ std::string one_of(const std::vector<std::string>& known, std::string_view found
   std::string text;
   for (std::size_t i = 0; i < known.size() && i < shown_names; ++i) text += (i == 0 ? "" : ", ") + known[i];
   if (known.size() > shown_names) text += ", … (" + std::to_string(known.size()) + " in all)";
-  const std::string near = found.size() > longest_name ? "" : nearest(found, known);
+  const std::string near = found.empty() || found.size() > longest_name ? "" : nearest(found, known);
   return near.empty() ? text : text + " (did you mean " + near + "?)";
 }
 

@@ -25,7 +25,7 @@ std::string remark(const Place& place, const std::string& text);
 // In double quotes, control characters as \xNN, cut after 40 bytes.
 std::string in_quotes(std::string_view text);
 
-// "a, b, c"; where one of them is near to `found`: "a, b, c (did you mean b?)".
+// "a, b, c"; where one of them is near to `found`: "a, b, c (did you mean b?)". Empty text is near to none.
 std::string one_of(const std::vector<std::string>& known, std::string_view found);
 
 }  // namespace kanec::scene

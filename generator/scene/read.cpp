@@ -7,8 +7,14 @@
 #include "generator/scene/body.hpp"
 #include "generator/scene/check.hpp"
 #include "generator/scene/connection.hpp"
+#include "generator/scene/expression_names.hpp"
 #include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
+#include "generator/scene/read_functions.hpp"
+#include "generator/scene/read_load.hpp"
+#include "generator/scene/read_motion.hpp"
+#include "generator/scene/read_point.hpp"
+#include "generator/scene/singular.hpp"
 #include "generator/scene/symbols.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -48,21 +54,48 @@ std::vector<Node> body_tables(const Table& root, std::size_t wanted) {
   return tables;
 }
 
-void refuse_duplicates(const std::vector<Body>& bodies, const std::vector<Node>& tables) {
-  for (std::size_t k = 0; k < bodies.size(); ++k)
+void refuse_duplicates(const std::vector<BodyTable>& tables) {
+  for (std::size_t k = 0; k < tables.size(); ++k)
     for (std::size_t j = 0; j < k; ++j)
-      if (bodies[j].name == bodies[k].name) {
-        Place place = tables[k].place();
+      if (tables[j].name == tables[k].name) {
+        Place place = tables[k].table.place();
         place.body = "body " + std::to_string(k + 1);
         place.field = "name";
-        fail(place, in_quotes(bodies[k].name) + ", the name of body " + std::to_string(j + 1), "another name");
+        fail(place, in_quotes(tables[k].name) + ", the name of body " + std::to_string(j + 1), "another name");
       }
 }
 
-void read_bodies(const Table& root, Symbols& symbols, Scene& scene) {
-  const std::vector<Node> tables = body_tables(root, scene.lower.size());
-  for (const Node& table : tables) scene.bodies.push_back(read_body(table, size(scene) + 1, symbols, scene));
-  refuse_duplicates(scene.bodies, tables);
+// What depends on more than one body.
+void check_tree(const std::vector<BodyTable>& tables, const Symbols& symbols, Scene& scene) {
+  const std::vector<Attitude> attitudes = initial_attitudes(scene);
+  check_resistance(scene, attitudes,
+                   [&tables](int k) { return tables[static_cast<std::size_t>(k - 1)].table.place(); });
+  const std::vector<bool> one_direction = turns_about_one_direction(scene, attitudes);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    const Place place = tables[k].table.at("inertia", "").place();
+    if (auto warning = inertia_warning(scene.bodies[k].inertia, one_direction[k], symbols, place))
+      scene.warnings.push_back(*warning);
+  }
+}
+
+// Joints first, then what refers to them.
+void read_tree(const Table& root, Symbols& symbols, Scene& scene) {
+  std::vector<BodyTable> tables;
+  for (const Node& node : body_tables(root, scene.lower.size()))
+    tables.push_back(read_body_table(node, static_cast<int>(tables.size()) + 1));
+  refuse_duplicates(tables);
+  for (const BodyTable& table : tables) scene.bodies.push_back(read_body(table, symbols, scene));
+  symbols.refuse(taken_names(scene));
+  const std::vector<ExpressionName> names = names_for_motions(scene);
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    read_motion(tables[k].table, *tables[k].kind, static_cast<int>(k) + 1, names, scene);
+  for (const Expression& expression : scene.expressions) symbols.mark_used(expression);
+  check_tree(tables, symbols, scene);
+  read_points(root, symbols, scene);
+  Magnitudes magnitudes(scene, symbols);
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    read_body_loads(tables[k], static_cast<int>(k) + 1, magnitudes, scene);
+  read_loads(root, magnitudes, symbols, scene);
 }
 
 Simulation read_simulation(const Table& root) {
@@ -90,18 +123,20 @@ Simulation read_simulation(const Table& root) {
 }
 
 Scene read_scene(const Table& root) {
-  root.only({"name", "connection", "gravity", "parameters", "inputs", "body", "simulate"});
+  root.only(
+      {"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate"});
   Scene scene;
   Symbols symbols;
   scene.name = read_scene_name(root.at("name", "the name of the scene"));
   if (const auto node = root.find("parameters")) symbols.add_parameters(Table(*node, "parameters."));
   if (const auto node = root.find("inputs")) symbols.add_inputs(Table(*node, "inputs."));
-  if (const auto node = root.find("gravity")) scene.gravity = symbols.vector(*node, &Symbols::constant_or_parameter);
-  scene.lower = read_connection(root);
-  read_bodies(root, symbols, scene);
-  scene.simulation = read_simulation(root);
   scene.parameters = symbols.parameters();
   scene.inputs = symbols.inputs();
+  if (const auto node = root.find("gravity")) scene.gravity = symbols.vector(*node);
+  scene.lower = read_connection(root);
+  read_tree(root, symbols, scene);
+  scene.functions = read_functions(root);
+  scene.simulation = read_simulation(root);
   for (std::string& warning : symbols.warnings()) scene.warnings.push_back(std::move(warning));
   return scene;
 }
@@ -113,6 +148,11 @@ Scene parse(std::string_view text, const std::string& file) {
   return read_scene(Table(table, {file}, ""));
 }
 
-Scene read(const std::filesystem::path& path) { return parse(read_file(path), path.string()); }
+Scene read(const std::filesystem::path& path) {
+  Scene scene = parse(read_file(path), path.string());
+  const std::filesystem::path full = std::filesystem::absolute(path).lexically_normal();
+  scene.source = (full.parent_path().filename() / full.filename()).generic_string();
+  return scene;
+}
 
 }  // namespace kanec::scene

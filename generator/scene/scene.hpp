@@ -51,7 +51,8 @@ struct Simulation {
 
 // Body K of the text is bodies[K-1]; lower[K-1] is L(K), 0 = inertial frame, L(K) < K.
 struct Scene {
-  std::string name;  // a C++ identifier
+  std::string name;    // a C++ identifier
+  std::string source;  // folder and name of the file it was read from, as "pendulum/scene.toml"; empty where none
   std::vector<int> lower;
   std::vector<Body> bodies;
   Vector gravity;  // inertial axes [m/s²]

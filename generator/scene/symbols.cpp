@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "runtime/base/text.hpp"
 
@@ -36,7 +35,8 @@ bool looks_like_macro(const std::string& name) {
 void check_name(const std::string& name, const Place& place) {
   if (!is_identifier(name)) fail(place, in_quotes(name), name_rule);
   if (contains(reserved, name)) fail(place, in_quotes(name) + ", which the emitted code uses itself", "another name");
-  if (looks_like_macro(name)) fail(place, in_quotes(name) + ", which may be a macro in C headers", "a name with small letters");
+  if (looks_like_macro(name))
+    fail(place, in_quotes(name) + ", which may be a macro in C headers", "a name with small letters");
 }
 
 template <class List>
@@ -76,36 +76,33 @@ void Symbols::add(std::vector<Symbol>& list, const Table& table) {
   }
 }
 
-Number Symbols::constant_or_parameter(const Node& node) { return read(node, false); }
-Number Symbols::any(const Node& node) { return read(node, true); }
-
-Number Symbols::read(const Node& node, bool inputs_allowed) {
-  const std::string kinds = inputs_allowed ? "parameter or input" : "parameter";
-  if (!node.is_text()) return Number::constant(node.real("a finite number, or the name of a " + kinds));
-  const std::string name = node.text("");
+std::optional<Number> Symbols::find(const std::string& name) {
   if (const auto index = index_of(parameters_, name)) {
     parameters_[static_cast<std::size_t>(*index)].used = true;
     return Number::parameter(*index);
   }
   const auto index = index_of(inputs_, name);
-  if (index && !inputs_allowed)
-    fail(node.place(), "the input " + name, "a number or a parameter: inputs are for force and moment alone");
-  if (index) {
-    inputs_[static_cast<std::size_t>(*index)].used = true;
-    return Number::input(*index);
-  }
-  std::vector<std::string> known;
-  for (const Symbol& symbol : parameters_) known.push_back(symbol.named.name);
-  for (const Symbol& symbol : inputs_)
-    if (inputs_allowed) known.push_back(symbol.named.name);
-  const std::string names = known.empty() ? " (this scene has none)" : ": " + one_of(known, name);
-  fail(node.place(), "the text " + in_quotes(name), "a number or the name of a " + kinds + names);
+  if (!index) return std::nullopt;
+  inputs_[static_cast<std::size_t>(*index)].used = true;
+  return Number::input(*index);
 }
 
-Vector Symbols::vector(const Node& node, Number (Symbols::*read_one)(const Node&)) {
+Number Symbols::constant_or_parameter(const Node& node) {
+  if (!node.is_text()) return Number::constant(node.real("a finite number, or the name of a parameter"));
+  const std::string name = node.text("");
+  const std::optional<Number> found = find(name);
+  if (found && found->kind == Number::Kind::parameter) return *found;
+  if (found) fail(node.place(), "the input " + name, "a number or a parameter: inputs are for loads alone");
+  std::vector<std::string> known;
+  for (const Symbol& symbol : parameters_) known.push_back(symbol.named.name);
+  const std::string names = known.empty() ? " (this scene has none)" : ": " + one_of(known, name);
+  fail(node.place(), "the text " + in_quotes(name), "a number or the name of a parameter" + names);
+}
+
+Vector Symbols::vector(const Node& node) {
   Vector out;
   const std::vector<Node> list = node.list(3, "a list of 3 numbers or names");
-  for (std::size_t i = 0; i < 3; ++i) out[i] = (this->*read_one)(list[i]);
+  for (std::size_t i = 0; i < 3; ++i) out[i] = constant_or_parameter(list[i]);
   return out;
 }
 
@@ -120,6 +117,20 @@ std::string Symbols::shown(const Number& number) const {
   const auto& list = number.kind == Number::Kind::parameter ? parameters_ : inputs_;
   const Named& named = list[static_cast<std::size_t>(number.index)].named;
   return named.name + " = " + shortest(named.value);
+}
+
+void Symbols::mark_used(const Expression& expression) {
+  for (const ExpressionNode& node : expression.nodes) {
+    if (node.kind == ExpressionNode::Kind::parameter) parameters_[static_cast<std::size_t>(node.index)].used = true;
+    if (node.kind == ExpressionNode::Kind::input) inputs_[static_cast<std::size_t>(node.index)].used = true;
+  }
+}
+
+void Symbols::refuse(const std::map<std::string, std::string>& taken) const {
+  for (const auto* list : {&parameters_, &inputs_})
+    for (const Symbol& symbol : *list)
+      if (const auto found = taken.find(symbol.named.name); found != taken.end())
+        fail(symbol.place, in_quotes(symbol.named.name) + ", which is " + found->second, "another name");
 }
 
 std::vector<std::string> Symbols::warnings() const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +25,17 @@ class Symbols {
   void add_inputs(const Table& table);
 
   Number constant_or_parameter(const Node& node);
-  Number any(const Node& node);  // inputs as well
-  Vector vector(const Node& node, Number (Symbols::*read)(const Node&));
+  Vector vector(const Node& node);                      // of three such
+  std::optional<Number> find(const std::string& name);  // the parameter or input, now used; or none
 
   // The constant, or the parameter's or input's default.
   double value(const Number& number) const;
   // How a number is written in a message: "0.5", "m_payload = 0.5".
   std::string shown(const Number& number) const;
+
+  void mark_used(const Expression& expression);
+  // Refuses names that mean something else already; `taken` says what. Throws SceneError.
+  void refuse(const std::map<std::string, std::string>& taken) const;
 
   std::vector<std::string> warnings() const;  // one a parameter or input that nothing uses
   std::vector<Named> parameters() const { return named(parameters_); }
@@ -42,7 +48,6 @@ class Symbols {
     bool used = false;
   };
   void add(std::vector<Symbol>& list, const Table& table);
-  Number read(const Node& node, bool inputs_allowed);
   static std::vector<Named> named(const std::vector<Symbol>& list);
 
   std::vector<Symbol> parameters_;

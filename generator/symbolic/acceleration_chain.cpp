@@ -9,42 +9,75 @@ using GiNaC::ex;
 
 namespace {
 
-ex spin_value(const Rates& rates, const Letters& of) {
-  return skew(of.omega) * skew(of.omega) + skew(rates.of(of.omega));
-}
+// U = ω̇~ + ω̃ω̃: U a is the acceleration that rotation gives a point fixed at a.
+ex spin_value(const Rates& rates, const ex& omega) { return skew(omega) * skew(omega) + skew(rates.of(omega)); }
 
 }  // namespace
 
-ex define_spin(Derivation& derivation, const Rates& rates, int body) {
-  return derivation.define("U", "U", body, Pass::outward, spin_value(rates, derivation.letters(body)),
-                           "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]");
+AccelerationChain::AccelerationChain(Derivation& derivation, Rates rates)
+    : derivation_(derivation), rates_(std::move(rates)), spin_{ex(0)}, origin_{-derivation.equations.gravity} {}
+
+void AccelerationChain::add_spin(int k) {
+  const Letters& link = derivation_.letters(k);
+  const int below = derivation_.lower(k);
+  if (link.turns_with_lower && link.to_lower.is_equal(1)) {
+    spin_.push_back(spin_[static_cast<std::size_t>(below)]);
+    return;
+  }
+  if (link.turns_with_lower && GiNaC::is_a<Atom>(link.omega))
+    rates_.set(link.omega, derivation_.define("omegadot", "\\dot\\omega", k, Pass::outward, factored(rates_.of(link.omega_value)),
+                                              "angular acceleration, body axes [rad/s^2]"));
+  spin_.push_back(derivation_.define("U", "U", k, Pass::outward, spin_value(rates_, link.omega),
+                                     "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]"));
 }
 
-ex through_spin(const ex& acceleration, const ex& spin, const Rates& rates, const Letters& of) {
+ex AccelerationChain::with_spin(const ex& acceleration, int k) const {
   const ex simple = factored(acceleration);
-  if (of.omega.is_zero()) return simple;
-  const ex value = spin_value(rates, of);
-  return simple.subs(GiNaC::lst{value == spin, -value == -spin}, GiNaC::subs_options::no_pattern);
+  const ex& omega = derivation_.letters(k).omega;
+  if (omega.is_zero()) return simple;
+  const ex value = spin_value(rates_, omega);
+  return simple.subs(GiNaC::lst{value == spin(k), -value == -spin(k)}, GiNaC::subs_options::no_pattern);
 }
 
-Accelerations derive_acceleration_chain(Derivation& derivation, Rates rates) {
-  const Tables& tables = derivation.equations.tables;
-  Accelerations chain{{ex(0)}, {ex(0)}};
+void AccelerationChain::add_origin(int k, const ex* known) {
+  const int below = derivation_.lower(k);
+  const ex value = known ? *known
+                                : with_spin(derivation_.in_axes(joint_point(k), below, derivation_.home(k)), below);
+  origin_.push_back(derivation_.define("Pddot", "\\ddot P", k, Pass::outward, value,
+                                       derivation_.home(k) == 0
+                                           ? "acceleration of the body origin, less gravity, inertial axes [m/s^2]"
+                                           : "acceleration of the body origin, less gravity, body axes [m/s^2]"));
+}
+
+ex AccelerationChain::joint_point(int k) const {
+  const int below = derivation_.lower(k);
+  const ex relative = derivation_.equations.tables.origin_rate[static_cast<std::size_t>(k - 1)] -
+                      derivation_.origin_rates[static_cast<std::size_t>(below)];
+  return derivation_.in_axes(origin(below), derivation_.home(below), below) +
+         derivation_.in_axes(rates_.of(relative), 0, below);
+}
+
+ex AccelerationChain::about_origin(int k) const {
+  const auto at = static_cast<std::size_t>(k);
+  const ex value = rates_.of(derivation_.equations.tables.velocity[at - 1] - derivation_.origin_rates[at]);
+  return with_spin(derivation_.in_axes(value, 0, derivation_.home(k)), k);
+}
+
+ex AccelerationChain::centre(int k) {
+  return derivation_.define("a", "a", k, Pass::outward, origin(k) + about_origin(k),
+                            derivation_.home(k) == 0 ? "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"
+                                                     : "acceleration of the mass centre, less gravity, body axes [m/s^2]");
+}
+
+ex AccelerationChain::of_point(int k, const ex& place) const {
+  return origin(k) + derivation_.in_axes(spin(k) * place, k, derivation_.home(k));
+}
+
+AccelerationChain derive_acceleration_chain(Derivation& derivation, const Rates& rates) {
+  AccelerationChain chain(derivation, rates);
   for (int k = 1; k <= derivation.size(); ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const int below = derivation.lower(k);
-    chain.spin.push_back(define_spin(derivation, rates, k));
-    const ex gravity = below == 0 ? derivation.equations.gravity : ex(0);
-    const ex origin = rates.of(tables.origin_rate[at - 1]) - gravity;
-    const ex Pddot = derivation.define(
-        "Pddot", "\\ddot P", k, Pass::outward,
-        through_spin(origin, chain.spin[static_cast<std::size_t>(below)], rates, derivation.letters(below)),
-        "acceleration of the body origin, less gravity, inertial axes [m/s^2]");
-    rates.set(derivation.origin_rates[at], Pddot);
-    const ex centre = rates.of(tables.velocity[at - 1]);
-    chain.centre.push_back(derivation.define("a", "a", k, Pass::outward,
-                                             through_spin(centre, chain.spin[at], rates, derivation.letters(k)),
-                                             "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"));
+    chain.add_spin(k);
+    chain.add_origin(k);
   }
   return chain;
 }

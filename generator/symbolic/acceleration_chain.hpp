@@ -8,20 +8,39 @@
 
 namespace kanec::symbolic {
 
-// U_K = ω̇~ + ω̃ω̃ from rates that know ω̇_K: U a is the acceleration that rotation gives a point fixed at a.
-GiNaC::ex define_spin(Derivation& derivation, const Rates& rates, int body);
+// Accelerations less gravity, by link; gravity enters as an acceleration −g of the inertial frame, exact since every v_K
+// then changes by the same g t. In home axes.
+class AccelerationChain {
+ public:
+  // `rates` gives the rates of the speeds.
+  AccelerationChain(Derivation& derivation, Rates rates);
 
-// An acceleration with common factors taken out and U_K by its name.
-GiNaC::ex through_spin(const GiNaC::ex& acceleration, const GiNaC::ex& spin, const Rates& rates, const Letters& of);
+  // The next link, from 1 on: ω̇ and U, then P̈. A known P̈ (home axes) stands for what the lower link gives.
+  void add_spin(int link);
+  void add_origin(int link, const GiNaC::ex* known = nullptr);
+  // P̈ as the lower link and the joint give it, axes of the lower link, not yet factored.
+  GiNaC::ex joint_point(int link) const;
 
-// Accelerations less gravity, by body from 1; gravity enters as an acceleration −g of the inertial frame, exact since
-// every v_K then changes by the same g t.
-struct Accelerations {
-  std::vector<GiNaC::ex> spin;    // U_K
-  std::vector<GiNaC::ex> centre;  // a_K = v̇_K − g
+  // a = v̇ − g of the mass centre, home axes.
+  GiNaC::ex centre(int link);
+  // With common factors taken out and U of the link by its name.
+  GiNaC::ex with_spin(const GiNaC::ex& acceleration, int link) const;
+  // a without its part P̈; home axes.
+  GiNaC::ex about_origin(int link) const;
+  // Of a point at `place` from the origin, link axes; home axes, less gravity.
+  GiNaC::ex of_point(int link, const GiNaC::ex& place) const;
+
+  const GiNaC::ex& spin(int link) const { return spin_[static_cast<std::size_t>(link)]; }      // U
+  const GiNaC::ex& origin(int link) const { return origin_[static_cast<std::size_t>(link)]; }  // P̈
+  Rates& rates() { return rates_; }
+
+ private:
+  Derivation& derivation_;
+  Rates rates_;
+  std::vector<GiNaC::ex> spin_, origin_;
 };
 
-// `rates` gives the rates of the speeds.
-Accelerations derive_acceleration_chain(Derivation& derivation, Rates rates);
+// All links.
+AccelerationChain derive_acceleration_chain(Derivation& derivation, const Rates& rates);
 
 }  // namespace kanec::symbolic

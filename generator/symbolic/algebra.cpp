@@ -39,6 +39,9 @@ REGISTER_FUNCTION(skew, eval_func(skew_eval).set_return_type(GiNaC::return_types
 REGISTER_FUNCTION(dot, set_return_type(GiNaC::return_types::commutative))
 REGISTER_FUNCTION(rotation, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(inverse, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(turn, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(congruence, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(expression, set_return_type(GiNaC::return_types::commutative))
 REGISTER_FUNCTION(gyroscopic, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(inertia_moment, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 
@@ -92,7 +95,7 @@ namespace {
 ex transposed_factor(const ex& factor, const std::function<ex(const Atom&)>& of_atom) {
   if (GiNaC::is_a<Atom>(factor)) return of_atom(GiNaC::ex_to<Atom>(factor));
   if (is_ex_the_function(factor, skew)) return -factor;
-  if (is_ex_the_function(factor, inverse)) return factor;
+  if (is_ex_the_function(factor, inverse) || is_ex_the_function(factor, congruence)) return factor;
   throw InternalError("transpose of a block that has none");
 }
 
@@ -128,7 +131,24 @@ ex time_derivative(const ex& e, const std::function<ex(const Atom&)>& rate) {
   return sum(expanded(result));
 }
 
+namespace {
+
+ex partial_by_scalar(const ex& e, const ex& y) {
+  ex result = 0;
+  for (const Term& term : expanded(e)) {
+    const ex scalar = term.scalar.expand();
+    if (!scalar.has(y)) continue;
+    if (scalar.degree(y) != 1 || scalar.ldegree(y) != 1)
+      throw InternalError("partial derivative of an expression that is not linear");
+    result += scalar.coeff(y, 1) * product(term.factors);
+  }
+  return result;
+}
+
+}  // namespace
+
 ex partial(const ex& e, const ex& y) {
+  if (shape_of(y) == Shape::scalar) return partial_by_scalar(e, y);
   const ex cross = skew(y);
   ex result = 0;
   for (const Term& term : expanded(e)) {

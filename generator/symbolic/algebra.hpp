@@ -40,6 +40,12 @@ DECLARE_FUNCTION_2P(dot)
 DECLARE_FUNCTION_2P(rotation)
 // Inverse of a symmetric matrix.
 DECLARE_FUNCTION_1P(inverse)
+// Rotation by an angle about a unit vector, as (axis, angle): 1 + sin ã + (1 - cos) ã ã.
+DECLARE_FUNCTION_2P(turn)
+// C J Cᵀ of a symmetric J, as (C, J).
+DECLARE_FUNCTION_2P(congruence)
+// An expression of the scene, as (index, order): its time derivative of that order.
+DECLARE_FUNCTION_2P(expression)
 // ω̃ I ω for a symmetric I, as (I, ω): its six products of speeds are shared with ω̃ω̃.
 DECLARE_FUNCTION_2P(gyroscopic)
 // I ω̇ + ω̃ I ω as (U, I) with U = ω̇~ + ω̃ω̃ and J = ½ tr(I) 1 − I: the axial vector of U J − (U J)ᵀ.
@@ -64,8 +70,8 @@ GiNaC::ex transposed(const GiNaC::ex& e, const std::function<GiNaC::ex(const Ato
 // Time derivative by the product rule; `rate` gives the derivative of a letter.
 GiNaC::ex time_derivative(const GiNaC::ex& e, const std::function<GiNaC::ex(const Atom&)>& rate);
 
-// ∂e/∂y of a vector expression that is linear in the vector letter y: the 3×3 factor that stands before y when
-// ỹ b is written as −b̃ y. Throws InternalError where e is not linear in y.
+// ∂e/∂y of a vector expression that is linear in the letter y: of a vector y the 3×3 factor that stands before it when
+// ỹ b is written as −b̃ y, of a scalar y its coefficient. Throws InternalError where e is not linear in y.
 GiNaC::ex partial(const GiNaC::ex& e, const GiNaC::ex& y);
 
 }  // namespace kanec::symbolic

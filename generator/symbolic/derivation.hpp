@@ -22,38 +22,52 @@ class Rates {
   std::vector<GiNaC::ex> rates_;  // by table index
 };
 
+// In whose axes a block of numbers is written: a link's, or inertial (0).
+using Frame = int;
+
 class Derivation {
  public:
-  explicit Derivation(const scene::Scene& scene);
+  Derivation(const scene::Scene& scene, const Reductions& reductions);
 
-  // Appends the quantity name_K = value and returns its letter; a value that is 0 or a letter already is returned as it is.
-  GiNaC::ex define(const std::string& name, const std::string& latex, int body, Pass pass, const GiNaC::ex& value,
-                   const std::string& meaning);
+  // Appends the quantity name_j = value and returns its letter; a value that is 0 or a letter already is returned as it is.
+  // A matrix gets a letter for its transpose as well, unless it is symmetric.
+  GiNaC::ex define(const std::string& name, const std::string& latex, int link, Pass pass, const GiNaC::ex& value,
+                   const std::string& meaning, bool is_symmetric = false);
 
-  int size() const { return scene::size(equations.scene); }
-  int lower(int body) const { return equations.scene.lower[static_cast<std::size_t>(body - 1)]; }  // bodies from 1 here
-  const Letters& letters(int body) const { return equations.letters[static_cast<std::size_t>(body)]; }  // 0: inertial frame
-  // Columns of the state y.
-  int omega_column(int body) const { return body - 1; }
-  int sdot_column(int body) const { return size() + body - 1; }
-  int row(int column) const { return 3 * column; }  // first scalar row of a column
+  const Mechanism& mechanism() const { return equations.mechanism; }
+  int size() const { return equations.mechanism.size(); }  // links
+  int lower(int link) const { return mechanism().link(link).lower; }
+  const Letters& letters(int link) const { return equations.letters[static_cast<std::size_t>(link)]; }
+  const BodyFrame& body(int k) const { return equations.bodies[static_cast<std::size_t>(k)]; }
+  int n_bodies() const { return scene::size(equations.scene); }
+  // A free joint with all six of its coordinates in the state.
+  bool is_free(int link) const;
+  // The axes that accelerations and forces of a link are written in: its own where a link above turns with it, else inertial.
+  Frame home(int link) const { return home_[static_cast<std::size_t>(link)]; }
+  // The same vector (or the columns of a matrix) in other axes; rotations that undo each other vanish, and R_J R_Lᵀ along
+  // a joint is E.
+  GiNaC::ex in_axes(const GiNaC::ex& e, Frame from, Frame to) const;
+
   GiNaC::ex transposed(const GiNaC::ex& e) const { return equations.table.transposed(e); }
+  // The function of that name, to be filled.
+  Function& function(const std::string& name);
 
   Equations equations;
-  Rates rates;                           // of rotations, s and what is defined from them; ω̇ and s̈ are letters
-  std::vector<GiNaC::ex> origin_rates;   // Ṗ_K, by K
-  std::vector<GiNaC::ex> velocities;     // v_K, by K
-  std::vector<GiNaC::ex> origins, centres;
+  Rates partial_rates;                           // of `rates` and of the names of partial velocities
+  Rates rates;                                   // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
+  std::vector<GiNaC::ex> joint_offsets;          // d, by link
+  std::vector<GiNaC::ex> origins, centres;       // P, p, by link; [0] is zero
+  std::vector<GiNaC::ex> origin_rates, velocities;  // Ṗ, v
+
+ private:
+  std::vector<Frame> home_;
 };
+
+// Letters of all links and bodies, rotations and angular velocities.
+void define_letters(Derivation& derivation);
 
 // The stages of the derivation, in order; each file of that name holds one.
 void derive_positions(Derivation& derivation);
 void derive_velocities(Derivation& derivation);
-void derive_partial_velocities(Derivation& derivation);
-void derive_residual(Derivation& derivation);
-void derive_forcing(Derivation& derivation);
-void derive_mass_matrix(Derivation& derivation);
-void derive_accelerations(Derivation& derivation);
-void derive_measures(Derivation& derivation);  // energy, momentum, poses, power
 
 }  // namespace kanec::symbolic

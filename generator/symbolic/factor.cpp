@@ -81,24 +81,4 @@ ex factored(std::vector<Term> terms) {
 
 ex factored(const ex& e) { return factored(expanded(e)); }
 
-ex with_orthonormal_rotations(const ex& e, const SymbolTable& table) {
-  const auto inverse_pair = [&table](const ex& a, const ex& b) {
-    if (!GiNaC::is_a<Atom>(a) || !GiNaC::is_a<Atom>(b)) return false;
-    const Symbol& symbol = table.of(a);
-    return !symbol.transpose.is_equal(a) && symbol.transpose.is_equal(b);
-  };
-  std::vector<Term> terms = expanded(e);
-  for (Term& term : terms) {
-    std::vector<ex> kept;
-    for (const ex& factor : term.factors) {
-      if (!kept.empty() && inverse_pair(kept.back(), factor))
-        kept.pop_back();
-      else
-        kept.push_back(factor);
-    }
-    term.factors = kept;
-  }
-  return sum(terms);
-}
-
 }  // namespace kanec::symbolic

@@ -11,7 +11,4 @@ namespace kanec::symbolic {
 // R ω̃ ω̃ d + R ω̇~ d + R s̈  ->  R ((ω̃ ω̃ + ω̇~) d + s̈).
 GiNaC::ex factored(const GiNaC::ex& e);
 
-// R_K R_Kᵀ = R_Kᵀ R_K = 1 inside products of an expanded expression. Exact for Euler parameters of unit norm.
-GiNaC::ex with_orthonormal_rotations(const GiNaC::ex& e, const SymbolTable& table);
-
 }  // namespace kanec::symbolic

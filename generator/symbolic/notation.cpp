@@ -2,6 +2,7 @@
 #include "generator/symbolic/notation.hpp"
 
 #include "generator/symbolic/order.hpp"
+#include "runtime/base/text.hpp"
 
 namespace kanec::symbolic {
 namespace {
@@ -58,17 +59,16 @@ class Notation {
   }
 
   std::string letter(const Symbol& symbol, const std::string& accent) const {
-    const bool is_transpose = symbol.role == Role::quantity && symbol.name.find('t') == 1 &&
-                              !symbol.transpose.is_equal(symbol.atom);
-    std::string name = is_transpose ? symbol.name.substr(0, 1) + symbol.name.substr(2) : symbol.name;
-    const std::string body = symbol.body > 0 ? std::to_string(symbol.body) : "";
+    const Symbol& named = symbol.is_transpose ? table_.of(symbol.transpose) : symbol;
+    const std::string& name = named.name;
+    const std::string& suffix = named.suffix;
     if (latex_) {
-      const std::string base = accent.empty() ? symbol.latex : accent + "{" + symbol.latex + "}";
-      const bool indexed = base.find('_') != std::string::npos || body.empty();
-      const std::string subscript = body.empty() ? "" : indexed ? "^{(" + body + ")}" : "_{" + body + "}";
-      return base + subscript + (is_transpose ? (indexed ? "{}^{T}" : "^{T}") : "");
+      const std::string base = accent.empty() ? named.latex : accent + "{" + named.latex + "}";
+      const bool indexed = base.find('_') != std::string::npos || suffix.empty();
+      const std::string subscript = suffix.empty() ? "" : indexed ? "^{(" + suffix + ")}" : "_{" + suffix + "}";
+      return base + subscript + (symbol.is_transpose ? (indexed ? "{}^{T}" : "^{T}") : "");
     }
-    return name + body + accent + (is_transpose ? "^T" : "");
+    return name + suffix + accent + (symbol.is_transpose ? "^T" : "");
   }
 
   std::string function(const ex& e) const {
@@ -78,6 +78,11 @@ class Notation {
     if (is_ex_the_function(e, inverse)) return argument(0) + "^" + (latex_ ? "{-1}" : "-1");
     if (is_ex_the_function(e, gyroscopic))
       return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
+    if (is_ex_the_function(e, turn))
+      return (latex_ ? "\\mathrm{Rot}(" : "Rot(") + argument(0) + ", " + argument(1) + ")";
+    if (is_ex_the_function(e, congruence))
+      return argument(0) + " " + argument(1) + " " + of(table_.of(e.op(0)).transpose);
+    if (is_ex_the_function(e, expression)) return expression_of(e);
     if (is_ex_the_function(e, rotation)) {
       // Rᵀ = 1 + 2 ẽ (ε4 + ẽ)
       return "1 + 2 " + skew_of(e.op(0)) + " (" + argument(1) + " + " + skew_of(e.op(0)) + ")";
@@ -85,6 +90,13 @@ class Notation {
     // inertia_moment(U, I), J = tr(I)/2 - I
     const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + argument(1) + ")" : "tr(" + argument(1) + ")/2";
     return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " (" + trace + " - " + argument(1) + "))";
+  }
+
+  static std::string expression_of(const ex& e) {
+    const int order = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+    const std::string number = std::to_string(GiNaC::ex_to<GiNaC::numeric>(e.op(0)).to_int() + 1);
+    const std::string rate = order == 0 ? "" : order == 1 ? "d/dt " : "d^2/dt^2 ";
+    return rate + "expression " + number;
   }
 
   std::string skew_of(const ex& e) const {
@@ -101,7 +113,17 @@ class Notation {
     return of(e.op(0)) + "^" + (latex_ ? "{" + exponent + "}" : exponent);
   }
 
+  // "1e-36", where a fraction would have dozens of digits.
+  std::string decimal(const GiNaC::numeric& value) const {
+    const std::string text = shortest(value.to_double());
+    const std::size_t exponent = text.find('e');
+    if (!latex_ || exponent == std::string::npos) return text;
+    return text.substr(0, exponent) + " \\cdot 10^{" + text.substr(exponent + 1) + "}";
+  }
+
   std::string number(const GiNaC::numeric& value) const {
+    constexpr long most = 1'000'000'000;
+    if (GiNaC::abs(value.numer()) > most || value.denom() > most) return decimal(value);
     if (value.is_integer()) return std::to_string(value.to_long());
     const std::string sign = value.is_negative() ? "-" : "";
     const std::string over = std::to_string(GiNaC::abs(value.numer()).to_long());

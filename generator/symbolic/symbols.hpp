@@ -6,28 +6,35 @@
 #include <string>
 #include <vector>
 
+#include "generator/scene/number.hpp"
 #include "generator/symbolic/algebra.hpp"
 
 namespace kanec::symbolic {
 
-// What a letter stands for. `quantity`: defined by an expression; the others are data of the scene or of the call.
-enum class Role { euler_vector, euler_scalar, omega, s, sdot, omegadot, sddot, mass, inertia, r, q, gravity, force, moment,
-                  quantity };
+// What a letter stands for: entries of the state or of ẏ, numbers of the scene, or an expression by its name.
+enum class Role { x, y, ydot, numbers, quantity };
 
 struct Symbol {
   GiNaC::ex atom;
-  std::string name;    // "omega", as in the code; the body follows
+  std::string name;    // "omega", as in the code; the suffix follows
   std::string latex;   // "\omega"
   Role role;
-  int body = 0;        // K, from 1; 0 where none
-  GiNaC::ex transpose; // of a matrix letter
+  std::string suffix;  // of the link or body: "3", "3a"; empty where none
+  int at = 0;          // x, y, ydot: index of the first entry
+  std::vector<scene::Number> numbers;  // row-major
+  GiNaC::ex transpose;                 // of a matrix letter
+  bool is_transpose = false;           // named by the entries of `transpose`
 };
 
 class SymbolTable {
  public:
   // A new letter. A matrix is its own transpose until pair() says otherwise.
-  GiNaC::ex add(Role role, const std::string& name, const std::string& latex, int body, Shape shape);
-  // Declares b the transpose of a.
+  GiNaC::ex add(Role role, const std::string& name, const std::string& latex, const std::string& suffix, Shape shape);
+  GiNaC::ex add_state(Role role, const std::string& name, const std::string& latex, const std::string& suffix, Shape shape,
+                      int at);
+  GiNaC::ex add_numbers(const std::string& name, const std::string& latex, const std::string& suffix,
+                        std::vector<scene::Number> numbers);  // 1, 3 or 9
+  // Declares b the transpose of a, printed as aᵀ.
   void pair(const GiNaC::ex& a, const GiNaC::ex& b);
 
   const Symbol& of(const GiNaC::ex& atom) const { return symbols_[index(atom)]; }

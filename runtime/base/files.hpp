@@ -13,6 +13,7 @@ std::string read_file(const std::filesystem::path& path);
 
 // A file that appears under its name only by commit(): written to a temporary name beside it, flushed to disk, renamed.
 // A failure (unwritable folder, disk full) throws FileError and leaves no trace; nor does destruction without commit().
+// The paths "-" and "/dev/stdout" are standard output, written as it comes; so are devices and pipes.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "runtime/base/error.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/cli/tangent.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -19,8 +23,9 @@ struct Errors {
   double size = 0.0;
 };
 
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+template <class Real>
+bool all_finite(const std::vector<Real>& values) {
+  return std::all_of(values.begin(), values.end(), [](Real value) { return std::isfinite(value); });
 }
 
 double ulp_of(double value) { return std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52); }
@@ -39,21 +44,41 @@ double difference(const std::vector<double>& found, const std::vector<Precise>& 
 }
 
 template <class Real>
-double difference(const std::vector<double>& found, const std::vector<Real>& expected) {
+double difference(const std::vector<Real>& found, const std::vector<Real>& expected) {
+  if (found.size() != expected.size()) throw InternalError("results of different lengths");
   Real error = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!std::isfinite(expected[i])) return infinity;
-    error = std::max(error, std::fabs(static_cast<Real>(found[i]) - expected[i]));
-  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+    error = std::max(error, std::fabs(found[i] - expected[i]));
   return static_cast<double>(error);
 }
 
-Errors errors(const scene::Scene& scene, const CompiledModel& model, const std::string& function, const State& state) {
-  const std::vector<double> found = emitted(model.library.abi(), function, state);
-  if (!all_finite(found)) return {infinity, infinity, infinity, 0.0};
+// The generic result, as far as it is comparable, or nothing where A is singular or a number is not finite.
+template <class Real>
+std::optional<std::vector<Real>> expected(const scene::Scene& scene, const std::vector<std::string>& parts,
+                                          const State& state) {
+  try {
+    const std::vector<Real> values = generic_path<Real>(scene, parts, state);
+    if (all_finite(values)) return comparable(scene, parts, state.x, values);
+  } catch (const InputError&) {
+  }
+  return std::nullopt;
+}
+
+// Nothing where the result is undefined.
+std::optional<Errors> errors(const scene::Scene& scene, const CompiledModel& model, const std::string& function,
+                             const State& state) {
+  const std::vector<std::string> parts = parts_of_emitted(function, model.requests);
+  const auto generic = expected<long double>(scene, parts, state);
+  if (!generic) return std::nullopt;
+  const std::vector<double> found = emitted(model.library.abi(), scene, function, state);
+  if (!all_finite(found)) return Errors{infinity, infinity, infinity, 0.0};
   const std::vector<Precise> exact = precise(model.generated.program, function, state);
-  return {difference(found, exact), difference(found, generic_path<long double>(scene, function, state)),
-          difference(found, generic_path<double>(scene, function, state)), largest(exact)};
+  const auto in_double = expected<double>(scene, parts, state);
+  const auto as = [&]<class Real>(Real) {
+    return comparable(scene, parts, state.x, std::vector<Real>(found.begin(), found.end()));
+  };
+  return Errors{difference(found, exact), difference(as(0.0L), *generic),
+                in_double ? difference(as(0.0), *in_double) : infinity, largest(exact)};
 }
 
 double median(std::vector<double> values) {
@@ -74,38 +99,53 @@ double usual_size(const std::vector<Errors>& by_state) {
   return sizes.empty() ? 0.0 : median(std::move(sizes));
 }
 
-Agreement summary(const std::string& function, const std::vector<Errors>& by_state) {
-  const double usual = usual_size(by_state);
-  std::vector<double> ulps;
+// Of the states with these numbers, which have a result.
+Agreement summary(const std::string& function, const std::vector<Errors>& errors, const std::vector<int>& states) {
   Agreement agreement{function};
-  for (const Errors& error : by_state) {
+  if (errors.empty()) return agreement;
+  const double usual = usual_size(errors);
+  std::vector<double> ulps;
+  for (const Errors& error : errors) {
     const double size = std::max(error.size, usual);
     ulps.push_back(in_ulps(error.precise, size));
     agreement.generic = std::max(agreement.generic, quotient(error.generic, size));
     agreement.generic_double = std::max(agreement.generic_double, quotient(error.generic_double, size));
   }
   const auto worst = std::max_element(ulps.begin(), ulps.end());
-  agreement.worst_state = static_cast<int>(worst - ulps.begin());
+  agreement.worst_state = states[static_cast<std::size_t>(worst - ulps.begin())];
   agreement.largest_ulps = *worst;
   agreement.median_ulps = median(ulps);
   return agreement;
+}
+
+// All states of one function; `done` after each.
+Agreement agreement(const scene::Scene& scene, const CompiledModel& model, const std::string& function,
+                    const std::vector<State>& states, const std::function<void()>& done) {
+  std::vector<Errors> list;
+  std::vector<int> defined;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (const auto error = errors(scene, model, function, states[i])) {
+      list.push_back(*error);
+      defined.push_back(static_cast<int>(i));
+    }
+    done();
+  }
+  Agreement result = summary(function, list, defined);
+  result.states = static_cast<int>(states.size());
+  result.undefined = result.states - static_cast<int>(defined.size());
+  return result;
 }
 
 }  // namespace
 
 std::vector<Agreement> agreements(const scene::Scene& scene, const CompiledModel& model,
                                   const std::vector<State>& states, const std::function<void(double)>& progress) {
-  std::vector<Agreement> list;
   const std::vector<program::Function>& functions = model.generated.program.functions;
   const auto total = static_cast<double>(functions.size() * states.size());
-  for (const program::Function& function : functions) {
-    std::vector<Errors> by_state;
-    for (const State& state : states) {
-      by_state.push_back(errors(scene, model, function.name, state));
-      progress(static_cast<double>(list.size() * states.size() + by_state.size()) / total);
-    }
-    list.push_back(summary(function.name, by_state));
-  }
+  std::vector<Agreement> list;
+  double count = 0.0;
+  for (const program::Function& function : functions)
+    list.push_back(agreement(scene, model, function.name, states, [&] { progress(++count / total); }));
   return list;
 }
 

@@ -13,13 +13,16 @@ namespace kanec::cli {
 
 // Largest deviations of one function over the states. The deviation in a state is the largest of a component, beside
 // the largest component there, or its median over the states where that is more (zeros left out): a result that
-// happens to cancel is judged by its usual size. Infinite where a number is not finite.
+// happens to cancel is judged by its usual size. Infinite where a number is not finite. States in which the generic
+// path itself has no finite result (A singular, a function of the scene outside its domain) are counted and left out.
 struct Agreement {
   std::string function;
   double largest_ulps = 0.0, median_ulps = 0.0;  // from 50 digits, in ulps (2^-52 of the binade of that size)
   double generic = 0.0;                          // from the generic path in long double, relative
   double generic_double = 0.0;                   // the same in double, whose own error it mostly is
   int worst_state = 0;                           // that of largest_ulps, from 0
+  int undefined = 0;                             // states without a result
+  int states = 0;                                // of all
 };
 
 // What is allowed; a deviation that is not a number is not.
@@ -30,7 +33,10 @@ struct Bounds {
   // 200 ulps are 4.4e-14. What the generic path adds in long double (1e-19 times the condition of A, which is 1e4 to
   // 1e6 in the shipped scenes) is below the rest.
   double generic = 1e-12;
-  bool hold(const Agreement& agreement) const { return agreement.largest_ulps <= ulps && agreement.generic <= generic; }
+  // A function that has no result in any state holds nothing.
+  bool hold(const Agreement& agreement) const {
+    return agreement.largest_ulps <= ulps && agreement.generic <= generic && agreement.undefined < agreement.states;
+  }
 };
 
 // All functions of the model in all states, of which there is one at least. `progress` is told the share that is done.

@@ -6,6 +6,7 @@
 #include "runtime/cli/agreement.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/dump.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/samples.hpp"
 #include "runtime/cli/scene_argument.hpp"
 #include "runtime/cli/table.hpp"
@@ -71,7 +72,7 @@ Json json_of(const program::Program& program, const std::vector<Timing>& list) {
 
 int bench(const Options& options) {
   const scene::Scene scene = load(options.scene);
-  const CompiledModel model = build(scene, chosen_functions(scene, options.functions), options.build);
+  const CompiledModel model = build(scene, Functions(scene).chosen(options.functions), options.build);
   require_agreement(scene, model);
   const std::vector<Timing> list = timings(scene, model, options.min_time);
   const program::Program& program = model.generated.program;

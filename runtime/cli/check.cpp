@@ -6,6 +6,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/cli/agreement.hpp"
 #include "runtime/cli/commands.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/progress.hpp"
@@ -25,7 +26,10 @@ parameters and inputs stand off their defaults) and compared with
     component in ulps of the largest component of that result (of its median over the states where it cancels to less);
   - the generic numeric path, which loops over the scene and shares no code with the generator, in long double: the
     largest difference of a component relative to that same size. In double it is shown beside, for comparison.
-The bounds: 200 ulps (roundings mostly cancel: below 20 over trees of 1 to 64 bodies; a wrong term is 1e10 and more)
+A state in which the generic path has no result either (A singular there, or an expression of the scene outside its
+domain) is counted as undefined and left out. Derivatives by x are those of the emitted formulas; with the generic
+path, which has others off unit norm, they have in common what is along the unit sphere, and that is compared. The
+bounds: 200 ulps (roundings mostly cancel: below 20 over trees of 1 to 64 bodies; a wrong term is 1e10 and more)
 and 1e-12 from the generic path (200 ulps are 4.4e-14, and the path has an error of its own). Exit status 1 beyond.)";
 
 struct Options {
@@ -34,9 +38,16 @@ struct Options {
   int states = 32;
   std::uint64_t seed = 1;
   std::vector<std::string> functions;
+  bool all = false;
   Bounds bounds;
   bool json = false;
 };
+
+std::string remark_on(const Agreement& a, const Bounds& bounds) {
+  const std::string undefined = a.undefined > 0 ? fmt::format("undefined in {} states", a.undefined) : "";
+  if (bounds.hold(a)) return undefined;
+  return a.undefined == a.states ? "undefined in all states" : "beyond the bound";
+}
 
 std::string text_of(const std::vector<Agreement>& list, const Bounds& bounds) {
   std::vector<TextRow> rows = {
@@ -44,7 +55,7 @@ std::string text_of(const std::vector<Agreement>& list, const Bounds& bounds) {
   for (const Agreement& a : list)
     rows.push_back({a.function, fmt::format("{:.1f}", a.median_ulps), fmt::format("{:.1f}", a.largest_ulps),
                     std::to_string(a.worst_state), fmt::format("{:.1e}", a.generic),
-                    fmt::format("{:.1e}", a.generic_double), bounds.hold(a) ? "" : "beyond the bound"});
+                    fmt::format("{:.1e}", a.generic_double), remark_on(a, bounds)});
   return text_table(rows, "lrrrrrl");
 }
 
@@ -57,6 +68,7 @@ Json json_of(const std::vector<Agreement>& list, const Bounds& bounds) {
                          {"worst_state", a.worst_state},
                          {"generic", a.generic},
                          {"generic_double", a.generic_double},
+                         {"undefined_states", a.undefined},
                          {"passed", bounds.hold(a)}});
   return functions;
 }
@@ -65,8 +77,9 @@ std::string verdict(const std::vector<Agreement>& list, const Bounds& bounds) {
   std::vector<std::string> beyond;
   for (const Agreement& a : list)
     if (!bounds.hold(a))
-      beyond.push_back(
-          fmt::format("{} ({:.4g} ulps, {:.2g} from the generic path)", a.function, a.largest_ulps, a.generic));
+      beyond.push_back(a.undefined == a.states ? a.function + " (undefined in every state: is A singular?)"
+                                               : fmt::format("{} ({:.4g} ulps, {:.2g} from the generic path)",
+                                                             a.function, a.largest_ulps, a.generic));
   if (beyond.empty()) return "";
   const std::string more = beyond.size() > 1 ? fmt::format(" and {} more", beyond.size() - 1) : "";
   return fmt::format("check failed: {}{}; allowed: {} ulps, {}", beyond.front(), more, brief(bounds.ulps),
@@ -85,7 +98,9 @@ std::vector<Agreement> compare(const scene::Scene& scene, const Options& options
 
 int check(const Options& options) {
   const scene::Scene scene = load(options.scene);
-  const CompiledModel model = build(scene, chosen_functions(scene, options.functions), options.build);
+  const Functions functions(scene);
+  const CompiledModel model =
+      build(scene, options.all ? functions.names() : functions.chosen(options.functions), options.build);
   const std::vector<Agreement> list = compare(scene, options, model);
   const std::string failure = verdict(list, options.bounds);
   if (options.json)
@@ -116,6 +131,7 @@ void add_check(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", options->seed, "of the random states (1)")->option_text("NUMBER");
   add_functions(*command, options->functions);
+  command->add_flag("--all", options->all, "every function that the scene can have");
   command->add_option("--bound", options->bounds.ulps, "largest error allowed, in ulps (200)")
       ->option_text("ULPS")
       ->check(CLI::NonNegativeNumber);

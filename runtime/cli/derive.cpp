@@ -4,9 +4,12 @@
 #include <optional>
 
 #include "generator/emit/tables.hpp"
+#include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
+#include "runtime/cli/model.hpp"
 #include "runtime/cli/output.hpp"
+#include "runtime/cli/reductions.hpp"
 #include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli {
@@ -16,12 +19,18 @@ constexpr auto footer = R"(Example: the source's six bodies, on paper
   kanec derive --connection 0,1,2,2,1,5 --format latex -o six.tex && pdflatex six.tex
 
 Prints the connection array, u(K), the state vectors, the kinematical equations, positions, velocities, partial
-velocities and their time derivatives, A and f; R1^T is R_1 transposed, a~ the skew matrix of a.)";
+velocities and their time derivatives, A and f; R1^T is R_1 transposed, a~ the skew matrix of a.
+
+  kanec derive models/arm_6 --reduction --functions accelerations
+
+prints instead what was left out of the scene before its equations, and the operations that each reduction saves.)";
 
 struct Options {
   SceneArgument scene;
   std::string format = "text";
   bool json = false;
+  bool reduction = false;
+  std::vector<std::string> functions;
   std::string output;
 };
 
@@ -37,6 +46,11 @@ Json tables_json(const symbolic::Equations& equations) {
           {"nx", n_coordinates(scene)}, {"ny", n_speeds(scene)},     {"tables", std::move(tables)}};
 }
 
+std::string reduction_document(const scene::Scene& scene, const std::vector<std::string>& functions, bool json) {
+  const std::vector<Reduction> list = reductions(scene, functions);
+  return json ? json_text(reductions_json(scene.name, list)) : reductions_text(scene.name, list);
+}
+
 std::string document(const symbolic::Equations& equations, const std::string& format) {
   if (format == "json") return json_text(tables_json(equations));
   return format == "latex" ? emit::latex_document(equations) : emit::text_document(equations);
@@ -44,9 +58,13 @@ std::string document(const symbolic::Equations& equations, const std::string& fo
 
 int derive(const Options& options) {
   const scene::Scene scene = load(options.scene);
+  const std::string format = options.json ? "json" : options.format;
+  if (!options.functions.empty() && !options.reduction) throw InputError("--functions goes with --reduction");
+  if (options.reduction && format == "latex") throw InputError("--reduction: found --format latex; allowed: text, json");
   std::optional<AtomicFile> file;
   if (!options.output.empty()) file.emplace(options.output);
-  const std::string text = document(symbolic::derive(scene), options.json ? "json" : options.format);
+  const std::string text = options.reduction ? reduction_document(scene, options.functions, format == "json")
+                                             : document(symbolic::derive(scene), format);
   if (file) {
     file->write(text);
     file->commit();
@@ -66,7 +84,9 @@ void add_derive(CLI::App& app, Action& action) {
       ->option_text("text|latex|json")
       ->check(CLI::IsMember({"text", "latex", "json"}));
   command->add_flag("--json", options->json, "the same as --format json");
-  command->add_option("-o,--output", options->output, "into this file")->option_text("FILE");
+  command->add_flag("--reduction", options->reduction, "what was left out of the scene, and what that saves");
+  add_functions(*command, options->functions);
+  command->add_option("-o,--output", options->output, "into this file; - is standard output")->option_text("FILE");
 }
 
 }  // namespace kanec::cli

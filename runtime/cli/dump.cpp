@@ -9,7 +9,6 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/scene_text.hpp"
-#include "runtime/cli/table.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -39,6 +38,7 @@ struct Line {
 
   std::string operator()(const program::Constant& op) const { return shortest(op.value.rounded()); }
   std::string operator()(const program::Variable& op) const {
+    if (op.group == program::Group::time) return "t";
     const std::vector<std::string>* const groups[] = {&names.parameters, &names.x, &names.y, &names.ydot,
                                                       &names.inputs};
     return (*groups[static_cast<std::size_t>(op.group)])[static_cast<std::size_t>(op.index)];
@@ -50,6 +50,15 @@ struct Line {
   std::string operator()(const program::SquareRoot& op) const { return fmt::format("sqrt %{}", op.a); }
   std::string operator()(const program::Sine& op) const { return fmt::format("sin %{}", op.a); }
   std::string operator()(const program::Cosine& op) const { return fmt::format("cos %{}", op.a); }
+  std::string operator()(const program::UnaryCall& op) const {
+    return fmt::format("{} %{}", program::name(op.function), op.a);
+  }
+  std::string operator()(const program::BinaryCall& op) const {
+    return fmt::format("{} %{} %{}", program::name(op.function), op.a, op.b);
+  }
+  std::string operator()(const program::Select& op) const {
+    return fmt::format("%{} < 0 ? %{} : %{}", op.sign, op.a, op.b);
+  }
 };
 
 std::string shown(const program::Ref& ref) { return fmt::format("{}%{}", ref.negative ? "-" : "", ref.node); }
@@ -74,15 +83,6 @@ std::string program_text(const program::Program& program) {
   return text;
 }
 
-void add_row(std::vector<TextRow>& rows, const std::string& name, const program::Ledger& ledger,
-             const std::string& results) {
-  rows.push_back({name});
-  for (const int n :
-       {ledger.operations(), ledger.adds, ledger.multiplies, ledger.divides, ledger.square_roots, ledger.trigonometric})
-    rows.back().push_back(std::to_string(n));
-  rows.back().push_back(results);
-}
-
 }  // namespace
 
 std::vector<std::string> stage_names() { return {"scene", "equations", "program", "ledger", "header", "abi"}; }
@@ -98,19 +98,33 @@ std::string dump(const scene::Scene& scene, const std::vector<std::string>& func
   throw InputError("stage: found " + scene::in_quotes(stage) + "; allowed: " + scene::one_of(stage_names(), stage));
 }
 
+TextRow ledger_headings() {
+  return {"function", "operations", "add", "multiply", "divide", "square root", "sine, cosine", "other", "results"};
+}
+
+TextRow ledger_row(const std::string& function, const program::Ledger& ledger, const std::string& results) {
+  TextRow row = {function};
+  for (const int n : {ledger.operations(), ledger.adds, ledger.multiplies, ledger.divides, ledger.square_roots,
+                      ledger.trigonometric, ledger.functions})
+    row.push_back(std::to_string(n));
+  row.push_back(results);
+  return row;
+}
+
 std::string ledger_text(const program::Program& program) {
-  std::vector<TextRow> rows = {
-      {"function", "operations", "add", "multiply", "divide", "square root", "sine, cosine", "results"}};
+  std::vector<TextRow> rows = {ledger_headings()};
   for (const program::Function& function : program.functions)
-    add_row(rows, function.name, program::ledger(program, function), std::to_string(function.n_out));
-  if (!program.names.parameters.empty()) add_row(rows, "prepare (once)", program::prepare_ledger(program), "");
+    rows.push_back(ledger_row(function.name, program::ledger(program, function), std::to_string(function.n_out)));
+  if (!program.names.parameters.empty())
+    rows.push_back(ledger_row("prepare (once)", program::prepare_ledger(program), ""));
   return text_table(rows);
 }
 
 Json ledger_json(const program::Ledger& ledger) {
   return {{"operations", ledger.operations()},   {"adds", ledger.adds},
           {"multiplies", ledger.multiplies},     {"divides", ledger.divides},
-          {"square_roots", ledger.square_roots}, {"trigonometric", ledger.trigonometric}};
+          {"square_roots", ledger.square_roots}, {"trigonometric", ledger.trigonometric},
+          {"other_functions", ledger.functions}};
 }
 
 Json ledgers_json(const program::Program& program) {

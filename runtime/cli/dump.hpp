@@ -8,6 +8,7 @@
 #include "generator/pipeline.hpp"
 #include "generator/program/ledger.hpp"
 #include "runtime/cli/output.hpp"
+#include "runtime/cli/table.hpp"
 
 namespace kanec::cli {
 
@@ -18,7 +19,9 @@ std::vector<std::string> stage_names();
 // and outputs by function; ledger, header, abi: as `generate` has them. Throws InputError for another stage.
 std::string dump(const scene::Scene& scene, const std::vector<std::string>& functions, const std::string& stage);
 
-// Operations by function, as a table and for machines.
+// Operations by function: rows of a table, the table, and for machines.
+TextRow ledger_headings();
+TextRow ledger_row(const std::string& function, const program::Ledger& ledger, const std::string& results);
 std::string ledger_text(const program::Program& program);
 Json ledger_json(const program::Ledger& ledger);
 Json ledgers_json(const program::Program& program);

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/layout.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/cli/result_layout.hpp"
 #include "runtime/cli/scene_argument.hpp"
 #include "runtime/cli/settings.hpp"
+#include "runtime/cli/state_layout.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -21,13 +24,13 @@ constexpr auto footer = R"(Example: begin with the scene's initial state, change
   kanec eval models/six_body accelerations --input state.json
   kanec eval models/six_body accelerations --input state.json --path generic --json
 
-Functions: kinematics, mass_matrix, forcing, residual, accelerations, partial_velocities, partial_velocity_rates,
-energy, momentum, poses, power. The input is one JSON object
-  {"x": {"eps_1": [4 numbers], ..., "s_1": [3], ...}, "y": {"omega_1": [3], ..., "sdot_1": [3], ...},
-   "ydot": {"omegadot_1": [3], ..., "sddot_1": [3], ...}, "parameters": {name: number}, "inputs": {name: number}}
-x is needed always, y and ydot where the function reads them; each of them complete. A parameter or input that is left
-out has the scene's value; --set goes before both. Euler parameters off unit norm by more than rounding (1e-15) are
-normalised, with a note where it is more than 1e-6; the output shows the state that was used.
+Functions are those of the scene (an unknown name lists them); several joined by + are evaluated in one call. The input
+is one JSON object, of which --template prints the parts that the scene and the function have:
+  {"t": 0, "x": {"eps_1": [4 numbers], "theta_2": number, ..., "s_1": [3], ...}, "y": {"omega_1": [3], "thetadot_2": ...},
+   "ydot": {"omegadot_1": [3], "thetaddot_2": ...}, "parameters": {name: number}, "inputs": {name: number}}
+x is needed always, y and ydot where the function reads them; each of them complete. Without t it is 0 s; a parameter or
+input that is left out has the scene's value; --set goes before both. Euler parameters off unit norm by more than rounding
+(1e-15) are normalised, with a note where it is more than 1e-6; the output shows the state that was used.
 
 Three paths to a result: emitted (the compiled code), precise (the same program in 50 digits, then rounded), generic
 (loops over the scene in long double, sharing no code with the generator, then rounded). Numbers read back exactly.)";
@@ -50,13 +53,13 @@ std::vector<double> rounded(const std::vector<Precise>& values) {
 }
 
 std::vector<double> evaluate(const Options& options, const scene::Scene& scene, const State& state) {
+  const std::string name = emitted_name(options.function);
   if (options.path == "generic") {
-    const auto values = generic_path<long double>(scene, options.function, state);
+    const auto values = generic_path<long double>(scene, parts_of(options.function), state);
     return {values.begin(), values.end()};
   }
-  if (options.path == "precise")
-    return rounded(precise(generate(scene, {{options.function}}).program, options.function, state));
-  return emitted(build(scene, {options.function}, options.build).library.abi(), options.function, state);
+  if (options.path == "precise") return rounded(precise(generate(scene, {{options.function}}).program, name, state));
+  return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
 }
 
 // The values of --set go before those of the file.
@@ -69,12 +72,12 @@ void overrule(scene::Scene scene, const std::vector<std::string>& settings, Stat
   state.inputs = default_inputs(set);
 }
 
-State input_state(const Options& options, const scene::Scene& scene) {
+State input_state(const Options& options, const scene::Scene& scene, const Needs& needs) {
   if (options.input.empty())
     throw InputError(
         "--input is not given; allowed: a file, or - for standard input (--template prints one to begin with)");
   const std::string name = options.input == "-" ? "standard input" : options.input;
-  ReadState read = read_state(read_input(options.input), name, scene, needs_of(scene, options.function));
+  ReadState read = read_state(read_input(options.input), name, scene, needs);
   for (const std::string& note : read.notes) remark("note: " + note);
   overrule(scene, options.settings, read.state);
   return read.state;
@@ -85,50 +88,71 @@ void keep_what_is_read(State& state, const Needs& needs) {
   if (!needs.ydot) state.ydot.clear();
 }
 
-int print_template(const Options& options, const scene::Scene& scene) {
+int print_template(const Options& options, const scene::Scene& scene, const Needs& needs) {
   State state = initial_state(with_settings(scene, options.settings));
-  keep_what_is_read(state, needs_of(scene, options.function));
+  keep_what_is_read(state, needs);
   print_json(state_json(scene, state));
   return 0;
 }
 
-std::string text_of(const Options& options, const scene::Scene& scene, const State& state, const Layout& layout,
-                    const std::vector<double>& values) {
-  std::string text = fmt::format("{} of {}, {}\n\nx\n{}", options.function, scene.name, options.path,
-                                 coordinates_layout(scene).text(state.x));
+using Layouts = std::vector<Layout>;
+
+std::string text_of(const Options& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+                    std::span<const double> values) {
+  std::string text = fmt::format("{} of {}, {}\n\n", options.function, scene.name, options.path);
+  if (reads_time(scene)) text += fmt::format("t [s] = {:.16e}\n\n", state.t);
+  text += "x\n" + coordinates_layout(scene).text(state.x);
   if (!state.y.empty()) text += "\ny\n" + speeds_layout(scene).text(state.y);
   if (!state.ydot.empty()) text += "\nydot\n" + speed_rates_layout(scene).text(state.ydot);
   for (const auto* list : {&scene.parameters, &scene.inputs})
     for (std::size_t i = 0; i < list->size(); ++i)
       text += fmt::format("{}{} = {:.16e}\n", i == 0 ? "\n" : "", (*list)[i].name,
                           (list == &scene.parameters ? state.parameters : state.inputs)[i]);
-  return text + "\nresult: " + layout.name + "\n" + layout.text(values);
+  for (const Layout& layout : layouts) {
+    text += "\nresult: " + layout.name + "\n" + layout.text(values.first(layout.size()));
+    values = values.subspan(layout.size());
+  }
+  return text;
 }
 
-Json json_of(const Options& options, const scene::Scene& scene, const State& state, const Layout& layout,
-             const std::vector<double>& values) {
+Json json_of(const Options& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+             std::span<const double> values) {
   Json json = {{"model", scene.name}, {"function", options.function}, {"path", options.path}};
   json["state"] = state_json(scene, state);
-  json["result"] = {{layout.name, layout.json(values)}};
+  Json& result = json["result"] = Json::object();
+  for (const Layout& layout : layouts) {
+    result[layout.name] = layout.json(values.first(layout.size()));
+    values = values.subspan(layout.size());
+  }
   return json;
+}
+
+// Throws InternalError where names and numbers are not of one length.
+Layouts layouts_of(const scene::Scene& scene, const std::string& function, std::size_t n_values) {
+  Layouts layouts = result_layouts(scene, function);
+  std::size_t named = 0;
+  for (const Layout& layout : layouts) named += layout.size();
+  if (named != n_values)
+    throw InternalError(fmt::format("{}: {} results, {} of them with names", function, n_values, named));
+  return layouts;
 }
 
 int eval(const Options& given) {
   Options options = given;
   if (options.function.empty() && !options.scene.connection.empty()) std::swap(options.function, options.scene.path);
   const scene::Scene scene = load(options.scene);
-  check_function(scene, options.function);
-  if (options.show_template) return print_template(options, scene);
-  State state = input_state(options, scene);
+  const Functions functions(scene);
+  functions.check(options.function);
+  const Needs needs = functions.needs(options.function);
+  if (options.show_template) return print_template(options, scene, needs);
+  State state = input_state(options, scene, needs);
   const std::vector<double> values = evaluate(options, scene, state);
-  const Layout layout = result_layout(scene, options.function);
+  const Layouts layouts = layouts_of(scene, options.function, values.size());
   if (std::any_of(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }))
     remark("note: a result is not finite (null in JSON)");
-  keep_what_is_read(state, needs_of(scene, options.function));
-  if (options.json)
-    print_json(json_of(options, scene, state, layout, values));
-  else
-    print(text_of(options, scene, state, layout, values));
+  keep_what_is_read(state, needs);
+  print(options.json ? json_text(json_of(options, scene, state, layouts, values))
+                     : text_of(options, scene, state, layouts, values));
   return 0;
 }
 

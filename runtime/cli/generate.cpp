@@ -11,6 +11,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/dump.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/scene_argument.hpp"
 
@@ -65,8 +66,31 @@ bool means_folder(const std::string& output) {
   return output.empty() || output.back() == '/' || fs::is_directory(output, ignored);
 }
 
+// A folder that is made for the products, and goes again where there are none.
+class NewFolder {
+ public:
+  explicit NewFolder(const std::string& output) {
+    std::error_code error;
+    if (output.size() < 2 || output.back() != '/' || fs::exists(output, error)) return;
+    const fs::path path(output.substr(0, output.size() - 1));
+    if (!fs::create_directory(path, error)) throw FileError(output, error.message());
+    path_ = path;
+  }
+  ~NewFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove(path_, ignored);  // only where it is empty
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+ private:
+  fs::path path_;
+};
+
 std::deque<Product> open_products(const Options& options, const std::string& name) {
   std::deque<Product> products;
+  if (options.json && is_standard_output(options.output))
+    throw InputError("--json: found it beside --output " + options.output + "; allowed: one of them on standard output");
   const bool folder = means_folder(options.output);
   products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
   if (!options.abi) return products;
@@ -87,7 +111,7 @@ void write(std::deque<Product>& products, const Generated& generated) {
   for (Product& product : products) product.file.commit();
 }
 
-std::string report(const scene::Scene& scene, const Generated& generated, const std::deque<Product>& products) {
+std::string report_text(const scene::Scene& scene, const Generated& generated, const std::deque<Product>& products) {
   std::string text =
       fmt::format("{}: {}, {}, {}, {}, {}; model {}\n\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
                   counted(static_cast<std::size_t>(n_coordinates(scene)), "coordinate", "coordinates"),
@@ -132,15 +156,16 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
 
 int generate_files(const Options& options) {
   const scene::Scene scene = load(options.scene);
-  const std::vector<std::string> functions = chosen_functions(scene, options.functions);
+  const std::vector<std::string> functions = Functions(scene).chosen(options.functions);
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
+  const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
   const Generated generated = generate(scene, {functions});
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
   else
-    print(report(scene, generated, products));
+    report(report_text(scene, generated, products), is_standard_output(options.output));
   return 0;
 }
 
@@ -152,7 +177,8 @@ void add_generate(CLI::App& app, Action& action) {
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
-  command->add_option("-o,--output", options->output, "folder of <name>.hpp, or a file (./)")->option_text("DIR|FILE");
+  command->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
+      ->option_text("DIR/|FILE|-");
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")

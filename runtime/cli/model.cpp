@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
-#include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
-#include "runtime/generic/evaluate.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -72,44 +69,15 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
   for (const std::string& note : library.notes()) remark("note: " + note);
   remark(library.from_cache() ? scene.name + ": from the cache"
                               : fmt::format("{}: compiled in {:.2g} s", scene.name, library.compile_seconds()));
-  return {std::move(generated), std::move(library)};
+  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {
-  command.add_option("--functions", functions, "these alone (all)")
+  command.add_option("--functions", functions, "these alone; a+b: both in one call (those of the scene, or the usual ones)")
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
-      ->option_text("a,b,...");
-}
-
-bool has_loads(const scene::Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const scene::Body& body) { return !is_zero(body.force) || !is_zero(body.moment); });
-}
-
-std::vector<std::string> functions_of(const scene::Scene& scene) {
-  std::vector<std::string> names;
-  for (const std::string_view name : generic::function_names())
-    if (name != "power" || has_loads(scene)) names.emplace_back(name);
-  return names;
-}
-
-void check_function(const scene::Scene& scene, const std::string& name) {
-  const std::vector<std::string> known = functions_of(scene);
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  const std::string why =
-      name == "power" ? "power, which a scene without applied loads does not have" : scene::in_quotes(name);
-  throw InputError("function: found " + why + "; allowed: " + scene::one_of(known, name == "power" ? "" : name));
-}
-
-std::vector<std::string> chosen_functions(const scene::Scene& scene, const std::vector<std::string>& names) {
-  std::vector<std::string> chosen;
-  for (const std::string& name : names) {
-    check_function(scene, name);
-    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
-  }
-  return chosen;
+      ->option_text("a,b+c,...");
 }
 
 }  // namespace kanec::cli

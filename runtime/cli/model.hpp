@@ -26,21 +26,14 @@ compile::Options compile_options(const BuildArguments& arguments);
 struct CompiledModel {
   Generated generated;
   compile::Model library;
+  std::vector<std::string> requests;  // its functions, as they were asked for
 };
 
-// All that the scene has where `functions` is empty. Throws InputError, BuildError, LoadError, Interrupted.
+// What the scene asks for, or the usual functions, where `functions` is empty. Throws InputError, BuildError, LoadError, Interrupted.
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments);
 
-// Functions of a model of this scene: all but `power` where it has no applied loads.
-std::vector<std::string> functions_of(const scene::Scene& scene);
-bool has_loads(const scene::Scene& scene);
-
-// --functions a,b
+// --functions a,b+c
 void add_functions(CLI::App& command, std::vector<std::string>& functions);
-
-// Checked, each once; empty = all. Throws InputError with the nearest known name.
-std::vector<std::string> chosen_functions(const scene::Scene& scene, const std::vector<std::string>& names);
-void check_function(const scene::Scene& scene, const std::string& name);
 
 }  // namespace kanec::cli

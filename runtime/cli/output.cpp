@@ -62,6 +62,15 @@ void print(std::string_view text) {
   if (!write_all(STDOUT_FILENO, text)) throw FileError("standard output", std::strerror(errno));
 }
 
+bool is_standard_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
+
+void report(std::string_view text, bool output_is_taken) {
+  if (output_is_taken)
+    write_all(STDERR_FILENO, text);
+  else
+    print(text);
+}
+
 std::string json_text(const Json& json) { return indented(json, "") + "\n"; }
 
 void print_json(const Json& json) { print(json_text(json)); }

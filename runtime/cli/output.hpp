@@ -18,6 +18,12 @@ void guard_standard_streams();
 // To standard output, at once. Throws FileError (closed, disk full).
 void print(std::string_view text);
 
+// The output option that stands for standard output.
+bool is_standard_output(const std::string& path);
+
+// A report for people: to standard output, or, where that is taken by a product, to standard error.
+void report(std::string_view text, bool output_is_taken);
+
 // Indented, lists of plain values on one line each, a line feed at the end. Numbers read back exactly; what is not
 // finite is null.
 std::string json_text(const Json& json);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/paths.hpp"
 
+#include <algorithm>
+
 #include "generator/program/evaluate.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/generic/evaluate.hpp"
@@ -13,6 +15,18 @@ std::vector<Real> as(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
+// The values of those that the model knows, in its order.
+std::vector<double> kept(const char* const* names, int count, const std::vector<scene::Named>& list,
+                         const std::vector<double>& values) {
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i) {
+    const auto same = std::find_if(list.begin(), list.end(), [&](const scene::Named& n) { return n.name == names[i]; });
+    if (same == list.end()) throw InternalError(std::string("no ") + names[i] + " in the scene of the compiled model");
+    result.push_back(values[static_cast<std::size_t>(same - list.begin())]);
+  }
+  return result;
+}
+
 const program::Function& find(const program::Program& program, const std::string& name) {
   for (const program::Function& function : program.functions)
     if (function.name == name) return function;
@@ -21,30 +35,41 @@ const program::Function& find(const program::Program& program, const std::string
 
 }  // namespace
 
-std::vector<double> emitted(const kanec_model& model, const std::string& function, const State& state) {
+Solver solver_of(const kanec_model& model, const scene::Scene& scene, const State& state) {
   Solver solver(model);
-  solver.set_parameters(state.parameters);
-  solver.set_inputs(state.inputs);
+  solver.set_parameters(kept(model.parameter_names, model.n_parameters, scene.parameters, state.parameters));
+  solver.set_inputs(kept(model.input_names, model.n_inputs, scene.inputs, state.inputs));
+  return solver;
+}
+
+std::vector<double> emitted(const kanec_model& model, const scene::Scene& scene, const std::string& function,
+                            const State& state) {
+  const Solver solver = solver_of(model, scene, state);
   const kanec_function* entry = solver.find(function);
   if (!entry) throw InternalError("no function " + function + " in the compiled model");
   std::vector<double> out(static_cast<std::size_t>(entry->n_out));
-  solver.evaluate(*entry, 0.0, state.x.data(), state.y.data(), state.ydot.data(), out.data());
+  solver.evaluate(*entry, state.t, state.x.data(), state.y.data(), state.ydot.data(), out.data());
   return out;
 }
 
 template <class Real>
-std::vector<Real> generic_path(const scene::Scene& scene, const std::string& function, const State& state) {
+std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std::string>& parts, const State& state) {
   const generic::System<Real> system(scene, state.parameters);
   const auto x = as<Real>(state.x), y = as<Real>(state.y), ydot = as<Real>(state.ydot), u = as<Real>(state.inputs);
-  return generic::evaluate<Real>(system, function, {Real(0), x, y, ydot, u});
+  std::vector<Real> result;
+  for (const std::string& part : parts) {
+    const std::vector<Real> values = generic::evaluate<Real>(system, part, {Real(state.t), x, y, ydot, u});
+    result.insert(result.end(), values.begin(), values.end());
+  }
+  return result;
 }
 
-template std::vector<double> generic_path(const scene::Scene&, const std::string&, const State&);
-template std::vector<long double> generic_path(const scene::Scene&, const std::string&, const State&);
+template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
+template std::vector<long double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 
 std::vector<Precise> precise(const program::Program& program, const std::string& function, const State& state) {
   const program::Arguments<Precise> arguments{as<Precise>(state.parameters), as<Precise>(state.x), as<Precise>(state.y),
-                                              as<Precise>(state.ydot), as<Precise>(state.inputs)};
+                                              as<Precise>(state.ydot), as<Precise>(state.inputs), Precise(state.t)};
   return program::evaluate(program, find(program, function), arguments);
 }
 

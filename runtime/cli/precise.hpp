@@ -21,6 +21,16 @@ class Precise {
   friend Precise sqrt(const Precise& a);  // throws InputError for a < 0
   friend Precise sin(const Precise& a);
   friend Precise cos(const Precise& a);
+  friend Precise tan(const Precise& a);
+  friend Precise asin(const Precise& a);  // asin, acos: throw InputError for |a| > 1
+  friend Precise acos(const Precise& a);
+  friend Precise atan2(const Precise& a, const Precise& b);  // 0 for a = b = 0
+  friend Precise exp(const Precise& a);
+  friend Precise log(const Precise& a);  // throws InputError for a ≤ 0
+  friend Precise pow(const Precise& a, const Precise& b);  // throws InputError where it is no real number
+  friend Precise tanh(const Precise& a);
+  friend Precise abs(const Precise& a) { return a.magnitude(); }
+  friend bool operator<(const Precise& a, const Precise& b) { return a.value_ < b.value_; }
 
   Precise magnitude() const { return Precise(cln::abs(value_)); }
   // The nearest double; infinite beyond their range.

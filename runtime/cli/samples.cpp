@@ -2,6 +2,7 @@
 #include "runtime/cli/samples.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "runtime/base/error.hpp"
@@ -62,11 +63,44 @@ std::vector<double> near_inputs(const scene::Scene& scene, Random& random) {
   return inputs;
 }
 
+using scene::Axis;
+
+Axis cross(const Axis& a, const Axis& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Axis& a, const Axis& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The volume that the three axes of a joint span when the second angle is theta, of the most that it can be: 1 where
+// the third axis stands straight on the plane of the first two, 0 at gimbal lock.
+double spread(const std::vector<scene::Coordinate>& turns, double theta) {
+  const Axis &a = turns[0].axis, &b = turns[1].axis, &c = turns[2].axis;
+  const Axis ab = cross(a, b), bc = cross(b, c);
+  const double most = std::sqrt(dot(ab, ab) * dot(bc, bc));
+  // a · (b × c turned by theta about b) = (a × b) · c turned; what is along b stays, and has no part in it
+  const double volume = std::cos(theta) * dot(ab, c) + std::sin(theta) * dot(ab, bc);
+  return most == 0.0 ? 1.0 : std::fabs(volume) / most;
+}
+
+void random_angles(const scene::Joint& joint, const std::vector<int>& at, Random& random, std::vector<double>& x) {
+  constexpr double least_spread = 0.3;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] < 0) continue;
+    double& theta = x[static_cast<std::size_t>(at[i])];
+    do theta = random.between(-std::numbers::pi, std::numbers::pi);
+    while (i == 1 && at.size() == 3 && spread(joint.turns, theta) < least_spread);
+  }
+}
+
 State sample(const scene::Scene& scene, Random& random, bool defaults) {
   State state = initial_state(scene);
+  if (reads_time(scene)) state.t = random.between(0.0, 1.0);
   state.x = random.numbers(state.x.size());
-  for (const scene::BodyLayout& at : scene::Layout(scene).bodies)
+  const scene::Layout layout(scene);
+  for (std::size_t k = 0; k < layout.bodies.size(); ++k) {
+    const scene::BodyLayout& at = layout.bodies[k];
     if (at.eps >= 0) random.unit(&state.x[static_cast<std::size_t>(at.eps)]);
+    random_angles(scene.bodies[k].joint, at.theta, random, state.x);
+  }
   state.y = random.numbers(state.y.size());
   state.ydot = random.numbers(state.ydot.size());
   if (defaults) return state;

@@ -4,26 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <span>
+#include <string>
 #include <vector>
 
-#include "runtime/base/text.hpp"
+#include "runtime/cli/joint_text.hpp"
 
 namespace kanec::cli {
 namespace {
-
-// TOML floats have a point or an exponent.
-std::string real(double value) {
-  const std::string text = shortest(value);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-std::string list(std::span<const double> values) {
-  std::vector<std::string> words;
-  for (const double value : values) words.push_back(real(value));
-  return fmt::format("[{}]", fmt::join(words, ", "));
-}
 
 class Writer {
  public:
@@ -32,9 +19,13 @@ class Writer {
   std::string text() {
     text_ = fmt::format("name = \"{}\"\nconnection = [{}]\n", scene_.name, fmt::join(scene_.lower, ", "));
     vector("gravity", scene_.gravity);
+    if (!scene_.functions.empty())
+      text_ += fmt::format("functions = [\"{}\"]\n", fmt::join(scene_.functions, "\", \""));
     named("parameters", scene_.parameters);
     named("inputs", scene_.inputs);
     for (const scene::Body& body : scene_.bodies) write(body);
+    for (const scene::Load& load : scene_.loads) write(load);
+    for (const scene::Point& point : scene_.points) write(point);
     write(scene_.simulation);
     return text_;
   }
@@ -44,22 +35,23 @@ class Writer {
     const auto index = static_cast<std::size_t>(n.index);
     if (n.kind == scene::Number::Kind::parameter) return '"' + scene_.parameters[index].name + '"';
     if (n.kind == scene::Number::Kind::input) return '"' + scene_.inputs[index].name + '"';
-    return real(n.value);
+    if (n.kind == scene::Number::Kind::expression) return '"' + scene_.expressions[index].text + '"';
+    return toml_real(n.value);
   }
 
   std::string row(const scene::Number& a, const scene::Number& b, const scene::Number& c) const {
     return fmt::format("[{}, {}, {}]", number(a), number(b), number(c));
   }
 
+  // Where it is not zero.
   void vector(const char* key, const scene::Vector& v) {
-    if (std::all_of(v.begin(), v.end(), [](const scene::Number& n) { return n.is_zero(); })) return;
-    text_ += fmt::format("{} = {}\n", key, row(v[0], v[1], v[2]));
+    if (!is_zero(v)) text_ += fmt::format("{} = {}\n", key, row(v[0], v[1], v[2]));
   }
 
   void named(const char* key, const std::vector<scene::Named>& list) {
     if (list.empty()) return;
     text_ += fmt::format("\n[{}]\n", key);
-    for (const scene::Named& entry : list) text_ += fmt::format("{} = {}\n", entry.name, real(entry.value));
+    for (const scene::Named& entry : list) text_ += fmt::format("{} = {}\n", entry.name, toml_real(entry.value));
   }
 
   void write(const scene::Body& body) {
@@ -67,25 +59,74 @@ class Writer {
     text_ += fmt::format("\n[[body]]\nname = \"{}\"\nmass = {}\n", body.name, number(body.mass));
     text_ +=
         fmt::format("inertia = [{}, {}, {}]\n", row(I.xx, I.xy, I.xz), row(I.xy, I.yy, I.yz), row(I.xz, I.yz, I.zz));
+    text_ += joint_text(body.joint);
     vector("r", body.r);
     vector("q", body.q);
     vector("force", body.force);
     vector("moment", body.moment);
-    const scene::BallState& state = body.initial;
-    std::vector<double> s, sdot;
-    for (const scene::Coordinate& slide : body.joint.slides) {
-      s.push_back(slide.value);
-      sdot.push_back(slide.rate);
+    text_ += motion_text(scene_, body);
+  }
+
+  std::string body_name(int k) const {
+    return k == 0 ? "ground" : scene_.bodies[static_cast<std::size_t>(k - 1)].name;
+  }
+
+  void place(const std::string& prefix, const scene::Point& point) {
+    text_ += fmt::format("{}body = \"{}\"\n", prefix, body_name(point.body));
+    vector((prefix + "r").c_str(), point.r);
+  }
+
+  void write(const scene::Point& point) {
+    text_ += fmt::format("\n[[point]]\nname = \"{}\"\n", point.name);
+    place("", point);
+  }
+
+  void write(const scene::Load& load) {
+    using Kind = scene::Load::Kind;
+    constexpr const char* kinds[] = {"force", "moment", "joint", "spring"};
+    text_ += fmt::format("\n[[load]]\nname = \"{}\"\nkind = \"{}\"\n", load.name, kinds[static_cast<int>(load.kind)]);
+    if (load.kind == Kind::joint) {
+      text_ += fmt::format("coordinate = \"{}\"\n", coordinate_of(load));
+    } else {
+      place("", load.point);
     }
-    text_ += fmt::format("[body.initial]\neps = {}\nomega = {}\ns = {}\nsdot = {}\n", list(state.eps),
-                         list(state.omega), list(s), list(sdot));
+    if (load.kind == Kind::spring) place("other_", load.other);
+    if (load.kind == Kind::joint || load.kind == Kind::spring)
+      restoring(load);
+    else
+      acting(load);
+  }
+
+  // By number, which no body's name can be.
+  std::string coordinate_of(const scene::Load& load) const {
+    const scene::Joint& joint = scene_.bodies[static_cast<std::size_t>(load.point.body - 1)].joint;
+    const std::string name = fmt::format("{}_{}", load.turn ? "theta" : "s", load.point.body);
+    return (load.turn ? joint.turns : joint.slides).size() == 1 ? name : fmt::format("{}_{}", name, load.coordinate + 1);
+  }
+
+  void acting(const scene::Load& load) {
+    constexpr const char* axes[] = {"inertial", "body", "lower"};
+    text_ += fmt::format("vector = {}\naxes = \"{}\"\n", row(load.vector[0], load.vector[1], load.vector[2]),
+                         axes[static_cast<int>(load.axes)]);
+    if (load.reaction >= 0) text_ += fmt::format("reaction = \"{}\"\n", body_name(load.reaction));
+  }
+
+  // Stiffness stands there even where it is zero: every load needs one magnitude, and a rest needs a stiffness.
+  void restoring(const scene::Load& load) {
+    text_ += fmt::format("stiffness = {}\n", number(load.stiffness));
+    const auto unless_zero = [&](const char* key, const scene::Number& n) {
+      if (!n.is_zero()) text_ += fmt::format("{} = {}\n", key, number(n));
+    };
+    unless_zero("effort", load.effort);
+    unless_zero("damping", load.damping);
+    unless_zero("rest", load.rest);
   }
 
   void write(const scene::Simulation& run) {
     text_ += fmt::format("\n[simulate]\nduration = {}\noutput_step = {}\nintegrator = \"{}\"\nstep = {}\n",
-                         real(run.duration), real(run.output_step), run.integrator, real(run.step));
-    text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\n", real(run.relative_tolerance),
-                         real(run.absolute_tolerance));
+                         toml_real(run.duration), toml_real(run.output_step), run.integrator, toml_real(run.step));
+    text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\n", toml_real(run.relative_tolerance),
+                         toml_real(run.absolute_tolerance));
   }
 
   const scene::Scene& scene_;

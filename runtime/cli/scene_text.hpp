@@ -1,5 +1,5 @@
-// A scene written as the TOML file that reads back as the same scene (Euler parameters may be rounded again, as reading
-// normalises them). Not: comments, which nobody kept.
+// A scene written as the TOML file that reads back as the same scene (Euler parameters and frames on a body may be
+// rounded again, as reading normalises them). Not: comments, which nobody kept.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -1,7 +1,6 @@
 // kanec simulate: a scene compiled and integrated. SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -9,8 +8,11 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
+#include "runtime/cli/conservation.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
+#include "runtime/cli/paths.hpp"
 #include "runtime/cli/progress.hpp"
 #include "runtime/cli/scene_argument.hpp"
 #include "runtime/cli/settings.hpp"
@@ -27,9 +29,11 @@ constexpr auto footer =
   kanec simulate models/six_body --set m_payload=2.5 --set thrust=0 --duration 20 --csv six.csv --plot six.svg
 
 What is not given here is as in the scene's [simulate]. The Euler parameters are projected to unit norm after every
-step; the summary says how far they were off before. Energy change minus work, and without gravity and loads the
-momenta too, would be zero if there were no errors. The CSV has a column a coordinate, speed and energy, with units
-in its header, every number exact. --final leaves the last state as `kanec eval --input` takes it.)";
+step; the summary says how far they were off before. Energy change minus work, and where nothing acts from outside the
+momenta too, would be zero if there were no errors. Prescribed coordinates do work that no function of the model adds
+up: with them that difference is their work, and energy is no check. The CSV has a column a coordinate, speed and energy,
+with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
+error. --final leaves the last state as `kanec eval --input` takes it.)";
 
 struct Options {
   SceneArgument scene;
@@ -74,7 +78,13 @@ integrate::Options integration(const scene::Simulation& run) {
   return options;
 }
 
+bool takes_standard_output(const Options& options) {
+  return is_standard_output(options.csv) || is_standard_output(options.plot) || is_standard_output(options.final_state);
+}
+
 void refuse_same_file(const Options& options) {
+  if (options.json && takes_standard_output(options))
+    throw InputError("--json: found it beside a file on standard output; allowed: one of them");
   const std::string* const files[] = {&options.csv, &options.plot, &options.final_state};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < i; ++j)
@@ -89,7 +99,7 @@ class Products {
     refuse_same_file(options);
     const integrate::StateNames names{coordinate_names(scene), speed_names(scene)};
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
-    if (!options.plot.empty()) plot_.emplace(options.plot, names, true);
+    if (!options.plot.empty()) plot_.emplace(options.plot, names, true, has_drives(scene));
     if (!options.final_state.empty()) final_.emplace(options.final_state);
   }
 
@@ -112,19 +122,17 @@ class Products {
   std::optional<AtomicFile> final_;
 };
 
+// All rates in one call, which is what the integrators look for first.
 std::vector<std::string> needed_functions(const scene::Scene& scene) {
-  std::vector<std::string> names = {"kinematics", "accelerations", "energy", "momentum"};
-  if (has_loads(scene)) names.emplace_back("power");
-  return names;
+  const std::string rates = "kinematics+accelerations";
+  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
 }
 
 integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene,
                                    const integrate::Options& options, Products& products,
                                    const Interrupts& interrupts) {
-  Solver solver(model);
   const State start = initial_state(scene);
-  solver.set_parameters(start.parameters);
-  solver.set_inputs(start.inputs);
+  const Solver solver = solver_of(model, scene, start);
   ProgressBar bar(scene.name);
   const auto progress = [&](double fraction) {
     interrupts.poll();
@@ -134,13 +142,8 @@ integrate::Summary integrate_model(const kanec_model& model, const scene::Scene&
       solver, start.x, start.y, options, [&](const auto& row) { products.add(row); }, progress);
 }
 
-bool isolated(const scene::Scene& scene) {
-  return !has_loads(scene) &&
-         std::all_of(scene.gravity.begin(), scene.gravity.end(), [](const auto& g) { return g.is_zero(); });
-}
-
-State final_state(const scene::Scene& scene, const integrate::Summary& summary) {
-  return {summary.x, summary.y, {}, default_parameters(scene), default_inputs(scene)};
+State final_state(const scene::Scene& scene, const integrate::Summary& summary, double duration) {
+  return {duration, summary.x, summary.y, {}, default_parameters(scene), default_inputs(scene)};
 }
 
 int simulate_scene(const Options& options) {
@@ -151,14 +154,15 @@ int simulate_scene(const Options& options) {
   Products products(options, scene);
   const CompiledModel model = build(scene, needed_functions(scene), options.build);
   const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
-  const Json last = state_json(set, final_state(set, summary));
+  const Conservation conservation{is_isolated(scene), has_drives(scene)};
+  const Json last = state_json(set, final_state(set, summary, run.duration));
   products.finish(last);
   if (!options.json) {
-    print(scene.name + "\n" + summary_text(summary, run, isolated(scene)));
+    report(scene.name + "\n" + summary_text(summary, run, conservation), takes_standard_output(options));
     return 0;
   }
   Json json = {{"model", scene.name}, {"hash", model.generated.hash}};
-  json.update(summary_json(summary, run));
+  json.update(summary_json(summary, run, conservation));
   json["final"] = last;
   print_json(json);
   return 0;

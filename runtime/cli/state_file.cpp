@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/state_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "generator/pipeline.hpp"
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
-#include "runtime/cli/layout.hpp"
+#include "runtime/cli/state_layout.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -60,7 +60,12 @@ class Field {
     return value_.get<double>();
   }
 
-  void append_numbers(std::size_t count, std::vector<double>& numbers) const {
+  void append_numbers(const Block& block, std::vector<double>& numbers) const {
+    if (block.shape.empty()) {
+      numbers.push_back(number());
+      return;
+    }
+    const std::size_t count = block.size();
     const std::string allowed = "a list of " + std::to_string(count) + " finite numbers";
     if (!value_.is_array() || value_.size() != count) refuse(shown(value_), allowed);
     for (std::size_t i = 0; i < count; ++i)
@@ -97,17 +102,19 @@ json parse(std::string_view text, const std::string& file) {
 
 std::vector<double> read_part(const Field& root, const Layout& layout, bool needed) {
   std::vector<double> numbers;
+  const std::string summary = summary_of(layout);
   if (!root.has(layout.name)) {
-    if (needed) root.refuse("no field \"" + layout.name + "\"", "an object with " + layout.summary);
+    if (needed && !layout.blocks.empty())
+      root.refuse("no field \"" + layout.name + "\"", "an object with " + summary);
     return numbers;
   }
   const Field part = root.at(layout.name);
   std::vector<std::string> known;
   for (const Block& block : layout.blocks) known.push_back(block.name);
-  part.only(known, layout.summary);
+  part.only(known, summary);
   for (const Block& block : layout.blocks) {
-    if (!part.has(block.name)) part.refuse("no field \"" + block.name + "\"", layout.summary);
-    part.at(block.name).append_numbers(block.size(), numbers);
+    if (!part.has(block.name)) part.refuse("no field \"" + block.name + "\"", summary);
+    part.at(block.name).append_numbers(block, numbers);
   }
   return numbers;
 }
@@ -153,23 +160,26 @@ Json named_json(const std::vector<scene::Named>& list, const std::vector<double>
 }  // namespace
 
 State initial_state(const scene::Scene& scene) {
-  return {initial_coordinates(scene), initial_speeds(scene),
+  return {0.0, initial_coordinates(scene), initial_speeds(scene),
           std::vector<double>(static_cast<std::size_t>(n_speeds(scene)), 0.0), default_parameters(scene),
           default_inputs(scene)};
 }
 
-Needs needs_of(const scene::Scene& scene, const std::string& function) {
-  for (const Available& available : available_functions(scene))
-    if (available.name == function) return {available.signature.y, available.signature.ydot};
-  throw InternalError("no function " + function);
+bool reads_time(const scene::Scene& scene) {
+  return std::any_of(scene.expressions.begin(), scene.expressions.end(), [](const scene::Expression& expression) {
+    return std::any_of(expression.nodes.begin(), expression.nodes.end(), [](const scene::ExpressionNode& node) {
+      return node.kind == scene::ExpressionNode::Kind::time;
+    });
+  });
 }
 
 ReadState read_state(std::string_view text, const std::string& file, const scene::Scene& scene, const Needs& needs) {
   const json parsed = parse(text, file);
   const Field root(parsed, file, "");
-  root.only({"x", "y", "ydot", "parameters", "inputs"}, "an object with x, y, ydot, parameters, inputs");
+  root.only({"t", "x", "y", "ydot", "parameters", "inputs"}, "an object with t, x, y, ydot, parameters, inputs");
   ReadState result;
   State& state = result.state;
+  if (root.has("t")) state.t = root.at("t").number();
   state.x = read_part(root, coordinates_layout(scene), true);
   state.y = read_part(root, speeds_layout(scene), needs.y);
   state.ydot = read_part(root, speed_rates_layout(scene), needs.ydot);
@@ -181,6 +191,7 @@ ReadState read_state(std::string_view text, const std::string& file, const scene
 
 Json state_json(const scene::Scene& scene, const State& state) {
   Json object = Json::object();
+  if (reads_time(scene)) object["t"] = state.t;
   object["x"] = coordinates_layout(scene).json(state.x);
   if (!state.y.empty()) object["y"] = speeds_layout(scene).json(state.y);
   if (!state.ydot.empty()) object["ydot"] = speed_rates_layout(scene).json(state.ydot);

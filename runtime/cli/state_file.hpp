@@ -1,13 +1,14 @@
 // States by name, as JSON: what `kanec eval` reads and what `kanec simulate --final` leaves. Not: evaluation.
 //
-//   {"x": {"eps_1": [0, 0, 0, 1], ..., "s_1": [0, 0, 0], ...},
-//    "y": {"omega_1": [0, 0, 0], ..., "sdot_1": [0, 0, 0], ...},
-//    "ydot": {"omegadot_1": [0, 0, 0], ..., "sddot_1": [0, 0, 0], ...},
+//   {"t": 0,
+//    "x": {"eps_1": [0, 0, 0, 1], "theta_2": 0.3, ..., "s_1": [0, 0, 0], ...},
+//    "y": {"omega_1": [0, 0, 0], "thetadot_2": 0, ..., "sdot_1": [0, 0, 0], ...},
+//    "ydot": {"omegadot_1": [0, 0, 0], "thetaddot_2": 0, ..., "sddot_1": [0, 0, 0], ...},
 //    "parameters": {"m_payload": 1.2}, "inputs": {"thrust": 2}}
 //
-// Letters, frames and units of CONVENTIONS.md. x is always there; y and ydot where the function reads them. Each of
-// these is complete. Parameters and inputs that are left out have the scene's values.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// Letters, frames and units of CONVENTIONS.md, blocks of state_layout.hpp. x is always there (unless nothing moves
+// freely); y and ydot where the function reads them. Each of these is complete. t that is left out is 0; parameters and
+// inputs that are left out have the scene's values. SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
@@ -15,25 +16,22 @@
 #include <vector>
 
 #include "generator/scene/scene.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/output.hpp"
 
 namespace kanec::cli {
 
 struct State {
-  std::vector<double> x, y, ydot;  // empty: not given
-  std::vector<double> parameters, inputs;
+  double t = 0.0;                         // [s]
+  std::vector<double> x, y, ydot;         // empty: not given
+  std::vector<double> parameters, inputs; // all of the scene's, in its order
 };
 
 // What the scene begins with, ydot zero.
 State initial_state(const scene::Scene& scene);
 
-// Which of y and ydot have to be there.
-struct Needs {
-  bool y = false;
-  bool ydot = false;
-};
-// Those of a function that the scene has.
-Needs needs_of(const scene::Scene& scene, const std::string& function);
+// Whether anything in the scene is an expression of time.
+bool reads_time(const scene::Scene& scene);
 
 struct ReadState {
   State state;
@@ -44,7 +42,7 @@ struct ReadState {
 // they were off by more than 1e-6. Throws InputError that names `file` and the field.
 ReadState read_state(std::string_view text, const std::string& file, const scene::Scene& scene, const Needs& needs);
 
-// Parts that are empty are left out, but x.
+// Parts that are empty are left out, but x; and t where nothing in the scene depends on it.
 Json state_json(const scene::Scene& scene, const State& state);
 
 }  // namespace kanec::cli

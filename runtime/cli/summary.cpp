@@ -41,7 +41,7 @@ void add_steps(Lines& lines, const integrate::Summary& summary) {
   lines.add("wall time", fmt::format("{:.3g} s", summary.wall_seconds));
 }
 
-void add_energy(Lines& lines, const EnergyBalance& energy) {
+void add_energy(Lines& lines, const EnergyBalance& energy, bool driven) {
   const auto parts = [](const integrate::Energy& e) {
     return fmt::format("{:.10g} J = {:.10g} kinetic {:+.10g} potential", e.total(), e.kinetic, e.potential);
   };
@@ -49,6 +49,11 @@ void add_energy(Lines& lines, const EnergyBalance& energy) {
   lines.add("energy at the end", parts(energy.end));
   lines.add("energy change", fmt::format("{:.10g} J", energy.change()));
   lines.add("work of applied loads", fmt::format("{:.10g} J", energy.work));
+  if (driven) {
+    lines.add("work of prescribed motions",
+              fmt::format("{:.10g} J: what the applied loads leave over, so not checked here", energy.at_end.value));
+    return;
+  }
   lines.add("energy change minus work",
             fmt::format("{} J at the end, {}; at worst {} J, {}", brief(energy.at_end.value), relative(energy.at_end),
                         brief(energy.worst.value), relative(energy.worst)));
@@ -85,24 +90,27 @@ Json momentum_json(const MomentumChange& change) {
 
 }  // namespace
 
-std::string summary_text(const integrate::Summary& summary, const integrate::Options& options, bool isolated) {
+std::string summary_text(const integrate::Summary& summary, const integrate::Options& options,
+                         const Conservation& conservation) {
   Lines lines;
   lines.add("integrator", method_text(options));
   lines.add("time",
             fmt::format("0 to {} s, a row every {} s", shortest(options.duration), shortest(options.output_step)));
   add_steps(lines, summary);
-  if (summary.energy) add_energy(lines, *summary.energy);
+  if (summary.energy) add_energy(lines, *summary.energy, conservation.driven);
   if (summary.linear_momentum) add_momentum(lines, "linear momentum changed by", "kg m/s", *summary.linear_momentum);
   if (summary.angular_momentum)
     add_momentum(lines, "angular momentum changed by", "kg m^2/s", *summary.angular_momentum);
-  if (summary.linear_momentum && !isolated) lines.add("", "(gravity or loads act: the momenta are not kept)");
+  if (summary.linear_momentum && !conservation.isolated)
+    lines.add("", "(gravity, loads or joints act from outside: the momenta are not kept)");
   lines.add("worst | |eps| - 1 |",
             fmt::format("{} before projection, {} in the rows", brief(summary.worst_norm_error_before),
                         brief(summary.worst_norm_error_after)));
   return lines.text();
 }
 
-Json summary_json(const integrate::Summary& summary, const integrate::Options& options) {
+Json summary_json(const integrate::Summary& summary, const integrate::Options& options,
+                  const Conservation& conservation) {
   Json json = {{"integrator", integrate::name_of(options.method)},
                {"duration", options.duration},
                {"output_step", options.output_step},
@@ -116,6 +124,7 @@ Json summary_json(const integrate::Summary& summary, const integrate::Options& o
                {"evaluations", summary.evaluations},
                {"wall_seconds", summary.wall_seconds}};
   if (summary.energy) json["energy"] = balance_json(*summary.energy);
+  if (summary.energy) json["energy"]["balanced"] = !conservation.driven;
   if (summary.linear_momentum) json["linear_momentum"] = momentum_json(*summary.linear_momentum);
   if (summary.angular_momentum) json["angular_momentum"] = momentum_json(*summary.angular_momentum);
   json["norm_error"] = {{"before_projection", summary.worst_norm_error_before},

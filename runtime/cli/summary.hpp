@@ -9,8 +9,15 @@
 
 namespace kanec::cli {
 
-// `isolated`: neither gravity nor loads act, so that the momenta should be kept.
-std::string summary_text(const integrate::Summary& summary, const integrate::Options& options, bool isolated);
-Json summary_json(const integrate::Summary& summary, const integrate::Options& options);
+// What the scene says about the figures (conservation.hpp).
+struct Conservation {
+  bool isolated = false;  // the momenta should be kept
+  bool driven = false;    // energy change minus work is the work of prescribed coordinates, and no error
+};
+
+std::string summary_text(const integrate::Summary& summary, const integrate::Options& options,
+                         const Conservation& conservation);
+Json summary_json(const integrate::Summary& summary, const integrate::Options& options,
+                  const Conservation& conservation);
 
 }  // namespace kanec::cli

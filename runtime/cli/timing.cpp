@@ -10,6 +10,7 @@
 
 #include "runtime/abi/solver.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/cli/functions.hpp"
 #include "runtime/cli/samples.hpp"
 #include "runtime/generic/evaluate.hpp"
 
@@ -17,7 +18,7 @@ namespace kanec::cli {
 namespace {
 
 constexpr int pool_size = 256;
-constexpr int parts = 5;
+constexpr int repetitions = 5;
 constexpr std::uint64_t seed = 1;
 
 // Keeps the time of every part, by the benchmark's name.
@@ -54,24 +55,24 @@ void time_emitted(benchmark::State& loop, const Solver& solver, const kanec_func
   std::vector<double> out(static_cast<std::size_t>(function.n_out));
   for (auto _ : loop) {
     const State& state = pool.next();
-    solver.evaluate(function, 0.0, state.x.data(), state.y.data(), state.ydot.data(), out.data());
+    solver.evaluate(function, state.t, state.x.data(), state.y.data(), state.ydot.data(), out.data());
     benchmark::ClobberMemory();
   }
 }
 
-void time_generic(benchmark::State& loop, const generic::System<double>& system, const std::string& name,
+void time_generic(benchmark::State& loop, const generic::System<double>& system, const std::vector<std::string>& parts,
                   const std::vector<double>& inputs, Pool& pool) {
   for (auto _ : loop) {
     const State& state = pool.next();
-    const generic::Arguments<double> arguments{0.0, state.x, state.y, state.ydot, inputs};
-    benchmark::DoNotOptimize(generic::evaluate(system, name, arguments).data());
+    const generic::Arguments<double> arguments{state.t, state.x, state.y, state.ydot, inputs};
+    for (const std::string& part : parts) benchmark::DoNotOptimize(generic::evaluate(system, part, arguments).data());
   }
 }
 
 // Google Benchmark takes its settings as a command line.
 void initialise(double min_time) {
-  std::array<std::string, 4> words = {"kanec", fmt::format("--benchmark_min_time={}", min_time / parts),
-                                      fmt::format("--benchmark_repetitions={}", parts),
+  std::array<std::string, 4> words = {"kanec", fmt::format("--benchmark_min_time={}", min_time / repetitions),
+                                      fmt::format("--benchmark_repetitions={}", repetitions),
                                       "--benchmark_enable_random_interleaving=true"};
   std::array<char*, words.size() + 1> arguments{};
   std::transform(words.begin(), words.end(), arguments.begin(), [](std::string& word) { return word.data(); });
@@ -93,8 +94,10 @@ std::vector<Timing> timings(const scene::Scene& scene, const CompiledModel& mode
     const kanec_function& entry = *solver.find(name);
     benchmark::RegisterBenchmark((name + ":emitted").c_str(),
                                  [&](benchmark::State& loop) { time_emitted(loop, solver, entry, pool); });
-    benchmark::RegisterBenchmark((name + ":generic").c_str(),
-                                 [&](benchmark::State& loop) { time_generic(loop, system, name, inputs, pool); });
+    const std::vector<std::string> parts = parts_of_emitted(name, model.requests);
+    benchmark::RegisterBenchmark((name + ":generic").c_str(), [&, parts](benchmark::State& loop) {
+      time_generic(loop, system, parts, inputs, pool);
+    });
     list.push_back({name});
   }
   Times times;

@@ -11,7 +11,7 @@ namespace {
 
 extern "C" int kanec_arkode_project(realtype, N_Vector z, void* data) {
   auto& callback = *static_cast<CallbackData*>(data);
-  callback.norm_error = normalise(N_VGetArrayPointer(z), callback.system.n_bodies());
+  callback.norm_error = normalise(N_VGetArrayPointer(z), callback.system.attitudes());
   return 0;
 }
 

@@ -20,18 +20,18 @@ namespace {
 extern "C" int kanec_cvode_project(realtype, N_Vector z, N_Vector correction, realtype, N_Vector error, void* data) {
   auto& callback = *static_cast<CallbackData*>(data);
   N_VConst(0.0, correction);
-  const double* eps = N_VGetArrayPointer(z);
+  const double* now = N_VGetArrayPointer(z);
   double* c = N_VGetArrayPointer(correction);
   double* e = error ? N_VGetArrayPointer(error) : nullptr;
-  callback.norm_error = norm_error(eps, callback.system.n_bodies());
-  for (int k = 0; k < 4 * callback.system.n_bodies(); k += 4) {
-    const double length = norm(eps + k);
+  callback.norm_error = norm_error(now, callback.system.attitudes());
+  for (const int at : callback.system.attitudes()) {
+    const double length = norm(now + at);
     double radial = 0.0;
-    for (int i = k; i < k + 4; ++i) {
-      c[i] = eps[i] / length - eps[i];
-      if (e) radial += e[i] * eps[i] / (length * length);
+    for (int i = at; i < at + 4; ++i) {
+      c[i] = now[i] / length - now[i];
+      if (e) radial += e[i] * now[i] / (length * length);
     }
-    for (int i = k; e && i < k + 4; ++i) e[i] -= radial * eps[i];
+    for (int i = at; e && i < at + 4; ++i) e[i] -= radial * now[i];
   }
   return 0;
 }
@@ -89,7 +89,7 @@ class Cvode final : public Stepper {
     while (t_ < t) step();
     if (book_.steps == 0) return z_;
     require(CVodeGetDky(memory_.get(), t, 0, row_vector_.get()), "CVodeGetDky", data_);
-    normalise(row_.data(), data_.system.n_bodies());
+    normalise(row_.data(), data_.system.attitudes());
     return row_;
   }
 
@@ -109,11 +109,12 @@ class Cvode final : public Stepper {
     linear_.reset(SUNLinSol_Dense(vector_.get(), matrix_.get(), context_));
     if (!linear_) throw InternalError("SUNLinSol_Dense failed");
     require(CVodeSetLinearSolver(memory_.get(), linear_.get(), matrix_.get()), "CVodeSetLinearSolver", data_);
+    if (data_.system.attitudes().empty()) return;
     require(CVodeSetProjFn(memory_.get(), kanec_cvode_project), "CVodeSetProjFn", data_);
   }
 
   void step() {
-    if (!bdf_ && norm_error(z_.data(), data_.system.n_bodies()) > drift_limit_) restart();
+    if (!bdf_ && norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) restart();
     require(CVodeSetStopTime(memory_.get(), end_), "CVodeSetStopTime", data_);
     data_.system.clear_fault();
     double next = t_;
@@ -122,12 +123,12 @@ class Cvode final : public Stepper {
     require_progress("cvode", t_, next, data_);
     t_ = next;
     book_.failed = failed_before_restart_ + failed();
-    book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.n_bodies()));
+    book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.attitudes()));
   }
 
   void restart() {
     failed_before_restart_ += failed();
-    normalise(z_.data(), data_.system.n_bodies());
+    normalise(z_.data(), data_.system.attitudes());
     require(CVodeReInit(memory_.get(), t_, vector_.get()), "CVodeReInit", data_);
     ++book_.restarts;
   }

@@ -9,6 +9,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/process.hpp"
+#include "runtime/integrate/panels.hpp"
 
 namespace kanec::integrate {
 namespace {
@@ -45,12 +46,14 @@ std::size_t most_samples(const PlotData& data) { return std::clamp<std::size_t>(
 
 }  // namespace
 
-Plot::Plot(const fs::path& path, const StateNames& names, bool has_energy)
+Plot::Plot(const fs::path& path, const StateNames& names, bool has_energy, bool driven)
     : path_(path),
       gnuplot_(require_gnuplot()),
       file_(path),
-      data_{names, has_energy, {}},
-      most_samples_(most_samples(data_)) {}
+      data_{names, has_energy, driven},
+      most_samples_(most_samples(data_)) {
+  panels(names);  // refuses names that are none
+}
 
 void Plot::add(const Row& row) {
   if (row.energy.has_value() != data_.has_energy) throw InternalError("a row whose energy does not fit the plot");

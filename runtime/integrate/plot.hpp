@@ -10,15 +10,15 @@
 #include "runtime/base/files.hpp"
 #include "runtime/integrate/plot_script.hpp"
 #include "runtime/integrate/simulate.hpp"
-#include "runtime/integrate/trajectory.hpp"
 
 namespace kanec::integrate {
 
 // The file stands under its name after finish() only.
 class Plot {
  public:
-  // Throws InputError where there is no gnuplot, FileError where `path` cannot be written: both before the run.
-  Plot(const std::filesystem::path& path, const StateNames& names, bool has_energy);
+  // `driven`: prescribed coordinates do work that is no applied load's. Throws InputError where there is no gnuplot,
+  // FileError where `path` cannot be written, InternalError for names that are none of a state: all before the run.
+  Plot(const std::filesystem::path& path, const StateNames& names, bool has_energy, bool driven = false);
 
   void add(const Row& row);
 

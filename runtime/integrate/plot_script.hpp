@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/integrate/trajectory.hpp"
+#include "runtime/integrate/state_names.hpp"
 
 namespace kanec::integrate {
 
@@ -14,15 +14,14 @@ namespace kanec::integrate {
 struct PlotData {
   StateNames names;
   bool has_energy;
-  std::vector<double> values;  // (samples × columns)
+  bool driven;  // prescribed coordinates do work as well
+  std::vector<double> values = {};  // (samples × columns)
 
-  std::size_t n_bodies() const { return integrate::n_bodies(names); }
-  std::size_t columns() const { return 2 + 13 * n_bodies() + (has_energy ? 2 : 0); }
+  std::size_t columns() const { return 2 + names.coordinates.size() + names.speeds.size() + (has_energy ? 2 : 0); }
   std::size_t samples() const { return values.size() / columns(); }
 };
 
-// Draws an SVG of six panels (four without energy) into `output`. Colours tell bodies apart and dashes components, with
-// a legend of every curve up to 3 bodies, of the bodies up to 12, and beyond that none.
+// Draws an SVG into `output`: a row of panels for each kind of coordinate (panels.hpp), one for energy and its balance.
 std::string gnuplot_script(const PlotData& data, const std::string& output);
 
 }  // namespace kanec::integrate

@@ -23,7 +23,7 @@ class Rk4 final : public Stepper {
           i + 1 == steps ? t : begin + (t - begin) * (static_cast<double>(i + 1) / static_cast<double>(steps));
       step(end - t_);
       t_ = end;
-      book_.accepted(t_, normalise(z_.data(), system_.n_bodies()));
+      book_.accepted(t_, normalise(z_.data(), system_.attitudes()));
     }
     return z_;
   }

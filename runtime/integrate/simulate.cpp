@@ -37,7 +37,7 @@ Summary run(const Solver& solver, System& system, Stepper& stepper, const Option
     require_finite(system, times[i], z);
     Row row = row_at(system, times[i], z);
     row.energy = balance.add(row.t, row.x.data(), row.y.data(), row.work);
-    summary.worst_norm_error_after = worse(summary.worst_norm_error_after, norm_error(z.data(), system.n_bodies()));
+    summary.worst_norm_error_after = worse(summary.worst_norm_error_after, norm_error(z.data(), system.attitudes()));
     if (observer) observer(row);
     if (i + 1 < times.size()) continue;
     summary.x.assign(row.x.begin(), row.x.end());

@@ -2,7 +2,6 @@
 #include "runtime/integrate/system.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -29,6 +28,15 @@ bool all_finite(std::span<const double> values) noexcept {
   return (carries >> 63) == 0;
 }
 
+// kinematics, accelerations and power in one, which is ż as it stands
+constexpr const char* all_rates = "kinematics_and_accelerations_and_power";
+
+std::vector<int> first_indices(const kanec_model& model) {
+  std::vector<int> list;
+  for (int i = 0; i < model.n_attitudes; ++i) list.push_back(model.attitudes[i].eps);
+  return list;
+}
+
 void require_size(const char* what, std::size_t found, int allowed) {
   if (found != static_cast<std::size_t>(allowed))
     throw InputError(std::string("initial ") + what + ": found " + std::to_string(found) +
@@ -45,25 +53,29 @@ int first_not_finite(std::span<const double> values) noexcept {
 
 System::System(const Solver& solver)
     : solver_(&solver),
-      kinematics_(required(solver, "kinematics")),
-      accelerations_(required(solver, "accelerations")),
-      power_(solver.find("power")),
-      n_bodies_(solver.model().n_bodies),
       nx_(solver.model().nx),
-      ny_(solver.model().ny) {
-  if (nx_ != 7 * n_bodies_ || ny_ != 6 * n_bodies_)
-    throw InternalError(std::string("model ") + solver.model().name + " has joints that integration does not know");
+      ny_(solver.model().ny),
+      calls_(calls()),
+      has_work_(solver.find("power") || solver.find(all_rates)),
+      size_(std::max(nx_ + ny_ + (has_work_ ? 1 : 0), 1)),
+      attitudes_(first_indices(solver.model())) {}
+
+std::vector<System::Call> System::calls() const {
+  if (const kanec_function* all = solver_->find(all_rates)) return {{all, 0}};
+  std::vector<Call> list;
+  if (const kanec_function* both = solver_->find("kinematics_and_accelerations"))
+    list = {{both, 0}};
+  else
+    list = {{required(*solver_, "kinematics"), 0}, {required(*solver_, "accelerations"), nx_}};
+  if (const kanec_function* power = solver_->find("power")) list.push_back({power, nx_ + ny_});
+  return list;
 }
 
 bool System::rates(double t, const double* z, double* zdot) noexcept {
-  const double* x = z;
-  const double* y = z + nx_;
-  double* ydot = zdot + nx_;
-  solver_->evaluate(*kinematics_, t, x, y, nullptr, zdot);
-  solver_->evaluate(*accelerations_, t, x, y, nullptr, ydot);
-  if (power_) solver_->evaluate(*power_, t, x, y, ydot, ydot + ny_);
+  zdot[size_ - 1] = 0.0;  // where nothing else is written
+  for (const Call& call : calls_) solver_->evaluate(*call.function, t, z, z + nx_, nullptr, zdot + call.offset);
   ++evaluations_;
-  const std::span<const double> all(zdot, static_cast<std::size_t>(size()));
+  const std::span<const double> all(zdot, static_cast<std::size_t>(size_));
   if (all_finite(all)) return true;
   fault_ = Fault{t, first_not_finite(all)};
   return false;
@@ -74,30 +86,23 @@ std::vector<double> System::initial_state(std::span<const double> x, std::span<c
   require_size("speeds", y.size(), ny_);
   std::vector<double> z(x.begin(), x.end());
   z.insert(z.end(), y.begin(), y.end());
-  z.resize(static_cast<std::size_t>(size()), 0.0);
+  z.resize(static_cast<std::size_t>(size_), 0.0);
   if (const int index = first_not_finite(z); index >= 0)
     throw InputError("initial state: " + component(index) + ": found " + shortest(z[static_cast<std::size_t>(index)]) +
                      "; allowed: a finite number");
-  for (int body = 0; body < n_bodies_; ++body)
-    if (const double error = norm_error(&z[static_cast<std::size_t>(4 * body)], 1); error > 1e-6)
-      throw InputError("initial state: body " + std::to_string(body + 1) + ": Euler parameters are " + shortest(error) +
+  for (const int at : attitudes_)
+    if (const double error = std::fabs(norm(&z[static_cast<std::size_t>(at)]) - 1.0); !(error <= 1e-6))
+      throw InputError("initial state: " + component(at) + " to _4: Euler parameters are " + shortest(error) +
                        " from unit norm; allowed: at most 1e-6");
-  normalise(z.data(), n_bodies_);
+  normalise(z.data(), attitudes_);
   return z;
 }
 
 std::string System::component(int index) const {
-  struct Block {
-    const char* name;
-    int width, begin;
-  };
-  const std::array<Block, 4> blocks = {
-      {{"eps", 4, 0}, {"s", 3, 4 * n_bodies_}, {"omega", 3, nx_}, {"sdot", 3, nx_ + 3 * n_bodies_}}};
-  if (index >= nx_ + ny_) return "work of the applied loads";
-  const auto block = std::find_if(blocks.rbegin(), blocks.rend(), [&](const Block& b) { return index >= b.begin; });
-  const int offset = index - block->begin;
-  return "body " + std::to_string(offset / block->width + 1) + ", " + block->name + "_" +
-         std::to_string(offset % block->width + 1);
+  const kanec_model& model = solver_->model();
+  if (index < nx_) return model.coordinate_names[index];
+  if (index < nx_ + ny_) return model.speed_names[index - nx_];
+  return "work of the applied loads";
 }
 
 void System::throw_fault() const {

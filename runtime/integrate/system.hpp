@@ -15,14 +15,17 @@ namespace kanec::integrate {
 
 class System {
  public:
-  // Throws InputError where the model was emitted without kinematics or accelerations. The solver must outlive it.
+  // Calls the combined functions where the model has them. Throws InputError where it gives no kinematics or no
+  // accelerations. The solver must outlive it.
   explicit System(const Solver& solver);
 
-  int n_bodies() const { return n_bodies_; }
   int nx() const { return nx_; }
   int ny() const { return ny_; }
-  bool has_work() const { return power_ != nullptr; }
-  int size() const { return nx_ + ny_ + (has_work() ? 1 : 0); }
+  bool has_work() const { return has_work_; }
+  // At least 1: a model without coordinates (all prescribed) and without `power` has one entry that stays zero.
+  int size() const { return size_; }
+  // Where sets of Euler parameters begin in z.
+  std::span<const int> attitudes() const { return attitudes_; }
 
   // z (size) -> zdot (size), the emitted functions working on these arrays themselves. False where a rate is not
   // finite.
@@ -33,7 +36,7 @@ class System {
   // wrong sizes, numbers that are not finite, and Euler parameters further than 1e-6 from unit norm.
   std::vector<double> initial_state(std::span<const double> x, std::span<const double> y) const;
 
-  // "body 3, omega_2" for a component of z.
+  // "omega_3_2" for a component of z.
   std::string component(int index) const;
 
   // The last evaluation that was not finite since clear_fault(), and the error that tells of it.
@@ -46,11 +49,19 @@ class System {
   [[noreturn]] void throw_fault() const;
 
  private:
+  // One emitted function and the entry of zdot at which its results begin.
+  struct Call {
+    const kanec_function* function;
+    int offset;
+  };
+  std::vector<Call> calls() const;
+
   const Solver* solver_;
-  const kanec_function* kinematics_;
-  const kanec_function* accelerations_;
-  const kanec_function* power_;
-  int n_bodies_, nx_, ny_;
+  int nx_, ny_;
+  std::vector<Call> calls_;
+  bool has_work_;
+  int size_;
+  std::vector<int> attitudes_;
   std::int64_t evaluations_ = 0;
   std::optional<Fault> fault_;
 };

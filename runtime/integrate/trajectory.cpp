@@ -9,11 +9,15 @@
 namespace kanec::integrate {
 namespace {
 
+std::string column(const std::string& name) {
+  const std::string unit(unit_of(component_of(name).kind));
+  return "," + name + (unit.empty() ? "" : "[" + unit + "]");
+}
+
 std::string header(const StateNames& names, bool has_energy) {
-  const std::size_t n = n_bodies(names);
   std::string line = "t[s]";
-  for (std::size_t i = 0; i < 7 * n; ++i) line += "," + names.coordinates[i] + (i < 4 * n ? "" : "[m]");
-  for (std::size_t i = 0; i < 6 * n; ++i) line += "," + names.speeds[i] + (i < 3 * n ? "[rad/s]" : "[m/s]");
+  for (const std::string& name : names.coordinates) line += column(name);
+  for (const std::string& name : names.speeds) line += column(name);
   return line + (has_energy ? ",kinetic[J],potential[J]" : "") + ",work[J]\n";
 }
 
@@ -25,20 +29,14 @@ void append(std::string& line, double value) {
 
 }  // namespace
 
-std::size_t n_bodies(const StateNames& names) {
-  const std::size_t n = names.speeds.size() / 6;
-  if (n == 0 || names.speeds.size() != 6 * n || names.coordinates.size() != 7 * n)
-    throw InternalError("names of a state that is not 7N coordinates and 6N speeds");
-  return n;
-}
-
 Trajectory::Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy)
-    : file_(path), has_energy_(has_energy) {
+    : file_(path), has_energy_(has_energy), n_state_(names.coordinates.size() + names.speeds.size()) {
   file_.write(header(names, has_energy));
 }
 
 void Trajectory::add(const Row& row) {
   if (row.energy.has_value() != has_energy_) throw InternalError("a row whose energy does not fit the header");
+  if (row.x.size() + row.y.size() != n_state_) throw InternalError("a row whose state does not fit the header");
   line_.clear();
   append(line_, row.t);
   const auto next = [this](double value) {

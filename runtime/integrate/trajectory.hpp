@@ -1,33 +1,25 @@
 // The rows of a run as a CSV file. Not: which rows there are (simulate.hpp).
 //
 // One header line, then one line a row, comma-separated, every number the shortest text that reads back exactly.
-// Columns: t[s]; the coordinates (Euler parameters without unit, translations in [m]); the speeds ([rad/s], [m/s]);
-// kinetic[J] and potential[J], both left out where the model has no `energy`; work[J] of the applied loads since t = 0.
-// SPDX-License-Identifier: BSD-3-Clause
+// Columns: t[s]; the coordinates (Euler parameters without unit, angles in [rad], translations in [m]); the speeds
+// ([rad/s], [m/s]); kinetic[J] and potential[J], both left out where the model has no `energy`; work[J] of the applied
+// loads since t = 0. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "runtime/base/files.hpp"
 #include "runtime/integrate/simulate.hpp"
+#include "runtime/integrate/state_names.hpp"
 
 namespace kanec::integrate {
-
-// Names of the state's components in state order: 7N coordinates ("eps_1_1" … "s_N_3"), 6N speeds ("omega_1_1" …).
-struct StateNames {
-  std::vector<std::string> coordinates, speeds;
-};
-
-// N. Throws InternalError where the sizes do not fit together.
-std::size_t n_bodies(const StateNames& names);
 
 // The file stands under its name after finish() only; every failure is a FileError and leaves nothing behind.
 class Trajectory {
  public:
-  // Opens the file at once, so that an unwritable path is known before the run.
+  // Opens the file at once, so that an unwritable path is known before the run. Throws InternalError for names that
+  // are none of a state.
   Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy);
 
   void add(const Row& row);
@@ -36,6 +28,7 @@ class Trajectory {
  private:
   AtomicFile file_;
   bool has_energy_;
+  std::size_t n_state_;
   std::string line_;
 };
 

@@ -156,11 +156,11 @@ INSTANTIATE_TEST_SUITE_P(
     Patches, EvalInput,
     testing::Values(
         BadInput{R"([{"op": "remove", "path": "/x"}])",
-                 "state.json: found no field \"x\"; allowed: an object with eps_K"},
+                 "state.json: found no field \"x\"; allowed: an object with eps_1 (4 numbers); s_1 (3 numbers)"},
         BadInput{R"([{"op": "remove", "path": "/ydot"}])", "state.json: found no field \"ydot\""},
         BadInput{R"([{"op": "remove", "path": "/y/sdot_1"}])", "state.json: y: found no field \"sdot_1\""},
         BadInput{R"([{"op": "add", "path": "/z", "value": 1}])",
-                 "found an unknown field \"z\"; allowed: an object with x, y"},
+                 "found an unknown field \"z\"; allowed: an object with t, x, y"},
         BadInput{R"([{"op": "add", "path": "/input", "value": {}}])", "(did you mean inputs?)"},
         BadInput{R"([{"op": "add", "path": "/y/omega1", "value": [1, 2, 3]}])", "y: found an unknown field \"omega1\""},
         BadInput{R"([{"op": "add", "path": "/x/eps_2", "value": [0, 0, 0, 1]}])", "(did you mean eps_1?)"},
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "x.s_1[2]: found \"a\"; allowed: a finite number"},
         BadInput{R"([{"op": "replace", "path": "/x/s_1/1", "value": null}])", "x.s_1[2]: found null"},
         BadInput{R"([{"op": "replace", "path": "/x/s_1/1", "value": true}])", "x.s_1[2]: found true"},
-        BadInput{R"([{"op": "replace", "path": "/y", "value": [1]}])", "y: found a list of 1; allowed: omega_K"},
+        BadInput{R"([{"op": "replace", "path": "/y", "value": [1]}])", "y: found a list of 1; allowed: omega_1"},
         BadInput{R"([{"op": "replace", "path": "/x/eps_1", "value": [0, 0, 0, 0]}])", "x.eps_1: found norm 0"}));
 
 TEST_F(Eval, what_is_no_json_is_refused) {

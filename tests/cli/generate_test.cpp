@@ -27,6 +27,25 @@ TEST_F(Generate, header_goes_where_it_is_wanted) {
   EXPECT_EQ(read_file(work() / "folder" / "free_body.hpp"), header);
 }
 
+TEST_F(Generate, new_folder_is_made_where_its_name_ends_so) {
+  EXPECT_EQ(kanec({"generate", model("free_body"), "-o", "new/", "--abi"}).status, 0);
+  EXPECT_EQ(names(work() / "new"), (Names{"abi.h", "free_body.hpp", "free_body_abi.cpp"}));
+  refuses({"generate", model("free_body"), "-o", "far/away/"}, "far/away/: No such file or directory", {"new"});
+}
+
+TEST_F(Generate, standard_output_takes_the_header_and_nothing_else) {
+  const Answer answer = kanec({"generate", model("free_body"), "-o", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(kanec({"generate", model("free_body")}).status, 0);
+  EXPECT_EQ(answer.out, read_file(work() / "free_body.hpp"));
+  EXPECT_THAT(answer.err, HasSubstr("accelerations"));  // the report
+  EXPECT_EQ(kanec({"generate", model("free_body"), "-o", "-"}, "", ">redirected.hpp").status, 0);
+  EXPECT_EQ(read_file(work() / "redirected.hpp"), answer.out);
+  const Names there = {"free_body.hpp", "redirected.hpp"};
+  refuses({"generate", model("free_body"), "-o", "-", "--json"}, "--json: found it beside --output -", there);
+  refuses({"generate", model("free_body"), "-o", "-", "--abi"}, "allowed with --abi: a folder", there);
+}
+
 TEST_F(Generate, report_counts_every_function) {
   const json report = json_of({"generate", model("bench_s6f"), "--json"});
   EXPECT_EQ(report.at("nx"), 42);
@@ -103,7 +122,7 @@ TEST_F(Generate, every_stage_can_be_looked_at) {
 
 TEST_F(Generate, unwritable_output_leaves_nothing) {
   const std::string scene = model("free_body");
-  refuses({"generate", scene, "-o", "nowhere/"}, "nowhere/free_body.hpp: No such file or directory");
+  refuses({"generate", scene, "-o", "nowhere/free_body.hpp"}, "nowhere/free_body.hpp: No such file or directory");
   refuses({"generate", scene, "-o", "/dev/full"}, "/dev/full: No space left on device");
   refuses({"generate", scene, "-o", "a.hpp", "--abi"}, "allowed with --abi: a folder");
   fs::create_directories(work() / "abi.h");

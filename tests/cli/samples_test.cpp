@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/model.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -40,15 +39,31 @@ TEST(Samples, every_second_one_has_other_parameters_and_inputs) {
   }
 }
 
-TEST(Model, functions_are_those_that_the_generator_knows) {
-  for (const char* name : {"six_body", "six_body_free"}) {
-    const scene::Scene scene = scene::read(std::string(KANEC_SOURCE_DIR "/models/") + name + "/scene.toml");
-    std::vector<std::string> emitted, known = functions_of(scene);
-    for (const program::Function& function : generate(scene).program.functions) emitted.push_back(function.name);
-    std::sort(emitted.begin(), emitted.end());
-    std::sort(known.begin(), known.end());
-    EXPECT_EQ(emitted, known);
+// A gimbal whose second and third axes are skew, to be kept away from lying in one plane.
+TEST(Samples, keep_the_axes_of_a_gimbal_apart) {
+  scene::Scene scene = scene::from_connection({0});
+  scene::Joint& joint = scene.bodies[0].joint;
+  joint.ball = false;
+  joint.turns.resize(3);
+  joint.turns[0].axis = {1, 0, 0};
+  joint.turns[1].axis = {0, 0.6, 0.8};
+  joint.turns[2].axis = {0, 0, 1};
+  for (const State& state : samples(scene, 200, 3)) {
+    const double theta = state.x[1], c = std::cos(theta), s = std::sin(theta);
+    // the third axis turned about the second by Rodrigues' formula
+    const double along = 0.8, x = 0.6 * s, y = 0.6 * along * (1 - c), z = c + 0.8 * along * (1 - c);
+    const double volume = 0.6 * z - 0.8 * y;  // first axis · (second × third)
+    EXPECT_LE(std::fabs(x * x + y * y + z * z - 1.0), 1e-15);
+    EXPECT_GE(std::fabs(volume), 0.3 * 0.6 - 1e-15);  // 0.6: the most, at theta = 0, where the first state stands
   }
+}
+
+TEST(Samples, have_a_time_where_the_scene_depends_on_it) {
+  scene::Scene scene = scene::from_connection({0});
+  EXPECT_EQ(samples(scene, 3, 1).back().t, 0.0);
+  scene.expressions.push_back({"t", {{scene::ExpressionNode::Kind::time}}});
+  EXPECT_EQ(samples(scene, 3, 1).front().t, 0.0);
+  EXPECT_NE(samples(scene, 3, 1).back().t, samples(scene, 3, 2).back().t);
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ TEST_F(Simulate, unwritable_files_are_known_before_anything_is_compiled) {
     refuses(arguments, "nowhere/file: No such file or directory");
   }
   refuses(run("free_body", {"--csv", "a", "--final", "a"}), "found 'a' twice");
+  refuses(run("free_body", {"--csv", "-", "--json"}), "--json: found it beside a file on standard output");
 }
 
 TEST_F(Simulate, a_full_disk_leaves_nothing) {

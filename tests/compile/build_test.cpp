@@ -187,7 +187,7 @@ TEST_F(Build, library_without_a_descriptor_is_refused) {
               HasSubstr("undefined symbol: kanec_model_entry"));
   EXPECT_EQ(message_of<LoadError>(toy_with("return &model;", "return nullptr;"), options),
             "compiled model toy: no descriptor");
-  EXPECT_EQ(message_of<LoadError>(toy_with("prepare, functions}", "prepare, nullptr}"), options),
+  EXPECT_EQ(message_of<LoadError>(toy_with("prepare, functions,", "prepare, nullptr,"), options),
             "compiled model toy: descriptor without functions");
 }
 

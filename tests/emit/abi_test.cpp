@@ -15,6 +15,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/base/folder.hpp"
+#include "tests/emit/every_node.hpp"
 #include "tests/lower/sample.hpp"
 
 namespace kanec::test {
@@ -94,11 +95,46 @@ TEST_P(Abi, describes_the_model_and_evaluates_its_program) {
     ASSERT_NE(record, nullptr);
     EXPECT_EQ(record->n_out, function.n_out);
     EXPECT_EQ((program::Ledger{record->adds, record->multiplies, record->divides, record->square_roots,
-                               record->trigonometric}),
+                               record->trigonometric, record->other_functions}),
               program::ledger(generated.program, function));
     std::vector<double> out(static_cast<std::size_t>(function.n_out), 12345.0);
     solver.evaluate(*record, 0, at.x.data(), at.y.data(), at.ydot.data(), out.data());
     EXPECT_EQ(out, evaluate(generated.program, function, at));
+  }
+}
+
+TEST_P(Abi, names_the_state_and_says_where_attitudes_stand) {
+  const std::vector<std::string> coordinates = coordinate_names(scene), speeds = speed_names(scene);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) EXPECT_EQ(model.coordinate_names[i], coordinates[i]);
+  for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(model.speed_names[i], speeds[i]);
+  ASSERT_EQ(model.n_attitudes, size(scene));  // every joint is free
+  for (int k = 0; k < model.n_attitudes; ++k) {
+    EXPECT_EQ(coordinates[static_cast<std::size_t>(model.attitudes[k].eps)], "eps_" + std::to_string(k + 1) + "_1");
+    EXPECT_EQ(speeds[static_cast<std::size_t>(model.attitudes[k].omega)], "omega_" + std::to_string(k + 1) + "_1");
+  }
+}
+
+// Time goes through, parameters and inputs that nothing reads are no part of the model, results of a combined function
+// stand one after another. Oracle: the program.
+TEST(AbiOfEveryNode, evaluates_its_program_at_a_time_with_what_it_reads) {
+  const Sample sample = every_node_sample();
+  const Generated generated = every_node_model(sample.scene);
+  const Loaded loaded(generated);
+  const kanec_model& model = loaded.model();
+  ASSERT_EQ(model.n_parameters, 2);
+  EXPECT_STREQ(model.parameter_names[1], "b");
+  ASSERT_EQ(model.n_inputs, 1);
+  EXPECT_STREQ(model.input_names[0], "drive");
+  Solver solver(model);
+  solver.set_parameters(std::vector{sample.parameters[0], sample.parameters[2]});
+  solver.set_inputs(std::vector{sample.inputs[1]});
+  program::Arguments<double> at = arguments<double>(sample);
+  at.time = 0.3;
+  for (const program::Function& function : generated.program.functions) {
+    std::vector<double> out(static_cast<std::size_t>(function.n_out), 12345.0);
+    solver.evaluate(*solver.find(function.name), at.time, at.x.data(), at.y.data(), at.ydot.data(), out.data());
+    EXPECT_EQ(out, evaluate(generated.program, function, at)) << function.name;
+    EXPECT_EQ(solver.find(function.name)->other_functions, ledger(generated.program, function).functions);
   }
 }
 

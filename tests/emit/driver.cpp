@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/emit/driver.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -14,13 +15,14 @@ namespace {
 
 // The header first: nothing before it may help it.
 const char* const prologue = R"(
+#include <cmath>
 #include <cstdio>
 #include <type_traits>
 #include <vector>
 
 static long adds, multiplies, divides, negations;
 
-// A user's own scalar: explicit from double, + - * /, and no more.
+// A user's own scalar: explicit from double, + - * /, and what the code calls besides.
 struct Counted {
   Counted() = default;
   explicit Counted(double v) : value(v) {}
@@ -32,9 +34,47 @@ inline Counted operator-(const Counted& a, const Counted& b) { ++adds; return Co
 inline Counted operator*(const Counted& a, const Counted& b) { ++multiplies; return Counted(a.value * b.value); }
 inline Counted operator/(const Counted& a, const Counted& b) { ++divides; return Counted(a.value / b.value); }
 
+// Not operations of the three kinds above: found by the type's namespace.
+inline bool operator<(const Counted& a, const Counted& b) { return a.value < b.value; }
+#define FUNCTION(f) inline Counted f(const Counted& a) { return Counted(std::f(a.value)); }
+FUNCTION(sqrt) FUNCTION(sin) FUNCTION(cos) FUNCTION(tan) FUNCTION(asin) FUNCTION(acos) FUNCTION(exp) FUNCTION(log)
+FUNCTION(abs) FUNCTION(tanh)
+#undef FUNCTION
+inline Counted atan2(const Counted& a, const Counted& b) { return Counted(std::atan2(a.value, b.value)); }
+inline Counted pow(const Counted& a, const Counted& b) { return Counted(std::pow(a.value, b.value)); }
+
+// A number and its rate along one direction.
+struct Dual {
+  Dual() = default;
+  explicit Dual(double v) : value(v) {}
+  Dual(double v, double r) : value(v), rate(r) {}
+  double value = 0, rate = 0;
+};
+inline Dual operator-(const Dual& a) { return {-a.value, -a.rate}; }
+inline Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.rate + b.rate}; }
+inline Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.rate - b.rate}; }
+inline Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.rate * b.value + a.value * b.rate}; }
+inline Dual operator/(const Dual& a, const Dual& b) {
+  return {a.value / b.value, (a.rate - a.value / b.value * b.rate) / b.value};
+}
+inline bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+#define FUNCTION(f, slope) inline Dual f(const Dual& a) { const double v = std::f(a.value); return {v, (slope) * a.rate}; }
+FUNCTION(sqrt, 0.5 / v) FUNCTION(sin, std::cos(a.value)) FUNCTION(cos, -std::sin(a.value)) FUNCTION(tan, 1 + v * v)
+FUNCTION(asin, 1 / std::sqrt(1 - a.value * a.value)) FUNCTION(acos, -1 / std::sqrt(1 - a.value * a.value))
+FUNCTION(exp, v) FUNCTION(log, 1 / a.value) FUNCTION(abs, a.value < 0 ? -1 : 1) FUNCTION(tanh, 1 - v * v)
+#undef FUNCTION
+inline Dual atan2(const Dual& a, const Dual& b) {
+  return {std::atan2(a.value, b.value), (a.rate * b.value - a.value * b.rate) / (a.value * a.value + b.value * b.value)};
+}
+inline Dual pow(const Dual& a, const Dual& b) {
+  const double v = std::pow(a.value, b.value);
+  return {v, b.value * std::pow(a.value, b.value - 1) * a.rate + (b.rate == 0 ? 0 : v * std::log(a.value) * b.rate)};
+}
+
 inline void print(double v) { std::printf(" %a", v); }
 inline void print(long double v) { std::printf(" %La", v); }
 inline void print(const Counted& v) { print(v.value); }
+inline void print(const Dual& v) { print(v.rate); }
 
 static std::vector<long double> numbers(int n) {
   std::vector<long double> list(static_cast<std::size_t>(n));
@@ -44,13 +84,15 @@ static std::vector<long double> numbers(int n) {
 }
 
 template <class T>
-std::vector<T> as(const std::vector<long double>& list) {
+std::vector<T> as(const std::vector<long double>& list, const std::vector<long double>& rates) {
   std::vector<T> result;
-  for (const long double v : list) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
     if constexpr (std::is_arithmetic_v<T>)
-      result.push_back(static_cast<T>(v));
+      result.push_back(static_cast<T>(list[i]));
+    else if constexpr (std::is_same_v<T, Dual>)
+      result.push_back(Dual(static_cast<double>(list[i]), static_cast<double>(rates[i])));
     else
-      result.push_back(T(static_cast<double>(v)));
+      result.push_back(T(static_cast<double>(list[i])));
   }
   return result;
 }
@@ -66,14 +108,19 @@ void report(const char* scalar, const char* function, int n_out, Call call) {
 }
 )";
 
-std::string fields(const std::string& variable, const std::string& list, const std::vector<scene::Named>& names) {
+// Of the scene's values those that the struct has.
+std::string fields(const std::string& variable, const std::string& list, const std::vector<scene::Named>& all,
+                   const std::vector<scene::Named>& used) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += "  " + variable + "." + names[i].name + " = " + list + "[" + std::to_string(i) + "];\n";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (std::any_of(used.begin(), used.end(), [&](const scene::Named& named) { return named.name == all[i].name; }))
+      text += "  " + variable + "." + all[i].name + " = " + list + "[" + std::to_string(i) + "];\n";
   return text;
 }
 
-std::string type_of(const std::string& scalar) { return scalar == "counted" ? "Counted" : scalar; }
+std::string type_of(const std::string& scalar) {
+  return scalar == "counted" ? "Counted" : scalar == "dual" ? "Dual" : scalar;
+}
 
 std::string key(const std::string& scalar, const std::string& function) {
   return (scalar == "long double" ? "long_double" : scalar) + " " + function;
@@ -85,42 +132,43 @@ std::vector<std::string> strict_flags() {
   return {"-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"};
 }
 
-Driver::Driver(const Sample& sample, const Generated& generated) : sample_(sample), generated_(generated) {
+Driver::Driver(const Sample& sample, const Generated& generated)
+    : sample_(sample), generated_(generated), used_(emit::used(sample.scene, generated.program)) {
   write_file(folder_.path() / (generated.name + ".hpp"), generated.header);
 }
 
 std::string Driver::call(const program::Function& function) const {
-  const program::Signature& signature = function.signature;
-  std::string arguments = "c";
-  if (signature.x) arguments += ", x.data()";
-  if (signature.y) arguments += ", y.data()";
-  if (signature.ydot) arguments += ", ydot.data()";
-  if (signature.inputs) arguments += ", u";
+  const emit::ArgumentList list(generated_.program, function, !used_.inputs.empty());
   return "  report<T>(scalar, \"" + function.name + "\", " + std::to_string(function.n_out) +
-         ", [&](T* out) { model::" + function.name + "(" + arguments + ", out); });\n";
+         ", [&](T* out) { model::" + function.name + "(" + list.values("c", "u", "out") + "); });\n";
 }
 
 std::string Driver::source(const std::vector<std::string>& scalars) const {
   const scene::Scene& scene = sample_.scene;
   std::string text =
       "#include \"" + generated_.name + ".hpp\"\n" + prologue + "\nnamespace model = kanec::" + generated_.name +
-      ";\n\ntemplate <class T>\nvoid run(const char* scalar, const std::vector<long double>& list) {\n"
-      "  const std::vector<T> all = as<T>(list);\n  std::size_t at = 0;\n"
+      ";\n\ntemplate <class T>\nvoid run(const char* scalar, const std::vector<long double>& list, const std::vector<long double>& rates) {\n"
+      "  const std::vector<T> all = as<T>(list, rates);\n  std::size_t at = 0;\n"
       "  const auto take = [&](int n) {\n    const auto first = all.begin() + static_cast<std::ptrdiff_t>(at);\n"
       "    at += static_cast<std::size_t>(n);\n    return std::vector<T>(first, first + n);\n  };\n"
-      "  const std::vector<T> parameters = take(model::n_parameters), x = take(model::nx), y = take(model::ny);\n"
-      "  const std::vector<T> ydot = take(model::ny), inputs = take(model::n_inputs);\n"
-      "  model::Parameters<T> p;\n  model::Inputs<T> u;\n";
-  text += fields("p", "parameters", scene.parameters) + fields("u", "inputs", scene.inputs);
+      "  const std::vector<T> parameters = take(" + std::to_string(scene.parameters.size()) + ");\n"
+      "  const std::vector<T> all_x = take(model::nx), all_y = take(model::ny), all_ydot = take(model::ny);\n"
+      "  const std::vector<T> inputs = take(" + std::to_string(scene.inputs.size()) + ");\n"
+      "  const T t = take(1)[0];\n  const T *x = all_x.data(), *y = all_y.data(), *ydot = all_ydot.data();\n"
+      "  static_cast<void>(t), static_cast<void>(x), static_cast<void>(y), static_cast<void>(ydot);\n"
+      "  model::Parameters<T> p;\n" + (used_.inputs.empty() ? "" : "  model::Inputs<T> u;\n");
+  text += fields("p", "parameters", scene.parameters, used_.parameters) +
+          fields("u", "inputs", scene.inputs, used_.inputs);
   text += "  report<T>(scalar, \"prepare\", 0, [&](T*) { model::prepare(p); });\n";
-  text += "  const model::Prepared<T> c = model::prepare(p);\n  static_cast<void>(u);\n";
+  text += "  const model::Prepared<T> c = model::prepare(p);\n";
   for (const program::Function& function : generated_.program.functions) text += call(function);
   text +=
-      "}\n\nint main() {\n  const auto list = numbers(model::n_parameters + model::nx + 2 * model::ny + "
-      "model::n_inputs);\n";
+      "}\n\nint main() {\n  const int n = model::nx + 2 * model::ny + " +
+      std::to_string(scene.parameters.size() + scene.inputs.size() + 1) +
+      ";\n  const auto list = numbers(n), rates = numbers(n);\n";
   for (const std::string& scalar : scalars)
     text +=
-        "  run<" + type_of(scalar) + ">(\"" + key(scalar, "").substr(0, key(scalar, "").size() - 1) + "\", list);\n";
+        "  run<" + type_of(scalar) + ">(\"" + key(scalar, "").substr(0, key(scalar, "").size() - 1) + "\", list, rates);\n";
   return text + "}\n";
 }
 
@@ -135,10 +183,10 @@ std::string Driver::compile(const std::string& compiler, const std::vector<std::
   return result.status == 0 ? result.output : "status " + std::to_string(result.status) + "\n" + result.output;
 }
 
-std::string Driver::input() const {
-  const program::Arguments<long double> at = arguments<long double>(sample_);
+std::string Driver::input(const program::Arguments<long double>& at) const {
+  const std::vector<long double> now = {at.time};
   std::string text;
-  for (const auto* list : {&at.parameters, &at.x, &at.y, &at.ydot, &at.inputs})
+  for (const auto* list : {&at.parameters, &at.x, &at.y, &at.ydot, &at.inputs, &now})
     for (const long double value : *list) {
       char number[64];
       std::snprintf(number, sizeof number, "%La\n", value);
@@ -147,8 +195,19 @@ std::string Driver::input() const {
   return text;
 }
 
-void Driver::run() {
-  const ProcessResult result = run_process({(folder_.path() / "main").string()}, input());
+program::Arguments<long double> still(const Sample& sample) {
+  const auto zeros = [](const std::vector<double>& v) { return std::vector<long double>(v.size()); };
+  return {zeros(sample.parameters), zeros(sample.state.x), zeros(sample.state.y), zeros(sample.state.ydot),
+          zeros(sample.inputs)};
+}
+
+void Driver::run() { run(still(sample_)); }
+
+void Driver::run(const program::Arguments<long double>& rates) {
+  program::Arguments<long double> at = arguments<long double>(sample_);
+  at.time = time;
+  const std::string main = (folder_.path() / "main").string();
+  const ProcessResult result = run_process({main}, input(at) + input(rates));
   if (result.status != 0)
     throw std::runtime_error("driver: status " + std::to_string(result.status) + "\n" + result.output);
   std::istringstream lines(result.output);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/used.hpp"
 #include "generator/pipeline.hpp"
 #include "tests/base/folder.hpp"
 #include "tests/lower/sample.hpp"
@@ -21,16 +22,23 @@ struct Counts {
   int adds = 0, multiplies = 0, divides = 0, negations = 0;
 };
 
+// Rates of a sample's arguments, all zero.
+program::Arguments<long double> still(const Sample& sample);
+
 class Driver {
  public:
+  static constexpr double time = 0.7;  // of the one call
+
   Driver(const Sample& sample, const Generated& generated);
 
   // Compiles with g++ or another compiler, `flags` besides the strict ones; scalars: of float, double, long double,
-  // counted. Returns the compiler's output, empty when it had nothing to say.
+  // counted, dual. Returns the compiler's output, empty when it had nothing to say.
   std::string compile(const std::string& compiler, const std::vector<std::string>& flags,
                       const std::vector<std::string>& scalars);
   // Runs it on the sample's arguments.
   void run();
+  // The same; results in `dual` are the rates of results while the arguments have these rates.
+  void run(const program::Arguments<long double>& rates);
 
   // Results by function name, "prepare" among the counts.
   template <class T>
@@ -40,10 +48,11 @@ class Driver {
  private:
   std::string source(const std::vector<std::string>& scalars) const;
   std::string call(const program::Function& function) const;
-  std::string input() const;
+  std::string input(const program::Arguments<long double>& arguments) const;
 
   const Sample& sample_;
   const Generated& generated_;
+  emit::Used used_;
   Folder folder_;
   std::map<std::string, std::vector<long double>> results_;  // by "double accelerations"
   std::map<std::string, Counts> counts_;

@@ -13,107 +13,145 @@
 namespace kanec::generic {
 namespace {
 
-Vector positions(const System<Real>& system, const Vector& x) {
-  Vector p(3 * system.n_bodies());
-  Eigen::Index at = 0;
-  for (const Pose<Real>& pose : system.poses(x)) p.segment<3>(3 * at++) = pose.p;
+// R of each body (inertial to body components), and the mass centres (3N), from `poses`.
+Matrix3<Real> rotation(const Vector& poses, int k) {
+  return Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>(poses.data() + 12 * (k - 1));
+}
+Vector positions(const Vector& poses) {
+  Vector p(poses.size() / 4);
+  for (Eigen::Index k = 0; k < p.size() / 3; ++k) p.segment<3>(3 * k) = poses.segment<3>(12 * k + 9);
   return p;
 }
 
-System<Dual>::Vector moving_coordinates(const Sample& s) {
-  return test::along<Real>(s.x, s.system<Real>().kinematics(s.x, s.y));
-}
-
-System<Dual>::Vector moving_speeds(const Sample& s) { return test::along<Real>(s.y, s.ydot); }
+// Of the mass centres (3N), by differentiation of their positions.
+Vector velocities(const Sample& s) { return positions(s.rate("poses")); }
 
 TEST(Rotation, quarter_turn_about_the_third_axis_carries_the_first_axis_to_the_second) {
-  scene::Scene scene;
-  scene.lower = {0};
-  scene.bodies.resize(1);
-  const System<Real> system(scene, {});
-  Vector x = Vector::Zero(7);
-  x[2] = x[3] = std::sqrt(0.5L);
-  const Matrix3<Real> to_inertial = system.poses(x)[0].R.transpose();
+  Sample s;
+  s.scene.lower = {0};
+  s.scene.bodies.resize(1);
+  s.x = Vector::Zero(7);
+  s.x[2] = s.x[3] = std::sqrt(0.5L);
+  const Matrix3<Real> to_inertial = rotation(s("poses"), 1).transpose();
   EXPECT_LT(relative_error(to_inertial * Vector3<Real>::UnitX(), Vector3<Real>::UnitY()), rounding);
 }
 
-TEST(Rotation, is_orthonormal_and_right_handed) {
-  for (const Sample& s : samples())
-    for (const Pose<Real>& pose : s.system<Real>().poses(s.x)) {
-      EXPECT_LT(relative_error(pose.R * pose.R.transpose(), Matrix3<Real>::Identity()), rounding);
-      EXPECT_GT(pose.R.determinant(), 0);
-    }
+// Two turns, first about the third axis, then about the carried second one: R^T = Rot(z, a) Rot(y, b) zero.
+TEST(Rotation, of_turns_is_the_product_of_the_turns_and_the_zero_attitude) {
+  Sample s;
+  s.scene.lower = {0};
+  s.scene.bodies.resize(1);
+  scene::Joint& joint = s.scene.bodies[0].joint;
+  joint.ball = false;
+  joint.slides.clear();
+  joint.turns = {{.axis = {0, 0, 1}}, {.axis = {0, 1, 0}}};
+  joint.zero = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
+  s.x = Vector{{0.3L, -1.1L}};
+  const Real a = s.x[0], b = s.x[1];
+  Matrix3<Real> first, second, zero;
+  first << std::cos(a), -std::sin(a), 0, std::sin(a), std::cos(a), 0, 0, 0, 1;
+  second << std::cos(b), 0, std::sin(b), 0, 1, 0, -std::sin(b), 0, std::cos(b);
+  zero << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  EXPECT_LT(relative_error(rotation(s("poses"), 1).transpose(), first * second * zero), rounding);
 }
 
-// d(R)/dt = -ω̃ R, for R from inertial to body components.
-TEST(Rotation, rate_by_the_kinematical_equations_is_that_of_omega) {
+TEST(Rotation, is_orthonormal_and_right_handed) {
   for (const Sample& s : samples()) {
-    const auto moving = s.system<Dual>().poses(moving_coordinates(s));
-    const auto poses = s.system<Real>().poses(s.x);
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      const Vector3<Real> omega = s.y.segment<3>(3 * static_cast<Eigen::Index>(k));
+    const Vector poses = s("poses");
+    for (int k = 1; k <= scene::size(s.scene); ++k) {
+      const Matrix3<Real> R = rotation(poses, k);
+      EXPECT_LT(relative_error(R * R.transpose(), Matrix3<Real>::Identity()), rounding);
+      EXPECT_GT(R.determinant(), 0);
+    }
+  }
+}
+
+// d(R)/dt = -ω̃ R, for R from inertial to body components; ω = ω_y y where nothing is prescribed.
+TEST(Rotation, rate_by_the_kinematical_equations_is_that_of_omega) {
+  test::RandomSceneOptions options = test::everything();
+  options.prescribed_share = 0;
+  for (const Sample& s : samples(options)) {
+    const Vector poses = s("poses"), moving = s.rate("poses");
+    const Vector omegas = s.matrix("partial_angular_velocities", 3 * scene::size(s.scene)) * s.y;
+    for (int k = 1; k <= scene::size(s.scene); ++k) {
+      const Vector3<Real> omega = omegas.segment<3>(3 * (k - 1));
       Matrix3<Real> expected;
-      for (int column = 0; column < 3; ++column) expected.col(column) = -omega.cross(poses[k].R.col(column));
-      EXPECT_LT(relative_error(test::rates(moving[k].R), expected), rounding);
+      for (int column = 0; column < 3; ++column) expected.col(column) = -omega.cross(rotation(poses, k).col(column));
+      EXPECT_LT((rotation(moving, k) - expected).cwiseAbs().maxCoeff(), rounding * (1 + double(omega.norm())));
     }
   }
 }
 
 TEST(Kinematics, keep_the_norm_of_the_euler_parameters) {
   for (const Sample& s : samples()) {
-    const Vector xdot = s.system<Real>().kinematics(s.x, s.y);
-    for (int k = 0; k < scene::size(s.scene); ++k)
-      EXPECT_LT(std::abs(s.x.segment<4>(4 * k).dot(xdot.segment<4>(4 * k))), rounding);
+    const Vector xdot = s("kinematics");
+    for (const scene::BodyLayout& at : scene::Layout(s.scene).bodies)
+      EXPECT_LT(at.eps < 0 ? 0 : std::abs(s.x.segment<4>(at.eps).dot(xdot.segment<4>(at.eps))), rounding);
   }
 }
 
 // Central difference: its step of 1e-6 leaves 1e-12 of a third derivative that is 10 to 1000 times the velocity (ω up
 // to 5, positions up to 10), and 1e-13 of rounding.
 TEST(PartialVelocity, times_speeds_is_finite_difference_of_position) {
-  for (const Sample& s : samples()) {
-    const System<Real> system = s.system<Real>();
-    const Vector xdot = system.kinematics(s.x, s.y);
+  for (const Sample& s : free_samples()) {
+    const Vector xdot = s("kinematics");
     const Real h = 1e-6L;
-    const Vector difference = (positions(system, s.x + h * xdot) - positions(system, s.x - h * xdot)) / (2 * h);
-    EXPECT_LT(relative_error(system.partial_velocities(s.x) * s.y, difference), 1e-8);
+    const Vector ahead = positions(s.with(&Sample::x, s.x + h * xdot)("poses"));
+    const Vector behind = positions(s.with(&Sample::x, s.x - h * xdot)("poses"));
+    const Matrix v_y = s.matrix("partial_velocities", ahead.size());
+    EXPECT_LT(relative_error(v_y * s.y, (ahead - behind) / (2 * h)), 1e-8);
   }
 }
 
-// Body by body, also where a velocity is small by cancellation: ten times the tolerance.
-TEST(PartialVelocity, times_speeds_is_rate_of_position) {
+// Speed by speed: a velocity is affine in y, so its difference between y = e_j and y = 0 is the column.
+TEST(PartialVelocity, is_the_derivative_of_the_velocity) {
   for (const Sample& s : samples()) {
-    const auto moving = s.system<Dual>().poses(moving_coordinates(s));
-    const Vector v = s.system<Real>().partial_velocities(s.x) * s.y;
-    for (std::size_t k = 0; k < moving.size(); ++k)
-      EXPECT_LT(relative_error(v.segment<3>(3 * static_cast<Eigen::Index>(k)), test::rates(moving[k].p)),
-                10 * rounding);
+    const Eigen::Index n = s.y.size();
+    const Vector at_rest = velocities(s.with(&Sample::y, Vector::Zero(n)));
+    const Matrix v_y = s.matrix("partial_velocities", at_rest.size());
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Vector velocity = velocities(s.with(&Sample::y, Vector::Unit(n, j)));
+      EXPECT_LT((velocity - at_rest - v_y.col(j)).cwiseAbs().maxCoeff(), 100 * rounding);  // positions up to 10
+    }
   }
 }
 
 TEST(PartialVelocity, rates_are_the_derivatives_of_the_partial_velocities) {
   for (const Sample& s : samples()) {
-    const Matrix expected = test::rates(s.system<Dual>().partial_velocities(moving_coordinates(s)));
-    EXPECT_LT(relative_error(s.system<Real>().partial_velocity_rates(s.x, s.y), expected), rounding);
+    for (const auto& [function, rates] : {std::pair("partial_velocities", "partial_velocity_rates"),
+                                          std::pair("partial_angular_velocities", "partial_angular_velocity_rates")}) {
+      const Vector expected = s.rate(function), rate = s(rates);
+      EXPECT_LT(((rate - expected).cwiseAbs().maxCoeff()), 10 * rounding * (1 + double(expected.norm()))) << function;
+    }
   }
 }
 
-TEST(PartialVelocity, and_its_rate_give_the_acceleration_of_the_mass_centre) {
-  for (const Sample& s : samples()) {
-    const auto x = moving_coordinates(s), y = moving_speeds(s);
-    const System<Dual>::Vector v = s.system<Dual>().partial_velocities(x) * y;
-    const System<Real> system = s.system<Real>();
-    const Vector acceleration = system.partial_velocities(s.x) * s.ydot + system.partial_velocity_rates(s.x, s.y) * s.y;
-    EXPECT_LT(relative_error(acceleration, test::rates(v)), rounding);
+// Of points fixed in bodies, also while coordinates are prescribed.
+TEST(Point, velocity_and_acceleration_are_the_rates_of_position_and_velocity) {
+  for (const Sample& s : samples(test::everything()))
+    for (const std::string point : {"point_1", "point_2"}) {
+      const Vector velocity = s.rate(point + "_position"), acceleration = s.rate(point + "_velocity");
+      EXPECT_LT((s(point + "_velocity") - velocity).norm(), 10 * rounding * (1 + velocity.norm()));
+      EXPECT_LT((s(point + "_acceleration") - acceleration).norm(), 10 * rounding * (1 + acceleration.norm()));
+    }
+}
+
+// v(y) = v(0) + J y.
+TEST(Point, jacobian_is_the_derivative_of_its_velocity) {
+  for (const Sample& s : samples(test::everything())) {
+    const Vector at_rest = s.with(&Sample::y, Vector::Zero(s.y.size()))("point_1_velocity");
+    const Vector velocity = s("point_1_velocity");
+    EXPECT_LT((at_rest + s.matrix("point_1_jacobian", 3) * s.y - velocity).norm(),
+              10 * rounding * (1 + velocity.norm()));
   }
 }
 
-TEST(PartialAngularVelocity, times_speeds_is_omega_and_its_rate_is_zero) {
-  for (const Sample& s : samples()) {
-    const System<Real> system = s.system<Real>();
-    EXPECT_EQ(Vector(system.partial_angular_velocities() * s.y), Vector(s.y.head(3 * system.n_bodies())));
-    const Matrix rate = system.partial_angular_velocity_rates();
-    EXPECT_EQ(rate.rows(), 3 * system.n_bodies());
-    EXPECT_EQ(rate.cols(), system.n_speeds());
+TEST(PartialAngularVelocity, of_free_joints_picks_omega_and_its_rate_is_zero) {
+  for (const Sample& s : free_samples()) {
+    const Eigen::Index rows = 3 * scene::size(s.scene);
+    EXPECT_EQ(Vector(s.matrix("partial_angular_velocities", rows) * s.y), Vector(s.y.head(rows)));
+    const Matrix rate = s.matrix("partial_angular_velocity_rates", rows);
+    EXPECT_EQ(rate.cols(), s.y.size());
     EXPECT_TRUE(rate.isZero(0));
   }
 }
@@ -133,16 +171,14 @@ const std::vector<SourceRow> source_table = {
     {{{1, 5}, {5, 6}, {6, 0}}, {{1, 0}, {5, 1}, {6, 5}}},
 };
 
-Vector3<Real> constant(const scene::Vector& a) { return {a[0].value, a[1].value, a[2].value}; }
-
 Matrix expected_row(const Sample& s, const SourceRow& row) {
-  const auto poses = s.system<Real>().poses(s.x);
+  const Vector poses = s("poses");
   const auto body = [&](int k) -> const scene::Body& { return s.scene.bodies[static_cast<std::size_t>(k - 1)]; };
-  const auto R_T = [&](int k) -> Matrix3<Real> { return poses[static_cast<std::size_t>(k - 1)].R.transpose(); };
+  const auto R_T = [&](int k) -> Matrix3<Real> { return rotation(poses, k).transpose(); };
   Matrix expected = Matrix::Zero(3, 36);
   for (const auto& [j, c] : row.omega) {
     const Vector3<Real> arm =
-        c == 0 ? constant(body(j).r) : Vector3<Real>(constant(body(c).q) + s.x.segment<3>(24 + 3 * (c - 1)));
+        c == 0 ? values(s, body(j).r) : Vector3<Real>(values(s, body(c).q) + s.x.segment<3>(24 + 3 * (c - 1)));
     // column by column: -R_Jᵀ (a × e_i)
     for (int i = 0; i < 3; ++i) expected.col(3 * (j - 1) + i) = -R_T(j) * arm.cross(Vector3<Real>::Unit(i));
   }
@@ -154,7 +190,7 @@ Matrix expected_row(const Sample& s, const SourceRow& row) {
 TEST(PartialVelocity, of_the_six_body_tree_is_the_table_of_the_source) {
   test::Random random(6);
   const Sample s = sample(test::random_scene(random, {0, 1, 2, 2, 1, 5}), random);
-  const Matrix v_y = s.system<Real>().partial_velocities(s.x);
+  const Matrix v_y = s.matrix("partial_velocities", 18);
   for (int k = 1; k <= 6; ++k) {
     const Matrix expected = expected_row(s, source_table[static_cast<std::size_t>(k - 1)]);
     EXPECT_LT(relative_error(v_y.middleRows<3>(3 * (k - 1)), expected), rounding) << "body " << k;

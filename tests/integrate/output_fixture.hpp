@@ -11,7 +11,7 @@
 
 namespace kanec::integrate::test {
 
-inline StateNames state_names(int n_bodies) {
+inline StateNames free_names(int n_bodies) {
   StateNames names;
   const auto add = [n_bodies](std::vector<std::string>& list, const std::string& name, int width) {
     for (int k = 1; k <= n_bodies; ++k)

@@ -61,7 +61,7 @@ void add_rows(Plot& plot, int n_bodies, int rows, bool has_energy) {
 }
 
 PlotData one_sample(int n_bodies, bool has_energy) {
-  PlotData data{state_names(n_bodies), has_energy, {}};
+  PlotData data{free_names(n_bodies), has_energy, false};
   data.values.assign(data.columns(), 1.0);
   return data;
 }
@@ -77,7 +77,7 @@ TEST(Plot, is_a_picture_with_axes_units_and_legend) {
   const Folder folder;
   Solver solver(six_bodies());
   solver.set_parameters(std::vector<double>{0.0, 0.0, -9.81});
-  Plot plot(folder.path() / "run.svg", state_names(6), true);
+  Plot plot(folder.path() / "run.svg", free_names(6), true);
   simulate(solver, six_body_coordinates(), six_body_speeds(), {}, [&plot](const Row& row) { plot.add(row); });
   plot.finish();
   const std::string picture = read_file(folder.path() / "run.svg");
@@ -90,7 +90,7 @@ TEST(Plot, is_a_picture_with_axes_units_and_legend) {
 TEST(Plot, of_a_model_without_energy_has_four_panels) {
   if (!find_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (Debian package gnuplot-nox)";
   const Folder folder;
-  Plot plot(folder.path() / "run.svg", state_names(1), false);
+  Plot plot(folder.path() / "run.svg", free_names(1), false);
   add_rows(plot, 1, 1, false);  // a single row of constants is the hardest for axis ranges
   plot.finish();
   const std::string picture = read_file(folder.path() / "run.svg");
@@ -101,7 +101,7 @@ TEST(Plot, of_a_model_without_energy_has_four_panels) {
 TEST(Plot, thins_long_runs_and_keeps_their_ends) {
   const FakeGnuplot gnuplot(echo);
   const Folder folder;
-  Plot plot(folder.path() / "run.svg", state_names(1), true);
+  Plot plot(folder.path() / "run.svg", free_names(1), true);
   add_rows(plot, 1, 100'000, true);
   plot.finish();
   const std::string script = read_file(folder.path() / "run.svg");
@@ -115,7 +115,7 @@ TEST(Plot, thins_long_runs_and_keeps_their_ends) {
 
 TEST(Plot, without_gnuplot_names_the_package) {
   const Path path("/nonexistent");
-  EXPECT_THAT([] { Plot("/tmp/unused.svg", state_names(1), true); },
+  EXPECT_THAT([] { Plot("/tmp/unused.svg", free_names(1), true); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("gnuplot"), HasSubstr("Debian package gnuplot-nox"))));
 }
 
@@ -123,7 +123,7 @@ TEST(Plot, that_gnuplot_cannot_draw_is_an_error_with_its_words) {
   const FakeGnuplot gnuplot("cat > /dev/null\necho 'unknown terminal' >&2\nexit 3\n");
   const Folder folder;
   {
-    Plot plot(folder.path() / "run.svg", state_names(1), true);
+    Plot plot(folder.path() / "run.svg", free_names(1), true);
     add_rows(plot, 1, 2, true);
     EXPECT_THAT([&plot] { plot.finish(); },
                 ThrowsMessage<FileError>(
@@ -135,7 +135,7 @@ TEST(Plot, that_gnuplot_cannot_draw_is_an_error_with_its_words) {
 TEST(Plot, that_gnuplot_left_out_is_an_error) {
   const FakeGnuplot gnuplot("cat > /dev/null\n");
   const Folder folder;
-  Plot plot(folder.path() / "run.svg", state_names(1), true);
+  Plot plot(folder.path() / "run.svg", free_names(1), true);
   add_rows(plot, 1, 2, true);
   EXPECT_THAT([&plot] { plot.finish(); }, ThrowsMessage<FileError>(HasSubstr("gnuplot failed with status 0")));
 }
@@ -143,16 +143,16 @@ TEST(Plot, that_gnuplot_left_out_is_an_error) {
 TEST(Plot, of_names_that_do_not_fit_is_refused) {
   const FakeGnuplot gnuplot(echo);
   const Folder folder;
-  StateNames names = state_names(2);
-  names.coordinates.pop_back();
+  StateNames names = free_names(2);
+  names.coordinates.back() = "velocity";
   EXPECT_THROW(Plot(folder.path() / "run.svg", names, true), InternalError);
 }
 
 TEST(Plot, in_no_folder_or_on_a_full_disk_is_a_file_error) {
   const FakeGnuplot gnuplot(echo);
-  EXPECT_THAT([] { Plot("/nonexistent/run.svg", state_names(1), true); },
+  EXPECT_THAT([] { Plot("/nonexistent/run.svg", free_names(1), true); },
               ThrowsMessage<FileError>("/nonexistent/run.svg: No such file or directory"));
-  Plot full("/dev/full", state_names(1), true);
+  Plot full("/dev/full", free_names(1), true);
   add_rows(full, 1, 2, true);
   EXPECT_THAT([&full] { full.finish(); }, ThrowsMessage<FileError>("/dev/full: No space left on device"));
 }
@@ -167,6 +167,45 @@ TEST(PlotScript, names_curves_of_few_bodies_bodies_of_some_and_none_of_many) {
   EXPECT_EQ(count(many, "title 'body"), 0u);
   EXPECT_EQ(count(many, " with lines "), 64u * 13u);
   EXPECT_THAT(many, HasSubstr("(1 solid, 2 dashed, 3 dotted; body 1 blue … 64 red)"));
+}
+
+PlotData sample_of(const StateNames& names) {
+  PlotData data{names, true, true};
+  data.values.assign(data.columns(), 1.0);
+  return data;
+}
+
+TEST(PlotScript, has_a_row_of_panels_a_kind_of_coordinate) {
+  const std::string arm = gnuplot_script(
+      sample_of({{"theta_1", "theta_2", "theta_3"}, {"thetadot_1", "thetadot_2", "thetadot_3"}}), "out.svg");
+  EXPECT_THAT(arm, AllOf(HasSubstr("multiplot layout 2,2"), HasSubstr("θ [rad]"), HasSubstr("dθ/dt [rad/s]"),
+                         Not(HasSubstr("ε [-]")), Not(HasSubstr("s [m]"))));
+  const std::string mixed = gnuplot_script(
+      sample_of({{"eps_1_1", "eps_1_2", "eps_1_3", "eps_1_4", "theta_2_1", "theta_2_2", "s_1_1", "s_3"},
+                 {"omega_1_1", "omega_1_2", "omega_1_3", "thetadot_2_1", "thetadot_2_2", "sdot_1_1", "sdot_3"}}),
+      "out.svg");
+  EXPECT_THAT(mixed, AllOf(HasSubstr("multiplot layout 4,2"), HasSubstr("size 1500,1680"), HasSubstr("title 's_3'")));
+  EXPECT_EQ(count(mixed, " with lines "), 15u + 5u);
+  EXPECT_THAT(mixed, HasSubstr("title 'work of the prescribed coordinates"));
+}
+
+TEST(PlotScript, of_a_long_chain_tells_bodies_by_colour_alone) {
+  StateNames chain;
+  for (int k = 1; k <= 32; ++k) {
+    chain.coordinates.push_back("theta_" + std::to_string(k));
+    chain.speeds.push_back("thetadot_" + std::to_string(k));
+  }
+  EXPECT_THAT(gnuplot_script(sample_of(chain), "out.svg"),
+              AllOf(HasSubstr("angles (body 1 blue … 32 red)"), Not(HasSubstr("title 'theta_")), Not(HasSubstr("dt 2 title"))));
+}
+
+TEST(PlotScript, of_prescribed_coordinates_alone_is_drawn) {
+  if (!find_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (Debian package gnuplot-nox)";
+  const Folder folder;
+  Plot plot(folder.path() / "run.svg", {}, true, true);
+  plot.add({0.0, {}, {}, 0.0, Energy{1, 2}});
+  plot.finish();
+  EXPECT_EQ(count(read_file(folder.path() / "run.svg"), "time t [s]"), 2u);
 }
 
 TEST(PlotScript, quotes_the_output_path) {

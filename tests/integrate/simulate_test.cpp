@@ -214,13 +214,13 @@ TEST(InitialState, that_cannot_be_used_is_refused) {
   refused(x, {}, "initial speeds: found 0 numbers; allowed: 36");
   std::vector<double> bad = x;
   bad[24 + 4] = std::numeric_limits<double>::infinity();
-  refused(bad, y, "initial state: body 2, s_2: found inf; allowed: a finite number");
+  refused(bad, y, "initial state: s_2_2: found inf; allowed: a finite number");
   bad = y;
   bad[35] = std::nan("");
-  refused(x, bad, "initial state: body 6, sdot_3: found nan");
+  refused(x, bad, "initial state: sdot_6_3: found nan");
   bad = x;
   for (std::size_t i = 4; i < 8; ++i) bad[i] = 0.0;
-  refused(bad, y, "initial state: body 2: Euler parameters are 1 from unit norm; allowed: at most 1e-6");
+  refused(bad, y, "initial state: eps_2_1 to _4: Euler parameters are 1 from unit norm; allowed: at most 1e-6");
 }
 
 TEST(Model, without_accelerations_is_refused) {

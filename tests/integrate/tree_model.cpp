@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/integrate/output_fixture.hpp"
+
 namespace kanec::integrate::test {
 namespace {
 
@@ -158,7 +160,23 @@ void power(const void*, double, const double* x, const double* y, const double*,
 void prepare(const double* parameters, void* prepared) { std::memcpy(prepared, parameters, 3 * sizeof(double)); }
 
 kanec_function function(const char* name, int n_out, kanec_evaluate evaluate) {
-  return {name, n_out, 0, 0, 0, 0, 0, evaluate};
+  kanec_function result{};
+  result.name = name;
+  result.n_out = n_out;
+  result.evaluate = evaluate;
+  return result;
+}
+
+const StateNames& names(int n_bodies) {
+  static const StateNames one = free_names(1), six = free_names(6);
+  return n_bodies == 1 ? one : six;
+}
+
+template <std::size_t n>
+std::array<const char*, n> pointers(const std::vector<std::string>& names) {
+  std::array<const char*, n> result{};
+  for (std::size_t i = 0; i < n; ++i) result[i] = names[i].c_str();
+  return result;
 }
 
 // The descriptor with the arrays that it points to.
@@ -169,6 +187,9 @@ struct Descriptor {
   std::array<const char*, 6 * Tree::n> input_names{};
   std::array<double, 6 * Tree::n> no_loads{};
   std::array<kanec_function, 5> functions;
+  std::array<const char*, 7 * Tree::n> coordinate_names = pointers<7 * Tree::n>(names(Tree::n).coordinates);
+  std::array<const char*, 6 * Tree::n> speed_names = pointers<6 * Tree::n>(names(Tree::n).speeds);
+  std::array<kanec_attitude, Tree::n> attitudes{};
   kanec_model model{};
 
   Descriptor(kanec_evaluate accelerate, int n_functions)
@@ -176,23 +197,28 @@ struct Descriptor {
                   function("accelerations", 6 * Tree::n, accelerate), function("power", 1, power<Tree>),
                   function("energy", 2, energy<Tree>), function("momentum", 6, momentum<Tree>)} {
     input_names.fill("load");
-    model = {KANEC_ABI_VERSION,
-             sizeof(kanec_model),
-             "tree",
-             "0000000000000000",
-             Tree::n,
-             7 * Tree::n,
-             6 * Tree::n,
-             3,
-             6 * Tree::n,
-             n_functions,
-             parameter_names.data(),
-             no_gravity.data(),
-             input_names.data(),
-             no_loads.data(),
-             3 * sizeof(double),
-             prepare,
-             functions.data()};
+    for (int k = 0; k < Tree::n; ++k) attitudes[static_cast<std::size_t>(k)] = {4 * k, 3 * k};
+    model.abi_version = KANEC_ABI_VERSION;
+    model.struct_size = sizeof(kanec_model);
+    model.name = "tree";
+    model.hash = "0000000000000000";
+    model.n_bodies = Tree::n;
+    model.nx = 7 * Tree::n;
+    model.ny = 6 * Tree::n;
+    model.n_parameters = 3;
+    model.n_inputs = 6 * Tree::n;
+    model.n_functions = n_functions;
+    model.parameter_names = parameter_names.data();
+    model.parameter_defaults = no_gravity.data();
+    model.input_names = input_names.data();
+    model.input_defaults = no_loads.data();
+    model.prepared_size = 3 * sizeof(double);
+    model.prepare = prepare;
+    model.functions = functions.data();
+    model.coordinate_names = coordinate_names.data();
+    model.speed_names = speed_names.data();
+    model.n_attitudes = Tree::n;
+    model.attitudes = attitudes.data();
   }
 };
 

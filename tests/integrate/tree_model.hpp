@@ -11,7 +11,7 @@ namespace kanec::integrate::test {
 
 enum class Fault {
   none,
-  not_finite,  // the rate of body 3, omega_2 (of body 1 where there is one) is NaN from t = 0.5 s on
+  not_finite,  // the rate of omega_3_2 (of omega_1_2 where there is one body) is NaN from t = 0.5 s on
   blow_up,     // d(sdot_1_1)/dt = sdot_1_1², infinite at t = 1 / sdot_1_1(0)
   stiff,       // body 1 is slowed down by 1e5 times its own velocity
 };

@@ -6,6 +6,7 @@
 #include "generator/program/ledger.hpp"
 #include "generator/scene/read.hpp"
 #include "tests/lower/sample.hpp"
+#include "tests/support/reference.hpp"
 
 namespace kanec::test {
 namespace {
@@ -35,6 +36,27 @@ TEST(Counts, of_the_benchmark_tree_with_all_loads) {
   EXPECT_LE(operations(program, "energy"), 716);
   EXPECT_LE(operations(program, "momentum"), 963);
   EXPECT_LE(operations(program, "power"), 536);
+}
+
+// The trees of tests/data with ball and revolute joints, torques as inputs. Sines and cosines, one each an angle, are not among
+// the operations.
+struct Benchmark {
+  const char* name;
+  int accelerations, residual, forcing, mass_matrix;
+};
+
+TEST(Counts, of_the_benchmark_trees_of_other_joints) {
+  for (const Benchmark& most : {Benchmark{"s6b", 4278, 1265, 1200, 1080},
+                               {"s6r", 1814, 878, 821, 560},
+                               {"cr7", 1793, 872, 830, 733},
+                               {"cb6", 5400, 1272, 1208, 1605}}) {
+    const scene::Scene scene = read_reference(KANEC_SOURCE_DIR "/tests/data/reference_" + std::string(most.name) + ".json").scene;
+    const program::Program program = program_of(scene);
+    EXPECT_LE(operations(program, "accelerations"), most.accelerations) << most.name;
+    EXPECT_LE(operations(program, "residual"), most.residual) << most.name;
+    EXPECT_LE(operations(program, "forcing"), most.forcing) << most.name;
+    EXPECT_LE(operations(program, "mass_matrix"), most.mass_matrix) << most.name;
+  }
 }
 
 // Its numbers are constants: inverses of inertias are folded, no call divides, and nothing is left to prepare.

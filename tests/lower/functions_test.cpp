@@ -5,8 +5,7 @@
 
 #include <map>
 
-#include "generator/lower/lower.hpp"
-#include "generator/symbolic/derive.hpp"
+#include "generator/requests.hpp"
 #include "tests/lower/sample.hpp"
 
 namespace kanec::test {
@@ -82,17 +81,11 @@ TEST_P(Functions, agree_with_the_generic_path_in_long_double) {
   });
 }
 
-TEST_P(Functions, are_all_there_and_power_only_where_there_are_loads) {
+TEST_P(Functions, are_those_that_the_generic_path_has) {
   for_samples([](const Sample& s) {
-    std::vector<std::string> names;
-    for (const symbolic::Function& function : symbolic::derive(s.scene).functions) names.push_back(function.name);
-    std::vector<std::string> expected;
-    bool loads = false;
-    for (const scene::Body& body : s.scene.bodies)
-      for (const scene::Vector* load : {&body.force, &body.moment})
-        for (const scene::Number& number : *load) loads = loads || !number.is_zero();
-    for (const std::string_view name : generic::function_names())
-      if (name != "power" || loads) expected.emplace_back(name);
+    std::vector<std::string> names, expected;
+    for (const Available& available : available_functions(s.scene)) names.push_back(available.name);
+    for (const std::string_view name : generic::function_names(s.scene)) expected.emplace_back(name);
     EXPECT_THAT(names, testing::UnorderedElementsAreArray(expected));
   });
 }
@@ -103,7 +96,7 @@ TEST(Lower, program_has_the_same_values_before_and_after_the_passes) {
   for (int n_bodies = 1; n_bodies <= 8; ++n_bodies) {
     const RandomSceneOptions options{.parameter_share = 0.3, .input_share = 0.3, .zero_share = 0.2};
     const Sample s = sample_of(random_scene(random, n_bodies, options), random);
-    const program::Program lowered = lower::lower(symbolic::derive(s.scene));
+    const program::Program lowered = kanec::program_of(s.scene, requested_functions(s.scene, {}));
     const program::Program optimised = program_of(s.scene);
     ASSERT_EQ(lowered.functions.size(), optimised.functions.size());
     for (std::size_t i = 0; i < lowered.functions.size(); ++i) {

@@ -17,6 +17,7 @@ struct Sample {
   scene::Scene scene;
   State state;
   std::vector<double> parameters, inputs;
+  double t = 0;
 };
 
 // Random state, parameters and inputs for the scene.
@@ -34,30 +35,32 @@ std::vector<T> as(const std::vector<double>& values) {
 template <class T>
 program::Arguments<T> arguments(const Sample& s) {
   std::vector<T> x = as<T>(s.state.x);
-  for (std::size_t k = 0; k < s.scene.bodies.size(); ++k) {
-    T* eps = x.data() + 4 * k;
+  for (const scene::BodyLayout& at : scene::Layout(s.scene).bodies) {
+    if (at.eps < 0) continue;
+    T* eps = x.data() + at.eps;
     const T norm = std::sqrt(eps[0] * eps[0] + eps[1] * eps[1] + eps[2] * eps[2] + eps[3] * eps[3]);
     for (int i = 0; i < 4; ++i) eps[i] /= norm;
   }
-  return {as<T>(s.parameters), x, as<T>(s.state.y), as<T>(s.state.ydot), as<T>(s.inputs)};
+  return {as<T>(s.parameters), x, as<T>(s.state.y), as<T>(s.state.ydot), as<T>(s.inputs), T(s.t)};
 }
 
 template <class T>
 program::Arguments<long double> widened(const program::Arguments<T>& a) {
   const auto wide = [](const std::vector<T>& v) { return std::vector<long double>(v.begin(), v.end()); };
-  return {wide(a.parameters), wide(a.x), wide(a.y), wide(a.ydot), wide(a.inputs)};
+  return {wide(a.parameters), wide(a.x), wide(a.y), wide(a.ydot), wide(a.inputs), static_cast<long double>(a.time)};
 }
 
 // The function's result by loops over the scene, in long double. Parameters are those of the sample.
 std::vector<long double> generic_result(const Sample& s, const std::string& function,
                                         const program::Arguments<long double>& arguments);
 
-// Largest difference of two results, relative to the largest entry of the second.
+// Largest difference of two results, relative to the largest entry of the second, or to `least` where all of it cancels to
+// less than that.
 template <class T>
-double relative_difference(const std::vector<T>& found, const std::vector<long double>& expected) {
+double relative_difference(const std::vector<T>& found, const std::vector<long double>& expected, long double least = 0) {
   if (found.size() != expected.size()) return HUGE_VAL;
   long double largest = 0;
-  long double scale = 0;
+  long double scale = least;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const long double difference = std::abs(static_cast<long double>(found[i]) - expected[i]);
     if (!(difference <= largest)) largest = difference;  // also where it is no number

@@ -1,5 +1,6 @@
 // Numbers modulo the prime 2^61 - 1: a scalar in which a program is evaluated exactly, so that two programs agree or do
-// not, without a tolerance. Two that differ agree by chance in one of some 10^17 random arguments. Not an order: no <.
+// not, without a tolerance. Two that differ agree by chance in one of some 10^17 random arguments. Not ordered as real
+// numbers are, but for short ones.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -54,10 +55,31 @@ class Field {
     return result;
   }
 
-  // Stand-ins with the one property that programs may use: the sine is odd, the cosine even.
-  friend Field sqrt(Field a) { return a * a + of(7) * a + of(1); }
+  // Stand-ins with the properties that programs may use: odd and even functions, values at 0 and 1, powers, and the
+  // order of short numbers.
+  friend Field sqrt(Field a) { return a * a * a + of(7) * a * (a - of(1)); }
   friend Field sin(Field a) { return a * a * a + of(5) * a; }
-  friend Field cos(Field a) { return a * a + of(3); }
+  friend Field cos(Field a) { return a * a + of(1); }
+  friend Field tan(Field a) { return a * a * a + of(11) * a; }
+  friend Field asin(Field a) { return a * a * a + of(13) * a; }
+  friend Field acos(Field a) { return (a - of(1)) * (a * a + of(2)); }
+  friend Field exp(Field a) { return a * a + of(3) * a + of(1); }
+  friend Field log(Field a) { return (a - of(1)) * (a + of(5)); }
+  friend Field tanh(Field a) { return a * a * a + of(17) * a; }
+  friend Field abs(Field a) { return a < Field() ? -a : a; }
+  friend Field atan2(Field a, Field b) { return a * (a * a + b); }
+  friend Field min(Field a, Field b) { return a < b ? a : b; }
+  friend Field max(Field a, Field b) { return a < b ? b : a; }
+  friend Field pow(Field a, Field b) {
+    for (std::uint64_t n = 0; n <= 8; ++n) {
+      if (b == of(n)) return a.power(n);
+      if (b == -of(n)) return of(1) / a.power(n);
+    }
+    if (b == of(1) / of(2)) return sqrt(a);
+    return a == of(1) ? a : a * a * b + of(19) * b;
+  }
+  // As real numbers where both are short: below 2^19 with up to 40 binary places.
+  friend bool operator<(Field a, Field b) { return ((a - b) * of(std::uint64_t{1} << 40)).value_ > prime / 2; }
 
   friend std::ostream& operator<<(std::ostream& out, Field a) { return out << a.value_; }
 

@@ -67,12 +67,14 @@ TEST(Check, refuses_an_output_or_a_quantity_that_is_no_node) {
 
 TEST(Stages, a_result_is_of_the_stage_of_its_most_variable_operand) {
   SmallProgram b;
-  const Ref folded = b.multiply(b.c(2), b.c(3));
-  const Ref prepared = b.add(b.p(0), folded);
+  const Ref constant = b.c(2);
+  const Ref once = b.sine(constant);
+  const Ref prepared = b.add(b.p(0), once);
   const Ref called = b.cosine(b.divide(prepared, b.variable(Group::input, 0)));
   const std::vector<Stage> stage = stages(b.with({called}));
   const auto of = [&](Ref ref) { return stage[static_cast<std::size_t>(ref.node)]; };
-  EXPECT_EQ(of(folded), Stage::constant);
+  EXPECT_EQ(of(constant), Stage::constant);
+  EXPECT_EQ(of(once), Stage::parameter);
   EXPECT_EQ(of(prepared), Stage::parameter);
   EXPECT_EQ(of(called), Stage::state);
 }

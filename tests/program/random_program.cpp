@@ -58,9 +58,9 @@ class Maker {
   }
 
   Ref variable() {
-    constexpr std::array groups = {Group::parameter, Group::x, Group::y, Group::ydot, Group::input};
+    constexpr std::array groups = {Group::parameter, Group::x, Group::y, Group::ydot, Group::input, Group::time};
     const Group group = groups[static_cast<std::size_t>(random_.below(groups.size()))];
-    return builder_.variable(group, random_.below(n_of_group));
+    return builder_.variable(group, group == Group::time ? 0 : random_.below(n_of_group));
   }
 
   // Mostly one of the last results, with either sign.
@@ -82,9 +82,14 @@ class Maker {
 
   Result function_of(Result a) {
     if (a.constant) a = {variable()};
-    const int which = random_.below(3);
+    const int which = random_.below(6);
     if (which == 0) return {builder_.square_root({a.ref.node, false})};
-    return {which == 1 ? builder_.sine(a.ref) : builder_.cosine(a.ref)};
+    if (which == 1) return {builder_.sine(a.ref)};
+    if (which == 2) return {builder_.cosine(a.ref)};
+    if (which == 3) return {builder_.call(static_cast<program::Unary>(random_.below(7)), a.ref)};
+    const Ref b = any().ref;
+    if (which == 4) return {builder_.call(static_cast<program::Binary>(random_.below(4)), a.ref, b)};
+    return {builder_.select(a.ref, b, any().ref)};
   }
 
   program::Function function(const std::string& name) {
@@ -123,6 +128,7 @@ program::Arguments<Field> random_arguments(Random& random) {
   program::Arguments<Field> arguments;
   for (auto* group : {&arguments.parameters, &arguments.x, &arguments.y, &arguments.ydot, &arguments.inputs})
     for (int i = 0; i < n_of_group; ++i) group->push_back(Field::random(random));
+  arguments.time = Field::random(random);
   return arguments;
 }
 

@@ -72,6 +72,18 @@ TEST(Simplify, constants_fold_through_a_chain_without_rounding_between) {
   expect_constant(simplified([](SmallProgram& b) { return b.subtract(b.add(b.c(1), b.c(0x1p-70)), b.c(1)); }), 0x1p-70);
 }
 
+// (7/10/3)·3 - 7/10 in double-double is some 1e-33; and (1/10·1.85)/1.85 is the double 0.1 again.
+TEST(Simplify, rounding_of_folded_constants_is_not_taken_for_a_value) {
+  expect_constant(simplified([](SmallProgram& b) {
+                    return b.subtract(b.multiply(b.divide(b.c(0.7), b.c(3)), b.c(3)), b.c(0.7));
+                  }),
+                  0.0);
+  expect_constant(simplified([](SmallProgram& b) {
+                    return b.divide(b.multiply(b.c(0.1), b.c(1.85)), b.c(1.85));
+                  }),
+                  0.1);
+}
+
 TEST(Simplify, dividing_by_a_constant_becomes_multiplying_by_its_reciprocal) {
   const Program program = simplified([](SmallProgram& b) { return b.divide(b.x(0), b.c(-8)); });
   const auto& product = std::get<Multiply>(node(program, output(program)));

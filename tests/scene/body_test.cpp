@@ -18,19 +18,21 @@ std::string with_inertia(const std::string& inertia) { return bare_body("mass = 
 
 TEST(Mass, that_is_negative_is_refused) {
   EXPECT_EQ(message(bare_body("mass = -1\ninertia = [1, 1, 1]")),
-            "f:4: body 1: mass: found -1; allowed: a positive number");
+            "f:4: body 1: mass: found -1; allowed: a positive number, or zero");
 }
 
-TEST(Mass, of_zero_is_refused_and_the_body_named) {
+TEST(Mass, too_small_for_a_reciprocal_is_refused) {
+  EXPECT_EQ(message(bare_body("mass = 1e-101\ninertia = [1, 1, 1]")),
+            "f:4: body 1: mass: found 1e-101; allowed: a positive number, or zero");
   EXPECT_EQ(
-      message(bare_body("mass = 0\nname = 'arm'\ninertia = [1, 1, 1]")),
-      "f:4: body 1 (arm): mass: found 0; allowed: a positive number: without mass the acceleration of a free body is "
-      "undetermined (A is singular)");
+      message(bare_body("mass = 1\ninertia = [1e-101, 1e-101, 1e-101]")),
+      "f:5: body 1: inertia: found principal moments 1e-101, 1e-101, 1e-101 (entries xx 1e-101, yy 1e-101, zz 1e-101, "
+      "xy 0, xz 0, yz 0); allowed: larger ones, or zeros");
 }
 
 TEST(Mass, that_is_a_parameter_is_judged_by_its_default) {
   EXPECT_EQ(message(bare_body("mass = 'm'\ninertia = [1, 1, 1]\n[parameters]\nm = -0.5")),
-            "f:4: body 1: mass: found m = -0.5; allowed: a positive number");
+            "f:4: body 1: mass: found m = -0.5; allowed: a positive number, or zero");
 }
 
 TEST(Inertia, of_three_moments_is_diagonal) {
@@ -68,18 +70,6 @@ TEST(Inertia, with_a_negative_moment_is_refused) {
   // positive diagonal, yet eigenvalues 1 - 2 and 1 + 2
   EXPECT_THAT(message(with_inertia("[[1, 2, 0], [2, 1, 0], [0, 0, 1]]")), HasSubstr("found principal moments -1"));
   EXPECT_THAT(message(with_inertia("[-1, -1, -1]")), HasSubstr("one of these is negative"));
-}
-
-TEST(Inertia, with_a_zero_moment_is_refused_with_the_reason) {
-  const std::string reason =
-      "; allowed: a positive definite matrix: about an axis without inertia the angular acceleration of a free body is "
-      "undetermined (A is singular)";
-  EXPECT_EQ(
-      message(with_inertia("[1, 0, 1]")),
-      "f:5: body 1: inertia: found principal moments 0, 1, 1 (entries xx 1, yy 0, zz 1, xy 0, xz 0, yz 0)" + reason);
-  EXPECT_THAT(message(with_inertia("[0, 0, 0]")), HasSubstr(reason));
-  // singular without a zero entry: 1 - u uᵀ with u = (1, 1, 1)/√3, times three
-  EXPECT_THAT(message(with_inertia("[[2, -1, -1], [-1, 2, -1], [-1, -1, 2]]")), HasSubstr(reason));
 }
 
 TEST(Inertia, of_a_slender_rod_is_accepted) {
@@ -128,14 +118,6 @@ TEST(Inertia, of_another_shape_is_refused) {
               StartsWith("f:5: body 1: inertia[1]: found 1; allowed: a row of 3"));
   EXPECT_THAT(message(with_inertia("[[1, 0, 0], [0, 1, 0], [0, 0, {}]]")),
               StartsWith("f:5: body 1: inertia[3][3]: found a table"));
-}
-
-TEST(Joint, is_free_and_no_other) {
-  EXPECT_EQ(message(one_body("joint = 'free'")), "no error");
-  EXPECT_EQ(message(one_body("joint = 'fre'")),
-            "f:6: body 1: joint: found the text \"fre\"; allowed: free (did you mean free?)");
-  EXPECT_EQ(message(one_body("joint = 'revolute'")), "f:6: body 1: joint: found the text \"revolute\"; allowed: free");
-  EXPECT_EQ(message(one_body("joint = 6")), "f:6: body 1: joint: found 6; allowed: free");
 }
 
 TEST(InitialState, with_euler_parameters_of_zero_norm_is_refused) {

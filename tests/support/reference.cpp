@@ -31,22 +31,59 @@ scene::Vector new_inputs(scene::Scene& scene, const std::string& name) {
   return numbers;
 }
 
+// A joint about a coordinate axis of both bodies, or a ball, on the joint point.
+scene::Joint read_joint(const std::string& kind) {
+  scene::Joint joint;
+  if (kind == "free") return joint;
+  joint.kind = kind == "ball" ? "ball" : "revolute";
+  joint.ball = kind == "ball";
+  joint.slides.clear();
+  if (!joint.ball)
+    joint.turns = {{.axis = {kind == "x" ? 1.0 : 0.0, kind == "y" ? 1.0 : 0.0, kind == "z" ? 1.0 : 0.0}}};
+  return joint;
+}
+
+// The torque of the joint of the last body: a load with inputs. Of a free joint, force and moment on the body.
+void add_torque(scene::Scene& scene) {
+  const int k = scene::size(scene);
+  const std::string number = std::to_string(k);
+  scene::Body& body = scene.bodies.back();
+  if (body.joint.kind == "free") {
+    body.force = new_inputs(scene, "F_" + number);
+    body.moment = new_inputs(scene, "M_" + number);
+    return;
+  }
+  scene::Load load;
+  load.name = "torque_" + number;
+  load.point.body = k;
+  if (body.joint.ball) {
+    load.kind = scene::Load::Kind::moment;
+    load.axes = scene::Axes::body;
+    load.vector = new_inputs(scene, "tau_" + number);
+    load.reaction = scene.lower[static_cast<std::size_t>(k - 1)];
+  } else {
+    load.kind = scene::Load::Kind::joint;
+    load.effort = Number::input(static_cast<int>(scene.inputs.size()));
+    scene.inputs.push_back({"tau_" + number, 0.0});
+  }
+  scene.loads.push_back(load);
+}
+
 scene::Scene read_scene(const json& model) {
   scene::Scene scene;
   scene.name = "reference";
   scene.lower = model.at("lower").get<std::vector<int>>();
   scene.gravity = constants(model.at("gravity"));
   for (const json& from : model.at("bodies")) {
-    const std::string number = std::to_string(scene.bodies.size() + 1);
     scene::Body body;
-    body.name = "body_" + number;
+    body.name = "body_" + std::to_string(scene.bodies.size() + 1);
+    body.joint = read_joint(from.value("joint", "free"));
     body.mass = Number::constant(from.at("mass"));
     body.inertia = constant_inertia(from.at("inertia"));
     body.r = constants(from.at("r"));
     body.q = constants(from.at("q"));
-    body.force = new_inputs(scene, "F_" + number);
-    body.moment = new_inputs(scene, "M_" + number);
     scene.bodies.push_back(body);
+    add_torque(scene);
   }
   return scene;
 }
@@ -64,6 +101,23 @@ Vector3<Real> three(const std::vector<double>& a, int at) {
   return Eigen::Map<const Eigen::Vector3d>(a.data() + at).cast<Real>();
 }
 
+// How many entries of q, and of v, a body has, and the first of each body.
+struct Place {
+  int q, v;
+};
+Place entries(const scene::Joint& joint) {
+  if (joint.kind == "free") return {7, 6};
+  return joint.ball ? Place{4, 3} : Place{1, 1};
+}
+std::vector<Place> places(const scene::Scene& scene) {
+  std::vector<Place> out = {{0, 0}};
+  for (const scene::Body& body : scene.bodies) {
+    const Place n = entries(body.joint);
+    out.push_back({out.back().q + n.q, out.back().v + n.v});
+  }
+  return out;
+}
+
 template <class Real>
 Vector3<Real> values(const scene::Vector& a) {
   return {Real(a[0].value), Real(a[1].value), Real(a[2].value)};
@@ -77,22 +131,46 @@ struct Placed {
   Vector3<Real> omega, omegadot;                  // absolute, body axes
 };
 
+// The relative motion of a body in its joint, in the lower body's and in the body's axes.
+template <class Real>
+struct Relative {
+  Eigen::Quaternion<Real> to_lower;
+  Vector3<Real> w, wdot;  // angular, body axes
+};
+
+template <class Real>
+Relative<Real> relative(const scene::Joint& joint, const ReferenceState& state, Place at) {
+  if (!joint.ball) {
+    const auto angle = static_cast<std::size_t>(at.q), rate = static_cast<std::size_t>(at.v);
+    const auto& a = joint.turns[0].axis;
+    const Vector3<Real> axis{Real(a[0]), Real(a[1]), Real(a[2])};
+    return {Eigen::Quaternion<Real>(Eigen::AngleAxis<Real>(Real(state.q[angle]), axis)), Real(state.v[rate]) * axis,
+            Real(state.vdot[rate]) * axis};
+  }
+  const int shift = joint.kind == "free" ? 3 : 0;
+  const double* eps = state.q.data() + at.q + shift;
+  return {Eigen::Quaternion<Real>(Real(eps[3]), Real(eps[0]), Real(eps[1]), Real(eps[2])).normalized(),
+          three<Real>(state.v, at.v + shift), three<Real>(state.vdot, at.v + shift)};
+}
+
 // For one body on `lower`, whose frame is at rest when it is the inertial one.
 template <class Real>
-Placed<Real> place(const Placed<Real>& lower, const ReferenceState& state, int body) {
-  const double* eps = state.q.data() + 7 * body + 3;
-  const Vector3<Real> velocity = three<Real>(state.v, 6 * body), w = three<Real>(state.v, 6 * body + 3);
-  const Vector3<Real> rate = three<Real>(state.vdot, 6 * body), wdot = three<Real>(state.vdot, 6 * body + 3);
+Placed<Real> place(const Placed<Real>& lower, const scene::Joint& joint, const ReferenceState& state, Place first) {
+  const auto [to_lower, w, wdot] = relative<Real>(joint, state, first);
   Placed<Real> at;
-  at.to_lower = Eigen::Quaternion<Real>(Real(eps[3]), Real(eps[0]), Real(eps[1]), Real(eps[2])).normalized();
-  at.to_inertial = lower.to_inertial * at.to_lower;
-  at.s = three<Real>(state.q, 7 * body);
-  at.sdot = at.to_lower * velocity;
-  at.sddot = at.to_lower * Vector3<Real>(rate + w.cross(velocity));
+  at.to_lower = to_lower;
+  at.to_inertial = lower.to_inertial * to_lower;
+  at.s = at.sdot = at.sddot = Vector3<Real>::Zero();
+  if (joint.kind == "free") {
+    const Vector3<Real> velocity = three<Real>(state.v, first.v), rate = three<Real>(state.vdot, first.v);
+    at.s = three<Real>(state.q, first.q);
+    at.sdot = to_lower * velocity;
+    at.sddot = to_lower * Vector3<Real>(rate + w.cross(velocity));
+  }
   // ω = Rᵀ ω_L + w with d(Rᵀ)/dt = -w̃ Rᵀ, R taking body to lower body's components
-  const Vector3<Real> carried = at.to_lower.conjugate() * lower.omega;
+  const Vector3<Real> carried = to_lower.conjugate() * lower.omega;
   at.omega = carried + w;
-  at.omegadot = at.to_lower.conjugate() * lower.omegadot + wdot - w.cross(carried);
+  at.omegadot = to_lower.conjugate() * lower.omegadot + wdot - w.cross(carried);
   return at;
 }
 
@@ -100,36 +178,59 @@ template <class Real>
 std::vector<Placed<Real>> place_all(const scene::Scene& scene, const ReferenceState& state) {
   const Vector3<Real> zero = Vector3<Real>::Zero();
   const auto one = Eigen::Quaternion<Real>::Identity();
+  const std::vector<Place> first = places(scene);
   std::vector<Placed<Real>> at = {{one, one, zero, zero, zero, zero, zero}};  // [0]: the inertial frame
-  for (int body = 0; body < scene::size(scene); ++body) {
-    const auto lower = static_cast<std::size_t>(scene.lower[static_cast<std::size_t>(body)]);
-    at.push_back(place<Real>(at[lower], state, body));
-  }
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    at.push_back(place<Real>(at[static_cast<std::size_t>(scene.lower[k])], scene.bodies[k].joint, state, first[k]));
   return at;
 }
 
-// A joint's force f at the body's origin and moment n act on the body, and reversed on the lower body at the same
-// point; both are moved to the mass centres.
+// A free joint's force f at the body's origin and moment n act on the body, and reversed on the lower body at the same
+// point, which must be free too; both are moved to the mass centres. Of other joints the torque is a load of the scene.
 template <class Real>
 Eigen::Matrix<Real, Eigen::Dynamic, 1> loads(const scene::Scene& scene, const ReferenceState& state,
                                              const std::vector<Placed<Real>>& at) {
-  Eigen::Matrix<Real, Eigen::Dynamic, 1> u = Eigen::Matrix<Real, Eigen::Dynamic, 1>::Zero(scene::n_speeds(scene));
-  const auto add = [&](int body, const Vector3<Real>& F, const Vector3<Real>& M) {
-    u.template segment<3>(6 * body) += F;
-    u.template segment<3>(6 * body + 3) += M;
+  const auto n_inputs = static_cast<Eigen::Index>(scene.inputs.size());
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> u = Eigen::Matrix<Real, Eigen::Dynamic, 1>::Zero(n_inputs);
+  const std::vector<Place> first = places(scene);
+  const auto add = [&](std::size_t k, const Vector3<Real>& F, const Vector3<Real>& M) {
+    u.template segment<3>(first[k].v) += F;
+    u.template segment<3>(first[k].v + 3) += M;
   };
-  for (int body = 0; body < scene::size(scene); ++body) {
-    const auto k = static_cast<std::size_t>(body);
-    const Vector3<Real> f = three<Real>(state.tau, 6 * body), n = three<Real>(state.tau, 6 * body + 3);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    if (scene.bodies[k].joint.kind != "free") {
+      for (int i = first[k].v; i < first[k + 1].v; ++i) u[i] = Real(state.tau[static_cast<std::size_t>(i)]);
+      continue;
+    }
+    const Vector3<Real> f = three<Real>(state.tau, first[k].v), n = three<Real>(state.tau, first[k].v + 3);
     const Vector3<Real> F = at[k + 1].to_inertial * f;
-    add(body, F, n - values<Real>(scene.bodies[k].r).cross(f));
+    add(k, F, n - values<Real>(scene.bodies[k].r).cross(f));
     if (scene.lower[k] == 0) continue;
-    const int lower = scene.lower[k] - 1;
-    const Vector3<Real> r = values<Real>(scene.bodies[static_cast<std::size_t>(lower)].r);
+    const auto lower = static_cast<std::size_t>(scene.lower[k] - 1);
+    const Vector3<Real> r = values<Real>(scene.bodies[lower].r);
     const Vector3<Real> arm = values<Real>(scene.bodies[k].q) + at[k + 1].s - r;
     add(lower, -F, -(at[k + 1].to_lower * n + arm.cross(at[k + 1].to_lower * f)));
   }
   return u;
+}
+
+// The entries of one body's joint in x, y and ydot.
+template <class Real>
+void set_coordinates(Converted<Real>& out, const scene::BodyLayout& at, const Placed<Real>& placed,
+                     const ReferenceState& state, Place first) {
+  if (at.eps >= 0) {
+    out.x.template segment<4>(at.eps) = placed.to_inertial.coeffs();
+    out.y.template segment<3>(at.omega) = placed.omega;
+    out.ydot.template segment<3>(at.omega) = placed.omegadot;
+  } else {
+    out.x[at.theta[0]] = Real(state.q[static_cast<std::size_t>(first.q)]);
+    out.y[at.thetadot[0]] = Real(state.v[static_cast<std::size_t>(first.v)]);
+    out.ydot[at.thetadot[0]] = Real(state.vdot[static_cast<std::size_t>(first.v)]);
+  }
+  if (at.s.empty()) return;
+  out.x.template segment<3>(at.s[0]) = placed.s;
+  out.y.template segment<3>(at.sdot[0]) = placed.sdot;
+  out.ydot.template segment<3>(at.sdot[0]) = placed.sddot;
 }
 
 }  // namespace
@@ -149,16 +250,9 @@ Converted<Real> convert(const scene::Scene& scene, const ReferenceState& state) 
   out.y.resize(scene::n_speeds(scene));
   out.ydot.resize(scene::n_speeds(scene));
   const scene::Layout layout(scene);
-  for (int body = 0; body < scene::size(scene); ++body) {
-    const scene::BodyLayout& at = layout.bodies[static_cast<std::size_t>(body)];
-    const Placed<Real>& placed = placed_bodies[static_cast<std::size_t>(body) + 1];
-    out.x.template segment<4>(at.eps) = placed.to_inertial.coeffs();
-    out.x.template segment<3>(at.s[0]) = placed.s;
-    out.y.template segment<3>(at.omega) = placed.omega;
-    out.y.template segment<3>(at.sdot[0]) = placed.sdot;
-    out.ydot.template segment<3>(at.omega) = placed.omegadot;
-    out.ydot.template segment<3>(at.sdot[0]) = placed.sddot;
-  }
+  const std::vector<Place> first = places(scene);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    set_coordinates(out, layout.bodies[k], placed_bodies[k + 1], state, first[k]);
   out.u = loads<Real>(scene, state, placed_bodies);
   return out;
 }

@@ -1,5 +1,5 @@
-// Published states of a tree with free joints in relative joint coordinates, converted to absolute ε and ω, s in the
-// lower body's axes, and applied loads. Not: any of the equations of motion.
+// Published states of trees with free, ball and revolute joints in relative joint coordinates, converted to absolute ε
+// and ω, s in the lower body's axes, and the scene's loads. Not: any of the equations of motion.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -11,16 +11,17 @@
 
 namespace kanec::test {
 
-// tests/data/reference_s6f.json says what each is.
+// tests/data/reference_*.json say what each is.
 struct ReferenceState {
-  std::vector<double> q, v, tau, vdot;  // 7, 6, 6, 6 a body
-  std::vector<double> bias, momentum;   // 6 a body
+  std::vector<double> q, v, tau, vdot;  // of a free body 7, 6, 6, 6; of a ball 4, 3, 3, 3; of a revolute one each
+  std::vector<double> bias, momentum;   // as many as v
   std::vector<double> origins;          // 3 a body
   double kinetic = 0, potential = 0;
 };
 
 struct Reference {
-  scene::Scene scene;  // its inputs are F_1, M_1, F_2, … entry by entry (6 a body)
+  // Its inputs, body by body: of a free one F and M entry by entry (6); of the others the torque of the joint (3 or 1).
+  scene::Scene scene;
   std::vector<ReferenceState> states;
 };
 

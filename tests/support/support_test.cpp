@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <set>
 
+#include "generator/scene/expression_names.hpp"
+#include "runtime/generic/expression.hpp"
 #include "tests/support/dual.hpp"
 #include "tests/support/random_scene.hpp"
 
@@ -81,6 +84,88 @@ TEST(RandomScene, shares_of_one_turn_every_number_into_a_parameter_or_an_input) 
   for (const scene::Named& named : scene.parameters) names.insert(named.name);
   for (const scene::Named& named : scene.inputs) names.insert(named.name);
   EXPECT_EQ(names.size(), scene.parameters.size() + scene.inputs.size());
+}
+
+TEST(RandomScene, has_every_joint_motion_and_load) {
+  using Motion = scene::Coordinate::Motion;
+  std::set<std::string> kinds, held;
+  std::set<Motion> motions;
+  std::set<scene::Load::Kind> loads;
+  std::set<scene::Number::Kind> stiffnesses;
+  Random random(19);
+  for (int i = 0; i < 30; ++i) {
+    const scene::Scene scene = random_scene(random, 12, everything());
+    for (const scene::Body& body : scene.bodies) {
+      kinds.insert(body.joint.kind);
+      if (body.joint.held) held.insert(body.joint.kind);
+      for (const auto* coordinates : {&body.joint.turns, &body.joint.slides})
+        for (const scene::Coordinate& coordinate : *coordinates) motions.insert(coordinate.motion);
+    }
+    for (const scene::Load& load : scene.loads) {
+      loads.insert(load.kind);
+      stiffnesses.insert(load.stiffness.kind);
+    }
+    EXPECT_EQ(scene.points.size(), 2u);
+  }
+  EXPECT_EQ(kinds.size(), 12u);
+  EXPECT_EQ(held.size(), 3u);  // free, ball, bearing
+  EXPECT_EQ(motions.size(), 3u);
+  EXPECT_EQ(loads.size(), 4u);
+  EXPECT_EQ(stiffnesses.size(), 4u);
+}
+
+TEST(RandomScene, axes_are_of_unit_length_and_zero_attitudes_are_rotations) {
+  Random random(23);
+  const scene::Scene scene = random_scene(random, 64, everything());
+  for (const scene::Body& body : scene.bodies) {
+    for (const auto* coordinates : {&body.joint.turns, &body.joint.slides})
+      for (const scene::Coordinate& one : *coordinates)
+        EXPECT_NEAR(Eigen::Vector3d(one.axis.data()).norm(), 1, 1e-15);  // a few roundings
+    const Eigen::Matrix3d zero =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(body.joint.zero[0].data());
+    EXPECT_LT((zero * zero.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+    EXPECT_GT(zero.determinant(), 0);
+  }
+}
+
+TEST(RandomScene, state_leaves_locked_and_prescribed_coordinates_out) {
+  Random random(29);
+  for (int n_bodies = 1; n_bodies <= 12; ++n_bodies) {
+    const scene::Scene scene = random_scene(random, n_bodies, everything());
+    const State state = random_state(random, scene);
+    EXPECT_EQ(state.x.size(), static_cast<std::size_t>(scene::n_coordinates(scene)));
+    EXPECT_EQ(state.y.size(), static_cast<std::size_t>(scene::n_speeds(scene)));
+    EXPECT_EQ(state.ydot.size(), state.y.size());
+  }
+}
+
+// Oracle: the parser of scene files.
+TEST(RandomScene, expressions_read_as_their_nodes_say) {
+  Random random(31);
+  for (int n_bodies = 1; n_bodies <= 12; ++n_bodies) {
+    const scene::Scene scene = random_scene(random, n_bodies, everything());
+    const State state = random_state(random, scene);
+    const std::vector<scene::ExpressionName> names = scene::names_for_loads(scene);
+    const auto leaf = [&](const scene::ExpressionNode& node) {
+      const auto i = static_cast<std::size_t>(node.index);
+      switch (node.kind) {
+        case scene::ExpressionNode::Kind::coordinate:
+          return state.x[i];
+        case scene::ExpressionNode::Kind::speed:
+          return state.y[i];
+        case scene::ExpressionNode::Kind::parameter:
+          return scene.parameters[i].value;
+        case scene::ExpressionNode::Kind::input:
+          return scene.inputs[i].value;
+        default:
+          return 0.75;  // time
+      }
+    };
+    for (const scene::Expression& expression : scene.expressions) {
+      const scene::Expression parsed = scene::parse_expression(expression.text, {}, names);
+      EXPECT_DOUBLE_EQ(generic::value_of<double>(parsed, leaf), generic::value_of<double>(expression, leaf));
+    }
+  }
 }
 
 TEST(Dual, differentiates_every_operation) {

@@ -99,7 +99,7 @@ TEST_F(Algebra, time_derivative_is_the_rate_of_the_value) {
   const std::size_t n_letters = table.all().size();
   for (std::size_t i = 0; i < n_letters; ++i) {
     const ex letter = table.all()[i].atom;
-    rates.push_back(table.add(Role::quantity, "rate", "", 0, GiNaC::ex_to<Atom>(letter).shape()));
+    rates.push_back(table.add(Role::quantity, "rate", "", "", GiNaC::ex_to<Atom>(letter).shape()));
     Value value = values.of(letter);
     for (Eigen::Index j = 0; j < value.size(); ++j) value(j) = Real(value(j).rate);
     values.set(rates.back(), value);

@@ -10,7 +10,7 @@ namespace kanec::symbolic {
 using GiNaC::ex;
 
 Alphabet::Alphabet() {
-  const auto add = [this](const char* name, Shape shape) { return table.add(Role::quantity, name, name, 0, shape); };
+  const auto add = [this](const char* name, Shape shape) { return table.add(Role::quantity, name, name, "", shape); };
   a = add("a", Shape::vector), b = add("b", Shape::vector), c = add("c", Shape::vector);
   A = add("A", Shape::matrix), R = add("R", Shape::matrix), Rt = add("Rt", Shape::matrix);
   Q = add("Q", Shape::matrix), Qt = add("Qt", Shape::matrix);

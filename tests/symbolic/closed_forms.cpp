@@ -32,12 +32,12 @@ ClosedForms closed_forms(const Equations& equations) {
     for (int j = k, c = 0; j != 0; c = j, j = lower(j)) {
       const Letters& body = letters[at(j)];
       const Letters& below = letters[at(lower(j))];
-      centre += below.to_inertial * (body.q + body.s);
+      centre += below.to_inertial * (body.offset + body.s);
       set(v_y, n + j - 1, below.to_inertial);
       set(v_y_dot, n + j - 1, below.to_inertial * skew(omega_of(j)));
       if (j == k) continue;
       const Letters& above = letters[at(c)];
-      const ex d = skew(above.q) + skew(above.s);
+      const ex d = skew(above.offset) + skew(above.s);
       set(v_y, j - 1, -body.to_inertial * d);
       set(v_y_dot, j - 1, -body.to_inertial * (skew(body.omega) * d + skew(above.sdot)));
     }
@@ -83,12 +83,13 @@ bool are_equal(const Equations& equations, const ex& a, const ex& b) {
 }
 
 ex rate_of_letter(const Equations& equations, const Atom& atom) {
-  const Symbol& symbol = equations.table.of(atom);
-  const Letters& body = equations.letters[static_cast<std::size_t>(symbol.body)];
-  if (symbol.atom.is_equal(body.to_inertial)) return body.to_inertial * skew(body.omega);
-  if (symbol.role == Role::s) return body.sdot;
-  if (symbol.role == Role::omega) return body.omegadot;
-  if (symbol.role == Role::sdot) return body.sddot;
+  for (const Letters& body : equations.letters) {
+    const ex& letter = equations.table.of(atom).atom;
+    if (letter.is_equal(body.to_inertial)) return body.to_inertial * skew(body.omega);
+    if (letter.is_equal(body.s)) return body.sdot;
+    for (const Coordinate& c : body.coordinates)
+      if (letter.is_equal(c.speed)) return c.acceleration;
+  }
   return 0;
 }
 

@@ -33,13 +33,11 @@ class Derive : public testing::Test {
 
   // Σ block · speed over the columns.
   static ex times(const Equations& equations, const Blocks& blocks, bool rates) {
-    const int n = size(equations.scene);
     ex result = 0;
     for (const auto& [column, block] : blocks) {
-      const Letters& body = equations.letters[static_cast<std::size_t>(column % n + 1)];
-      const ex omega = rates ? body.omegadot : body.omega;
-      const ex sdot = rates ? body.sddot : body.sdot;
-      result += block * (column < n ? omega : sdot);
+      const Speed& speed = equations.speeds[static_cast<std::size_t>(column)];
+      for (const Coordinate& c : equations.letters[static_cast<std::size_t>(speed.link)].coordinates)
+        if (c.column == column) result += block * (rates ? c.acceleration : c.speed);
     }
     return result;
   }

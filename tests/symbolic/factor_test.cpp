@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/symbolic/relative_rotations.hpp"
 #include "tests/symbolic/alphabet.hpp"
 
 namespace kanec::symbolic {
@@ -47,7 +48,7 @@ TEST_F(Factor, nothing_in_common_stays_as_it_is) {
 }
 
 TEST_F(Factor, a_rotation_and_its_transpose_side_by_side_are_one) {
-  const auto simple = [this](const ex& e) { return with_orthonormal_rotations(e, table); };
+  const auto simple = [this](const ex& e) { return with_relative_rotations(e, table); };
   EXPECT_TRUE(simple(R * Rt * b).is_equal(b));
   EXPECT_TRUE(simple(Rt * R * A + m * A * Qt * Q).is_equal(A + m * A));
   EXPECT_TRUE(simple(m * Qt * Q).is_equal(m));
@@ -55,9 +56,19 @@ TEST_F(Factor, a_rotation_and_its_transpose_side_by_side_are_one) {
   EXPECT_TRUE(simple(R * (Rt * a + Qt * b)).is_equal(a + R * Qt * b));
 }
 
+// E = R Q^T: what stands where two neighbours meet, also where one comes up only after another pair is gone.
+TEST_F(Factor, neighbours_in_the_tree_become_the_rotation_of_their_joint) {
+  JointRotations neighbours;
+  neighbours.add(R, Qt, A);
+  const auto simple = [&](const ex& e) { return with_relative_rotations(e, table, neighbours); };
+  EXPECT_TRUE(simple(R * Qt * b).is_equal(A * b));
+  EXPECT_TRUE(simple(m * R * Rt * R * Qt * skew(a)).is_equal(m * A * skew(a)));
+  EXPECT_TRUE(simple(Q * Rt * b).is_equal(Q * Rt * b));
+}
+
 TEST_F(Factor, symmetric_matrices_and_separated_rotations_stay) {
   for (const ex& e : {ex(A * A * b), ex(R * A * Rt), ex(R * Qt * b), ex(R * R * b)})
-    EXPECT_TRUE(with_orthonormal_rotations(e, table).is_equal(e)) << e;
+    EXPECT_TRUE(with_relative_rotations(e, table).is_equal(e)) << e;
 }
 
 }  // namespace

@@ -168,22 +168,26 @@ TEST_P(TablesTest, equations_of_motion_are_kanes) {
 }
 
 // Oracle: A and f of two bodies, multiplied out by hand from v_1 = (-R1^T r1~, 0; 1, 0), v_2 = (-R1^T d2~, -R2^T r2~;
-// 1, R1^T) with d2 = q2 + s2, C1_2 = R1 R2^T, h1 = m1 r1 + m2 d2.
+// 1, R1^T) with d2 = q2 + s2, C1_2 = R1 R2^T, h1 = m1 r1 + m2 d2, h2 = m2 r2, J the inertia of what a body carries about
+// its origin.
 TEST(Tables, blocks_of_a_and_f_of_two_bodies) {
   const std::vector<Table> all = tables(symbolic::derive(scene::from_connection({0, 1})), Style::text);
-  EXPECT_THAT(all[10].rows, UnorderedElementsAreArray(Rows{{"A[omega1, omega1]", "-m1 r1~ r1~ + I1 - m2 d2~ d2~"},
-                                                           {"A[omega1, omega2]", "-m2 d2~ C1_2 r2~"},
+  EXPECT_THAT(all[10].rows, UnorderedElementsAreArray(Rows{{"A[omega1, omega1]", "J1"},
+                                                           {"A[omega1, omega2]", "-d2~ C1_2 h2~"},
                                                            {"A[omega1, sdot1]", "h1~ R1"},
                                                            {"A[omega1, sdot2]", "m2 d2~"},
-                                                           {"A[omega2, omega2]", "-m2 r2~ r2~ + I2"},
-                                                           {"A[omega2, sdot1]", "m2 r2~ R2"},
-                                                           {"A[omega2, sdot2]", "m2 r2~ C1_2^T"},
+                                                           {"A[omega2, omega2]", "J2"},
+                                                           {"A[omega2, sdot1]", "h2~ R2"},
+                                                           {"A[omega2, sdot2]", "h2~ C1_2^T"},
                                                            {"A[sdot1, sdot1]", "m_sub1"},
                                                            {"A[sdot1, sdot2]", "m2 R1^T"},
                                                            {"A[sdot2, sdot2]", "m2"},
                                                            {"d2", "q2 + s2"},
                                                            {"C1_2", "R1 R2^T"},
                                                            {"h1", "m1 r1 + m2 d2"},
+                                                           {"h2", "m2 r2"},
+                                                           {"J1", "-m1 r1~ r1~ + I1 - m2 d2~ d2~"},
+                                                           {"J2", "-m2 r2~ r2~ + I2"},
                                                            {"m_sub1", "m1 + m2"}}));
   EXPECT_THAT(all[11].rows, UnorderedElementsAreArray(Rows{{"d2", "q2 + s2"},
                                                            {"Pddot1", "-g"},

@@ -1,0 +1,4723 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
+//
+// model 304972397e724410 of bench_cr7/scene.toml; the usual functions
+// bodies and their joints:
+//   1 body_1 on the inertial frame: revolute
+//   2 body_2 on 1: revolute
+//   3 body_3 on 2: revolute
+//   4 body_4 on 3: revolute
+//   5 body_5 on 4: revolute
+//   6 body_6 on 5: revolute
+//   7 body_7 on 6: revolute
+//
+// Units SI, angles in rad. Coordinates and speeds, all rotations before all translations:
+//   x = (theta_1, theta_2, theta_3, theta_4, theta_5, theta_6, theta_7)
+//   y = (thetadot_1, thetadot_2, thetadot_3, thetadot_4, thetadot_5, thetadot_6, thetadot_7)
+//   theta     angle of a joint about its axis [rad]
+//   thetadot  rate of theta [rad/s]
+// R takes inertial components to body components; a~ b = a x b; matrices are row-major.
+// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
+// float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
+// its own or by conversion cos, sin.
+//
+// operations of one call (adds + multiplies + divides):
+//   kinematics              0 (0 add, 0 multiply)
+//   poses                   260 (126 add, 134 multiply, 14 sine or cosine)
+//   energy                  679 (289 add, 390 multiply, 14 sine or cosine)
+//   momentum                915 (421 add, 494 multiply, 14 sine or cosine)
+//   power                   13 (6 add, 7 multiply)
+//   accelerations           1759 (853 add, 900 multiply, 6 divide, 14 sine or cosine)
+//   residual                870 (430 add, 440 multiply, 14 sine or cosine)
+//   forcing                 828 (403 add, 425 multiply, 14 sine or cosine)
+//   mass_matrix             701 (352 add, 349 multiply, 12 sine or cosine)
+//   partial_velocities      1070 (472 add, 598 multiply, 14 sine or cosine)
+//   partial_velocity_rates  2362 (1017 add, 1345 multiply, 14 sine or cosine)
+#pragma once
+
+#include <cmath>
+
+namespace kanec::bench_cr7 {
+
+inline constexpr int n_bodies = 7;
+inline constexpr int nx = 7;
+inline constexpr int ny = 7;
+inline constexpr int n_parameters = 0;
+inline constexpr int n_inputs = 7;
+inline constexpr char model_hash[] = "304972397e724410";
+
+// Where each coordinate stands in x and each speed in y.
+namespace at {
+inline constexpr int theta_1 = 0, theta_2 = 1, theta_3 = 2, theta_4 = 3, theta_5 = 4, theta_6 = 5, theta_7 = 6;
+inline constexpr int thetadot_1 = 0, thetadot_2 = 1, thetadot_3 = 2, thetadot_4 = 3, thetadot_5 = 4, thetadot_6 = 5,
+    thetadot_7 = 6;
+}  // namespace at
+
+// Entries of mass_matrix that are not always 0, row by row.
+inline constexpr int mass_matrix_nonzeros = 49;
+inline constexpr int mass_matrix_rows[] = {0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3,
+    3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6};
+inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2,
+    3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6};
+
+// Run-time parameters with the scene's defaults, SI units.
+template <class T>
+struct Parameters {
+};
+
+// Run-time inputs with the scene's defaults, SI units.
+template <class T>
+struct Inputs {
+  T tau_1 = T(0);
+  T tau_2 = T(0);
+  T tau_3 = T(0);
+  T tau_4 = T(0);
+  T tau_5 = T(0);
+  T tau_6 = T(0);
+  T tau_7 = T(0);
+};
+
+// What depends on parameters only, computed once for many calls.
+template <class T>
+struct Prepared {
+  Parameters<T> p;
+};
+
+// prepare: 0 add, 0 multiply
+template <class T>
+Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+  Prepared<T> c{};
+  c.p = p;
+  return c;
+}
+
+// kinematics: xdot, the kinematical equations.
+// rates of x (nx) [1/s], [rad/s], [m/s]
+// 0 add, 0 multiply
+template <class T>
+void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, T* xdot) noexcept {
+  const T thetadot1 = y[0];
+  const T thetadot2 = y[1];
+  const T thetadot3 = y[2];
+  const T thetadot4 = y[3];
+  const T thetadot5 = y[4];
+  const T thetadot6 = y[5];
+  const T thetadot7 = y[6];
+  xdot[0] = thetadot1;
+  xdot[1] = thetadot2;
+  xdot[2] = thetadot3;
+  xdot[3] = thetadot4;
+  xdot[4] = thetadot5;
+  xdot[5] = thetadot6;
+  xdot[6] = thetadot7;
+}
+
+// poses: attitude R and mass centre p of each body.
+// R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
+// 126 add, 134 multiply, 14 sine or cosine
+template <class T>
+void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  pose[0] = E1_11;
+  pose[8] = E1_11;
+  pose[20] = E1_11;
+  pose[2] = -minus_E1_13;
+  pose[6] = minus_E1_13;
+  pose[18] = minus_E1_13;
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T t1_1 = E1_11 * T(0.1);
+  const T t1_2 = minus_E1_13 * T(0.05);
+  const T p1_1 = t1_1 + t1_2;
+  const T t1_3 = E1_11 * T(0.05);
+  const T t1_4 = minus_E1_13 * T(0.1);
+  const T p1_3 = t1_3 - t1_4;
+  pose[9] = p1_1;
+  pose[11] = p1_3;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  pose[16] = E2_11;
+  pose[13] = E2_12;
+  pose[25] = E2_12;
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11;
+  const T minus_R2_21 = E1_11 * E2_12;
+  const T R2_23 = minus_E1_13 * E2_12;
+  pose[12] = R2_11;
+  pose[24] = R2_11;
+  pose[14] = -minus_R2_13;
+  pose[26] = -minus_R2_13;
+  pose[15] = -minus_R2_21;
+  pose[17] = R2_23;
+  // P2 = E1^T q2: position of the body origin, inertial axes [m]
+  const T P2_1 = E1_11 * T(0.3) + t1_4;
+  const T P2_3 = t1_1 - minus_E1_13 * T(0.3);
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_1 = R2_11 * T(0.1);
+  const T p2_1 = t2_1 - minus_R2_21 * T(0.2) + t1_2 + P2_1;
+  const T t2_2 = E2_12 * T(0.1);
+  const T p2_2 = t2_2 + E2_11 * T(0.2) + T(0.1);
+  const T t2_3 = minus_R2_13 * T(0.1);
+  const T p2_3 = R2_23 * T(0.2) - t2_3 + t1_3 + P2_3;
+  pose[21] = p2_1;
+  pose[22] = p2_2;
+  pose[23] = p2_3;
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
+  const T R3_22 = E2_11 * E3_22;
+  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
+  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
+  const T minus_R3_32 = E2_11 * E3_23;
+  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
+  pose[27] = R3_21;
+  pose[39] = R3_21;
+  pose[28] = R3_22;
+  pose[40] = R3_22;
+  pose[29] = R3_23;
+  pose[41] = R3_23;
+  pose[30] = R3_31;
+  pose[31] = -minus_R3_32;
+  pose[32] = R3_33;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T t3_1 = R2_11 * T(0.3);
+  const T P3_1 = t3_1 - minus_R2_21 * T(0.15) + t1_4 + P2_1;
+  const T t3_2 = E2_12 * T(0.3);
+  const T P3_2 = t3_2 + E2_11 * T(0.15) + T(0.1);
+  const T t3_3 = minus_R2_13 * T(0.3);
+  const T P3_3 = R2_23 * T(0.15) - t3_3 + t1_1 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T t3_4 = R3_21 * T(0.2);
+  const T t3_5 = t3_4 + P3_1;
+  const T p3_1 = t2_1 + t3_5 + R3_31 * T(0.05);
+  const T t3_6 = R3_22 * T(0.2);
+  const T t3_7 = t3_6 + P3_2;
+  const T p3_2 = t2_2 + t3_7 - minus_R3_32 * T(0.05);
+  const T t3_8 = R3_23 * T(0.2);
+  const T t3_9 = t3_8 + P3_3;
+  const T p3_3 = t3_9 - t2_3 + R3_33 * T(0.05);
+  pose[33] = p3_1;
+  pose[34] = p3_2;
+  pose[35] = p3_3;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
+  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
+  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
+  pose[36] = R4_11;
+  pose[37] = R4_12;
+  pose[38] = -minus_R4_13;
+  pose[42] = R4_31;
+  pose[54] = R4_31;
+  pose[43] = R4_32;
+  pose[55] = R4_32;
+  pose[44] = R4_33;
+  pose[56] = R4_33;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_1 = t3_1 + t3_5 + R3_31 * T(0.1);
+  const T P4_2 = t3_2 + t3_7 - minus_R3_32 * T(0.1);
+  const T P4_3 = t3_9 - t3_3 + R3_33 * T(0.1);
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T t4_1 = R4_31 * T(0.05);
+  const T p4_1 = R4_11 * T(0.1) + t3_4 + t4_1 + P4_1;
+  const T t4_2 = R4_32 * T(0.05);
+  const T p4_2 = R4_12 * T(0.1) + t3_6 + t4_2 + P4_2;
+  const T t4_3 = R4_33 * T(0.05);
+  const T p4_3 = t3_8 - minus_R4_13 * T(0.1) + t4_3 + P4_3;
+  pose[45] = p4_1;
+  pose[46] = p4_2;
+  pose[47] = p4_3;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // R5^T = R4^T E5^T: R takes inertial components to body components
+  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
+  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
+  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
+  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
+  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
+  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  pose[48] = R5_11;
+  pose[60] = R5_11;
+  pose[49] = R5_12;
+  pose[61] = R5_12;
+  pose[50] = R5_13;
+  pose[62] = R5_13;
+  pose[51] = R5_21;
+  pose[52] = R5_22;
+  pose[53] = R5_23;
+  // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
+  const T t5_1 = R4_31 * T(0.1);
+  const T P5_1 = R4_11 * T(0.3) + R3_21 * T(0.25) + t5_1 + P4_1;
+  const T t5_2 = R4_32 * T(0.1);
+  const T P5_2 = R4_12 * T(0.3) + R3_22 * T(0.25) + t5_2 + P4_2;
+  const T t5_3 = R4_33 * T(0.1);
+  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_3 + P4_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T t5_4 = R5_11 * T(0.1);
+  const T p5_1 = t5_4 + R5_21 * T(0.2) + t4_1 + P5_1;
+  const T t5_5 = R5_12 * T(0.1);
+  const T p5_2 = t5_5 + R5_22 * T(0.2) + t4_2 + P5_2;
+  const T t5_6 = R5_13 * T(0.1);
+  const T p5_3 = t5_6 + R5_23 * T(0.2) + t4_3 + P5_3;
+  pose[57] = p5_1;
+  pose[58] = p5_2;
+  pose[59] = p5_3;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R5^T E6^T: R takes inertial components to body components
+  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
+  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
+  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
+  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
+  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
+  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
+  pose[63] = R6_21;
+  pose[75] = R6_21;
+  pose[64] = R6_22;
+  pose[76] = R6_22;
+  pose[65] = R6_23;
+  pose[77] = R6_23;
+  pose[66] = R6_31;
+  pose[67] = R6_32;
+  pose[68] = R6_33;
+  // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
+  const T t6_1 = R5_11 * T(0.3);
+  const T P6_1 = t6_1 + R5_21 * T(0.3) + t5_1 + P5_1;
+  const T t6_2 = R5_12 * T(0.3);
+  const T P6_2 = t6_2 + R5_22 * T(0.3) + t5_2 + P5_2;
+  const T t6_3 = R5_13 * T(0.3);
+  const T P6_3 = t6_3 + R5_23 * T(0.3) + t5_3 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T t6_4 = R6_21 * T(0.2);
+  const T p6_1 = t5_4 + t6_4 + R6_31 * T(0.05) + P6_1;
+  const T t6_5 = R6_22 * T(0.2);
+  const T p6_2 = t5_5 + t6_5 + R6_32 * T(0.05) + P6_2;
+  const T t6_6 = R6_23 * T(0.2);
+  const T p6_3 = t5_6 + t6_6 + R6_33 * T(0.05) + P6_3;
+  pose[69] = p6_1;
+  pose[70] = p6_2;
+  pose[71] = p6_3;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
+  pose[72] = R7_11;
+  pose[73] = R7_12;
+  pose[74] = R7_13;
+  pose[78] = R7_31;
+  pose[79] = R7_32;
+  pose[80] = R7_33;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_1 = t6_1 + R6_21 * T(0.35) + R6_31 * T(0.1) + P6_1;
+  const T P7_2 = t6_2 + R6_22 * T(0.35) + R6_32 * T(0.1) + P6_2;
+  const T P7_3 = t6_3 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_1 = R7_11 * T(0.1) + t6_4 + R7_31 * T(0.05) + P7_1;
+  const T p7_2 = R7_12 * T(0.1) + t6_5 + R7_32 * T(0.05) + P7_2;
+  const T p7_3 = R7_13 * T(0.1) + t6_6 + R7_33 * T(0.05) + P7_3;
+  pose[81] = p7_1;
+  pose[82] = p7_2;
+  pose[83] = p7_3;
+
+  // ---- results
+  pose[1] = T(0);
+  pose[3] = T(0);
+  pose[5] = T(0);
+  pose[7] = T(0);
+  pose[19] = T(0);
+  pose[4] = T(1);
+  pose[10] = T(0.2);
+}
+
+// energy: kinetic and potential energy [J].
+// kinetic, potential (2) [J]
+// 289 add, 390 multiply, 14 sine or cosine
+template <class T>
+void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T t1_1 = E1_11 * T(0.05);
+  const T p1_3 = t1_1 - minus_E1_13 * T(0.1);
+  // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_2 = thetadot1 * T(0.05);
+  const T t1_3 = thetadot1 * T(0.1);
+  const T t1_4 = minus_E1_13 * t1_3;
+  const T v1_1 = E1_11 * t1_2 - t1_4;
+  const T t1_5 = E1_11 * t1_3;
+  const T minus_v1_3 = minus_E1_13 * t1_2 + t1_5;
+  // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
+  const T T1 = T(0.132) * thetadot1 * thetadot1 * T(0.5) + T(0.55) * (v1_1 * v1_1 + minus_v1_3 * minus_v1_3);
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11;
+  const T minus_R2_21 = E1_11 * E2_12;
+  const T R2_23 = minus_E1_13 * E2_12;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // P2 = E1^T q2: position of the body origin, inertial axes [m]
+  const T t2_1 = E1_11 * T(0.1);
+  const T P2_3 = t2_1 - minus_E1_13 * T(0.3);
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_2 = minus_R2_13 * T(0.1);
+  const T p2_3 = R2_23 * T(0.2) - t2_2 + t1_1 + P2_3;
+  // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T t2_3 = thetadot1 * T(0.3);
+  const T Pdot2_1 = t1_5 - minus_E1_13 * t2_3;
+  const T minus_Pdot2_3 = t1_4 + E1_11 * t2_3;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_4 = omega2_2 * T(0.05) - thetadot2 * T(0.2);
+  const T t2_5 = thetadot2 * T(0.1) - omega2_1 * T(0.05);
+  const T t2_6 = omega2_2 * T(0.1);
+  const T t2_7 = omega2_1 * T(0.2) - t2_6;
+  const T v2_1 = R2_11 * t2_4 - minus_R2_21 * t2_5 + minus_E1_13 * t2_7 + Pdot2_1;
+  const T v2_2 = E2_12 * t2_4 + E2_11 * t2_5;
+  const T v2_3 = R2_23 * t2_5 - minus_R2_13 * t2_4 + E1_11 * t2_7 - minus_Pdot2_3;
+  // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
+  const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * thetadot2) + omega2_2 *
+      (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * thetadot2) + thetadot2 * (T(0.0036) * omega2_1 -
+      T(0.0048) * omega2_2 + T(0.096) * thetadot2)) + T(0.6) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
+  const T R3_22 = E2_11 * E3_22;
+  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
+  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
+  const T minus_R3_32 = E2_11 * E3_23;
+  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T t3_1 = minus_R2_13 * T(0.3);
+  const T P3_3 = R2_23 * T(0.15) - t3_1 + t2_1 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T t3_2 = R3_23 * T(0.2);
+  const T t3_3 = t3_2 + P3_3;
+  const T p3_3 = t3_3 - t2_2 + R3_33 * T(0.05);
+  // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_4 = t2_6 - thetadot2 * T(0.15);
+  const T t3_5 = thetadot2 * T(0.3) - omega2_1 * T(0.1);
+  const T t3_6 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
+  const T Pdot3_1 = R2_11 * t3_4 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6 + Pdot2_1;
+  const T Pdot3_2 = E2_12 * t3_4 + E2_11 * t3_5;
+  const T Pdot3_3 = R2_23 * t3_5 - minus_R2_13 * t3_4 + E1_11 * t3_6 - minus_Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_7 = omega3_3 * T(0.2);
+  const T t3_8 = omega3_2 * T(0.05) - t3_7;
+  const T t3_9 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
+  const T t3_10 = omega3_1 * T(0.2);
+  const T t3_11 = omega3_2 * T(0.1);
+  const T t3_12 = t3_10 - t3_11;
+  const T v3_1 = R2_11 * t3_8 + R3_21 * t3_9 + R3_31 * t3_12 + Pdot3_1;
+  const T v3_2 = E2_12 * t3_8 + R3_22 * t3_9 - minus_R3_32 * t3_12 + Pdot3_2;
+  const T v3_3 = R3_23 * t3_9 - minus_R2_13 * t3_8 + R3_33 * t3_12 + Pdot3_3;
+  // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
+  const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
+      (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
+      T(0.0052) * omega3_2 + T(0.104) * omega3_3)) + T(0.65) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
+  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
+  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_3 = t3_3 - t3_1 + R3_33 * T(0.1);
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T t4_1 = R4_33 * T(0.05);
+  const T p4_3 = t3_2 - minus_R4_13 * T(0.1) + t4_1 + P4_3;
+  // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
+  const T t4_2 = t3_11 - t3_7;
+  const T t4_3 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
+  const T t4_4 = t3_10 - omega3_2 * T(0.3);
+  const T Pdot4_1 = R2_11 * t4_2 + R3_21 * t4_3 + R3_31 * t4_4 + Pdot3_1;
+  const T Pdot4_2 = E2_12 * t4_2 + R3_22 * t4_3 - minus_R3_32 * t4_4 + Pdot3_2;
+  const T Pdot4_3 = R3_23 * t4_3 - minus_R2_13 * t4_2 + R3_33 * t4_4 + Pdot3_3;
+  // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_5 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
+  const T t4_6 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
+  const T t4_7 = omega4_2 * T(0.1);
+  const T t4_8 = omega4_1 * T(0.2) - t4_7;
+  const T v4_1 = R4_11 * t4_5 + R3_21 * t4_6 + R4_31 * t4_8 + Pdot4_1;
+  const T v4_2 = R4_12 * t4_5 + R3_22 * t4_6 + R4_32 * t4_8 + Pdot4_2;
+  const T v4_3 = R3_23 * t4_6 - minus_R4_13 * t4_5 + R4_33 * t4_8 + Pdot4_3;
+  // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
+  const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
+      (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
+      T(0.0056) * omega4_2 + T(0.112) * omega4_3)) + T(0.7) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // R5^T = R4^T E5^T: R takes inertial components to body components
+  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
+  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
+  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
+  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
+  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
+  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
+  const T t5_1 = R4_33 * T(0.1);
+  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_1 + P4_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T t5_2 = R5_13 * T(0.1);
+  const T p5_3 = t5_2 + R5_23 * T(0.2) + t4_1 + P5_3;
+  // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
+  const T t5_3 = t4_7 - omega4_3 * T(0.25);
+  const T t5_4 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
+  const T t5_5 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
+  const T Pdot5_1 = R4_11 * t5_3 + R3_21 * t5_4 + R4_31 * t5_5 + Pdot4_1;
+  const T Pdot5_2 = R4_12 * t5_3 + R3_22 * t5_4 + R4_32 * t5_5 + Pdot4_2;
+  const T Pdot5_3 = R3_23 * t5_4 - minus_R4_13 * t5_3 + R4_33 * t5_5 + Pdot4_3;
+  // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
+  const T t5_6 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
+  const T t5_7 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
+  const T t5_8 = omega5_2 * T(0.1);
+  const T t5_9 = omega5_1 * T(0.2) - t5_8;
+  const T v5_1 = R5_11 * t5_6 + R5_21 * t5_7 + R4_31 * t5_9 + Pdot5_1;
+  const T v5_2 = R5_12 * t5_6 + R5_22 * t5_7 + R4_32 * t5_9 + Pdot5_2;
+  const T v5_3 = R5_13 * t5_6 + R5_23 * t5_7 + R4_33 * t5_9 + Pdot5_3;
+  // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
+  const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
+      (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
+      * omega5_2 + T(0.12) * omega5_3)) + T(0.75) * (v5_1 * v5_1 + v5_2 * v5_2 + v5_3 * v5_3);
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R5^T E6^T: R takes inertial components to body components
+  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
+  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
+  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
+  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
+  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
+  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
+  const T t6_1 = R5_13 * T(0.3);
+  const T P6_3 = t6_1 + R5_23 * T(0.3) + t5_1 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T t6_2 = R6_23 * T(0.2);
+  const T p6_3 = t5_2 + t6_2 + R6_33 * T(0.05) + P6_3;
+  // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
+  const T t6_3 = omega5_3 * T(0.3);
+  const T t6_4 = t5_8 - t6_3;
+  const T t6_5 = t6_3 - omega5_1 * T(0.1);
+  const T t6_6 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
+  const T Pdot6_1 = R5_11 * t6_4 + R5_21 * t6_5 + R4_31 * t6_6 + Pdot5_1;
+  const T Pdot6_2 = R5_12 * t6_4 + R5_22 * t6_5 + R4_32 * t6_6 + Pdot5_2;
+  const T Pdot6_3 = R5_13 * t6_4 + R5_23 * t6_5 + R4_33 * t6_6 + Pdot5_3;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_7 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
+  const T t6_8 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
+  const T t6_9 = omega6_2 * T(0.1);
+  const T t6_10 = omega6_1 * T(0.2) - t6_9;
+  const T v6_1 = R5_11 * t6_7 + R6_21 * t6_8 + R6_31 * t6_10 + Pdot6_1;
+  const T v6_2 = R5_12 * t6_7 + R6_22 * t6_8 + R6_32 * t6_10 + Pdot6_2;
+  const T v6_3 = R5_13 * t6_7 + R6_23 * t6_8 + R6_33 * t6_10 + Pdot6_3;
+  // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
+  const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
+      (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
+      T(0.0064) * omega6_2 + T(0.128) * omega6_3)) + T(0.8) * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_3 = t6_1 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_3 = R7_13 * T(0.1) + t6_2 + R7_33 * T(0.05) + P7_3;
+  // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
+  const T t7_1 = t6_9 - omega6_3 * T(0.35);
+  const T t7_2 = omega6_3 * T(0.3) - omega6_1 * T(0.1);
+  const T t7_3 = omega6_1 * T(0.35) - omega6_2 * T(0.3);
+  const T Pdot7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + Pdot6_1;
+  const T Pdot7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + Pdot6_2;
+  const T Pdot7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + Pdot6_3;
+  // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
+  const T t7_4 = omega7_2 * T(0.05) - omega7_3 * T(0.2);
+  const T t7_5 = omega7_3 * T(0.1) - omega7_1 * T(0.05);
+  const T t7_6 = omega7_1 * T(0.2) - omega7_2 * T(0.1);
+  const T v7_1 = R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6 + Pdot7_1;
+  const T v7_2 = R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6 + Pdot7_2;
+  const T v7_3 = R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6 + Pdot7_3;
+  // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
+  const T T7 = T(0.5) * (omega7_1 * (T(0.17) * omega7_1 + T(0.0085) * omega7_2 + T(0.0051) * omega7_3) + omega7_2 *
+      (T(0.0085) * omega7_1 + T(0.204) * omega7_2 - T(0.0068) * omega7_3) + omega7_3 * (T(0.0051) * omega7_1 -
+      T(0.0068) * omega7_2 + T(0.136) * omega7_3)) + T(0.85) * (v7_1 * v7_1 + v7_2 * v7_2 + v7_3 * v7_3);
+
+  // ---- whole system
+  // kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T7: kinetic energy of the system [J]
+  const T kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T7;
+  energy[0] = kinetic;
+  // mp = m1 p1 + m2 p2 + m3 p3 + m4 p4 + m5 p5 + m6 p6 + m7 p7: first moment of mass, inertial axes [kg m]
+  const T mp_3 = T(1.1) * p1_3 + T(1.2) * p2_3 + T(1.3) * p3_3 + T(1.4) * p4_3 + T(1.5) * p5_3 + T(1.6) * p6_3 +
+      T(1.7) * p7_3;
+  // potential = -g . mp: potential energy of gravity and springs [J]
+  const T potential = T(9.81) * mp_3;
+  energy[1] = potential;
+}
+
+// momentum: linear and angular momentum, inertial axes, about the inertial origin.
+// linear (3) [kg m/s], angular (3) [kg m^2/s]
+// 421 add, 494 multiply, 14 sine or cosine
+template <class T>
+void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T t1_1 = E1_11 * T(0.1);
+  const T t1_2 = minus_E1_13 * T(0.05);
+  const T p1_1 = t1_1 + t1_2;
+  const T t1_3 = E1_11 * T(0.05);
+  const T t1_4 = minus_E1_13 * T(0.1);
+  const T p1_3 = t1_3 - t1_4;
+  // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_5 = thetadot1 * T(0.05);
+  const T t1_6 = thetadot1 * T(0.1);
+  const T t1_7 = minus_E1_13 * t1_6;
+  const T v1_1 = E1_11 * t1_5 - t1_7;
+  const T t1_8 = E1_11 * t1_6;
+  const T minus_v1_3 = minus_E1_13 * t1_5 + t1_8;
+  // l1 = m1 v1: linear momentum, inertial axes [kg m/s]
+  const T l1_1 = T(1.1) * v1_1;
+  const T minus_l1_3 = T(1.1) * minus_v1_3;
+  // H1 = E1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t1_9 = T(0.0055) * thetadot1;
+  const T t1_10 = T(0.0044) * thetadot1;
+  const T H1_1 = E1_11 * t1_9 - minus_E1_13 * t1_10 - T(0.2) * minus_l1_3;
+  const T H1_2 = T(0.132) * thetadot1 + p1_3 * l1_1 + p1_1 * minus_l1_3;
+  const T minus_H1_3 = minus_E1_13 * t1_9 + E1_11 * t1_10 + T(0.2) * l1_1;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11;
+  const T minus_R2_21 = E1_11 * E2_12;
+  const T R2_23 = minus_E1_13 * E2_12;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // P2 = E1^T q2: position of the body origin, inertial axes [m]
+  const T P2_1 = E1_11 * T(0.3) + t1_4;
+  const T P2_3 = t1_1 - minus_E1_13 * T(0.3);
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_1 = R2_11 * T(0.1);
+  const T p2_1 = t2_1 - minus_R2_21 * T(0.2) + t1_2 + P2_1;
+  const T t2_2 = E2_12 * T(0.1);
+  const T p2_2 = t2_2 + E2_11 * T(0.2) + T(0.1);
+  const T t2_3 = minus_R2_13 * T(0.1);
+  const T p2_3 = R2_23 * T(0.2) - t2_3 + t1_3 + P2_3;
+  // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T t2_4 = thetadot1 * T(0.3);
+  const T Pdot2_1 = t1_8 - minus_E1_13 * t2_4;
+  const T minus_Pdot2_3 = t1_7 + E1_11 * t2_4;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_5 = omega2_2 * T(0.05) - thetadot2 * T(0.2);
+  const T t2_6 = thetadot2 * T(0.1) - omega2_1 * T(0.05);
+  const T t2_7 = omega2_2 * T(0.1);
+  const T t2_8 = omega2_1 * T(0.2) - t2_7;
+  const T v2_1 = R2_11 * t2_5 - minus_R2_21 * t2_6 + minus_E1_13 * t2_8 + Pdot2_1;
+  const T v2_2 = E2_12 * t2_5 + E2_11 * t2_6;
+  const T v2_3 = R2_23 * t2_6 - minus_R2_13 * t2_5 + E1_11 * t2_8 - minus_Pdot2_3;
+  // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
+  const T l2_1 = T(1.2) * v2_1;
+  const T l2_2 = T(1.2) * v2_2;
+  const T l2_3 = T(1.2) * v2_3;
+  // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t2_9 = T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * thetadot2;
+  const T t2_10 = T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * thetadot2;
+  const T t2_11 = T(0.0036) * omega2_1 - T(0.0048) * omega2_2 + T(0.096) * thetadot2;
+  const T H2_1 = R2_11 * t2_9 - minus_R2_21 * t2_10 + minus_E1_13 * t2_11 + p2_2 * l2_3 - p2_3 * l2_2;
+  const T H2_2 = E2_12 * t2_9 + E2_11 * t2_10 + p2_3 * l2_1 - p2_1 * l2_3;
+  const T H2_3 = R2_23 * t2_10 - minus_R2_13 * t2_9 + E1_11 * t2_11 + p2_1 * l2_2 - p2_2 * l2_1;
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
+  const T R3_22 = E2_11 * E3_22;
+  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
+  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
+  const T minus_R3_32 = E2_11 * E3_23;
+  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T t3_1 = R2_11 * T(0.3);
+  const T P3_1 = t3_1 - minus_R2_21 * T(0.15) + t1_4 + P2_1;
+  const T t3_2 = E2_12 * T(0.3);
+  const T P3_2 = t3_2 + E2_11 * T(0.15) + T(0.1);
+  const T t3_3 = minus_R2_13 * T(0.3);
+  const T P3_3 = R2_23 * T(0.15) - t3_3 + t1_1 + P2_3;
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T t3_4 = R3_21 * T(0.2);
+  const T t3_5 = t3_4 + P3_1;
+  const T p3_1 = t2_1 + t3_5 + R3_31 * T(0.05);
+  const T t3_6 = R3_22 * T(0.2);
+  const T t3_7 = t3_6 + P3_2;
+  const T p3_2 = t2_2 + t3_7 - minus_R3_32 * T(0.05);
+  const T t3_8 = R3_23 * T(0.2);
+  const T t3_9 = t3_8 + P3_3;
+  const T p3_3 = t3_9 - t2_3 + R3_33 * T(0.05);
+  // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_10 = t2_7 - thetadot2 * T(0.15);
+  const T t3_11 = thetadot2 * T(0.3) - omega2_1 * T(0.1);
+  const T t3_12 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
+  const T Pdot3_1 = R2_11 * t3_10 - minus_R2_21 * t3_11 + minus_E1_13 * t3_12 + Pdot2_1;
+  const T Pdot3_2 = E2_12 * t3_10 + E2_11 * t3_11;
+  const T Pdot3_3 = R2_23 * t3_11 - minus_R2_13 * t3_10 + E1_11 * t3_12 - minus_Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_13 = omega3_3 * T(0.2);
+  const T t3_14 = omega3_2 * T(0.05) - t3_13;
+  const T t3_15 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
+  const T t3_16 = omega3_1 * T(0.2);
+  const T t3_17 = omega3_2 * T(0.1);
+  const T t3_18 = t3_16 - t3_17;
+  const T v3_1 = R2_11 * t3_14 + R3_21 * t3_15 + R3_31 * t3_18 + Pdot3_1;
+  const T v3_2 = E2_12 * t3_14 + R3_22 * t3_15 - minus_R3_32 * t3_18 + Pdot3_2;
+  const T v3_3 = R3_23 * t3_15 - minus_R2_13 * t3_14 + R3_33 * t3_18 + Pdot3_3;
+  // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
+  const T l3_1 = T(1.3) * v3_1;
+  const T l3_2 = T(1.3) * v3_2;
+  const T l3_3 = T(1.3) * v3_3;
+  // H3 = R3^T I3 omega3 + p3~ l3: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t3_19 = T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3;
+  const T t3_20 = T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3;
+  const T t3_21 = T(0.0039) * omega3_1 - T(0.0052) * omega3_2 + T(0.104) * omega3_3;
+  const T H3_1 = R2_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21 + p3_2 * l3_3 - p3_3 * l3_2;
+  const T H3_2 = E2_12 * t3_19 + R3_22 * t3_20 - minus_R3_32 * t3_21 + p3_3 * l3_1 - p3_1 * l3_3;
+  const T H3_3 = R3_23 * t3_20 - minus_R2_13 * t3_19 + R3_33 * t3_21 + p3_1 * l3_2 - p3_2 * l3_1;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
+  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
+  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_1 = t3_1 + t3_5 + R3_31 * T(0.1);
+  const T P4_2 = t3_2 + t3_7 - minus_R3_32 * T(0.1);
+  const T P4_3 = t3_9 - t3_3 + R3_33 * T(0.1);
+  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
+  const T t4_1 = R4_31 * T(0.05);
+  const T p4_1 = R4_11 * T(0.1) + t3_4 + t4_1 + P4_1;
+  const T t4_2 = R4_32 * T(0.05);
+  const T p4_2 = R4_12 * T(0.1) + t3_6 + t4_2 + P4_2;
+  const T t4_3 = R4_33 * T(0.05);
+  const T p4_3 = t3_8 - minus_R4_13 * T(0.1) + t4_3 + P4_3;
+  // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
+  const T t4_4 = t3_17 - t3_13;
+  const T t4_5 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
+  const T t4_6 = t3_16 - omega3_2 * T(0.3);
+  const T Pdot4_1 = R2_11 * t4_4 + R3_21 * t4_5 + R3_31 * t4_6 + Pdot3_1;
+  const T Pdot4_2 = E2_12 * t4_4 + R3_22 * t4_5 - minus_R3_32 * t4_6 + Pdot3_2;
+  const T Pdot4_3 = R3_23 * t4_5 - minus_R2_13 * t4_4 + R3_33 * t4_6 + Pdot3_3;
+  // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_7 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
+  const T t4_8 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
+  const T t4_9 = omega4_2 * T(0.1);
+  const T t4_10 = omega4_1 * T(0.2) - t4_9;
+  const T v4_1 = R4_11 * t4_7 + R3_21 * t4_8 + R4_31 * t4_10 + Pdot4_1;
+  const T v4_2 = R4_12 * t4_7 + R3_22 * t4_8 + R4_32 * t4_10 + Pdot4_2;
+  const T v4_3 = R3_23 * t4_8 - minus_R4_13 * t4_7 + R4_33 * t4_10 + Pdot4_3;
+  // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
+  const T l4_1 = T(1.4) * v4_1;
+  const T l4_2 = T(1.4) * v4_2;
+  const T l4_3 = T(1.4) * v4_3;
+  // H4 = R4^T I4 omega4 + p4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t4_11 = T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3;
+  const T t4_12 = T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3;
+  const T t4_13 = T(0.0042) * omega4_1 - T(0.0056) * omega4_2 + T(0.112) * omega4_3;
+  const T H4_1 = R4_11 * t4_11 + R3_21 * t4_12 + R4_31 * t4_13 + p4_2 * l4_3 - p4_3 * l4_2;
+  const T H4_2 = R4_12 * t4_11 + R3_22 * t4_12 + R4_32 * t4_13 + p4_3 * l4_1 - p4_1 * l4_3;
+  const T H4_3 = R3_23 * t4_12 - minus_R4_13 * t4_11 + R4_33 * t4_13 + p4_1 * l4_2 - p4_2 * l4_1;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // R5^T = R4^T E5^T: R takes inertial components to body components
+  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
+  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
+  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
+  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
+  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
+  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
+  const T t5_1 = R4_31 * T(0.1);
+  const T P5_1 = R4_11 * T(0.3) + R3_21 * T(0.25) + t5_1 + P4_1;
+  const T t5_2 = R4_32 * T(0.1);
+  const T P5_2 = R4_12 * T(0.3) + R3_22 * T(0.25) + t5_2 + P4_2;
+  const T t5_3 = R4_33 * T(0.1);
+  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_3 + P4_3;
+  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
+  const T t5_4 = R5_11 * T(0.1);
+  const T p5_1 = t5_4 + R5_21 * T(0.2) + t4_1 + P5_1;
+  const T t5_5 = R5_12 * T(0.1);
+  const T p5_2 = t5_5 + R5_22 * T(0.2) + t4_2 + P5_2;
+  const T t5_6 = R5_13 * T(0.1);
+  const T p5_3 = t5_6 + R5_23 * T(0.2) + t4_3 + P5_3;
+  // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
+  const T t5_7 = t4_9 - omega4_3 * T(0.25);
+  const T t5_8 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
+  const T t5_9 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
+  const T Pdot5_1 = R4_11 * t5_7 + R3_21 * t5_8 + R4_31 * t5_9 + Pdot4_1;
+  const T Pdot5_2 = R4_12 * t5_7 + R3_22 * t5_8 + R4_32 * t5_9 + Pdot4_2;
+  const T Pdot5_3 = R3_23 * t5_8 - minus_R4_13 * t5_7 + R4_33 * t5_9 + Pdot4_3;
+  // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
+  const T t5_10 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
+  const T t5_11 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
+  const T t5_12 = omega5_2 * T(0.1);
+  const T t5_13 = omega5_1 * T(0.2) - t5_12;
+  const T v5_1 = R5_11 * t5_10 + R5_21 * t5_11 + R4_31 * t5_13 + Pdot5_1;
+  const T v5_2 = R5_12 * t5_10 + R5_22 * t5_11 + R4_32 * t5_13 + Pdot5_2;
+  const T v5_3 = R5_13 * t5_10 + R5_23 * t5_11 + R4_33 * t5_13 + Pdot5_3;
+  // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
+  const T l5_1 = T(1.5) * v5_1;
+  const T l5_2 = T(1.5) * v5_2;
+  const T l5_3 = T(1.5) * v5_3;
+  // H5 = R5^T I5 omega5 + p5~ l5: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t5_14 = T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3;
+  const T t5_15 = T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3;
+  const T t5_16 = T(0.0045) * omega5_1 - T(0.006) * omega5_2 + T(0.12) * omega5_3;
+  const T H5_1 = R5_11 * t5_14 + R5_21 * t5_15 + R4_31 * t5_16 + p5_2 * l5_3 - p5_3 * l5_2;
+  const T H5_2 = R5_12 * t5_14 + R5_22 * t5_15 + R4_32 * t5_16 + p5_3 * l5_1 - p5_1 * l5_3;
+  const T H5_3 = R5_13 * t5_14 + R5_23 * t5_15 + R4_33 * t5_16 + p5_1 * l5_2 - p5_2 * l5_1;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R5^T E6^T: R takes inertial components to body components
+  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
+  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
+  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
+  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
+  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
+  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
+  const T t6_1 = R5_11 * T(0.3);
+  const T P6_1 = t6_1 + R5_21 * T(0.3) + t5_1 + P5_1;
+  const T t6_2 = R5_12 * T(0.3);
+  const T P6_2 = t6_2 + R5_22 * T(0.3) + t5_2 + P5_2;
+  const T t6_3 = R5_13 * T(0.3);
+  const T P6_3 = t6_3 + R5_23 * T(0.3) + t5_3 + P5_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T t6_4 = R6_21 * T(0.2);
+  const T p6_1 = t5_4 + t6_4 + R6_31 * T(0.05) + P6_1;
+  const T t6_5 = R6_22 * T(0.2);
+  const T p6_2 = t5_5 + t6_5 + R6_32 * T(0.05) + P6_2;
+  const T t6_6 = R6_23 * T(0.2);
+  const T p6_3 = t5_6 + t6_6 + R6_33 * T(0.05) + P6_3;
+  // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
+  const T t6_7 = omega5_3 * T(0.3);
+  const T t6_8 = t5_12 - t6_7;
+  const T t6_9 = t6_7 - omega5_1 * T(0.1);
+  const T t6_10 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
+  const T Pdot6_1 = R5_11 * t6_8 + R5_21 * t6_9 + R4_31 * t6_10 + Pdot5_1;
+  const T Pdot6_2 = R5_12 * t6_8 + R5_22 * t6_9 + R4_32 * t6_10 + Pdot5_2;
+  const T Pdot6_3 = R5_13 * t6_8 + R5_23 * t6_9 + R4_33 * t6_10 + Pdot5_3;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_11 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
+  const T t6_12 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
+  const T t6_13 = omega6_2 * T(0.1);
+  const T t6_14 = omega6_1 * T(0.2) - t6_13;
+  const T v6_1 = R5_11 * t6_11 + R6_21 * t6_12 + R6_31 * t6_14 + Pdot6_1;
+  const T v6_2 = R5_12 * t6_11 + R6_22 * t6_12 + R6_32 * t6_14 + Pdot6_2;
+  const T v6_3 = R5_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_14 + Pdot6_3;
+  // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
+  const T l6_1 = T(1.6) * v6_1;
+  const T l6_2 = T(1.6) * v6_2;
+  const T l6_3 = T(1.6) * v6_3;
+  // H6 = R6^T I6 omega6 + p6~ l6: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t6_15 = T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3;
+  const T t6_16 = T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3;
+  const T t6_17 = T(0.0048) * omega6_1 - T(0.0064) * omega6_2 + T(0.128) * omega6_3;
+  const T H6_1 = R5_11 * t6_15 + R6_21 * t6_16 + R6_31 * t6_17 + p6_2 * l6_3 - p6_3 * l6_2;
+  const T H6_2 = R5_12 * t6_15 + R6_22 * t6_16 + R6_32 * t6_17 + p6_3 * l6_1 - p6_1 * l6_3;
+  const T H6_3 = R5_13 * t6_15 + R6_23 * t6_16 + R6_33 * t6_17 + p6_1 * l6_2 - p6_2 * l6_1;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_1 = t6_1 + R6_21 * T(0.35) + R6_31 * T(0.1) + P6_1;
+  const T P7_2 = t6_2 + R6_22 * T(0.35) + R6_32 * T(0.1) + P6_2;
+  const T P7_3 = t6_3 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_1 = R7_11 * T(0.1) + t6_4 + R7_31 * T(0.05) + P7_1;
+  const T p7_2 = R7_12 * T(0.1) + t6_5 + R7_32 * T(0.05) + P7_2;
+  const T p7_3 = R7_13 * T(0.1) + t6_6 + R7_33 * T(0.05) + P7_3;
+  // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
+  const T t7_1 = t6_13 - omega6_3 * T(0.35);
+  const T t7_2 = omega6_3 * T(0.3) - omega6_1 * T(0.1);
+  const T t7_3 = omega6_1 * T(0.35) - omega6_2 * T(0.3);
+  const T Pdot7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + Pdot6_1;
+  const T Pdot7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + Pdot6_2;
+  const T Pdot7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + Pdot6_3;
+  // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
+  const T t7_4 = omega7_2 * T(0.05) - omega7_3 * T(0.2);
+  const T t7_5 = omega7_3 * T(0.1) - omega7_1 * T(0.05);
+  const T t7_6 = omega7_1 * T(0.2) - omega7_2 * T(0.1);
+  const T v7_1 = R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6 + Pdot7_1;
+  const T v7_2 = R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6 + Pdot7_2;
+  const T v7_3 = R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6 + Pdot7_3;
+  // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
+  const T l7_1 = T(1.7) * v7_1;
+  const T l7_2 = T(1.7) * v7_2;
+  const T l7_3 = T(1.7) * v7_3;
+  // H7 = R7^T I7 omega7 + p7~ l7: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t7_7 = T(0.17) * omega7_1 + T(0.0085) * omega7_2 + T(0.0051) * omega7_3;
+  const T t7_8 = T(0.0085) * omega7_1 + T(0.204) * omega7_2 - T(0.0068) * omega7_3;
+  const T t7_9 = T(0.0051) * omega7_1 - T(0.0068) * omega7_2 + T(0.136) * omega7_3;
+  const T H7_1 = R7_11 * t7_7 + R6_21 * t7_8 + R7_31 * t7_9 + p7_2 * l7_3 - p7_3 * l7_2;
+  const T H7_2 = R7_12 * t7_7 + R6_22 * t7_8 + R7_32 * t7_9 + p7_3 * l7_1 - p7_1 * l7_3;
+  const T H7_3 = R7_13 * t7_7 + R6_23 * t7_8 + R7_33 * t7_9 + p7_1 * l7_2 - p7_2 * l7_1;
+
+  // ---- whole system
+  // linear = l1 + l2 + l3 + l4 + l5 + l6 + l7: linear momentum of the system [kg m/s]
+  const T linear_1 = l1_1 + l2_1 + l3_1 + l4_1 + l5_1 + l6_1 + l7_1;
+  const T linear_2 = l2_2 + l3_2 + l4_2 + l5_2 + l6_2 + l7_2;
+  const T linear_3 = l2_3 - minus_l1_3 + l3_3 + l4_3 + l5_3 + l6_3 + l7_3;
+  momentum[0] = linear_1;
+  momentum[1] = linear_2;
+  momentum[2] = linear_3;
+  // angular = H1 + H2 + H3 + H4 + H5 + H6 + H7: angular momentum of the system about the inertial origin [kg m^2/s]
+  const T angular_1 = H1_1 + H2_1 + H3_1 + H4_1 + H5_1 + H6_1 + H7_1;
+  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H5_2 + H6_2 + H7_2;
+  const T angular_3 = H2_3 - minus_H1_3 + H3_3 + H4_3 + H5_3 + H6_3 + H7_3;
+  momentum[3] = angular_1;
+  momentum[4] = angular_2;
+  momentum[5] = angular_3;
+}
+
+// power: power of the applied loads, without gravity and springs that keep their energy [W].
+// power (1) [W]
+// 6 add, 7 multiply
+template <class T>
+void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const Inputs<T>& u, T* out)
+    noexcept {
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T thetadot1 = y[0];
+  const T thetadot2 = y[1];
+  const T thetadot3 = y[2];
+  const T thetadot4 = y[3];
+  const T thetadot5 = y[4];
+  const T thetadot6 = y[5];
+  const T thetadot7 = y[6];
+  // power = thetadot1 tau_body_1_ + thetadot2 tau_body_2_ + thetadot3 tau_body_3_ + thetadot4 tau_body_4_ + thetadot5
+  //   tau_body_5_ + thetadot6 tau_body_6_ + thetadot7 tau_body_7_: power of the applied loads [W]
+  const T power = thetadot1 * u.tau_1 + thetadot2 * u.tau_2 + thetadot3 * u.tau_3 + thetadot4 * u.tau_4 + thetadot5 *
+      u.tau_5 + thetadot6 * u.tau_6 + thetadot7 * u.tau_7;
+  out[0] = power;
+}
+
+// accelerations: ydot from A ydot = f.
+// rates of y (ny) [rad/s^2], [m/s^2]
+// 853 add, 900 multiply, 6 divide, 14 sine or cosine
+template <class T>
+void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
+    noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_1 = thetadot1 * T(0.1) * thetadot1;
+  const T minus_a1_1 = t1_1 + minus_Pddot1_1;
+  const T a1_3 = Pddot1_3 - thetadot1 * T(0.05) * thetadot1;
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T G1_1 = T(1.1) * minus_a1_1;
+  const T minus_G1_3 = T(1.1) * a1_3;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_1 = thetadot2 * omega2_2;
+  const T minus_omegadot2_2 = thetadot2 * omega2_1;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_1 = thetadot2 * thetadot2;
+  const T t2_2 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_1 + t2_2;
+  const T U2_12 = omega2_2 * omega2_1;
+  const T t2_3 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_1 + t2_3;
+  const T U2_31 = minus_omegadot2_2 + minus_omegadot2_2;
+  const T U2_32 = omegadot2_1 + omegadot2_1;
+  const T minus_U2_33 = t2_2 + t2_3;
+  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_4 = thetadot1 * T(0.3) * thetadot1 + minus_Pddot1_1;
+  const T minus_Pddot2_1 = E2_11 * t2_4;
+  const T Pddot2_2 = E2_12 * t2_4;
+  const T Pddot2_3 = Pddot1_3 - t1_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) - minus_Pddot2_1;
+  const T a2_2 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + Pddot2_2;
+  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G2_1 = T(1.2) * a2_1;
+  const T minus_G2_2 = T(1.2) * a2_2;
+  const T minus_G2_3 = T(1.2) * a2_3;
+  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
+      T(0.0036) * U2_12;
+  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
+      U2_32;
+  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_2 = thetadot3 * omega3_3 - E3_22 * minus_omegadot2_2;
+  const T omegadot3_3 = E3_23 * minus_omegadot2_2 - thetadot3 * omega3_2;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot3_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot2_1;
+  const T U3_31 = t3_4 - omegadot3_2;
+  const T U3_32 = t3_6 + omegadot2_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) - minus_Pddot2_1;
+  const T t3_7 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + Pddot2_2;
+  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
+  const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
+  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
+  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
+  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
+  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
+  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
+  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G3_1 = T(1.3) * a3_1;
+  const T minus_G3_2 = T(1.3) * a3_2;
+  const T minus_G3_3 = T(1.3) * a3_3;
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
+      U3_31 + T(0.0039) * U3_21;
+  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
+      U3_12 + T(0.0065) * U3_32;
+  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
+      U3_23 - T(0.0052) * U3_13;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot2_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot2_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_3 * omega4_3;
+  const T t4_2 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_1 + t4_2;
+  const T t4_3 = omega4_2 * omega4_1;
+  const T U4_12 = t4_3 - omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_1;
+  const T U4_13 = t4_4 + omegadot3_2;
+  const T U4_21 = t4_3 + omegadot4_3;
+  const T t4_5 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_1 + t4_5;
+  const T t4_6 = omega4_3 * omega4_2;
+  const T U4_23 = t4_6 - omegadot4_1;
+  const T U4_31 = t4_4 - omegadot3_2;
+  const T U4_32 = t4_6 + omegadot4_1;
+  const T minus_U4_33 = t4_2 + t4_5;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
+  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
+  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
+  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G4_1 = T(1.4) * a4_1;
+  const T minus_G4_2 = T(1.4) * a4_2;
+  const T minus_G4_3 = T(1.4) * a4_3;
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
+      U4_31 + T(0.0042) * U4_21;
+  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
+      U4_12 + T(0.007) * U4_32;
+  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
+      - T(0.0056) * U4_13;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // omegadot5 = -thetadot5 b5~ E5 omega4 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
+  const T omegadot5_1 = thetadot5 * omega5_2 + E5_11 * omegadot4_1 + E5_12 * omegadot3_2;
+  const T omegadot5_2 = E5_11 * omegadot3_2 - E5_12 * omegadot4_1 - thetadot5 * omega5_1;
+  // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t5_1 = omega5_3 * omega5_3;
+  const T t5_2 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_1 + t5_2;
+  const T t5_3 = omega5_2 * omega5_1;
+  const T U5_12 = t5_3 - omegadot4_3;
+  const T t5_4 = omega5_3 * omega5_1;
+  const T U5_13 = t5_4 + omegadot5_2;
+  const T U5_21 = t5_3 + omegadot4_3;
+  const T t5_5 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_1 + t5_5;
+  const T t5_6 = omega5_3 * omega5_2;
+  const T U5_23 = t5_6 - omegadot5_1;
+  const T U5_31 = t5_4 - omegadot5_2;
+  const T U5_32 = t5_6 + omegadot5_1;
+  const T minus_U5_33 = t5_2 + t5_5;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
+  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
+  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
+  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
+  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G5_1 = T(1.5) * a5_1;
+  const T minus_G5_2 = T(1.5) * a5_2;
+  const T minus_G5_3 = T(1.5) * a5_3;
+  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
+      U5_31 + T(0.0045) * U5_21;
+  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
+      U5_12 + T(0.0075) * U5_32;
+  const T minus_N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
+      U5_23 - T(0.006) * U5_13;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot5_2 + E6_23 * omegadot4_3;
+  const T omegadot6_3 = E6_22 * omegadot4_3 - E6_23 * omegadot5_2 - thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 - omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 + omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T t6_6 = omega6_3 * omega6_2;
+  const T U6_23 = t6_6 - omegadot5_1;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T U6_32 = t6_6 + omegadot5_1;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
+  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
+  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
+  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
+  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
+  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
+  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G6_1 = T(1.6) * a6_1;
+  const T minus_G6_2 = T(1.6) * a6_2;
+  const T minus_G6_3 = T(1.6) * a6_3;
+  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
+      U6_31 + T(0.0048) * U6_21;
+  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
+      U6_12 + T(0.008) * U6_32;
+  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
+      - T(0.0064) * U6_13;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = E7_11 * omegadot5_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot5_1 + E7_11 * omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot6_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot6_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
+  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
+  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
+  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G7_1 = T(1.7) * a7_1;
+  const T minus_G7_2 = T(1.7) * a7_2;
+  const T minus_G7_3 = T(1.7) * a7_3;
+  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
+      T(0.0085) * U7_31 + T(0.0051) * U7_21;
+  const T minus_N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
+      T(0.0068) * U7_12 + T(0.0085) * U7_32;
+  const T minus_N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
+      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+
+  // ---- body 7 (body_7) and what it carries
+  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho7_1 = T(0.05) * minus_G7_2 - T(0.2) * minus_G7_3 - minus_N7_1;
+  const T rho7_2 = T(0.1) * minus_G7_3 - T(0.05) * minus_G7_1 - minus_N7_2;
+  const T b7_1 = T(0.1) * minus_G7_2;
+  const T rho7_3 = T(0.2) * minus_G7_1 - b7_1 - minus_N7_3;
+  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc7_1 = minus_E7_13 * T(0.085) + E7_11 * T(0.17);
+  const T hc7_3 = E7_11 * T(0.085) - minus_E7_13 * T(0.17);
+
+  // ---- body 6 (body_6) and what it carries
+  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * minus_G7_1 + minus_E7_13 * minus_G7_3;
+  const T minus_S6_1 = b6_1 + minus_G6_1;
+  const T minus_S6_2 = minus_G7_2 + minus_G6_2;
+  const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
+  const T S6_3 = b6_2 - minus_G6_3;
+  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
+      minus_G6_3 - minus_N6_1;
+  const T rho6_2 = rho7_2 - T(0.1) * b6_1 - T(0.3) * b6_2 + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
+  const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
+      - T(0.1) * minus_G6_2 - minus_N6_3;
+  // h6 = m6 r6 + m7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h6_1 = T(0.67) + hc7_1;
+  const T h6_3 = T(0.25) + hc7_3;
+  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m7 q7~ - hc7~) q7~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b6_3 = minus_E7_13 * T(0.0034000000000000002);
+  const T b6_4 = E7_11 * T(0.24225000000000002) - b6_3;
+  const T b6_5 = E7_11 * T(0.0034000000000000002);
+  const T b6_6 = minus_E7_13 * T(0.22100000000000003) - b6_5;
+  const T b6_7 = T(0.1) * hc7_3;
+  const T b6_8 = hc7_3 + T(0.17);
+  const T b6_9 = b6_8 * T(0.1);
+  const T J6_11 = b6_4 * E7_11 + b6_6 * minus_E7_13 + b6_7 + T(0.67425) + b6_9;
+  const T b6_10 = E7_11 * T(0.025500000000000002) + minus_E7_13 * T(0.0238);
+  const T b6_11 = T(0.35) * hc7_1 + b6_10;
+  const T minus_J6_12 = T(0.3045) + b6_11;
+  const T b6_12 = b6_6 * E7_11 - b6_4 * minus_E7_13 - T(0.003200000000000002);
+  const T J6_13 = b6_12 - T(0.1) * hc7_1 - b6_8 * T(0.3);
+  const T b6_13 = hc7_1 + T(0.51);
+  const T minus_J6_21 = T(0.126) + b6_10 + b6_13 * T(0.35);
+  const T b6_14 = T(0.3) * hc7_1;
+  const T b6_15 = b6_7 + b6_14 + T(0.22524999999999998);
+  const T b6_16 = b6_13 * T(0.3);
+  const T J6_22 = b6_15 + T(0.212) + b6_9 + b6_16;
+  const T b6_17 = minus_E7_13 * T(0.025500000000000002) - E7_11 * T(0.0238);
+  const T J6_23 = b6_17 - T(0.056400000000000006) - b6_8 * T(0.35);
+  const T b6_18 = T(0.3) * hc7_3;
+  const T J6_31 = b6_12 - b6_18 - b6_13 * T(0.1);
+  const T b6_19 = b6_17 - T(0.35) * hc7_3;
+  const T J6_32 = b6_19 - T(0.1159);
+  const T J6_33 = (minus_E7_13 * T(0.24225000000000002) + b6_5) * minus_E7_13 + (b6_3 + E7_11 *
+      T(0.22100000000000003)) * E7_11 + T(0.65425) + b6_14 + b6_16;
+  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
+  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(1.255);
+  // D_thetaddot6: pivots of L D L^T
+  const T b6_20 = b6_11 * T(4.439511653718092);
+  const T D_thetaddot6 = J6_11 - b6_20 * b6_11;
+
+  // ---- body 5 (body_5) and what it carries
+  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
+  const T minus_S5_1 = minus_S6_1 + minus_G5_1;
+  const T b5_1 = E6_22 * minus_S6_2 + E6_23 * S6_3;
+  const T minus_S5_2 = b5_1 + minus_G5_2;
+  const T b5_2 = E6_22 * S6_3 - E6_23 * minus_S6_2;
+  const T S5_3 = b5_2 - minus_G5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T b5_3 = T(0.3) * b5_2;
+  const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
+  const T rho5_2 = E6_22 * rho6_2 - E6_23 * rho6_3 - T(0.1) * minus_S6_1 - b5_3 + T(0.1) * minus_G5_3 - T(0.05) *
+      minus_G5_1 - minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
+      T(0.1) * minus_G5_2 - minus_N5_3;
+  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h5_1 = T(1.14) + h6_1;
+  const T h5_2 = T(1.29) + hc6_2;
+  const T h5_3 = T(0.405) + hc6_3;
+  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b5_4 = T(0.1) * hc6_3;
+  const T b5_5 = T(0.3) * hc6_2;
+  const T b5_6 = b5_4 + b5_5 + J6_11;
+  const T b5_7 = hc6_3 + T(0.33);
+  const T b5_8 = b5_7 * T(0.1);
+  const T b5_9 = (T(0.99) + hc6_2) * T(0.3);
+  const T J5_11 = b5_6 + T(0.21375) + b5_8 + b5_9;
+  const T b5_10 = minus_J6_12 * E6_22 + J6_13 * E6_23 + T(0.022500000000000003);
+  const T b5_11 = T(0.3) * h6_1;
+  const T b5_12 = b5_11 + b5_9;
+  const T minus_J5_12 = b5_10 + b5_12;
+  const T b5_13 = b5_7 * T(0.3);
+  const T J5_13 = J6_13 * E6_22 - minus_J6_12 * E6_23 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_13;
+  const T b5_14 = (h6_1 + T(0.99)) * T(0.3);
+  const T b5_15 = b5_5 + b5_14;
+  const T minus_J5_21 = b5_10 + b5_15;
+  const T b5_16 = E6_22 * J6_22 - E6_23 * J6_32;
+  const T b5_17 = E6_22 * J6_23 - E6_23 * J6_33;
+  const T J5_22 = b5_16 * E6_22 - b5_17 * E6_23 + b5_4 + b5_11 + T(0.19874999999999998) + b5_8 + b5_14;
+  const T J5_23 = b5_16 * E6_23 + b5_17 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_13;
+  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_15 + b5_12 +
+      T(0.195);
+  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
+  const T hc5_2 = E5_11 * h5_2 + E5_12 * h5_1;
+  // B_thetadot7_5 = E6^T B_thetadot7_6
+  const T B_thetadot7_5_2 = E6_23 * hc7_1;
+  const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
+  // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
+  const T b5_18 = T(0.3) * minus_B_thetadot7_5_3;
+  const T minus_K_thetadot7_5_1 = T(0.1) * B_thetadot7_5_2 + b5_18 + b6_11;
+  const T K_thetadot7_5_2 = b6_7 + b5_18 + E6_22 * b6_15 - E6_23 * b6_19;
+  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_18 + E6_23 * b6_15 + E6_22 * b6_19;
+  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
+  const T minus_K_thetadot6_5_2 = E6_22 * minus_J6_21 + E6_23 * J6_31 + b5_5;
+  const T K_thetadot6_5_3 = E6_22 * J6_31 - E6_23 * minus_J6_21 - T(0.3) * hc6_3;
+  // D_thetaddot5: pivots of L D L^T
+  const T b5_19 = K_thetadot7_5_3 * T(4.439511653718092);
+  const T b5_20 = K_thetadot6_5_3 + b5_19 * b6_11;
+  const T b5_21 = T(1) / D_thetaddot6;
+  const T b5_22 = b5_20 * b5_21;
+  const T D_thetaddot5 = J5_33 - b5_19 * K_thetadot7_5_3 - b5_22 * b5_20;
+
+  // ---- body 4 (body_4) and what it carries
+  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
+  const T b4_1 = E5_12 * minus_S5_2 - E5_11 * minus_S5_1;
+  const T S4_1 = b4_1 - minus_G4_1;
+  const T b4_2 = E5_12 * minus_S5_1 + E5_11 * minus_S5_2;
+  const T minus_S4_2 = b4_2 + minus_G4_2;
+  const T S4_3 = S5_3 - minus_G4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho4_1 = T(0.1) * b4_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.05) * minus_G4_2 - T(0.2) *
+      minus_G4_3 - minus_N4_1;
+  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
+      minus_G4_1 - minus_N4_2;
+  const T rho4_3 = rho5_3 - T(0.3) * b4_2 - T(0.25) * b4_1 + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
+  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h4_1 = T(1.5799999999999998) + hc5_1;
+  const T h4_2 = T(1.48) + hc5_2;
+  const T h4_3 = T(0.55) + h5_3;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b4_3 = E5_11 * J5_11 + E5_12 * minus_J5_21;
+  const T b4_4 = E5_11 * minus_J5_12 + E5_12 * J5_22;
+  const T b4_5 = h5_3 + T(0.48000000000000004);
+  const T b4_6 = T(0.1) * h5_3 + b4_5 * T(0.1);
+  const T b4_7 = T(0.25) * hc5_2;
+  const T b4_8 = T(1.2) + hc5_2;
+  const T b4_9 = b4_8 * T(0.25);
+  const T J4_11 = b4_3 * E5_11 + b4_4 * E5_12 + b4_6 + b4_7 + T(0.1995) + b4_9;
+  const T b4_10 = b4_3 * E5_12 - b4_4 * E5_11 - T(0.021);
+  const T J4_12 = b4_10 - T(0.25) * hc5_1 - b4_8 * T(0.3);
+  const T b4_11 = E5_11 * J5_13 - E5_12 * J5_23;
+  const T b4_12 = T(0.1) * hc5_1;
+  const T b4_13 = b4_11 - b4_12;
+  const T J4_13 = b4_13 - T(0.0028000000000000004) - b4_5 * T(0.3);
+  const T b4_14 = hc5_1 + T(1.44);
+  const T J4_21 = b4_10 - T(0.3) * hc5_2 - b4_14 * T(0.25);
+  const T b4_15 = T(0.3) * hc5_1;
+  const T b4_16 = b4_14 * T(0.3);
+  const T J4_22 = (E5_12 * J5_11 - E5_11 * minus_J5_21) * E5_12 + (E5_11 * J5_22 - E5_12 * minus_J5_12) * E5_11 + b4_6
+      + b4_15 + T(0.1855) + b4_16;
+  const T b4_17 = E5_12 * J5_13 + E5_11 * J5_23;
+  const T b4_18 = b4_17 - T(0.1) * hc5_2;
+  const T J4_23 = b4_18 - T(0.0196) - b4_5 * T(0.25);
+  const T J4_31 = b4_11 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_14 * T(0.1);
+  const T J4_32 = b4_17 - T(0.25) * h5_3 - T(0.0196) - b4_8 * T(0.1);
+  const T b4_19 = b4_15 + b4_7 + J5_33;
+  const T J4_33 = b4_19 + T(0.182) + b4_9 + b4_16;
+  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
+  const T hc4_3 = E4_11 * h4_3 - minus_E4_13 * h4_1;
+  // B_thetadot7_4 = E5^T B_thetadot7_5
+  const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
+  const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
+  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
+  const T b4_20 = T(0.1) * B_thetadot7_4_2;
+  const T minus_K_thetadot7_4_1 = b4_20 + T(0.25) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
+      K_thetadot7_5_2;
+  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_18 + E5_11 * K_thetadot7_5_2 - E5_12 *
+      minus_K_thetadot7_5_1;
+  const T b4_21 = T(0.3) * B_thetadot7_4_2;
+  const T K_thetadot7_4_3 = b4_21 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  // B_thetadot6_4 = E5^T B_thetadot6_5
+  const T B_thetadot6_4_1 = E5_12 * hc6_3;
+  const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
+  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
+  const T b4_22 = T(0.1) * minus_B_thetadot6_4_2;
+  const T K_thetadot6_4_1 = b4_22 + T(0.25) * hc6_2 + E5_11 * b5_6 + E5_12 * minus_K_thetadot6_5_2;
+  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 - E5_11 * minus_K_thetadot6_5_2;
+  const T b4_23 = T(0.3) * minus_B_thetadot6_4_2;
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_23 - T(0.25) * B_thetadot6_4_1;
+  // D_thetaddot4: pivots of L D L^T
+  const T b4_24 = K_thetadot7_4_2 * T(4.439511653718092);
+  const T b4_25 = K_thetadot6_4_2 + b4_24 * b6_11;
+  const T b4_26 = b4_25 * b5_21;
+  const T b4_27 = b4_18 - b4_24 * K_thetadot7_5_3 - b4_26 * b5_20;
+  const T b4_28 = T(1) / D_thetaddot5;
+  const T b4_29 = b4_27 * b4_28;
+  const T D_thetaddot4 = J4_22 - b4_24 * K_thetadot7_4_2 - b4_26 * b4_25 - b4_29 * b4_27;
+
+  // ---- body 3 (body_3) and what it carries
+  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * S4_1 + minus_E4_13 * S4_3;
+  const T S3_1 = b3_1 - minus_G3_1;
+  const T minus_S3_2 = minus_S4_2 + minus_G3_2;
+  const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
+  const T S3_3 = b3_2 - minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
+      - T(0.2) * minus_G3_3 - minus_N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.3) * minus_S4_2 - T(0.2) * b3_1 + T(0.2) * minus_G3_1 -
+      T(0.1) * minus_G3_2 - minus_N3_3;
+  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_1 = T(1.99) + hc4_1;
+  const T h3_2 = T(1.5) + h4_2;
+  const T h3_3 = T(0.685) + hc4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b3_3 = E4_11 * J4_11 + minus_E4_13 * J4_31;
+  const T b3_4 = E4_11 * J4_13 + minus_E4_13 * J4_33;
+  const T b3_5 = T(0.1) * hc4_3;
+  const T b3_6 = T(1.24) + h4_2;
+  const T b3_7 = T(0.2) * h4_2 + b3_6 * T(0.2);
+  const T b3_8 = hc4_3 + T(0.62);
+  const T b3_9 = b3_8 * T(0.1);
+  const T J3_11 = b3_3 * E4_11 + b3_4 * minus_E4_13 + b3_5 + b3_7 + T(0.18525000000000003) + b3_9;
+  const T b3_10 = E4_11 * J4_12 + minus_E4_13 * J4_32;
+  const T b3_11 = b3_10 - T(0.2) * hc4_1;
+  const T J3_12 = b3_11 - T(0.019500000000000003) - b3_6 * T(0.3);
+  const T b3_12 = b3_4 * E4_11 - b3_3 * minus_E4_13 - T(0.002600000000000001);
+  const T J3_13 = b3_12 - T(0.1) * hc4_1 - b3_8 * T(0.3);
+  const T b3_13 = hc4_1 + T(1.8599999999999999);
+  const T J3_21 = b3_10 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_13 * T(0.2);
+  const T b3_14 = T(0.3) * hc4_1;
+  const T b3_15 = b3_5 + b3_14 + J4_22;
+  const T b3_16 = b3_13 * T(0.3);
+  const T J3_22 = b3_15 + T(0.17225000000000001) + b3_9 + b3_16;
+  const T b3_17 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
+  const T J3_23 = b3_17 - T(0.1) * h4_2 - b3_8 * T(0.2);
+  const T J3_31 = b3_12 - T(0.3) * hc4_3 - b3_13 * T(0.1);
+  const T b3_18 = T(0.2) * hc4_3;
+  const T J3_32 = b3_17 - b3_18 - b3_6 * T(0.1);
+  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
+      + b3_7 + b3_14 + T(0.169) + b3_16;
+  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
+  const T hc3_3 = E3_22 * h3_3 + E3_23 * h3_2;
+  // B_thetadot7_3 = E4^T B_thetadot7_4
+  const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
+  const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
+  // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - b4_20 - T(0.2) *
+      minus_B_thetadot7_3_3;
+  const T b3_19 = T(0.1) * B_thetadot7_3_1;
+  const T K_thetadot7_3_2 = b3_19 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_3 = b4_21 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
+      K_thetadot7_4_3;
+  // B_thetadot6_3 = E4^T B_thetadot6_4
+  const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
+  const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
+  // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
+  const T K_thetadot6_3_1 = b4_22 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
+      K_thetadot6_4_3;
+  const T b3_20 = T(0.1) * B_thetadot6_3_1;
+  const T K_thetadot6_3_2 = b3_20 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_23 - T(0.2) *
+      B_thetadot6_3_1;
+  // B_thetadot5_3 = E4^T B_thetadot5_4
+  const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
+  const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
+  // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
+  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
+  const T b3_21 = T(0.1) * minus_B_thetadot5_3_1;
+  const T K_thetadot5_3_2 = b4_18 - b3_21 - T(0.3) * B_thetadot5_3_3;
+  const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
+  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
+  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
+  // D_thetaddot3: pivots of L D L^T
+  const T b3_22 = K_thetadot7_3_1 * T(4.439511653718092);
+  const T b3_23 = K_thetadot6_3_1 + b3_22 * b6_11;
+  const T b3_24 = b3_23 * b5_21;
+  const T b3_25 = K_thetadot5_3_1 - b3_22 * K_thetadot7_5_3 - b3_24 * b5_20;
+  const T b3_26 = b3_25 * b4_28;
+  const T b3_27 = b3_11 - b3_22 * K_thetadot7_4_2 - b3_24 * b4_25 - b3_26 * b4_27;
+  const T b3_28 = T(1) / D_thetaddot4;
+  const T b3_29 = b3_27 * b3_28;
+  const T D_thetaddot3 = J3_11 - b3_22 * K_thetadot7_3_1 - b3_24 * b3_23 - b3_26 * b3_25 - b3_29 * b3_27;
+
+  // ---- body 2 (body_2) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T S2_1 = S3_1 - minus_G2_1;
+  const T b2_1 = E3_22 * minus_S3_2 + E3_23 * S3_3;
+  const T minus_S2_2 = b2_1 + minus_G2_2;
+  const T b2_2 = E3_22 * S3_3 - E3_23 * minus_S3_2;
+  const T S2_3 = b2_2 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
+  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
+      minus_G2_1 - minus_N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.3) * b2_1 - T(0.15) * S3_1 + T(0.2) * minus_G2_1 - T(0.1) *
+      minus_G2_2 - minus_N2_3;
+  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h2_1 = T(2.37) + h3_1;
+  const T h2_2 = T(1.365) + hc3_2;
+  const T h2_3 = T(0.81) + hc3_3;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b2_3 = T(0.1) * hc3_3;
+  const T b2_4 = T(0.15) * hc3_2;
+  const T b2_5 = b2_3 + b2_4 + J3_11;
+  const T b2_6 = hc3_3 + T(0.75);
+  const T b2_7 = b2_6 * T(0.1);
+  const T b2_8 = T(1.125) + hc3_2;
+  const T b2_9 = b2_8 * T(0.15);
+  const T J2_11 = b2_5 + T(0.171) + b2_7 + b2_9;
+  const T b2_10 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
+  const T J2_12 = b2_10 - T(0.15) * h3_1 - b2_8 * T(0.3);
+  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_6 * T(0.3);
+  const T b2_11 = T(0.3) * hc3_2;
+  const T b2_12 = h3_1 + T(2.25);
+  const T J2_21 = b2_10 - b2_11 - b2_12 * T(0.15);
+  const T b2_13 = E3_22 * J3_22 - E3_23 * J3_32;
+  const T b2_14 = E3_22 * J3_23 - E3_23 * J3_33;
+  const T b2_15 = T(0.3) * h3_1 + b2_12 * T(0.3);
+  const T J2_22 = b2_13 * E3_22 - b2_14 * E3_23 + b2_3 + b2_15 + T(0.159) + b2_7;
+  const T J2_23 = b2_13 * E3_23 + b2_14 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_6 * T(0.15);
+  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_4 + b2_15 +
+      T(0.156) + b2_9;
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
+  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
+  // B_thetadot7_2 = E3^T B_thetadot7_3
+  const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
+  const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
+  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
+  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T b2_16 = T(0.3) * B_thetadot7_2_3;
+  const T K_thetadot7_2_2 = b3_19 - b2_16 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
+  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
+      K_thetadot7_3_3;
+  // B_thetadot6_2 = E3^T B_thetadot6_3
+  const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
+  const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
+  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
+  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T b2_17 = T(0.3) * B_thetadot6_2_3;
+  const T K_thetadot6_2_2 = b3_20 - b2_17 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
+      T(0.15) * B_thetadot6_3_1;
+  // B_thetadot5_2 = E3^T B_thetadot5_3
+  const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
+  const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
+  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
+  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T b2_18 = T(0.3) * B_thetadot5_2_3;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_21 - b2_18;
+  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
+      E3_22 * K_thetadot5_3_3;
+  // B_thetadot4_2 = E3^T B_thetadot4_3
+  const T B_thetadot4_2_2 = E3_23 * hc4_1;
+  const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
+  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
+  const T K_thetadot4_2_1 = b3_11 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
+  const T b2_19 = T(0.3) * minus_B_thetadot4_2_3;
+  const T K_thetadot4_2_2 = b3_5 + b2_19 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
+  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
+  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
+  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_11;
+  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
+  // D_thetaddot2: pivots of L D L^T
+  const T b2_20 = K_thetadot7_2_3 * T(4.439511653718092);
+  const T b2_21 = K_thetadot6_2_3 + b2_20 * b6_11;
+  const T b2_22 = b2_21 * b5_21;
+  const T b2_23 = K_thetadot5_2_3 - b2_20 * K_thetadot7_5_3 - b2_22 * b5_20;
+  const T b2_24 = b2_23 * b4_28;
+  const T b2_25 = K_thetadot4_2_3 - b2_20 * K_thetadot7_4_2 - b2_22 * b4_25 - b2_24 * b4_27;
+  const T b2_26 = b2_25 * b3_28;
+  const T b2_27 = K_thetadot3_2_3 - b2_20 * K_thetadot7_3_1 - b2_22 * b3_23 - b2_24 * b3_25 - b2_26 * b3_27;
+  const T b2_28 = T(1) / D_thetaddot3;
+  const T b2_29 = b2_27 * b2_28;
+  const T D_thetaddot2 = J2_33 - b2_20 * K_thetadot7_2_3 - b2_22 * b2_21 - b2_24 * b2_23 - b2_26 * b2_25 - b2_29 *
+      b2_27;
+
+  // ---- body 1 (body_1) and what it carries
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho1_2 = T(0.1) * (E2_11 * S2_1 + E2_12 * minus_S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 +
+      T(0.05) * G1_1 + T(0.1) * minus_G1_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
+      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(0.87)) * T(0.1) + (hc2_1 + T(2.61)) * T(0.3);
+  // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
+  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_16 + E2_12 *
+      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
+  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
+  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_17 + E2_12 *
+      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
+      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_18;
+  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
+  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_19 + E2_12 * K_thetadot4_2_1 +
+      E2_11 * K_thetadot4_2_2;
+  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
+  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_11 + E2_12 * b2_5 + E2_11 * K_thetadot3_2_2;
+  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
+  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
+  // D_thetaddot1: pivots of L D L^T
+  const T b1_1 = K_thetadot7_1_2 * T(4.439511653718092);
+  const T b1_2 = K_thetadot6_1_2 + b1_1 * b6_11;
+  const T b1_3 = b1_2 * b5_21;
+  const T b1_4 = K_thetadot5_1_2 - b1_1 * K_thetadot7_5_3 - b1_3 * b5_20;
+  const T b1_5 = b1_4 * b4_28;
+  const T b1_6 = K_thetadot4_1_2 - b1_1 * K_thetadot7_4_2 - b1_3 * b4_25 - b1_5 * b4_27;
+  const T b1_7 = b1_6 * b3_28;
+  const T b1_8 = K_thetadot3_1_2 - b1_1 * K_thetadot7_3_1 - b1_3 * b3_23 - b1_5 * b3_25 - b1_7 * b3_27;
+  const T b1_9 = b1_8 * b2_28;
+  const T b1_10 = K_thetadot2_1_2 - b1_1 * K_thetadot7_2_3 - b1_3 * b2_21 - b1_5 * b2_23 - b1_7 * b2_25 - b1_9 *
+      b2_27;
+  const T b1_11 = T(1) / D_thetaddot2;
+  const T b1_12 = b1_10 * b1_11;
+  const T D_thetaddot1 = J1_22 - b1_1 * K_thetadot7_1_2 - b1_3 * b1_2 - b1_5 * b1_4 - b1_7 * b1_6 - b1_9 * b1_8 -
+      b1_12 * b1_10;
+
+  // ---- body 1 (body_1), solved
+  // thetaddot1: from A ydot = f by elimination
+  const T z1_1 = rho7_2 + u.tau_7;
+  const T z1_2 = rho6_1 + u.tau_6 + b6_20 * z1_1;
+  const T z1_3 = rho5_3 + u.tau_5 - b5_19 * z1_1 - b5_22 * z1_2;
+  const T z1_4 = rho4_2 + u.tau_4 - b4_24 * z1_1 - b4_26 * z1_2 - b4_29 * z1_3;
+  const T z1_5 = rho3_1 + u.tau_3 - b3_22 * z1_1 - b3_24 * z1_2 - b3_26 * z1_3 - b3_29 * z1_4;
+  const T z1_6 = rho2_3 + u.tau_2 - b2_20 * z1_1 - b2_22 * z1_2 - b2_24 * z1_3 - b2_26 * z1_4 - b2_29 * z1_5;
+  const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_2 + u.tau_1 - b1_1 * z1_1 - b1_3 * z1_2 - b1_5 * z1_3 - b1_7 * z1_4
+      - b1_9 * z1_5 - b1_12 * z1_6);
+  ydot[0] = thetaddot1;
+
+  // ---- body 2 (body_2), solved
+  // thetaddot2: from A ydot = f by elimination
+  const T thetaddot2 = z1_6 * b1_11 - b1_12 * thetaddot1;
+  ydot[1] = thetaddot2;
+
+  // ---- body 3 (body_3), solved
+  // thetaddot3: from A ydot = f by elimination
+  const T thetaddot3 = z1_5 * b2_28 - b2_29 * thetaddot2 - b1_9 * thetaddot1;
+  ydot[2] = thetaddot3;
+
+  // ---- body 4 (body_4), solved
+  // thetaddot4: from A ydot = f by elimination
+  const T thetaddot4 = z1_4 * b3_28 - b3_29 * thetaddot3 - b2_26 * thetaddot2 - b1_7 * thetaddot1;
+  ydot[3] = thetaddot4;
+
+  // ---- body 5 (body_5), solved
+  // thetaddot5: from A ydot = f by elimination
+  const T thetaddot5 = z1_3 * b4_28 - b4_29 * thetaddot4 - b3_26 * thetaddot3 - b2_24 * thetaddot2 - b1_5 *
+      thetaddot1;
+  ydot[4] = thetaddot5;
+
+  // ---- body 6 (body_6), solved
+  // thetaddot6: from A ydot = f by elimination
+  const T thetaddot6 = z1_2 * b5_21 - b5_22 * thetaddot5 - b4_26 * thetaddot4 - b3_24 * thetaddot3 - b2_22 *
+      thetaddot2 - b1_3 * thetaddot1;
+  ydot[5] = thetaddot6;
+
+  // ---- body 7 (body_7), solved
+  // thetaddot7: from A ydot = f by elimination
+  const T thetaddot7 = z1_1 * T(4.439511653718092) + b6_20 * thetaddot6 - b5_19 * thetaddot5 - b4_24 * thetaddot4 -
+      b3_22 * thetaddot3 - b2_20 * thetaddot2 - b1_1 * thetaddot1;
+  ydot[6] = thetaddot7;
+}
+
+// residual: r = A ydot - f.
+// r (ny) [N m], [N]
+// 430 add, 440 multiply, 14 sine or cosine
+template <class T>
+void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
+    noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  const T thetaddot1 = ydot[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_1 = minus_U1_11 * T(0.1);
+  const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
+  const T t1_2 = thetaddot1 * T(0.1);
+  const T a1_3 = Pddot1_3 - t1_2 - minus_U1_11 * T(0.05);
+  // G1 = m1 a1: force balance, body axes [N]
+  const T G1_1 = T(1.1) * a1_1;
+  const T G1_3 = T(1.1) * a1_3;
+  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  const T N1_2 = T(0.132) * thetaddot1;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  const T thetaddot2 = ydot[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T t2_1 = thetadot2 * omega2_2;
+  const T omegadot2_1 = t2_1 + E2_12 * thetaddot1;
+  const T t2_2 = thetadot2 * omega2_1;
+  const T omegadot2_2 = E2_11 * thetaddot1 - t2_2;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_3 = thetadot2 * thetadot2;
+  const T t2_4 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_3 + t2_4;
+  const T t2_5 = omega2_2 * omega2_1;
+  const T U2_12 = t2_5 - thetaddot2;
+  const T U2_13 = t2_2 + omegadot2_2;
+  const T U2_21 = t2_5 + thetaddot2;
+  const T t2_6 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_3 + t2_6;
+  const T U2_23 = t2_1 - omegadot2_1;
+  const T U2_31 = t2_2 - omegadot2_2;
+  const T U2_32 = t2_1 + omegadot2_1;
+  const T minus_U2_33 = t2_4 + t2_6;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
+  const T Pddot2_1 = E2_11 * t2_7;
+  const T minus_Pddot2_2 = E2_12 * t2_7;
+  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3) - t1_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
+  const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
+  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
+  // G2 = m2 a2: force balance, body axes [N]
+  const T G2_1 = T(1.2) * a2_1;
+  const T G2_2 = T(1.2) * a2_2;
+  const T G2_3 = T(1.2) * a2_3;
+  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
+      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21;
+  const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
+      T(0.0048) * U2_12 + T(0.006) * U2_32;
+  const T N2_3 = T(0.06) * U2_21 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) -
+      T(0.0036) * U2_23 - T(0.0048) * U2_13;
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  const T thetaddot3 = ydot[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_1 = thetaddot3 + omegadot2_1;
+  const T omegadot3_2 = thetadot3 * omega3_3 + E3_22 * omegadot2_2 + E3_23 * thetaddot2;
+  const T omegadot3_3 = E3_22 * thetaddot2 - E3_23 * omegadot2_2 - thetadot3 * omega3_2;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot3_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot3_1;
+  const T U3_31 = t3_4 - omegadot3_2;
+  const T U3_32 = t3_6 + omegadot3_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
+  const T t3_7 = U2_21 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) - minus_Pddot2_2;
+  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
+  const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
+  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
+  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
+  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
+  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
+  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
+  // G3 = m3 a3: force balance, body axes [N]
+  const T G3_1 = T(1.3) * a3_1;
+  const T G3_2 = T(1.3) * a3_2;
+  const T G3_3 = T(1.3) * a3_3;
+  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
+      T(0.0039) * U3_21;
+  const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
+      T(0.0065) * U3_32;
+  const T N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) * U3_23 -
+      T(0.0052) * U3_13;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  const T thetaddot4 = ydot[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_2 = thetaddot4 + omegadot3_2;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_3 * omega4_3;
+  const T t4_2 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_1 + t4_2;
+  const T t4_3 = omega4_2 * omega4_1;
+  const T U4_12 = t4_3 - omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_1;
+  const T U4_13 = t4_4 + omegadot4_2;
+  const T U4_21 = t4_3 + omegadot4_3;
+  const T t4_5 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_1 + t4_5;
+  const T t4_6 = omega4_3 * omega4_2;
+  const T U4_23 = t4_6 - omegadot4_1;
+  const T U4_31 = t4_4 - omegadot4_2;
+  const T U4_32 = t4_6 + omegadot4_1;
+  const T minus_U4_33 = t4_2 + t4_5;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
+  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
+  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
+  // G4 = m4 a4: force balance, body axes [N]
+  const T G4_1 = T(1.4) * a4_1;
+  const T G4_2 = T(1.4) * a4_2;
+  const T G4_3 = T(1.4) * a4_3;
+  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
+      T(0.0042) * U4_21;
+  const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
+      T(0.007) * U4_32;
+  const T N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23 -
+      T(0.0056) * U4_13;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  const T thetaddot5 = ydot[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // omegadot5 = -thetadot5 b5~ E5 omega4 + thetaddot5 b5 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
+  const T omegadot5_1 = thetadot5 * omega5_2 + E5_11 * omegadot4_1 + E5_12 * omegadot4_2;
+  const T omegadot5_2 = E5_11 * omegadot4_2 - E5_12 * omegadot4_1 - thetadot5 * omega5_1;
+  const T omegadot5_3 = thetaddot5 + omegadot4_3;
+  // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t5_1 = omega5_3 * omega5_3;
+  const T t5_2 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_1 + t5_2;
+  const T t5_3 = omega5_2 * omega5_1;
+  const T U5_12 = t5_3 - omegadot5_3;
+  const T t5_4 = omega5_3 * omega5_1;
+  const T U5_13 = t5_4 + omegadot5_2;
+  const T U5_21 = t5_3 + omegadot5_3;
+  const T t5_5 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_1 + t5_5;
+  const T t5_6 = omega5_3 * omega5_2;
+  const T U5_23 = t5_6 - omegadot5_1;
+  const T U5_31 = t5_4 - omegadot5_2;
+  const T U5_32 = t5_6 + omegadot5_1;
+  const T minus_U5_33 = t5_2 + t5_5;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
+  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
+  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
+  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
+  // G5 = m5 a5: force balance, body axes [N]
+  const T G5_1 = T(1.5) * a5_1;
+  const T G5_2 = T(1.5) * a5_2;
+  const T G5_3 = T(1.5) * a5_3;
+  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
+      T(0.0045) * U5_21;
+  const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
+      T(0.0075) * U5_32;
+  const T N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 -
+      T(0.006) * U5_13;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  const T thetaddot6 = ydot[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // omegadot6 = -thetadot6 b6~ E6 omega5 + thetaddot6 b6 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_1 = thetaddot6 + omegadot5_1;
+  const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot5_2 + E6_23 * omegadot5_3;
+  const T omegadot6_3 = E6_22 * omegadot5_3 - E6_23 * omegadot5_2 - thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 - omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 + omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T t6_6 = omega6_3 * omega6_2;
+  const T U6_23 = t6_6 - omegadot6_1;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T U6_32 = t6_6 + omegadot6_1;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
+  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
+  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
+  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
+  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
+  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
+  // G6 = m6 a6: force balance, body axes [N]
+  const T G6_1 = T(1.6) * a6_1;
+  const T G6_2 = T(1.6) * a6_2;
+  const T G6_3 = T(1.6) * a6_3;
+  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
+      T(0.0048) * U6_21;
+  const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
+      T(0.008) * U6_32;
+  const T N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23 -
+      T(0.0064) * U6_13;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  const T thetaddot7 = ydot[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = E7_11 * omegadot6_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_2 = thetaddot7 + omegadot6_2;
+  const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot6_1 + E7_11 * omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot7_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot7_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
+  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
+  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
+  // G7 = m7 a7: force balance, body axes [N]
+  const T G7_1 = T(1.7) * a7_1;
+  const T G7_2 = T(1.7) * a7_2;
+  const T G7_3 = T(1.7) * a7_3;
+  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
+  const T N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
+      T(0.0085) * U7_31 + T(0.0051) * U7_21;
+  const T N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
+      T(0.0068) * U7_12 + T(0.0085) * U7_32;
+  const T N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
+      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+
+  // ---- body 7 (body_7) and what it carries
+  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho7_1 = T(0.2) * G7_3 - T(0.05) * G7_2 + N7_1;
+  const T rho7_2 = T(0.05) * G7_1 - T(0.1) * G7_3 + N7_2;
+  const T b7_1 = T(0.1) * G7_2;
+  const T rho7_3 = b7_1 - T(0.2) * G7_1 + N7_3;
+  // r_theta7 = b7 . rho7 - tau_body_7_: Kane's equation of the angle [N m]
+  const T r_theta7 = rho7_2 - u.tau_7;
+  r[6] = r_theta7;
+
+  // ---- body 6 (body_6) and what it carries
+  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * G7_1 + minus_E7_13 * G7_3;
+  const T S6_1 = b6_1 + G6_1;
+  const T S6_2 = G7_2 + G6_2;
+  const T b6_2 = E7_11 * G7_3 - minus_E7_13 * G7_1;
+  const T S6_3 = b6_2 + G6_3;
+  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = T(0.35) * b6_2 - b7_1 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.2) * G6_3 - T(0.05) * G6_2 +
+      N6_1;
+  const T rho6_2 = T(0.1) * b6_1 - T(0.3) * b6_2 + rho7_2 + T(0.05) * G6_1 - T(0.1) * G6_3 + N6_2;
+  const T rho6_3 = T(0.3) * G7_2 - T(0.35) * b6_1 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.1) * G6_2 - T(0.2) *
+      G6_1 + N6_3;
+  // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
+  const T r_theta6 = rho6_1 - u.tau_6;
+  r[5] = r_theta6;
+
+  // ---- body 5 (body_5) and what it carries
+  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
+  const T S5_1 = S6_1 + G5_1;
+  const T b5_1 = E6_22 * S6_2 - E6_23 * S6_3;
+  const T S5_2 = b5_1 + G5_2;
+  const T b5_2 = E6_23 * S6_2 + E6_22 * S6_3;
+  const T S5_3 = b5_2 + G5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T b5_3 = T(0.3) * b5_2;
+  const T rho5_1 = b5_3 - T(0.1) * b5_1 + rho6_1 + T(0.2) * G5_3 - T(0.05) * G5_2 + N5_1;
+  const T rho5_2 = T(0.1) * S6_1 - b5_3 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.05) * G5_1 - T(0.1) * G5_3 + N5_2;
+  const T rho5_3 = T(0.3) * b5_1 - T(0.3) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.1) * G5_2 - T(0.2) * G5_1 +
+      N5_3;
+  // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
+  const T r_theta5 = rho5_3 - u.tau_5;
+  r[4] = r_theta5;
+
+  // ---- body 4 (body_4) and what it carries
+  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
+  const T b4_1 = E5_11 * S5_1 - E5_12 * S5_2;
+  const T S4_1 = b4_1 + G4_1;
+  const T b4_2 = E5_12 * S5_1 + E5_11 * S5_2;
+  const T S4_2 = b4_2 + G4_2;
+  const T S4_3 = S5_3 + G4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho4_1 = T(0.25) * S5_3 - T(0.1) * b4_2 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G4_3 - T(0.05) * G4_2 +
+      N4_1;
+  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G4_1 - T(0.1) * G4_3 +
+      N4_2;
+  const T rho4_3 = T(0.3) * b4_2 - T(0.25) * b4_1 + rho5_3 + T(0.1) * G4_2 - T(0.2) * G4_1 + N4_3;
+  // r_theta4 = b4 . rho4 - tau_body_4_: Kane's equation of the angle [N m]
+  const T r_theta4 = rho4_2 - u.tau_4;
+  r[3] = r_theta4;
+
+  // ---- body 3 (body_3) and what it carries
+  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * S4_1 + minus_E4_13 * S4_3;
+  const T S3_1 = b3_1 + G3_1;
+  const T S3_2 = S4_2 + G3_2;
+  const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
+  const T S3_3 = b3_2 + G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.2) * b3_2 - T(0.1) * S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.2) * G3_3 - T(0.05) *
+      G3_2 + N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.05) * G3_1 - T(0.1) * G3_3 + N3_2;
+  const T rho3_3 = T(0.3) * S4_2 - T(0.2) * b3_1 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.1) * G3_2 - T(0.2) *
+      G3_1 + N3_3;
+  // r_theta3 = b3 . rho3 - tau_body_3_: Kane's equation of the angle [N m]
+  const T r_theta3 = rho3_1 - u.tau_3;
+  r[2] = r_theta3;
+
+  // ---- body 2 (body_2) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T S2_1 = S3_1 + G2_1;
+  const T b2_1 = E3_22 * S3_2 - E3_23 * S3_3;
+  const T S2_2 = b2_1 + G2_2;
+  const T b2_2 = E3_23 * S3_2 + E3_22 * S3_3;
+  const T S2_3 = b2_2 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = T(0.15) * b2_2 - T(0.1) * b2_1 + rho3_1 + T(0.2) * G2_3 - T(0.05) * G2_2 + N2_1;
+  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.05) * G2_1 - T(0.1) * G2_3 +
+      N2_2;
+  const T rho2_3 = T(0.3) * b2_1 - T(0.15) * S3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.1) * G2_2 - T(0.2) * G2_1 +
+      N2_3;
+  // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
+  const T r_theta2 = rho2_3 - u.tau_2;
+  r[1] = r_theta2;
+
+  // ---- body 1 (body_1) and what it carries
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho1_2 = T(0.1) * (E2_11 * S2_1 - E2_12 * S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 + T(0.05)
+      * G1_1 - T(0.1) * G1_3 + N1_2;
+  // r_theta1 = b1 . rho1 - tau_body_1_: Kane's equation of the angle [N m]
+  const T r_theta1 = rho1_2 - u.tau_1;
+  r[0] = r_theta1;
+}
+
+// forcing: f of A ydot = f.
+// f (ny) [N m], [N]
+// 403 add, 425 multiply, 14 sine or cosine
+template <class T>
+void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_1 = thetadot1 * T(0.1) * thetadot1;
+  const T minus_a1_1 = t1_1 + minus_Pddot1_1;
+  const T a1_3 = Pddot1_3 - thetadot1 * T(0.05) * thetadot1;
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T G1_1 = T(1.1) * minus_a1_1;
+  const T minus_G1_3 = T(1.1) * a1_3;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_1 = thetadot2 * omega2_2;
+  const T minus_omegadot2_2 = thetadot2 * omega2_1;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_1 = thetadot2 * thetadot2;
+  const T t2_2 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_1 + t2_2;
+  const T U2_12 = omega2_2 * omega2_1;
+  const T t2_3 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_1 + t2_3;
+  const T U2_31 = minus_omegadot2_2 + minus_omegadot2_2;
+  const T U2_32 = omegadot2_1 + omegadot2_1;
+  const T minus_U2_33 = t2_2 + t2_3;
+  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_4 = thetadot1 * T(0.3) * thetadot1 + minus_Pddot1_1;
+  const T minus_Pddot2_1 = E2_11 * t2_4;
+  const T Pddot2_2 = E2_12 * t2_4;
+  const T Pddot2_3 = Pddot1_3 - t1_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) - minus_Pddot2_1;
+  const T a2_2 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + Pddot2_2;
+  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G2_1 = T(1.2) * a2_1;
+  const T minus_G2_2 = T(1.2) * a2_2;
+  const T minus_G2_3 = T(1.2) * a2_3;
+  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
+      T(0.0036) * U2_12;
+  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
+      U2_32;
+  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_2 = thetadot3 * omega3_3 - E3_22 * minus_omegadot2_2;
+  const T omegadot3_3 = E3_23 * minus_omegadot2_2 - thetadot3 * omega3_2;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot3_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot2_1;
+  const T U3_31 = t3_4 - omegadot3_2;
+  const T U3_32 = t3_6 + omegadot2_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) - minus_Pddot2_1;
+  const T t3_7 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + Pddot2_2;
+  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
+  const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
+  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
+  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
+  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
+  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
+  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
+  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G3_1 = T(1.3) * a3_1;
+  const T minus_G3_2 = T(1.3) * a3_2;
+  const T minus_G3_3 = T(1.3) * a3_3;
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
+      U3_31 + T(0.0039) * U3_21;
+  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
+      U3_12 + T(0.0065) * U3_32;
+  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
+      U3_23 - T(0.0052) * U3_13;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot2_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot2_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_3 * omega4_3;
+  const T t4_2 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_1 + t4_2;
+  const T t4_3 = omega4_2 * omega4_1;
+  const T U4_12 = t4_3 - omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_1;
+  const T U4_13 = t4_4 + omegadot3_2;
+  const T U4_21 = t4_3 + omegadot4_3;
+  const T t4_5 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_1 + t4_5;
+  const T t4_6 = omega4_3 * omega4_2;
+  const T U4_23 = t4_6 - omegadot4_1;
+  const T U4_31 = t4_4 - omegadot3_2;
+  const T U4_32 = t4_6 + omegadot4_1;
+  const T minus_U4_33 = t4_2 + t4_5;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
+  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
+  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
+  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G4_1 = T(1.4) * a4_1;
+  const T minus_G4_2 = T(1.4) * a4_2;
+  const T minus_G4_3 = T(1.4) * a4_3;
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
+      U4_31 + T(0.0042) * U4_21;
+  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
+      U4_12 + T(0.007) * U4_32;
+  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
+      - T(0.0056) * U4_13;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // omegadot5 = -thetadot5 b5~ E5 omega4 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
+  const T omegadot5_1 = thetadot5 * omega5_2 + E5_11 * omegadot4_1 + E5_12 * omegadot3_2;
+  const T omegadot5_2 = E5_11 * omegadot3_2 - E5_12 * omegadot4_1 - thetadot5 * omega5_1;
+  // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t5_1 = omega5_3 * omega5_3;
+  const T t5_2 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_1 + t5_2;
+  const T t5_3 = omega5_2 * omega5_1;
+  const T U5_12 = t5_3 - omegadot4_3;
+  const T t5_4 = omega5_3 * omega5_1;
+  const T U5_13 = t5_4 + omegadot5_2;
+  const T U5_21 = t5_3 + omegadot4_3;
+  const T t5_5 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_1 + t5_5;
+  const T t5_6 = omega5_3 * omega5_2;
+  const T U5_23 = t5_6 - omegadot5_1;
+  const T U5_31 = t5_4 - omegadot5_2;
+  const T U5_32 = t5_6 + omegadot5_1;
+  const T minus_U5_33 = t5_2 + t5_5;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
+  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
+  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
+  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
+  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G5_1 = T(1.5) * a5_1;
+  const T minus_G5_2 = T(1.5) * a5_2;
+  const T minus_G5_3 = T(1.5) * a5_3;
+  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
+      U5_31 + T(0.0045) * U5_21;
+  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
+      U5_12 + T(0.0075) * U5_32;
+  const T minus_N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
+      U5_23 - T(0.006) * U5_13;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot5_2 + E6_23 * omegadot4_3;
+  const T omegadot6_3 = E6_22 * omegadot4_3 - E6_23 * omegadot5_2 - thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 - omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 + omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T t6_6 = omega6_3 * omega6_2;
+  const T U6_23 = t6_6 - omegadot5_1;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T U6_32 = t6_6 + omegadot5_1;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
+  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
+  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
+  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
+  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
+  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
+  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G6_1 = T(1.6) * a6_1;
+  const T minus_G6_2 = T(1.6) * a6_2;
+  const T minus_G6_3 = T(1.6) * a6_3;
+  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
+      U6_31 + T(0.0048) * U6_21;
+  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
+      U6_12 + T(0.008) * U6_32;
+  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
+      - T(0.0064) * U6_13;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = E7_11 * omegadot5_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot5_1 + E7_11 * omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot6_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot6_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
+  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
+  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
+  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G7_1 = T(1.7) * a7_1;
+  const T minus_G7_2 = T(1.7) * a7_2;
+  const T minus_G7_3 = T(1.7) * a7_3;
+  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
+      T(0.0085) * U7_31 + T(0.0051) * U7_21;
+  const T minus_N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
+      T(0.0068) * U7_12 + T(0.0085) * U7_32;
+  const T minus_N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
+      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+
+  // ---- body 7 (body_7) and what it carries
+  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho7_1 = T(0.05) * minus_G7_2 - T(0.2) * minus_G7_3 - minus_N7_1;
+  const T rho7_2 = T(0.1) * minus_G7_3 - T(0.05) * minus_G7_1 - minus_N7_2;
+  const T b7_1 = T(0.1) * minus_G7_2;
+  const T rho7_3 = T(0.2) * minus_G7_1 - b7_1 - minus_N7_3;
+  // f_theta7 = b7 . rho7 + tau_body_7_: Kane's equation of the angle [N m]
+  const T f_theta7 = rho7_2 + u.tau_7;
+  f[6] = f_theta7;
+
+  // ---- body 6 (body_6) and what it carries
+  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * minus_G7_1 + minus_E7_13 * minus_G7_3;
+  const T minus_S6_1 = b6_1 + minus_G6_1;
+  const T minus_S6_2 = minus_G7_2 + minus_G6_2;
+  const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
+  const T S6_3 = b6_2 - minus_G6_3;
+  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
+      minus_G6_3 - minus_N6_1;
+  const T rho6_2 = rho7_2 - T(0.1) * b6_1 - T(0.3) * b6_2 + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
+  const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
+      - T(0.1) * minus_G6_2 - minus_N6_3;
+  // f_theta6 = b6 . rho6 + tau_body_6_: Kane's equation of the angle [N m]
+  const T f_theta6 = rho6_1 + u.tau_6;
+  f[5] = f_theta6;
+
+  // ---- body 5 (body_5) and what it carries
+  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
+  const T minus_S5_1 = minus_S6_1 + minus_G5_1;
+  const T b5_1 = E6_22 * minus_S6_2 + E6_23 * S6_3;
+  const T minus_S5_2 = b5_1 + minus_G5_2;
+  const T b5_2 = E6_22 * S6_3 - E6_23 * minus_S6_2;
+  const T S5_3 = b5_2 - minus_G5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T b5_3 = T(0.3) * b5_2;
+  const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
+  const T rho5_2 = E6_22 * rho6_2 - E6_23 * rho6_3 - T(0.1) * minus_S6_1 - b5_3 + T(0.1) * minus_G5_3 - T(0.05) *
+      minus_G5_1 - minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
+      T(0.1) * minus_G5_2 - minus_N5_3;
+  // f_theta5 = b5 . rho5 + tau_body_5_: Kane's equation of the angle [N m]
+  const T f_theta5 = rho5_3 + u.tau_5;
+  f[4] = f_theta5;
+
+  // ---- body 4 (body_4) and what it carries
+  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
+  const T b4_1 = E5_12 * minus_S5_2 - E5_11 * minus_S5_1;
+  const T S4_1 = b4_1 - minus_G4_1;
+  const T b4_2 = E5_12 * minus_S5_1 + E5_11 * minus_S5_2;
+  const T minus_S4_2 = b4_2 + minus_G4_2;
+  const T S4_3 = S5_3 - minus_G4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho4_1 = T(0.1) * b4_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.05) * minus_G4_2 - T(0.2) *
+      minus_G4_3 - minus_N4_1;
+  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
+      minus_G4_1 - minus_N4_2;
+  const T rho4_3 = rho5_3 - T(0.3) * b4_2 - T(0.25) * b4_1 + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
+  // f_theta4 = b4 . rho4 + tau_body_4_: Kane's equation of the angle [N m]
+  const T f_theta4 = rho4_2 + u.tau_4;
+  f[3] = f_theta4;
+
+  // ---- body 3 (body_3) and what it carries
+  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * S4_1 + minus_E4_13 * S4_3;
+  const T S3_1 = b3_1 - minus_G3_1;
+  const T minus_S3_2 = minus_S4_2 + minus_G3_2;
+  const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
+  const T S3_3 = b3_2 - minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
+      - T(0.2) * minus_G3_3 - minus_N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.3) * minus_S4_2 - T(0.2) * b3_1 + T(0.2) * minus_G3_1 -
+      T(0.1) * minus_G3_2 - minus_N3_3;
+  // f_theta3 = b3 . rho3 + tau_body_3_: Kane's equation of the angle [N m]
+  const T f_theta3 = rho3_1 + u.tau_3;
+  f[2] = f_theta3;
+
+  // ---- body 2 (body_2) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T S2_1 = S3_1 - minus_G2_1;
+  const T b2_1 = E3_22 * minus_S3_2 + E3_23 * S3_3;
+  const T minus_S2_2 = b2_1 + minus_G2_2;
+  const T b2_2 = E3_22 * S3_3 - E3_23 * minus_S3_2;
+  const T S2_3 = b2_2 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
+  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
+      minus_G2_1 - minus_N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.3) * b2_1 - T(0.15) * S3_1 + T(0.2) * minus_G2_1 - T(0.1) *
+      minus_G2_2 - minus_N2_3;
+  // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
+  const T f_theta2 = rho2_3 + u.tau_2;
+  f[1] = f_theta2;
+
+  // ---- body 1 (body_1) and what it carries
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho1_2 = T(0.1) * (E2_11 * S2_1 + E2_12 * minus_S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 +
+      T(0.05) * G1_1 + T(0.1) * minus_G1_3;
+  // f_theta1 = b1 . rho1 + tau_body_1_: Kane's equation of the angle [N m]
+  const T f_theta1 = rho1_2 + u.tau_1;
+  f[0] = f_theta1;
+}
+
+// mass_matrix: A, symmetric positive definite.
+// A (ny x ny) [kg m^2], [kg m], [kg]
+// 352 add, 349 multiply, 12 sine or cosine
+template <class T>
+void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+
+  // ---- body 7 (body_7) and what it carries
+  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc7_1 = minus_E7_13 * T(0.085) + E7_11 * T(0.17);
+  const T hc7_3 = E7_11 * T(0.085) - minus_E7_13 * T(0.17);
+
+  // ---- body 6 (body_6) and what it carries
+  // h6 = m6 r6 + m7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h6_1 = T(0.67) + hc7_1;
+  const T h6_3 = T(0.25) + hc7_3;
+  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m7 q7~ - hc7~) q7~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b6_1 = minus_E7_13 * T(0.0034000000000000002);
+  const T b6_2 = E7_11 * T(0.24225000000000002) - b6_1;
+  const T b6_3 = E7_11 * T(0.0034000000000000002);
+  const T b6_4 = minus_E7_13 * T(0.22100000000000003) - b6_3;
+  const T b6_5 = T(0.1) * hc7_3;
+  const T b6_6 = hc7_3 + T(0.17);
+  const T b6_7 = b6_6 * T(0.1);
+  const T J6_11 = b6_2 * E7_11 + b6_4 * minus_E7_13 + b6_5 + T(0.67425) + b6_7;
+  const T b6_8 = E7_11 * T(0.025500000000000002) + minus_E7_13 * T(0.0238);
+  const T b6_9 = T(0.35) * hc7_1 + b6_8;
+  const T minus_J6_12 = T(0.3045) + b6_9;
+  const T b6_10 = b6_4 * E7_11 - b6_2 * minus_E7_13 - T(0.003200000000000002);
+  const T J6_13 = b6_10 - T(0.1) * hc7_1 - b6_6 * T(0.3);
+  const T b6_11 = hc7_1 + T(0.51);
+  const T minus_J6_21 = T(0.126) + b6_8 + b6_11 * T(0.35);
+  const T b6_12 = T(0.3) * hc7_1;
+  const T b6_13 = b6_5 + b6_12 + T(0.22524999999999998);
+  const T b6_14 = b6_11 * T(0.3);
+  const T J6_22 = b6_13 + T(0.212) + b6_7 + b6_14;
+  const T b6_15 = minus_E7_13 * T(0.025500000000000002) - E7_11 * T(0.0238);
+  const T J6_23 = b6_15 - T(0.056400000000000006) - b6_6 * T(0.35);
+  const T b6_16 = T(0.3) * hc7_3;
+  const T J6_31 = b6_10 - b6_16 - b6_11 * T(0.1);
+  const T b6_17 = b6_15 - T(0.35) * hc7_3;
+  const T J6_32 = b6_17 - T(0.1159);
+  const T J6_33 = (minus_E7_13 * T(0.24225000000000002) + b6_3) * minus_E7_13 + (b6_1 + E7_11 *
+      T(0.22100000000000003)) * E7_11 + T(0.65425) + b6_12 + b6_14;
+  A[40] = J6_11;
+  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
+  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(1.255);
+  A[41] = -b6_9;
+  A[47] = -b6_9;
+
+  // ---- body 5 (body_5) and what it carries
+  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h5_1 = T(1.14) + h6_1;
+  const T h5_2 = T(1.29) + hc6_2;
+  const T h5_3 = T(0.405) + hc6_3;
+  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b5_1 = T(0.1) * hc6_3;
+  const T b5_2 = T(0.3) * hc6_2;
+  const T b5_3 = b5_1 + b5_2 + J6_11;
+  const T b5_4 = hc6_3 + T(0.33);
+  const T b5_5 = b5_4 * T(0.1);
+  const T b5_6 = (T(0.99) + hc6_2) * T(0.3);
+  const T J5_11 = b5_3 + T(0.21375) + b5_5 + b5_6;
+  const T b5_7 = minus_J6_12 * E6_22 + J6_13 * E6_23 + T(0.022500000000000003);
+  const T b5_8 = T(0.3) * h6_1;
+  const T b5_9 = b5_8 + b5_6;
+  const T minus_J5_12 = b5_7 + b5_9;
+  const T b5_10 = b5_4 * T(0.3);
+  const T J5_13 = J6_13 * E6_22 - minus_J6_12 * E6_23 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_10;
+  const T b5_11 = (h6_1 + T(0.99)) * T(0.3);
+  const T b5_12 = b5_2 + b5_11;
+  const T minus_J5_21 = b5_7 + b5_12;
+  const T b5_13 = E6_22 * J6_22 - E6_23 * J6_32;
+  const T b5_14 = E6_22 * J6_23 - E6_23 * J6_33;
+  const T J5_22 = b5_13 * E6_22 - b5_14 * E6_23 + b5_1 + b5_8 + T(0.19874999999999998) + b5_5 + b5_11;
+  const T J5_23 = b5_13 * E6_23 + b5_14 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_10;
+  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_12 + b5_9 +
+      T(0.195);
+  A[32] = J5_33;
+  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
+  const T hc5_2 = E5_11 * h5_2 + E5_12 * h5_1;
+  // B_thetadot7_5 = E6^T B_thetadot7_6
+  const T B_thetadot7_5_2 = E6_23 * hc7_1;
+  const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
+  // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
+  const T b5_15 = T(0.3) * minus_B_thetadot7_5_3;
+  const T minus_K_thetadot7_5_1 = T(0.1) * B_thetadot7_5_2 + b5_15 + b6_9;
+  const T K_thetadot7_5_2 = b6_5 + b5_15 + E6_22 * b6_13 - E6_23 * b6_17;
+  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_16 + E6_23 * b6_13 + E6_22 * b6_17;
+  A[34] = K_thetadot7_5_3;
+  A[46] = K_thetadot7_5_3;
+  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
+  const T minus_K_thetadot6_5_2 = E6_22 * minus_J6_21 + E6_23 * J6_31 + b5_2;
+  const T K_thetadot6_5_3 = E6_22 * J6_31 - E6_23 * minus_J6_21 - T(0.3) * hc6_3;
+  A[33] = K_thetadot6_5_3;
+  A[39] = K_thetadot6_5_3;
+
+  // ---- body 4 (body_4) and what it carries
+  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h4_1 = T(1.5799999999999998) + hc5_1;
+  const T h4_2 = T(1.48) + hc5_2;
+  const T h4_3 = T(0.55) + h5_3;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b4_1 = E5_11 * J5_11 + E5_12 * minus_J5_21;
+  const T b4_2 = E5_11 * minus_J5_12 + E5_12 * J5_22;
+  const T b4_3 = h5_3 + T(0.48000000000000004);
+  const T b4_4 = T(0.1) * h5_3 + b4_3 * T(0.1);
+  const T b4_5 = T(0.25) * hc5_2;
+  const T b4_6 = T(1.2) + hc5_2;
+  const T b4_7 = b4_6 * T(0.25);
+  const T J4_11 = b4_1 * E5_11 + b4_2 * E5_12 + b4_4 + b4_5 + T(0.1995) + b4_7;
+  const T b4_8 = b4_1 * E5_12 - b4_2 * E5_11 - T(0.021);
+  const T J4_12 = b4_8 - T(0.25) * hc5_1 - b4_6 * T(0.3);
+  const T b4_9 = E5_11 * J5_13 - E5_12 * J5_23;
+  const T b4_10 = T(0.1) * hc5_1;
+  const T b4_11 = b4_9 - b4_10;
+  const T J4_13 = b4_11 - T(0.0028000000000000004) - b4_3 * T(0.3);
+  const T b4_12 = hc5_1 + T(1.44);
+  const T J4_21 = b4_8 - T(0.3) * hc5_2 - b4_12 * T(0.25);
+  const T b4_13 = T(0.3) * hc5_1;
+  const T b4_14 = b4_12 * T(0.3);
+  const T J4_22 = (E5_12 * J5_11 - E5_11 * minus_J5_21) * E5_12 + (E5_11 * J5_22 - E5_12 * minus_J5_12) * E5_11 + b4_4
+      + b4_13 + T(0.1855) + b4_14;
+  const T b4_15 = E5_12 * J5_13 + E5_11 * J5_23;
+  const T b4_16 = b4_15 - T(0.1) * hc5_2;
+  const T J4_23 = b4_16 - T(0.0196) - b4_3 * T(0.25);
+  const T J4_31 = b4_9 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_12 * T(0.1);
+  const T J4_32 = b4_15 - T(0.25) * h5_3 - T(0.0196) - b4_6 * T(0.1);
+  const T b4_17 = b4_13 + b4_5 + J5_33;
+  const T J4_33 = b4_17 + T(0.182) + b4_7 + b4_14;
+  A[24] = J4_22;
+  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
+  const T hc4_3 = E4_11 * h4_3 - minus_E4_13 * h4_1;
+  // B_thetadot7_4 = E5^T B_thetadot7_5
+  const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
+  const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
+  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
+  const T b4_18 = T(0.1) * B_thetadot7_4_2;
+  const T minus_K_thetadot7_4_1 = b4_18 + T(0.25) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
+      K_thetadot7_5_2;
+  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_15 + E5_11 * K_thetadot7_5_2 - E5_12 *
+      minus_K_thetadot7_5_1;
+  const T b4_19 = T(0.3) * B_thetadot7_4_2;
+  const T K_thetadot7_4_3 = b4_19 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  A[27] = K_thetadot7_4_2;
+  A[45] = K_thetadot7_4_2;
+  // B_thetadot6_4 = E5^T B_thetadot6_5
+  const T B_thetadot6_4_1 = E5_12 * hc6_3;
+  const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
+  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
+  const T b4_20 = T(0.1) * minus_B_thetadot6_4_2;
+  const T K_thetadot6_4_1 = b4_20 + T(0.25) * hc6_2 + E5_11 * b5_3 + E5_12 * minus_K_thetadot6_5_2;
+  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_2 + E5_12 * b5_3 - E5_11 * minus_K_thetadot6_5_2;
+  const T b4_21 = T(0.3) * minus_B_thetadot6_4_2;
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_21 - T(0.25) * B_thetadot6_4_1;
+  A[26] = K_thetadot6_4_2;
+  A[38] = K_thetadot6_4_2;
+  A[25] = b4_16;
+  A[31] = b4_16;
+
+  // ---- body 3 (body_3) and what it carries
+  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_1 = T(1.99) + hc4_1;
+  const T h3_2 = T(1.5) + h4_2;
+  const T h3_3 = T(0.685) + hc4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b3_1 = E4_11 * J4_11 + minus_E4_13 * J4_31;
+  const T b3_2 = E4_11 * J4_13 + minus_E4_13 * J4_33;
+  const T b3_3 = T(0.1) * hc4_3;
+  const T b3_4 = T(1.24) + h4_2;
+  const T b3_5 = T(0.2) * h4_2 + b3_4 * T(0.2);
+  const T b3_6 = hc4_3 + T(0.62);
+  const T b3_7 = b3_6 * T(0.1);
+  const T J3_11 = b3_1 * E4_11 + b3_2 * minus_E4_13 + b3_3 + b3_5 + T(0.18525000000000003) + b3_7;
+  const T b3_8 = E4_11 * J4_12 + minus_E4_13 * J4_32;
+  const T b3_9 = b3_8 - T(0.2) * hc4_1;
+  const T J3_12 = b3_9 - T(0.019500000000000003) - b3_4 * T(0.3);
+  const T b3_10 = b3_2 * E4_11 - b3_1 * minus_E4_13 - T(0.002600000000000001);
+  const T J3_13 = b3_10 - T(0.1) * hc4_1 - b3_6 * T(0.3);
+  const T b3_11 = hc4_1 + T(1.8599999999999999);
+  const T J3_21 = b3_8 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_11 * T(0.2);
+  const T b3_12 = T(0.3) * hc4_1;
+  const T b3_13 = b3_3 + b3_12 + J4_22;
+  const T b3_14 = b3_11 * T(0.3);
+  const T J3_22 = b3_13 + T(0.17225000000000001) + b3_7 + b3_14;
+  const T b3_15 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
+  const T J3_23 = b3_15 - T(0.1) * h4_2 - b3_6 * T(0.2);
+  const T J3_31 = b3_10 - T(0.3) * hc4_3 - b3_11 * T(0.1);
+  const T b3_16 = T(0.2) * hc4_3;
+  const T J3_32 = b3_15 - b3_16 - b3_4 * T(0.1);
+  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
+      + b3_5 + b3_12 + T(0.169) + b3_14;
+  A[16] = J3_11;
+  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
+  const T hc3_3 = E3_22 * h3_3 + E3_23 * h3_2;
+  // B_thetadot7_3 = E4^T B_thetadot7_4
+  const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
+  const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
+  // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - b4_18 - T(0.2) *
+      minus_B_thetadot7_3_3;
+  const T b3_17 = T(0.1) * B_thetadot7_3_1;
+  const T K_thetadot7_3_2 = b3_17 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_3 = b4_19 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
+      K_thetadot7_4_3;
+  A[20] = K_thetadot7_3_1;
+  A[44] = K_thetadot7_3_1;
+  // B_thetadot6_3 = E4^T B_thetadot6_4
+  const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
+  const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
+  // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
+  const T K_thetadot6_3_1 = b4_20 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
+      K_thetadot6_4_3;
+  const T b3_18 = T(0.1) * B_thetadot6_3_1;
+  const T K_thetadot6_3_2 = b3_18 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_21 - T(0.2) *
+      B_thetadot6_3_1;
+  A[19] = K_thetadot6_3_1;
+  A[37] = K_thetadot6_3_1;
+  // B_thetadot5_3 = E4^T B_thetadot5_4
+  const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
+  const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
+  // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
+  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_10 + E4_11 * b4_11 + minus_E4_13 * b4_17;
+  const T b3_19 = T(0.1) * minus_B_thetadot5_3_1;
+  const T K_thetadot5_3_2 = b4_16 - b3_19 - T(0.3) * B_thetadot5_3_3;
+  const T K_thetadot5_3_3 = b4_13 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_17 - minus_E4_13 * b4_11;
+  A[18] = K_thetadot5_3_1;
+  A[30] = K_thetadot5_3_1;
+  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
+  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_16;
+  A[17] = b3_9;
+  A[23] = b3_9;
+
+  // ---- body 2 (body_2) and what it carries
+  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h2_1 = T(2.37) + h3_1;
+  const T h2_2 = T(1.365) + hc3_2;
+  const T h2_3 = T(0.81) + hc3_3;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b2_1 = T(0.1) * hc3_3;
+  const T b2_2 = T(0.15) * hc3_2;
+  const T b2_3 = b2_1 + b2_2 + J3_11;
+  const T b2_4 = hc3_3 + T(0.75);
+  const T b2_5 = b2_4 * T(0.1);
+  const T b2_6 = T(1.125) + hc3_2;
+  const T b2_7 = b2_6 * T(0.15);
+  const T J2_11 = b2_3 + T(0.171) + b2_5 + b2_7;
+  const T b2_8 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
+  const T J2_12 = b2_8 - T(0.15) * h3_1 - b2_6 * T(0.3);
+  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_4 * T(0.3);
+  const T b2_9 = T(0.3) * hc3_2;
+  const T b2_10 = h3_1 + T(2.25);
+  const T J2_21 = b2_8 - b2_9 - b2_10 * T(0.15);
+  const T b2_11 = E3_22 * J3_22 - E3_23 * J3_32;
+  const T b2_12 = E3_22 * J3_23 - E3_23 * J3_33;
+  const T b2_13 = T(0.3) * h3_1 + b2_10 * T(0.3);
+  const T J2_22 = b2_11 * E3_22 - b2_12 * E3_23 + b2_1 + b2_13 + T(0.159) + b2_5;
+  const T J2_23 = b2_11 * E3_23 + b2_12 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_4 * T(0.15);
+  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_2 + b2_13 +
+      T(0.156) + b2_7;
+  A[8] = J2_33;
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
+  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
+  // B_thetadot7_2 = E3^T B_thetadot7_3
+  const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
+  const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
+  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
+  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T b2_14 = T(0.3) * B_thetadot7_2_3;
+  const T K_thetadot7_2_2 = b3_17 - b2_14 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
+  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
+      K_thetadot7_3_3;
+  A[13] = K_thetadot7_2_3;
+  A[43] = K_thetadot7_2_3;
+  // B_thetadot6_2 = E3^T B_thetadot6_3
+  const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
+  const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
+  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
+  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T b2_15 = T(0.3) * B_thetadot6_2_3;
+  const T K_thetadot6_2_2 = b3_18 - b2_15 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
+      T(0.15) * B_thetadot6_3_1;
+  A[12] = K_thetadot6_2_3;
+  A[36] = K_thetadot6_2_3;
+  // B_thetadot5_2 = E3^T B_thetadot5_3
+  const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
+  const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
+  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
+  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T b2_16 = T(0.3) * B_thetadot5_2_3;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_19 - b2_16;
+  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
+      E3_22 * K_thetadot5_3_3;
+  A[11] = K_thetadot5_2_3;
+  A[29] = K_thetadot5_2_3;
+  // B_thetadot4_2 = E3^T B_thetadot4_3
+  const T B_thetadot4_2_2 = E3_23 * hc4_1;
+  const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
+  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
+  const T K_thetadot4_2_1 = b3_9 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
+  const T b2_17 = T(0.3) * minus_B_thetadot4_2_3;
+  const T K_thetadot4_2_2 = b3_3 + b2_17 + E3_22 * b3_13 - E3_23 * K_thetadot4_3_3;
+  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_13 + E3_22 * K_thetadot4_3_3;
+  A[10] = K_thetadot4_2_3;
+  A[22] = K_thetadot4_2_3;
+  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
+  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_9;
+  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
+  A[9] = K_thetadot3_2_3;
+  A[15] = K_thetadot3_2_3;
+
+  // ---- body 1 (body_1) and what it carries
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
+      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(0.87)) * T(0.1) + (hc2_1 + T(2.61)) * T(0.3);
+  A[0] = J1_22;
+  // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
+  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_14 + E2_12 *
+      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
+  A[6] = K_thetadot7_1_2;
+  A[42] = K_thetadot7_1_2;
+  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
+  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_15 + E2_12 *
+      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  A[5] = K_thetadot6_1_2;
+  A[35] = K_thetadot6_1_2;
+  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
+      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_16;
+  A[4] = K_thetadot5_1_2;
+  A[28] = K_thetadot5_1_2;
+  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
+  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_17 + E2_12 * K_thetadot4_2_1 +
+      E2_11 * K_thetadot4_2_2;
+  A[3] = K_thetadot4_1_2;
+  A[21] = K_thetadot4_1_2;
+  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
+  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_9 + E2_12 * b2_3 + E2_11 * K_thetadot3_2_2;
+  A[2] = K_thetadot3_1_2;
+  A[14] = K_thetadot3_1_2;
+  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
+  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
+  A[1] = K_thetadot2_1_2;
+  A[7] = K_thetadot2_1_2;
+
+  // ---- results
+  A[48] = T(0.22524999999999998);
+}
+
+// partial_velocities: partial velocities v_y of the mass centres: v = v_y y.
+// v_y of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 472 add, 598 multiply, 14 sine or cosine
+template <class T>
+void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 147; ++i) v_y[i] = T(0);
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // B1_1 = -E1^T r1~ b1
+  const T t1_1 = minus_E1_13 * T(0.1);
+  const T B1_1_1 = E1_11 * T(0.05) - t1_1;
+  const T t1_2 = E1_11 * T(0.1);
+  const T minus_B1_1_3 = t1_2 + minus_E1_13 * T(0.05);
+  v_y[0] = B1_1_1;
+  v_y[14] = -minus_B1_1_3;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11;
+  const T minus_R2_21 = E1_11 * E2_12;
+  const T R2_23 = minus_E1_13 * E2_12;
+  // P_thetadot1_2 = -E1^T q2~ b1: partial velocity of the body origin, inertial axes
+  const T P_thetadot1_2_1 = t1_2 - minus_E1_13 * T(0.3);
+  const T minus_P_thetadot1_2_3 = E1_11 * T(0.3) + t1_1;
+  // B2_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
+  const T t2_1 = T(0.1) * E2_11;
+  const T t2_2 = T(0.2) * E2_12;
+  const T t2_3 = t2_1 - t2_2;
+  const T t2_4 = T(0.05) * E2_11;
+  const T t2_5 = T(0.05) * E2_12;
+  const T minus_B2_1_1 = minus_E1_13 * t2_3 - R2_11 * t2_4 - minus_R2_21 * t2_5 - P_thetadot1_2_1;
+  const T minus_B2_1_2 = E2_11 * t2_5 - E2_12 * t2_4;
+  const T minus_B2_1_3 = minus_R2_13 * t2_4 + R2_23 * t2_5 + E1_11 * t2_3 + minus_P_thetadot1_2_3;
+  v_y[21] = -minus_B2_1_1;
+  v_y[28] = -minus_B2_1_2;
+  v_y[35] = -minus_B2_1_3;
+  // B3_2 = -R2^T r2~ b2
+  const T minus_B3_2_1 = R2_11 * T(0.2) + minus_R2_21 * T(0.1);
+  const T B3_2_3 = minus_R2_13 * T(0.2) + R2_23 * T(0.1);
+  v_y[22] = -minus_B3_2_1;
+  v_y[29] = t2_3;
+  v_y[36] = B3_2_3;
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
+  const T R3_22 = E2_11 * E3_22;
+  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
+  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
+  const T minus_R3_32 = E2_11 * E3_23;
+  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
+  // P_thetadot1_3 = -R2^T q3~ omega_thetadot1_2 + P_thetadot1_2: partial velocity of the body origin, inertial axes
+  const T t3_1 = T(0.3) * E2_11 - T(0.15) * E2_12;
+  const T t3_2 = E2_12 * T(0.1);
+  const T minus_P_thetadot1_3_1 = minus_E1_13 * t3_1 - R2_11 * t2_1 - minus_R2_21 * t3_2 - P_thetadot1_2_1;
+  const T minus_P_thetadot1_3_2 = E2_11 * t3_2 - E2_12 * t2_1;
+  const T minus_P_thetadot1_3_3 = minus_R2_13 * t2_1 + R2_23 * t3_2 + E1_11 * t3_1 + minus_P_thetadot1_2_3;
+  // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot2_3_1 = R2_11 * T(0.15) + minus_R2_21 * T(0.3);
+  const T P_thetadot2_3_3 = minus_R2_13 * T(0.15) + R2_23 * T(0.3);
+  // B4_1 = -R3^T r3~ omega_thetadot1_3 + P_thetadot1_3
+  const T t3_3 = t2_5 + minus_R3_32 * T(0.1);
+  const T t3_4 = T(0.05) * R3_22;
+  const T t3_5 = T(0.2) * minus_R3_32;
+  const T t3_6 = t3_4 + t3_5;
+  const T t3_7 = T(0.1) * R3_22;
+  const T t3_8 = t3_7 - t2_2;
+  const T minus_B4_1_1 = R3_21 * t3_3 - R2_11 * t3_6 + R3_31 * t3_8 + minus_P_thetadot1_3_1;
+  const T minus_B4_1_2 = R3_22 * t3_3 - E2_12 * t3_6 - minus_R3_32 * t3_8 + minus_P_thetadot1_3_2;
+  const T minus_B4_1_3 = minus_R2_13 * t3_6 + R3_23 * t3_3 + R3_33 * t3_8 + minus_P_thetadot1_3_3;
+  v_y[42] = -minus_B4_1_1;
+  v_y[49] = -minus_B4_1_2;
+  v_y[56] = -minus_B4_1_3;
+  // B5_2 = -R3^T r3~ omega_thetadot2_3 + P_thetadot2_3
+  const T t3_9 = T(0.2) * E3_22;
+  const T t3_10 = T(0.05) * E3_23;
+  const T t3_11 = t3_9 - t3_10;
+  const T t3_12 = T(0.1) * E3_22;
+  const T t3_13 = T(0.1) * E3_23;
+  const T minus_B5_2_1 = R2_11 * t3_11 - R3_21 * t3_12 + R3_31 * t3_13 + minus_P_thetadot2_3_1;
+  const T minus_B5_2_2 = E2_12 * t3_11 - R3_22 * t3_12 - minus_R3_32 * t3_13 - t3_1;
+  const T minus_B5_2_3 = R3_33 * t3_13 - minus_R2_13 * t3_11 - R3_23 * t3_12 - P_thetadot2_3_3;
+  v_y[43] = -minus_B5_2_1;
+  v_y[50] = -minus_B5_2_2;
+  v_y[57] = -minus_B5_2_3;
+  // B6_3 = -R3^T r3~ b3
+  const T t3_14 = R3_31 * T(0.2);
+  const T minus_B6_3_1 = R3_21 * T(0.05) - t3_14;
+  const T t3_15 = R3_33 * T(0.2);
+  const T minus_B6_3_3 = R3_23 * T(0.05) - t3_15;
+  v_y[44] = -minus_B6_3_1;
+  v_y[51] = -t3_6;
+  v_y[58] = -minus_B6_3_3;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
+  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
+  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
+  // omega_thetadot2_4 = E4 omega_thetadot2_3: partial angular velocity, body axes
+  const T minus_omega_thetadot2_4_1 = minus_E4_13 * E3_22;
+  const T omega_thetadot2_4_3 = E4_11 * E3_22;
+  // P_thetadot1_4 = -R3^T q4~ omega_thetadot1_3 + P_thetadot1_3: partial velocity of the body origin, inertial axes
+  const T t4_1 = t3_2 + T(0.3) * minus_R3_32;
+  const T t4_2 = t3_7 + t3_5;
+  const T t4_3 = T(0.3) * R3_22;
+  const T t4_4 = t4_3 - t2_2;
+  const T minus_P_thetadot1_4_1 = R3_21 * t4_1 - R2_11 * t4_2 + R3_31 * t4_4 + minus_P_thetadot1_3_1;
+  const T minus_P_thetadot1_4_2 = R3_22 * t4_1 - E2_12 * t4_2 - minus_R3_32 * t4_4 + minus_P_thetadot1_3_2;
+  const T minus_P_thetadot1_4_3 = minus_R2_13 * t4_2 + R3_23 * t4_1 + R3_33 * t4_4 + minus_P_thetadot1_3_3;
+  // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
+  const T t4_5 = t3_9 - t3_13;
+  const T t4_6 = T(0.3) * E3_22;
+  const T t4_7 = T(0.3) * E3_23;
+  const T minus_P_thetadot2_4_1 = R2_11 * t4_5 - R3_21 * t4_6 + R3_31 * t4_7 + minus_P_thetadot2_3_1;
+  const T minus_P_thetadot2_4_2 = E2_12 * t4_5 - R3_22 * t4_6 - minus_R3_32 * t4_7 - t3_1;
+  const T minus_P_thetadot2_4_3 = R3_33 * t4_7 - minus_R2_13 * t4_5 - R3_23 * t4_6 - P_thetadot2_3_3;
+  // P_thetadot3_4 = -R3^T q4~ b3: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot3_4_1 = R3_21 * T(0.1) - t3_14;
+  const T minus_P_thetadot3_4_3 = R3_23 * T(0.1) - t3_15;
+  // B7_1 = -R4^T r4~ omega_thetadot1_4 + P_thetadot1_4
+  const T t4_8 = T(0.2) * R4_32;
+  const T t4_9 = t4_8 - t3_4;
+  const T t4_10 = R4_32 * T(0.1);
+  const T t4_11 = T(0.05) * R4_12 - t4_10;
+  const T t4_12 = t3_7 - T(0.2) * R4_12;
+  const T minus_B7_1_1 = R4_11 * t4_9 + R3_21 * t4_11 + R4_31 * t4_12 + minus_P_thetadot1_4_1;
+  const T minus_B7_1_2 = R4_12 * t4_9 + R3_22 * t4_11 + R4_32 * t4_12 + minus_P_thetadot1_4_2;
+  const T minus_B7_1_3 = R3_23 * t4_11 - minus_R4_13 * t4_9 + R4_33 * t4_12 + minus_P_thetadot1_4_3;
+  v_y[63] = -minus_B7_1_1;
+  v_y[70] = -minus_B7_1_2;
+  v_y[77] = -minus_B7_1_3;
+  // B8_2 = -R4^T r4~ omega_thetadot2_4 + P_thetadot2_4
+  const T t4_13 = T(0.2) * omega_thetadot2_4_3;
+  const T t4_14 = t4_13 - t3_10;
+  const T t4_15 = T(0.1) * omega_thetadot2_4_3;
+  const T t4_16 = T(0.05) * minus_omega_thetadot2_4_1 + t4_15;
+  const T t4_17 = t3_13 + T(0.2) * minus_omega_thetadot2_4_1;
+  const T minus_B8_2_1 = R4_11 * t4_14 - R3_21 * t4_16 + R4_31 * t4_17 + minus_P_thetadot2_4_1;
+  const T minus_B8_2_2 = R4_12 * t4_14 - R3_22 * t4_16 + R4_32 * t4_17 + minus_P_thetadot2_4_2;
+  const T minus_B8_2_3 = R4_33 * t4_17 - minus_R4_13 * t4_14 - R3_23 * t4_16 + minus_P_thetadot2_4_3;
+  v_y[64] = -minus_B8_2_1;
+  v_y[71] = -minus_B8_2_2;
+  v_y[78] = -minus_B8_2_3;
+  // B9_3 = -R4^T r4~ omega_thetadot3_4 + P_thetadot3_4
+  const T t4_18 = T(0.2) * minus_E4_13;
+  const T t4_19 = T(0.1) * minus_E4_13;
+  const T t4_20 = T(0.05) * E4_11 - t4_19;
+  const T t4_21 = T(0.2) * E4_11;
+  const T minus_B9_3_1 = R4_11 * t4_18 + R3_21 * t4_20 - R4_31 * t4_21 + minus_P_thetadot3_4_1;
+  const T minus_B9_3_2 = R4_12 * t4_18 + R3_22 * t4_20 - R4_32 * t4_21 + t4_2;
+  const T minus_B9_3_3 = R3_23 * t4_20 - minus_R4_13 * t4_18 - R4_33 * t4_21 + minus_P_thetadot3_4_3;
+  v_y[65] = -minus_B9_3_1;
+  v_y[72] = -minus_B9_3_2;
+  v_y[79] = -minus_B9_3_3;
+  // B10_4 = -R4^T r4~ b4
+  const T minus_B10_4_1 = R4_31 * T(0.1) - R4_11 * T(0.05);
+  const T minus_B10_4_3 = minus_R4_13 * T(0.05) + R4_33 * T(0.1);
+  v_y[66] = -minus_B10_4_1;
+  v_y[73] = t4_11;
+  v_y[80] = -minus_B10_4_3;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // R5^T = R4^T E5^T: R takes inertial components to body components
+  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
+  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
+  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
+  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
+  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
+  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
+  const T omega_thetadot2_5_1 = E5_12 * E3_23 - E5_11 * minus_omega_thetadot2_4_1;
+  const T omega_thetadot2_5_2 = E5_12 * minus_omega_thetadot2_4_1 + E5_11 * E3_23;
+  // omega_thetadot3_5 = E5 omega_thetadot3_4: partial angular velocity, body axes
+  const T omega_thetadot3_5_1 = E5_11 * E4_11;
+  const T minus_omega_thetadot3_5_2 = E5_12 * E4_11;
+  // P_thetadot1_5 = -R4^T q5~ omega_thetadot1_4 + P_thetadot1_4: partial velocity of the body origin, inertial axes
+  const T t5_1 = T(0.25) * R4_32 - t3_7;
+  const T t5_2 = T(0.3) * R4_32;
+  const T t5_3 = R4_12 * T(0.1) - t5_2;
+  const T t5_4 = t4_3 - T(0.25) * R4_12;
+  const T minus_P_thetadot1_5_1 = R4_11 * t5_1 + R3_21 * t5_3 + R4_31 * t5_4 + minus_P_thetadot1_4_1;
+  const T minus_P_thetadot1_5_2 = R4_12 * t5_1 + R3_22 * t5_3 + R4_32 * t5_4 + minus_P_thetadot1_4_2;
+  const T minus_P_thetadot1_5_3 = R3_23 * t5_3 - minus_R4_13 * t5_1 + R4_33 * t5_4 + minus_P_thetadot1_4_3;
+  // P_thetadot2_5 = -R4^T q5~ omega_thetadot2_4 + P_thetadot2_4: partial velocity of the body origin, inertial axes
+  const T t5_5 = T(0.25) * omega_thetadot2_4_3 - t3_13;
+  const T t5_6 = T(0.3) * omega_thetadot2_4_3;
+  const T t5_7 = T(0.1) * minus_omega_thetadot2_4_1 + t5_6;
+  const T t5_8 = t4_7 + T(0.25) * minus_omega_thetadot2_4_1;
+  const T minus_P_thetadot2_5_1 = R4_11 * t5_5 - R3_21 * t5_7 + R4_31 * t5_8 + minus_P_thetadot2_4_1;
+  const T minus_P_thetadot2_5_2 = R4_12 * t5_5 - R3_22 * t5_7 + R4_32 * t5_8 + minus_P_thetadot2_4_2;
+  const T minus_P_thetadot2_5_3 = R4_33 * t5_8 - minus_R4_13 * t5_5 - R3_23 * t5_7 + minus_P_thetadot2_4_3;
+  // P_thetadot3_5 = -R4^T q5~ omega_thetadot3_4 + P_thetadot3_4: partial velocity of the body origin, inertial axes
+  const T t5_9 = T(0.25) * minus_E4_13;
+  const T t5_10 = T(0.3) * minus_E4_13;
+  const T t5_11 = T(0.1) * E4_11 - t5_10;
+  const T t5_12 = T(0.25) * E4_11;
+  const T minus_P_thetadot3_5_1 = R4_11 * t5_9 + R3_21 * t5_11 - R4_31 * t5_12 + minus_P_thetadot3_4_1;
+  const T minus_P_thetadot3_5_2 = R4_12 * t5_9 + R3_22 * t5_11 - R4_32 * t5_12 + t4_2;
+  const T minus_P_thetadot3_5_3 = R3_23 * t5_11 - minus_R4_13 * t5_9 - R4_33 * t5_12 + minus_P_thetadot3_4_3;
+  // P_thetadot4_5 = -R4^T q5~ b4: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot4_5_1 = R4_31 * T(0.3) - R4_11 * T(0.1);
+  const T minus_P_thetadot4_5_3 = minus_R4_13 * T(0.1) + R4_33 * T(0.3);
+  // B11_1 = -R5^T r5~ omega_thetadot1_5 + P_thetadot1_5
+  const T t5_13 = t4_8 - T(0.05) * R5_22;
+  const T t5_14 = T(0.05) * R5_12;
+  const T t5_15 = t5_14 - t4_10;
+  const T t5_16 = T(0.1) * R5_22;
+  const T t5_17 = T(0.2) * R5_12;
+  const T t5_18 = t5_16 - t5_17;
+  const T minus_B11_1_1 = R5_11 * t5_13 + R5_21 * t5_15 + R4_31 * t5_18 + minus_P_thetadot1_5_1;
+  const T minus_B11_1_2 = R5_12 * t5_13 + R5_22 * t5_15 + R4_32 * t5_18 + minus_P_thetadot1_5_2;
+  const T minus_B11_1_3 = R5_13 * t5_13 + R5_23 * t5_15 + R4_33 * t5_18 + minus_P_thetadot1_5_3;
+  v_y[84] = -minus_B11_1_1;
+  v_y[91] = -minus_B11_1_2;
+  v_y[98] = -minus_B11_1_3;
+  // B12_2 = -R5^T r5~ omega_thetadot2_5 + P_thetadot2_5
+  const T t5_19 = t4_13 - T(0.05) * omega_thetadot2_5_2;
+  const T t5_20 = T(0.05) * omega_thetadot2_5_1;
+  const T t5_21 = t5_20 - t4_15;
+  const T t5_22 = T(0.1) * omega_thetadot2_5_2;
+  const T t5_23 = T(0.2) * omega_thetadot2_5_1;
+  const T t5_24 = t5_22 - t5_23;
+  const T minus_B12_2_1 = R5_11 * t5_19 + R5_21 * t5_21 + R4_31 * t5_24 + minus_P_thetadot2_5_1;
+  const T minus_B12_2_2 = R5_12 * t5_19 + R5_22 * t5_21 + R4_32 * t5_24 + minus_P_thetadot2_5_2;
+  const T minus_B12_2_3 = R5_13 * t5_19 + R5_23 * t5_21 + R4_33 * t5_24 + minus_P_thetadot2_5_3;
+  v_y[85] = -minus_B12_2_1;
+  v_y[92] = -minus_B12_2_2;
+  v_y[99] = -minus_B12_2_3;
+  // B13_3 = -R5^T r5~ omega_thetadot3_5 + P_thetadot3_5
+  const T t5_25 = T(0.05) * minus_omega_thetadot3_5_2 + t4_18;
+  const T t5_26 = T(0.05) * omega_thetadot3_5_1;
+  const T t5_27 = t5_26 - t4_19;
+  const T t5_28 = T(0.1) * minus_omega_thetadot3_5_2;
+  const T t5_29 = T(0.2) * omega_thetadot3_5_1;
+  const T t5_30 = t5_28 + t5_29;
+  const T minus_B13_3_1 = R5_11 * t5_25 + R5_21 * t5_27 - R4_31 * t5_30 + minus_P_thetadot3_5_1;
+  const T minus_B13_3_2 = R5_12 * t5_25 + R5_22 * t5_27 - R4_32 * t5_30 + minus_P_thetadot3_5_2;
+  const T minus_B13_3_3 = R5_13 * t5_25 + R5_23 * t5_27 - R4_33 * t5_30 + minus_P_thetadot3_5_3;
+  v_y[86] = -minus_B13_3_1;
+  v_y[93] = -minus_B13_3_2;
+  v_y[100] = -minus_B13_3_3;
+  // B14_4 = -R5^T r5~ omega_thetadot4_5 + P_thetadot4_5
+  const T t5_31 = T(0.05) * E5_12;
+  const T t5_32 = T(0.05) * E5_11;
+  const T t5_33 = T(0.1) * E5_11;
+  const T t5_34 = T(0.2) * E5_12;
+  const T t5_35 = t5_33 - t5_34;
+  const T minus_B14_4_1 = R5_21 * t5_31 - R5_11 * t5_32 + R4_31 * t5_35 + minus_P_thetadot4_5_1;
+  const T minus_B14_4_2 = R5_22 * t5_31 - R5_12 * t5_32 + R4_32 * t5_35 - t5_3;
+  const T minus_B14_4_3 = R5_23 * t5_31 - R5_13 * t5_32 + R4_33 * t5_35 + minus_P_thetadot4_5_3;
+  v_y[87] = -minus_B14_4_1;
+  v_y[94] = -minus_B14_4_2;
+  v_y[101] = -minus_B14_4_3;
+  // B15_5 = -R5^T r5~ b5
+  const T minus_B15_5_1 = R5_11 * T(0.2) - R5_21 * T(0.1);
+  const T minus_B15_5_3 = R5_13 * T(0.2) - R5_23 * T(0.1);
+  v_y[88] = -minus_B15_5_1;
+  v_y[95] = t5_18;
+  v_y[102] = -minus_B15_5_3;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R5^T E6^T: R takes inertial components to body components
+  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
+  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
+  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
+  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
+  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
+  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
+  // omega_thetadot2_6 = E6 omega_thetadot2_5: partial angular velocity, body axes
+  const T omega_thetadot2_6_2 = E6_22 * omega_thetadot2_5_2 + E6_23 * omega_thetadot2_4_3;
+  const T omega_thetadot2_6_3 = E6_22 * omega_thetadot2_4_3 - E6_23 * omega_thetadot2_5_2;
+  // omega_thetadot3_6 = E6 omega_thetadot3_5: partial angular velocity, body axes
+  const T omega_thetadot3_6_2 = E6_23 * minus_E4_13 - E6_22 * minus_omega_thetadot3_5_2;
+  const T omega_thetadot3_6_3 = E6_23 * minus_omega_thetadot3_5_2 + E6_22 * minus_E4_13;
+  // omega_thetadot4_6 = E6 omega_thetadot4_5: partial angular velocity, body axes
+  const T omega_thetadot4_6_2 = E6_22 * E5_11;
+  const T minus_omega_thetadot4_6_3 = E6_23 * E5_11;
+  // P_thetadot1_6 = -R5^T q6~ omega_thetadot1_5 + P_thetadot1_5: partial velocity of the body origin, inertial axes
+  const T t6_1 = t5_2 - t5_16;
+  const T t6_2 = R5_12 * T(0.1);
+  const T t6_3 = t6_2 - t5_2;
+  const T t6_4 = R5_22 * T(0.3) - R5_12 * T(0.3);
+  const T minus_P_thetadot1_6_1 = R5_11 * t6_1 + R5_21 * t6_3 + R4_31 * t6_4 + minus_P_thetadot1_5_1;
+  const T minus_P_thetadot1_6_2 = R5_12 * t6_1 + R5_22 * t6_3 + R4_32 * t6_4 + minus_P_thetadot1_5_2;
+  const T minus_P_thetadot1_6_3 = R5_13 * t6_1 + R5_23 * t6_3 + R4_33 * t6_4 + minus_P_thetadot1_5_3;
+  // P_thetadot2_6 = -R5^T q6~ omega_thetadot2_5 + P_thetadot2_5: partial velocity of the body origin, inertial axes
+  const T t6_5 = t5_6 - t5_22;
+  const T t6_6 = T(0.1) * omega_thetadot2_5_1;
+  const T t6_7 = t6_6 - t5_6;
+  const T t6_8 = T(0.3) * omega_thetadot2_5_2 - T(0.3) * omega_thetadot2_5_1;
+  const T minus_P_thetadot2_6_1 = R5_11 * t6_5 + R5_21 * t6_7 + R4_31 * t6_8 + minus_P_thetadot2_5_1;
+  const T minus_P_thetadot2_6_2 = R5_12 * t6_5 + R5_22 * t6_7 + R4_32 * t6_8 + minus_P_thetadot2_5_2;
+  const T minus_P_thetadot2_6_3 = R5_13 * t6_5 + R5_23 * t6_7 + R4_33 * t6_8 + minus_P_thetadot2_5_3;
+  // P_thetadot3_6 = -R5^T q6~ omega_thetadot3_5 + P_thetadot3_5: partial velocity of the body origin, inertial axes
+  const T t6_9 = t5_28 + t5_10;
+  const T t6_10 = T(0.1) * omega_thetadot3_5_1;
+  const T t6_11 = t6_10 - t5_10;
+  const T t6_12 = T(0.3) * minus_omega_thetadot3_5_2 + T(0.3) * omega_thetadot3_5_1;
+  const T minus_P_thetadot3_6_1 = R5_11 * t6_9 + R5_21 * t6_11 - R4_31 * t6_12 + minus_P_thetadot3_5_1;
+  const T minus_P_thetadot3_6_2 = R5_12 * t6_9 + R5_22 * t6_11 - R4_32 * t6_12 + minus_P_thetadot3_5_2;
+  const T minus_P_thetadot3_6_3 = R5_13 * t6_9 + R5_23 * t6_11 - R4_33 * t6_12 + minus_P_thetadot3_5_3;
+  // P_thetadot4_6 = -R5^T q6~ omega_thetadot4_5 + P_thetadot4_5: partial velocity of the body origin, inertial axes
+  const T t6_13 = T(0.1) * E5_12;
+  const T t6_14 = T(0.3) * E5_11 - T(0.3) * E5_12;
+  const T minus_P_thetadot4_6_1 = R5_21 * t6_13 - R5_11 * t5_33 + R4_31 * t6_14 + minus_P_thetadot4_5_1;
+  const T minus_P_thetadot4_6_2 = R5_22 * t6_13 - R5_12 * t5_33 + R4_32 * t6_14 - t5_3;
+  const T minus_P_thetadot4_6_3 = R5_23 * t6_13 - R5_13 * t5_33 + R4_33 * t6_14 + minus_P_thetadot4_5_3;
+  // P_thetadot5_6 = -R5^T q6~ b5: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot5_6_1 = R5_11 * T(0.3) - R5_21 * T(0.3);
+  const T minus_P_thetadot5_6_3 = R5_13 * T(0.3) - R5_23 * T(0.3);
+  // B16_1 = -R6^T r6~ omega_thetadot1_6 + P_thetadot1_6
+  const T t6_15 = T(0.05) * R6_22;
+  const T t6_16 = T(0.2) * R6_32 - t6_15;
+  const T t6_17 = t5_14 - R6_32 * T(0.1);
+  const T t6_18 = T(0.1) * R6_22;
+  const T t6_19 = t6_18 - t5_17;
+  const T minus_B16_1_1 = R5_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_19 + minus_P_thetadot1_6_1;
+  const T minus_B16_1_2 = R5_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_19 + minus_P_thetadot1_6_2;
+  const T minus_B16_1_3 = R5_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_19 + minus_P_thetadot1_6_3;
+  v_y[105] = -minus_B16_1_1;
+  v_y[112] = -minus_B16_1_2;
+  v_y[119] = -minus_B16_1_3;
+  // B17_2 = -R6^T r6~ omega_thetadot2_6 + P_thetadot2_6
+  const T t6_20 = T(0.05) * omega_thetadot2_6_2;
+  const T t6_21 = T(0.2) * omega_thetadot2_6_3 - t6_20;
+  const T t6_22 = t5_20 - T(0.1) * omega_thetadot2_6_3;
+  const T t6_23 = T(0.1) * omega_thetadot2_6_2;
+  const T t6_24 = t6_23 - t5_23;
+  const T minus_B17_2_1 = R5_11 * t6_21 + R6_21 * t6_22 + R6_31 * t6_24 + minus_P_thetadot2_6_1;
+  const T minus_B17_2_2 = R5_12 * t6_21 + R6_22 * t6_22 + R6_32 * t6_24 + minus_P_thetadot2_6_2;
+  const T minus_B17_2_3 = R5_13 * t6_21 + R6_23 * t6_22 + R6_33 * t6_24 + minus_P_thetadot2_6_3;
+  v_y[106] = -minus_B17_2_1;
+  v_y[113] = -minus_B17_2_2;
+  v_y[120] = -minus_B17_2_3;
+  // B18_3 = -R6^T r6~ omega_thetadot3_6 + P_thetadot3_6
+  const T t6_25 = T(0.05) * omega_thetadot3_6_2;
+  const T t6_26 = T(0.2) * omega_thetadot3_6_3 - t6_25;
+  const T t6_27 = t5_26 - T(0.1) * omega_thetadot3_6_3;
+  const T t6_28 = T(0.1) * omega_thetadot3_6_2;
+  const T t6_29 = t6_28 - t5_29;
+  const T minus_B18_3_1 = R5_11 * t6_26 + R6_21 * t6_27 + R6_31 * t6_29 + minus_P_thetadot3_6_1;
+  const T minus_B18_3_2 = R5_12 * t6_26 + R6_22 * t6_27 + R6_32 * t6_29 + minus_P_thetadot3_6_2;
+  const T minus_B18_3_3 = R5_13 * t6_26 + R6_23 * t6_27 + R6_33 * t6_29 + minus_P_thetadot3_6_3;
+  v_y[107] = -minus_B18_3_1;
+  v_y[114] = -minus_B18_3_2;
+  v_y[121] = -minus_B18_3_3;
+  // B19_4 = -R6^T r6~ omega_thetadot4_6 + P_thetadot4_6
+  const T t6_30 = t5_31 + T(0.1) * minus_omega_thetadot4_6_3;
+  const T t6_31 = T(0.05) * omega_thetadot4_6_2;
+  const T t6_32 = t6_31 + T(0.2) * minus_omega_thetadot4_6_3;
+  const T t6_33 = T(0.1) * omega_thetadot4_6_2;
+  const T t6_34 = t6_33 - t5_34;
+  const T minus_B19_4_1 = R6_21 * t6_30 - R5_11 * t6_32 + R6_31 * t6_34 + minus_P_thetadot4_6_1;
+  const T minus_B19_4_2 = R6_22 * t6_30 - R5_12 * t6_32 + R6_32 * t6_34 + minus_P_thetadot4_6_2;
+  const T minus_B19_4_3 = R6_23 * t6_30 - R5_13 * t6_32 + R6_33 * t6_34 + minus_P_thetadot4_6_3;
+  v_y[108] = -minus_B19_4_1;
+  v_y[115] = -minus_B19_4_2;
+  v_y[122] = -minus_B19_4_3;
+  // B20_5 = -R6^T r6~ omega_thetadot5_6 + P_thetadot5_6
+  const T t6_35 = T(0.05) * E6_23;
+  const T t6_36 = T(0.2) * E6_22 - t6_35;
+  const T t6_37 = T(0.1) * E6_22;
+  const T t6_38 = T(0.1) * E6_23;
+  const T minus_B20_5_1 = R5_11 * t6_36 - R6_21 * t6_37 + R6_31 * t6_38 + minus_P_thetadot5_6_1;
+  const T minus_B20_5_2 = R5_12 * t6_36 - R6_22 * t6_37 + R6_32 * t6_38 - t6_4;
+  const T minus_B20_5_3 = R5_13 * t6_36 - R6_23 * t6_37 + R6_33 * t6_38 + minus_P_thetadot5_6_3;
+  v_y[109] = -minus_B20_5_1;
+  v_y[116] = -minus_B20_5_2;
+  v_y[123] = -minus_B20_5_3;
+  // B21_6 = -R6^T r6~ b6
+  const T minus_B21_6_1 = R6_21 * T(0.05) - R6_31 * T(0.2);
+  const T minus_B21_6_3 = R6_23 * T(0.05) - R6_33 * T(0.2);
+  v_y[110] = -minus_B21_6_1;
+  v_y[117] = t6_16;
+  v_y[124] = -minus_B21_6_3;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega_thetadot2_7 = E7 omega_thetadot2_6: partial angular velocity, body axes
+  const T omega_thetadot2_7_1 = E7_11 * omega_thetadot2_5_1 - minus_E7_13 * omega_thetadot2_6_3;
+  const T omega_thetadot2_7_3 = minus_E7_13 * omega_thetadot2_5_1 + E7_11 * omega_thetadot2_6_3;
+  // omega_thetadot3_7 = E7 omega_thetadot3_6: partial angular velocity, body axes
+  const T omega_thetadot3_7_1 = E7_11 * omega_thetadot3_5_1 - minus_E7_13 * omega_thetadot3_6_3;
+  const T omega_thetadot3_7_3 = minus_E7_13 * omega_thetadot3_5_1 + E7_11 * omega_thetadot3_6_3;
+  // omega_thetadot4_7 = E7 omega_thetadot4_6: partial angular velocity, body axes
+  const T omega_thetadot4_7_1 = E7_11 * E5_12 + minus_E7_13 * minus_omega_thetadot4_6_3;
+  const T omega_thetadot4_7_3 = minus_E7_13 * E5_12 - E7_11 * minus_omega_thetadot4_6_3;
+  // omega_thetadot5_7 = E7 omega_thetadot5_6: partial angular velocity, body axes
+  const T minus_omega_thetadot5_7_1 = minus_E7_13 * E6_22;
+  const T omega_thetadot5_7_3 = E7_11 * E6_22;
+  // P_thetadot1_7 = -R6^T q7~ omega_thetadot1_6 + P_thetadot1_6: partial velocity of the body origin, inertial axes
+  const T t7_1 = T(0.35) * R6_32 - t6_18;
+  const T t7_2 = t6_2 - T(0.3) * R6_32;
+  const T t7_3 = T(0.3) * R6_22 - T(0.35) * R5_12;
+  const T minus_P_thetadot1_7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + minus_P_thetadot1_6_1;
+  const T minus_P_thetadot1_7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + minus_P_thetadot1_6_2;
+  const T minus_P_thetadot1_7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + minus_P_thetadot1_6_3;
+  // P_thetadot2_7 = -R6^T q7~ omega_thetadot2_6 + P_thetadot2_6: partial velocity of the body origin, inertial axes
+  const T t7_4 = T(0.35) * omega_thetadot2_6_3 - t6_23;
+  const T t7_5 = t6_6 - T(0.3) * omega_thetadot2_6_3;
+  const T t7_6 = T(0.3) * omega_thetadot2_6_2 - T(0.35) * omega_thetadot2_5_1;
+  const T minus_P_thetadot2_7_1 = R5_11 * t7_4 + R6_21 * t7_5 + R6_31 * t7_6 + minus_P_thetadot2_6_1;
+  const T minus_P_thetadot2_7_2 = R5_12 * t7_4 + R6_22 * t7_5 + R6_32 * t7_6 + minus_P_thetadot2_6_2;
+  const T minus_P_thetadot2_7_3 = R5_13 * t7_4 + R6_23 * t7_5 + R6_33 * t7_6 + minus_P_thetadot2_6_3;
+  // P_thetadot3_7 = -R6^T q7~ omega_thetadot3_6 + P_thetadot3_6: partial velocity of the body origin, inertial axes
+  const T t7_7 = T(0.35) * omega_thetadot3_6_3 - t6_28;
+  const T t7_8 = t6_10 - T(0.3) * omega_thetadot3_6_3;
+  const T t7_9 = T(0.3) * omega_thetadot3_6_2 - T(0.35) * omega_thetadot3_5_1;
+  const T minus_P_thetadot3_7_1 = R5_11 * t7_7 + R6_21 * t7_8 + R6_31 * t7_9 + minus_P_thetadot3_6_1;
+  const T minus_P_thetadot3_7_2 = R5_12 * t7_7 + R6_22 * t7_8 + R6_32 * t7_9 + minus_P_thetadot3_6_2;
+  const T minus_P_thetadot3_7_3 = R5_13 * t7_7 + R6_23 * t7_8 + R6_33 * t7_9 + minus_P_thetadot3_6_3;
+  // P_thetadot4_7 = -R6^T q7~ omega_thetadot4_6 + P_thetadot4_6: partial velocity of the body origin, inertial axes
+  const T t7_10 = t6_13 + T(0.3) * minus_omega_thetadot4_6_3;
+  const T t7_11 = t6_33 + T(0.35) * minus_omega_thetadot4_6_3;
+  const T t7_12 = T(0.3) * omega_thetadot4_6_2 - T(0.35) * E5_12;
+  const T minus_P_thetadot4_7_1 = R6_21 * t7_10 - R5_11 * t7_11 + R6_31 * t7_12 + minus_P_thetadot4_6_1;
+  const T minus_P_thetadot4_7_2 = R6_22 * t7_10 - R5_12 * t7_11 + R6_32 * t7_12 + minus_P_thetadot4_6_2;
+  const T minus_P_thetadot4_7_3 = R6_23 * t7_10 - R5_13 * t7_11 + R6_33 * t7_12 + minus_P_thetadot4_6_3;
+  // P_thetadot5_7 = -R6^T q7~ omega_thetadot5_6 + P_thetadot5_6: partial velocity of the body origin, inertial axes
+  const T t7_13 = T(0.35) * E6_22 - t6_38;
+  const T t7_14 = T(0.3) * E6_22;
+  const T t7_15 = T(0.3) * E6_23;
+  const T minus_P_thetadot5_7_1 = R5_11 * t7_13 - R6_21 * t7_14 + R6_31 * t7_15 + minus_P_thetadot5_6_1;
+  const T minus_P_thetadot5_7_2 = R5_12 * t7_13 - R6_22 * t7_14 + R6_32 * t7_15 - t6_4;
+  const T minus_P_thetadot5_7_3 = R5_13 * t7_13 - R6_23 * t7_14 + R6_33 * t7_15 + minus_P_thetadot5_6_3;
+  // P_thetadot6_7 = -R6^T q7~ b6: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot6_7_1 = R6_21 * T(0.1) - R6_31 * T(0.35);
+  const T minus_P_thetadot6_7_3 = R6_23 * T(0.1) - R6_33 * T(0.35);
+  // B22_1 = -R7^T r7~ omega_thetadot1_7 + P_thetadot1_7
+  const T t7_16 = T(0.2) * R7_32 - t6_15;
+  const T t7_17 = T(0.05) * R7_12 - T(0.1) * R7_32;
+  const T t7_18 = t6_18 - T(0.2) * R7_12;
+  const T minus_B22_1_1 = R7_11 * t7_16 + R6_21 * t7_17 + R7_31 * t7_18 + minus_P_thetadot1_7_1;
+  const T minus_B22_1_2 = R7_12 * t7_16 + R6_22 * t7_17 + R7_32 * t7_18 + minus_P_thetadot1_7_2;
+  const T minus_B22_1_3 = R7_13 * t7_16 + R6_23 * t7_17 + R7_33 * t7_18 + minus_P_thetadot1_7_3;
+  v_y[126] = -minus_B22_1_1;
+  v_y[133] = -minus_B22_1_2;
+  v_y[140] = -minus_B22_1_3;
+  // B23_2 = -R7^T r7~ omega_thetadot2_7 + P_thetadot2_7
+  const T t7_19 = T(0.2) * omega_thetadot2_7_3 - t6_20;
+  const T t7_20 = T(0.05) * omega_thetadot2_7_1 - T(0.1) * omega_thetadot2_7_3;
+  const T t7_21 = t6_23 - T(0.2) * omega_thetadot2_7_1;
+  const T minus_B23_2_1 = R7_11 * t7_19 + R6_21 * t7_20 + R7_31 * t7_21 + minus_P_thetadot2_7_1;
+  const T minus_B23_2_2 = R7_12 * t7_19 + R6_22 * t7_20 + R7_32 * t7_21 + minus_P_thetadot2_7_2;
+  const T minus_B23_2_3 = R7_13 * t7_19 + R6_23 * t7_20 + R7_33 * t7_21 + minus_P_thetadot2_7_3;
+  v_y[127] = -minus_B23_2_1;
+  v_y[134] = -minus_B23_2_2;
+  v_y[141] = -minus_B23_2_3;
+  // B24_3 = -R7^T r7~ omega_thetadot3_7 + P_thetadot3_7
+  const T t7_22 = T(0.2) * omega_thetadot3_7_3 - t6_25;
+  const T t7_23 = T(0.05) * omega_thetadot3_7_1 - T(0.1) * omega_thetadot3_7_3;
+  const T t7_24 = t6_28 - T(0.2) * omega_thetadot3_7_1;
+  const T minus_B24_3_1 = R7_11 * t7_22 + R6_21 * t7_23 + R7_31 * t7_24 + minus_P_thetadot3_7_1;
+  const T minus_B24_3_2 = R7_12 * t7_22 + R6_22 * t7_23 + R7_32 * t7_24 + minus_P_thetadot3_7_2;
+  const T minus_B24_3_3 = R7_13 * t7_22 + R6_23 * t7_23 + R7_33 * t7_24 + minus_P_thetadot3_7_3;
+  v_y[128] = -minus_B24_3_1;
+  v_y[135] = -minus_B24_3_2;
+  v_y[142] = -minus_B24_3_3;
+  // B25_4 = -R7^T r7~ omega_thetadot4_7 + P_thetadot4_7
+  const T t7_25 = T(0.2) * omega_thetadot4_7_3 - t6_31;
+  const T t7_26 = T(0.05) * omega_thetadot4_7_1 - T(0.1) * omega_thetadot4_7_3;
+  const T t7_27 = t6_33 - T(0.2) * omega_thetadot4_7_1;
+  const T minus_B25_4_1 = R7_11 * t7_25 + R6_21 * t7_26 + R7_31 * t7_27 + minus_P_thetadot4_7_1;
+  const T minus_B25_4_2 = R7_12 * t7_25 + R6_22 * t7_26 + R7_32 * t7_27 + minus_P_thetadot4_7_2;
+  const T minus_B25_4_3 = R7_13 * t7_25 + R6_23 * t7_26 + R7_33 * t7_27 + minus_P_thetadot4_7_3;
+  v_y[129] = -minus_B25_4_1;
+  v_y[136] = -minus_B25_4_2;
+  v_y[143] = -minus_B25_4_3;
+  // B26_5 = -R7^T r7~ omega_thetadot5_7 + P_thetadot5_7
+  const T t7_28 = T(0.2) * omega_thetadot5_7_3 - t6_35;
+  const T t7_29 = T(0.05) * minus_omega_thetadot5_7_1 + T(0.1) * omega_thetadot5_7_3;
+  const T t7_30 = t6_38 + T(0.2) * minus_omega_thetadot5_7_1;
+  const T minus_B26_5_1 = R7_11 * t7_28 - R6_21 * t7_29 + R7_31 * t7_30 + minus_P_thetadot5_7_1;
+  const T minus_B26_5_2 = R7_12 * t7_28 - R6_22 * t7_29 + R7_32 * t7_30 + minus_P_thetadot5_7_2;
+  const T minus_B26_5_3 = R7_13 * t7_28 - R6_23 * t7_29 + R7_33 * t7_30 + minus_P_thetadot5_7_3;
+  v_y[130] = -minus_B26_5_1;
+  v_y[137] = -minus_B26_5_2;
+  v_y[144] = -minus_B26_5_3;
+  // B27_6 = -R7^T r7~ omega_thetadot6_7 + P_thetadot6_7
+  const T t7_31 = T(0.2) * minus_E7_13;
+  const T t7_32 = T(0.05) * E7_11 - T(0.1) * minus_E7_13;
+  const T t7_33 = T(0.2) * E7_11;
+  const T minus_B27_6_1 = R7_11 * t7_31 + R6_21 * t7_32 - R7_31 * t7_33 + minus_P_thetadot6_7_1;
+  const T minus_B27_6_2 = R7_12 * t7_31 + R6_22 * t7_32 - R7_32 * t7_33 - t7_1;
+  const T minus_B27_6_3 = R7_13 * t7_31 + R6_23 * t7_32 - R7_33 * t7_33 + minus_P_thetadot6_7_3;
+  v_y[131] = -minus_B27_6_1;
+  v_y[138] = -minus_B27_6_2;
+  v_y[145] = -minus_B27_6_3;
+  // B28_7 = -R7^T r7~ b7
+  const T minus_B28_7_1 = R7_31 * T(0.1) - R7_11 * T(0.05);
+  const T minus_B28_7_3 = R7_33 * T(0.1) - R7_13 * T(0.05);
+  v_y[132] = -minus_B28_7_1;
+  v_y[139] = t7_17;
+  v_y[146] = -minus_B28_7_3;
+}
+
+// partial_velocity_rates: time derivatives of the partial velocities.
+// v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 1017 add, 1345 multiply, 14 sine or cosine
+template <class T>
+void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 147; ++i) v_y_dot[i] = T(0);
+
+  // ---- body 1 (body_1) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // B1_1 = -E1^T omega1~ r1~ b1
+  const T t1_1 = thetadot1 * T(0.05);
+  const T t1_2 = thetadot1 * T(0.1);
+  const T t1_3 = E1_11 * t1_2;
+  const T minus_B1_1_1 = minus_E1_13 * t1_1 + t1_3;
+  const T t1_4 = minus_E1_13 * t1_2;
+  const T minus_B1_1_3 = E1_11 * t1_1 - t1_4;
+  v_y_dot[0] = -minus_B1_1_1;
+  v_y_dot[14] = -minus_B1_1_3;
+
+  // ---- body 2 (body_2) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T E2_12 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11;
+  const T minus_R2_21 = E1_11 * E2_12;
+  const T R2_23 = minus_E1_13 * E2_12;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = E2_12 * thetadot1;
+  const T omega2_2 = E2_11 * thetadot1;
+  // omega_dot_thetadot1_2 = -thetadot2 b2~ E2 b1: its rate
+  const T omega_dot_thetadot1_2_1 = thetadot2 * E2_11;
+  const T minus_omega_dot_thetadot1_2_2 = thetadot2 * E2_12;
+  // P_dot_thetadot1_2 = -E1^T omega1~ q2~ b1: its rate
+  const T t2_1 = thetadot1 * T(0.3);
+  const T minus_P_dot_thetadot1_2_1 = t1_4 + E1_11 * t2_1;
+  const T minus_P_dot_thetadot1_2_3 = t1_3 - minus_E1_13 * t2_1;
+  // B2_1 = -R2^T omega2~ r2~ omega_thetadot1_2 - R2^T r2~ omega_dot_thetadot1_2 + P_dot_thetadot1_2
+  const T t2_2 = T(0.1) * E2_11;
+  const T t2_3 = T(0.2) * E2_12;
+  const T t2_4 = t2_2 - t2_3;
+  const T t2_5 = T(0.05) * E2_12;
+  const T t2_6 = omega2_2 * t2_4 - thetadot2 * t2_5;
+  const T t2_7 = T(0.05) * E2_11;
+  const T t2_8 = thetadot2 * t2_7 + omega2_1 * t2_4;
+  const T t2_9 = omega2_1 * t2_5 + omega2_2 * t2_7;
+  const T t2_10 = T(0.05) * minus_omega_dot_thetadot1_2_2;
+  const T t2_11 = T(0.05) * omega_dot_thetadot1_2_1;
+  const T t2_12 = T(0.1) * minus_omega_dot_thetadot1_2_2;
+  const T t2_13 = T(0.2) * omega_dot_thetadot1_2_1;
+  const T t2_14 = t2_12 + t2_13;
+  const T minus_B2_1_1 = R2_11 * t2_6 + minus_R2_21 * t2_8 + minus_E1_13 * t2_9 + R2_11 * t2_10 - minus_R2_21 * t2_11
+      - minus_E1_13 * t2_14 + minus_P_dot_thetadot1_2_1;
+  const T minus_B2_1_2 = E2_12 * t2_6 - E2_11 * t2_8 + E2_12 * t2_10 + E2_11 * t2_11;
+  const T minus_B2_1_3 = E1_11 * t2_9 - minus_R2_13 * t2_6 - R2_23 * t2_8 + R2_23 * t2_11 - minus_R2_13 * t2_10 -
+      E1_11 * t2_14 + minus_P_dot_thetadot1_2_3;
+  v_y_dot[21] = -minus_B2_1_1;
+  v_y_dot[28] = -minus_B2_1_2;
+  v_y_dot[35] = -minus_B2_1_3;
+  // B3_2 = -R2^T omega2~ r2~ b2
+  const T t2_15 = thetadot2 * T(0.1);
+  const T t2_16 = thetadot2 * T(0.2);
+  const T t2_17 = omega2_1 * T(0.1) + omega2_2 * T(0.2);
+  const T minus_B3_2_1 = R2_11 * t2_15 - minus_R2_21 * t2_16 - minus_E1_13 * t2_17;
+  const T minus_B3_2_2 = E2_12 * t2_15 + E2_11 * t2_16;
+  const T minus_B3_2_3 = R2_23 * t2_16 - minus_R2_13 * t2_15 - E1_11 * t2_17;
+  v_y_dot[22] = -minus_B3_2_1;
+  v_y_dot[29] = -minus_B3_2_2;
+  v_y_dot[36] = -minus_B3_2_3;
+
+  // ---- body 3 (body_3) on body 2
+  const T theta3 = x[2];
+  const T thetadot3 = y[2];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_22 = cos(theta3);
+  const T E3_23 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
+  const T R3_22 = E2_11 * E3_22;
+  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
+  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
+  const T minus_R3_32 = E2_11 * E3_23;
+  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = thetadot3 + omega2_1;
+  const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
+  const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
+  // omega_dot_thetadot1_3 = -thetadot3 b3~ E3 omega_thetadot1_2 + E3 omega_dot_thetadot1_2: its rate
+  const T minus_omega_dot_thetadot1_3_2 = thetadot3 * minus_R3_32 + E3_22 * minus_omega_dot_thetadot1_2_2;
+  const T omega_dot_thetadot1_3_3 = E3_23 * minus_omega_dot_thetadot1_2_2 - thetadot3 * R3_22;
+  // omega_dot_thetadot2_3 = -thetadot3 b3~ E3 b2: its rate
+  const T omega_dot_thetadot2_3_2 = thetadot3 * E3_22;
+  const T minus_omega_dot_thetadot2_3_3 = thetadot3 * E3_23;
+  // P_dot_thetadot1_3 = R2^T (-omega2~ q3~ omega_thetadot1_2 - q3~ omega_dot_thetadot1_2) + P_dot_thetadot1_2: its
+  //   rate
+  const T t3_1 = T(0.3) * E2_11 - T(0.15) * E2_12;
+  const T t3_2 = E2_12 * T(0.1);
+  const T t3_3 = omega2_2 * t3_1 - thetadot2 * t3_2 + t2_12;
+  const T t3_4 = T(0.1) * omega_dot_thetadot1_2_1;
+  const T t3_5 = t3_4 - thetadot2 * t2_2 - omega2_1 * t3_1;
+  const T t3_6 = omega2_1 * t3_2 + omega2_2 * t2_2 - T(0.3) * minus_omega_dot_thetadot1_2_2 - T(0.15) *
+      omega_dot_thetadot1_2_1;
+  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6 +
+      minus_P_dot_thetadot1_2_1;
+  const T minus_P_dot_thetadot1_3_2 = E2_12 * t3_3 + E2_11 * t3_5;
+  const T minus_P_dot_thetadot1_3_3 = R2_23 * t3_5 - minus_R2_13 * t3_3 + E1_11 * t3_6 + minus_P_dot_thetadot1_2_3;
+  // P_dot_thetadot2_3 = -R2^T omega2~ q3~ b2: its rate
+  const T t3_7 = thetadot2 * T(0.3);
+  const T t3_8 = thetadot2 * T(0.15);
+  const T t3_9 = omega2_1 * T(0.3) + omega2_2 * T(0.15);
+  const T minus_P_dot_thetadot2_3_1 = R2_11 * t3_7 - minus_R2_21 * t3_8 - minus_E1_13 * t3_9;
+  const T minus_P_dot_thetadot2_3_2 = E2_12 * t3_7 + E2_11 * t3_8;
+  const T minus_P_dot_thetadot2_3_3 = R2_23 * t3_8 - minus_R2_13 * t3_7 - E1_11 * t3_9;
+  // B4_1 = -R3^T omega3~ r3~ omega_thetadot1_3 - R3^T r3~ omega_dot_thetadot1_3 + P_dot_thetadot1_3
+  const T t3_10 = T(0.1) * R3_22;
+  const T t3_11 = t3_10 - t2_3;
+  const T t3_12 = t2_5 + minus_R3_32 * T(0.1);
+  const T t3_13 = omega3_2 * t3_11 - omega3_3 * t3_12;
+  const T t3_14 = T(0.05) * R3_22;
+  const T t3_15 = T(0.2) * minus_R3_32;
+  const T t3_16 = t3_14 + t3_15;
+  const T t3_17 = omega3_3 * t3_16 + omega3_1 * t3_11;
+  const T t3_18 = omega3_1 * t3_12 + omega3_2 * t3_16;
+  const T t3_19 = T(0.05) * minus_omega_dot_thetadot1_3_2;
+  const T t3_20 = T(0.2) * omega_dot_thetadot1_3_3;
+  const T t3_21 = t3_19 + t3_20;
+  const T t3_22 = t2_11 - T(0.1) * omega_dot_thetadot1_3_3;
+  const T t3_23 = T(0.1) * minus_omega_dot_thetadot1_3_2;
+  const T t3_24 = t3_23 + t2_13;
+  const T minus_B4_1_1 = R2_11 * t3_13 - R3_21 * t3_17 + R3_31 * t3_18 + R2_11 * t3_21 + R3_21 * t3_22 - R3_31 * t3_24
+      + minus_P_dot_thetadot1_3_1;
+  const T minus_B4_1_2 = E2_12 * t3_13 - R3_22 * t3_17 - minus_R3_32 * t3_18 + E2_12 * t3_21 + R3_22 * t3_22 +
+      minus_R3_32 * t3_24 + minus_P_dot_thetadot1_3_2;
+  const T minus_B4_1_3 = R3_33 * t3_18 - minus_R2_13 * t3_13 - R3_23 * t3_17 + R3_23 * t3_22 - minus_R2_13 * t3_21 -
+      R3_33 * t3_24 + minus_P_dot_thetadot1_3_3;
+  v_y_dot[42] = -minus_B4_1_1;
+  v_y_dot[49] = -minus_B4_1_2;
+  v_y_dot[56] = -minus_B4_1_3;
+  // B5_2 = -R3^T omega3~ r3~ omega_thetadot2_3 - R3^T r3~ omega_dot_thetadot2_3 + P_dot_thetadot2_3
+  const T t3_25 = T(0.1) * E3_22;
+  const T t3_26 = T(0.1) * E3_23;
+  const T t3_27 = omega3_3 * t3_25 + omega3_2 * t3_26;
+  const T t3_28 = T(0.2) * E3_22;
+  const T t3_29 = T(0.05) * E3_23;
+  const T t3_30 = t3_28 - t3_29;
+  const T t3_31 = omega3_3 * t3_30 - omega3_1 * t3_26;
+  const T t3_32 = omega3_1 * t3_25 + omega3_2 * t3_30;
+  const T t3_33 = T(0.1) * minus_omega_dot_thetadot2_3_3;
+  const T t3_34 = T(0.05) * omega_dot_thetadot2_3_2;
+  const T t3_35 = T(0.2) * minus_omega_dot_thetadot2_3_3;
+  const T t3_36 = t3_34 + t3_35;
+  const T t3_37 = T(0.1) * omega_dot_thetadot2_3_2;
+  const T minus_B5_2_1 = R2_11 * t3_27 + R3_21 * t3_31 - R3_31 * t3_32 + R3_21 * t3_33 - R2_11 * t3_36 + R3_31 * t3_37
+      + minus_P_dot_thetadot2_3_1;
+  const T minus_B5_2_2 = E2_12 * t3_27 + R3_22 * t3_31 + minus_R3_32 * t3_32 + R3_22 * t3_33 - E2_12 * t3_36 -
+      minus_R3_32 * t3_37 + minus_P_dot_thetadot2_3_2;
+  const T minus_B5_2_3 = R3_23 * t3_31 - minus_R2_13 * t3_27 - R3_33 * t3_32 + minus_R2_13 * t3_36 + R3_23 * t3_33 +
+      R3_33 * t3_37 + minus_P_dot_thetadot2_3_3;
+  v_y_dot[43] = -minus_B5_2_1;
+  v_y_dot[50] = -minus_B5_2_2;
+  v_y_dot[57] = -minus_B5_2_3;
+  // B6_3 = -R3^T omega3~ r3~ b3
+  const T t3_38 = omega3_1 * T(0.2);
+  const T t3_39 = R3_21 * t3_38;
+  const T t3_40 = omega3_2 * T(0.2);
+  const T t3_41 = omega3_3 * T(0.05) + t3_40;
+  const T t3_42 = omega3_1 * T(0.05);
+  const T minus_B6_3_1 = t3_39 - R2_11 * t3_41 + R3_31 * t3_42;
+  const T t3_43 = R3_22 * t3_38;
+  const T minus_B6_3_2 = t3_43 - E2_12 * t3_41 - minus_R3_32 * t3_42;
+  const T t3_44 = R3_23 * t3_38;
+  const T minus_B6_3_3 = minus_R2_13 * t3_41 + t3_44 + R3_33 * t3_42;
+  v_y_dot[44] = -minus_B6_3_1;
+  v_y_dot[51] = -minus_B6_3_2;
+  v_y_dot[58] = -minus_B6_3_3;
+
+  // ---- body 4 (body_4) on body 3
+  const T theta4 = x[3];
+  const T thetadot4 = y[3];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
+  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
+  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // omega_dot_thetadot1_4 = -thetadot4 b4~ E4 omega_thetadot1_3 + E4 omega_dot_thetadot1_3: its rate
+  const T omega_dot_thetadot1_4_1 = E4_11 * omega_dot_thetadot1_2_1 - minus_E4_13 * omega_dot_thetadot1_3_3 -
+      thetadot4 * R4_32;
+  const T omega_dot_thetadot1_4_3 = thetadot4 * R4_12 + minus_E4_13 * omega_dot_thetadot1_2_1 + E4_11 *
+      omega_dot_thetadot1_3_3;
+  // omega_thetadot2_4 = E4 omega_thetadot2_3: partial angular velocity, body axes
+  const T minus_omega_thetadot2_4_1 = minus_E4_13 * E3_22;
+  const T omega_thetadot2_4_3 = E4_11 * E3_22;
+  // omega_dot_thetadot2_4 = -thetadot4 b4~ E4 omega_thetadot2_3 + E4 omega_dot_thetadot2_3: its rate
+  const T omega_dot_thetadot2_4_1 = minus_E4_13 * minus_omega_dot_thetadot2_3_3 - thetadot4 * omega_thetadot2_4_3;
+  const T minus_omega_dot_thetadot2_4_3 = thetadot4 * minus_omega_thetadot2_4_1 + E4_11 *
+      minus_omega_dot_thetadot2_3_3;
+  // omega_dot_thetadot3_4 = -thetadot4 b4~ E4 b3: its rate
+  const T minus_omega_dot_thetadot3_4_1 = thetadot4 * minus_E4_13;
+  const T omega_dot_thetadot3_4_3 = thetadot4 * E4_11;
+  // P_dot_thetadot1_4 = R3^T (-omega3~ q4~ omega_thetadot1_3 - q4~ omega_dot_thetadot1_3) + P_dot_thetadot1_3: its
+  //   rate
+  const T t4_1 = T(0.3) * R3_22;
+  const T t4_2 = t4_1 - t2_3;
+  const T t4_3 = t3_2 + T(0.3) * minus_R3_32;
+  const T t4_4 = omega3_2 * t4_2 - omega3_3 * t4_3 + t3_23 + t3_20;
+  const T t4_5 = t3_10 + t3_15;
+  const T t4_6 = t3_4 - T(0.3) * omega_dot_thetadot1_3_3 - omega3_3 * t4_5 - omega3_1 * t4_2;
+  const T t4_7 = T(0.3) * minus_omega_dot_thetadot1_3_2;
+  const T t4_8 = omega3_1 * t4_3 + omega3_2 * t4_5 - t4_7 - t2_13;
+  const T minus_P_dot_thetadot1_4_1 = R2_11 * t4_4 + R3_21 * t4_6 + R3_31 * t4_8 + minus_P_dot_thetadot1_3_1;
+  const T minus_P_dot_thetadot1_4_2 = E2_12 * t4_4 + R3_22 * t4_6 - minus_R3_32 * t4_8 + minus_P_dot_thetadot1_3_2;
+  const T minus_P_dot_thetadot1_4_3 = R3_23 * t4_6 - minus_R2_13 * t4_4 + R3_33 * t4_8 + minus_P_dot_thetadot1_3_3;
+  // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
+  //   rate
+  const T t4_9 = T(0.3) * E3_22;
+  const T t4_10 = T(0.3) * E3_23;
+  const T t4_11 = omega3_3 * t4_9 + omega3_2 * t4_10 - t3_37 - t3_35;
+  const T t4_12 = t3_28 - t3_26;
+  const T t4_13 = omega3_3 * t4_12 - omega3_1 * t4_10 + T(0.3) * minus_omega_dot_thetadot2_3_3;
+  const T t4_14 = T(0.3) * omega_dot_thetadot2_3_2;
+  const T t4_15 = t4_14 - omega3_1 * t4_9 - omega3_2 * t4_12;
+  const T minus_P_dot_thetadot2_4_1 = R2_11 * t4_11 + R3_21 * t4_13 + R3_31 * t4_15 + minus_P_dot_thetadot2_3_1;
+  const T minus_P_dot_thetadot2_4_2 = E2_12 * t4_11 + R3_22 * t4_13 - minus_R3_32 * t4_15 + minus_P_dot_thetadot2_3_2;
+  const T minus_P_dot_thetadot2_4_3 = R3_23 * t4_13 - minus_R2_13 * t4_11 + R3_33 * t4_15 + minus_P_dot_thetadot2_3_3;
+  // P_dot_thetadot3_4 = -R3^T omega3~ q4~ b3: its rate
+  const T t4_16 = omega3_3 * T(0.1) + t3_40;
+  const T t4_17 = omega3_1 * T(0.1);
+  const T minus_P_dot_thetadot3_4_1 = t3_39 - R2_11 * t4_16 + R3_31 * t4_17;
+  const T minus_P_dot_thetadot3_4_2 = t3_43 - E2_12 * t4_16 - minus_R3_32 * t4_17;
+  const T minus_P_dot_thetadot3_4_3 = minus_R2_13 * t4_16 + t3_44 + R3_33 * t4_17;
+  // B7_1 = -R4^T omega4~ r4~ omega_thetadot1_4 - R4^T r4~ omega_dot_thetadot1_4 + P_dot_thetadot1_4
+  const T t4_18 = t3_10 - T(0.2) * R4_12;
+  const T t4_19 = R4_32 * T(0.1);
+  const T t4_20 = T(0.05) * R4_12 - t4_19;
+  const T t4_21 = omega4_2 * t4_18 - omega4_3 * t4_20;
+  const T t4_22 = T(0.2) * R4_32;
+  const T t4_23 = t4_22 - t3_14;
+  const T t4_24 = omega4_3 * t4_23 - omega4_1 * t4_18;
+  const T t4_25 = omega4_1 * t4_20 - omega4_2 * t4_23;
+  const T t4_26 = T(0.2) * omega_dot_thetadot1_4_3;
+  const T t4_27 = t3_19 + t4_26;
+  const T t4_28 = T(0.1) * omega_dot_thetadot1_4_3;
+  const T t4_29 = T(0.05) * omega_dot_thetadot1_4_1 - t4_28;
+  const T t4_30 = t3_23 + T(0.2) * omega_dot_thetadot1_4_1;
+  const T minus_B7_1_1 = R4_11 * t4_21 + R3_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_27 + R3_21 * t4_29 - R4_31 * t4_30
+      + minus_P_dot_thetadot1_4_1;
+  const T minus_B7_1_2 = R4_12 * t4_21 + R3_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_27 + R3_22 * t4_29 - R4_32 * t4_30
+      + minus_P_dot_thetadot1_4_2;
+  const T minus_B7_1_3 = R3_23 * t4_24 - minus_R4_13 * t4_21 + R4_33 * t4_25 + R3_23 * t4_29 - minus_R4_13 * t4_27 -
+      R4_33 * t4_30 + minus_P_dot_thetadot1_4_3;
+  v_y_dot[63] = -minus_B7_1_1;
+  v_y_dot[70] = -minus_B7_1_2;
+  v_y_dot[77] = -minus_B7_1_3;
+  // B8_2 = -R4^T omega4~ r4~ omega_thetadot2_4 - R4^T r4~ omega_dot_thetadot2_4 + P_dot_thetadot2_4
+  const T t4_31 = T(0.1) * omega_thetadot2_4_3;
+  const T t4_32 = T(0.05) * minus_omega_thetadot2_4_1 + t4_31;
+  const T t4_33 = t3_26 + T(0.2) * minus_omega_thetadot2_4_1;
+  const T t4_34 = omega4_3 * t4_32 + omega4_2 * t4_33;
+  const T t4_35 = T(0.2) * omega_thetadot2_4_3;
+  const T t4_36 = t4_35 - t3_29;
+  const T t4_37 = omega4_3 * t4_36 - omega4_1 * t4_33;
+  const T t4_38 = omega4_1 * t4_32 + omega4_2 * t4_36;
+  const T t4_39 = T(0.1) * minus_omega_dot_thetadot2_4_3;
+  const T t4_40 = T(0.05) * omega_dot_thetadot2_4_1 + t4_39;
+  const T t4_41 = T(0.2) * minus_omega_dot_thetadot2_4_3;
+  const T t4_42 = t3_34 + t4_41;
+  const T t4_43 = t3_37 - T(0.2) * omega_dot_thetadot2_4_1;
+  const T minus_B8_2_1 = R4_11 * t4_34 + R3_21 * t4_37 - R4_31 * t4_38 + R3_21 * t4_40 - R4_11 * t4_42 + R4_31 * t4_43
+      + minus_P_dot_thetadot2_4_1;
+  const T minus_B8_2_2 = R4_12 * t4_34 + R3_22 * t4_37 - R4_32 * t4_38 + R3_22 * t4_40 - R4_12 * t4_42 + R4_32 * t4_43
+      + minus_P_dot_thetadot2_4_2;
+  const T minus_B8_2_3 = R3_23 * t4_37 - minus_R4_13 * t4_34 - R4_33 * t4_38 + minus_R4_13 * t4_42 + R3_23 * t4_40 +
+      R4_33 * t4_43 + minus_P_dot_thetadot2_4_3;
+  v_y_dot[64] = -minus_B8_2_1;
+  v_y_dot[71] = -minus_B8_2_2;
+  v_y_dot[78] = -minus_B8_2_3;
+  // B9_3 = -R4^T omega4~ r4~ omega_thetadot3_4 - R4^T r4~ omega_dot_thetadot3_4 + P_dot_thetadot3_4
+  const T t4_44 = T(0.2) * minus_E4_13;
+  const T t4_45 = T(0.2) * E4_11;
+  const T t4_46 = omega4_3 * t4_44 + omega4_1 * t4_45;
+  const T t4_47 = T(0.1) * minus_E4_13;
+  const T t4_48 = T(0.05) * E4_11 - t4_47;
+  const T t4_49 = omega4_3 * t4_48 + omega4_2 * t4_45;
+  const T t4_50 = omega4_1 * t4_48 - omega4_2 * t4_44;
+  const T t4_51 = T(0.2) * omega_dot_thetadot3_4_3;
+  const T t4_52 = T(0.1) * omega_dot_thetadot3_4_3;
+  const T t4_53 = T(0.05) * minus_omega_dot_thetadot3_4_1 + t4_52;
+  const T t4_54 = T(0.2) * minus_omega_dot_thetadot3_4_1;
+  const T minus_B9_3_1 = R3_21 * t4_46 - R4_11 * t4_49 + R4_31 * t4_50 + R4_11 * t4_51 - R3_21 * t4_53 + R4_31 * t4_54
+      + minus_P_dot_thetadot3_4_1;
+  const T minus_B9_3_2 = R3_22 * t4_46 - R4_12 * t4_49 + R4_32 * t4_50 + R4_12 * t4_51 - R3_22 * t4_53 + R4_32 * t4_54
+      + minus_P_dot_thetadot3_4_2;
+  const T minus_B9_3_3 = minus_R4_13 * t4_49 + R3_23 * t4_46 + R4_33 * t4_50 + R4_33 * t4_54 - minus_R4_13 * t4_51 -
+      R3_23 * t4_53 + minus_P_dot_thetadot3_4_3;
+  v_y_dot[65] = -minus_B9_3_1;
+  v_y_dot[72] = -minus_B9_3_2;
+  v_y_dot[79] = -minus_B9_3_3;
+  // B10_4 = -R4^T omega4~ r4~ b4
+  const T t4_55 = omega4_2 * T(0.1);
+  const T t4_56 = omega4_3 * T(0.05) + omega4_1 * T(0.1);
+  const T t4_57 = omega4_2 * T(0.05);
+  const T minus_B10_4_1 = R4_11 * t4_55 - R3_21 * t4_56 + R4_31 * t4_57;
+  const T minus_B10_4_2 = R4_12 * t4_55 - R3_22 * t4_56 + R4_32 * t4_57;
+  const T minus_B10_4_3 = R4_33 * t4_57 - minus_R4_13 * t4_55 - R3_23 * t4_56;
+  v_y_dot[66] = -minus_B10_4_1;
+  v_y_dot[73] = -minus_B10_4_2;
+  v_y_dot[80] = -minus_B10_4_3;
+
+  // ---- body 5 (body_5) on body 4
+  const T theta5 = x[4];
+  const T thetadot5 = y[4];
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
+  const T E5_11 = cos(theta5);
+  const T E5_12 = sin(theta5);
+  // R5^T = R4^T E5^T: R takes inertial components to body components
+  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
+  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
+  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
+  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
+  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
+  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
+  const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
+  const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
+  const T omega5_3 = thetadot5 + omega4_3;
+  // omega_dot_thetadot1_5 = -thetadot5 b5~ E5 omega_thetadot1_4 + E5 omega_dot_thetadot1_4: its rate
+  const T omega_dot_thetadot1_5_1 = thetadot5 * R5_22 + E5_11 * omega_dot_thetadot1_4_1 - E5_12 *
+      minus_omega_dot_thetadot1_3_2;
+  const T minus_omega_dot_thetadot1_5_2 = thetadot5 * R5_12 + E5_12 * omega_dot_thetadot1_4_1 + E5_11 *
+      minus_omega_dot_thetadot1_3_2;
+  // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
+  const T omega_thetadot2_5_1 = E5_12 * E3_23 - E5_11 * minus_omega_thetadot2_4_1;
+  const T omega_thetadot2_5_2 = E5_12 * minus_omega_thetadot2_4_1 + E5_11 * E3_23;
+  // omega_dot_thetadot2_5 = -thetadot5 b5~ E5 omega_thetadot2_4 + E5 omega_dot_thetadot2_4: its rate
+  const T omega_dot_thetadot2_5_1 = thetadot5 * omega_thetadot2_5_2 + E5_11 * omega_dot_thetadot2_4_1 + E5_12 *
+      omega_dot_thetadot2_3_2;
+  const T omega_dot_thetadot2_5_2 = E5_11 * omega_dot_thetadot2_3_2 - E5_12 * omega_dot_thetadot2_4_1 - thetadot5 *
+      omega_thetadot2_5_1;
+  // omega_thetadot3_5 = E5 omega_thetadot3_4: partial angular velocity, body axes
+  const T omega_thetadot3_5_1 = E5_11 * E4_11;
+  const T minus_omega_thetadot3_5_2 = E5_12 * E4_11;
+  // omega_dot_thetadot3_5 = -thetadot5 b5~ E5 omega_thetadot3_4 + E5 omega_dot_thetadot3_4: its rate
+  const T minus_omega_dot_thetadot3_5_1 = thetadot5 * minus_omega_thetadot3_5_2 + E5_11 *
+      minus_omega_dot_thetadot3_4_1;
+  const T omega_dot_thetadot3_5_2 = E5_12 * minus_omega_dot_thetadot3_4_1 - thetadot5 * omega_thetadot3_5_1;
+  // omega_dot_thetadot4_5 = -thetadot5 b5~ E5 b4: its rate
+  const T omega_dot_thetadot4_5_1 = thetadot5 * E5_11;
+  const T minus_omega_dot_thetadot4_5_2 = thetadot5 * E5_12;
+  // P_dot_thetadot1_5 = R4^T (-omega4~ q5~ omega_thetadot1_4 - q5~ omega_dot_thetadot1_4) + P_dot_thetadot1_4: its
+  //   rate
+  const T t5_1 = t4_1 - T(0.25) * R4_12;
+  const T t5_2 = T(0.3) * R4_32;
+  const T t5_3 = R4_12 * T(0.1) - t5_2;
+  const T t5_4 = omega4_2 * t5_1 - omega4_3 * t5_3 + t3_23 + T(0.25) * omega_dot_thetadot1_4_3;
+  const T t5_5 = T(0.25) * R4_32 - t3_10;
+  const T t5_6 = T(0.3) * omega_dot_thetadot1_4_3;
+  const T t5_7 = omega4_3 * t5_5 - omega4_1 * t5_1 + T(0.1) * omega_dot_thetadot1_4_1 - t5_6;
+  const T t5_8 = omega4_1 * t5_3 - omega4_2 * t5_5 - t4_7 - T(0.25) * omega_dot_thetadot1_4_1;
+  const T minus_P_dot_thetadot1_5_1 = R4_11 * t5_4 + R3_21 * t5_7 + R4_31 * t5_8 + minus_P_dot_thetadot1_4_1;
+  const T minus_P_dot_thetadot1_5_2 = R4_12 * t5_4 + R3_22 * t5_7 + R4_32 * t5_8 + minus_P_dot_thetadot1_4_2;
+  const T minus_P_dot_thetadot1_5_3 = R3_23 * t5_7 - minus_R4_13 * t5_4 + R4_33 * t5_8 + minus_P_dot_thetadot1_4_3;
+  // P_dot_thetadot2_5 = R4^T (-omega4~ q5~ omega_thetadot2_4 - q5~ omega_dot_thetadot2_4) + P_dot_thetadot2_4: its
+  //   rate
+  const T t5_9 = T(0.3) * omega_thetadot2_4_3;
+  const T t5_10 = T(0.1) * minus_omega_thetadot2_4_1 + t5_9;
+  const T t5_11 = t4_10 + T(0.25) * minus_omega_thetadot2_4_1;
+  const T t5_12 = omega4_3 * t5_10 + omega4_2 * t5_11 - t3_37 - T(0.25) * minus_omega_dot_thetadot2_4_3;
+  const T t5_13 = T(0.25) * omega_thetadot2_4_3 - t3_26;
+  const T t5_14 = T(0.3) * minus_omega_dot_thetadot2_4_3;
+  const T t5_15 = omega4_3 * t5_13 - omega4_1 * t5_11 + T(0.1) * omega_dot_thetadot2_4_1 + t5_14;
+  const T t5_16 = t4_14 - T(0.25) * omega_dot_thetadot2_4_1 - omega4_1 * t5_10 - omega4_2 * t5_13;
+  const T minus_P_dot_thetadot2_5_1 = R4_11 * t5_12 + R3_21 * t5_15 + R4_31 * t5_16 + minus_P_dot_thetadot2_4_1;
+  const T minus_P_dot_thetadot2_5_2 = R4_12 * t5_12 + R3_22 * t5_15 + R4_32 * t5_16 + minus_P_dot_thetadot2_4_2;
+  const T minus_P_dot_thetadot2_5_3 = R3_23 * t5_15 - minus_R4_13 * t5_12 + R4_33 * t5_16 + minus_P_dot_thetadot2_4_3;
+  // P_dot_thetadot3_5 = R4^T (-omega4~ q5~ omega_thetadot3_4 - q5~ omega_dot_thetadot3_4) + P_dot_thetadot3_4: its
+  //   rate
+  const T t5_17 = T(0.3) * minus_E4_13;
+  const T t5_18 = T(0.1) * E4_11 - t5_17;
+  const T t5_19 = T(0.25) * E4_11;
+  const T t5_20 = T(0.25) * omega_dot_thetadot3_4_3 - omega4_3 * t5_18 - omega4_2 * t5_19;
+  const T t5_21 = T(0.25) * minus_E4_13;
+  const T t5_22 = T(0.3) * omega_dot_thetadot3_4_3;
+  const T t5_23 = omega4_3 * t5_21 + omega4_1 * t5_19 - T(0.1) * minus_omega_dot_thetadot3_4_1 - t5_22;
+  const T t5_24 = omega4_1 * t5_18 - omega4_2 * t5_21 + T(0.25) * minus_omega_dot_thetadot3_4_1;
+  const T minus_P_dot_thetadot3_5_1 = R4_11 * t5_20 + R3_21 * t5_23 + R4_31 * t5_24 + minus_P_dot_thetadot3_4_1;
+  const T minus_P_dot_thetadot3_5_2 = R4_12 * t5_20 + R3_22 * t5_23 + R4_32 * t5_24 + minus_P_dot_thetadot3_4_2;
+  const T minus_P_dot_thetadot3_5_3 = R3_23 * t5_23 - minus_R4_13 * t5_20 + R4_33 * t5_24 + minus_P_dot_thetadot3_4_3;
+  // P_dot_thetadot4_5 = -R4^T omega4~ q5~ b4: its rate
+  const T t5_25 = omega4_2 * T(0.3);
+  const T t5_26 = omega4_3 * T(0.1) + omega4_1 * T(0.3);
+  const T minus_P_dot_thetadot4_5_1 = R4_11 * t5_25 - R3_21 * t5_26 + R4_31 * t4_55;
+  const T minus_P_dot_thetadot4_5_2 = R4_12 * t5_25 - R3_22 * t5_26 + R4_32 * t4_55;
+  const T minus_P_dot_thetadot4_5_3 = R4_33 * t4_55 - minus_R4_13 * t5_25 - R3_23 * t5_26;
+  // B11_1 = -R5^T omega5~ r5~ omega_thetadot1_5 - R5^T r5~ omega_dot_thetadot1_5 + P_dot_thetadot1_5
+  const T t5_27 = T(0.1) * R5_22;
+  const T t5_28 = T(0.2) * R5_12;
+  const T t5_29 = t5_27 - t5_28;
+  const T t5_30 = T(0.05) * R5_12;
+  const T t5_31 = t5_30 - t4_19;
+  const T t5_32 = omega5_2 * t5_29 - omega5_3 * t5_31;
+  const T t5_33 = t4_22 - T(0.05) * R5_22;
+  const T t5_34 = omega5_3 * t5_33 - omega5_1 * t5_29;
+  const T t5_35 = omega5_1 * t5_31 - omega5_2 * t5_33;
+  const T t5_36 = T(0.05) * minus_omega_dot_thetadot1_5_2 + t4_26;
+  const T t5_37 = T(0.05) * omega_dot_thetadot1_5_1;
+  const T t5_38 = t5_37 - t4_28;
+  const T t5_39 = T(0.1) * minus_omega_dot_thetadot1_5_2;
+  const T t5_40 = T(0.2) * omega_dot_thetadot1_5_1;
+  const T t5_41 = t5_39 + t5_40;
+  const T minus_B11_1_1 = R5_11 * t5_32 + R5_21 * t5_34 + R4_31 * t5_35 + R5_11 * t5_36 + R5_21 * t5_38 - R4_31 *
+      t5_41 + minus_P_dot_thetadot1_5_1;
+  const T minus_B11_1_2 = R5_12 * t5_32 + R5_22 * t5_34 + R4_32 * t5_35 + R5_12 * t5_36 + R5_22 * t5_38 - R4_32 *
+      t5_41 + minus_P_dot_thetadot1_5_2;
+  const T minus_B11_1_3 = R5_13 * t5_32 + R5_23 * t5_34 + R4_33 * t5_35 + R5_13 * t5_36 + R5_23 * t5_38 - R4_33 *
+      t5_41 + minus_P_dot_thetadot1_5_3;
+  v_y_dot[84] = -minus_B11_1_1;
+  v_y_dot[91] = -minus_B11_1_2;
+  v_y_dot[98] = -minus_B11_1_3;
+  // B12_2 = -R5^T omega5~ r5~ omega_thetadot2_5 - R5^T r5~ omega_dot_thetadot2_5 + P_dot_thetadot2_5
+  const T t5_42 = T(0.1) * omega_thetadot2_5_2;
+  const T t5_43 = T(0.2) * omega_thetadot2_5_1;
+  const T t5_44 = t5_42 - t5_43;
+  const T t5_45 = T(0.05) * omega_thetadot2_5_1;
+  const T t5_46 = t5_45 - t4_31;
+  const T t5_47 = omega5_2 * t5_44 - omega5_3 * t5_46;
+  const T t5_48 = t4_35 - T(0.05) * omega_thetadot2_5_2;
+  const T t5_49 = omega5_3 * t5_48 - omega5_1 * t5_44;
+  const T t5_50 = omega5_1 * t5_46 - omega5_2 * t5_48;
+  const T t5_51 = T(0.05) * omega_dot_thetadot2_5_1;
+  const T t5_52 = t5_51 + t4_39;
+  const T t5_53 = T(0.05) * omega_dot_thetadot2_5_2 + t4_41;
+  const T t5_54 = T(0.1) * omega_dot_thetadot2_5_2;
+  const T t5_55 = T(0.2) * omega_dot_thetadot2_5_1;
+  const T t5_56 = t5_54 - t5_55;
+  const T minus_B12_2_1 = R5_11 * t5_47 + R5_21 * t5_49 + R4_31 * t5_50 + R5_21 * t5_52 - R5_11 * t5_53 + R4_31 *
+      t5_56 + minus_P_dot_thetadot2_5_1;
+  const T minus_B12_2_2 = R5_12 * t5_47 + R5_22 * t5_49 + R4_32 * t5_50 + R5_22 * t5_52 - R5_12 * t5_53 + R4_32 *
+      t5_56 + minus_P_dot_thetadot2_5_2;
+  const T minus_B12_2_3 = R5_13 * t5_47 + R5_23 * t5_49 + R4_33 * t5_50 + R5_23 * t5_52 - R5_13 * t5_53 + R4_33 *
+      t5_56 + minus_P_dot_thetadot2_5_3;
+  v_y_dot[85] = -minus_B12_2_1;
+  v_y_dot[92] = -minus_B12_2_2;
+  v_y_dot[99] = -minus_B12_2_3;
+  // B13_3 = -R5^T omega5~ r5~ omega_thetadot3_5 - R5^T r5~ omega_dot_thetadot3_5 + P_dot_thetadot3_5
+  const T t5_57 = T(0.05) * minus_omega_thetadot3_5_2 + t4_44;
+  const T t5_58 = T(0.1) * minus_omega_thetadot3_5_2;
+  const T t5_59 = T(0.2) * omega_thetadot3_5_1;
+  const T t5_60 = t5_58 + t5_59;
+  const T t5_61 = omega5_3 * t5_57 + omega5_1 * t5_60;
+  const T t5_62 = T(0.05) * omega_thetadot3_5_1;
+  const T t5_63 = t5_62 - t4_47;
+  const T t5_64 = omega5_3 * t5_63 + omega5_2 * t5_60;
+  const T t5_65 = omega5_1 * t5_63 - omega5_2 * t5_57;
+  const T t5_66 = t4_51 - T(0.05) * omega_dot_thetadot3_5_2;
+  const T t5_67 = T(0.05) * minus_omega_dot_thetadot3_5_1;
+  const T t5_68 = t5_67 + t4_52;
+  const T t5_69 = T(0.1) * omega_dot_thetadot3_5_2;
+  const T t5_70 = T(0.2) * minus_omega_dot_thetadot3_5_1;
+  const T t5_71 = t5_69 + t5_70;
+  const T minus_B13_3_1 = R5_21 * t5_61 - R5_11 * t5_64 + R4_31 * t5_65 + R5_11 * t5_66 - R5_21 * t5_68 + R4_31 *
+      t5_71 + minus_P_dot_thetadot3_5_1;
+  const T minus_B13_3_2 = R5_22 * t5_61 - R5_12 * t5_64 + R4_32 * t5_65 + R5_12 * t5_66 - R5_22 * t5_68 + R4_32 *
+      t5_71 + minus_P_dot_thetadot3_5_2;
+  const T minus_B13_3_3 = R5_23 * t5_61 - R5_13 * t5_64 + R4_33 * t5_65 + R5_13 * t5_66 - R5_23 * t5_68 + R4_33 *
+      t5_71 + minus_P_dot_thetadot3_5_3;
+  v_y_dot[86] = -minus_B13_3_1;
+  v_y_dot[93] = -minus_B13_3_2;
+  v_y_dot[100] = -minus_B13_3_3;
+  // B14_4 = -R5^T omega5~ r5~ omega_thetadot4_5 - R5^T r5~ omega_dot_thetadot4_5 + P_dot_thetadot4_5
+  const T t5_72 = T(0.1) * E5_11;
+  const T t5_73 = T(0.2) * E5_12;
+  const T t5_74 = t5_72 - t5_73;
+  const T t5_75 = T(0.05) * E5_12;
+  const T t5_76 = omega5_2 * t5_74 - omega5_3 * t5_75;
+  const T t5_77 = T(0.05) * E5_11;
+  const T t5_78 = omega5_3 * t5_77 + omega5_1 * t5_74;
+  const T t5_79 = omega5_1 * t5_75 + omega5_2 * t5_77;
+  const T t5_80 = T(0.05) * minus_omega_dot_thetadot4_5_2;
+  const T t5_81 = T(0.05) * omega_dot_thetadot4_5_1;
+  const T t5_82 = T(0.1) * minus_omega_dot_thetadot4_5_2;
+  const T t5_83 = T(0.2) * omega_dot_thetadot4_5_1;
+  const T t5_84 = t5_82 + t5_83;
+  const T minus_B14_4_1 = R5_11 * t5_76 - R5_21 * t5_78 + R4_31 * t5_79 + R5_11 * t5_80 + R5_21 * t5_81 - R4_31 *
+      t5_84 + minus_P_dot_thetadot4_5_1;
+  const T minus_B14_4_2 = R5_12 * t5_76 - R5_22 * t5_78 + R4_32 * t5_79 + R5_12 * t5_80 + R5_22 * t5_81 - R4_32 *
+      t5_84 + minus_P_dot_thetadot4_5_2;
+  const T minus_B14_4_3 = R5_13 * t5_76 - R5_23 * t5_78 + R4_33 * t5_79 + R5_13 * t5_80 + R5_23 * t5_81 - R4_33 *
+      t5_84 + minus_P_dot_thetadot4_5_3;
+  v_y_dot[87] = -minus_B14_4_1;
+  v_y_dot[94] = -minus_B14_4_2;
+  v_y_dot[101] = -minus_B14_4_3;
+  // B15_5 = -R5^T omega5~ r5~ b5
+  const T t5_85 = omega5_3 * T(0.1);
+  const T t5_86 = omega5_3 * T(0.2);
+  const T t5_87 = omega5_1 * T(0.1) + omega5_2 * T(0.2);
+  const T minus_B15_5_1 = R5_11 * t5_85 + R5_21 * t5_86 - R4_31 * t5_87;
+  const T minus_B15_5_2 = R5_12 * t5_85 + R5_22 * t5_86 - R4_32 * t5_87;
+  const T minus_B15_5_3 = R5_13 * t5_85 + R5_23 * t5_86 - R4_33 * t5_87;
+  v_y_dot[88] = -minus_B15_5_1;
+  v_y_dot[95] = -minus_B15_5_2;
+  v_y_dot[102] = -minus_B15_5_3;
+
+  // ---- body 6 (body_6) on body 5
+  const T theta6 = x[5];
+  const T thetadot6 = y[5];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R5^T E6^T: R takes inertial components to body components
+  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
+  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
+  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
+  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
+  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
+  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega5_1;
+  const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
+  const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
+  // omega_dot_thetadot1_6 = -thetadot6 b6~ E6 omega_thetadot1_5 + E6 omega_dot_thetadot1_5: its rate
+  const T omega_dot_thetadot1_6_2 = thetadot6 * R6_32 + E6_23 * omega_dot_thetadot1_4_3 - E6_22 *
+      minus_omega_dot_thetadot1_5_2;
+  const T omega_dot_thetadot1_6_3 = E6_23 * minus_omega_dot_thetadot1_5_2 + E6_22 * omega_dot_thetadot1_4_3 -
+      thetadot6 * R6_22;
+  // omega_thetadot2_6 = E6 omega_thetadot2_5: partial angular velocity, body axes
+  const T omega_thetadot2_6_2 = E6_22 * omega_thetadot2_5_2 + E6_23 * omega_thetadot2_4_3;
+  const T omega_thetadot2_6_3 = E6_22 * omega_thetadot2_4_3 - E6_23 * omega_thetadot2_5_2;
+  // omega_dot_thetadot2_6 = -thetadot6 b6~ E6 omega_thetadot2_5 + E6 omega_dot_thetadot2_5: its rate
+  const T omega_dot_thetadot2_6_2 = thetadot6 * omega_thetadot2_6_3 + E6_22 * omega_dot_thetadot2_5_2 - E6_23 *
+      minus_omega_dot_thetadot2_4_3;
+  const T minus_omega_dot_thetadot2_6_3 = thetadot6 * omega_thetadot2_6_2 + E6_23 * omega_dot_thetadot2_5_2 + E6_22 *
+      minus_omega_dot_thetadot2_4_3;
+  // omega_thetadot3_6 = E6 omega_thetadot3_5: partial angular velocity, body axes
+  const T omega_thetadot3_6_2 = E6_23 * minus_E4_13 - E6_22 * minus_omega_thetadot3_5_2;
+  const T omega_thetadot3_6_3 = E6_23 * minus_omega_thetadot3_5_2 + E6_22 * minus_E4_13;
+  // omega_dot_thetadot3_6 = -thetadot6 b6~ E6 omega_thetadot3_5 + E6 omega_dot_thetadot3_5: its rate
+  const T omega_dot_thetadot3_6_2 = thetadot6 * omega_thetadot3_6_3 + E6_22 * omega_dot_thetadot3_5_2 + E6_23 *
+      omega_dot_thetadot3_4_3;
+  const T omega_dot_thetadot3_6_3 = E6_22 * omega_dot_thetadot3_4_3 - E6_23 * omega_dot_thetadot3_5_2 - thetadot6 *
+      omega_thetadot3_6_2;
+  // omega_thetadot4_6 = E6 omega_thetadot4_5: partial angular velocity, body axes
+  const T omega_thetadot4_6_2 = E6_22 * E5_11;
+  const T minus_omega_thetadot4_6_3 = E6_23 * E5_11;
+  // omega_dot_thetadot4_6 = -thetadot6 b6~ E6 omega_thetadot4_5 + E6 omega_dot_thetadot4_5: its rate
+  const T minus_omega_dot_thetadot4_6_2 = thetadot6 * minus_omega_thetadot4_6_3 + E6_22 *
+      minus_omega_dot_thetadot4_5_2;
+  const T omega_dot_thetadot4_6_3 = E6_23 * minus_omega_dot_thetadot4_5_2 - thetadot6 * omega_thetadot4_6_2;
+  // omega_dot_thetadot5_6 = -thetadot6 b6~ E6 b5: its rate
+  const T omega_dot_thetadot5_6_2 = thetadot6 * E6_22;
+  const T minus_omega_dot_thetadot5_6_3 = thetadot6 * E6_23;
+  // P_dot_thetadot1_6 = R5^T (-omega5~ q6~ omega_thetadot1_5 - q6~ omega_dot_thetadot1_5) + P_dot_thetadot1_5: its
+  //   rate
+  const T t6_1 = R5_22 * T(0.3) - R5_12 * T(0.3);
+  const T t6_2 = R5_12 * T(0.1);
+  const T t6_3 = t6_2 - t5_2;
+  const T t6_4 = omega5_2 * t6_1 - omega5_3 * t6_3 + t5_39 + t5_6;
+  const T t6_5 = t5_2 - t5_27;
+  const T t6_6 = T(0.1) * omega_dot_thetadot1_5_1;
+  const T t6_7 = omega5_3 * t6_5 - omega5_1 * t6_1 + t6_6 - t5_6;
+  const T t6_8 = omega5_1 * t6_3 - omega5_2 * t6_5 - T(0.3) * minus_omega_dot_thetadot1_5_2 - T(0.3) *
+      omega_dot_thetadot1_5_1;
+  const T minus_P_dot_thetadot1_6_1 = R5_11 * t6_4 + R5_21 * t6_7 + R4_31 * t6_8 + minus_P_dot_thetadot1_5_1;
+  const T minus_P_dot_thetadot1_6_2 = R5_12 * t6_4 + R5_22 * t6_7 + R4_32 * t6_8 + minus_P_dot_thetadot1_5_2;
+  const T minus_P_dot_thetadot1_6_3 = R5_13 * t6_4 + R5_23 * t6_7 + R4_33 * t6_8 + minus_P_dot_thetadot1_5_3;
+  // P_dot_thetadot2_6 = R5^T (-omega5~ q6~ omega_thetadot2_5 - q6~ omega_dot_thetadot2_5) + P_dot_thetadot2_5: its
+  //   rate
+  const T t6_9 = T(0.3) * omega_thetadot2_5_2 - T(0.3) * omega_thetadot2_5_1;
+  const T t6_10 = T(0.1) * omega_thetadot2_5_1;
+  const T t6_11 = t6_10 - t5_9;
+  const T t6_12 = omega5_2 * t6_9 - omega5_3 * t6_11 - t5_54 - t5_14;
+  const T t6_13 = t5_9 - t5_42;
+  const T t6_14 = T(0.1) * omega_dot_thetadot2_5_1;
+  const T t6_15 = omega5_3 * t6_13 - omega5_1 * t6_9 + t6_14 + t5_14;
+  const T t6_16 = omega5_1 * t6_11 - omega5_2 * t6_13 + T(0.3) * omega_dot_thetadot2_5_2 - T(0.3) *
+      omega_dot_thetadot2_5_1;
+  const T minus_P_dot_thetadot2_6_1 = R5_11 * t6_12 + R5_21 * t6_15 + R4_31 * t6_16 + minus_P_dot_thetadot2_5_1;
+  const T minus_P_dot_thetadot2_6_2 = R5_12 * t6_12 + R5_22 * t6_15 + R4_32 * t6_16 + minus_P_dot_thetadot2_5_2;
+  const T minus_P_dot_thetadot2_6_3 = R5_13 * t6_12 + R5_23 * t6_15 + R4_33 * t6_16 + minus_P_dot_thetadot2_5_3;
+  // P_dot_thetadot3_6 = R5^T (-omega5~ q6~ omega_thetadot3_5 - q6~ omega_dot_thetadot3_5) + P_dot_thetadot3_5: its
+  //   rate
+  const T t6_17 = T(0.1) * omega_thetadot3_5_1;
+  const T t6_18 = t6_17 - t5_17;
+  const T t6_19 = T(0.3) * minus_omega_thetadot3_5_2 + T(0.3) * omega_thetadot3_5_1;
+  const T t6_20 = t5_22 - t5_69 - omega5_3 * t6_18 - omega5_2 * t6_19;
+  const T t6_21 = t5_58 + t5_17;
+  const T t6_22 = T(0.1) * minus_omega_dot_thetadot3_5_1;
+  const T t6_23 = omega5_3 * t6_21 + omega5_1 * t6_19 - t6_22 - t5_22;
+  const T t6_24 = omega5_1 * t6_18 - omega5_2 * t6_21 + T(0.3) * omega_dot_thetadot3_5_2 + T(0.3) *
+      minus_omega_dot_thetadot3_5_1;
+  const T minus_P_dot_thetadot3_6_1 = R5_11 * t6_20 + R5_21 * t6_23 + R4_31 * t6_24 + minus_P_dot_thetadot3_5_1;
+  const T minus_P_dot_thetadot3_6_2 = R5_12 * t6_20 + R5_22 * t6_23 + R4_32 * t6_24 + minus_P_dot_thetadot3_5_2;
+  const T minus_P_dot_thetadot3_6_3 = R5_13 * t6_20 + R5_23 * t6_23 + R4_33 * t6_24 + minus_P_dot_thetadot3_5_3;
+  // P_dot_thetadot4_6 = R5^T (-omega5~ q6~ omega_thetadot4_5 - q6~ omega_dot_thetadot4_5) + P_dot_thetadot4_5: its
+  //   rate
+  const T t6_25 = T(0.3) * E5_11 - T(0.3) * E5_12;
+  const T t6_26 = T(0.1) * E5_12;
+  const T t6_27 = omega5_2 * t6_25 - omega5_3 * t6_26 + t5_82;
+  const T t6_28 = T(0.1) * omega_dot_thetadot4_5_1;
+  const T t6_29 = t6_28 - omega5_3 * t5_72 - omega5_1 * t6_25;
+  const T t6_30 = omega5_1 * t6_26 + omega5_2 * t5_72 - T(0.3) * minus_omega_dot_thetadot4_5_2 - T(0.3) *
+      omega_dot_thetadot4_5_1;
+  const T minus_P_dot_thetadot4_6_1 = R5_11 * t6_27 + R5_21 * t6_29 + R4_31 * t6_30 + minus_P_dot_thetadot4_5_1;
+  const T minus_P_dot_thetadot4_6_2 = R5_12 * t6_27 + R5_22 * t6_29 + R4_32 * t6_30 + minus_P_dot_thetadot4_5_2;
+  const T minus_P_dot_thetadot4_6_3 = R5_13 * t6_27 + R5_23 * t6_29 + R4_33 * t6_30 + minus_P_dot_thetadot4_5_3;
+  // P_dot_thetadot5_6 = -R5^T omega5~ q6~ b5: its rate
+  const T t6_31 = omega5_3 * T(0.3);
+  const T t6_32 = omega5_1 * T(0.3) + omega5_2 * T(0.3);
+  const T minus_P_dot_thetadot5_6_1 = R5_11 * t6_31 + R5_21 * t6_31 - R4_31 * t6_32;
+  const T minus_P_dot_thetadot5_6_2 = R5_12 * t6_31 + R5_22 * t6_31 - R4_32 * t6_32;
+  const T minus_P_dot_thetadot5_6_3 = R5_13 * t6_31 + R5_23 * t6_31 - R4_33 * t6_32;
+  // B16_1 = -R6^T omega6~ r6~ omega_thetadot1_6 - R6^T r6~ omega_dot_thetadot1_6 + P_dot_thetadot1_6
+  const T t6_33 = T(0.1) * R6_22;
+  const T t6_34 = t6_33 - t5_28;
+  const T t6_35 = t5_30 - R6_32 * T(0.1);
+  const T t6_36 = omega6_2 * t6_34 - omega6_3 * t6_35;
+  const T t6_37 = T(0.05) * R6_22;
+  const T t6_38 = T(0.2) * R6_32 - t6_37;
+  const T t6_39 = omega6_3 * t6_38 - omega6_1 * t6_34;
+  const T t6_40 = omega6_1 * t6_35 - omega6_2 * t6_38;
+  const T t6_41 = T(0.05) * omega_dot_thetadot1_6_2;
+  const T t6_42 = T(0.2) * omega_dot_thetadot1_6_3 - t6_41;
+  const T t6_43 = t5_37 - T(0.1) * omega_dot_thetadot1_6_3;
+  const T t6_44 = T(0.1) * omega_dot_thetadot1_6_2;
+  const T t6_45 = t6_44 - t5_40;
+  const T minus_B16_1_1 = R5_11 * t6_36 + R6_21 * t6_39 + R6_31 * t6_40 + R5_11 * t6_42 + R6_21 * t6_43 + R6_31 *
+      t6_45 + minus_P_dot_thetadot1_6_1;
+  const T minus_B16_1_2 = R5_12 * t6_36 + R6_22 * t6_39 + R6_32 * t6_40 + R5_12 * t6_42 + R6_22 * t6_43 + R6_32 *
+      t6_45 + minus_P_dot_thetadot1_6_2;
+  const T minus_B16_1_3 = R5_13 * t6_36 + R6_23 * t6_39 + R6_33 * t6_40 + R5_13 * t6_42 + R6_23 * t6_43 + R6_33 *
+      t6_45 + minus_P_dot_thetadot1_6_3;
+  v_y_dot[105] = -minus_B16_1_1;
+  v_y_dot[112] = -minus_B16_1_2;
+  v_y_dot[119] = -minus_B16_1_3;
+  // B17_2 = -R6^T omega6~ r6~ omega_thetadot2_6 - R6^T r6~ omega_dot_thetadot2_6 + P_dot_thetadot2_6
+  const T t6_46 = T(0.1) * omega_thetadot2_6_2;
+  const T t6_47 = t6_46 - t5_43;
+  const T t6_48 = t5_45 - T(0.1) * omega_thetadot2_6_3;
+  const T t6_49 = omega6_2 * t6_47 - omega6_3 * t6_48;
+  const T t6_50 = T(0.05) * omega_thetadot2_6_2;
+  const T t6_51 = T(0.2) * omega_thetadot2_6_3 - t6_50;
+  const T t6_52 = omega6_3 * t6_51 - omega6_1 * t6_47;
+  const T t6_53 = omega6_1 * t6_48 - omega6_2 * t6_51;
+  const T t6_54 = t5_51 + T(0.1) * minus_omega_dot_thetadot2_6_3;
+  const T t6_55 = T(0.05) * omega_dot_thetadot2_6_2;
+  const T t6_56 = t6_55 + T(0.2) * minus_omega_dot_thetadot2_6_3;
+  const T t6_57 = T(0.1) * omega_dot_thetadot2_6_2;
+  const T t6_58 = t6_57 - t5_55;
+  const T minus_B17_2_1 = R5_11 * t6_49 + R6_21 * t6_52 + R6_31 * t6_53 + R6_21 * t6_54 - R5_11 * t6_56 + R6_31 *
+      t6_58 + minus_P_dot_thetadot2_6_1;
+  const T minus_B17_2_2 = R5_12 * t6_49 + R6_22 * t6_52 + R6_32 * t6_53 + R6_22 * t6_54 - R5_12 * t6_56 + R6_32 *
+      t6_58 + minus_P_dot_thetadot2_6_2;
+  const T minus_B17_2_3 = R5_13 * t6_49 + R6_23 * t6_52 + R6_33 * t6_53 + R6_23 * t6_54 - R5_13 * t6_56 + R6_33 *
+      t6_58 + minus_P_dot_thetadot2_6_3;
+  v_y_dot[106] = -minus_B17_2_1;
+  v_y_dot[113] = -minus_B17_2_2;
+  v_y_dot[120] = -minus_B17_2_3;
+  // B18_3 = -R6^T omega6~ r6~ omega_thetadot3_6 - R6^T r6~ omega_dot_thetadot3_6 + P_dot_thetadot3_6
+  const T t6_59 = T(0.1) * omega_thetadot3_6_2;
+  const T t6_60 = t6_59 - t5_59;
+  const T t6_61 = t5_62 - T(0.1) * omega_thetadot3_6_3;
+  const T t6_62 = omega6_2 * t6_60 - omega6_3 * t6_61;
+  const T t6_63 = T(0.05) * omega_thetadot3_6_2;
+  const T t6_64 = T(0.2) * omega_thetadot3_6_3 - t6_63;
+  const T t6_65 = omega6_3 * t6_64 - omega6_1 * t6_60;
+  const T t6_66 = omega6_1 * t6_61 - omega6_2 * t6_64;
+  const T t6_67 = T(0.05) * omega_dot_thetadot3_6_2;
+  const T t6_68 = T(0.2) * omega_dot_thetadot3_6_3 - t6_67;
+  const T t6_69 = t5_67 + T(0.1) * omega_dot_thetadot3_6_3;
+  const T t6_70 = T(0.1) * omega_dot_thetadot3_6_2;
+  const T t6_71 = t6_70 + t5_70;
+  const T minus_B18_3_1 = R5_11 * t6_62 + R6_21 * t6_65 + R6_31 * t6_66 + R5_11 * t6_68 - R6_21 * t6_69 + R6_31 *
+      t6_71 + minus_P_dot_thetadot3_6_1;
+  const T minus_B18_3_2 = R5_12 * t6_62 + R6_22 * t6_65 + R6_32 * t6_66 + R5_12 * t6_68 - R6_22 * t6_69 + R6_32 *
+      t6_71 + minus_P_dot_thetadot3_6_2;
+  const T minus_B18_3_3 = R5_13 * t6_62 + R6_23 * t6_65 + R6_33 * t6_66 + R5_13 * t6_68 - R6_23 * t6_69 + R6_33 *
+      t6_71 + minus_P_dot_thetadot3_6_3;
+  v_y_dot[107] = -minus_B18_3_1;
+  v_y_dot[114] = -minus_B18_3_2;
+  v_y_dot[121] = -minus_B18_3_3;
+  // B19_4 = -R6^T omega6~ r6~ omega_thetadot4_6 - R6^T r6~ omega_dot_thetadot4_6 + P_dot_thetadot4_6
+  const T t6_72 = T(0.1) * omega_thetadot4_6_2;
+  const T t6_73 = t6_72 - t5_73;
+  const T t6_74 = t5_75 + T(0.1) * minus_omega_thetadot4_6_3;
+  const T t6_75 = omega6_2 * t6_73 - omega6_3 * t6_74;
+  const T t6_76 = T(0.05) * omega_thetadot4_6_2;
+  const T t6_77 = t6_76 + T(0.2) * minus_omega_thetadot4_6_3;
+  const T t6_78 = omega6_3 * t6_77 + omega6_1 * t6_73;
+  const T t6_79 = omega6_1 * t6_74 + omega6_2 * t6_77;
+  const T t6_80 = T(0.05) * minus_omega_dot_thetadot4_6_2;
+  const T t6_81 = t6_80 + T(0.2) * omega_dot_thetadot4_6_3;
+  const T t6_82 = t5_81 - T(0.1) * omega_dot_thetadot4_6_3;
+  const T t6_83 = T(0.1) * minus_omega_dot_thetadot4_6_2;
+  const T t6_84 = t6_83 + t5_83;
+  const T minus_B19_4_1 = R5_11 * t6_75 - R6_21 * t6_78 + R6_31 * t6_79 + R5_11 * t6_81 + R6_21 * t6_82 - R6_31 *
+      t6_84 + minus_P_dot_thetadot4_6_1;
+  const T minus_B19_4_2 = R5_12 * t6_75 - R6_22 * t6_78 + R6_32 * t6_79 + R5_12 * t6_81 + R6_22 * t6_82 - R6_32 *
+      t6_84 + minus_P_dot_thetadot4_6_2;
+  const T minus_B19_4_3 = R5_13 * t6_75 - R6_23 * t6_78 + R6_33 * t6_79 + R5_13 * t6_81 + R6_23 * t6_82 - R6_33 *
+      t6_84 + minus_P_dot_thetadot4_6_3;
+  v_y_dot[108] = -minus_B19_4_1;
+  v_y_dot[115] = -minus_B19_4_2;
+  v_y_dot[122] = -minus_B19_4_3;
+  // B20_5 = -R6^T omega6~ r6~ omega_thetadot5_6 - R6^T r6~ omega_dot_thetadot5_6 + P_dot_thetadot5_6
+  const T t6_85 = T(0.1) * E6_22;
+  const T t6_86 = T(0.1) * E6_23;
+  const T t6_87 = omega6_3 * t6_85 + omega6_2 * t6_86;
+  const T t6_88 = T(0.05) * E6_23;
+  const T t6_89 = T(0.2) * E6_22 - t6_88;
+  const T t6_90 = omega6_3 * t6_89 - omega6_1 * t6_86;
+  const T t6_91 = omega6_1 * t6_85 + omega6_2 * t6_89;
+  const T t6_92 = T(0.1) * minus_omega_dot_thetadot5_6_3;
+  const T t6_93 = T(0.05) * omega_dot_thetadot5_6_2;
+  const T t6_94 = t6_93 + T(0.2) * minus_omega_dot_thetadot5_6_3;
+  const T t6_95 = T(0.1) * omega_dot_thetadot5_6_2;
+  const T minus_B20_5_1 = R5_11 * t6_87 + R6_21 * t6_90 - R6_31 * t6_91 + R6_21 * t6_92 - R5_11 * t6_94 + R6_31 *
+      t6_95 + minus_P_dot_thetadot5_6_1;
+  const T minus_B20_5_2 = R5_12 * t6_87 + R6_22 * t6_90 - R6_32 * t6_91 + R6_22 * t6_92 - R5_12 * t6_94 + R6_32 *
+      t6_95 + minus_P_dot_thetadot5_6_2;
+  const T minus_B20_5_3 = R5_13 * t6_87 + R6_23 * t6_90 - R6_33 * t6_91 + R6_23 * t6_92 - R5_13 * t6_94 + R6_33 *
+      t6_95 + minus_P_dot_thetadot5_6_3;
+  v_y_dot[109] = -minus_B20_5_1;
+  v_y_dot[116] = -minus_B20_5_2;
+  v_y_dot[123] = -minus_B20_5_3;
+  // B21_6 = -R6^T omega6~ r6~ b6
+  const T t6_96 = omega6_1 * T(0.2);
+  const T t6_97 = omega6_3 * T(0.05) + omega6_2 * T(0.2);
+  const T t6_98 = omega6_1 * T(0.05);
+  const T minus_B21_6_1 = R6_21 * t6_96 - R5_11 * t6_97 + R6_31 * t6_98;
+  const T minus_B21_6_2 = R6_22 * t6_96 - R5_12 * t6_97 + R6_32 * t6_98;
+  const T minus_B21_6_3 = R6_23 * t6_96 - R5_13 * t6_97 + R6_33 * t6_98;
+  v_y_dot[110] = -minus_B21_6_1;
+  v_y_dot[117] = -minus_B21_6_2;
+  v_y_dot[124] = -minus_B21_6_3;
+
+  // ---- body 7 (body_7) on body 6
+  const T theta7 = x[6];
+  const T thetadot7 = y[6];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // omega_dot_thetadot1_7 = -thetadot7 b7~ E7 omega_thetadot1_6 + E7 omega_dot_thetadot1_6: its rate
+  const T omega_dot_thetadot1_7_1 = E7_11 * omega_dot_thetadot1_5_1 - minus_E7_13 * omega_dot_thetadot1_6_3 -
+      thetadot7 * R7_32;
+  const T omega_dot_thetadot1_7_3 = thetadot7 * R7_12 + minus_E7_13 * omega_dot_thetadot1_5_1 + E7_11 *
+      omega_dot_thetadot1_6_3;
+  // omega_thetadot2_7 = E7 omega_thetadot2_6: partial angular velocity, body axes
+  const T omega_thetadot2_7_1 = E7_11 * omega_thetadot2_5_1 - minus_E7_13 * omega_thetadot2_6_3;
+  const T omega_thetadot2_7_3 = minus_E7_13 * omega_thetadot2_5_1 + E7_11 * omega_thetadot2_6_3;
+  // omega_dot_thetadot2_7 = -thetadot7 b7~ E7 omega_thetadot2_6 + E7 omega_dot_thetadot2_6: its rate
+  const T omega_dot_thetadot2_7_1 = E7_11 * omega_dot_thetadot2_5_1 + minus_E7_13 * minus_omega_dot_thetadot2_6_3 -
+      thetadot7 * omega_thetadot2_7_3;
+  const T omega_dot_thetadot2_7_3 = thetadot7 * omega_thetadot2_7_1 + minus_E7_13 * omega_dot_thetadot2_5_1 - E7_11 *
+      minus_omega_dot_thetadot2_6_3;
+  // omega_thetadot3_7 = E7 omega_thetadot3_6: partial angular velocity, body axes
+  const T omega_thetadot3_7_1 = E7_11 * omega_thetadot3_5_1 - minus_E7_13 * omega_thetadot3_6_3;
+  const T omega_thetadot3_7_3 = minus_E7_13 * omega_thetadot3_5_1 + E7_11 * omega_thetadot3_6_3;
+  // omega_dot_thetadot3_7 = -thetadot7 b7~ E7 omega_thetadot3_6 + E7 omega_dot_thetadot3_6: its rate
+  const T minus_omega_dot_thetadot3_7_1 = thetadot7 * omega_thetadot3_7_3 + E7_11 * minus_omega_dot_thetadot3_5_1 +
+      minus_E7_13 * omega_dot_thetadot3_6_3;
+  const T omega_dot_thetadot3_7_3 = thetadot7 * omega_thetadot3_7_1 + E7_11 * omega_dot_thetadot3_6_3 - minus_E7_13 *
+      minus_omega_dot_thetadot3_5_1;
+  // omega_thetadot4_7 = E7 omega_thetadot4_6: partial angular velocity, body axes
+  const T omega_thetadot4_7_1 = E7_11 * E5_12 + minus_E7_13 * minus_omega_thetadot4_6_3;
+  const T omega_thetadot4_7_3 = minus_E7_13 * E5_12 - E7_11 * minus_omega_thetadot4_6_3;
+  // omega_dot_thetadot4_7 = -thetadot7 b7~ E7 omega_thetadot4_6 + E7 omega_dot_thetadot4_6: its rate
+  const T omega_dot_thetadot4_7_1 = E7_11 * omega_dot_thetadot4_5_1 - minus_E7_13 * omega_dot_thetadot4_6_3 -
+      thetadot7 * omega_thetadot4_7_3;
+  const T omega_dot_thetadot4_7_3 = thetadot7 * omega_thetadot4_7_1 + minus_E7_13 * omega_dot_thetadot4_5_1 + E7_11 *
+      omega_dot_thetadot4_6_3;
+  // omega_thetadot5_7 = E7 omega_thetadot5_6: partial angular velocity, body axes
+  const T minus_omega_thetadot5_7_1 = minus_E7_13 * E6_22;
+  const T omega_thetadot5_7_3 = E7_11 * E6_22;
+  // omega_dot_thetadot5_7 = -thetadot7 b7~ E7 omega_thetadot5_6 + E7 omega_dot_thetadot5_6: its rate
+  const T omega_dot_thetadot5_7_1 = minus_E7_13 * minus_omega_dot_thetadot5_6_3 - thetadot7 * omega_thetadot5_7_3;
+  const T minus_omega_dot_thetadot5_7_3 = thetadot7 * minus_omega_thetadot5_7_1 + E7_11 *
+      minus_omega_dot_thetadot5_6_3;
+  // omega_dot_thetadot6_7 = -thetadot7 b7~ E7 b6: its rate
+  const T minus_omega_dot_thetadot6_7_1 = thetadot7 * minus_E7_13;
+  const T omega_dot_thetadot6_7_3 = thetadot7 * E7_11;
+  // P_dot_thetadot1_7 = R6^T (-omega6~ q7~ omega_thetadot1_6 - q7~ omega_dot_thetadot1_6) + P_dot_thetadot1_6: its
+  //   rate
+  const T t7_1 = T(0.3) * R6_22 - T(0.35) * R5_12;
+  const T t7_2 = t6_2 - T(0.3) * R6_32;
+  const T t7_3 = omega6_2 * t7_1 - omega6_3 * t7_2 + T(0.35) * omega_dot_thetadot1_6_3 - t6_44;
+  const T t7_4 = T(0.35) * R6_32 - t6_33;
+  const T t7_5 = omega6_3 * t7_4 - omega6_1 * t7_1 + t6_6 - T(0.3) * omega_dot_thetadot1_6_3;
+  const T t7_6 = omega6_1 * t7_2 - omega6_2 * t7_4 + T(0.3) * omega_dot_thetadot1_6_2 - T(0.35) *
+      omega_dot_thetadot1_5_1;
+  const T minus_P_dot_thetadot1_7_1 = R5_11 * t7_3 + R6_21 * t7_5 + R6_31 * t7_6 + minus_P_dot_thetadot1_6_1;
+  const T minus_P_dot_thetadot1_7_2 = R5_12 * t7_3 + R6_22 * t7_5 + R6_32 * t7_6 + minus_P_dot_thetadot1_6_2;
+  const T minus_P_dot_thetadot1_7_3 = R5_13 * t7_3 + R6_23 * t7_5 + R6_33 * t7_6 + minus_P_dot_thetadot1_6_3;
+  // P_dot_thetadot2_7 = R6^T (-omega6~ q7~ omega_thetadot2_6 - q7~ omega_dot_thetadot2_6) + P_dot_thetadot2_6: its
+  //   rate
+  const T t7_7 = T(0.3) * omega_thetadot2_6_2 - T(0.35) * omega_thetadot2_5_1;
+  const T t7_8 = t6_10 - T(0.3) * omega_thetadot2_6_3;
+  const T t7_9 = omega6_2 * t7_7 - omega6_3 * t7_8 - t6_57 - T(0.35) * minus_omega_dot_thetadot2_6_3;
+  const T t7_10 = T(0.35) * omega_thetadot2_6_3 - t6_46;
+  const T t7_11 = omega6_3 * t7_10 - omega6_1 * t7_7 + t6_14 + T(0.3) * minus_omega_dot_thetadot2_6_3;
+  const T t7_12 = omega6_1 * t7_8 - omega6_2 * t7_10 + T(0.3) * omega_dot_thetadot2_6_2 - T(0.35) *
+      omega_dot_thetadot2_5_1;
+  const T minus_P_dot_thetadot2_7_1 = R5_11 * t7_9 + R6_21 * t7_11 + R6_31 * t7_12 + minus_P_dot_thetadot2_6_1;
+  const T minus_P_dot_thetadot2_7_2 = R5_12 * t7_9 + R6_22 * t7_11 + R6_32 * t7_12 + minus_P_dot_thetadot2_6_2;
+  const T minus_P_dot_thetadot2_7_3 = R5_13 * t7_9 + R6_23 * t7_11 + R6_33 * t7_12 + minus_P_dot_thetadot2_6_3;
+  // P_dot_thetadot3_7 = R6^T (-omega6~ q7~ omega_thetadot3_6 - q7~ omega_dot_thetadot3_6) + P_dot_thetadot3_6: its
+  //   rate
+  const T t7_13 = T(0.3) * omega_thetadot3_6_2 - T(0.35) * omega_thetadot3_5_1;
+  const T t7_14 = t6_17 - T(0.3) * omega_thetadot3_6_3;
+  const T t7_15 = omega6_2 * t7_13 - omega6_3 * t7_14 + T(0.35) * omega_dot_thetadot3_6_3 - t6_70;
+  const T t7_16 = T(0.35) * omega_thetadot3_6_3 - t6_59;
+  const T t7_17 = omega6_3 * t7_16 - omega6_1 * t7_13 - t6_22 - T(0.3) * omega_dot_thetadot3_6_3;
+  const T t7_18 = omega6_1 * t7_14 - omega6_2 * t7_16 + T(0.3) * omega_dot_thetadot3_6_2 + T(0.35) *
+      minus_omega_dot_thetadot3_5_1;
+  const T minus_P_dot_thetadot3_7_1 = R5_11 * t7_15 + R6_21 * t7_17 + R6_31 * t7_18 + minus_P_dot_thetadot3_6_1;
+  const T minus_P_dot_thetadot3_7_2 = R5_12 * t7_15 + R6_22 * t7_17 + R6_32 * t7_18 + minus_P_dot_thetadot3_6_2;
+  const T minus_P_dot_thetadot3_7_3 = R5_13 * t7_15 + R6_23 * t7_17 + R6_33 * t7_18 + minus_P_dot_thetadot3_6_3;
+  // P_dot_thetadot4_7 = R6^T (-omega6~ q7~ omega_thetadot4_6 - q7~ omega_dot_thetadot4_6) + P_dot_thetadot4_6: its
+  //   rate
+  const T t7_19 = T(0.3) * omega_thetadot4_6_2 - T(0.35) * E5_12;
+  const T t7_20 = t6_26 + T(0.3) * minus_omega_thetadot4_6_3;
+  const T t7_21 = omega6_2 * t7_19 - omega6_3 * t7_20 + t6_83 + T(0.35) * omega_dot_thetadot4_6_3;
+  const T t7_22 = t6_72 + T(0.35) * minus_omega_thetadot4_6_3;
+  const T t7_23 = t6_28 - T(0.3) * omega_dot_thetadot4_6_3 - omega6_3 * t7_22 - omega6_1 * t7_19;
+  const T t7_24 = omega6_1 * t7_20 + omega6_2 * t7_22 - T(0.3) * minus_omega_dot_thetadot4_6_2 - T(0.35) *
+      omega_dot_thetadot4_5_1;
+  const T minus_P_dot_thetadot4_7_1 = R5_11 * t7_21 + R6_21 * t7_23 + R6_31 * t7_24 + minus_P_dot_thetadot4_6_1;
+  const T minus_P_dot_thetadot4_7_2 = R5_12 * t7_21 + R6_22 * t7_23 + R6_32 * t7_24 + minus_P_dot_thetadot4_6_2;
+  const T minus_P_dot_thetadot4_7_3 = R5_13 * t7_21 + R6_23 * t7_23 + R6_33 * t7_24 + minus_P_dot_thetadot4_6_3;
+  // P_dot_thetadot5_7 = R6^T (-omega6~ q7~ omega_thetadot5_6 - q7~ omega_dot_thetadot5_6) + P_dot_thetadot5_6: its
+  //   rate
+  const T t7_25 = T(0.3) * E6_22;
+  const T t7_26 = T(0.3) * E6_23;
+  const T t7_27 = omega6_3 * t7_25 + omega6_2 * t7_26 - t6_95 - T(0.35) * minus_omega_dot_thetadot5_6_3;
+  const T t7_28 = T(0.35) * E6_22 - t6_86;
+  const T t7_29 = omega6_3 * t7_28 - omega6_1 * t7_26 + T(0.3) * minus_omega_dot_thetadot5_6_3;
+  const T t7_30 = T(0.3) * omega_dot_thetadot5_6_2 - omega6_1 * t7_25 - omega6_2 * t7_28;
+  const T minus_P_dot_thetadot5_7_1 = R5_11 * t7_27 + R6_21 * t7_29 + R6_31 * t7_30 + minus_P_dot_thetadot5_6_1;
+  const T minus_P_dot_thetadot5_7_2 = R5_12 * t7_27 + R6_22 * t7_29 + R6_32 * t7_30 + minus_P_dot_thetadot5_6_2;
+  const T minus_P_dot_thetadot5_7_3 = R5_13 * t7_27 + R6_23 * t7_29 + R6_33 * t7_30 + minus_P_dot_thetadot5_6_3;
+  // P_dot_thetadot6_7 = -R6^T omega6~ q7~ b6: its rate
+  const T t7_31 = omega6_1 * T(0.35);
+  const T t7_32 = omega6_3 * T(0.1) + omega6_2 * T(0.35);
+  const T t7_33 = omega6_1 * T(0.1);
+  const T minus_P_dot_thetadot6_7_1 = R6_21 * t7_31 - R5_11 * t7_32 + R6_31 * t7_33;
+  const T minus_P_dot_thetadot6_7_2 = R6_22 * t7_31 - R5_12 * t7_32 + R6_32 * t7_33;
+  const T minus_P_dot_thetadot6_7_3 = R6_23 * t7_31 - R5_13 * t7_32 + R6_33 * t7_33;
+  // B22_1 = -R7^T omega7~ r7~ omega_thetadot1_7 - R7^T r7~ omega_dot_thetadot1_7 + P_dot_thetadot1_7
+  const T t7_34 = t6_33 - T(0.2) * R7_12;
+  const T t7_35 = T(0.05) * R7_12 - T(0.1) * R7_32;
+  const T t7_36 = omega7_2 * t7_34 - omega7_3 * t7_35;
+  const T t7_37 = T(0.2) * R7_32 - t6_37;
+  const T t7_38 = omega7_3 * t7_37 - omega7_1 * t7_34;
+  const T t7_39 = omega7_1 * t7_35 - omega7_2 * t7_37;
+  const T t7_40 = T(0.2) * omega_dot_thetadot1_7_3 - t6_41;
+  const T t7_41 = T(0.05) * omega_dot_thetadot1_7_1 - T(0.1) * omega_dot_thetadot1_7_3;
+  const T t7_42 = t6_44 - T(0.2) * omega_dot_thetadot1_7_1;
+  const T minus_B22_1_1 = R7_11 * t7_36 + R6_21 * t7_38 + R7_31 * t7_39 + R7_11 * t7_40 + R6_21 * t7_41 + R7_31 *
+      t7_42 + minus_P_dot_thetadot1_7_1;
+  const T minus_B22_1_2 = R7_12 * t7_36 + R6_22 * t7_38 + R7_32 * t7_39 + R7_12 * t7_40 + R6_22 * t7_41 + R7_32 *
+      t7_42 + minus_P_dot_thetadot1_7_2;
+  const T minus_B22_1_3 = R7_13 * t7_36 + R6_23 * t7_38 + R7_33 * t7_39 + R7_13 * t7_40 + R6_23 * t7_41 + R7_33 *
+      t7_42 + minus_P_dot_thetadot1_7_3;
+  v_y_dot[126] = -minus_B22_1_1;
+  v_y_dot[133] = -minus_B22_1_2;
+  v_y_dot[140] = -minus_B22_1_3;
+  // B23_2 = -R7^T omega7~ r7~ omega_thetadot2_7 - R7^T r7~ omega_dot_thetadot2_7 + P_dot_thetadot2_7
+  const T t7_43 = t6_46 - T(0.2) * omega_thetadot2_7_1;
+  const T t7_44 = T(0.05) * omega_thetadot2_7_1 - T(0.1) * omega_thetadot2_7_3;
+  const T t7_45 = omega7_2 * t7_43 - omega7_3 * t7_44;
+  const T t7_46 = T(0.2) * omega_thetadot2_7_3 - t6_50;
+  const T t7_47 = omega7_3 * t7_46 - omega7_1 * t7_43;
+  const T t7_48 = omega7_1 * t7_44 - omega7_2 * t7_46;
+  const T t7_49 = T(0.2) * omega_dot_thetadot2_7_3 - t6_55;
+  const T t7_50 = T(0.05) * omega_dot_thetadot2_7_1 - T(0.1) * omega_dot_thetadot2_7_3;
+  const T t7_51 = t6_57 - T(0.2) * omega_dot_thetadot2_7_1;
+  const T minus_B23_2_1 = R7_11 * t7_45 + R6_21 * t7_47 + R7_31 * t7_48 + R7_11 * t7_49 + R6_21 * t7_50 + R7_31 *
+      t7_51 + minus_P_dot_thetadot2_7_1;
+  const T minus_B23_2_2 = R7_12 * t7_45 + R6_22 * t7_47 + R7_32 * t7_48 + R7_12 * t7_49 + R6_22 * t7_50 + R7_32 *
+      t7_51 + minus_P_dot_thetadot2_7_2;
+  const T minus_B23_2_3 = R7_13 * t7_45 + R6_23 * t7_47 + R7_33 * t7_48 + R7_13 * t7_49 + R6_23 * t7_50 + R7_33 *
+      t7_51 + minus_P_dot_thetadot2_7_3;
+  v_y_dot[127] = -minus_B23_2_1;
+  v_y_dot[134] = -minus_B23_2_2;
+  v_y_dot[141] = -minus_B23_2_3;
+  // B24_3 = -R7^T omega7~ r7~ omega_thetadot3_7 - R7^T r7~ omega_dot_thetadot3_7 + P_dot_thetadot3_7
+  const T t7_52 = t6_59 - T(0.2) * omega_thetadot3_7_1;
+  const T t7_53 = T(0.05) * omega_thetadot3_7_1 - T(0.1) * omega_thetadot3_7_3;
+  const T t7_54 = omega7_2 * t7_52 - omega7_3 * t7_53;
+  const T t7_55 = T(0.2) * omega_thetadot3_7_3 - t6_63;
+  const T t7_56 = omega7_3 * t7_55 - omega7_1 * t7_52;
+  const T t7_57 = omega7_1 * t7_53 - omega7_2 * t7_55;
+  const T t7_58 = T(0.2) * omega_dot_thetadot3_7_3 - t6_67;
+  const T t7_59 = T(0.05) * minus_omega_dot_thetadot3_7_1 + T(0.1) * omega_dot_thetadot3_7_3;
+  const T t7_60 = t6_70 + T(0.2) * minus_omega_dot_thetadot3_7_1;
+  const T minus_B24_3_1 = R7_11 * t7_54 + R6_21 * t7_56 + R7_31 * t7_57 + R7_11 * t7_58 - R6_21 * t7_59 + R7_31 *
+      t7_60 + minus_P_dot_thetadot3_7_1;
+  const T minus_B24_3_2 = R7_12 * t7_54 + R6_22 * t7_56 + R7_32 * t7_57 + R7_12 * t7_58 - R6_22 * t7_59 + R7_32 *
+      t7_60 + minus_P_dot_thetadot3_7_2;
+  const T minus_B24_3_3 = R7_13 * t7_54 + R6_23 * t7_56 + R7_33 * t7_57 + R7_13 * t7_58 - R6_23 * t7_59 + R7_33 *
+      t7_60 + minus_P_dot_thetadot3_7_3;
+  v_y_dot[128] = -minus_B24_3_1;
+  v_y_dot[135] = -minus_B24_3_2;
+  v_y_dot[142] = -minus_B24_3_3;
+  // B25_4 = -R7^T omega7~ r7~ omega_thetadot4_7 - R7^T r7~ omega_dot_thetadot4_7 + P_dot_thetadot4_7
+  const T t7_61 = t6_72 - T(0.2) * omega_thetadot4_7_1;
+  const T t7_62 = T(0.05) * omega_thetadot4_7_1 - T(0.1) * omega_thetadot4_7_3;
+  const T t7_63 = omega7_2 * t7_61 - omega7_3 * t7_62;
+  const T t7_64 = T(0.2) * omega_thetadot4_7_3 - t6_76;
+  const T t7_65 = omega7_3 * t7_64 - omega7_1 * t7_61;
+  const T t7_66 = omega7_1 * t7_62 - omega7_2 * t7_64;
+  const T t7_67 = t6_80 + T(0.2) * omega_dot_thetadot4_7_3;
+  const T t7_68 = T(0.05) * omega_dot_thetadot4_7_1 - T(0.1) * omega_dot_thetadot4_7_3;
+  const T t7_69 = t6_83 + T(0.2) * omega_dot_thetadot4_7_1;
+  const T minus_B25_4_1 = R7_11 * t7_63 + R6_21 * t7_65 + R7_31 * t7_66 + R7_11 * t7_67 + R6_21 * t7_68 - R7_31 *
+      t7_69 + minus_P_dot_thetadot4_7_1;
+  const T minus_B25_4_2 = R7_12 * t7_63 + R6_22 * t7_65 + R7_32 * t7_66 + R7_12 * t7_67 + R6_22 * t7_68 - R7_32 *
+      t7_69 + minus_P_dot_thetadot4_7_2;
+  const T minus_B25_4_3 = R7_13 * t7_63 + R6_23 * t7_65 + R7_33 * t7_66 + R7_13 * t7_67 + R6_23 * t7_68 - R7_33 *
+      t7_69 + minus_P_dot_thetadot4_7_3;
+  v_y_dot[129] = -minus_B25_4_1;
+  v_y_dot[136] = -minus_B25_4_2;
+  v_y_dot[143] = -minus_B25_4_3;
+  // B26_5 = -R7^T omega7~ r7~ omega_thetadot5_7 - R7^T r7~ omega_dot_thetadot5_7 + P_dot_thetadot5_7
+  const T t7_70 = T(0.05) * minus_omega_thetadot5_7_1 + T(0.1) * omega_thetadot5_7_3;
+  const T t7_71 = t6_86 + T(0.2) * minus_omega_thetadot5_7_1;
+  const T t7_72 = omega7_3 * t7_70 + omega7_2 * t7_71;
+  const T t7_73 = T(0.2) * omega_thetadot5_7_3 - t6_88;
+  const T t7_74 = omega7_3 * t7_73 - omega7_1 * t7_71;
+  const T t7_75 = omega7_1 * t7_70 + omega7_2 * t7_73;
+  const T t7_76 = T(0.05) * omega_dot_thetadot5_7_1 + T(0.1) * minus_omega_dot_thetadot5_7_3;
+  const T t7_77 = t6_93 + T(0.2) * minus_omega_dot_thetadot5_7_3;
+  const T t7_78 = t6_95 - T(0.2) * omega_dot_thetadot5_7_1;
+  const T minus_B26_5_1 = R7_11 * t7_72 + R6_21 * t7_74 - R7_31 * t7_75 + R6_21 * t7_76 - R7_11 * t7_77 + R7_31 *
+      t7_78 + minus_P_dot_thetadot5_7_1;
+  const T minus_B26_5_2 = R7_12 * t7_72 + R6_22 * t7_74 - R7_32 * t7_75 + R6_22 * t7_76 - R7_12 * t7_77 + R7_32 *
+      t7_78 + minus_P_dot_thetadot5_7_2;
+  const T minus_B26_5_3 = R7_13 * t7_72 + R6_23 * t7_74 - R7_33 * t7_75 + R6_23 * t7_76 - R7_13 * t7_77 + R7_33 *
+      t7_78 + minus_P_dot_thetadot5_7_3;
+  v_y_dot[130] = -minus_B26_5_1;
+  v_y_dot[137] = -minus_B26_5_2;
+  v_y_dot[144] = -minus_B26_5_3;
+  // B27_6 = -R7^T omega7~ r7~ omega_thetadot6_7 - R7^T r7~ omega_dot_thetadot6_7 + P_dot_thetadot6_7
+  const T t7_79 = T(0.2) * minus_E7_13;
+  const T t7_80 = T(0.2) * E7_11;
+  const T t7_81 = omega7_3 * t7_79 + omega7_1 * t7_80;
+  const T t7_82 = T(0.05) * E7_11 - T(0.1) * minus_E7_13;
+  const T t7_83 = omega7_3 * t7_82 + omega7_2 * t7_80;
+  const T t7_84 = omega7_1 * t7_82 - omega7_2 * t7_79;
+  const T t7_85 = T(0.2) * omega_dot_thetadot6_7_3;
+  const T t7_86 = T(0.05) * minus_omega_dot_thetadot6_7_1 + T(0.1) * omega_dot_thetadot6_7_3;
+  const T t7_87 = T(0.2) * minus_omega_dot_thetadot6_7_1;
+  const T minus_B27_6_1 = R6_21 * t7_81 - R7_11 * t7_83 + R7_31 * t7_84 + R7_11 * t7_85 - R6_21 * t7_86 + R7_31 *
+      t7_87 + minus_P_dot_thetadot6_7_1;
+  const T minus_B27_6_2 = R6_22 * t7_81 - R7_12 * t7_83 + R7_32 * t7_84 + R7_12 * t7_85 - R6_22 * t7_86 + R7_32 *
+      t7_87 + minus_P_dot_thetadot6_7_2;
+  const T minus_B27_6_3 = R6_23 * t7_81 - R7_13 * t7_83 + R7_33 * t7_84 + R7_13 * t7_85 - R6_23 * t7_86 + R7_33 *
+      t7_87 + minus_P_dot_thetadot6_7_3;
+  v_y_dot[131] = -minus_B27_6_1;
+  v_y_dot[138] = -minus_B27_6_2;
+  v_y_dot[145] = -minus_B27_6_3;
+  // B28_7 = -R7^T omega7~ r7~ b7
+  const T t7_88 = omega7_2 * T(0.1);
+  const T t7_89 = omega7_3 * T(0.05) + omega7_1 * T(0.1);
+  const T t7_90 = omega7_2 * T(0.05);
+  const T minus_B28_7_1 = R7_11 * t7_88 - R6_21 * t7_89 + R7_31 * t7_90;
+  const T minus_B28_7_2 = R7_12 * t7_88 - R6_22 * t7_89 + R7_32 * t7_90;
+  const T minus_B28_7_3 = R7_13 * t7_88 - R6_23 * t7_89 + R7_33 * t7_90;
+  v_y_dot[132] = -minus_B28_7_1;
+  v_y_dot[139] = -minus_B28_7_2;
+  v_y_dot[146] = -minus_B28_7_3;
+}
+
+}  // namespace kanec::bench_cr7

@@ -1,0 +1,577 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
+//
+// model 9e91881bf456fac0 of double_pendulum/scene.toml; the usual functions
+// bodies and their joints:
+//   1 upper on the inertial frame: revolute
+//   2 lower on 1: revolute
+//
+// Units SI, angles in rad. Coordinates and speeds, all rotations before all translations:
+//   x = (theta_1, theta_2)
+//   y = (thetadot_1, thetadot_2)
+//   theta     angle of a joint about its axis [rad]
+//   thetadot  rate of theta [rad/s]
+// R takes inertial components to body components; a~ b = a x b; matrices are row-major.
+// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
+// float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
+// its own or by conversion cos, sin.
+//
+// operations of one call (adds + multiplies + divides):
+//   kinematics              0 (0 add, 0 multiply)
+//   poses                   12 (4 add, 8 multiply, 4 sine or cosine)
+//   energy                  41 (12 add, 29 multiply, 4 sine or cosine)
+//   momentum                40 (14 add, 26 multiply, 4 sine or cosine)
+//   accelerations           38 (14 add, 23 multiply, 1 divide, 4 sine or cosine)
+//   residual                34 (14 add, 20 multiply, 4 sine or cosine)
+//   forcing                 24 (8 add, 16 multiply, 4 sine or cosine)
+//   mass_matrix             4 (3 add, 1 multiply, 1 sine or cosine)
+//   partial_velocities      12 (4 add, 8 multiply, 4 sine or cosine)
+//   partial_velocity_rates  17 (5 add, 12 multiply, 4 sine or cosine)
+#pragma once
+
+#include <cmath>
+
+namespace kanec::double_pendulum {
+
+inline constexpr int n_bodies = 2;
+inline constexpr int nx = 2;
+inline constexpr int ny = 2;
+inline constexpr int n_parameters = 0;
+inline constexpr int n_inputs = 0;
+inline constexpr char model_hash[] = "9e91881bf456fac0";
+
+// Where each coordinate stands in x and each speed in y.
+namespace at {
+inline constexpr int theta_1 = 0, theta_2 = 1;
+inline constexpr int thetadot_1 = 0, thetadot_2 = 1;
+inline constexpr int upper_theta = 0, lower_theta = 1;
+inline constexpr int upper_thetadot = 0, lower_thetadot = 1;
+}  // namespace at
+
+// Entries of mass_matrix that are not always 0, row by row.
+inline constexpr int mass_matrix_nonzeros = 4;
+inline constexpr int mass_matrix_rows[] = {0, 0, 1, 1};
+inline constexpr int mass_matrix_columns[] = {0, 1, 0, 1};
+
+// Run-time parameters with the scene's defaults, SI units.
+template <class T>
+struct Parameters {
+};
+
+// What depends on parameters only, computed once for many calls.
+template <class T>
+struct Prepared {
+  Parameters<T> p;
+};
+
+// prepare: 0 add, 0 multiply
+template <class T>
+Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+  Prepared<T> c{};
+  c.p = p;
+  return c;
+}
+
+// kinematics: xdot, the kinematical equations.
+// rates of x (nx) [1/s], [rad/s], [m/s]
+// 0 add, 0 multiply
+template <class T>
+void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, T* xdot) noexcept {
+  const T thetadot1 = y[0];
+  const T thetadot2 = y[1];
+  xdot[0] = thetadot1;
+  xdot[1] = thetadot2;
+}
+
+// poses: attitude R and mass centre p of each body.
+// R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
+// 4 add, 8 multiply, 4 sine or cosine
+template <class T>
+void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 24; ++i) pose[i] = T(0);
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  pose[0] = E1_11;
+  pose[8] = E1_11;
+  pose[2] = -minus_E1_13;
+  pose[6] = minus_E1_13;
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T minus_p1_1 = minus_E1_13 * T(0.5);
+  const T minus_p1_3 = E1_11 * T(0.5);
+  pose[9] = -minus_p1_1;
+  pose[11] = -minus_p1_3;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
+  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  pose[12] = R2_11;
+  pose[20] = R2_11;
+  pose[14] = -minus_R2_13;
+  pose[18] = minus_R2_13;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T minus_p2_1 = minus_R2_13 * T(0.3) + minus_E1_13;
+  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  pose[21] = -minus_p2_1;
+  pose[23] = -minus_p2_3;
+
+  // ---- results
+  pose[4] = T(1);
+  pose[16] = T(1);
+}
+
+// energy: kinetic and potential energy [J].
+// kinetic, potential (2) [J]
+// 12 add, 29 multiply, 4 sine or cosine
+template <class T>
+void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T minus_p1_3 = E1_11 * T(0.5);
+  // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_1 = thetadot1 * T(0.5);
+  const T minus_v1_1 = E1_11 * t1_1;
+  const T v1_3 = minus_E1_13 * t1_1;
+  // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
+  const T T1 = T(0.1) * thetadot1 * thetadot1 * T(0.5) + T(0.6) * (minus_v1_1 * minus_v1_1 + v1_3 * v1_3);
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
+  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T minus_Pdot2_1 = E1_11 * thetadot1;
+  const T Pdot2_3 = minus_E1_13 * thetadot1;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_1 = omega2_2 * T(0.3);
+  const T minus_v2_1 = R2_11 * t2_1 + minus_Pdot2_1;
+  const T v2_3 = minus_R2_13 * t2_1 + Pdot2_3;
+  // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
+  const T T2 = T(0.018) * omega2_2 * omega2_2 * T(0.5) + T(0.3) * (minus_v2_1 * minus_v2_1 + v2_3 * v2_3);
+
+  // ---- whole system
+  // kinetic = T1 + T2: kinetic energy of the system [J]
+  const T kinetic = T1 + T2;
+  energy[0] = kinetic;
+  // mp = m1 p1 + m2 p2: first moment of mass, inertial axes [kg m]
+  const T minus_mp_3 = T(1.2) * minus_p1_3 + T(0.6) * minus_p2_3;
+  // potential = -g . mp: potential energy of gravity and springs [J]
+  const T minus_potential = T(9.81) * minus_mp_3;
+  energy[1] = -minus_potential;
+}
+
+// momentum: linear and angular momentum, inertial axes, about the inertial origin.
+// linear (3) [kg m/s], angular (3) [kg m^2/s]
+// 14 add, 26 multiply, 4 sine or cosine
+template <class T>
+void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
+  const T minus_p1_1 = minus_E1_13 * T(0.5);
+  const T minus_p1_3 = E1_11 * T(0.5);
+  // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_1 = thetadot1 * T(0.5);
+  const T minus_v1_1 = E1_11 * t1_1;
+  const T v1_3 = minus_E1_13 * t1_1;
+  // l1 = m1 v1: linear momentum, inertial axes [kg m/s]
+  const T minus_l1_1 = T(1.2) * minus_v1_1;
+  const T l1_3 = T(1.2) * v1_3;
+  // H1 = E1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T H1_2 = T(0.1) * thetadot1 + minus_p1_3 * minus_l1_1 + minus_p1_1 * l1_3;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
+  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T minus_p2_1 = minus_R2_13 * T(0.3) + minus_E1_13;
+  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T minus_Pdot2_1 = E1_11 * thetadot1;
+  const T Pdot2_3 = minus_E1_13 * thetadot1;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_1 = omega2_2 * T(0.3);
+  const T minus_v2_1 = R2_11 * t2_1 + minus_Pdot2_1;
+  const T v2_3 = minus_R2_13 * t2_1 + Pdot2_3;
+  // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
+  const T minus_l2_1 = T(0.6) * minus_v2_1;
+  const T l2_3 = T(0.6) * v2_3;
+  // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T H2_2 = T(0.018) * omega2_2 + minus_p2_3 * minus_l2_1 + minus_p2_1 * l2_3;
+
+  // ---- whole system
+  // linear = l1 + l2: linear momentum of the system [kg m/s]
+  const T minus_linear_1 = minus_l1_1 + minus_l2_1;
+  const T linear_3 = l1_3 + l2_3;
+  momentum[0] = -minus_linear_1;
+  momentum[2] = linear_3;
+  // angular = H1 + H2: angular momentum of the system about the inertial origin [kg m^2/s]
+  const T angular_2 = H1_2 + H2_2;
+  momentum[4] = angular_2;
+
+  // ---- results
+  momentum[1] = T(0);
+  momentum[3] = T(0);
+  momentum[5] = T(0);
+}
+
+// accelerations: ydot from A ydot = f.
+// rates of y (ny) [rad/s^2], [m/s^2]
+// 14 add, 23 multiply, 1 divide, 4 sine or cosine
+template <class T>
+void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T G1_1 = T(1.2) * minus_Pddot1_1;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U2_11 = omega2_2 * omega2_2;
+  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_1 = minus_U1_11 + Pddot1_3;
+  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * t2_1;
+  const T Pddot2_3 = E2_11 * t2_1 - minus_E2_13 * minus_Pddot1_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T G2_1 = T(0.6) * minus_Pddot2_1;
+  const T minus_G2_3 = T(0.6) * a2_3;
+
+  // ---- body 2 (lower) and what it carries
+  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T minus_rho2_2 = T(0.3) * G2_1;
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc2_3 = E2_11 * T(0.18);
+
+  // ---- body 1 (upper) and what it carries
+  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T minus_rho1_2 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + minus_rho2_2 + T(0.5) * G1_1;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m2 q2~ - hc2~) q2~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b1_1 = minus_hc2_3 + T(0.072);
+  const T J1_22 = b1_1 + T(1) + minus_hc2_3;
+  // D_thetaddot1: pivots of L D L^T
+  const T b1_2 = b1_1 * T(13.888888888888891);
+  const T D_thetaddot1 = J1_22 - b1_2 * b1_1;
+
+  // ---- body 1 (upper), solved
+  // thetaddot1: from A ydot = f by elimination
+  const T thetaddot1 = T(1) / D_thetaddot1 * (b1_2 * minus_rho2_2 - minus_rho1_2);
+  ydot[0] = thetaddot1;
+
+  // ---- body 2 (lower), solved
+  // thetaddot2: from A ydot = f by elimination
+  const T minus_thetaddot2 = minus_rho2_2 * T(13.888888888888891) + b1_2 * thetaddot1;
+  ydot[1] = -minus_thetaddot2;
+}
+
+// residual: r = A ydot - f.
+// r (ny) [N m], [N]
+// 14 add, 20 multiply, 4 sine or cosine
+template <class T>
+void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  const T thetaddot1 = ydot[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a1_1 = thetaddot1 * T(0.5) + minus_Pddot1_1;
+  // G1 = m1 a1: force balance, body axes [N]
+  const T minus_G1_1 = T(1.2) * minus_a1_1;
+  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  const T N1_2 = T(0.1) * thetaddot1;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  const T thetaddot2 = ydot[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_2 = thetaddot2 + thetaddot1;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U2_11 = omega2_2 * omega2_2;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_1 = thetaddot1 + minus_Pddot1_1;
+  const T t2_2 = minus_U1_11 + Pddot1_3;
+  const T minus_Pddot2_1 = E2_11 * t2_1 + minus_E2_13 * t2_2;
+  const T Pddot2_3 = E2_11 * t2_2 - minus_E2_13 * t2_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a2_1 = omegadot2_2 * T(0.3) + minus_Pddot2_1;
+  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
+  // G2 = m2 a2: force balance, body axes [N]
+  const T minus_G2_1 = T(0.6) * minus_a2_1;
+  const T G2_3 = T(0.6) * a2_3;
+  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  const T N2_2 = T(0.018) * omegadot2_2;
+
+  // ---- body 2 (lower) and what it carries
+  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho2_2 = T(0.3) * minus_G2_1 + N2_2;
+  r[1] = rho2_2;
+
+  // ---- body 1 (upper) and what it carries
+  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho1_2 = rho2_2 - minus_E2_13 * G2_3 + E2_11 * minus_G2_1 + T(0.5) * minus_G1_1 + N1_2;
+  r[0] = rho1_2;
+}
+
+// forcing: f of A ydot = f.
+// f (ny) [N m], [N]
+// 8 add, 16 multiply, 4 sine or cosine
+template <class T>
+void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
+  // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
+  const T Pddot1_3 = E1_11 * T(9.81);
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T G1_1 = T(1.2) * minus_Pddot1_1;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U2_11 = omega2_2 * omega2_2;
+  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_1 = minus_U1_11 + Pddot1_3;
+  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * t2_1;
+  const T Pddot2_3 = E2_11 * t2_1 - minus_E2_13 * minus_Pddot1_1;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T G2_1 = T(0.6) * minus_Pddot2_1;
+  const T minus_G2_3 = T(0.6) * a2_3;
+
+  // ---- body 2 (lower) and what it carries
+  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T minus_rho2_2 = T(0.3) * G2_1;
+  f[1] = -minus_rho2_2;
+
+  // ---- body 1 (upper) and what it carries
+  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T minus_rho1_2 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + minus_rho2_2 + T(0.5) * G1_1;
+  f[0] = -minus_rho1_2;
+}
+
+// mass_matrix: A, symmetric positive definite.
+// A (ny x ny) [kg m^2], [kg m], [kg]
+// 3 add, 1 multiply, 1 sine or cosine
+template <class T>
+void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
+  using std::cos;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+
+  // ---- body 2 (lower) and what it carries
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc2_3 = E2_11 * T(0.18);
+
+  // ---- body 1 (upper) and what it carries
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m2 q2~ - hc2~) q2~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b1_1 = minus_hc2_3 + T(0.072);
+  const T J1_22 = b1_1 + T(1) + minus_hc2_3;
+  A[0] = J1_22;
+  A[1] = b1_1;
+  A[2] = b1_1;
+
+  // ---- results
+  A[3] = T(0.072);
+}
+
+// partial_velocities: partial velocities v_y of the mass centres: v = v_y y.
+// v_y of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 4 add, 8 multiply, 4 sine or cosine
+template <class T>
+void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // B1_1 = -E1^T r1~ b1
+  const T minus_B1_1_1 = E1_11 * T(0.5);
+  const T B1_1_3 = minus_E1_13 * T(0.5);
+  v_y[0] = -minus_B1_1_1;
+  v_y[4] = B1_1_3;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
+  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  // B2_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
+  const T t2_1 = R2_11 * T(0.3);
+  const T minus_B2_1_1 = t2_1 + E1_11;
+  const T t2_2 = minus_R2_13 * T(0.3);
+  const T B2_1_3 = t2_2 + minus_E1_13;
+  v_y[6] = -minus_B2_1_1;
+  v_y[10] = B2_1_3;
+  v_y[7] = -t2_1;
+  v_y[11] = t2_2;
+
+  // ---- results
+  v_y[1] = T(0);
+  v_y[2] = -T(0);
+  v_y[3] = T(0);
+  v_y[5] = T(0);
+  v_y[8] = -T(0);
+  v_y[9] = -T(0);
+}
+
+// partial_velocity_rates: time derivatives of the partial velocities.
+// v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 5 add, 12 multiply, 4 sine or cosine
+template <class T>
+void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (upper) on the inertial frame
+  const T theta1 = x[0];
+  const T thetadot1 = y[0];
+  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
+  const T E1_11 = cos(theta1);
+  const T minus_E1_13 = sin(theta1);
+  // B1_1 = -E1^T omega1~ r1~ b1
+  const T t1_1 = thetadot1 * T(0.5);
+  const T B1_1_1 = minus_E1_13 * t1_1;
+  const T B1_1_3 = E1_11 * t1_1;
+  v_y_dot[0] = B1_1_1;
+  v_y_dot[4] = B1_1_3;
+
+  // ---- body 2 (lower) on body 1
+  const T theta2 = x[1];
+  const T thetadot2 = y[1];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_11 = cos(theta2);
+  const T minus_E2_13 = sin(theta2);
+  // R2^T = E1^T E2^T: R takes inertial components to body components
+  const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
+  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_2 = thetadot2 + thetadot1;
+  // P_dot_thetadot1_2 = -E1^T omega1~ q2~ b1: its rate
+  const T P_dot_thetadot1_2_1 = minus_E1_13 * thetadot1;
+  const T P_dot_thetadot1_2_3 = E1_11 * thetadot1;
+  // B2_1 = -R2^T omega2~ r2~ omega_thetadot1_2 - R2^T r2~ omega_dot_thetadot1_2 + P_dot_thetadot1_2
+  const T t2_1 = omega2_2 * T(0.3);
+  const T t2_2 = minus_R2_13 * t2_1;
+  const T B2_1_1 = t2_2 + P_dot_thetadot1_2_1;
+  const T t2_3 = R2_11 * t2_1;
+  const T B2_1_3 = t2_3 + P_dot_thetadot1_2_3;
+  v_y_dot[6] = B2_1_1;
+  v_y_dot[10] = B2_1_3;
+  v_y_dot[7] = t2_2;
+  v_y_dot[11] = t2_3;
+
+  // ---- results
+  v_y_dot[1] = T(0);
+  v_y_dot[2] = -T(0);
+  v_y_dot[3] = T(0);
+  v_y_dot[5] = T(0);
+  v_y_dot[8] = -T(0);
+  v_y_dot[9] = -T(0);
+}
+
+}  // namespace kanec::double_pendulum

@@ -1,0 +1,9821 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
+//
+// model 7a4eca0f373e01a0 of quadruped/scene.toml; the usual functions
+// bodies and their joints:
+//   1 trunk on the inertial frame: free
+//   2 fr_hip on 1: revolute
+//   3 fr_thigh on 2: revolute
+//   4 fr_calf on 3: revolute
+//   5 fr_foot on 4: weld
+//   6 fl_hip on 1: revolute
+//   7 fl_thigh on 6: revolute
+//   8 fl_calf on 7: revolute
+//   9 fl_foot on 8: weld
+//   10 rr_hip on 1: revolute
+//   11 rr_thigh on 10: revolute
+//   12 rr_calf on 11: revolute
+//   13 rr_foot on 12: weld
+//   14 rl_hip on 1: revolute
+//   15 rl_thigh on 14: revolute
+//   16 rl_calf on 15: revolute
+//   17 rl_foot on 16: weld
+//
+// Units SI, angles in rad. Coordinates and speeds, all rotations before all translations:
+//   x = (eps_1_1 .. eps_1_4, theta_2, theta_3, theta_4, theta_6, theta_7, theta_8, theta_10, theta_11, theta_12,
+//   theta_14, theta_15, theta_16, s_1_1 .. s_1_3)
+//   y = (omega_1_1 .. omega_1_3, thetadot_2, thetadot_3, thetadot_4, thetadot_6, thetadot_7, thetadot_8, thetadot_10,
+//   thetadot_11, thetadot_12, thetadot_14, thetadot_15, thetadot_16, sdot_1_1 .. sdot_1_3)
+//   eps       Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)
+//   theta     angle of a joint about its axis [rad]
+//   s         translation from the joint point, axes of the lower body [m]
+//   omega     absolute angular velocity, body axes [rad/s] (3)
+//   thetadot  rate of theta [rad/s]
+//   sdot      rate of s [m/s]
+// R takes inertial components to body components; a~ b = a x b; matrices are row-major.
+// No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
+// float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
+// its own or by conversion cos, sin.
+//
+// operations of one call (adds + multiplies + divides):
+//   kinematics              23 (8 add, 15 multiply)
+//   poses                   530 (239 add, 291 multiply, 24 sine or cosine)
+//   energy                  1315 (558 add, 757 multiply, 24 sine or cosine)
+//   momentum                1700 (773 add, 927 multiply, 24 sine or cosine)
+//   power                   556 (236 add, 320 multiply, 24 sine or cosine)
+//   accelerations           3884 (1796 add, 2074 multiply, 14 divide, 24 sine or cosine)
+//   residual                1986 (952 add, 1034 multiply, 24 sine or cosine)
+//   forcing                 1895 (888 add, 1007 multiply, 24 sine or cosine)
+//   mass_matrix             967 (453 add, 514 multiply, 24 sine or cosine)
+//   partial_velocities      1632 (704 add, 928 multiply, 24 sine or cosine)
+//   partial_velocity_rates  3687 (1521 add, 2166 multiply, 24 sine or cosine)
+#pragma once
+
+#include <cmath>
+
+namespace kanec::quadruped {
+
+inline constexpr int n_bodies = 17;
+inline constexpr int nx = 19;
+inline constexpr int ny = 18;
+inline constexpr int n_parameters = 3;
+inline constexpr int n_inputs = 24;
+inline constexpr char model_hash[] = "7a4eca0f373e01a0";
+
+// Where each coordinate stands in x and each speed in y.
+namespace at {
+inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, theta_2 = 4, theta_3 = 5, theta_4 = 6,
+    theta_6 = 7, theta_7 = 8, theta_8 = 9, theta_10 = 10, theta_11 = 11, theta_12 = 12, theta_14 = 13, theta_15 = 14,
+    theta_16 = 15, s_1_1 = 16, s_1_2 = 17, s_1_3 = 18;
+inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, thetadot_2 = 3, thetadot_3 = 4, thetadot_4 = 5,
+    thetadot_6 = 6, thetadot_7 = 7, thetadot_8 = 8, thetadot_10 = 9, thetadot_11 = 10, thetadot_12 = 11,
+    thetadot_14 = 12, thetadot_15 = 13, thetadot_16 = 14, sdot_1_1 = 15, sdot_1_2 = 16, sdot_1_3 = 17;
+inline constexpr int trunk_eps_1 = 0, trunk_eps_2 = 1, trunk_eps_3 = 2, trunk_eps_4 = 3, fr_hip_theta = 4,
+    fr_thigh_theta = 5, fr_calf_theta = 6, fl_hip_theta = 7, fl_thigh_theta = 8, fl_calf_theta = 9, rr_hip_theta = 10,
+    rr_thigh_theta = 11, rr_calf_theta = 12, rl_hip_theta = 13, rl_thigh_theta = 14, rl_calf_theta = 15,
+    trunk_s_1 = 16, trunk_s_2 = 17, trunk_s_3 = 18;
+inline constexpr int trunk_omega_1 = 0, trunk_omega_2 = 1, trunk_omega_3 = 2, fr_hip_thetadot = 3,
+    fr_thigh_thetadot = 4, fr_calf_thetadot = 5, fl_hip_thetadot = 6, fl_thigh_thetadot = 7, fl_calf_thetadot = 8,
+    rr_hip_thetadot = 9, rr_thigh_thetadot = 10, rr_calf_thetadot = 11, rl_hip_thetadot = 12, rl_thigh_thetadot = 13,
+    rl_calf_thetadot = 14, trunk_sdot_1 = 15, trunk_sdot_2 = 16, trunk_sdot_3 = 17;
+}  // namespace at
+
+// Entries of mass_matrix that are not always 0, row by row.
+inline constexpr int mass_matrix_nonzeros = 210;
+inline constexpr int mass_matrix_rows[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3,
+    4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 7, 7, 8, 8,
+    8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9, 10, 10, 10, 10, 10, 10, 10, 10, 10, 11, 11, 11, 11, 11, 11, 11,
+    11, 11, 12, 12, 12, 12, 12, 12, 12, 12, 12, 13, 13, 13, 13, 13, 13, 13, 13, 13, 14, 14, 14, 14, 14, 14, 14, 14,
+    14, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16,
+    16, 16, 16, 16, 16, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17};
+inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 0, 1, 2,
+    3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17,
+    0, 1, 2, 3, 4, 5, 15, 16, 17, 0, 1, 2, 3, 4, 5, 15, 16, 17, 0, 1, 2, 3, 4, 5, 15, 16, 17, 0, 1, 2, 6, 7, 8, 15,
+    16, 17, 0, 1, 2, 6, 7, 8, 15, 16, 17, 0, 1, 2, 6, 7, 8, 15, 16, 17, 0, 1, 2, 9, 10, 11, 15, 16, 17, 0, 1, 2, 9,
+    10, 11, 15, 16, 17, 0, 1, 2, 9, 10, 11, 15, 16, 17, 0, 1, 2, 12, 13, 14, 15, 16, 17, 0, 1, 2, 12, 13, 14, 15, 16,
+    17, 0, 1, 2, 12, 13, 14, 15, 16, 17, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7,
+    8, 9, 10, 11, 12, 13, 14, 16, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 17};
+
+// Run-time parameters with the scene's defaults, SI units.
+template <class T>
+struct Parameters {
+  T kp = T(80);
+  T kd = T(1);
+  T m_trunk = T(6);
+};
+
+// Run-time inputs with the scene's defaults, SI units.
+template <class T>
+struct Inputs {
+  T tau_fr_hip = T(0);
+  T tau_fr_thigh = T(0);
+  T tau_fr_calf = T(0);
+  T ground_fr_x = T(0);
+  T ground_fr_y = T(0);
+  T ground_fr_z = T(33.7);
+  T tau_fl_hip = T(0);
+  T tau_fl_thigh = T(0);
+  T tau_fl_calf = T(0);
+  T ground_fl_x = T(0);
+  T ground_fl_y = T(0);
+  T ground_fl_z = T(33.7);
+  T tau_rr_hip = T(0);
+  T tau_rr_thigh = T(0);
+  T tau_rr_calf = T(0);
+  T ground_rr_x = T(0);
+  T ground_rr_y = T(0);
+  T ground_rr_z = T(33.7);
+  T tau_rl_hip = T(0);
+  T tau_rl_thigh = T(0);
+  T tau_rl_calf = T(0);
+  T ground_rl_x = T(0);
+  T ground_rl_y = T(0);
+  T ground_rl_z = T(33.7);
+};
+
+// What depends on parameters only, computed once for many calls.
+template <class T>
+struct Prepared {
+  Parameters<T> p;
+  T c1_1;
+  T c0_1;
+  T c1_2;
+  T c1_3;
+  T c1_4;
+  T c1_5;
+  T c1_6;
+  T c1_7;
+  T m_sub1;
+};
+
+// prepare: 1 add, 8 multiply
+template <class T>
+Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+  Prepared<T> c{};
+  c.p = p;
+  const T c1_1 = T(0.5) * p.m_trunk;
+  const T c0_1 = T(0.5) * p.kp;
+  const T c1_2 = p.m_trunk * T(1.7060000000000003e-05);
+  const T c1_3 = p.m_trunk * T(2.5e-07);
+  const T c1_4 = p.m_trunk * T(2.0500000000000003e-06);
+  const T c1_5 = p.m_trunk * T(1.6810000000000003e-05);
+  const T c1_6 = p.m_trunk * T(0.0041);
+  const T c1_7 = p.m_trunk * T(5e-04);
+  const T m_sub1 = p.m_trunk + T(7.739999999999999);
+  c.c1_1 = c1_1;
+  c.c0_1 = c0_1;
+  c.c1_2 = c1_2;
+  c.c1_3 = c1_3;
+  c.c1_4 = c1_4;
+  c.c1_5 = c1_5;
+  c.c1_6 = c1_6;
+  c.c1_7 = c1_7;
+  c.m_sub1 = m_sub1;
+  return c;
+}
+
+// kinematics: xdot, the kinematical equations.
+// rates of x (nx) [1/s], [rad/s], [m/s]
+// 8 add, 15 multiply
+template <class T>
+void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* xdot) noexcept {
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // w1 = 1/2 omega1: half the angular velocity [rad/s]
+  const T w1_1 = T(0.5) * omega1_1;
+  const T w1_2 = T(0.5) * omega1_2;
+  const T w1_3 = T(0.5) * omega1_3;
+  // edot1 = e1~ w1 + eps4_1 w1: rates of eps_1, eps_2, eps_3 [1/s]
+  const T edot1_1 = eps1_2 * w1_3 - eps1_3 * w1_2 + eps1_4 * w1_1;
+  const T edot1_2 = eps1_3 * w1_1 - eps1_1 * w1_3 + eps1_4 * w1_2;
+  const T edot1_3 = eps1_1 * w1_2 - eps1_2 * w1_1 + eps1_4 * w1_3;
+  xdot[0] = edot1_1;
+  xdot[1] = edot1_2;
+  xdot[2] = edot1_3;
+  // eps4dot1 = -e1 . w1: rate of eps_4 [1/s]
+  const T minus_eps4dot1 = eps1_1 * w1_1 + eps1_2 * w1_2 + eps1_3 * w1_3;
+  xdot[3] = -minus_eps4dot1;
+
+  // ---- results
+  const T thetadot2 = y[3];
+  const T thetadot3 = y[4];
+  const T thetadot4 = y[5];
+  const T thetadot6 = y[6];
+  const T thetadot7 = y[7];
+  const T thetadot8 = y[8];
+  const T thetadot10 = y[9];
+  const T thetadot11 = y[10];
+  const T thetadot12 = y[11];
+  const T thetadot14 = y[12];
+  const T thetadot15 = y[13];
+  const T thetadot16 = y[14];
+  const T sdot1_1 = y[15], sdot1_2 = y[16], sdot1_3 = y[17];
+  xdot[4] = thetadot2;
+  xdot[5] = thetadot3;
+  xdot[6] = thetadot4;
+  xdot[7] = thetadot6;
+  xdot[8] = thetadot7;
+  xdot[9] = thetadot8;
+  xdot[10] = thetadot10;
+  xdot[11] = thetadot11;
+  xdot[12] = thetadot12;
+  xdot[13] = thetadot14;
+  xdot[14] = thetadot15;
+  xdot[15] = thetadot16;
+  xdot[16] = sdot1_1;
+  xdot[17] = sdot1_2;
+  xdot[18] = sdot1_3;
+}
+
+// poses: attitude R and mass centre p of each body.
+// R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
+// 239 add, 291 multiply, 24 sine or cosine
+template <class T>
+void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_1 = x[16], s1_2 = x[17], s1_3 = x[18];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  pose[0] = R1_11;
+  pose[12] = R1_11;
+  pose[60] = R1_11;
+  pose[108] = R1_11;
+  pose[156] = R1_11;
+  pose[1] = R1_12;
+  pose[13] = R1_12;
+  pose[61] = R1_12;
+  pose[109] = R1_12;
+  pose[157] = R1_12;
+  pose[2] = R1_13;
+  pose[14] = R1_13;
+  pose[62] = R1_13;
+  pose[110] = R1_13;
+  pose[158] = R1_13;
+  pose[3] = R1_21;
+  pose[4] = R1_22;
+  pose[5] = R1_23;
+  pose[6] = R1_31;
+  pose[7] = R1_32;
+  pose[8] = R1_33;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_1 = s1_1 + R1_21 * T(0.0041) - R1_31 * T(5e-04);
+  const T p1_2 = s1_2 + R1_22 * T(0.0041) - R1_32 * T(5e-04);
+  const T p1_3 = s1_3 + R1_23 * T(0.0041) - R1_33 * T(5e-04);
+  pose[9] = p1_1;
+  pose[10] = p1_2;
+  pose[11] = p1_3;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  pose[15] = R2_21;
+  pose[27] = R2_21;
+  pose[39] = R2_21;
+  pose[51] = R2_21;
+  pose[16] = R2_22;
+  pose[28] = R2_22;
+  pose[40] = R2_22;
+  pose[52] = R2_22;
+  pose[17] = R2_23;
+  pose[29] = R2_23;
+  pose[41] = R2_23;
+  pose[53] = R2_23;
+  pose[18] = R2_31;
+  pose[19] = R2_32;
+  pose[20] = R2_33;
+  // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
+  const T t2_1 = R1_11 * T(0.1805);
+  const T t2_2 = R1_21 * T(0.047);
+  const T t2_3 = t2_1 - t2_2;
+  const T P2_1 = s1_1 + t2_3;
+  const T t2_4 = R1_12 * T(0.1805);
+  const T t2_5 = R1_22 * T(0.047);
+  const T t2_6 = t2_4 - t2_5;
+  const T P2_2 = s1_2 + t2_6;
+  const T t2_7 = R1_13 * T(0.1805);
+  const T t2_8 = R1_23 * T(0.047);
+  const T t2_9 = t2_7 - t2_8;
+  const T P2_3 = s1_3 + t2_9;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_10 = R1_11 * T(0.003311);
+  const T p2_1 = R2_31 * T(3.1e-05) - t2_10 - R2_21 * T(0.000635) + P2_1;
+  const T t2_11 = R1_12 * T(0.003311);
+  const T p2_2 = R2_32 * T(3.1e-05) - t2_11 - R2_22 * T(0.000635) + P2_2;
+  const T t2_12 = R1_13 * T(0.003311);
+  const T p2_3 = R2_33 * T(3.1e-05) - t2_12 - R2_23 * T(0.000635) + P2_3;
+  pose[21] = p2_1;
+  pose[22] = p2_2;
+  pose[23] = p2_3;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  pose[24] = R3_11;
+  pose[25] = R3_12;
+  pose[26] = R3_13;
+  pose[30] = R3_31;
+  pose[31] = R3_32;
+  pose[32] = R3_33;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T P3_1 = P2_1 - R2_21 * T(0.0838);
+  const T P3_2 = P2_2 - R2_22 * T(0.0838);
+  const T P3_3 = P2_3 - R2_23 * T(0.0838);
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_1 = R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326) + P3_1;
+  const T p3_2 = R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326) + P3_2;
+  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  pose[33] = p3_1;
+  pose[34] = p3_2;
+  pose[35] = p3_3;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  pose[36] = R4_11;
+  pose[48] = R4_11;
+  pose[37] = R4_12;
+  pose[49] = R4_12;
+  pose[38] = R4_13;
+  pose[50] = R4_13;
+  pose[42] = R4_31;
+  pose[54] = R4_31;
+  pose[43] = R4_32;
+  pose[55] = R4_32;
+  pose[44] = R4_33;
+  pose[56] = R4_33;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_1 = P3_1 - R3_31 * T(0.2);
+  const T P4_2 = P3_2 - R3_32 * T(0.2);
+  const T P4_3 = P3_3 - R3_33 * T(0.2);
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  pose[63] = R6_21;
+  pose[75] = R6_21;
+  pose[87] = R6_21;
+  pose[99] = R6_21;
+  pose[64] = R6_22;
+  pose[76] = R6_22;
+  pose[88] = R6_22;
+  pose[100] = R6_22;
+  pose[65] = R6_23;
+  pose[77] = R6_23;
+  pose[89] = R6_23;
+  pose[101] = R6_23;
+  pose[66] = R6_31;
+  pose[67] = R6_32;
+  pose[68] = R6_33;
+  // P6 = s1 + R1^T q6: position of the body origin, inertial axes [m]
+  const T t6_1 = t2_1 + t2_2;
+  const T P6_1 = s1_1 + t6_1;
+  const T t6_2 = t2_4 + t2_5;
+  const T P6_2 = s1_2 + t6_2;
+  const T t6_3 = t2_7 + t2_8;
+  const T P6_3 = s1_3 + t6_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_1 = R6_21 * T(0.000635) - t2_10 + R6_31 * T(3.1e-05) + P6_1;
+  const T p6_2 = R6_22 * T(0.000635) - t2_11 + R6_32 * T(3.1e-05) + P6_2;
+  const T p6_3 = R6_23 * T(0.000635) - t2_12 + R6_33 * T(3.1e-05) + P6_3;
+  pose[69] = p6_1;
+  pose[70] = p6_2;
+  pose[71] = p6_3;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  pose[72] = R7_11;
+  pose[73] = R7_12;
+  pose[74] = R7_13;
+  pose[78] = R7_31;
+  pose[79] = R7_32;
+  pose[80] = R7_33;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_1 = R6_21 * T(0.0838) + P6_1;
+  const T P7_2 = R6_22 * T(0.0838) + P6_2;
+  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
+  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  pose[81] = p7_1;
+  pose[82] = p7_2;
+  pose[83] = p7_3;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  pose[84] = R8_11;
+  pose[96] = R8_11;
+  pose[85] = R8_12;
+  pose[97] = R8_12;
+  pose[86] = R8_13;
+  pose[98] = R8_13;
+  pose[90] = R8_31;
+  pose[102] = R8_31;
+  pose[91] = R8_32;
+  pose[103] = R8_32;
+  pose[92] = R8_33;
+  pose[104] = R8_33;
+  // P8 = R7^T q8 + P7: position of the body origin, inertial axes [m]
+  const T P8_1 = P7_1 - R7_31 * T(0.2);
+  const T P8_2 = P7_2 - R7_32 * T(0.2);
+  const T P8_3 = P7_3 - R7_33 * T(0.2);
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  pose[111] = R10_21;
+  pose[123] = R10_21;
+  pose[135] = R10_21;
+  pose[147] = R10_21;
+  pose[112] = R10_22;
+  pose[124] = R10_22;
+  pose[136] = R10_22;
+  pose[148] = R10_22;
+  pose[113] = R10_23;
+  pose[125] = R10_23;
+  pose[137] = R10_23;
+  pose[149] = R10_23;
+  pose[114] = R10_31;
+  pose[115] = R10_32;
+  pose[116] = R10_33;
+  // P10 = s1 + R1^T q10: position of the body origin, inertial axes [m]
+  const T P10_1 = s1_1 - t6_1;
+  const T P10_2 = s1_2 - t6_2;
+  const T P10_3 = s1_3 - t6_3;
+  // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
+  const T p10_1 = t2_10 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05) + P10_1;
+  const T p10_2 = t2_11 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05) + P10_2;
+  const T p10_3 = t2_12 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  pose[117] = p10_1;
+  pose[118] = p10_2;
+  pose[119] = p10_3;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  pose[120] = R11_11;
+  pose[121] = R11_12;
+  pose[122] = R11_13;
+  pose[126] = R11_31;
+  pose[127] = R11_32;
+  pose[128] = R11_33;
+  // P11 = R10^T q11 + P10: position of the body origin, inertial axes [m]
+  const T P11_1 = P10_1 - R10_21 * T(0.0838);
+  const T P11_2 = P10_2 - R10_22 * T(0.0838);
+  const T P11_3 = P10_3 - R10_23 * T(0.0838);
+  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
+  const T p11_1 = R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326) + P11_1;
+  const T p11_2 = R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326) + P11_2;
+  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  pose[129] = p11_1;
+  pose[130] = p11_2;
+  pose[131] = p11_3;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  pose[132] = R12_11;
+  pose[144] = R12_11;
+  pose[133] = R12_12;
+  pose[145] = R12_12;
+  pose[134] = R12_13;
+  pose[146] = R12_13;
+  pose[138] = R12_31;
+  pose[150] = R12_31;
+  pose[139] = R12_32;
+  pose[151] = R12_32;
+  pose[140] = R12_33;
+  pose[152] = R12_33;
+  // P12 = R11^T q12 + P11: position of the body origin, inertial axes [m]
+  const T P12_1 = P11_1 - R11_31 * T(0.2);
+  const T P12_2 = P11_2 - R11_32 * T(0.2);
+  const T P12_3 = P11_3 - R11_33 * T(0.2);
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  pose[159] = R14_21;
+  pose[171] = R14_21;
+  pose[183] = R14_21;
+  pose[195] = R14_21;
+  pose[160] = R14_22;
+  pose[172] = R14_22;
+  pose[184] = R14_22;
+  pose[196] = R14_22;
+  pose[161] = R14_23;
+  pose[173] = R14_23;
+  pose[185] = R14_23;
+  pose[197] = R14_23;
+  pose[162] = R14_31;
+  pose[163] = R14_32;
+  pose[164] = R14_33;
+  // P14 = s1 + R1^T q14: position of the body origin, inertial axes [m]
+  const T P14_1 = s1_1 - t2_3;
+  const T P14_2 = s1_2 - t2_6;
+  const T P14_3 = s1_3 - t2_9;
+  // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
+  const T p14_1 = t2_10 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05) + P14_1;
+  const T p14_2 = t2_11 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05) + P14_2;
+  const T p14_3 = t2_12 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  pose[165] = p14_1;
+  pose[166] = p14_2;
+  pose[167] = p14_3;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  pose[168] = R15_11;
+  pose[169] = R15_12;
+  pose[170] = R15_13;
+  pose[174] = R15_31;
+  pose[175] = R15_32;
+  pose[176] = R15_33;
+  // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
+  const T P15_1 = R14_21 * T(0.0838) + P14_1;
+  const T P15_2 = R14_22 * T(0.0838) + P14_2;
+  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
+  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
+  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  pose[177] = p15_1;
+  pose[178] = p15_2;
+  pose[179] = p15_3;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  pose[180] = R16_11;
+  pose[192] = R16_11;
+  pose[181] = R16_12;
+  pose[193] = R16_12;
+  pose[182] = R16_13;
+  pose[194] = R16_13;
+  pose[186] = R16_31;
+  pose[198] = R16_31;
+  pose[187] = R16_32;
+  pose[199] = R16_32;
+  pose[188] = R16_33;
+  pose[200] = R16_33;
+  // P16 = R15^T q16 + P15: position of the body origin, inertial axes [m]
+  const T P16_1 = P15_1 - R15_31 * T(0.2);
+  const T P16_2 = P15_2 - R15_32 * T(0.2);
+  const T P16_3 = P15_3 - R15_33 * T(0.2);
+
+  // ---- results
+  pose[45] = R4_11 * T(0.006435) - R4_31 * T(0.107388) + P4_1;
+  pose[46] = R4_12 * T(0.006435) - R4_32 * T(0.107388) + P4_2;
+  pose[47] = R4_13 * T(0.006435) - R4_33 * T(0.107388) + P4_3;
+  pose[57] = P4_1 - R4_31 * T(0.2);
+  pose[58] = P4_2 - R4_32 * T(0.2);
+  pose[59] = P4_3 - R4_33 * T(0.2);
+  pose[93] = R8_11 * T(0.006435) - R8_31 * T(0.107388) + P8_1;
+  pose[94] = R8_12 * T(0.006435) - R8_32 * T(0.107388) + P8_2;
+  pose[95] = R8_13 * T(0.006435) - R8_33 * T(0.107388) + P8_3;
+  pose[105] = P8_1 - R8_31 * T(0.2);
+  pose[106] = P8_2 - R8_32 * T(0.2);
+  pose[107] = P8_3 - R8_33 * T(0.2);
+  pose[141] = R12_11 * T(0.006435) - R12_31 * T(0.107388) + P12_1;
+  pose[142] = R12_12 * T(0.006435) - R12_32 * T(0.107388) + P12_2;
+  pose[143] = R12_13 * T(0.006435) - R12_33 * T(0.107388) + P12_3;
+  pose[153] = P12_1 - R12_31 * T(0.2);
+  pose[154] = P12_2 - R12_32 * T(0.2);
+  pose[155] = P12_3 - R12_33 * T(0.2);
+  pose[189] = R16_11 * T(0.006435) - R16_31 * T(0.107388) + P16_1;
+  pose[190] = R16_12 * T(0.006435) - R16_32 * T(0.107388) + P16_2;
+  pose[191] = R16_13 * T(0.006435) - R16_33 * T(0.107388) + P16_3;
+  pose[201] = P16_1 - R16_31 * T(0.2);
+  pose[202] = P16_2 - R16_32 * T(0.2);
+  pose[203] = P16_3 - R16_33 * T(0.2);
+}
+
+// energy: kinetic and potential energy [J].
+// kinetic, potential (2) [J]
+// 558 add, 757 multiply, 24 sine or cosine
+template <class T>
+void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_3 = x[18];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot1_1 = y[15], sdot1_2 = y[16], sdot1_3 = y[17];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_3 = s1_3 + R1_23 * T(0.0041) - R1_33 * T(5e-04);
+  // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_13 = omega1_1 * T(5e-04);
+  const T t1_14 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
+  const T t1_15 = omega1_1 * T(0.0041);
+  const T v1_1 = sdot1_1 + R1_21 * t1_13 - R1_11 * t1_14 + R1_31 * t1_15;
+  const T v1_2 = sdot1_2 + R1_22 * t1_13 - R1_12 * t1_14 + R1_32 * t1_15;
+  const T v1_3 = sdot1_3 + R1_23 * t1_13 - R1_13 * t1_14 + R1_33 * t1_15;
+  // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
+  const T T1 = T(0.5) * (omega1_1 * (T(0.0158533) * omega1_1 - T(3.66e-05) * omega1_2 - T(6.11e-05) * omega1_3) +
+      omega1_2 * (T(0.0377999) * omega1_2 - T(3.66e-05) * omega1_1 - T(2.75e-05) * omega1_3) + omega1_3 *
+      (T(0.0456542) * omega1_3 - T(6.11e-05) * omega1_1 - T(2.75e-05) * omega1_2)) + c.c1_1 * (v1_1 * v1_1 + v1_2 *
+      v1_2 + v1_3 * v1_3);
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
+  const T t2_1 = R1_13 * T(0.1805);
+  const T t2_2 = R1_23 * T(0.047);
+  const T t2_3 = t2_1 - t2_2;
+  const T P2_3 = s1_3 + t2_3;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_4 = R1_13 * T(0.003311);
+  const T p2_3 = R2_33 * T(3.1e-05) - t2_4 - R2_23 * T(0.000635) + P2_3;
+  // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T t2_5 = omega1_3 * T(0.047);
+  const T t2_6 = R1_11 * t2_5;
+  const T t2_7 = omega1_3 * T(0.1805);
+  const T t2_8 = R1_21 * t2_7;
+  const T t2_9 = omega1_1 * T(0.047);
+  const T t2_10 = omega1_2 * T(0.1805);
+  const T t2_11 = t2_9 + t2_10;
+  const T t2_12 = t2_6 + t2_8 - R1_31 * t2_11;
+  const T Pdot2_1 = sdot1_1 + t2_12;
+  const T t2_13 = R1_12 * t2_5;
+  const T t2_14 = R1_22 * t2_7;
+  const T t2_15 = t2_13 + t2_14 - R1_32 * t2_11;
+  const T Pdot2_2 = sdot1_2 + t2_15;
+  const T t2_16 = R1_13 * t2_5;
+  const T t2_17 = R1_23 * t2_7;
+  const T t2_18 = t2_16 + t2_17 - R1_33 * t2_11;
+  const T Pdot2_3 = sdot1_3 + t2_18;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_19 = omega2_3 * T(0.000635) + omega2_2 * T(3.1e-05);
+  const T t2_20 = omega2_3 * T(0.003311) + omega2_1 * T(3.1e-05);
+  const T t2_21 = omega2_2 * T(0.003311) - omega2_1 * T(0.000635);
+  const T v2_1 = R1_11 * t2_19 - R2_21 * t2_20 + R2_31 * t2_21 + Pdot2_1;
+  const T v2_2 = R1_12 * t2_19 - R2_22 * t2_20 + R2_32 * t2_21 + Pdot2_2;
+  const T v2_3 = R1_13 * t2_19 - R2_23 * t2_20 + R2_33 * t2_21 + Pdot2_3;
+  // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
+  const T T2 = T(0.5) * (omega2_1 * (T(0.000469246) * omega2_1 + T(9.409e-06) * omega2_2 - T(3.42e-07) * omega2_3) +
+      omega2_2 * (T(9.409e-06) * omega2_1 + T(0.00080749) * omega2_2 + T(4.66e-07) * omega2_3) + omega2_3 *
+      (T(4.66e-07) * omega2_2 - T(3.42e-07) * omega2_1 + T(0.000552929) * omega2_3)) + T(0.348) * (v2_1 * v2_1 + v2_2
+      * v2_2 + v2_3 * v2_3);
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T P3_3 = P2_3 - R2_23 * T(0.0838);
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_1 = omega2_3 * T(0.0838);
+  const T t3_2 = omega2_1 * T(0.0838);
+  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
+  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
+  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_3 = omega3_1 * T(0.027326) - omega3_3 * T(0.003237);
+  const T t3_4 = omega3_3 * T(0.022327) + omega3_2 * T(0.027326);
+  const T t3_5 = omega3_1 * T(0.022327) + omega3_2 * T(0.003237);
+  const T v3_1 = R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5 + Pdot3_1;
+  const T v3_2 = R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5 + Pdot3_2;
+  const T v3_3 = R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5 + Pdot3_3;
+  // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
+  const T T3 = T(0.5) * (omega3_1 * (T(0.005529065) * omega3_1 - T(4.825e-06) * omega3_2 + T(0.000343869) * omega3_3)
+      + omega3_2 * (T(0.005139339) * omega3_2 - T(4.825e-06) * omega3_1 - T(2.2448e-05) * omega3_3) + omega3_3 *
+      (T(0.000343869) * omega3_1 - T(2.2448e-05) * omega3_2 + T(0.001367788) * omega3_3)) + T(0.5065) * (v3_1 * v3_1 +
+      v3_2 * v3_2 + v3_3 * v3_3);
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_3 = P3_3 - R3_33 * T(0.2);
+  // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
+  const T p4_3 = R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814) + P4_3;
+  // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
+  const T t4_1 = omega3_1 * T(0.2);
+  const T t4_2 = omega3_2 * T(0.2);
+  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
+  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
+  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_3 = omega4_3 * T(0.004726592920353982) + omega4_1 * T(0.13197525663716814);
+  const T t4_4 = omega4_2 * T(0.13197525663716814);
+  const T t4_5 = omega4_2 * T(0.004726592920353982);
+  const T v4_1 = R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5 + Pdot4_1;
+  const T v4_2 = R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5 + Pdot4_2;
+  const T v4_3 = R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5 + Pdot4_3;
+  // T4 = 1/2 omega4 . (I_link4 omega4) + 1/2 m_link4 v4 . v4: kinetic energy [J]
+  const T T4 = T(0.5) * (omega4_1 * (T(0.003385566451939115) * omega4_1 - T(0.00016742735341238938) * omega4_3) +
+      T(0.003403441389465664) * omega4_2 * omega4_2 + omega4_3 * (T(4.385093752654867e-05) * omega4_3 -
+      T(0.00016742735341238938) * omega4_1)) + T(0.113) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // P6 = s1 + R1^T q6: position of the body origin, inertial axes [m]
+  const T t6_1 = t2_1 + t2_2;
+  const T P6_3 = s1_3 + t6_1;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_3 = R6_23 * T(0.000635) - t2_4 + R6_33 * T(3.1e-05) + P6_3;
+  // Pdot6 = sdot1 + R1^T omega1~ q6: velocity of the body origin, inertial axes [m/s]
+  const T t6_2 = t2_9 - t2_10;
+  const T t6_3 = t2_8 - t2_6 + R1_31 * t6_2;
+  const T Pdot6_1 = sdot1_1 + t6_3;
+  const T t6_4 = t2_14 - t2_13 + R1_32 * t6_2;
+  const T Pdot6_2 = sdot1_2 + t6_4;
+  const T t6_5 = t2_17 - t2_16 + R1_33 * t6_2;
+  const T Pdot6_3 = sdot1_3 + t6_5;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_6 = omega6_2 * T(3.1e-05) - omega6_3 * T(0.000635);
+  const T t6_7 = omega6_3 * T(0.003311) + omega6_1 * T(3.1e-05);
+  const T t6_8 = omega6_1 * T(0.000635) + omega6_2 * T(0.003311);
+  const T v6_1 = R1_11 * t6_6 - R6_21 * t6_7 + R6_31 * t6_8 + Pdot6_1;
+  const T v6_2 = R1_12 * t6_6 - R6_22 * t6_7 + R6_32 * t6_8 + Pdot6_2;
+  const T v6_3 = R1_13 * t6_6 - R6_23 * t6_7 + R6_33 * t6_8 + Pdot6_3;
+  // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
+  const T T6 = T(0.5) * (omega6_1 * (T(0.000469246) * omega6_1 - T(9.409e-06) * omega6_2 - T(3.42e-07) * omega6_3) +
+      omega6_2 * (T(0.00080749) * omega6_2 - T(9.409e-06) * omega6_1 - T(4.66e-07) * omega6_3) + omega6_3 *
+      (T(0.000552929) * omega6_3 - T(3.42e-07) * omega6_1 - T(4.66e-07) * omega6_2)) + T(0.348) * (v6_1 * v6_1 + v6_2
+      * v6_2 + v6_3 * v6_3);
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
+  const T t7_1 = omega6_1 * T(0.0838);
+  const T t7_2 = omega6_3 * T(0.0838);
+  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
+  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
+  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
+  const T t7_3 = omega7_3 * T(0.022327) - omega7_2 * T(0.027326);
+  const T t7_4 = omega7_1 * T(0.027326) - omega7_3 * T(0.003237);
+  const T t7_5 = omega7_2 * T(0.003237) - omega7_1 * T(0.022327);
+  const T v7_1 = R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5 + Pdot7_1;
+  const T v7_2 = R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5 + Pdot7_2;
+  const T v7_3 = R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5 + Pdot7_3;
+  // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
+  const T T7 = T(0.5) * (omega7_1 * (T(0.005529065) * omega7_1 + T(4.825e-06) * omega7_2 + T(0.000343869) * omega7_3)
+      + omega7_2 * (T(4.825e-06) * omega7_1 + T(0.005139339) * omega7_2 + T(2.2448e-05) * omega7_3) + omega7_3 *
+      (T(0.000343869) * omega7_1 + T(2.2448e-05) * omega7_2 + T(0.001367788) * omega7_3)) + T(0.5065) * (v7_1 * v7_1 +
+      v7_2 * v7_2 + v7_3 * v7_3);
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // P8 = R7^T q8 + P7: position of the body origin, inertial axes [m]
+  const T P8_3 = P7_3 - R7_33 * T(0.2);
+  // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
+  const T p8_3 = R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814) + P8_3;
+  // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
+  const T t8_1 = omega7_1 * T(0.2);
+  const T t8_2 = omega7_2 * T(0.2);
+  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
+  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
+  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
+  const T t8_3 = omega8_3 * T(0.004726592920353982) + omega8_1 * T(0.13197525663716814);
+  const T t8_4 = omega8_2 * T(0.13197525663716814);
+  const T t8_5 = omega8_2 * T(0.004726592920353982);
+  const T v8_1 = R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5 + Pdot8_1;
+  const T v8_2 = R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5 + Pdot8_2;
+  const T v8_3 = R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5 + Pdot8_3;
+  // T8 = 1/2 omega8 . (I_link8 omega8) + 1/2 m_link8 v8 . v8: kinetic energy [J]
+  const T T8 = T(0.5) * (omega8_1 * (T(0.003385566451939115) * omega8_1 - T(0.00016742735341238938) * omega8_3) +
+      T(0.003403441389465664) * omega8_2 * omega8_2 + omega8_3 * (T(4.385093752654867e-05) * omega8_3 -
+      T(0.00016742735341238938) * omega8_1)) + T(0.113) * (v8_1 * v8_1 + v8_2 * v8_2 + v8_3 * v8_3);
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // P10 = s1 + R1^T q10: position of the body origin, inertial axes [m]
+  const T P10_3 = s1_3 - t6_1;
+  // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
+  const T p10_3 = t2_4 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  // Pdot10 = sdot1 + R1^T omega1~ q10: velocity of the body origin, inertial axes [m/s]
+  const T Pdot10_1 = sdot1_1 - t6_3;
+  const T Pdot10_2 = sdot1_2 - t6_4;
+  const T Pdot10_3 = sdot1_3 - t6_5;
+  // v10 = R10^T omega10~ r10 + Pdot10: velocity of the mass centre, inertial axes [m/s]
+  const T t10_1 = omega10_3 * T(0.000635) + omega10_2 * T(3.1e-05);
+  const T t10_2 = omega10_3 * T(0.003311) - omega10_1 * T(3.1e-05);
+  const T t10_3 = omega10_1 * T(0.000635) + omega10_2 * T(0.003311);
+  const T v10_1 = R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3 + Pdot10_1;
+  const T v10_2 = R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3 + Pdot10_2;
+  const T v10_3 = R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3 + Pdot10_3;
+  // T10 = 1/2 omega10 . (I10 omega10) + 1/2 m10 v10 . v10: kinetic energy [J]
+  const T T10 = T(0.5) * (omega10_1 * (T(0.000469246) * omega10_1 - T(9.409e-06) * omega10_2 + T(3.42e-07) *
+      omega10_3) + omega10_2 * (T(0.00080749) * omega10_2 - T(9.409e-06) * omega10_1 + T(4.66e-07) * omega10_3) +
+      omega10_3 * (T(3.42e-07) * omega10_1 + T(4.66e-07) * omega10_2 + T(0.000552929) * omega10_3)) + T(0.348) *
+      (v10_1 * v10_1 + v10_2 * v10_2 + v10_3 * v10_3);
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // P11 = R10^T q11 + P10: position of the body origin, inertial axes [m]
+  const T P11_3 = P10_3 - R10_23 * T(0.0838);
+  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
+  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
+  const T t11_1 = omega10_3 * T(0.0838);
+  const T t11_2 = omega10_1 * T(0.0838);
+  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
+  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
+  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
+  const T t11_3 = omega11_1 * T(0.027326) - omega11_3 * T(0.003237);
+  const T t11_4 = omega11_3 * T(0.022327) + omega11_2 * T(0.027326);
+  const T t11_5 = omega11_1 * T(0.022327) + omega11_2 * T(0.003237);
+  const T v11_1 = R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5 + Pdot11_1;
+  const T v11_2 = R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5 + Pdot11_2;
+  const T v11_3 = R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5 + Pdot11_3;
+  // T11 = 1/2 omega11 . (I11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
+  const T T11 = T(0.5) * (omega11_1 * (T(0.005529065) * omega11_1 - T(4.825e-06) * omega11_2 + T(0.000343869) *
+      omega11_3) + omega11_2 * (T(0.005139339) * omega11_2 - T(4.825e-06) * omega11_1 - T(2.2448e-05) * omega11_3) +
+      omega11_3 * (T(0.000343869) * omega11_1 - T(2.2448e-05) * omega11_2 + T(0.001367788) * omega11_3)) + T(0.5065) *
+      (v11_1 * v11_1 + v11_2 * v11_2 + v11_3 * v11_3);
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // P12 = R11^T q12 + P11: position of the body origin, inertial axes [m]
+  const T P12_3 = P11_3 - R11_33 * T(0.2);
+  // p12 = R12^T r_link12 + P12: position of the mass centre, inertial axes [m]
+  const T p12_3 = R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814) + P12_3;
+  // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
+  const T t12_1 = omega11_1 * T(0.2);
+  const T t12_2 = omega11_2 * T(0.2);
+  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
+  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
+  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  // v12 = R12^T omega12~ r_link12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
+  const T t12_3 = omega12_3 * T(0.004726592920353982) + omega12_1 * T(0.13197525663716814);
+  const T t12_4 = omega12_2 * T(0.13197525663716814);
+  const T t12_5 = omega12_2 * T(0.004726592920353982);
+  const T v12_1 = R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5 + Pdot12_1;
+  const T v12_2 = R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5 + Pdot12_2;
+  const T v12_3 = R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5 + Pdot12_3;
+  // T12 = 1/2 omega12 . (I_link12 omega12) + 1/2 m_link12 v12 . v12: kinetic energy [J]
+  const T T12 = T(0.5) * (omega12_1 * (T(0.003385566451939115) * omega12_1 - T(0.00016742735341238938) * omega12_3) +
+      T(0.003403441389465664) * omega12_2 * omega12_2 + omega12_3 * (T(4.385093752654867e-05) * omega12_3 -
+      T(0.00016742735341238938) * omega12_1)) + T(0.113) * (v12_1 * v12_1 + v12_2 * v12_2 + v12_3 * v12_3);
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // P14 = s1 + R1^T q14: position of the body origin, inertial axes [m]
+  const T P14_3 = s1_3 - t2_3;
+  // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
+  const T p14_3 = t2_4 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  // Pdot14 = sdot1 + R1^T omega1~ q14: velocity of the body origin, inertial axes [m/s]
+  const T Pdot14_1 = sdot1_1 - t2_12;
+  const T Pdot14_2 = sdot1_2 - t2_15;
+  const T Pdot14_3 = sdot1_3 - t2_18;
+  // v14 = R14^T omega14~ r14 + Pdot14: velocity of the mass centre, inertial axes [m/s]
+  const T t14_1 = omega14_2 * T(3.1e-05) - omega14_3 * T(0.000635);
+  const T t14_2 = omega14_3 * T(0.003311) - omega14_1 * T(3.1e-05);
+  const T t14_3 = omega14_1 * T(0.000635) - omega14_2 * T(0.003311);
+  const T v14_1 = R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3 + Pdot14_1;
+  const T v14_2 = R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3 + Pdot14_2;
+  const T v14_3 = R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3 + Pdot14_3;
+  // T14 = 1/2 omega14 . (I14 omega14) + 1/2 m14 v14 . v14: kinetic energy [J]
+  const T T14 = T(0.5) * (omega14_1 * (T(0.000469246) * omega14_1 + T(9.409e-06) * omega14_2 + T(3.42e-07) *
+      omega14_3) + omega14_2 * (T(9.409e-06) * omega14_1 + T(0.00080749) * omega14_2 - T(4.66e-07) * omega14_3) +
+      omega14_3 * (T(3.42e-07) * omega14_1 - T(4.66e-07) * omega14_2 + T(0.000552929) * omega14_3)) + T(0.348) *
+      (v14_1 * v14_1 + v14_2 * v14_2 + v14_3 * v14_3);
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
+  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
+  const T t15_1 = omega14_1 * T(0.0838);
+  const T t15_2 = omega14_3 * T(0.0838);
+  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
+  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
+  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  // v15 = R15^T omega15~ r15 + Pdot15: velocity of the mass centre, inertial axes [m/s]
+  const T t15_3 = omega15_3 * T(0.022327) - omega15_2 * T(0.027326);
+  const T t15_4 = omega15_1 * T(0.027326) - omega15_3 * T(0.003237);
+  const T t15_5 = omega15_2 * T(0.003237) - omega15_1 * T(0.022327);
+  const T v15_1 = R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5 + Pdot15_1;
+  const T v15_2 = R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5 + Pdot15_2;
+  const T v15_3 = R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5 + Pdot15_3;
+  // T15 = 1/2 omega15 . (I15 omega15) + 1/2 m15 v15 . v15: kinetic energy [J]
+  const T T15 = T(0.5) * (omega15_1 * (T(0.005529065) * omega15_1 + T(4.825e-06) * omega15_2 + T(0.000343869) *
+      omega15_3) + omega15_2 * (T(4.825e-06) * omega15_1 + T(0.005139339) * omega15_2 + T(2.2448e-05) * omega15_3) +
+      omega15_3 * (T(0.000343869) * omega15_1 + T(2.2448e-05) * omega15_2 + T(0.001367788) * omega15_3)) + T(0.5065) *
+      (v15_1 * v15_1 + v15_2 * v15_2 + v15_3 * v15_3);
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // P16 = R15^T q16 + P15: position of the body origin, inertial axes [m]
+  const T P16_3 = P15_3 - R15_33 * T(0.2);
+  // p16 = R16^T r_link16 + P16: position of the mass centre, inertial axes [m]
+  const T p16_3 = R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814) + P16_3;
+  // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
+  const T t16_1 = omega15_1 * T(0.2);
+  const T t16_2 = omega15_2 * T(0.2);
+  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
+  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
+  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  // v16 = R16^T omega16~ r_link16 + Pdot16: velocity of the mass centre, inertial axes [m/s]
+  const T t16_3 = omega16_3 * T(0.004726592920353982) + omega16_1 * T(0.13197525663716814);
+  const T t16_4 = omega16_2 * T(0.13197525663716814);
+  const T t16_5 = omega16_2 * T(0.004726592920353982);
+  const T v16_1 = R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5 + Pdot16_1;
+  const T v16_2 = R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5 + Pdot16_2;
+  const T v16_3 = R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5 + Pdot16_3;
+  // T16 = 1/2 omega16 . (I_link16 omega16) + 1/2 m_link16 v16 . v16: kinetic energy [J]
+  const T T16 = T(0.5) * (omega16_1 * (T(0.003385566451939115) * omega16_1 - T(0.00016742735341238938) * omega16_3) +
+      T(0.003403441389465664) * omega16_2 * omega16_2 + omega16_3 * (T(4.385093752654867e-05) * omega16_3 -
+      T(0.00016742735341238938) * omega16_1)) + T(0.113) * (v16_1 * v16_1 + v16_2 * v16_2 + v16_3 * v16_3);
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+
+  // ---- whole system
+  // kinetic = T1 + T2 + T3 + T4 + T6 + T7 + T8 + T10 + T11 + T12 + T14 + T15 + T16: kinetic energy of the system [J]
+  const T kinetic = T1 + T2 + T3 + T4 + T6 + T7 + T8 + T10 + T11 + T12 + T14 + T15 + T16;
+  energy[0] = kinetic;
+  // mp = m1 p1 + m2 p2 + m3 p3 + m6 p6 + m7 p7 + m10 p10 + m11 p11 + m14 p14 + m15 p15 + m_link4 p4 + m_link8 p8 +
+  //   m_link12 p12 + m_link16 p16: first moment of mass, inertial axes [kg m]
+  const T mp_3 = c.p.m_trunk * p1_3 + T(0.696) * p2_3 + T(1.013) * p3_3 + T(0.696) * p6_3 + T(1.013) * p7_3 + T(0.696)
+      * p10_3 + T(1.013) * p11_3 + T(0.696) * p14_3 + T(1.013) * p15_3 + T(0.226) * p4_3 + T(0.226) * p8_3 + T(0.226)
+      * p12_3 + T(0.226) * p16_3;
+  // potential = -g . mp + 1/2 theta2^2 k_fr_hip_ + 1/2 theta6^2 k_fl_hip_ + 1/2 theta10^2 k_rr_hip_ + 1/2 theta14^2
+  //   k_rl_hip_ + 1/2 k_fr_thigh_ stretch_fr_thigh_3^2 + 1/2 k_fr_calf_ stretch_fr_calf_4^2 + 1/2 k_fl_thigh_
+  //   stretch_fl_thigh_7^2 + 1/2 k_fl_calf_ stretch_fl_calf_8^2 + 1/2 k_rr_thigh_ stretch_rr_thigh_11^2 + 1/2
+  //   k_rr_calf_ stretch_rr_calf_12^2 + 1/2 k_rl_thigh_ stretch_rl_thigh_15^2 + 1/2 k_rl_calf_ stretch_rl_calf_16^2:
+  //   potential energy of gravity and springs [J]
+  const T potential = T(9.81) * mp_3 + theta2 * theta2 * T(0.5) * c.p.kp + theta6 * theta6 * T(0.5) * c.p.kp + theta10
+      * theta10 * T(0.5) * c.p.kp + theta14 * theta14 * T(0.5) * c.p.kp + stretch_fr_thigh_3 * stretch_fr_thigh_3 *
+      c.c0_1 + stretch_fr_calf_4 * stretch_fr_calf_4 * c.c0_1 + stretch_fl_thigh_7 * stretch_fl_thigh_7 * c.c0_1 +
+      stretch_fl_calf_8 * stretch_fl_calf_8 * c.c0_1 + stretch_rr_thigh_11 * stretch_rr_thigh_11 * c.c0_1 +
+      stretch_rr_calf_12 * stretch_rr_calf_12 * c.c0_1 + stretch_rl_thigh_15 * stretch_rl_thigh_15 * c.c0_1 +
+      stretch_rl_calf_16 * stretch_rl_calf_16 * c.c0_1;
+  energy[1] = potential;
+}
+
+// momentum: linear and angular momentum, inertial axes, about the inertial origin.
+// linear (3) [kg m/s], angular (3) [kg m^2/s]
+// 773 add, 927 multiply, 24 sine or cosine
+template <class T>
+void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T s1_1 = x[16], s1_2 = x[17], s1_3 = x[18];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T sdot1_1 = y[15], sdot1_2 = y[16], sdot1_3 = y[17];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
+  const T p1_1 = s1_1 + R1_21 * T(0.0041) - R1_31 * T(5e-04);
+  const T p1_2 = s1_2 + R1_22 * T(0.0041) - R1_32 * T(5e-04);
+  const T p1_3 = s1_3 + R1_23 * T(0.0041) - R1_33 * T(5e-04);
+  // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
+  const T t1_13 = omega1_1 * T(5e-04);
+  const T t1_14 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
+  const T t1_15 = omega1_1 * T(0.0041);
+  const T v1_1 = sdot1_1 + R1_21 * t1_13 - R1_11 * t1_14 + R1_31 * t1_15;
+  const T v1_2 = sdot1_2 + R1_22 * t1_13 - R1_12 * t1_14 + R1_32 * t1_15;
+  const T v1_3 = sdot1_3 + R1_23 * t1_13 - R1_13 * t1_14 + R1_33 * t1_15;
+  // l1 = m1 v1: linear momentum, inertial axes [kg m/s]
+  const T l1_1 = c.p.m_trunk * v1_1;
+  const T l1_2 = c.p.m_trunk * v1_2;
+  const T l1_3 = c.p.m_trunk * v1_3;
+  // H1 = R1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t1_16 = T(0.0158533) * omega1_1 - T(3.66e-05) * omega1_2 - T(6.11e-05) * omega1_3;
+  const T t1_17 = T(0.0377999) * omega1_2 - T(3.66e-05) * omega1_1 - T(2.75e-05) * omega1_3;
+  const T t1_18 = T(0.0456542) * omega1_3 - T(6.11e-05) * omega1_1 - T(2.75e-05) * omega1_2;
+  const T H1_1 = R1_11 * t1_16 + R1_21 * t1_17 + R1_31 * t1_18 + p1_2 * l1_3 - p1_3 * l1_2;
+  const T H1_2 = R1_12 * t1_16 + R1_22 * t1_17 + R1_32 * t1_18 + p1_3 * l1_1 - p1_1 * l1_3;
+  const T H1_3 = R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18 + p1_1 * l1_2 - p1_2 * l1_1;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
+  const T t2_1 = R1_11 * T(0.1805);
+  const T t2_2 = R1_21 * T(0.047);
+  const T t2_3 = t2_1 - t2_2;
+  const T P2_1 = s1_1 + t2_3;
+  const T t2_4 = R1_12 * T(0.1805);
+  const T t2_5 = R1_22 * T(0.047);
+  const T t2_6 = t2_4 - t2_5;
+  const T P2_2 = s1_2 + t2_6;
+  const T t2_7 = R1_13 * T(0.1805);
+  const T t2_8 = R1_23 * T(0.047);
+  const T t2_9 = t2_7 - t2_8;
+  const T P2_3 = s1_3 + t2_9;
+  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T t2_10 = R1_11 * T(0.003311);
+  const T p2_1 = R2_31 * T(3.1e-05) - t2_10 - R2_21 * T(0.000635) + P2_1;
+  const T t2_11 = R1_12 * T(0.003311);
+  const T p2_2 = R2_32 * T(3.1e-05) - t2_11 - R2_22 * T(0.000635) + P2_2;
+  const T t2_12 = R1_13 * T(0.003311);
+  const T p2_3 = R2_33 * T(3.1e-05) - t2_12 - R2_23 * T(0.000635) + P2_3;
+  // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T t2_13 = omega1_3 * T(0.047);
+  const T t2_14 = R1_11 * t2_13;
+  const T t2_15 = omega1_3 * T(0.1805);
+  const T t2_16 = R1_21 * t2_15;
+  const T t2_17 = omega1_1 * T(0.047);
+  const T t2_18 = omega1_2 * T(0.1805);
+  const T t2_19 = t2_17 + t2_18;
+  const T t2_20 = t2_14 + t2_16 - R1_31 * t2_19;
+  const T Pdot2_1 = sdot1_1 + t2_20;
+  const T t2_21 = R1_12 * t2_13;
+  const T t2_22 = R1_22 * t2_15;
+  const T t2_23 = t2_21 + t2_22 - R1_32 * t2_19;
+  const T Pdot2_2 = sdot1_2 + t2_23;
+  const T t2_24 = R1_13 * t2_13;
+  const T t2_25 = R1_23 * t2_15;
+  const T t2_26 = t2_24 + t2_25 - R1_33 * t2_19;
+  const T Pdot2_3 = sdot1_3 + t2_26;
+  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_27 = omega2_3 * T(0.000635) + omega2_2 * T(3.1e-05);
+  const T t2_28 = omega2_3 * T(0.003311) + omega2_1 * T(3.1e-05);
+  const T t2_29 = omega2_2 * T(0.003311) - omega2_1 * T(0.000635);
+  const T v2_1 = R1_11 * t2_27 - R2_21 * t2_28 + R2_31 * t2_29 + Pdot2_1;
+  const T v2_2 = R1_12 * t2_27 - R2_22 * t2_28 + R2_32 * t2_29 + Pdot2_2;
+  const T v2_3 = R1_13 * t2_27 - R2_23 * t2_28 + R2_33 * t2_29 + Pdot2_3;
+  // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
+  const T l2_1 = T(0.696) * v2_1;
+  const T l2_2 = T(0.696) * v2_2;
+  const T l2_3 = T(0.696) * v2_3;
+  // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t2_30 = T(0.000469246) * omega2_1 + T(9.409e-06) * omega2_2 - T(3.42e-07) * omega2_3;
+  const T t2_31 = T(9.409e-06) * omega2_1 + T(0.00080749) * omega2_2 + T(4.66e-07) * omega2_3;
+  const T t2_32 = T(4.66e-07) * omega2_2 - T(3.42e-07) * omega2_1 + T(0.000552929) * omega2_3;
+  const T H2_1 = R1_11 * t2_30 + R2_21 * t2_31 + R2_31 * t2_32 + p2_2 * l2_3 - p2_3 * l2_2;
+  const T H2_2 = R1_12 * t2_30 + R2_22 * t2_31 + R2_32 * t2_32 + p2_3 * l2_1 - p2_1 * l2_3;
+  const T H2_3 = R1_13 * t2_30 + R2_23 * t2_31 + R2_33 * t2_32 + p2_1 * l2_2 - p2_2 * l2_1;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
+  const T P3_1 = P2_1 - R2_21 * T(0.0838);
+  const T P3_2 = P2_2 - R2_22 * T(0.0838);
+  const T P3_3 = P2_3 - R2_23 * T(0.0838);
+  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_1 = R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326) + P3_1;
+  const T p3_2 = R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326) + P3_2;
+  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_1 = omega2_3 * T(0.0838);
+  const T t3_2 = omega2_1 * T(0.0838);
+  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
+  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
+  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_3 = omega3_1 * T(0.027326) - omega3_3 * T(0.003237);
+  const T t3_4 = omega3_3 * T(0.022327) + omega3_2 * T(0.027326);
+  const T t3_5 = omega3_1 * T(0.022327) + omega3_2 * T(0.003237);
+  const T v3_1 = R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5 + Pdot3_1;
+  const T v3_2 = R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5 + Pdot3_2;
+  const T v3_3 = R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5 + Pdot3_3;
+  // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
+  const T l3_1 = T(1.013) * v3_1;
+  const T l3_2 = T(1.013) * v3_2;
+  const T l3_3 = T(1.013) * v3_3;
+  // H3 = R3^T I3 omega3 + p3~ l3: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t3_6 = T(0.005529065) * omega3_1 - T(4.825e-06) * omega3_2 + T(0.000343869) * omega3_3;
+  const T t3_7 = T(0.005139339) * omega3_2 - T(4.825e-06) * omega3_1 - T(2.2448e-05) * omega3_3;
+  const T t3_8 = T(0.000343869) * omega3_1 - T(2.2448e-05) * omega3_2 + T(0.001367788) * omega3_3;
+  const T H3_1 = R3_11 * t3_6 + R2_21 * t3_7 + R3_31 * t3_8 + p3_2 * l3_3 - p3_3 * l3_2;
+  const T H3_2 = R3_12 * t3_6 + R2_22 * t3_7 + R3_32 * t3_8 + p3_3 * l3_1 - p3_1 * l3_3;
+  const T H3_3 = R3_13 * t3_6 + R2_23 * t3_7 + R3_33 * t3_8 + p3_1 * l3_2 - p3_2 * l3_1;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
+  const T P4_1 = P3_1 - R3_31 * T(0.2);
+  const T P4_2 = P3_2 - R3_32 * T(0.2);
+  const T P4_3 = P3_3 - R3_33 * T(0.2);
+  // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
+  const T p4_1 = R4_11 * T(0.004726592920353982) - R4_31 * T(0.13197525663716814) + P4_1;
+  const T p4_2 = R4_12 * T(0.004726592920353982) - R4_32 * T(0.13197525663716814) + P4_2;
+  const T p4_3 = R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814) + P4_3;
+  // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
+  const T t4_1 = omega3_1 * T(0.2);
+  const T t4_2 = omega3_2 * T(0.2);
+  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
+  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
+  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
+  const T t4_3 = omega4_3 * T(0.004726592920353982) + omega4_1 * T(0.13197525663716814);
+  const T t4_4 = omega4_2 * T(0.13197525663716814);
+  const T t4_5 = omega4_2 * T(0.004726592920353982);
+  const T v4_1 = R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5 + Pdot4_1;
+  const T v4_2 = R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5 + Pdot4_2;
+  const T v4_3 = R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5 + Pdot4_3;
+  // l4 = m_link4 v4: linear momentum, inertial axes [kg m/s]
+  const T l4_1 = T(0.226) * v4_1;
+  const T l4_2 = T(0.226) * v4_2;
+  const T l4_3 = T(0.226) * v4_3;
+  // H4 = R4^T I_link4 omega4 + p4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t4_6 = T(0.003385566451939115) * omega4_1 - T(0.00016742735341238938) * omega4_3;
+  const T t4_7 = T(0.003403441389465664) * omega4_2;
+  const T t4_8 = T(4.385093752654867e-05) * omega4_3 - T(0.00016742735341238938) * omega4_1;
+  const T H4_1 = R4_11 * t4_6 + R2_21 * t4_7 + R4_31 * t4_8 + p4_2 * l4_3 - p4_3 * l4_2;
+  const T H4_2 = R4_12 * t4_6 + R2_22 * t4_7 + R4_32 * t4_8 + p4_3 * l4_1 - p4_1 * l4_3;
+  const T H4_3 = R4_13 * t4_6 + R2_23 * t4_7 + R4_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // P6 = s1 + R1^T q6: position of the body origin, inertial axes [m]
+  const T t6_1 = t2_1 + t2_2;
+  const T P6_1 = s1_1 + t6_1;
+  const T t6_2 = t2_4 + t2_5;
+  const T P6_2 = s1_2 + t6_2;
+  const T t6_3 = t2_7 + t2_8;
+  const T P6_3 = s1_3 + t6_3;
+  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
+  const T p6_1 = R6_21 * T(0.000635) - t2_10 + R6_31 * T(3.1e-05) + P6_1;
+  const T p6_2 = R6_22 * T(0.000635) - t2_11 + R6_32 * T(3.1e-05) + P6_2;
+  const T p6_3 = R6_23 * T(0.000635) - t2_12 + R6_33 * T(3.1e-05) + P6_3;
+  // Pdot6 = sdot1 + R1^T omega1~ q6: velocity of the body origin, inertial axes [m/s]
+  const T t6_4 = t2_17 - t2_18;
+  const T t6_5 = t2_16 - t2_14 + R1_31 * t6_4;
+  const T Pdot6_1 = sdot1_1 + t6_5;
+  const T t6_6 = t2_22 - t2_21 + R1_32 * t6_4;
+  const T Pdot6_2 = sdot1_2 + t6_6;
+  const T t6_7 = t2_25 - t2_24 + R1_33 * t6_4;
+  const T Pdot6_3 = sdot1_3 + t6_7;
+  // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
+  const T t6_8 = omega6_2 * T(3.1e-05) - omega6_3 * T(0.000635);
+  const T t6_9 = omega6_3 * T(0.003311) + omega6_1 * T(3.1e-05);
+  const T t6_10 = omega6_1 * T(0.000635) + omega6_2 * T(0.003311);
+  const T v6_1 = R1_11 * t6_8 - R6_21 * t6_9 + R6_31 * t6_10 + Pdot6_1;
+  const T v6_2 = R1_12 * t6_8 - R6_22 * t6_9 + R6_32 * t6_10 + Pdot6_2;
+  const T v6_3 = R1_13 * t6_8 - R6_23 * t6_9 + R6_33 * t6_10 + Pdot6_3;
+  // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
+  const T l6_1 = T(0.696) * v6_1;
+  const T l6_2 = T(0.696) * v6_2;
+  const T l6_3 = T(0.696) * v6_3;
+  // H6 = R6^T I6 omega6 + p6~ l6: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t6_11 = T(0.000469246) * omega6_1 - T(9.409e-06) * omega6_2 - T(3.42e-07) * omega6_3;
+  const T t6_12 = T(0.00080749) * omega6_2 - T(9.409e-06) * omega6_1 - T(4.66e-07) * omega6_3;
+  const T t6_13 = T(0.000552929) * omega6_3 - T(3.42e-07) * omega6_1 - T(4.66e-07) * omega6_2;
+  const T H6_1 = R1_11 * t6_11 + R6_21 * t6_12 + R6_31 * t6_13 + p6_2 * l6_3 - p6_3 * l6_2;
+  const T H6_2 = R1_12 * t6_11 + R6_22 * t6_12 + R6_32 * t6_13 + p6_3 * l6_1 - p6_1 * l6_3;
+  const T H6_3 = R1_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_13 + p6_1 * l6_2 - p6_2 * l6_1;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
+  const T P7_1 = R6_21 * T(0.0838) + P6_1;
+  const T P7_2 = R6_22 * T(0.0838) + P6_2;
+  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
+  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
+  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
+  const T t7_1 = omega6_1 * T(0.0838);
+  const T t7_2 = omega6_3 * T(0.0838);
+  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
+  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
+  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
+  const T t7_3 = omega7_3 * T(0.022327) - omega7_2 * T(0.027326);
+  const T t7_4 = omega7_1 * T(0.027326) - omega7_3 * T(0.003237);
+  const T t7_5 = omega7_2 * T(0.003237) - omega7_1 * T(0.022327);
+  const T v7_1 = R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5 + Pdot7_1;
+  const T v7_2 = R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5 + Pdot7_2;
+  const T v7_3 = R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5 + Pdot7_3;
+  // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
+  const T l7_1 = T(1.013) * v7_1;
+  const T l7_2 = T(1.013) * v7_2;
+  const T l7_3 = T(1.013) * v7_3;
+  // H7 = R7^T I7 omega7 + p7~ l7: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t7_6 = T(0.005529065) * omega7_1 + T(4.825e-06) * omega7_2 + T(0.000343869) * omega7_3;
+  const T t7_7 = T(4.825e-06) * omega7_1 + T(0.005139339) * omega7_2 + T(2.2448e-05) * omega7_3;
+  const T t7_8 = T(0.000343869) * omega7_1 + T(2.2448e-05) * omega7_2 + T(0.001367788) * omega7_3;
+  const T H7_1 = R7_11 * t7_6 + R6_21 * t7_7 + R7_31 * t7_8 + p7_2 * l7_3 - p7_3 * l7_2;
+  const T H7_2 = R7_12 * t7_6 + R6_22 * t7_7 + R7_32 * t7_8 + p7_3 * l7_1 - p7_1 * l7_3;
+  const T H7_3 = R7_13 * t7_6 + R6_23 * t7_7 + R7_33 * t7_8 + p7_1 * l7_2 - p7_2 * l7_1;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // P8 = R7^T q8 + P7: position of the body origin, inertial axes [m]
+  const T P8_1 = P7_1 - R7_31 * T(0.2);
+  const T P8_2 = P7_2 - R7_32 * T(0.2);
+  const T P8_3 = P7_3 - R7_33 * T(0.2);
+  // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
+  const T p8_1 = R8_11 * T(0.004726592920353982) - R8_31 * T(0.13197525663716814) + P8_1;
+  const T p8_2 = R8_12 * T(0.004726592920353982) - R8_32 * T(0.13197525663716814) + P8_2;
+  const T p8_3 = R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814) + P8_3;
+  // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
+  const T t8_1 = omega7_1 * T(0.2);
+  const T t8_2 = omega7_2 * T(0.2);
+  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
+  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
+  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
+  const T t8_3 = omega8_3 * T(0.004726592920353982) + omega8_1 * T(0.13197525663716814);
+  const T t8_4 = omega8_2 * T(0.13197525663716814);
+  const T t8_5 = omega8_2 * T(0.004726592920353982);
+  const T v8_1 = R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5 + Pdot8_1;
+  const T v8_2 = R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5 + Pdot8_2;
+  const T v8_3 = R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5 + Pdot8_3;
+  // l8 = m_link8 v8: linear momentum, inertial axes [kg m/s]
+  const T l8_1 = T(0.226) * v8_1;
+  const T l8_2 = T(0.226) * v8_2;
+  const T l8_3 = T(0.226) * v8_3;
+  // H8 = R8^T I_link8 omega8 + p8~ l8: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t8_6 = T(0.003385566451939115) * omega8_1 - T(0.00016742735341238938) * omega8_3;
+  const T t8_7 = T(0.003403441389465664) * omega8_2;
+  const T t8_8 = T(4.385093752654867e-05) * omega8_3 - T(0.00016742735341238938) * omega8_1;
+  const T H8_1 = R8_11 * t8_6 + R6_21 * t8_7 + R8_31 * t8_8 + p8_2 * l8_3 - p8_3 * l8_2;
+  const T H8_2 = R8_12 * t8_6 + R6_22 * t8_7 + R8_32 * t8_8 + p8_3 * l8_1 - p8_1 * l8_3;
+  const T H8_3 = R8_13 * t8_6 + R6_23 * t8_7 + R8_33 * t8_8 + p8_1 * l8_2 - p8_2 * l8_1;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // P10 = s1 + R1^T q10: position of the body origin, inertial axes [m]
+  const T P10_1 = s1_1 - t6_1;
+  const T P10_2 = s1_2 - t6_2;
+  const T P10_3 = s1_3 - t6_3;
+  // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
+  const T p10_1 = t2_10 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05) + P10_1;
+  const T p10_2 = t2_11 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05) + P10_2;
+  const T p10_3 = t2_12 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  // Pdot10 = sdot1 + R1^T omega1~ q10: velocity of the body origin, inertial axes [m/s]
+  const T Pdot10_1 = sdot1_1 - t6_5;
+  const T Pdot10_2 = sdot1_2 - t6_6;
+  const T Pdot10_3 = sdot1_3 - t6_7;
+  // v10 = R10^T omega10~ r10 + Pdot10: velocity of the mass centre, inertial axes [m/s]
+  const T t10_1 = omega10_3 * T(0.000635) + omega10_2 * T(3.1e-05);
+  const T t10_2 = omega10_3 * T(0.003311) - omega10_1 * T(3.1e-05);
+  const T t10_3 = omega10_1 * T(0.000635) + omega10_2 * T(0.003311);
+  const T v10_1 = R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3 + Pdot10_1;
+  const T v10_2 = R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3 + Pdot10_2;
+  const T v10_3 = R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3 + Pdot10_3;
+  // l10 = m10 v10: linear momentum, inertial axes [kg m/s]
+  const T l10_1 = T(0.696) * v10_1;
+  const T l10_2 = T(0.696) * v10_2;
+  const T l10_3 = T(0.696) * v10_3;
+  // H10 = R10^T I10 omega10 + p10~ l10: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t10_4 = T(0.000469246) * omega10_1 - T(9.409e-06) * omega10_2 + T(3.42e-07) * omega10_3;
+  const T t10_5 = T(0.00080749) * omega10_2 - T(9.409e-06) * omega10_1 + T(4.66e-07) * omega10_3;
+  const T t10_6 = T(3.42e-07) * omega10_1 + T(4.66e-07) * omega10_2 + T(0.000552929) * omega10_3;
+  const T H10_1 = R1_11 * t10_4 + R10_21 * t10_5 + R10_31 * t10_6 + p10_2 * l10_3 - p10_3 * l10_2;
+  const T H10_2 = R1_12 * t10_4 + R10_22 * t10_5 + R10_32 * t10_6 + p10_3 * l10_1 - p10_1 * l10_3;
+  const T H10_3 = R1_13 * t10_4 + R10_23 * t10_5 + R10_33 * t10_6 + p10_1 * l10_2 - p10_2 * l10_1;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // P11 = R10^T q11 + P10: position of the body origin, inertial axes [m]
+  const T P11_1 = P10_1 - R10_21 * T(0.0838);
+  const T P11_2 = P10_2 - R10_22 * T(0.0838);
+  const T P11_3 = P10_3 - R10_23 * T(0.0838);
+  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
+  const T p11_1 = R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326) + P11_1;
+  const T p11_2 = R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326) + P11_2;
+  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
+  const T t11_1 = omega10_3 * T(0.0838);
+  const T t11_2 = omega10_1 * T(0.0838);
+  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
+  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
+  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
+  const T t11_3 = omega11_1 * T(0.027326) - omega11_3 * T(0.003237);
+  const T t11_4 = omega11_3 * T(0.022327) + omega11_2 * T(0.027326);
+  const T t11_5 = omega11_1 * T(0.022327) + omega11_2 * T(0.003237);
+  const T v11_1 = R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5 + Pdot11_1;
+  const T v11_2 = R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5 + Pdot11_2;
+  const T v11_3 = R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5 + Pdot11_3;
+  // l11 = m11 v11: linear momentum, inertial axes [kg m/s]
+  const T l11_1 = T(1.013) * v11_1;
+  const T l11_2 = T(1.013) * v11_2;
+  const T l11_3 = T(1.013) * v11_3;
+  // H11 = R11^T I11 omega11 + p11~ l11: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t11_6 = T(0.005529065) * omega11_1 - T(4.825e-06) * omega11_2 + T(0.000343869) * omega11_3;
+  const T t11_7 = T(0.005139339) * omega11_2 - T(4.825e-06) * omega11_1 - T(2.2448e-05) * omega11_3;
+  const T t11_8 = T(0.000343869) * omega11_1 - T(2.2448e-05) * omega11_2 + T(0.001367788) * omega11_3;
+  const T H11_1 = R11_11 * t11_6 + R10_21 * t11_7 + R11_31 * t11_8 + p11_2 * l11_3 - p11_3 * l11_2;
+  const T H11_2 = R11_12 * t11_6 + R10_22 * t11_7 + R11_32 * t11_8 + p11_3 * l11_1 - p11_1 * l11_3;
+  const T H11_3 = R11_13 * t11_6 + R10_23 * t11_7 + R11_33 * t11_8 + p11_1 * l11_2 - p11_2 * l11_1;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // P12 = R11^T q12 + P11: position of the body origin, inertial axes [m]
+  const T P12_1 = P11_1 - R11_31 * T(0.2);
+  const T P12_2 = P11_2 - R11_32 * T(0.2);
+  const T P12_3 = P11_3 - R11_33 * T(0.2);
+  // p12 = R12^T r_link12 + P12: position of the mass centre, inertial axes [m]
+  const T p12_1 = R12_11 * T(0.004726592920353982) - R12_31 * T(0.13197525663716814) + P12_1;
+  const T p12_2 = R12_12 * T(0.004726592920353982) - R12_32 * T(0.13197525663716814) + P12_2;
+  const T p12_3 = R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814) + P12_3;
+  // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
+  const T t12_1 = omega11_1 * T(0.2);
+  const T t12_2 = omega11_2 * T(0.2);
+  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
+  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
+  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  // v12 = R12^T omega12~ r_link12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
+  const T t12_3 = omega12_3 * T(0.004726592920353982) + omega12_1 * T(0.13197525663716814);
+  const T t12_4 = omega12_2 * T(0.13197525663716814);
+  const T t12_5 = omega12_2 * T(0.004726592920353982);
+  const T v12_1 = R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5 + Pdot12_1;
+  const T v12_2 = R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5 + Pdot12_2;
+  const T v12_3 = R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5 + Pdot12_3;
+  // l12 = m_link12 v12: linear momentum, inertial axes [kg m/s]
+  const T l12_1 = T(0.226) * v12_1;
+  const T l12_2 = T(0.226) * v12_2;
+  const T l12_3 = T(0.226) * v12_3;
+  // H12 = R12^T I_link12 omega12 + p12~ l12: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t12_6 = T(0.003385566451939115) * omega12_1 - T(0.00016742735341238938) * omega12_3;
+  const T t12_7 = T(0.003403441389465664) * omega12_2;
+  const T t12_8 = T(4.385093752654867e-05) * omega12_3 - T(0.00016742735341238938) * omega12_1;
+  const T H12_1 = R12_11 * t12_6 + R10_21 * t12_7 + R12_31 * t12_8 + p12_2 * l12_3 - p12_3 * l12_2;
+  const T H12_2 = R12_12 * t12_6 + R10_22 * t12_7 + R12_32 * t12_8 + p12_3 * l12_1 - p12_1 * l12_3;
+  const T H12_3 = R12_13 * t12_6 + R10_23 * t12_7 + R12_33 * t12_8 + p12_1 * l12_2 - p12_2 * l12_1;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // P14 = s1 + R1^T q14: position of the body origin, inertial axes [m]
+  const T P14_1 = s1_1 - t2_3;
+  const T P14_2 = s1_2 - t2_6;
+  const T P14_3 = s1_3 - t2_9;
+  // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
+  const T p14_1 = t2_10 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05) + P14_1;
+  const T p14_2 = t2_11 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05) + P14_2;
+  const T p14_3 = t2_12 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  // Pdot14 = sdot1 + R1^T omega1~ q14: velocity of the body origin, inertial axes [m/s]
+  const T Pdot14_1 = sdot1_1 - t2_20;
+  const T Pdot14_2 = sdot1_2 - t2_23;
+  const T Pdot14_3 = sdot1_3 - t2_26;
+  // v14 = R14^T omega14~ r14 + Pdot14: velocity of the mass centre, inertial axes [m/s]
+  const T t14_1 = omega14_2 * T(3.1e-05) - omega14_3 * T(0.000635);
+  const T t14_2 = omega14_3 * T(0.003311) - omega14_1 * T(3.1e-05);
+  const T t14_3 = omega14_1 * T(0.000635) - omega14_2 * T(0.003311);
+  const T v14_1 = R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3 + Pdot14_1;
+  const T v14_2 = R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3 + Pdot14_2;
+  const T v14_3 = R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3 + Pdot14_3;
+  // l14 = m14 v14: linear momentum, inertial axes [kg m/s]
+  const T l14_1 = T(0.696) * v14_1;
+  const T l14_2 = T(0.696) * v14_2;
+  const T l14_3 = T(0.696) * v14_3;
+  // H14 = R14^T I14 omega14 + p14~ l14: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t14_4 = T(0.000469246) * omega14_1 + T(9.409e-06) * omega14_2 + T(3.42e-07) * omega14_3;
+  const T t14_5 = T(9.409e-06) * omega14_1 + T(0.00080749) * omega14_2 - T(4.66e-07) * omega14_3;
+  const T t14_6 = T(3.42e-07) * omega14_1 - T(4.66e-07) * omega14_2 + T(0.000552929) * omega14_3;
+  const T H14_1 = R1_11 * t14_4 + R14_21 * t14_5 + R14_31 * t14_6 + p14_2 * l14_3 - p14_3 * l14_2;
+  const T H14_2 = R1_12 * t14_4 + R14_22 * t14_5 + R14_32 * t14_6 + p14_3 * l14_1 - p14_1 * l14_3;
+  const T H14_3 = R1_13 * t14_4 + R14_23 * t14_5 + R14_33 * t14_6 + p14_1 * l14_2 - p14_2 * l14_1;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
+  const T P15_1 = R14_21 * T(0.0838) + P14_1;
+  const T P15_2 = R14_22 * T(0.0838) + P14_2;
+  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
+  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
+  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
+  const T t15_1 = omega14_1 * T(0.0838);
+  const T t15_2 = omega14_3 * T(0.0838);
+  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
+  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
+  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  // v15 = R15^T omega15~ r15 + Pdot15: velocity of the mass centre, inertial axes [m/s]
+  const T t15_3 = omega15_3 * T(0.022327) - omega15_2 * T(0.027326);
+  const T t15_4 = omega15_1 * T(0.027326) - omega15_3 * T(0.003237);
+  const T t15_5 = omega15_2 * T(0.003237) - omega15_1 * T(0.022327);
+  const T v15_1 = R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5 + Pdot15_1;
+  const T v15_2 = R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5 + Pdot15_2;
+  const T v15_3 = R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5 + Pdot15_3;
+  // l15 = m15 v15: linear momentum, inertial axes [kg m/s]
+  const T l15_1 = T(1.013) * v15_1;
+  const T l15_2 = T(1.013) * v15_2;
+  const T l15_3 = T(1.013) * v15_3;
+  // H15 = R15^T I15 omega15 + p15~ l15: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t15_6 = T(0.005529065) * omega15_1 + T(4.825e-06) * omega15_2 + T(0.000343869) * omega15_3;
+  const T t15_7 = T(4.825e-06) * omega15_1 + T(0.005139339) * omega15_2 + T(2.2448e-05) * omega15_3;
+  const T t15_8 = T(0.000343869) * omega15_1 + T(2.2448e-05) * omega15_2 + T(0.001367788) * omega15_3;
+  const T H15_1 = R15_11 * t15_6 + R14_21 * t15_7 + R15_31 * t15_8 + p15_2 * l15_3 - p15_3 * l15_2;
+  const T H15_2 = R15_12 * t15_6 + R14_22 * t15_7 + R15_32 * t15_8 + p15_3 * l15_1 - p15_1 * l15_3;
+  const T H15_3 = R15_13 * t15_6 + R14_23 * t15_7 + R15_33 * t15_8 + p15_1 * l15_2 - p15_2 * l15_1;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // P16 = R15^T q16 + P15: position of the body origin, inertial axes [m]
+  const T P16_1 = P15_1 - R15_31 * T(0.2);
+  const T P16_2 = P15_2 - R15_32 * T(0.2);
+  const T P16_3 = P15_3 - R15_33 * T(0.2);
+  // p16 = R16^T r_link16 + P16: position of the mass centre, inertial axes [m]
+  const T p16_1 = R16_11 * T(0.004726592920353982) - R16_31 * T(0.13197525663716814) + P16_1;
+  const T p16_2 = R16_12 * T(0.004726592920353982) - R16_32 * T(0.13197525663716814) + P16_2;
+  const T p16_3 = R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814) + P16_3;
+  // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
+  const T t16_1 = omega15_1 * T(0.2);
+  const T t16_2 = omega15_2 * T(0.2);
+  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
+  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
+  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  // v16 = R16^T omega16~ r_link16 + Pdot16: velocity of the mass centre, inertial axes [m/s]
+  const T t16_3 = omega16_3 * T(0.004726592920353982) + omega16_1 * T(0.13197525663716814);
+  const T t16_4 = omega16_2 * T(0.13197525663716814);
+  const T t16_5 = omega16_2 * T(0.004726592920353982);
+  const T v16_1 = R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5 + Pdot16_1;
+  const T v16_2 = R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5 + Pdot16_2;
+  const T v16_3 = R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5 + Pdot16_3;
+  // l16 = m_link16 v16: linear momentum, inertial axes [kg m/s]
+  const T l16_1 = T(0.226) * v16_1;
+  const T l16_2 = T(0.226) * v16_2;
+  const T l16_3 = T(0.226) * v16_3;
+  // H16 = R16^T I_link16 omega16 + p16~ l16: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t16_6 = T(0.003385566451939115) * omega16_1 - T(0.00016742735341238938) * omega16_3;
+  const T t16_7 = T(0.003403441389465664) * omega16_2;
+  const T t16_8 = T(4.385093752654867e-05) * omega16_3 - T(0.00016742735341238938) * omega16_1;
+  const T H16_1 = R16_11 * t16_6 + R14_21 * t16_7 + R16_31 * t16_8 + p16_2 * l16_3 - p16_3 * l16_2;
+  const T H16_2 = R16_12 * t16_6 + R14_22 * t16_7 + R16_32 * t16_8 + p16_3 * l16_1 - p16_1 * l16_3;
+  const T H16_3 = R16_13 * t16_6 + R14_23 * t16_7 + R16_33 * t16_8 + p16_1 * l16_2 - p16_2 * l16_1;
+
+  // ---- whole system
+  // linear = l1 + l2 + l3 + l4 + l6 + l7 + l8 + l10 + l11 + l12 + l14 + l15 + l16: linear momentum of the system [kg
+  //   m/s]
+  const T linear_1 = l1_1 + l2_1 + l3_1 + l4_1 + l6_1 + l7_1 + l8_1 + l10_1 + l11_1 + l12_1 + l14_1 + l15_1 + l16_1;
+  const T linear_2 = l1_2 + l2_2 + l3_2 + l4_2 + l6_2 + l7_2 + l8_2 + l10_2 + l11_2 + l12_2 + l14_2 + l15_2 + l16_2;
+  const T linear_3 = l1_3 + l2_3 + l3_3 + l4_3 + l6_3 + l7_3 + l8_3 + l10_3 + l11_3 + l12_3 + l14_3 + l15_3 + l16_3;
+  momentum[0] = linear_1;
+  momentum[1] = linear_2;
+  momentum[2] = linear_3;
+  // angular = H1 + H2 + H3 + H4 + H6 + H7 + H8 + H10 + H11 + H12 + H14 + H15 + H16: angular momentum of the system
+  //   about the inertial origin [kg m^2/s]
+  const T angular_1 = H1_1 + H2_1 + H3_1 + H4_1 + H6_1 + H7_1 + H8_1 + H10_1 + H11_1 + H12_1 + H14_1 + H15_1 + H16_1;
+  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H6_2 + H7_2 + H8_2 + H10_2 + H11_2 + H12_2 + H14_2 + H15_2 + H16_2;
+  const T angular_3 = H1_3 + H2_3 + H3_3 + H4_3 + H6_3 + H7_3 + H8_3 + H10_3 + H11_3 + H12_3 + H14_3 + H15_3 + H16_3;
+  momentum[3] = angular_1;
+  momentum[4] = angular_2;
+  momentum[5] = angular_3;
+}
+
+// power: power of the applied loads, without gravity and springs that keep their energy [W].
+// power (1) [W]
+// 236 add, 320 multiply, 24 sine or cosine
+template <class T>
+void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* out) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T thetadot2 = y[3];
+  const T sdot1_1 = y[15], sdot1_2 = y[16], sdot1_3 = y[17];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
+  const T t2_1 = omega1_3 * T(0.047);
+  const T t2_2 = R1_11 * t2_1;
+  const T t2_3 = omega1_3 * T(0.1805);
+  const T t2_4 = R1_21 * t2_3;
+  const T t2_5 = omega1_1 * T(0.047);
+  const T t2_6 = omega1_2 * T(0.1805);
+  const T t2_7 = t2_5 + t2_6;
+  const T t2_8 = t2_2 + t2_4 - R1_31 * t2_7;
+  const T Pdot2_1 = sdot1_1 + t2_8;
+  const T t2_9 = R1_12 * t2_1;
+  const T t2_10 = R1_22 * t2_3;
+  const T t2_11 = t2_9 + t2_10 - R1_32 * t2_7;
+  const T Pdot2_2 = sdot1_2 + t2_11;
+  const T t2_12 = R1_13 * t2_1;
+  const T t2_13 = R1_23 * t2_3;
+  const T t2_14 = t2_12 + t2_13 - R1_33 * t2_7;
+  const T Pdot2_3 = sdot1_3 + t2_14;
+  // damping_fr_hip_2 = -thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
+  const T damping_fr_hip_2 = u.tau_fr_hip - thetadot2 * c.p.kd;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
+  const T t3_1 = omega2_3 * T(0.0838);
+  const T t3_2 = omega2_1 * T(0.0838);
+  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
+  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
+  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  // damping_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_: along the coordinate [N m], [N]
+  const T damping_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
+  const T t4_1 = omega3_1 * T(0.2);
+  const T t4_2 = omega3_2 * T(0.2);
+  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
+  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
+  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  // damping_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_: along the coordinate [N m], [N]
+  const T damping_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // Pdot6 = sdot1 + R1^T omega1~ q6: velocity of the body origin, inertial axes [m/s]
+  const T t6_1 = t2_5 - t2_6;
+  const T t6_2 = t2_4 - t2_2 + R1_31 * t6_1;
+  const T Pdot6_1 = sdot1_1 + t6_2;
+  const T t6_3 = t2_10 - t2_9 + R1_32 * t6_1;
+  const T Pdot6_2 = sdot1_2 + t6_3;
+  const T t6_4 = t2_13 - t2_12 + R1_33 * t6_1;
+  const T Pdot6_3 = sdot1_3 + t6_4;
+  // damping_fl_hip_6 = -thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
+  const T damping_fl_hip_6 = u.tau_fl_hip - thetadot6 * c.p.kd;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
+  const T t7_1 = omega6_1 * T(0.0838);
+  const T t7_2 = omega6_3 * T(0.0838);
+  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
+  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
+  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  // damping_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_: along the coordinate [N m], [N]
+  const T damping_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
+  const T t8_1 = omega7_1 * T(0.2);
+  const T t8_2 = omega7_2 * T(0.2);
+  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
+  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
+  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  // damping_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_: along the coordinate [N m], [N]
+  const T damping_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // Pdot10 = sdot1 + R1^T omega1~ q10: velocity of the body origin, inertial axes [m/s]
+  const T Pdot10_1 = sdot1_1 - t6_2;
+  const T Pdot10_2 = sdot1_2 - t6_3;
+  const T Pdot10_3 = sdot1_3 - t6_4;
+  // damping_rr_hip_10 = -thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
+  const T damping_rr_hip_10 = u.tau_rr_hip - thetadot10 * c.p.kd;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
+  const T t11_1 = omega10_3 * T(0.0838);
+  const T t11_2 = omega10_1 * T(0.0838);
+  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
+  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
+  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  // damping_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_: along the coordinate [N m], [N]
+  const T damping_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
+  const T t12_1 = omega11_1 * T(0.2);
+  const T t12_2 = omega11_2 * T(0.2);
+  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
+  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
+  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  // damping_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_: along the coordinate [N m], [N]
+  const T damping_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // Pdot14 = sdot1 + R1^T omega1~ q14: velocity of the body origin, inertial axes [m/s]
+  const T Pdot14_1 = sdot1_1 - t2_8;
+  const T Pdot14_2 = sdot1_2 - t2_11;
+  const T Pdot14_3 = sdot1_3 - t2_14;
+  // damping_rl_hip_14 = -thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
+  const T damping_rl_hip_14 = u.tau_rl_hip - thetadot14 * c.p.kd;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
+  const T t15_1 = omega14_1 * T(0.0838);
+  const T t15_2 = omega14_3 * T(0.0838);
+  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
+  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
+  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  // damping_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_: along the coordinate [N m], [N]
+  const T damping_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
+  const T t16_1 = omega15_1 * T(0.2);
+  const T t16_2 = omega15_2 * T(0.2);
+  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
+  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
+  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  // damping_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_: along the coordinate [N m], [N]
+  const T damping_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd;
+
+  // ---- whole system
+  // power = thetadot2 damping_fr_hip_2 + thetadot3 damping_fr_thigh_3 + thetadot4 damping_fr_calf_4 + thetadot6
+  //   damping_fl_hip_6 + thetadot7 damping_fl_thigh_7 + thetadot8 damping_fl_calf_8 + thetadot10 damping_rr_hip_10 +
+  //   thetadot11 damping_rr_thigh_11 + thetadot12 damping_rr_calf_12 + thetadot14 damping_rl_hip_14 + thetadot15
+  //   damping_rl_thigh_15 + thetadot16 damping_rl_calf_16 + F_ground_on_fr_ . (R4^T omega4~ o5 + Pdot4) +
+  //   F_ground_on_fl_ . (R8^T omega8~ o9 + Pdot8) + F_ground_on_rr_ . (R12^T omega12~ o13 + Pdot12) + F_ground_on_rl_
+  //   . (R16^T omega16~ o17 + Pdot16): power of the applied loads [W]
+  const T b0_1 = omega4_1 * T(0.2);
+  const T b0_2 = omega4_2 * T(0.2);
+  const T b0_3 = omega8_1 * T(0.2);
+  const T b0_4 = omega8_2 * T(0.2);
+  const T b0_5 = omega12_1 * T(0.2);
+  const T b0_6 = omega12_2 * T(0.2);
+  const T b0_7 = omega16_1 * T(0.2);
+  const T b0_8 = omega16_2 * T(0.2);
+  const T power = thetadot2 * damping_fr_hip_2 + thetadot3 * damping_fr_thigh_3 + thetadot4 * damping_fr_calf_4 +
+      thetadot6 * damping_fl_hip_6 + thetadot7 * damping_fl_thigh_7 + thetadot8 * damping_fl_calf_8 + thetadot10 *
+      damping_rr_hip_10 + thetadot11 * damping_rr_thigh_11 + thetadot12 * damping_rr_calf_12 + thetadot14 *
+      damping_rl_hip_14 + thetadot15 * damping_rl_thigh_15 + thetadot16 * damping_rl_calf_16 + u.ground_fr_x * (R2_21
+      * b0_1 - R4_11 * b0_2 + Pdot4_1) + u.ground_fr_y * (R2_22 * b0_1 - R4_12 * b0_2 + Pdot4_2) + u.ground_fr_z *
+      (R2_23 * b0_1 - R4_13 * b0_2 + Pdot4_3) + u.ground_fl_x * (R6_21 * b0_3 - R8_11 * b0_4 + Pdot8_1) +
+      u.ground_fl_y * (R6_22 * b0_3 - R8_12 * b0_4 + Pdot8_2) + u.ground_fl_z * (R6_23 * b0_3 - R8_13 * b0_4 +
+      Pdot8_3) + u.ground_rr_x * (R10_21 * b0_5 - R12_11 * b0_6 + Pdot12_1) + u.ground_rr_y * (R10_22 * b0_5 - R12_12
+      * b0_6 + Pdot12_2) + u.ground_rr_z * (R10_23 * b0_5 - R12_13 * b0_6 + Pdot12_3) + u.ground_rl_x * (R14_21 * b0_7
+      - R16_11 * b0_8 + Pdot16_1) + u.ground_rl_y * (R14_22 * b0_7 - R16_12 * b0_8 + Pdot16_2) + u.ground_rl_z *
+      (R14_23 * b0_7 - R16_13 * b0_8 + Pdot16_3);
+  out[0] = power;
+}
+
+// accelerations: ydot from A ydot = f.
+// rates of y (ny) [rad/s^2], [m/s^2]
+// 1796 add, 2074 multiply, 14 divide, 24 sine or cosine
+template <class T>
+void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // a1 = omega1~ omega1~ r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_13 = omega1_1 * T(0.0041);
+  const T t1_14 = omega1_1 * T(5e-04);
+  const T a1_1 = omega1_2 * t1_13 - omega1_3 * t1_14;
+  const T t1_15 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
+  const T minus_a1_2 = omega1_3 * t1_15 + omega1_1 * t1_13;
+  const T a1_3 = omega1_1 * t1_14 + omega1_2 * t1_15;
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G1_1 = c.p.m_trunk * a1_1;
+  const T G1_2 = c.p.m_trunk * minus_a1_2;
+  const T minus_G1_3 = c.p.m_trunk * a1_3;
+  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
+  const T t1_16 = omega1_2 * omega1_3;
+  const T t1_17 = omega1_2 * omega1_2;
+  const T t1_18 = omega1_3 * omega1_3;
+  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_20 = omega1_1 * omega1_3;
+  const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
+      T(3.66e-05) * t1_20;
+  const T t1_21 = omega1_1 * omega1_1;
+  const T minus_N1_2 = T(2.75e-05) * t1_19 - T(0.029800899999999998) * t1_20 - T(6.11e-05) * (t1_18 - t1_21) -
+      T(3.66e-05) * t1_16;
+  const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
+      T(6.11e-05) * t1_16;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_2 = thetadot2 * omega2_3;
+  const T minus_omegadot2_3 = thetadot2 * omega2_2;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_1 = omega2_3 * omega2_3;
+  const T t2_2 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_1 + t2_2;
+  const T t2_3 = omega2_2 * omega2_1;
+  const T U2_12 = t2_3 + minus_omegadot2_3;
+  const T t2_4 = omega2_3 * omega2_1;
+  const T U2_13 = t2_4 + omegadot2_2;
+  const T U2_21 = t2_3 - minus_omegadot2_3;
+  const T t2_5 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_1 + t2_5;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T U2_31 = t2_4 - omegadot2_2;
+  const T minus_U2_33 = t2_2 + t2_5;
+  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = omega1_3 * T(0.1805);
+  const T t2_7 = omega1_3 * t2_6;
+  const T t2_8 = omega1_1 * T(0.047);
+  const T t2_9 = omega1_2 * T(0.1805);
+  const T t2_10 = t2_8 + t2_9;
+  const T minus_Pddot2_1 = t2_7 + omega1_2 * t2_10;
+  const T t2_11 = omega1_3 * T(0.047);
+  const T t2_12 = omega1_3 * t2_11;
+  const T t2_13 = t2_12 + omega1_1 * t2_10;
+  const T t2_14 = omega1_2 * t2_11;
+  const T t2_15 = omega1_1 * t2_6;
+  const T t2_16 = t2_14 - t2_15;
+  const T Pddot2_2 = E2_22 * t2_13 - E2_23 * t2_16;
+  const T minus_Pddot2_3 = E2_22 * t2_16 + E2_23 * t2_13;
+  // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) - minus_Pddot2_1;
+  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
+  const T minus_a2_3 = minus_Pddot2_3 + U2_31 * T(0.003311) + U2_23 * T(0.000635) + minus_U2_33 * T(3.1e-05);
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G2_1 = T(0.696) * a2_1;
+  const T minus_G2_2 = T(0.696) * a2_2;
+  const T G2_3 = T(0.696) * minus_a2_3;
+  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T N2_1 = T(0.00025456100000000005) * U2_23 + T(4.66e-07) * (minus_U2_22 - minus_U2_33) + T(9.409e-06) * U2_31
+      + T(3.42e-07) * U2_21;
+  const T minus_N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
+      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_23;
+  const T minus_N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
+      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - thetadot3 * omega3_3;
+  const T omegadot3_3 = thetadot3 * omega3_1 - E3_11 * minus_omegadot2_3;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot2_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot3_1;
+  const T U3_31 = t3_4 - omegadot2_2;
+  const T U3_32 = t3_6 + omegadot3_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_7 = U2_12 * T(0.0838) + minus_Pddot2_1;
+  const T t3_8 = minus_Pddot2_3 + U2_23 * T(0.0838);
+  const T minus_Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
+  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T minus_Pddot3_3 = E3_11 * t3_8 + minus_E3_13 * t3_7;
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) - minus_Pddot3_1;
+  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) - minus_Pddot3_3;
+  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G3_1 = T(1.013) * a3_1;
+  const T minus_G3_2 = T(1.013) * a3_2;
+  const T minus_G3_3 = T(1.013) * a3_3;
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
+      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
+  const T minus_N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11)
+      + T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
+  const T minus_N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
+      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T t4_2 = omega4_2 * omega4_1;
+  const T U4_12 = t4_2 - omegadot4_3;
+  const T t4_3 = omega4_3 * omega4_1;
+  const T U4_13 = t4_3 + omegadot2_2;
+  const T U4_21 = t4_2 + omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_2;
+  const T U4_23 = t4_4 - omegadot4_1;
+  const T U4_31 = t4_3 - omegadot2_2;
+  const T U4_32 = t4_4 + omegadot4_1;
+  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_5 = U3_13 * T(0.2) + minus_Pddot3_1;
+  const T t4_6 = minus_U3_33 * T(0.2) - minus_Pddot3_3;
+  const T minus_Pddot4_1 = E4_11 * t4_5 + minus_E4_13 * t4_6;
+  const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
+  const T Pddot4_3 = E4_11 * t4_6 - minus_E4_13 * t4_5;
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a4_1 = minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814) + minus_Pddot4_1;
+  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
+  // G4 = R4 F_ground_on_fr_ - m_link4 a4: applied less inertia force at ydot = 0, body axes [N]
+  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
+  const T G4_1 = t4_7 + T(0.226) * minus_a4_1;
+  const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
+  const T G4_2 = t4_8 - T(0.226) * a4_2;
+  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T G4_3 = t4_9 - T(0.226) * a4_3;
+  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
+  //   body axes [N m]
+  const T N4_1 = T(0.06802474336283187) * t4_8 - T(1.2987999999999953e-05) * U4_32 + T(0.003372578451939115) * U4_23 +
+      T(0.00016742735341238938) * U4_21;
+  const T N4_2 = T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7 - T(0.003372578451939115) * U4_13 +
+      T(3.0862937526548714e-05) * U4_31 - T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
+  const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
+      * U4_12 + T(0.00016742735341238938) * U4_23;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // omegadot6 = -thetadot6 b6~ E6 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_2 = thetadot6 * omega6_3;
+  const T minus_omegadot6_3 = thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 + minus_omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 - minus_omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T U6_23 = omega6_3 * omega6_2;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 omega1~ omega1~ q6: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t6_6 = t2_8 - t2_9;
+  const T minus_Pddot6_1 = t2_7 - omega1_2 * t6_6;
+  const T t6_7 = t2_15 + t2_14;
+  const T t6_8 = t2_12 + omega1_1 * t6_6;
+  const T Pddot6_2 = E6_23 * t6_7 - E6_22 * t6_8;
+  const T Pddot6_3 = E6_23 * t6_8 + E6_22 * t6_7;
+  // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) - minus_Pddot6_1;
+  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
+  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G6_1 = T(0.696) * a6_1;
+  const T minus_G6_2 = T(0.696) * a6_2;
+  const T minus_G6_3 = T(0.696) * a6_3;
+  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N6_1 = T(4.66e-07) * (minus_U6_22 - minus_U6_33) - T(0.00025456100000000005) * U6_23 + T(9.409e-06) *
+      U6_31 - T(3.42e-07) * U6_21;
+  const T minus_N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
+      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_23;
+  const T minus_N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
+      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = minus_E7_13 * minus_omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_3 = thetadot7 * omega7_1 - E7_11 * minus_omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot6_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot6_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.0838) - minus_Pddot6_1;
+  const T t7_8 = U6_23 * T(0.0838) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
+  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
+  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G7_1 = T(1.013) * a7_1;
+  const T minus_G7_2 = T(1.013) * a7_2;
+  const T minus_G7_3 = T(1.013) * a7_3;
+  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
+      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
+  const T minus_N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11)
+      - T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
+  const T minus_N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
+      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+  // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
+  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
+  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t8_1 = omega8_2 * omega8_2;
+  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T t8_2 = omega8_2 * omega8_1;
+  const T U8_12 = t8_2 - omegadot8_3;
+  const T t8_3 = omega8_3 * omega8_1;
+  const T U8_13 = t8_3 + omegadot6_2;
+  const T U8_21 = t8_2 + omegadot8_3;
+  const T t8_4 = omega8_3 * omega8_2;
+  const T U8_23 = t8_4 - omegadot8_1;
+  const T U8_31 = t8_3 - omegadot6_2;
+  const T U8_32 = t8_4 + omegadot8_1;
+  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
+  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
+  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
+  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
+  // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
+  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
+  const T G8_1 = t8_7 - T(0.226) * a8_1;
+  const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
+  const T G8_2 = t8_8 - T(0.226) * a8_2;
+  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T G8_3 = t8_9 - T(0.226) * a8_3;
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
+  //   body axes [N m]
+  const T N8_1 = T(0.06802474336283187) * t8_8 - T(1.2987999999999953e-05) * U8_32 + T(0.003372578451939115) * U8_23 +
+      T(0.00016742735341238938) * U8_21;
+  const T N8_2 = T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7 - T(0.003372578451939115) * U8_13 +
+      T(3.0862937526548714e-05) * U8_31 - T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
+  const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
+      * U8_12 + T(0.00016742735341238938) * U8_23;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // omegadot10 = -thetadot10 b10~ E10 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot10_2 = thetadot10 * omega10_3;
+  const T minus_omegadot10_3 = thetadot10 * omega10_2;
+  // U10 = omega10~ omega10~ + omegadot10~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t10_1 = omega10_3 * omega10_3;
+  const T t10_2 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_1 + t10_2;
+  const T t10_3 = omega10_2 * omega10_1;
+  const T U10_12 = t10_3 + minus_omegadot10_3;
+  const T t10_4 = omega10_3 * omega10_1;
+  const T U10_13 = t10_4 + omegadot10_2;
+  const T U10_21 = t10_3 - minus_omegadot10_3;
+  const T t10_5 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_1 + t10_5;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T U10_31 = t10_4 - omegadot10_2;
+  const T minus_U10_33 = t10_2 + t10_5;
+  // Pddot10 = E10 omega1~ omega1~ q10: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot10_2 = E10_22 * t6_8 - E10_23 * t6_7;
+  const T minus_Pddot10_3 = E10_23 * t6_8 + E10_22 * t6_7;
+  // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + minus_Pddot6_1;
+  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
+  const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) - minus_Pddot10_3;
+  // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G10_1 = T(0.696) * a10_1;
+  const T minus_G10_2 = T(0.696) * a10_2;
+  const T minus_G10_3 = T(0.696) * a10_3;
+  // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N10_1 = T(9.409e-06) * U10_31 - T(0.00025456100000000005) * U10_23 - T(4.66e-07) * (minus_U10_22 -
+      minus_U10_33) + T(3.42e-07) * U10_21;
+  const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
+      minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
+  const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
+      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+  // omegadot11 = -thetadot11 b11~ E11 omega10 + E11 omegadot10: angular acceleration, body axes [rad/s^2]
+  const T omegadot11_1 = minus_E11_13 * minus_omegadot10_3 - thetadot11 * omega11_3;
+  const T omegadot11_3 = thetadot11 * omega11_1 - E11_11 * minus_omegadot10_3;
+  // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t11_1 = omega11_3 * omega11_3;
+  const T t11_2 = omega11_2 * omega11_2;
+  const T minus_U11_11 = t11_1 + t11_2;
+  const T t11_3 = omega11_2 * omega11_1;
+  const T U11_12 = t11_3 - omegadot11_3;
+  const T t11_4 = omega11_3 * omega11_1;
+  const T U11_13 = t11_4 + omegadot10_2;
+  const T U11_21 = t11_3 + omegadot11_3;
+  const T t11_5 = omega11_1 * omega11_1;
+  const T minus_U11_22 = t11_1 + t11_5;
+  const T t11_6 = omega11_3 * omega11_2;
+  const T U11_23 = t11_6 - omegadot11_1;
+  const T U11_31 = t11_4 - omegadot10_2;
+  const T U11_32 = t11_6 + omegadot11_1;
+  const T minus_U11_33 = t11_2 + t11_5;
+  // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t11_7 = minus_Pddot6_1 - U10_12 * T(0.0838);
+  const T t11_8 = U10_23 * T(0.0838) + minus_Pddot10_3;
+  const T Pddot11_1 = E11_11 * t11_7 + minus_E11_13 * t11_8;
+  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_3 = minus_E11_13 * t11_7 - E11_11 * t11_8;
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
+  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
+  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G11_1 = T(1.013) * a11_1;
+  const T minus_G11_2 = T(1.013) * a11_2;
+  const T minus_G11_3 = T(1.013) * a11_3;
+  // N11 = -axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 -
+      minus_U11_33) + T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
+  const T minus_N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 -
+      minus_U11_11) + T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
+  const T minus_N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 -
+      minus_U11_22) - T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+  // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
+  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
+  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t12_1 = omega12_2 * omega12_2;
+  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T t12_2 = omega12_2 * omega12_1;
+  const T U12_12 = t12_2 - omegadot12_3;
+  const T t12_3 = omega12_3 * omega12_1;
+  const T U12_13 = t12_3 + omegadot10_2;
+  const T U12_21 = t12_2 + omegadot12_3;
+  const T t12_4 = omega12_3 * omega12_2;
+  const T U12_23 = t12_4 - omegadot12_1;
+  const T U12_31 = t12_3 - omegadot10_2;
+  const T U12_32 = t12_4 + omegadot12_1;
+  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
+  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
+  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
+  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
+  // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
+  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
+  const T G12_1 = t12_7 - T(0.226) * a12_1;
+  const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
+  const T G12_2 = t12_8 - T(0.226) * a12_2;
+  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T G12_3 = t12_9 - T(0.226) * a12_3;
+  // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
+  //   = 0, body axes [N m]
+  const T N12_1 = T(0.06802474336283187) * t12_8 - T(1.2987999999999953e-05) * U12_32 + T(0.003372578451939115) *
+      U12_23 + T(0.00016742735341238938) * U12_21;
+  const T N12_2 = T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7 - T(0.003372578451939115) * U12_13
+      + T(3.0862937526548714e-05) * U12_31 - T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
+  const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
+      T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // omegadot14 = -thetadot14 b14~ E14 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot14_2 = thetadot14 * omega14_3;
+  const T minus_omegadot14_3 = thetadot14 * omega14_2;
+  // U14 = omega14~ omega14~ + omegadot14~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t14_1 = omega14_3 * omega14_3;
+  const T t14_2 = omega14_2 * omega14_2;
+  const T minus_U14_11 = t14_1 + t14_2;
+  const T t14_3 = omega14_2 * omega14_1;
+  const T U14_12 = t14_3 + minus_omegadot14_3;
+  const T t14_4 = omega14_3 * omega14_1;
+  const T U14_13 = t14_4 + omegadot14_2;
+  const T U14_21 = t14_3 - minus_omegadot14_3;
+  const T t14_5 = omega14_1 * omega14_1;
+  const T minus_U14_22 = t14_1 + t14_5;
+  const T U14_23 = omega14_3 * omega14_2;
+  const T U14_31 = t14_4 - omegadot14_2;
+  const T minus_U14_33 = t14_2 + t14_5;
+  // Pddot14 = E14 omega1~ omega1~ q14: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot14_2 = E14_23 * t2_16 - E14_22 * t2_13;
+  const T Pddot14_3 = E14_23 * t2_13 + E14_22 * t2_16;
+  // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + minus_Pddot2_1;
+  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
+  const T a14_3 = U14_31 * T(0.003311) + U14_23 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
+  // G14 = -m14 a14: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G14_1 = T(0.696) * a14_1;
+  const T minus_G14_2 = T(0.696) * a14_2;
+  const T minus_G14_3 = T(0.696) * a14_3;
+  // N14 = -axial(U14 (tr(I14)/2 - I14)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N14_1 = T(4.66e-07) * (minus_U14_22 - minus_U14_33) - T(0.00025456100000000005) * U14_23 -
+      T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
+  const T minus_N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 -
+      minus_U14_11) + T(4.66e-07) * U14_12 + T(9.409e-06) * U14_23;
+  const T minus_N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
+      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+  // omegadot15 = -thetadot15 b15~ E15 omega14 + E15 omegadot14: angular acceleration, body axes [rad/s^2]
+  const T omegadot15_1 = minus_E15_13 * minus_omegadot14_3 - thetadot15 * omega15_3;
+  const T omegadot15_3 = thetadot15 * omega15_1 - E15_11 * minus_omegadot14_3;
+  // U15 = omega15~ omega15~ + omegadot15~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t15_1 = omega15_3 * omega15_3;
+  const T t15_2 = omega15_2 * omega15_2;
+  const T minus_U15_11 = t15_1 + t15_2;
+  const T t15_3 = omega15_2 * omega15_1;
+  const T U15_12 = t15_3 - omegadot15_3;
+  const T t15_4 = omega15_3 * omega15_1;
+  const T U15_13 = t15_4 + omegadot14_2;
+  const T U15_21 = t15_3 + omegadot15_3;
+  const T t15_5 = omega15_1 * omega15_1;
+  const T minus_U15_22 = t15_1 + t15_5;
+  const T t15_6 = omega15_3 * omega15_2;
+  const T U15_23 = t15_6 - omegadot15_1;
+  const T U15_31 = t15_4 - omegadot14_2;
+  const T U15_32 = t15_6 + omegadot15_1;
+  const T minus_U15_33 = t15_2 + t15_5;
+  // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t15_7 = U14_12 * T(0.0838) + minus_Pddot2_1;
+  const T t15_8 = U14_23 * T(0.0838) + Pddot14_3;
+  const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
+  const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
+  const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
+  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
+  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G15_1 = T(1.013) * a15_1;
+  const T minus_G15_2 = T(1.013) * a15_2;
+  const T minus_G15_3 = T(1.013) * a15_3;
+  // N15 = -axial(U15 (tr(I15)/2 - I15)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 -
+      minus_U15_33) - T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
+  const T minus_N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 -
+      minus_U15_11) - T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
+  const T minus_N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 -
+      minus_U15_22) - T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+  // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
+  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
+  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t16_1 = omega16_2 * omega16_2;
+  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T t16_2 = omega16_2 * omega16_1;
+  const T U16_12 = t16_2 - omegadot16_3;
+  const T t16_3 = omega16_3 * omega16_1;
+  const T U16_13 = t16_3 + omegadot14_2;
+  const T U16_21 = t16_2 + omegadot16_3;
+  const T t16_4 = omega16_3 * omega16_2;
+  const T U16_23 = t16_4 - omegadot16_1;
+  const T U16_31 = t16_3 - omegadot14_2;
+  const T U16_32 = t16_4 + omegadot16_1;
+  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
+  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
+  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
+  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
+  // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
+  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
+  const T G16_1 = t16_7 - T(0.226) * a16_1;
+  const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
+  const T G16_2 = t16_8 - T(0.226) * a16_2;
+  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T G16_3 = t16_9 - T(0.226) * a16_3;
+  // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
+  //   = 0, body axes [N m]
+  const T N16_1 = T(0.06802474336283187) * t16_8 - T(1.2987999999999953e-05) * U16_32 + T(0.003372578451939115) *
+      U16_23 + T(0.00016742735341238938) * U16_21;
+  const T N16_2 = T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7 - T(0.003372578451939115) * U16_13
+      + T(3.0862937526548714e-05) * U16_31 - T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
+  const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
+      T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
+
+  // ---- body 16 (rl_calf) and what it carries
+  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
+  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
+  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
+  const T minus_hc16_3 = E16_11 * T(0.029826408000000002) + minus_E16_13 * T(0.00106821);
+
+  // ---- body 15 (rl_thigh) and what it carries
+  // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
+  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T S15_1 = b15_1 - minus_G15_1;
+  const T S15_2 = G16_2 - minus_G15_2;
+  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 - minus_G15_3;
+  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.022327) * minus_G15_3 -
+      T(0.027326) * minus_G15_2 - minus_N15_1;
+  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.027326) * minus_G15_1 - T(0.003237) * minus_G15_3 - minus_N15_2;
+  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.003237) * minus_G15_2 - T(0.022327) * minus_G15_1
+      - minus_N15_3;
+  // h15 = m15 r15 + m_link16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h15_1 = minus_hc16_1 + T(0.0032790809999999997);
+  const T minus_h15_3 = T(0.072881238) + minus_hc16_3;
+  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m_link16 q16~ - hc16~) q16~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b15_2 = minus_E16_13 * T(2.6450064520000005e-05);
+  const T b15_3 = E16_11 * T(0.007321914302304) - b15_2;
+  const T b15_4 = E16_11 * T(2.6450064520000005e-05);
+  const T b15_5 = minus_E16_13 * T(4.889993135e-05) - b15_4;
+  const T b15_6 = T(0.2) * minus_hc16_3;
+  const T b15_7 = (minus_hc16_3 + T(0.045200000000000004)) * T(0.2);
+  const T J15_11 = b15_3 * E16_11 + b15_5 * minus_E16_13 + b15_6 + T(0.006790457872665) + b15_7;
+  const T J15_13 = T(0.000254264832594) - (T(0.2) * minus_hc16_1 - (b15_5 * E16_11 - b15_3 * minus_E16_13));
+  const T b15_8 = b15_6 + T(0.007344838233654);
+  const T J15_22 = b15_8 + T(0.005906370894785) + b15_7;
+  const T J15_33 = (minus_E16_13 * T(0.007321914302304) + b15_4) * minus_E16_13 + (b15_2 + E16_11 *
+      T(4.889993135e-05)) * E16_11 + T(0.001883377748274);
+  // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc15_1 = minus_E15_13 * minus_h15_3 + E15_11 * minus_h15_1;
+  const T minus_hc15_3 = E15_11 * minus_h15_3 - minus_E15_13 * minus_h15_1;
+  // D_thetaddot15: pivots of L D L^T
+  const T b15_9 = b15_8 * T(136.15003737155254);
+  const T D_thetaddot15 = J15_22 - b15_9 * b15_8;
+
+  // ---- body 14 (rl_hip) and what it carries
+  // S14 = E15^T S15 + G14: sum of the force balances of the subtree, body axes [N]
+  const T b14_1 = E15_11 * S15_1 + minus_E15_13 * S15_3;
+  const T S14_1 = b14_1 - minus_G14_1;
+  const T S14_2 = S15_2 - minus_G14_2;
+  const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
+  const T S14_3 = b14_2 - minus_G14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(3.1e-05) * minus_G14_2 -
+      T(0.000635) * minus_G14_3 - minus_N14_1;
+  const T rho14_2 = rho15_2 + T(0.003311) * minus_G14_3 - T(3.1e-05) * minus_G14_1 - minus_N14_2;
+  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.000635) * minus_G14_1 -
+      T(0.003311) * minus_G14_2 - minus_N14_3;
+  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h14_1 = T(0.002304456) - minus_hc15_1;
+  const T h14_3 = T(2.1575999999999998e-05) - minus_hc15_3;
+  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b14_3 = minus_E15_13 * J15_13;
+  const T b14_4 = E15_11 * J15_11 + b14_3;
+  const T b14_5 = E15_11 * J15_13;
+  const T b14_6 = b14_5 + minus_E15_13 * J15_33;
+  const T J14_11 = b14_4 * E15_11 + b14_6 * minus_E15_13 + T(0.005379679205856);
+  const T b14_7 = T(0.0838) * minus_hc15_1 - (E15_11 * T(6.838704148699999e-05) + minus_E15_13 *
+      T(0.0005955910008259999));
+  const T J14_12 = T(7.94567044e-06) + b14_7;
+  const T J14_13 = b14_6 * E15_11 - b14_4 * minus_E15_13 + T(2.70561864e-07);
+  const T J14_22 = J15_22 + T(0.0008151207226720001);
+  const T b14_8 = minus_E15_13 * T(6.838704148699999e-05) - E15_11 * T(0.0005955910008259999) + T(0.0838) *
+      minus_hc15_3;
+  const T J14_23 = b14_8 - T(4.7970076e-07);
+  const T J14_33 = (E15_11 * J15_33 - b14_3) * E15_11 - (b14_5 - minus_E15_13 * J15_11) * minus_E15_13 +
+      T(0.005470991590816);
+  // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc14_2 = E14_22 * T(0.081652909) - E14_23 * h14_3;
+  const T hc14_3 = E14_22 * h14_3 + E14_23 * T(0.081652909);
+  // B_thetadot16_14 = E15^T B_thetadot16_15
+  const T B_thetadot16_14_1 = minus_E15_13 * minus_hc16_1 - E15_11 * minus_hc16_3;
+  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 + E15_11 * minus_hc16_1;
+  // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
+  const T K_thetadot16_14_1 = T(0.0838) * B_thetadot16_14_3;
+  const T minus_K_thetadot16_14_3 = T(0.0838) * B_thetadot16_14_1;
+  // D_thetaddot14: pivots of L D L^T
+  const T b14_9 = K_thetadot16_14_1 * T(136.15003737155254);
+  const T b14_10 = b14_7 - b14_9 * b15_8;
+  const T b14_11 = T(1) / D_thetaddot15;
+  const T b14_12 = b14_10 * b14_11;
+  const T D_thetaddot14 = J14_11 - b14_9 * K_thetadot16_14_1 - b14_12 * b14_10;
+
+  // ---- body 12 (rr_calf) and what it carries
+  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
+  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
+  // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
+  const T minus_hc12_3 = E12_11 * T(0.029826408000000002) + minus_E12_13 * T(0.00106821);
+
+  // ---- body 11 (rr_thigh) and what it carries
+  // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
+  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
+  const T S11_1 = b11_1 - minus_G11_1;
+  const T S11_2 = G12_2 - minus_G11_2;
+  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 - minus_G11_3;
+  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 - T(0.027326) * minus_G11_2 -
+      T(0.022327) * minus_G11_3 - minus_N11_1;
+  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.027326) * minus_G11_1 - T(0.003237) * minus_G11_3 - minus_N11_2;
+  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 + T(0.003237) * minus_G11_2 + T(0.022327) * minus_G11_1
+      - minus_N11_3;
+  // h11 = m11 r11 + m_link12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h11_1 = minus_hc12_1 + T(0.0032790809999999997);
+  const T minus_h11_3 = T(0.072881238) + minus_hc12_3;
+  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_link12 q12~ - hc12~) q12~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b11_2 = minus_E12_13 * T(2.6450064520000005e-05);
+  const T b11_3 = E12_11 * T(0.007321914302304) - b11_2;
+  const T b11_4 = E12_11 * T(2.6450064520000005e-05);
+  const T b11_5 = minus_E12_13 * T(4.889993135e-05) - b11_4;
+  const T b11_6 = T(0.2) * minus_hc12_3;
+  const T b11_7 = (minus_hc12_3 + T(0.045200000000000004)) * T(0.2);
+  const T J11_11 = b11_3 * E12_11 + b11_5 * minus_E12_13 + b11_6 + T(0.006790457872665) + b11_7;
+  const T J11_13 = b11_5 * E12_11 - b11_3 * minus_E12_13 + (T(0.000254264832594) - T(0.2) * minus_hc12_1);
+  const T b11_8 = b11_6 + T(0.007344838233654);
+  const T J11_22 = b11_8 + T(0.005906370894785) + b11_7;
+  const T J11_33 = (minus_E12_13 * T(0.007321914302304) + b11_4) * minus_E12_13 + (b11_2 + E12_11 *
+      T(4.889993135e-05)) * E12_11 + T(0.001883377748274);
+  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc11_1 = minus_E11_13 * minus_h11_3 + E11_11 * minus_h11_1;
+  const T minus_hc11_3 = E11_11 * minus_h11_3 - minus_E11_13 * minus_h11_1;
+  // D_thetaddot11: pivots of L D L^T
+  const T b11_9 = b11_8 * T(136.15003737155254);
+  const T D_thetaddot11 = J11_22 - b11_9 * b11_8;
+
+  // ---- body 10 (rr_hip) and what it carries
+  // S10 = E11^T S11 + G10: sum of the force balances of the subtree, body axes [N]
+  const T b10_1 = E11_11 * S11_1 + minus_E11_13 * S11_3;
+  const T S10_1 = b10_1 - minus_G10_1;
+  const T S10_2 = S11_2 - minus_G10_2;
+  const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
+  const T S10_3 = b10_2 - minus_G10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + T(3.1e-05) * minus_G10_2 +
+      T(0.000635) * minus_G10_3 - minus_N10_1;
+  const T rho10_2 = rho11_2 + T(0.003311) * minus_G10_3 - T(3.1e-05) * minus_G10_1 - minus_N10_2;
+  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 - T(0.003311) * minus_G10_2 -
+      T(0.000635) * minus_G10_1 - minus_N10_3;
+  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h10_1 = T(0.002304456) - minus_hc11_1;
+  const T h10_3 = T(2.1575999999999998e-05) - minus_hc11_3;
+  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b10_3 = minus_E11_13 * J11_13;
+  const T b10_4 = E11_11 * J11_11 + b10_3;
+  const T b10_5 = E11_11 * J11_13;
+  const T b10_6 = b10_5 + minus_E11_13 * J11_33;
+  const T J10_11 = b10_4 * E11_11 + b10_6 * minus_E11_13 + T(0.005379679205856);
+  const T b10_7 = T(0.0838) * minus_hc11_1 - (E11_11 * T(6.838704148699999e-05) + minus_E11_13 *
+      T(0.0005955910008259999));
+  const T minus_J10_12 = b10_7 + T(7.94567044e-06);
+  const T J10_13 = b10_6 * E11_11 - b10_4 * minus_E11_13 + T(2.70561864e-07);
+  const T J10_22 = J11_22 + T(0.0008151207226720001);
+  const T b10_8 = T(0.0838) * minus_hc11_3 - (E11_11 * T(0.0005955910008259999) - minus_E11_13 *
+      T(6.838704148699999e-05));
+  const T J10_23 = T(4.7970076e-07) - b10_8;
+  const T J10_33 = (E11_11 * J11_33 - b10_3) * E11_11 - (b10_5 - minus_E11_13 * J11_11) * minus_E11_13 +
+      T(0.005470991590816);
+  // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc10_2 = E10_23 * h10_3 + E10_22 * T(0.081652909);
+  const T minus_hc10_3 = E10_23 * T(0.081652909) - E10_22 * h10_3;
+  // B_thetadot12_10 = E11^T B_thetadot12_11
+  const T B_thetadot12_10_1 = minus_E11_13 * minus_hc12_1 - E11_11 * minus_hc12_3;
+  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 + E11_11 * minus_hc12_1;
+  // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
+  const T minus_K_thetadot12_10_1 = T(0.0838) * B_thetadot12_10_3;
+  const T K_thetadot12_10_3 = T(0.0838) * B_thetadot12_10_1;
+  // D_thetaddot10: pivots of L D L^T
+  const T b10_9 = minus_K_thetadot12_10_1 * T(136.15003737155254);
+  const T b10_10 = b10_9 * b11_8 - b10_7;
+  const T b10_11 = T(1) / D_thetaddot11;
+  const T b10_12 = b10_10 * b10_11;
+  const T D_thetaddot10 = J10_11 - b10_9 * minus_K_thetadot12_10_1 - b10_12 * b10_10;
+
+  // ---- body 8 (fl_calf) and what it carries
+  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
+  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
+  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
+  const T minus_hc8_3 = E8_11 * T(0.029826408000000002) + minus_E8_13 * T(0.00106821);
+
+  // ---- body 7 (fl_thigh) and what it carries
+  // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
+  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
+  const T S7_1 = b7_1 - minus_G7_1;
+  const T S7_2 = G8_2 - minus_G7_2;
+  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 - minus_G7_3;
+  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.022327) * minus_G7_3 - T(0.027326) *
+      minus_G7_2 - minus_N7_1;
+  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.027326) * minus_G7_1 - T(0.003237) * minus_G7_3 - minus_N7_2;
+  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.003237) * minus_G7_2 - T(0.022327) * minus_G7_1 -
+      minus_N7_3;
+  // h7 = m7 r7 + m_link8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h7_1 = minus_hc8_1 + T(0.0032790809999999997);
+  const T minus_h7_3 = T(0.072881238) + minus_hc8_3;
+  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_link8 q8~ - hc8~) q8~: inertia carried, about the body
+  //   origin, body axes [kg m^2]
+  const T b7_2 = minus_E8_13 * T(2.6450064520000005e-05);
+  const T b7_3 = E8_11 * T(0.007321914302304) - b7_2;
+  const T b7_4 = E8_11 * T(2.6450064520000005e-05);
+  const T b7_5 = minus_E8_13 * T(4.889993135e-05) - b7_4;
+  const T b7_6 = T(0.2) * minus_hc8_3;
+  const T b7_7 = (minus_hc8_3 + T(0.045200000000000004)) * T(0.2);
+  const T J7_11 = b7_3 * E8_11 + b7_5 * minus_E8_13 + b7_6 + T(0.006790457872665) + b7_7;
+  const T J7_13 = b7_5 * E8_11 - b7_3 * minus_E8_13 + (T(0.000254264832594) - T(0.2) * minus_hc8_1);
+  const T b7_8 = b7_6 + T(0.007344838233654);
+  const T J7_22 = b7_8 + T(0.005906370894785) + b7_7;
+  const T J7_33 = (minus_E8_13 * T(0.007321914302304) + b7_4) * minus_E8_13 + (b7_2 + E8_11 * T(4.889993135e-05)) *
+      E8_11 + T(0.001883377748274);
+  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc7_1 = minus_E7_13 * minus_h7_3 + E7_11 * minus_h7_1;
+  const T minus_hc7_3 = E7_11 * minus_h7_3 - minus_E7_13 * minus_h7_1;
+  // D_thetaddot7: pivots of L D L^T
+  const T b7_9 = b7_8 * T(136.15003737155254);
+  const T D_thetaddot7 = J7_22 - b7_9 * b7_8;
+
+  // ---- body 6 (fl_hip) and what it carries
+  // S6 = E7^T S7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * S7_1 + minus_E7_13 * S7_3;
+  const T S6_1 = b6_1 - minus_G6_1;
+  const T S6_2 = S7_2 - minus_G6_2;
+  const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
+  const T S6_3 = b6_2 - minus_G6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
+      minus_G6_3 - minus_N6_1;
+  const T rho6_2 = rho7_2 - T(3.1e-05) * minus_G6_1 - T(0.003311) * minus_G6_3 - minus_N6_2;
+  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
+      minus_G6_1 - minus_N6_3;
+  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h6_1 = minus_hc7_1 + T(0.002304456);
+  const T h6_3 = T(2.1575999999999998e-05) - minus_hc7_3;
+  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b6_3 = minus_E7_13 * J7_13;
+  const T b6_4 = E7_11 * J7_11 + b6_3;
+  const T b6_5 = E7_11 * J7_13;
+  const T b6_6 = b6_5 + minus_E7_13 * J7_33;
+  const T J6_11 = b6_4 * E7_11 + b6_6 * minus_E7_13 + T(0.005379679205856);
+  const T b6_7 = T(0.0838) * minus_hc7_1 - (E7_11 * T(6.838704148699999e-05) + minus_E7_13 *
+      T(0.0005955910008259999));
+  const T J6_12 = b6_7 - T(7.94567044e-06);
+  const T J6_13 = b6_6 * E7_11 - b6_4 * minus_E7_13 - T(2.70561864e-07);
+  const T J6_22 = J7_22 + T(0.0008151207226720001);
+  const T b6_8 = minus_E7_13 * T(6.838704148699999e-05) - E7_11 * T(0.0005955910008259999) + T(0.0838) * minus_hc7_3;
+  const T J6_23 = b6_8 - T(4.7970076e-07);
+  const T J6_33 = (E7_11 * J7_33 - b6_3) * E7_11 - (b6_5 - minus_E7_13 * J7_11) * minus_E7_13 + T(0.005470991590816);
+  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc6_2 = E6_22 * T(0.081652909) - E6_23 * h6_3;
+  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(0.081652909);
+  // B_thetadot8_6 = E7^T B_thetadot8_7
+  const T B_thetadot8_6_1 = minus_E7_13 * minus_hc8_1 - E7_11 * minus_hc8_3;
+  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 + E7_11 * minus_hc8_1;
+  // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
+  const T K_thetadot8_6_1 = T(0.0838) * B_thetadot8_6_3;
+  const T minus_K_thetadot8_6_3 = T(0.0838) * B_thetadot8_6_1;
+  // D_thetaddot6: pivots of L D L^T
+  const T b6_9 = K_thetadot8_6_1 * T(136.15003737155254);
+  const T b6_10 = b6_7 - b6_9 * b7_8;
+  const T b6_11 = T(1) / D_thetaddot7;
+  const T b6_12 = b6_10 * b6_11;
+  const T D_thetaddot6 = J6_11 - b6_9 * K_thetadot8_6_1 - b6_12 * b6_10;
+
+  // ---- body 4 (fr_calf) and what it carries
+  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
+  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
+  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
+  const T minus_hc4_3 = E4_11 * T(0.029826408000000002) + minus_E4_13 * T(0.00106821);
+
+  // ---- body 3 (fr_thigh) and what it carries
+  // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T S3_1 = b3_1 - minus_G3_1;
+  const T S3_2 = G4_2 - minus_G3_2;
+  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 - minus_G3_3;
+  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.027326) * minus_G3_2 - T(0.022327) *
+      minus_G3_3 - minus_N3_1;
+  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.027326) * minus_G3_1 - T(0.003237) * minus_G3_3 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.003237) * minus_G3_2 + T(0.022327) * minus_G3_1 -
+      minus_N3_3;
+  // h3 = m3 r3 + m_link4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h3_1 = minus_hc4_1 + T(0.0032790809999999997);
+  const T minus_h3_3 = T(0.072881238) + minus_hc4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_link4 q4~ - hc4~) q4~: inertia carried, about the body
+  //   origin, body axes [kg m^2]
+  const T b3_2 = minus_E4_13 * T(2.6450064520000005e-05);
+  const T b3_3 = E4_11 * T(0.007321914302304) - b3_2;
+  const T b3_4 = E4_11 * T(2.6450064520000005e-05);
+  const T b3_5 = minus_E4_13 * T(4.889993135e-05) - b3_4;
+  const T b3_6 = T(0.2) * minus_hc4_3;
+  const T b3_7 = (minus_hc4_3 + T(0.045200000000000004)) * T(0.2);
+  const T J3_11 = b3_3 * E4_11 + b3_5 * minus_E4_13 + b3_6 + T(0.006790457872665) + b3_7;
+  const T J3_13 = b3_5 * E4_11 - b3_3 * minus_E4_13 + (T(0.000254264832594) - T(0.2) * minus_hc4_1);
+  const T b3_8 = b3_6 + T(0.007344838233654);
+  const T J3_22 = b3_8 + T(0.005906370894785) + b3_7;
+  const T J3_33 = (minus_E4_13 * T(0.007321914302304) + b3_4) * minus_E4_13 + (b3_2 + E4_11 * T(4.889993135e-05)) *
+      E4_11 + T(0.001883377748274);
+  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc3_1 = minus_E3_13 * minus_h3_3 + E3_11 * minus_h3_1;
+  const T minus_hc3_3 = E3_11 * minus_h3_3 - minus_E3_13 * minus_h3_1;
+  // D_thetaddot3: pivots of L D L^T
+  const T b3_9 = b3_8 * T(136.15003737155254);
+  const T D_thetaddot3 = J3_22 - b3_9 * b3_8;
+
+  // ---- body 2 (fr_hip) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
+  const T S2_1 = b2_1 - minus_G2_1;
+  const T S2_2 = S3_2 - minus_G2_2;
+  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
+  const T S2_3 = b2_2 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 - T(0.000635) *
+      G2_3 + N2_1;
+  const T rho2_2 = rho3_2 - T(3.1e-05) * minus_G2_1 + T(0.003311) * G2_3 - minus_N2_2;
+  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
+      minus_G2_1 - minus_N2_3;
+  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h2_1 = minus_hc3_1 + T(0.002304456);
+  const T h2_3 = T(2.1575999999999998e-05) - minus_hc3_3;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b2_3 = minus_E3_13 * J3_13;
+  const T b2_4 = E3_11 * J3_11 + b2_3;
+  const T b2_5 = E3_11 * J3_13;
+  const T b2_6 = b2_5 + minus_E3_13 * J3_33;
+  const T J2_11 = b2_4 * E3_11 + b2_6 * minus_E3_13 + T(0.005379679205856);
+  const T b2_7 = T(0.0838) * minus_hc3_1 - (E3_11 * T(6.838704148699999e-05) + minus_E3_13 *
+      T(0.0005955910008259999));
+  const T J2_12 = T(7.94567044e-06) - b2_7;
+  const T J2_13 = b2_6 * E3_11 - b2_4 * minus_E3_13 - T(2.70561864e-07);
+  const T J2_22 = J3_22 + T(0.0008151207226720001);
+  const T b2_8 = T(0.0838) * minus_hc3_3 - (E3_11 * T(0.0005955910008259999) - minus_E3_13 *
+      T(6.838704148699999e-05));
+  const T J2_23 = T(4.7970076e-07) - b2_8;
+  const T J2_33 = (E3_11 * J3_33 - b2_3) * E3_11 - (b2_5 - minus_E3_13 * J3_11) * minus_E3_13 + T(0.005470991590816);
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc2_2 = E2_23 * h2_3 + E2_22 * T(0.081652909);
+  const T minus_hc2_3 = E2_23 * T(0.081652909) - E2_22 * h2_3;
+  // B_thetadot4_2 = E3^T B_thetadot4_3
+  const T B_thetadot4_2_1 = minus_E3_13 * minus_hc4_1 - E3_11 * minus_hc4_3;
+  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 + E3_11 * minus_hc4_1;
+  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
+  const T minus_K_thetadot4_2_1 = T(0.0838) * B_thetadot4_2_3;
+  const T K_thetadot4_2_3 = T(0.0838) * B_thetadot4_2_1;
+  // D_thetaddot2: pivots of L D L^T
+  const T b2_9 = minus_K_thetadot4_2_1 * T(136.15003737155254);
+  const T b2_10 = b2_9 * b3_8 - b2_7;
+  const T b2_11 = T(1) / D_thetaddot3;
+  const T b2_12 = b2_10 * b2_11;
+  const T D_thetaddot2 = J2_11 - b2_9 * minus_K_thetadot4_2_1 - b2_12 * b2_10;
+
+  // ---- body 1 (trunk) and what it carries
+  // S1 = E2^T S2 + E6^T S6 + E10^T S10 + E14^T S14 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1 = S2_1 + S6_1 + S10_1 + S14_1 - minus_G1_1;
+  const T b1_1 = E2_22 * S2_2 - E2_23 * S2_3;
+  const T b1_2 = E6_22 * S6_2 - E6_23 * S6_3;
+  const T b1_3 = E10_22 * S10_2 - E10_23 * S10_3;
+  const T b1_4 = E14_22 * S14_2 - E14_23 * S14_3;
+  const T S1_2 = b1_1 + b1_2 + b1_3 + b1_4 + G1_2;
+  const T b1_5 = E2_23 * S2_2 + E2_22 * S2_3;
+  const T b1_6 = E6_23 * S6_2 + E6_22 * S6_3;
+  const T b1_7 = E10_23 * S10_2 + E10_22 * S10_3;
+  const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
+  const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 - minus_G1_3;
+  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
+  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
+  const T f_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
+      b1_8 + rho14_1 + T(5e-04) * G1_2 - T(0.0041) * minus_G1_3 - minus_N1_1;
+  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
+      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
+      * rho14_3 + T(5e-04) * minus_G1_1 - minus_N1_2;
+  const T f_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
+      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
+      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + T(0.0041) *
+      minus_G1_1 - minus_N1_3;
+  // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
+  //   carried, about the body origin, body axes [kg m]
+  const T h1_1 = h10_1 - minus_h2_1 - minus_h6_1 + h14_1;
+  const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
+  const T h1_3 = hc6_3 - minus_hc2_3 - c.c1_7 - minus_hc10_3 + hc14_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
+  //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
+  //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b1_9 = T(0.047) * minus_hc2_2;
+  const T b1_10 = b1_9 + J2_11;
+  const T b1_11 = T(0.047) * hc6_2;
+  const T b1_12 = J6_11 + b1_11;
+  const T b1_13 = T(0.047) * minus_hc10_2;
+  const T b1_14 = J10_11 + b1_13;
+  const T b1_15 = T(0.047) * hc14_2;
+  const T b1_16 = J14_11 + b1_15;
+  const T b1_17 = (T(0.090945) + hc14_2) * T(0.047) + (T(0.090945) + minus_hc10_2) * T(0.047) + ((T(0.090945) + hc6_2)
+      * T(0.047) + (T(0.090945) + minus_hc2_2) * T(0.047));
+  const T J1_11 = b1_10 + b1_12 + b1_14 + b1_16 + c.c1_2 + T(0.0158533) + b1_17;
+  const T b1_18 = T(0.1805) * minus_hc2_2 - E2_23 * J2_13 + E2_22 * J2_12;
+  const T b1_19 = T(0.1805) * hc6_2 + E6_23 * J6_13;
+  const T b1_20 = E6_22 * J6_12;
+  const T b1_21 = T(0.1805) * minus_hc10_2 + E10_23 * J10_13;
+  const T b1_22 = E10_22 * minus_J10_12;
+  const T b1_23 = T(0.1805) * hc14_2 - E14_23 * J14_13;
+  const T b1_24 = E14_22 * J14_12;
+  const T b1_25 = h14_1 - T(0.34926749999999995);
+  const T b1_26 = h10_1 - T(0.34926749999999995);
+  const T b1_27 = T(0.34926749999999995) - minus_h6_1;
+  const T b1_28 = T(0.34926749999999995) - minus_h2_1;
+  const T J1_21 = b1_18 - b1_19 + b1_20 - b1_21 - b1_22 + b1_23 + b1_24 - T(3.66e-05) - b1_25 * T(0.047) + b1_26 *
+      T(0.047) - b1_27 * T(0.047) + b1_28 * T(0.047);
+  const T b1_29 = E2_23 * J2_23;
+  const T b1_30 = E2_22 * J2_22 - b1_29;
+  const T b1_31 = E2_22 * J2_23;
+  const T b1_32 = b1_31 - E2_23 * J2_33;
+  const T b1_33 = T(0.1805) * minus_h2_1 + T(0.1805) * minus_h6_1 + (T(0.1805) * h10_1 + T(0.1805) * h14_1) + (b1_25 *
+      T(0.1805) + b1_26 * T(0.1805) - (b1_27 * T(0.1805) + b1_28 * T(0.1805)));
+  const T b1_34 = E6_23 * J6_23;
+  const T b1_35 = E6_22 * J6_22 - b1_34;
+  const T b1_36 = E6_22 * J6_23;
+  const T b1_37 = b1_36 - E6_23 * J6_33;
+  const T b1_38 = E10_23 * J10_23;
+  const T b1_39 = E10_22 * J10_22 - b1_38;
+  const T b1_40 = E10_22 * J10_23;
+  const T b1_41 = b1_40 - E10_23 * J10_33;
+  const T b1_42 = E14_23 * J14_23;
+  const T b1_43 = E14_22 * J14_22 - b1_42;
+  const T b1_44 = E14_22 * J14_23;
+  const T b1_45 = b1_44 - E14_23 * J14_33;
+  const T J1_22 = b1_30 * E2_22 - b1_32 * E2_23 - b1_33 + b1_35 * E6_22 - b1_37 * E6_23 + b1_39 * E10_22 - b1_41 *
+      E10_23 + b1_43 * E14_22 - b1_45 * E14_23 + c.c1_3 + T(0.0377999);
+  const T b1_46 = T(0.1805) * minus_hc2_3 + E2_22 * J2_13 + E2_23 * J2_12;
+  const T b1_47 = T(0.1805) * hc6_3 - E6_22 * J6_13;
+  const T b1_48 = E6_23 * J6_12;
+  const T b1_49 = T(0.1805) * minus_hc10_3 - E10_22 * J10_13;
+  const T b1_50 = E10_23 * minus_J10_12;
+  const T b1_51 = T(0.1805) * hc14_3 + E14_22 * J14_13;
+  const T b1_52 = E14_23 * J14_12;
+  const T J1_31 = b1_46 - b1_47 + b1_48 - b1_49 - b1_50 + b1_51 + b1_52 - T(6.11e-05);
+  const T J1_32 = b1_30 * E2_23 + b1_32 * E2_22 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 + b1_35 * E6_23 + b1_37 *
+      E6_22 - T(0.047) * minus_hc10_3 + b1_39 * E10_23 + b1_41 * E10_22 - T(0.047) * hc14_3 + b1_43 * E14_23 + b1_45 *
+      E14_22 + c.c1_4 - T(2.75e-05);
+  const T J1_33 = (E2_23 * J2_22 + b1_31) * E2_23 + (b1_29 + E2_22 * J2_33) * E2_22 + b1_9 - b1_33 + b1_11 + (E6_23 *
+      J6_22 + b1_36) * E6_23 + (b1_34 + E6_22 * J6_33) * E6_22 + b1_13 + (E10_23 * J10_22 + b1_40) * E10_23 + (b1_38 +
+      E10_22 * J10_33) * E10_22 + b1_15 + (E14_23 * J14_22 + b1_44) * E14_23 + (b1_42 + E14_22 * J14_33) * E14_22 +
+      c.c1_5 + T(0.0456542) + b1_17;
+  // B_thetadot16_1 = E14^T B_thetadot16_14
+  const T minus_B_thetadot16_1_2 = E14_23 * B_thetadot16_14_3;
+  const T B_thetadot16_1_3 = E14_22 * B_thetadot16_14_3;
+  // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
+  const T K_thetadot16_1_1 = T(0.047) * B_thetadot16_1_3 + K_thetadot16_14_1;
+  const T K_thetadot16_1_2 = T(0.1805) * B_thetadot16_1_3 + E14_22 * b15_8 + E14_23 * minus_K_thetadot16_14_3;
+  const T K_thetadot16_1_3 = T(0.1805) * minus_B_thetadot16_1_2 - T(0.047) * B_thetadot16_14_1 + E14_23 * b15_8 -
+      E14_22 * minus_K_thetadot16_14_3;
+  // B_thetadot15_1 = E14^T B_thetadot15_14
+  const T minus_B_thetadot15_1_2 = E14_23 * minus_hc15_1;
+  const T B_thetadot15_1_3 = E14_22 * minus_hc15_1;
+  // K_thetadot15_1 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
+  const T K_thetadot15_1_1 = T(0.047) * B_thetadot15_1_3 + b14_7;
+  const T K_thetadot15_1_2 = T(0.1805) * B_thetadot15_1_3 + E14_22 * J15_22 - E14_23 * b14_8;
+  const T K_thetadot15_1_3 = T(0.1805) * minus_B_thetadot15_1_2 + T(0.047) * minus_hc15_3 + E14_23 * J15_22 + E14_22 *
+      b14_8;
+  // K_thetadot14_1 = q14~ E14^T B_thetadot14_14 + E14^T K_thetadot14_14
+  const T K_thetadot14_1_2 = b1_23 + b1_24;
+  const T K_thetadot14_1_3 = b1_51 + b1_52;
+  // B_thetadot12_1 = E10^T B_thetadot12_10
+  const T minus_B_thetadot12_1_2 = E10_23 * B_thetadot12_10_3;
+  const T B_thetadot12_1_3 = E10_22 * B_thetadot12_10_3;
+  // K_thetadot12_1 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
+  const T minus_K_thetadot12_1_1 = T(0.047) * B_thetadot12_1_3 + minus_K_thetadot12_10_1;
+  const T K_thetadot12_1_2 = T(0.1805) * B_thetadot12_1_3 + E10_22 * b11_8 - E10_23 * K_thetadot12_10_3;
+  const T K_thetadot12_1_3 = T(0.1805) * minus_B_thetadot12_1_2 + T(0.047) * B_thetadot12_10_1 + E10_23 * b11_8 +
+      E10_22 * K_thetadot12_10_3;
+  // B_thetadot11_1 = E10^T B_thetadot11_10
+  const T minus_B_thetadot11_1_2 = E10_23 * minus_hc11_1;
+  const T B_thetadot11_1_3 = E10_22 * minus_hc11_1;
+  // K_thetadot11_1 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
+  const T minus_K_thetadot11_1_1 = b10_7 + T(0.047) * B_thetadot11_1_3;
+  const T K_thetadot11_1_2 = T(0.1805) * B_thetadot11_1_3 + E10_22 * J11_22 + E10_23 * b10_8;
+  const T K_thetadot11_1_3 = T(0.1805) * minus_B_thetadot11_1_2 - T(0.047) * minus_hc11_3 + E10_23 * J11_22 - E10_22 *
+      b10_8;
+  // K_thetadot10_1 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
+  const T minus_K_thetadot10_1_2 = b1_22 + b1_21;
+  const T minus_K_thetadot10_1_3 = b1_50 + b1_49;
+  // B_thetadot8_1 = E6^T B_thetadot8_6
+  const T minus_B_thetadot8_1_2 = E6_23 * B_thetadot8_6_3;
+  const T B_thetadot8_1_3 = E6_22 * B_thetadot8_6_3;
+  // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
+  const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
+  const T K_thetadot8_1_2 = E6_22 * b7_8 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
+  const T K_thetadot8_1_3 = E6_23 * b7_8 - E6_22 * minus_K_thetadot8_6_3 - T(0.1805) * minus_B_thetadot8_1_2 -
+      T(0.047) * B_thetadot8_6_1;
+  // B_thetadot7_1 = E6^T B_thetadot7_6
+  const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
+  const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
+  // K_thetadot7_1 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
+  const T K_thetadot7_1_1 = T(0.047) * B_thetadot7_1_3 + b6_7;
+  const T K_thetadot7_1_2 = E6_22 * J7_22 - E6_23 * b6_8 - T(0.1805) * B_thetadot7_1_3;
+  const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 - T(0.1805) * minus_B_thetadot7_1_2 + E6_23 * J7_22 + E6_22 * b6_8;
+  // K_thetadot6_1 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
+  const T K_thetadot6_1_2 = b1_20 - b1_19;
+  const T K_thetadot6_1_3 = b1_48 - b1_47;
+  // B_thetadot4_1 = E2^T B_thetadot4_2
+  const T minus_B_thetadot4_1_2 = E2_23 * B_thetadot4_2_3;
+  const T B_thetadot4_1_3 = E2_22 * B_thetadot4_2_3;
+  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
+  const T minus_K_thetadot4_1_1 = T(0.047) * B_thetadot4_1_3 + minus_K_thetadot4_2_1;
+  const T K_thetadot4_1_2 = E2_22 * b3_8 - E2_23 * K_thetadot4_2_3 - T(0.1805) * B_thetadot4_1_3;
+  const T K_thetadot4_1_3 = T(0.047) * B_thetadot4_2_1 - T(0.1805) * minus_B_thetadot4_1_2 + E2_23 * b3_8 + E2_22 *
+      K_thetadot4_2_3;
+  // B_thetadot3_1 = E2^T B_thetadot3_2
+  const T minus_B_thetadot3_1_2 = E2_23 * minus_hc3_1;
+  const T B_thetadot3_1_3 = E2_22 * minus_hc3_1;
+  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
+  const T minus_K_thetadot3_1_1 = b2_7 + T(0.047) * B_thetadot3_1_3;
+  const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_8 - T(0.1805) * B_thetadot3_1_3;
+  const T K_thetadot3_1_3 = E2_23 * J3_22 - E2_22 * b2_8 - T(0.1805) * minus_B_thetadot3_1_2 - T(0.047) * minus_hc3_3;
+  // D_omegadot1: pivots of L D L^T
+  const T b1_53 = K_thetadot16_1_1 * T(136.15003737155254);
+  const T b1_54 = K_thetadot15_1_1 - b1_53 * b15_8;
+  const T b1_55 = b1_54 * b14_11;
+  const T b1_56 = b1_16 - b1_53 * K_thetadot16_14_1 - b1_55 * b14_10;
+  const T b1_57 = T(1) / D_thetaddot14;
+  const T b1_58 = b1_56 * b1_57;
+  const T b1_59 = minus_K_thetadot12_1_1 * T(136.15003737155254);
+  const T b1_60 = b1_59 * b11_8 - minus_K_thetadot11_1_1;
+  const T b1_61 = b1_60 * b10_11;
+  const T b1_62 = b1_14 - b1_59 * minus_K_thetadot12_10_1 - b1_61 * b10_10;
+  const T b1_63 = T(1) / D_thetaddot10;
+  const T b1_64 = b1_62 * b1_63;
+  const T b1_65 = K_thetadot8_1_1 * T(136.15003737155254);
+  const T b1_66 = K_thetadot7_1_1 - b1_65 * b7_8;
+  const T b1_67 = b1_66 * b6_11;
+  const T b1_68 = b1_12 - b1_65 * K_thetadot8_6_1 - b1_67 * b6_10;
+  const T b1_69 = T(1) / D_thetaddot6;
+  const T b1_70 = b1_68 * b1_69;
+  const T b1_71 = minus_K_thetadot4_1_1 * T(136.15003737155254);
+  const T b1_72 = b1_71 * b3_8 - minus_K_thetadot3_1_1;
+  const T b1_73 = b1_72 * b2_11;
+  const T b1_74 = b1_10 - b1_71 * minus_K_thetadot4_2_1 - b1_73 * b2_10;
+  const T b1_75 = T(1) / D_thetaddot2;
+  const T b1_76 = b1_74 * b1_75;
+  const T D_omegadot1_1 = J1_11 - b1_53 * K_thetadot16_1_1 - b1_55 * b1_54 - b1_58 * b1_56 - b1_59 *
+      minus_K_thetadot12_1_1 - b1_61 * b1_60 - b1_64 * b1_62 - b1_65 * K_thetadot8_1_1 - b1_67 * b1_66 - b1_70 * b1_68
+      - b1_71 * minus_K_thetadot4_1_1 - b1_73 * b1_72 - b1_76 * b1_74;
+  const T b1_77 = K_thetadot16_1_2 * T(136.15003737155254);
+  const T b1_78 = K_thetadot15_1_2 - b1_77 * b15_8;
+  const T b1_79 = b1_78 * b14_11;
+  const T b1_80 = K_thetadot14_1_2 - b1_77 * K_thetadot16_14_1 - b1_79 * b14_10;
+  const T b1_81 = b1_80 * b1_57;
+  const T b1_82 = K_thetadot12_1_2 * T(136.15003737155254);
+  const T b1_83 = K_thetadot11_1_2 - b1_82 * b11_8;
+  const T b1_84 = b1_83 * b10_11;
+  const T b1_85 = b1_82 * minus_K_thetadot12_10_1 - minus_K_thetadot10_1_2 - b1_84 * b10_10;
+  const T b1_86 = b1_85 * b1_63;
+  const T b1_87 = K_thetadot8_1_2 * T(136.15003737155254);
+  const T b1_88 = K_thetadot7_1_2 - b1_87 * b7_8;
+  const T b1_89 = b1_88 * b6_11;
+  const T b1_90 = K_thetadot6_1_2 - b1_87 * K_thetadot8_6_1 - b1_89 * b6_10;
+  const T b1_91 = b1_90 * b1_69;
+  const T b1_92 = K_thetadot4_1_2 * T(136.15003737155254);
+  const T b1_93 = K_thetadot3_1_2 - b1_92 * b3_8;
+  const T b1_94 = b1_93 * b2_11;
+  const T b1_95 = b1_18 + b1_92 * minus_K_thetadot4_2_1 - b1_94 * b2_10;
+  const T b1_96 = b1_95 * b1_75;
+  const T b1_97 = J1_21 - b1_77 * K_thetadot16_1_1 - b1_79 * b1_54 - b1_81 * b1_56 + b1_82 * minus_K_thetadot12_1_1 -
+      b1_84 * b1_60 - b1_86 * b1_62 - b1_87 * K_thetadot8_1_1 - b1_89 * b1_66 - b1_91 * b1_68 + b1_92 *
+      minus_K_thetadot4_1_1 - b1_94 * b1_72 - b1_96 * b1_74;
+  const T b1_98 = T(1) / D_omegadot1_1;
+  const T b1_99 = b1_97 * b1_98;
+  const T D_omegadot1_2 = J1_22 - b1_77 * K_thetadot16_1_2 - b1_79 * b1_78 - b1_81 * b1_80 - b1_82 * K_thetadot12_1_2
+      - b1_84 * b1_83 - b1_86 * b1_85 - b1_87 * K_thetadot8_1_2 - b1_89 * b1_88 - b1_91 * b1_90 - b1_92 *
+      K_thetadot4_1_2 - b1_94 * b1_93 - b1_96 * b1_95 - b1_99 * b1_97;
+  const T b1_100 = K_thetadot16_1_3 * T(136.15003737155254);
+  const T b1_101 = K_thetadot15_1_3 - b1_100 * b15_8;
+  const T b1_102 = b1_101 * b14_11;
+  const T b1_103 = K_thetadot14_1_3 - b1_100 * K_thetadot16_14_1 - b1_102 * b14_10;
+  const T b1_104 = b1_103 * b1_57;
+  const T b1_105 = K_thetadot12_1_3 * T(136.15003737155254);
+  const T b1_106 = K_thetadot11_1_3 - b1_105 * b11_8;
+  const T b1_107 = b1_106 * b10_11;
+  const T b1_108 = b1_105 * minus_K_thetadot12_10_1 - minus_K_thetadot10_1_3 - b1_107 * b10_10;
+  const T b1_109 = b1_108 * b1_63;
+  const T b1_110 = K_thetadot8_1_3 * T(136.15003737155254);
+  const T b1_111 = K_thetadot7_1_3 - b1_110 * b7_8;
+  const T b1_112 = b1_111 * b6_11;
+  const T b1_113 = K_thetadot6_1_3 - b1_110 * K_thetadot8_6_1 - b1_112 * b6_10;
+  const T b1_114 = b1_113 * b1_69;
+  const T b1_115 = K_thetadot4_1_3 * T(136.15003737155254);
+  const T b1_116 = K_thetadot3_1_3 - b1_115 * b3_8;
+  const T b1_117 = b1_116 * b2_11;
+  const T b1_118 = b1_46 + b1_115 * minus_K_thetadot4_2_1 - b1_117 * b2_10;
+  const T b1_119 = b1_118 * b1_75;
+  const T b1_120 = J1_31 - b1_100 * K_thetadot16_1_1 - b1_102 * b1_54 - b1_104 * b1_56 + b1_105 *
+      minus_K_thetadot12_1_1 - b1_107 * b1_60 - b1_109 * b1_62 - b1_110 * K_thetadot8_1_1 - b1_112 * b1_66 - b1_114 *
+      b1_68 + b1_115 * minus_K_thetadot4_1_1 - b1_117 * b1_72 - b1_119 * b1_74;
+  const T b1_121 = b1_120 * b1_98;
+  const T b1_122 = J1_32 - b1_100 * K_thetadot16_1_2 - b1_102 * b1_78 - b1_104 * b1_80 - b1_105 * K_thetadot12_1_2 -
+      b1_107 * b1_83 - b1_109 * b1_85 - b1_110 * K_thetadot8_1_2 - b1_112 * b1_88 - b1_114 * b1_90 - b1_115 *
+      K_thetadot4_1_2 - b1_117 * b1_93 - b1_119 * b1_95 - b1_121 * b1_97;
+  const T b1_123 = T(1) / D_omegadot1_2;
+  const T b1_124 = b1_122 * b1_123;
+  const T D_omegadot1_3 = J1_33 - b1_100 * K_thetadot16_1_3 - b1_102 * b1_101 - b1_104 * b1_103 - b1_105 *
+      K_thetadot12_1_3 - b1_107 * b1_106 - b1_109 * b1_108 - b1_110 * K_thetadot8_1_3 - b1_112 * b1_111 - b1_114 *
+      b1_113 - b1_115 * K_thetadot4_1_3 - b1_117 * b1_116 - b1_119 * b1_118 - b1_121 * b1_120 - b1_124 * b1_122;
+  // D_Pddot1: pivots of L D L^T
+  const T b1_125 = B_thetadot16_14_1 * T(136.15003737155254);
+  const T b1_126 = minus_hc15_3 + b1_125 * b15_8;
+  const T b1_127 = b1_126 * b14_11;
+  const T b1_128 = b1_127 * b14_10 - b1_125 * K_thetadot16_14_1;
+  const T b1_129 = b1_128 * b1_57;
+  const T b1_130 = B_thetadot12_10_1 * T(136.15003737155254);
+  const T b1_131 = minus_hc11_3 + b1_130 * b11_8;
+  const T b1_132 = b1_131 * b10_11;
+  const T b1_133 = b1_130 * minus_K_thetadot12_10_1 + b1_132 * b10_10;
+  const T b1_134 = b1_133 * b1_63;
+  const T b1_135 = B_thetadot8_6_1 * T(136.15003737155254);
+  const T b1_136 = minus_hc7_3 + b1_135 * b7_8;
+  const T b1_137 = b1_136 * b6_11;
+  const T b1_138 = b1_137 * b6_10 - b1_135 * K_thetadot8_6_1;
+  const T b1_139 = b1_138 * b1_69;
+  const T b1_140 = B_thetadot4_2_1 * T(136.15003737155254);
+  const T b1_141 = minus_hc3_3 + b1_140 * b3_8;
+  const T b1_142 = b1_141 * b2_11;
+  const T b1_143 = b1_140 * minus_K_thetadot4_2_1 + b1_142 * b2_10;
+  const T b1_144 = b1_143 * b1_75;
+  const T b1_145 = b1_127 * b1_54 - b1_125 * K_thetadot16_1_1 - b1_129 * b1_56 + b1_130 * minus_K_thetadot12_1_1 +
+      b1_132 * b1_60 - b1_134 * b1_62 - b1_135 * K_thetadot8_1_1 + b1_137 * b1_66 - b1_139 * b1_68 + b1_140 *
+      minus_K_thetadot4_1_1 + b1_142 * b1_72 - b1_144 * b1_74;
+  const T b1_146 = b1_145 * b1_98;
+  const T b1_147 = h1_3 - b1_125 * K_thetadot16_1_2 + b1_127 * b1_78 - b1_129 * b1_80 - b1_130 * K_thetadot12_1_2 +
+      b1_132 * b1_83 - b1_134 * b1_85 - b1_135 * K_thetadot8_1_2 + b1_137 * b1_88 - b1_139 * b1_90 - b1_140 *
+      K_thetadot4_1_2 + b1_142 * b1_93 - b1_144 * b1_95 - b1_146 * b1_97;
+  const T b1_148 = b1_147 * b1_123;
+  const T b1_149 = h1_2 + b1_125 * K_thetadot16_1_3 - b1_127 * b1_101 + b1_129 * b1_103 + b1_130 * K_thetadot12_1_3 -
+      b1_132 * b1_106 + b1_134 * b1_108 + b1_135 * K_thetadot8_1_3 - b1_137 * b1_111 + b1_139 * b1_113 + b1_140 *
+      K_thetadot4_1_3 - b1_142 * b1_116 + b1_144 * b1_118 + b1_146 * b1_120 + b1_148 * b1_122;
+  const T b1_150 = T(1) / D_omegadot1_3;
+  const T b1_151 = b1_149 * b1_150;
+  const T D_Pddot1_1 = c.m_sub1 - b1_125 * B_thetadot16_14_1 - b1_127 * b1_126 - b1_129 * b1_128 - b1_130 *
+      B_thetadot12_10_1 - b1_132 * b1_131 - b1_134 * b1_133 - b1_135 * B_thetadot8_6_1 - b1_137 * b1_136 - b1_139 *
+      b1_138 - b1_140 * B_thetadot4_2_1 - b1_142 * b1_141 - b1_144 * b1_143 - b1_146 * b1_145 - b1_148 * b1_147 -
+      b1_151 * b1_149;
+  const T b1_152 = minus_B_thetadot16_1_2 * T(136.15003737155254);
+  const T b1_153 = b1_152 * b15_8 - minus_B_thetadot15_1_2;
+  const T b1_154 = b1_153 * b14_11;
+  const T b1_155 = b1_152 * K_thetadot16_14_1 - hc14_3 - b1_154 * b14_10;
+  const T b1_156 = b1_155 * b1_57;
+  const T b1_157 = minus_B_thetadot12_1_2 * T(136.15003737155254);
+  const T b1_158 = b1_157 * b11_8 - minus_B_thetadot11_1_2;
+  const T b1_159 = b1_158 * b10_11;
+  const T b1_160 = minus_hc10_3 - b1_157 * minus_K_thetadot12_10_1 - b1_159 * b10_10;
+  const T b1_161 = b1_160 * b1_63;
+  const T b1_162 = minus_B_thetadot8_1_2 * T(136.15003737155254);
+  const T b1_163 = b1_162 * b7_8 - minus_B_thetadot7_1_2;
+  const T b1_164 = b1_163 * b6_11;
+  const T b1_165 = b1_162 * K_thetadot8_6_1 - hc6_3 - b1_164 * b6_10;
+  const T b1_166 = b1_165 * b1_69;
+  const T b1_167 = minus_B_thetadot4_1_2 * T(136.15003737155254);
+  const T b1_168 = b1_167 * b3_8 - minus_B_thetadot3_1_2;
+  const T b1_169 = b1_168 * b2_11;
+  const T b1_170 = minus_hc2_3 - b1_167 * minus_K_thetadot4_2_1 - b1_169 * b2_10;
+  const T b1_171 = b1_170 * b1_75;
+  const T b1_172 = h1_3 - b1_152 * K_thetadot16_1_1 + b1_154 * b1_54 + b1_156 * b1_56 + b1_157 *
+      minus_K_thetadot12_1_1 + b1_159 * b1_60 + b1_161 * b1_62 - b1_162 * K_thetadot8_1_1 + b1_164 * b1_66 + b1_166 *
+      b1_68 + b1_167 * minus_K_thetadot4_1_1 + b1_169 * b1_72 + b1_171 * b1_74;
+  const T b1_173 = b1_172 * b1_98;
+  const T b1_174 = b1_152 * K_thetadot16_1_2 - b1_154 * b1_78 - b1_156 * b1_80 + b1_157 * K_thetadot12_1_2 - b1_159 *
+      b1_83 - b1_161 * b1_85 + b1_162 * K_thetadot8_1_2 - b1_164 * b1_88 - b1_166 * b1_90 + b1_167 * K_thetadot4_1_2 -
+      b1_169 * b1_93 - b1_171 * b1_95 + b1_173 * b1_97;
+  const T b1_175 = b1_174 * b1_123;
+  const T b1_176 = h1_1 + b1_152 * K_thetadot16_1_3 - b1_154 * b1_101 - b1_156 * b1_103 + b1_157 * K_thetadot12_1_3 -
+      b1_159 * b1_106 - b1_161 * b1_108 + b1_162 * K_thetadot8_1_3 - b1_164 * b1_111 - b1_166 * b1_113 + b1_167 *
+      K_thetadot4_1_3 - b1_169 * b1_116 - b1_171 * b1_118 + b1_173 * b1_120 - b1_175 * b1_122;
+  const T b1_177 = b1_176 * b1_150;
+  const T b1_178 = b1_152 * B_thetadot16_14_1 + b1_154 * b1_126 - b1_156 * b1_128 + b1_157 * B_thetadot12_10_1 +
+      b1_159 * b1_131 - b1_161 * b1_133 + b1_162 * B_thetadot8_6_1 + b1_164 * b1_136 - b1_166 * b1_138 + b1_167 *
+      B_thetadot4_2_1 + b1_169 * b1_141 - b1_171 * b1_143 + b1_173 * b1_145 - b1_175 * b1_147 + b1_177 * b1_149;
+  const T b1_179 = T(1) / D_Pddot1_1;
+  const T b1_180 = b1_178 * b1_179;
+  const T D_Pddot1_2 = c.m_sub1 - b1_152 * minus_B_thetadot16_1_2 - b1_154 * b1_153 - b1_156 * b1_155 - b1_157 *
+      minus_B_thetadot12_1_2 - b1_159 * b1_158 - b1_161 * b1_160 - b1_162 * minus_B_thetadot8_1_2 - b1_164 * b1_163 -
+      b1_166 * b1_165 - b1_167 * minus_B_thetadot4_1_2 - b1_169 * b1_168 - b1_171 * b1_170 - b1_173 * b1_172 - b1_175
+      * b1_174 - b1_177 * b1_176 - b1_180 * b1_178;
+  const T b1_181 = B_thetadot16_1_3 * T(136.15003737155254);
+  const T b1_182 = B_thetadot15_1_3 - b1_181 * b15_8;
+  const T b1_183 = b1_182 * b14_11;
+  const T b1_184 = hc14_2 - b1_181 * K_thetadot16_14_1 - b1_183 * b14_10;
+  const T b1_185 = b1_184 * b1_57;
+  const T b1_186 = B_thetadot12_1_3 * T(136.15003737155254);
+  const T b1_187 = B_thetadot11_1_3 - b1_186 * b11_8;
+  const T b1_188 = b1_187 * b10_11;
+  const T b1_189 = b1_186 * minus_K_thetadot12_10_1 - minus_hc10_2 - b1_188 * b10_10;
+  const T b1_190 = b1_189 * b1_63;
+  const T b1_191 = B_thetadot8_1_3 * T(136.15003737155254);
+  const T b1_192 = B_thetadot7_1_3 - b1_191 * b7_8;
+  const T b1_193 = b1_192 * b6_11;
+  const T b1_194 = hc6_2 - b1_191 * K_thetadot8_6_1 - b1_193 * b6_10;
+  const T b1_195 = b1_194 * b1_69;
+  const T b1_196 = B_thetadot4_1_3 * T(136.15003737155254);
+  const T b1_197 = B_thetadot3_1_3 - b1_196 * b3_8;
+  const T b1_198 = b1_197 * b2_11;
+  const T b1_199 = b1_196 * minus_K_thetadot4_2_1 - minus_hc2_2 - b1_198 * b2_10;
+  const T b1_200 = b1_199 * b1_75;
+  const T b1_201 = h1_2 - b1_181 * K_thetadot16_1_1 - b1_183 * b1_54 - b1_185 * b1_56 + b1_186 *
+      minus_K_thetadot12_1_1 - b1_188 * b1_60 - b1_190 * b1_62 - b1_191 * K_thetadot8_1_1 - b1_193 * b1_66 - b1_195 *
+      b1_68 + b1_196 * minus_K_thetadot4_1_1 - b1_198 * b1_72 - b1_200 * b1_74;
+  const T b1_202 = b1_201 * b1_98;
+  const T b1_203 = h1_1 + b1_181 * K_thetadot16_1_2 + b1_183 * b1_78 + b1_185 * b1_80 + b1_186 * K_thetadot12_1_2 +
+      b1_188 * b1_83 + b1_190 * b1_85 + b1_191 * K_thetadot8_1_2 + b1_193 * b1_88 + b1_195 * b1_90 + b1_196 *
+      K_thetadot4_1_2 + b1_198 * b1_93 + b1_200 * b1_95 + b1_202 * b1_97;
+  const T b1_204 = b1_203 * b1_123;
+  const T b1_205 = b1_204 * b1_122 - b1_181 * K_thetadot16_1_3 - b1_183 * b1_101 - b1_185 * b1_103 - b1_186 *
+      K_thetadot12_1_3 - b1_188 * b1_106 - b1_190 * b1_108 - b1_191 * K_thetadot8_1_3 - b1_193 * b1_111 - b1_195 *
+      b1_113 - b1_196 * K_thetadot4_1_3 - b1_198 * b1_116 - b1_200 * b1_118 - b1_202 * b1_120;
+  const T b1_206 = b1_205 * b1_150;
+  const T b1_207 = b1_183 * b1_126 - b1_181 * B_thetadot16_14_1 - b1_185 * b1_128 - b1_186 * B_thetadot12_10_1 +
+      b1_188 * b1_131 - b1_190 * b1_133 - b1_191 * B_thetadot8_6_1 + b1_193 * b1_136 - b1_195 * b1_138 - b1_196 *
+      B_thetadot4_2_1 + b1_198 * b1_141 - b1_200 * b1_143 - b1_202 * b1_145 + b1_204 * b1_147 + b1_206 * b1_149;
+  const T b1_208 = b1_207 * b1_179;
+  const T b1_209 = b1_181 * minus_B_thetadot16_1_2 - b1_183 * b1_153 - b1_185 * b1_155 + b1_186 *
+      minus_B_thetadot12_1_2 - b1_188 * b1_158 - b1_190 * b1_160 + b1_191 * minus_B_thetadot8_1_2 - b1_193 * b1_163 -
+      b1_195 * b1_165 + b1_196 * minus_B_thetadot4_1_2 - b1_198 * b1_168 - b1_200 * b1_170 + b1_202 * b1_172 + b1_204
+      * b1_174 - b1_206 * b1_176 - b1_208 * b1_178;
+  const T b1_210 = T(1) / D_Pddot1_2;
+  const T b1_211 = b1_209 * b1_210;
+  const T D_Pddot1_3 = c.m_sub1 - b1_181 * B_thetadot16_1_3 - b1_183 * b1_182 - b1_185 * b1_184 - b1_186 *
+      B_thetadot12_1_3 - b1_188 * b1_187 - b1_190 * b1_189 - b1_191 * B_thetadot8_1_3 - b1_193 * b1_192 - b1_195 *
+      b1_194 - b1_196 * B_thetadot4_1_3 - b1_198 * b1_197 - b1_200 * b1_199 - b1_202 * b1_201 - b1_204 * b1_203 -
+      b1_206 * b1_205 - b1_208 * b1_207 - b1_211 * b1_209;
+
+  // ---- body 1 (trunk), solved
+  // Pddot1: from A ydot = f by elimination
+  const T z1_1 = rho16_2 + effort_rl_calf_16;
+  const T z1_2 = rho15_2 + effort_rl_thigh_15 - b15_9 * z1_1;
+  const T z1_3 = rho14_1 + effort_rl_hip_14 - b14_9 * z1_1 - b14_12 * z1_2;
+  const T z1_4 = rho12_2 + effort_rr_calf_12;
+  const T z1_5 = rho11_2 + effort_rr_thigh_11 - b11_9 * z1_4;
+  const T z1_6 = rho10_1 + effort_rr_hip_10 + b10_9 * z1_4 - b10_12 * z1_5;
+  const T z1_7 = rho8_2 + effort_fl_calf_8;
+  const T z1_8 = rho7_2 + effort_fl_thigh_7 - b7_9 * z1_7;
+  const T z1_9 = rho6_1 + effort_fl_hip_6 - b6_9 * z1_7 - b6_12 * z1_8;
+  const T z1_10 = rho4_2 + effort_fr_calf_4;
+  const T z1_11 = rho3_2 + effort_fr_thigh_3 - b3_9 * z1_10;
+  const T z1_12 = rho2_1 + effort_fr_hip_2 + b2_9 * z1_10 - b2_12 * z1_11;
+  const T z1_13 = f_omega1_1 - b1_53 * z1_1 - b1_55 * z1_2 - b1_58 * z1_3 + b1_59 * z1_4 - b1_61 * z1_5 - b1_64 * z1_6
+      - b1_65 * z1_7 - b1_67 * z1_8 - b1_70 * z1_9 + b1_71 * z1_10 - b1_73 * z1_11 - b1_76 * z1_12;
+  const T z1_14 = f_omega1_2 - b1_77 * z1_1 - b1_79 * z1_2 - b1_81 * z1_3 - b1_82 * z1_4 - b1_84 * z1_5 - b1_86 * z1_6
+      - b1_87 * z1_7 - b1_89 * z1_8 - b1_91 * z1_9 - b1_92 * z1_10 - b1_94 * z1_11 - b1_96 * z1_12 - b1_99 * z1_13;
+  const T z1_15 = f_omega1_3 - b1_100 * z1_1 - b1_102 * z1_2 - b1_104 * z1_3 - b1_105 * z1_4 - b1_107 * z1_5 - b1_109
+      * z1_6 - b1_110 * z1_7 - b1_112 * z1_8 - b1_114 * z1_9 - b1_115 * z1_10 - b1_117 * z1_11 - b1_119 * z1_12 -
+      b1_121 * z1_13 - b1_124 * z1_14;
+  const T z1_16 = S1_1 - b1_125 * z1_1 + b1_127 * z1_2 - b1_129 * z1_3 - b1_130 * z1_4 + b1_132 * z1_5 - b1_134 * z1_6
+      - b1_135 * z1_7 + b1_137 * z1_8 - b1_139 * z1_9 - b1_140 * z1_10 + b1_142 * z1_11 - b1_144 * z1_12 - b1_146 *
+      z1_13 - b1_148 * z1_14 + b1_151 * z1_15;
+  const T z1_17 = S1_2 + b1_152 * z1_1 - b1_154 * z1_2 - b1_156 * z1_3 + b1_157 * z1_4 - b1_159 * z1_5 - b1_161 * z1_6
+      + b1_162 * z1_7 - b1_164 * z1_8 - b1_166 * z1_9 + b1_167 * z1_10 - b1_169 * z1_11 - b1_171 * z1_12 + b1_173 *
+      z1_13 - b1_175 * z1_14 - b1_177 * z1_15 - b1_180 * z1_16;
+  const T z1_18 = T(1) / D_Pddot1_3 * (S1_3 - b1_181 * z1_1 - b1_183 * z1_2 - b1_185 * z1_3 - b1_186 * z1_4 - b1_188 *
+      z1_5 - b1_190 * z1_6 - b1_191 * z1_7 - b1_193 * z1_8 - b1_195 * z1_9 - b1_196 * z1_10 - b1_198 * z1_11 - b1_200
+      * z1_12 - b1_202 * z1_13 + b1_204 * z1_14 - b1_206 * z1_15 - b1_208 * z1_16 - b1_211 * z1_17);
+  const T z1_19 = z1_17 * b1_210 - b1_211 * z1_18;
+  const T Pddot1_1 = z1_16 * b1_179 - b1_180 * z1_19 - b1_208 * z1_18;
+  // omegadot1: from A ydot = f by elimination
+  const T z1_20 = z1_15 * b1_150 + b1_151 * Pddot1_1 - b1_177 * z1_19 - b1_206 * z1_18;
+  const T z1_21 = z1_14 * b1_123 - b1_124 * z1_20 - b1_148 * Pddot1_1 - b1_175 * z1_19 + b1_204 * z1_18;
+  const T omegadot1_1 = z1_13 * b1_98 - b1_99 * z1_21 - b1_121 * z1_20 - b1_146 * Pddot1_1 + b1_173 * z1_19 - b1_202 *
+      z1_18;
+  ydot[0] = omegadot1_1;
+  ydot[1] = z1_21;
+  ydot[2] = z1_20;
+  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_19 + R1_31 * z1_18;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_19 + R1_32 * z1_18;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_19 + R1_33 * z1_18 - T(9.81);
+  ydot[15] = sddot1_1;
+  ydot[16] = sddot1_2;
+  ydot[17] = sddot1_3;
+
+  // ---- body 2 (fr_hip), solved
+  // thetaddot2: from A ydot = f by elimination
+  const T thetaddot2 = z1_12 * b1_75 - b1_76 * omegadot1_1 - b1_96 * z1_21 - b1_119 * z1_20 - b1_144 * Pddot1_1 -
+      b1_171 * z1_19 - b1_200 * z1_18;
+  ydot[3] = thetaddot2;
+
+  // ---- body 3 (fr_thigh), solved
+  // thetaddot3: from A ydot = f by elimination
+  const T thetaddot3 = z1_11 * b2_11 - b2_12 * thetaddot2 - b1_73 * omegadot1_1 - b1_94 * z1_21 - b1_117 * z1_20 +
+      b1_142 * Pddot1_1 - b1_169 * z1_19 - b1_198 * z1_18;
+  ydot[4] = thetaddot3;
+
+  // ---- body 4 (fr_calf), solved
+  // thetaddot4: from A ydot = f by elimination
+  const T thetaddot4 = z1_10 * T(136.15003737155254) - b3_9 * thetaddot3 + b2_9 * thetaddot2 + b1_71 * omegadot1_1 -
+      b1_92 * z1_21 - b1_115 * z1_20 - b1_140 * Pddot1_1 + b1_167 * z1_19 - b1_196 * z1_18;
+  ydot[5] = thetaddot4;
+
+  // ---- body 6 (fl_hip), solved
+  // thetaddot6: from A ydot = f by elimination
+  const T thetaddot6 = z1_9 * b1_69 - b1_70 * omegadot1_1 - b1_91 * z1_21 - b1_114 * z1_20 - b1_139 * Pddot1_1 -
+      b1_166 * z1_19 - b1_195 * z1_18;
+  ydot[6] = thetaddot6;
+
+  // ---- body 7 (fl_thigh), solved
+  // thetaddot7: from A ydot = f by elimination
+  const T thetaddot7 = z1_8 * b6_11 - b6_12 * thetaddot6 - b1_67 * omegadot1_1 - b1_89 * z1_21 - b1_112 * z1_20 +
+      b1_137 * Pddot1_1 - b1_164 * z1_19 - b1_193 * z1_18;
+  ydot[7] = thetaddot7;
+
+  // ---- body 8 (fl_calf), solved
+  // thetaddot8: from A ydot = f by elimination
+  const T thetaddot8 = z1_7 * T(136.15003737155254) - b7_9 * thetaddot7 - b6_9 * thetaddot6 - b1_65 * omegadot1_1 -
+      b1_87 * z1_21 - b1_110 * z1_20 - b1_135 * Pddot1_1 + b1_162 * z1_19 - b1_191 * z1_18;
+  ydot[8] = thetaddot8;
+
+  // ---- body 10 (rr_hip), solved
+  // thetaddot10: from A ydot = f by elimination
+  const T thetaddot10 = z1_6 * b1_63 - b1_64 * omegadot1_1 - b1_86 * z1_21 - b1_109 * z1_20 - b1_134 * Pddot1_1 -
+      b1_161 * z1_19 - b1_190 * z1_18;
+  ydot[9] = thetaddot10;
+
+  // ---- body 11 (rr_thigh), solved
+  // thetaddot11: from A ydot = f by elimination
+  const T thetaddot11 = z1_5 * b10_11 - b10_12 * thetaddot10 - b1_61 * omegadot1_1 - b1_84 * z1_21 - b1_107 * z1_20 +
+      b1_132 * Pddot1_1 - b1_159 * z1_19 - b1_188 * z1_18;
+  ydot[10] = thetaddot11;
+
+  // ---- body 12 (rr_calf), solved
+  // thetaddot12: from A ydot = f by elimination
+  const T thetaddot12 = z1_4 * T(136.15003737155254) - b11_9 * thetaddot11 + b10_9 * thetaddot10 + b1_59 * omegadot1_1
+      - b1_82 * z1_21 - b1_105 * z1_20 - b1_130 * Pddot1_1 + b1_157 * z1_19 - b1_186 * z1_18;
+  ydot[11] = thetaddot12;
+
+  // ---- body 14 (rl_hip), solved
+  // thetaddot14: from A ydot = f by elimination
+  const T thetaddot14 = z1_3 * b1_57 - b1_58 * omegadot1_1 - b1_81 * z1_21 - b1_104 * z1_20 - b1_129 * Pddot1_1 -
+      b1_156 * z1_19 - b1_185 * z1_18;
+  ydot[12] = thetaddot14;
+
+  // ---- body 15 (rl_thigh), solved
+  // thetaddot15: from A ydot = f by elimination
+  const T thetaddot15 = z1_2 * b14_11 - b14_12 * thetaddot14 - b1_55 * omegadot1_1 - b1_79 * z1_21 - b1_102 * z1_20 +
+      b1_127 * Pddot1_1 - b1_154 * z1_19 - b1_183 * z1_18;
+  ydot[13] = thetaddot15;
+
+  // ---- body 16 (rl_calf), solved
+  // thetaddot16: from A ydot = f by elimination
+  const T thetaddot16 = z1_1 * T(136.15003737155254) - b15_9 * thetaddot15 - b14_9 * thetaddot14 - b1_53 * omegadot1_1
+      - b1_77 * z1_21 - b1_100 * z1_20 - b1_125 * Pddot1_1 + b1_152 * z1_19 - b1_181 * z1_18;
+  ydot[14] = thetaddot16;
+}
+
+// residual: r = A ydot - f.
+// r (ny) [N m], [N]
+// 952 add, 1034 multiply, 24 sine or cosine
+template <class T>
+void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  const T omegadot1_1 = ydot[0], omegadot1_2 = ydot[1], omegadot1_3 = ydot[2];
+  const T sddot1_1 = ydot[15], sddot1_2 = ydot[16], sddot1_3 = ydot[17];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T t1_15 = omega1_1 * omega1_2;
+  const T U1_12 = t1_15 - omegadot1_3;
+  const T t1_16 = omega1_1 * omega1_3;
+  const T U1_13 = t1_16 + omegadot1_2;
+  const T U1_21 = t1_15 + omegadot1_3;
+  const T t1_17 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_17;
+  const T t1_18 = omega1_2 * omega1_3;
+  const T U1_23 = t1_18 - omegadot1_1;
+  const T U1_31 = t1_16 - omegadot1_2;
+  const T U1_32 = t1_18 + omegadot1_1;
+  const T minus_U1_33 = t1_14 + t1_17;
+  // Pddot1 = R1 (-g + sddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t1_19 = sddot1_3 + T(9.81);
+  const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_19;
+  const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * t1_19;
+  const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
+  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a1_1 = U1_12 * T(0.0041) - U1_13 * T(5e-04) + Pddot1_1;
+  const T a1_2 = Pddot1_2 - minus_U1_22 * T(0.0041) - U1_23 * T(5e-04);
+  const T a1_3 = U1_32 * T(0.0041) + minus_U1_33 * T(5e-04) + Pddot1_3;
+  // G1 = m1 a1: force balance, body axes [N]
+  const T G1_1 = c.p.m_trunk * a1_1;
+  const T G1_2 = c.p.m_trunk * a1_2;
+  const T G1_3 = c.p.m_trunk * a1_3;
+  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  const T N1_1 = T(0.011853800000000001) * U1_32 - T(0.0039995) * U1_23 + T(2.75e-05) * (minus_U1_22 - minus_U1_33) +
+      T(3.66e-05) * U1_31 - T(6.11e-05) * U1_21;
+  const T N1_2 = T(0.0039995) * U1_13 - T(0.033800399999999994) * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) +
+      T(2.75e-05) * U1_12 - T(3.66e-05) * U1_32;
+  const T N1_3 = T(0.033800399999999994) * U1_21 - T(0.011853800000000001) * U1_12 + T(3.66e-05) * (minus_U1_11 -
+      minus_U1_22) + T(6.11e-05) * U1_23 - T(2.75e-05) * U1_13;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  const T thetaddot2 = ydot[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_1 = thetaddot2 + omegadot1_1;
+  const T omegadot2_2 = thetadot2 * omega2_3 + E2_22 * omegadot1_2 + E2_23 * omegadot1_3;
+  const T omegadot2_3 = E2_22 * omegadot1_3 - E2_23 * omegadot1_2 - thetadot2 * omega2_2;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_1 = omega2_3 * omega2_3;
+  const T t2_2 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_1 + t2_2;
+  const T t2_3 = omega2_2 * omega2_1;
+  const T U2_12 = t2_3 - omegadot2_3;
+  const T t2_4 = omega2_3 * omega2_1;
+  const T U2_13 = t2_4 + omegadot2_2;
+  const T U2_21 = t2_3 + omegadot2_3;
+  const T t2_5 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_1 + t2_5;
+  const T t2_6 = omega2_3 * omega2_2;
+  const T U2_23 = t2_6 - omegadot2_1;
+  const T U2_31 = t2_4 - omegadot2_2;
+  const T U2_32 = t2_6 + omegadot2_1;
+  const T minus_U2_33 = t2_2 + t2_5;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_7 = minus_U1_11 * T(0.1805);
+  const T t2_8 = U1_12 * T(0.047);
+  const T t2_9 = t2_7 + t2_8;
+  const T Pddot2_1 = Pddot1_1 - t2_9;
+  const T t2_10 = U1_21 * T(0.1805);
+  const T t2_11 = minus_U1_22 * T(0.047);
+  const T t2_12 = t2_10 + t2_11;
+  const T t2_13 = t2_12 + Pddot1_2;
+  const T t2_14 = U1_32 * T(0.047);
+  const T t2_15 = U1_31 * T(0.1805);
+  const T t2_16 = t2_14 - t2_15;
+  const T t2_17 = Pddot1_3 - t2_16;
+  const T Pddot2_2 = E2_22 * t2_13 + E2_23 * t2_17;
+  const T Pddot2_3 = E2_22 * t2_17 - E2_23 * t2_13;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
+  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
+  const T a2_3 = Pddot2_3 - U2_31 * T(0.003311) - U2_32 * T(0.000635) - minus_U2_33 * T(3.1e-05);
+  // G2 = m2 a2: force balance, body axes [N]
+  const T G2_1 = T(0.696) * a2_1;
+  const T G2_2 = T(0.696) * a2_2;
+  const T G2_3 = T(0.696) * a2_3;
+  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  const T N2_1 = T(0.00010734249999999997) * U2_32 - T(0.0003619035) * U2_23 - T(4.66e-07) * (minus_U2_22 -
+      minus_U2_33) - T(9.409e-06) * U2_31 - T(3.42e-07) * U2_21;
+  const T N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
+      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_32;
+  const T N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
+      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  const T thetaddot3 = ydot[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_1 = E3_11 * omegadot2_1 - minus_E3_13 * omegadot2_3 - thetadot3 * omega3_3;
+  const T omegadot3_2 = thetaddot3 + omegadot2_2;
+  const T omegadot3_3 = thetadot3 * omega3_1 + minus_E3_13 * omegadot2_1 + E3_11 * omegadot2_3;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot3_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot3_1;
+  const T U3_31 = t3_4 - omegadot3_2;
+  const T U3_32 = t3_6 + omegadot3_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_7 = Pddot2_1 - U2_12 * T(0.0838);
+  const T t3_8 = Pddot2_3 - U2_32 * T(0.0838);
+  const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
+  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
+  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
+  // G3 = m3 a3: force balance, body axes [N]
+  const T G3_1 = T(1.013) * a3_1;
+  const T G3_2 = T(1.013) * a3_2;
+  const T G3_3 = T(1.013) * a3_3;
+  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  const T N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
+      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
+  const T N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11) +
+      T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
+  const T N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
+      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  const T thetaddot4 = ydot[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_2 = thetaddot4 + omegadot3_2;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T t4_2 = omega4_2 * omega4_1;
+  const T U4_12 = t4_2 - omegadot4_3;
+  const T t4_3 = omega4_3 * omega4_1;
+  const T U4_13 = t4_3 + omegadot4_2;
+  const T U4_21 = t4_2 + omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_2;
+  const T U4_23 = t4_4 - omegadot4_1;
+  const T U4_31 = t4_3 - omegadot4_2;
+  const T U4_32 = t4_4 + omegadot4_1;
+  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
+  const T t4_6 = minus_U3_33 * T(0.2) + Pddot3_3;
+  const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
+  const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
+  const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
+  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a4_1 = Pddot4_1 - minus_U4_11 * T(0.004726592920353982) - U4_13 * T(0.13197525663716814);
+  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
+  // G4 = -R4 F_ground_on_fr_ + m_link4 a4: force balance, body axes [N]
+  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
+  const T G4_1 = T(0.226) * a4_1 - t4_7;
+  const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
+  const T G4_2 = T(0.226) * a4_2 - t4_8;
+  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T G4_3 = T(0.226) * a4_3 - t4_9;
+  // N4 = axial(U4 (tr(I_link4)/2 - I_link4)) - lever4~ R4 F_ground_on_fr_: moment balance about the mass centre, body
+  //   axes [N m]
+  const T N4_1 = T(1.2987999999999953e-05) * U4_32 - T(0.003372578451939115) * U4_23 - T(0.00016742735341238938) *
+      U4_21 - T(0.06802474336283187) * t4_8;
+  const T N4_2 = T(0.003372578451939115) * U4_13 - T(3.0862937526548714e-05) * U4_31 + T(0.00016742735341238938) *
+      (minus_U4_33 - minus_U4_11) - T(0.004726592920353982) * t4_9 + T(0.06802474336283187) * t4_7;
+  const T N4_3 = T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05) * U4_12 + T(0.00016742735341238938) *
+      U4_23 + T(0.004726592920353982) * t4_8;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  const T thetaddot6 = ydot[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  // omegadot6 = -thetadot6 b6~ E6 omega1 + thetaddot6 b6 + E6 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_1 = thetaddot6 + omegadot1_1;
+  const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot1_2 + E6_23 * omegadot1_3;
+  const T omegadot6_3 = E6_22 * omegadot1_3 - E6_23 * omegadot1_2 - thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 - omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 + omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T t6_6 = omega6_3 * omega6_2;
+  const T U6_23 = t6_6 - omegadot6_1;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T U6_32 = t6_6 + omegadot6_1;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 (U1 q6 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t6_7 = t2_7 - t2_8;
+  const T Pddot6_1 = Pddot1_1 - t6_7;
+  const T t6_8 = t2_11 - t2_10;
+  const T t6_9 = Pddot1_2 - t6_8;
+  const T t6_10 = t2_15 + t2_14;
+  const T t6_11 = t6_10 + Pddot1_3;
+  const T Pddot6_2 = E6_22 * t6_9 + E6_23 * t6_11;
+  const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
+  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_3 = U6_32 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
+  // G6 = m6 a6: force balance, body axes [N]
+  const T G6_1 = T(0.696) * a6_1;
+  const T G6_2 = T(0.696) * a6_2;
+  const T G6_3 = T(0.696) * a6_3;
+  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  const T N6_1 = T(0.00010734249999999997) * U6_32 - T(0.0003619035) * U6_23 + T(4.66e-07) * (minus_U6_22 -
+      minus_U6_33) + T(9.409e-06) * U6_31 - T(3.42e-07) * U6_21;
+  const T N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
+      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_32;
+  const T N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
+      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  const T thetaddot7 = ydot[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = E7_11 * omegadot6_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_2 = thetaddot7 + omegadot6_2;
+  const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot6_1 + E7_11 * omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot7_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot7_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.0838) + Pddot6_1;
+  const T t7_8 = U6_32 * T(0.0838) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
+  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
+  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  // G7 = m7 a7: force balance, body axes [N]
+  const T G7_1 = T(1.013) * a7_1;
+  const T G7_2 = T(1.013) * a7_2;
+  const T G7_3 = T(1.013) * a7_3;
+  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
+  const T N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
+      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
+  const T N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11) -
+      T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
+  const T N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
+      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  const T thetaddot8 = ydot[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  // omegadot8 = -thetadot8 b8~ E8 omega7 + thetaddot8 b8 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
+  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
+  const T omegadot8_2 = thetaddot8 + omegadot7_2;
+  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t8_1 = omega8_2 * omega8_2;
+  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T t8_2 = omega8_2 * omega8_1;
+  const T U8_12 = t8_2 - omegadot8_3;
+  const T t8_3 = omega8_3 * omega8_1;
+  const T U8_13 = t8_3 + omegadot8_2;
+  const T U8_21 = t8_2 + omegadot8_3;
+  const T t8_4 = omega8_3 * omega8_2;
+  const T U8_23 = t8_4 - omegadot8_1;
+  const T U8_31 = t8_3 - omegadot8_2;
+  const T U8_32 = t8_4 + omegadot8_1;
+  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
+  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
+  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
+  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
+  // G8 = -R8 F_ground_on_fl_ + m_link8 a8: force balance, body axes [N]
+  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
+  const T G8_1 = T(0.226) * a8_1 - t8_7;
+  const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
+  const T G8_2 = T(0.226) * a8_2 - t8_8;
+  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T G8_3 = T(0.226) * a8_3 - t8_9;
+  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)) - lever8~ R8 F_ground_on_fl_: moment balance about the mass centre, body
+  //   axes [N m]
+  const T N8_1 = T(1.2987999999999953e-05) * U8_32 - T(0.003372578451939115) * U8_23 - T(0.00016742735341238938) *
+      U8_21 - T(0.06802474336283187) * t8_8;
+  const T N8_2 = T(0.003372578451939115) * U8_13 - T(3.0862937526548714e-05) * U8_31 + T(0.00016742735341238938) *
+      (minus_U8_33 - minus_U8_11) - T(0.004726592920353982) * t8_9 + T(0.06802474336283187) * t8_7;
+  const T N8_3 = T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05) * U8_12 + T(0.00016742735341238938) *
+      U8_23 + T(0.004726592920353982) * t8_8;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  const T thetaddot10 = ydot[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  // omegadot10 = -thetadot10 b10~ E10 omega1 + thetaddot10 b10 + E10 omegadot1: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot10_1 = thetaddot10 + omegadot1_1;
+  const T omegadot10_2 = thetadot10 * omega10_3 + E10_22 * omegadot1_2 + E10_23 * omegadot1_3;
+  const T omegadot10_3 = E10_22 * omegadot1_3 - E10_23 * omegadot1_2 - thetadot10 * omega10_2;
+  // U10 = omega10~ omega10~ + omegadot10~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t10_1 = omega10_3 * omega10_3;
+  const T t10_2 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_1 + t10_2;
+  const T t10_3 = omega10_2 * omega10_1;
+  const T U10_12 = t10_3 - omegadot10_3;
+  const T t10_4 = omega10_3 * omega10_1;
+  const T U10_13 = t10_4 + omegadot10_2;
+  const T U10_21 = t10_3 + omegadot10_3;
+  const T t10_5 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_1 + t10_5;
+  const T t10_6 = omega10_3 * omega10_2;
+  const T U10_23 = t10_6 - omegadot10_1;
+  const T U10_31 = t10_4 - omegadot10_2;
+  const T U10_32 = t10_6 + omegadot10_1;
+  const T minus_U10_33 = t10_2 + t10_5;
+  // Pddot10 = E10 (U1 q10 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot10_1 = t6_7 + Pddot1_1;
+  const T t10_7 = t6_8 + Pddot1_2;
+  const T t10_8 = Pddot1_3 - t6_10;
+  const T Pddot10_2 = E10_22 * t10_7 + E10_23 * t10_8;
+  const T Pddot10_3 = E10_22 * t10_8 - E10_23 * t10_7;
+  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + Pddot10_1;
+  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
+  const T a10_3 = U10_31 * T(0.003311) - U10_32 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
+  // G10 = m10 a10: force balance, body axes [N]
+  const T G10_1 = T(0.696) * a10_1;
+  const T G10_2 = T(0.696) * a10_2;
+  const T G10_3 = T(0.696) * a10_3;
+  // N10 = axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
+  const T N10_1 = T(0.00010734249999999997) * U10_32 - T(0.0003619035) * U10_23 - T(4.66e-07) * (minus_U10_22 -
+      minus_U10_33) + T(9.409e-06) * U10_31 + T(3.42e-07) * U10_21;
+  const T N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 - minus_U10_11) -
+      T(4.66e-07) * U10_12 - T(9.409e-06) * U10_32;
+  const T N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
+      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  const T thetaddot11 = ydot[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  // omegadot11 = -thetadot11 b11~ E11 omega10 + thetaddot11 b11 + E11 omegadot10: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot11_1 = E11_11 * omegadot10_1 - minus_E11_13 * omegadot10_3 - thetadot11 * omega11_3;
+  const T omegadot11_2 = thetaddot11 + omegadot10_2;
+  const T omegadot11_3 = thetadot11 * omega11_1 + minus_E11_13 * omegadot10_1 + E11_11 * omegadot10_3;
+  // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t11_1 = omega11_3 * omega11_3;
+  const T t11_2 = omega11_2 * omega11_2;
+  const T minus_U11_11 = t11_1 + t11_2;
+  const T t11_3 = omega11_2 * omega11_1;
+  const T U11_12 = t11_3 - omegadot11_3;
+  const T t11_4 = omega11_3 * omega11_1;
+  const T U11_13 = t11_4 + omegadot11_2;
+  const T U11_21 = t11_3 + omegadot11_3;
+  const T t11_5 = omega11_1 * omega11_1;
+  const T minus_U11_22 = t11_1 + t11_5;
+  const T t11_6 = omega11_3 * omega11_2;
+  const T U11_23 = t11_6 - omegadot11_1;
+  const T U11_31 = t11_4 - omegadot11_2;
+  const T U11_32 = t11_6 + omegadot11_1;
+  const T minus_U11_33 = t11_2 + t11_5;
+  // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t11_7 = Pddot10_1 - U10_12 * T(0.0838);
+  const T t11_8 = Pddot10_3 - U10_32 * T(0.0838);
+  const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
+  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
+  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
+  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
+  // G11 = m11 a11: force balance, body axes [N]
+  const T G11_1 = T(1.013) * a11_1;
+  const T G11_2 = T(1.013) * a11_2;
+  const T G11_3 = T(1.013) * a11_3;
+  // N11 = axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
+  const T N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 - minus_U11_33) +
+      T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
+  const T N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 - minus_U11_11) +
+      T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
+  const T N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 - minus_U11_22) -
+      T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  const T thetaddot12 = ydot[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  // omegadot12 = -thetadot12 b12~ E12 omega11 + thetaddot12 b12 + E12 omegadot11: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
+  const T omegadot12_2 = thetaddot12 + omegadot11_2;
+  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t12_1 = omega12_2 * omega12_2;
+  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T t12_2 = omega12_2 * omega12_1;
+  const T U12_12 = t12_2 - omegadot12_3;
+  const T t12_3 = omega12_3 * omega12_1;
+  const T U12_13 = t12_3 + omegadot12_2;
+  const T U12_21 = t12_2 + omegadot12_3;
+  const T t12_4 = omega12_3 * omega12_2;
+  const T U12_23 = t12_4 - omegadot12_1;
+  const T U12_31 = t12_3 - omegadot12_2;
+  const T U12_32 = t12_4 + omegadot12_1;
+  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
+  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
+  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
+  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
+  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
+  // G12 = -R12 F_ground_on_rr_ + m_link12 a12: force balance, body axes [N]
+  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
+  const T G12_1 = T(0.226) * a12_1 - t12_7;
+  const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
+  const T G12_2 = T(0.226) * a12_2 - t12_8;
+  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T G12_3 = T(0.226) * a12_3 - t12_9;
+  // N12 = axial(U12 (tr(I_link12)/2 - I_link12)) - lever12~ R12 F_ground_on_rr_: moment balance about the mass
+  //   centre, body axes [N m]
+  const T N12_1 = T(1.2987999999999953e-05) * U12_32 - T(0.003372578451939115) * U12_23 - T(0.00016742735341238938) *
+      U12_21 - T(0.06802474336283187) * t12_8;
+  const T N12_2 = T(0.003372578451939115) * U12_13 - T(3.0862937526548714e-05) * U12_31 + T(0.00016742735341238938) *
+      (minus_U12_33 - minus_U12_11) - T(0.004726592920353982) * t12_9 + T(0.06802474336283187) * t12_7;
+  const T N12_3 = T(3.0862937526548714e-05) * U12_21 - T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938)
+      * U12_23 + T(0.004726592920353982) * t12_8;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  const T thetaddot14 = ydot[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  // omegadot14 = -thetadot14 b14~ E14 omega1 + thetaddot14 b14 + E14 omegadot1: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot14_1 = thetaddot14 + omegadot1_1;
+  const T omegadot14_2 = thetadot14 * omega14_3 + E14_22 * omegadot1_2 + E14_23 * omegadot1_3;
+  const T omegadot14_3 = E14_22 * omegadot1_3 - E14_23 * omegadot1_2 - thetadot14 * omega14_2;
+  // U14 = omega14~ omega14~ + omegadot14~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t14_1 = omega14_3 * omega14_3;
+  const T t14_2 = omega14_2 * omega14_2;
+  const T minus_U14_11 = t14_1 + t14_2;
+  const T t14_3 = omega14_2 * omega14_1;
+  const T U14_12 = t14_3 - omegadot14_3;
+  const T t14_4 = omega14_3 * omega14_1;
+  const T U14_13 = t14_4 + omegadot14_2;
+  const T U14_21 = t14_3 + omegadot14_3;
+  const T t14_5 = omega14_1 * omega14_1;
+  const T minus_U14_22 = t14_1 + t14_5;
+  const T t14_6 = omega14_3 * omega14_2;
+  const T U14_23 = t14_6 - omegadot14_1;
+  const T U14_31 = t14_4 - omegadot14_2;
+  const T U14_32 = t14_6 + omegadot14_1;
+  const T minus_U14_33 = t14_2 + t14_5;
+  // Pddot14 = E14 (U1 q14 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot14_1 = t2_9 + Pddot1_1;
+  const T t14_7 = Pddot1_2 - t2_12;
+  const T t14_8 = t2_16 + Pddot1_3;
+  const T Pddot14_2 = E14_22 * t14_7 + E14_23 * t14_8;
+  const T Pddot14_3 = E14_22 * t14_8 - E14_23 * t14_7;
+  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + Pddot14_1;
+  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
+  const T a14_3 = U14_31 * T(0.003311) + U14_32 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
+  // G14 = m14 a14: force balance, body axes [N]
+  const T G14_1 = T(0.696) * a14_1;
+  const T G14_2 = T(0.696) * a14_2;
+  const T G14_3 = T(0.696) * a14_3;
+  // N14 = axial(U14 (tr(I14)/2 - I14)): moment balance about the mass centre, body axes [N m]
+  const T N14_1 = T(0.00010734249999999997) * U14_32 - T(0.0003619035) * U14_23 + T(4.66e-07) * (minus_U14_22 -
+      minus_U14_33) - T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
+  const T N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 - minus_U14_11) +
+      T(4.66e-07) * U14_12 + T(9.409e-06) * U14_32;
+  const T N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
+      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  const T thetaddot15 = ydot[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  // omegadot15 = -thetadot15 b15~ E15 omega14 + thetaddot15 b15 + E15 omegadot14: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot15_1 = E15_11 * omegadot14_1 - minus_E15_13 * omegadot14_3 - thetadot15 * omega15_3;
+  const T omegadot15_2 = thetaddot15 + omegadot14_2;
+  const T omegadot15_3 = thetadot15 * omega15_1 + minus_E15_13 * omegadot14_1 + E15_11 * omegadot14_3;
+  // U15 = omega15~ omega15~ + omegadot15~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t15_1 = omega15_3 * omega15_3;
+  const T t15_2 = omega15_2 * omega15_2;
+  const T minus_U15_11 = t15_1 + t15_2;
+  const T t15_3 = omega15_2 * omega15_1;
+  const T U15_12 = t15_3 - omegadot15_3;
+  const T t15_4 = omega15_3 * omega15_1;
+  const T U15_13 = t15_4 + omegadot15_2;
+  const T U15_21 = t15_3 + omegadot15_3;
+  const T t15_5 = omega15_1 * omega15_1;
+  const T minus_U15_22 = t15_1 + t15_5;
+  const T t15_6 = omega15_3 * omega15_2;
+  const T U15_23 = t15_6 - omegadot15_1;
+  const T U15_31 = t15_4 - omegadot15_2;
+  const T U15_32 = t15_6 + omegadot15_1;
+  const T minus_U15_33 = t15_2 + t15_5;
+  // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t15_7 = U14_12 * T(0.0838) + Pddot14_1;
+  const T t15_8 = U14_32 * T(0.0838) + Pddot14_3;
+  const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
+  const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
+  const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
+  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
+  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
+  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  // G15 = m15 a15: force balance, body axes [N]
+  const T G15_1 = T(1.013) * a15_1;
+  const T G15_2 = T(1.013) * a15_2;
+  const T G15_3 = T(1.013) * a15_3;
+  // N15 = axial(U15 (tr(I15)/2 - I15)): moment balance about the mass centre, body axes [N m]
+  const T N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 - minus_U15_33) -
+      T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
+  const T N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 - minus_U15_11) -
+      T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
+  const T N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 - minus_U15_22) -
+      T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  const T thetaddot16 = ydot[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  // omegadot16 = -thetadot16 b16~ E16 omega15 + thetaddot16 b16 + E16 omegadot15: angular acceleration, body axes
+  //   [rad/s^2]
+  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
+  const T omegadot16_2 = thetaddot16 + omegadot15_2;
+  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t16_1 = omega16_2 * omega16_2;
+  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T t16_2 = omega16_2 * omega16_1;
+  const T U16_12 = t16_2 - omegadot16_3;
+  const T t16_3 = omega16_3 * omega16_1;
+  const T U16_13 = t16_3 + omegadot16_2;
+  const T U16_21 = t16_2 + omegadot16_3;
+  const T t16_4 = omega16_3 * omega16_2;
+  const T U16_23 = t16_4 - omegadot16_1;
+  const T U16_31 = t16_3 - omegadot16_2;
+  const T U16_32 = t16_4 + omegadot16_1;
+  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
+  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
+  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
+  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
+  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
+  // G16 = -R16 F_ground_on_rl_ + m_link16 a16: force balance, body axes [N]
+  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
+  const T G16_1 = T(0.226) * a16_1 - t16_7;
+  const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
+  const T G16_2 = T(0.226) * a16_2 - t16_8;
+  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T G16_3 = T(0.226) * a16_3 - t16_9;
+  // N16 = axial(U16 (tr(I_link16)/2 - I_link16)) - lever16~ R16 F_ground_on_rl_: moment balance about the mass
+  //   centre, body axes [N m]
+  const T N16_1 = T(1.2987999999999953e-05) * U16_32 - T(0.003372578451939115) * U16_23 - T(0.00016742735341238938) *
+      U16_21 - T(0.06802474336283187) * t16_8;
+  const T N16_2 = T(0.003372578451939115) * U16_13 - T(3.0862937526548714e-05) * U16_31 + T(0.00016742735341238938) *
+      (minus_U16_33 - minus_U16_11) - T(0.004726592920353982) * t16_9 + T(0.06802474336283187) * t16_7;
+  const T N16_3 = T(3.0862937526548714e-05) * U16_21 - T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938)
+      * U16_23 + T(0.004726592920353982) * t16_8;
+
+  // ---- body 16 (rl_calf) and what it carries
+  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
+  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_3 = T(0.004726592920353982) * G16_2 + N16_3;
+  // r_theta16 = b16 . rho16 - effort_rl_calf_16: Kane's equation of the angle [N m]
+  const T r_theta16 = rho16_2 - effort_rl_calf_16;
+  r[14] = r_theta16;
+
+  // ---- body 15 (rl_thigh) and what it carries
+  // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
+  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T S15_1 = b15_1 + G15_1;
+  const T S15_2 = G16_2 + G15_2;
+  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 + G15_3;
+  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.027326) * G15_2 - T(0.022327) *
+      G15_3 + N15_1;
+  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.003237) * G15_3 - T(0.027326) * G15_1 + N15_2;
+  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.022327) * G15_1 - T(0.003237) * G15_2 + N15_3;
+  // r_theta15 = b15 . rho15 - effort_rl_thigh_15: Kane's equation of the angle [N m]
+  const T r_theta15 = rho15_2 - effort_rl_thigh_15;
+  r[13] = r_theta15;
+
+  // ---- body 14 (rl_hip) and what it carries
+  // S14 = E15^T S15 + G14: sum of the force balances of the subtree, body axes [N]
+  const T b14_1 = E15_11 * S15_1 + minus_E15_13 * S15_3;
+  const T S14_1 = b14_1 + G14_1;
+  const T S14_2 = S15_2 + G14_2;
+  const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
+  const T S14_3 = b14_2 + G14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(0.000635) * G14_3 - T(3.1e-05) *
+      G14_2 + N14_1;
+  const T rho14_2 = rho15_2 + T(3.1e-05) * G14_1 - T(0.003311) * G14_3 + N14_2;
+  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.003311) * G14_2 - T(0.000635)
+      * G14_1 + N14_3;
+  // r_theta14 = b14 . rho14 - effort_rl_hip_14: Kane's equation of the angle [N m]
+  const T r_theta14 = rho14_1 - effort_rl_hip_14;
+  r[12] = r_theta14;
+
+  // ---- body 12 (rr_calf) and what it carries
+  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
+  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_3 = T(0.004726592920353982) * G12_2 + N12_3;
+  // r_theta12 = b12 . rho12 - effort_rr_calf_12: Kane's equation of the angle [N m]
+  const T r_theta12 = rho12_2 - effort_rr_calf_12;
+  r[11] = r_theta12;
+
+  // ---- body 11 (rr_thigh) and what it carries
+  // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
+  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
+  const T S11_1 = b11_1 + G11_1;
+  const T S11_2 = G12_2 + G11_2;
+  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 + G11_3;
+  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 + T(0.027326) * G11_2 + T(0.022327) *
+      G11_3 + N11_1;
+  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.003237) * G11_3 - T(0.027326) * G11_1 + N11_2;
+  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 - T(0.003237) * G11_2 - T(0.022327) * G11_1 + N11_3;
+  // r_theta11 = b11 . rho11 - effort_rr_thigh_11: Kane's equation of the angle [N m]
+  const T r_theta11 = rho11_2 - effort_rr_thigh_11;
+  r[10] = r_theta11;
+
+  // ---- body 10 (rr_hip) and what it carries
+  // S10 = E11^T S11 + G10: sum of the force balances of the subtree, body axes [N]
+  const T b10_1 = E11_11 * S11_1 + minus_E11_13 * S11_3;
+  const T S10_1 = b10_1 + G10_1;
+  const T S10_2 = S11_2 + G10_2;
+  const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
+  const T S10_3 = b10_2 + G10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 - T(3.1e-05) * G10_2 - T(0.000635) *
+      G10_3 + N10_1;
+  const T rho10_2 = rho11_2 + T(3.1e-05) * G10_1 - T(0.003311) * G10_3 + N10_2;
+  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 + T(0.003311) * G10_2 + T(0.000635)
+      * G10_1 + N10_3;
+  // r_theta10 = b10 . rho10 - effort_rr_hip_10: Kane's equation of the angle [N m]
+  const T r_theta10 = rho10_1 - effort_rr_hip_10;
+  r[9] = r_theta10;
+
+  // ---- body 8 (fl_calf) and what it carries
+  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
+  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_3 = T(0.004726592920353982) * G8_2 + N8_3;
+  // r_theta8 = b8 . rho8 - effort_fl_calf_8: Kane's equation of the angle [N m]
+  const T r_theta8 = rho8_2 - effort_fl_calf_8;
+  r[8] = r_theta8;
+
+  // ---- body 7 (fl_thigh) and what it carries
+  // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
+  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
+  const T S7_1 = b7_1 + G7_1;
+  const T S7_2 = G8_2 + G7_2;
+  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 + G7_3;
+  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.027326) * G7_2 - T(0.022327) * G7_3 +
+      N7_1;
+  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.003237) * G7_3 - T(0.027326) * G7_1 + N7_2;
+  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.022327) * G7_1 - T(0.003237) * G7_2 + N7_3;
+  // r_theta7 = b7 . rho7 - effort_fl_thigh_7: Kane's equation of the angle [N m]
+  const T r_theta7 = rho7_2 - effort_fl_thigh_7;
+  r[7] = r_theta7;
+
+  // ---- body 6 (fl_hip) and what it carries
+  // S6 = E7^T S7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * S7_1 + minus_E7_13 * S7_3;
+  const T S6_1 = b6_1 + G6_1;
+  const T S6_2 = S7_2 + G6_2;
+  const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
+  const T S6_3 = b6_2 + G6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.000635) * G6_3 - T(3.1e-05) * G6_2 +
+      N6_1;
+  const T rho6_2 = rho7_2 + T(3.1e-05) * G6_1 + T(0.003311) * G6_3 + N6_2;
+  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 - T(0.003311) * G6_2 - T(0.000635) * G6_1
+      + N6_3;
+  // r_theta6 = b6 . rho6 - effort_fl_hip_6: Kane's equation of the angle [N m]
+  const T r_theta6 = rho6_1 - effort_fl_hip_6;
+  r[6] = r_theta6;
+
+  // ---- body 4 (fr_calf) and what it carries
+  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
+  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_3 = T(0.004726592920353982) * G4_2 + N4_3;
+  // r_theta4 = b4 . rho4 - effort_fr_calf_4: Kane's equation of the angle [N m]
+  const T r_theta4 = rho4_2 - effort_fr_calf_4;
+  r[5] = r_theta4;
+
+  // ---- body 3 (fr_thigh) and what it carries
+  // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T S3_1 = b3_1 + G3_1;
+  const T S3_2 = G4_2 + G3_2;
+  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 + G3_3;
+  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.027326) * G3_2 + T(0.022327) * G3_3 +
+      N3_1;
+  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.003237) * G3_3 - T(0.027326) * G3_1 + N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.003237) * G3_2 - T(0.022327) * G3_1 + N3_3;
+  // r_theta3 = b3 . rho3 - effort_fr_thigh_3: Kane's equation of the angle [N m]
+  const T r_theta3 = rho3_2 - effort_fr_thigh_3;
+  r[4] = r_theta3;
+
+  // ---- body 2 (fr_hip) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
+  const T S2_1 = b2_1 + G2_1;
+  const T S2_2 = S3_2 + G2_2;
+  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
+  const T S2_3 = b2_2 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 - T(3.1e-05) * G2_2 - T(0.000635) * G2_3 +
+      N2_1;
+  const T rho2_2 = rho3_2 + T(3.1e-05) * G2_1 + T(0.003311) * G2_3 + N2_2;
+  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.000635) * G2_1 - T(0.003311) * G2_2
+      + N2_3;
+  // r_theta2 = b2 . rho2 - effort_fr_hip_2: Kane's equation of the angle [N m]
+  const T r_theta2 = rho2_1 - effort_fr_hip_2;
+  r[3] = r_theta2;
+
+  // ---- body 1 (trunk) and what it carries
+  // S1 = E2^T S2 + E6^T S6 + E10^T S10 + E14^T S14 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1 = S2_1 + S6_1 + S10_1 + S14_1 + G1_1;
+  const T b1_1 = E2_22 * S2_2 - E2_23 * S2_3;
+  const T b1_2 = E6_22 * S6_2 - E6_23 * S6_3;
+  const T b1_3 = E10_22 * S10_2 - E10_23 * S10_3;
+  const T b1_4 = E14_22 * S14_2 - E14_23 * S14_3;
+  const T S1_2 = b1_1 + b1_2 + b1_3 + b1_4 + G1_2;
+  const T b1_5 = E2_23 * S2_2 + E2_22 * S2_3;
+  const T b1_6 = E6_23 * S6_2 + E6_22 * S6_3;
+  const T b1_7 = E10_23 * S10_2 + E10_22 * S10_3;
+  const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
+  const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 + G1_3;
+  // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
+  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
+  const T r_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
+      b1_8 + rho14_1 + T(5e-04) * G1_2 + T(0.0041) * G1_3 + N1_1;
+  const T r_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
+      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
+      * rho14_3 - T(5e-04) * G1_1 + N1_2;
+  const T r_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
+      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
+      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 - T(0.0041) * G1_1
+      + N1_3;
+  r[0] = r_omega1_1;
+  r[1] = r_omega1_2;
+  r[2] = r_omega1_3;
+  // r_sdot1 = R1^T S1: Kane's equation of sdot [N]
+  const T r_sdot1_1 = R1_11 * S1_1 + R1_21 * S1_2 + R1_31 * S1_3;
+  const T r_sdot1_2 = R1_12 * S1_1 + R1_22 * S1_2 + R1_32 * S1_3;
+  const T r_sdot1_3 = R1_13 * S1_1 + R1_23 * S1_2 + R1_33 * S1_3;
+  r[15] = r_sdot1_1;
+  r[16] = r_sdot1_2;
+  r[17] = r_sdot1_3;
+}
+
+// forcing: f of A ydot = f.
+// f (ny) [N m], [N]
+// 888 add, 1007 multiply, 24 sine or cosine
+template <class T>
+void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
+  using std::cos, std::sin;
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // Pddot1 = -R1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot1_1 = R1_13 * T(9.81);
+  const T Pddot1_2 = R1_23 * T(9.81);
+  const T Pddot1_3 = R1_33 * T(9.81);
+  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_13 = omega1_1 * T(0.0041);
+  const T t1_14 = omega1_1 * T(5e-04);
+  const T a1_1 = omega1_2 * t1_13 - omega1_3 * t1_14 + Pddot1_1;
+  const T t1_15 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
+  const T a1_2 = Pddot1_2 - omega1_3 * t1_15 - omega1_1 * t1_13;
+  const T a1_3 = omega1_1 * t1_14 + omega1_2 * t1_15 + Pddot1_3;
+  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G1_1 = c.p.m_trunk * a1_1;
+  const T minus_G1_2 = c.p.m_trunk * a1_2;
+  const T minus_G1_3 = c.p.m_trunk * a1_3;
+  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
+  const T t1_16 = omega1_2 * omega1_3;
+  const T t1_17 = omega1_2 * omega1_2;
+  const T t1_18 = omega1_3 * omega1_3;
+  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_20 = omega1_1 * omega1_3;
+  const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
+      T(3.66e-05) * t1_20;
+  const T t1_21 = omega1_1 * omega1_1;
+  const T minus_N1_2 = T(2.75e-05) * t1_19 - T(0.029800899999999998) * t1_20 - T(6.11e-05) * (t1_18 - t1_21) -
+      T(3.66e-05) * t1_16;
+  const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
+      T(6.11e-05) * t1_16;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_2 = thetadot2 * omega2_3;
+  const T minus_omegadot2_3 = thetadot2 * omega2_2;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t2_1 = omega2_3 * omega2_3;
+  const T t2_2 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_1 + t2_2;
+  const T t2_3 = omega2_2 * omega2_1;
+  const T U2_12 = t2_3 + minus_omegadot2_3;
+  const T t2_4 = omega2_3 * omega2_1;
+  const T U2_13 = t2_4 + omegadot2_2;
+  const T U2_21 = t2_3 - minus_omegadot2_3;
+  const T t2_5 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_1 + t2_5;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T U2_31 = t2_4 - omegadot2_2;
+  const T minus_U2_33 = t2_2 + t2_5;
+  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = omega1_3 * T(0.1805);
+  const T t2_7 = omega1_3 * t2_6;
+  const T t2_8 = omega1_1 * T(0.047);
+  const T t2_9 = omega1_2 * T(0.1805);
+  const T t2_10 = t2_8 + t2_9;
+  const T t2_11 = t2_7 + omega1_2 * t2_10;
+  const T Pddot2_1 = Pddot1_1 - t2_11;
+  const T t2_12 = omega1_3 * T(0.047);
+  const T t2_13 = omega1_3 * t2_12;
+  const T t2_14 = t2_13 + omega1_1 * t2_10;
+  const T t2_15 = t2_14 + Pddot1_2;
+  const T t2_16 = omega1_2 * t2_12;
+  const T t2_17 = omega1_1 * t2_6;
+  const T t2_18 = t2_16 - t2_17;
+  const T t2_19 = Pddot1_3 - t2_18;
+  const T Pddot2_2 = E2_22 * t2_15 + E2_23 * t2_19;
+  const T Pddot2_3 = E2_22 * t2_19 - E2_23 * t2_15;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
+  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
+  const T a2_3 = Pddot2_3 - U2_31 * T(0.003311) - U2_23 * T(0.000635) - minus_U2_33 * T(3.1e-05);
+  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G2_1 = T(0.696) * a2_1;
+  const T minus_G2_2 = T(0.696) * a2_2;
+  const T minus_G2_3 = T(0.696) * a2_3;
+  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T N2_1 = T(0.00025456100000000005) * U2_23 + T(4.66e-07) * (minus_U2_22 - minus_U2_33) + T(9.409e-06) * U2_31
+      + T(3.42e-07) * U2_21;
+  const T minus_N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
+      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_23;
+  const T minus_N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
+      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - thetadot3 * omega3_3;
+  const T omegadot3_3 = thetadot3 * omega3_1 - E3_11 * minus_omegadot2_3;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t3_1 = omega3_3 * omega3_3;
+  const T t3_2 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_1 + t3_2;
+  const T t3_3 = omega3_2 * omega3_1;
+  const T U3_12 = t3_3 - omegadot3_3;
+  const T t3_4 = omega3_3 * omega3_1;
+  const T U3_13 = t3_4 + omegadot2_2;
+  const T U3_21 = t3_3 + omegadot3_3;
+  const T t3_5 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_1 + t3_5;
+  const T t3_6 = omega3_3 * omega3_2;
+  const T U3_23 = t3_6 - omegadot3_1;
+  const T U3_31 = t3_4 - omegadot2_2;
+  const T U3_32 = t3_6 + omegadot3_1;
+  const T minus_U3_33 = t3_2 + t3_5;
+  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_7 = Pddot2_1 - U2_12 * T(0.0838);
+  const T t3_8 = Pddot2_3 - U2_23 * T(0.0838);
+  const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
+  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
+  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
+  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
+  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G3_1 = T(1.013) * a3_1;
+  const T minus_G3_2 = T(1.013) * a3_2;
+  const T minus_G3_3 = T(1.013) * a3_3;
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
+      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
+  const T minus_N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11)
+      + T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
+  const T minus_N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
+      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
+  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t4_1 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T t4_2 = omega4_2 * omega4_1;
+  const T U4_12 = t4_2 - omegadot4_3;
+  const T t4_3 = omega4_3 * omega4_1;
+  const T U4_13 = t4_3 + omegadot2_2;
+  const T U4_21 = t4_2 + omegadot4_3;
+  const T t4_4 = omega4_3 * omega4_2;
+  const T U4_23 = t4_4 - omegadot4_1;
+  const T U4_31 = t4_3 - omegadot2_2;
+  const T U4_32 = t4_4 + omegadot4_1;
+  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
+  const T t4_6 = minus_U3_33 * T(0.2) + Pddot3_3;
+  const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
+  const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
+  const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
+  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a4_1 = Pddot4_1 - minus_U4_11 * T(0.004726592920353982) - U4_13 * T(0.13197525663716814);
+  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
+  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
+  // G4 = R4 F_ground_on_fr_ - m_link4 a4: applied less inertia force at ydot = 0, body axes [N]
+  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
+  const T G4_1 = t4_7 - T(0.226) * a4_1;
+  const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
+  const T G4_2 = t4_8 - T(0.226) * a4_2;
+  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T G4_3 = t4_9 - T(0.226) * a4_3;
+  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
+  //   body axes [N m]
+  const T N4_1 = T(0.06802474336283187) * t4_8 - T(1.2987999999999953e-05) * U4_32 + T(0.003372578451939115) * U4_23 +
+      T(0.00016742735341238938) * U4_21;
+  const T N4_2 = T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7 - T(0.003372578451939115) * U4_13 +
+      T(3.0862937526548714e-05) * U4_31 - T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
+  const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
+      * U4_12 + T(0.00016742735341238938) * U4_23;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  // omegadot6 = -thetadot6 b6~ E6 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot6_2 = thetadot6 * omega6_3;
+  const T minus_omegadot6_3 = thetadot6 * omega6_2;
+  // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t6_1 = omega6_3 * omega6_3;
+  const T t6_2 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_1 + t6_2;
+  const T t6_3 = omega6_2 * omega6_1;
+  const T U6_12 = t6_3 + minus_omegadot6_3;
+  const T t6_4 = omega6_3 * omega6_1;
+  const T U6_13 = t6_4 + omegadot6_2;
+  const T U6_21 = t6_3 - minus_omegadot6_3;
+  const T t6_5 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_1 + t6_5;
+  const T U6_23 = omega6_3 * omega6_2;
+  const T U6_31 = t6_4 - omegadot6_2;
+  const T minus_U6_33 = t6_2 + t6_5;
+  // Pddot6 = E6 (omega1~ omega1~ q6 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t6_6 = t2_8 - t2_9;
+  const T t6_7 = t2_7 - omega1_2 * t6_6;
+  const T Pddot6_1 = Pddot1_1 - t6_7;
+  const T t6_8 = t2_13 + omega1_1 * t6_6;
+  const T t6_9 = Pddot1_2 - t6_8;
+  const T t6_10 = t2_17 + t2_16;
+  const T t6_11 = t6_10 + Pddot1_3;
+  const T Pddot6_2 = E6_22 * t6_9 + E6_23 * t6_11;
+  const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
+  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
+  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
+  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G6_1 = T(0.696) * a6_1;
+  const T minus_G6_2 = T(0.696) * a6_2;
+  const T minus_G6_3 = T(0.696) * a6_3;
+  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N6_1 = T(4.66e-07) * (minus_U6_22 - minus_U6_33) - T(0.00025456100000000005) * U6_23 + T(9.409e-06) *
+      U6_31 - T(3.42e-07) * U6_21;
+  const T minus_N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
+      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_23;
+  const T minus_N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
+      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
+  const T omegadot7_1 = minus_E7_13 * minus_omegadot6_3 - thetadot7 * omega7_3;
+  const T omegadot7_3 = thetadot7 * omega7_1 - E7_11 * minus_omegadot6_3;
+  // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t7_1 = omega7_3 * omega7_3;
+  const T t7_2 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_1 + t7_2;
+  const T t7_3 = omega7_2 * omega7_1;
+  const T U7_12 = t7_3 - omegadot7_3;
+  const T t7_4 = omega7_3 * omega7_1;
+  const T U7_13 = t7_4 + omegadot6_2;
+  const T U7_21 = t7_3 + omegadot7_3;
+  const T t7_5 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_1 + t7_5;
+  const T t7_6 = omega7_3 * omega7_2;
+  const T U7_23 = t7_6 - omegadot7_1;
+  const T U7_31 = t7_4 - omegadot6_2;
+  const T U7_32 = t7_6 + omegadot7_1;
+  const T minus_U7_33 = t7_2 + t7_5;
+  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t7_7 = U6_12 * T(0.0838) + Pddot6_1;
+  const T t7_8 = U6_23 * T(0.0838) + Pddot6_3;
+  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
+  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
+  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
+  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
+  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G7_1 = T(1.013) * a7_1;
+  const T minus_G7_2 = T(1.013) * a7_2;
+  const T minus_G7_3 = T(1.013) * a7_3;
+  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
+      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
+  const T minus_N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11)
+      - T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
+  const T minus_N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
+      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
+  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
+  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T t8_1 = omega8_2 * omega8_2;
+  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T t8_2 = omega8_2 * omega8_1;
+  const T U8_12 = t8_2 - omegadot8_3;
+  const T t8_3 = omega8_3 * omega8_1;
+  const T U8_13 = t8_3 + omegadot6_2;
+  const T U8_21 = t8_2 + omegadot8_3;
+  const T t8_4 = omega8_3 * omega8_2;
+  const T U8_23 = t8_4 - omegadot8_1;
+  const T U8_31 = t8_3 - omegadot6_2;
+  const T U8_32 = t8_4 + omegadot8_1;
+  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
+  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
+  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
+  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
+  // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
+  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
+  const T G8_1 = t8_7 - T(0.226) * a8_1;
+  const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
+  const T G8_2 = t8_8 - T(0.226) * a8_2;
+  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T G8_3 = t8_9 - T(0.226) * a8_3;
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
+  //   body axes [N m]
+  const T N8_1 = T(0.06802474336283187) * t8_8 - T(1.2987999999999953e-05) * U8_32 + T(0.003372578451939115) * U8_23 +
+      T(0.00016742735341238938) * U8_21;
+  const T N8_2 = T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7 - T(0.003372578451939115) * U8_13 +
+      T(3.0862937526548714e-05) * U8_31 - T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
+  const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
+      * U8_12 + T(0.00016742735341238938) * U8_23;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  // omegadot10 = -thetadot10 b10~ E10 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot10_2 = thetadot10 * omega10_3;
+  const T minus_omegadot10_3 = thetadot10 * omega10_2;
+  // U10 = omega10~ omega10~ + omegadot10~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t10_1 = omega10_3 * omega10_3;
+  const T t10_2 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_1 + t10_2;
+  const T t10_3 = omega10_2 * omega10_1;
+  const T U10_12 = t10_3 + minus_omegadot10_3;
+  const T t10_4 = omega10_3 * omega10_1;
+  const T U10_13 = t10_4 + omegadot10_2;
+  const T U10_21 = t10_3 - minus_omegadot10_3;
+  const T t10_5 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_1 + t10_5;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T U10_31 = t10_4 - omegadot10_2;
+  const T minus_U10_33 = t10_2 + t10_5;
+  // Pddot10 = E10 (omega1~ omega1~ q10 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot10_1 = t6_7 + Pddot1_1;
+  const T t10_6 = t6_8 + Pddot1_2;
+  const T t10_7 = Pddot1_3 - t6_10;
+  const T Pddot10_2 = E10_22 * t10_6 + E10_23 * t10_7;
+  const T Pddot10_3 = E10_22 * t10_7 - E10_23 * t10_6;
+  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + Pddot10_1;
+  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
+  const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
+  // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G10_1 = T(0.696) * a10_1;
+  const T minus_G10_2 = T(0.696) * a10_2;
+  const T minus_G10_3 = T(0.696) * a10_3;
+  // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N10_1 = T(9.409e-06) * U10_31 - T(0.00025456100000000005) * U10_23 - T(4.66e-07) * (minus_U10_22 -
+      minus_U10_33) + T(3.42e-07) * U10_21;
+  const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
+      minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
+  const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
+      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  // omegadot11 = -thetadot11 b11~ E11 omega10 + E11 omegadot10: angular acceleration, body axes [rad/s^2]
+  const T omegadot11_1 = minus_E11_13 * minus_omegadot10_3 - thetadot11 * omega11_3;
+  const T omegadot11_3 = thetadot11 * omega11_1 - E11_11 * minus_omegadot10_3;
+  // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t11_1 = omega11_3 * omega11_3;
+  const T t11_2 = omega11_2 * omega11_2;
+  const T minus_U11_11 = t11_1 + t11_2;
+  const T t11_3 = omega11_2 * omega11_1;
+  const T U11_12 = t11_3 - omegadot11_3;
+  const T t11_4 = omega11_3 * omega11_1;
+  const T U11_13 = t11_4 + omegadot10_2;
+  const T U11_21 = t11_3 + omegadot11_3;
+  const T t11_5 = omega11_1 * omega11_1;
+  const T minus_U11_22 = t11_1 + t11_5;
+  const T t11_6 = omega11_3 * omega11_2;
+  const T U11_23 = t11_6 - omegadot11_1;
+  const T U11_31 = t11_4 - omegadot10_2;
+  const T U11_32 = t11_6 + omegadot11_1;
+  const T minus_U11_33 = t11_2 + t11_5;
+  // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t11_7 = Pddot10_1 - U10_12 * T(0.0838);
+  const T t11_8 = Pddot10_3 - U10_23 * T(0.0838);
+  const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
+  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
+  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
+  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
+  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G11_1 = T(1.013) * a11_1;
+  const T minus_G11_2 = T(1.013) * a11_2;
+  const T minus_G11_3 = T(1.013) * a11_3;
+  // N11 = -axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 -
+      minus_U11_33) + T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
+  const T minus_N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 -
+      minus_U11_11) + T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
+  const T minus_N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 -
+      minus_U11_22) - T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
+  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
+  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t12_1 = omega12_2 * omega12_2;
+  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T t12_2 = omega12_2 * omega12_1;
+  const T U12_12 = t12_2 - omegadot12_3;
+  const T t12_3 = omega12_3 * omega12_1;
+  const T U12_13 = t12_3 + omegadot10_2;
+  const T U12_21 = t12_2 + omegadot12_3;
+  const T t12_4 = omega12_3 * omega12_2;
+  const T U12_23 = t12_4 - omegadot12_1;
+  const T U12_31 = t12_3 - omegadot10_2;
+  const T U12_32 = t12_4 + omegadot12_1;
+  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
+  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
+  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
+  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
+  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
+  // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
+  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
+  const T G12_1 = t12_7 - T(0.226) * a12_1;
+  const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
+  const T G12_2 = t12_8 - T(0.226) * a12_2;
+  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T G12_3 = t12_9 - T(0.226) * a12_3;
+  // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
+  //   = 0, body axes [N m]
+  const T N12_1 = T(0.06802474336283187) * t12_8 - T(1.2987999999999953e-05) * U12_32 + T(0.003372578451939115) *
+      U12_23 + T(0.00016742735341238938) * U12_21;
+  const T N12_2 = T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7 - T(0.003372578451939115) * U12_13
+      + T(3.0862937526548714e-05) * U12_31 - T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
+  const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
+      T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  // omegadot14 = -thetadot14 b14~ E14 omega1: angular acceleration, body axes [rad/s^2]
+  const T omegadot14_2 = thetadot14 * omega14_3;
+  const T minus_omegadot14_3 = thetadot14 * omega14_2;
+  // U14 = omega14~ omega14~ + omegadot14~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t14_1 = omega14_3 * omega14_3;
+  const T t14_2 = omega14_2 * omega14_2;
+  const T minus_U14_11 = t14_1 + t14_2;
+  const T t14_3 = omega14_2 * omega14_1;
+  const T U14_12 = t14_3 + minus_omegadot14_3;
+  const T t14_4 = omega14_3 * omega14_1;
+  const T U14_13 = t14_4 + omegadot14_2;
+  const T U14_21 = t14_3 - minus_omegadot14_3;
+  const T t14_5 = omega14_1 * omega14_1;
+  const T minus_U14_22 = t14_1 + t14_5;
+  const T U14_23 = omega14_3 * omega14_2;
+  const T U14_31 = t14_4 - omegadot14_2;
+  const T minus_U14_33 = t14_2 + t14_5;
+  // Pddot14 = E14 (omega1~ omega1~ q14 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot14_1 = t2_11 + Pddot1_1;
+  const T t14_6 = Pddot1_2 - t2_14;
+  const T t14_7 = t2_18 + Pddot1_3;
+  const T Pddot14_2 = E14_22 * t14_6 + E14_23 * t14_7;
+  const T Pddot14_3 = E14_22 * t14_7 - E14_23 * t14_6;
+  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + Pddot14_1;
+  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
+  const T a14_3 = U14_31 * T(0.003311) + U14_23 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
+  // G14 = -m14 a14: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G14_1 = T(0.696) * a14_1;
+  const T minus_G14_2 = T(0.696) * a14_2;
+  const T minus_G14_3 = T(0.696) * a14_3;
+  // N14 = -axial(U14 (tr(I14)/2 - I14)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N14_1 = T(4.66e-07) * (minus_U14_22 - minus_U14_33) - T(0.00025456100000000005) * U14_23 -
+      T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
+  const T minus_N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 -
+      minus_U14_11) + T(4.66e-07) * U14_12 + T(9.409e-06) * U14_23;
+  const T minus_N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
+      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  // omegadot15 = -thetadot15 b15~ E15 omega14 + E15 omegadot14: angular acceleration, body axes [rad/s^2]
+  const T omegadot15_1 = minus_E15_13 * minus_omegadot14_3 - thetadot15 * omega15_3;
+  const T omegadot15_3 = thetadot15 * omega15_1 - E15_11 * minus_omegadot14_3;
+  // U15 = omega15~ omega15~ + omegadot15~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t15_1 = omega15_3 * omega15_3;
+  const T t15_2 = omega15_2 * omega15_2;
+  const T minus_U15_11 = t15_1 + t15_2;
+  const T t15_3 = omega15_2 * omega15_1;
+  const T U15_12 = t15_3 - omegadot15_3;
+  const T t15_4 = omega15_3 * omega15_1;
+  const T U15_13 = t15_4 + omegadot14_2;
+  const T U15_21 = t15_3 + omegadot15_3;
+  const T t15_5 = omega15_1 * omega15_1;
+  const T minus_U15_22 = t15_1 + t15_5;
+  const T t15_6 = omega15_3 * omega15_2;
+  const T U15_23 = t15_6 - omegadot15_1;
+  const T U15_31 = t15_4 - omegadot14_2;
+  const T U15_32 = t15_6 + omegadot15_1;
+  const T minus_U15_33 = t15_2 + t15_5;
+  // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t15_7 = U14_12 * T(0.0838) + Pddot14_1;
+  const T t15_8 = U14_23 * T(0.0838) + Pddot14_3;
+  const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
+  const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
+  const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
+  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
+  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
+  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
+  const T minus_G15_1 = T(1.013) * a15_1;
+  const T minus_G15_2 = T(1.013) * a15_2;
+  const T minus_G15_3 = T(1.013) * a15_3;
+  // N15 = -axial(U15 (tr(I15)/2 - I15)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 -
+      minus_U15_33) - T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
+  const T minus_N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 -
+      minus_U15_11) - T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
+  const T minus_N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 -
+      minus_U15_22) - T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
+  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
+  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t16_1 = omega16_2 * omega16_2;
+  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T t16_2 = omega16_2 * omega16_1;
+  const T U16_12 = t16_2 - omegadot16_3;
+  const T t16_3 = omega16_3 * omega16_1;
+  const T U16_13 = t16_3 + omegadot14_2;
+  const T U16_21 = t16_2 + omegadot16_3;
+  const T t16_4 = omega16_3 * omega16_2;
+  const T U16_23 = t16_4 - omegadot16_1;
+  const T U16_31 = t16_3 - omegadot14_2;
+  const T U16_32 = t16_4 + omegadot16_1;
+  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
+  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
+  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
+  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
+  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
+  // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
+  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
+  const T G16_1 = t16_7 - T(0.226) * a16_1;
+  const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
+  const T G16_2 = t16_8 - T(0.226) * a16_2;
+  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T G16_3 = t16_9 - T(0.226) * a16_3;
+  // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
+  //   = 0, body axes [N m]
+  const T N16_1 = T(0.06802474336283187) * t16_8 - T(1.2987999999999953e-05) * U16_32 + T(0.003372578451939115) *
+      U16_23 + T(0.00016742735341238938) * U16_21;
+  const T N16_2 = T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7 - T(0.003372578451939115) * U16_13
+      + T(3.0862937526548714e-05) * U16_31 - T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
+  const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
+      T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
+
+  // ---- body 16 (rl_calf) and what it carries
+  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
+  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
+  // f_theta16 = b16 . rho16 + effort_rl_calf_16: Kane's equation of the angle [N m]
+  const T f_theta16 = rho16_2 + effort_rl_calf_16;
+  f[14] = f_theta16;
+
+  // ---- body 15 (rl_thigh) and what it carries
+  // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
+  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T S15_1 = b15_1 - minus_G15_1;
+  const T S15_2 = G16_2 - minus_G15_2;
+  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 - minus_G15_3;
+  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.022327) * minus_G15_3 -
+      T(0.027326) * minus_G15_2 - minus_N15_1;
+  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.027326) * minus_G15_1 - T(0.003237) * minus_G15_3 - minus_N15_2;
+  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.003237) * minus_G15_2 - T(0.022327) * minus_G15_1
+      - minus_N15_3;
+  // f_theta15 = b15 . rho15 + effort_rl_thigh_15: Kane's equation of the angle [N m]
+  const T f_theta15 = rho15_2 + effort_rl_thigh_15;
+  f[13] = f_theta15;
+
+  // ---- body 14 (rl_hip) and what it carries
+  // S14 = E15^T S15 + G14: sum of the force balances of the subtree, body axes [N]
+  const T b14_1 = E15_11 * S15_1 + minus_E15_13 * S15_3;
+  const T S14_1 = b14_1 - minus_G14_1;
+  const T S14_2 = S15_2 - minus_G14_2;
+  const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
+  const T S14_3 = b14_2 - minus_G14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(3.1e-05) * minus_G14_2 -
+      T(0.000635) * minus_G14_3 - minus_N14_1;
+  const T rho14_2 = rho15_2 + T(0.003311) * minus_G14_3 - T(3.1e-05) * minus_G14_1 - minus_N14_2;
+  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.000635) * minus_G14_1 -
+      T(0.003311) * minus_G14_2 - minus_N14_3;
+  // f_theta14 = b14 . rho14 + effort_rl_hip_14: Kane's equation of the angle [N m]
+  const T f_theta14 = rho14_1 + effort_rl_hip_14;
+  f[12] = f_theta14;
+
+  // ---- body 12 (rr_calf) and what it carries
+  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
+  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
+  // f_theta12 = b12 . rho12 + effort_rr_calf_12: Kane's equation of the angle [N m]
+  const T f_theta12 = rho12_2 + effort_rr_calf_12;
+  f[11] = f_theta12;
+
+  // ---- body 11 (rr_thigh) and what it carries
+  // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
+  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
+  const T S11_1 = b11_1 - minus_G11_1;
+  const T S11_2 = G12_2 - minus_G11_2;
+  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 - minus_G11_3;
+  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 - T(0.027326) * minus_G11_2 -
+      T(0.022327) * minus_G11_3 - minus_N11_1;
+  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.027326) * minus_G11_1 - T(0.003237) * minus_G11_3 - minus_N11_2;
+  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 + T(0.003237) * minus_G11_2 + T(0.022327) * minus_G11_1
+      - minus_N11_3;
+  // f_theta11 = b11 . rho11 + effort_rr_thigh_11: Kane's equation of the angle [N m]
+  const T f_theta11 = rho11_2 + effort_rr_thigh_11;
+  f[10] = f_theta11;
+
+  // ---- body 10 (rr_hip) and what it carries
+  // S10 = E11^T S11 + G10: sum of the force balances of the subtree, body axes [N]
+  const T b10_1 = E11_11 * S11_1 + minus_E11_13 * S11_3;
+  const T S10_1 = b10_1 - minus_G10_1;
+  const T S10_2 = S11_2 - minus_G10_2;
+  const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
+  const T S10_3 = b10_2 - minus_G10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + T(3.1e-05) * minus_G10_2 +
+      T(0.000635) * minus_G10_3 - minus_N10_1;
+  const T rho10_2 = rho11_2 + T(0.003311) * minus_G10_3 - T(3.1e-05) * minus_G10_1 - minus_N10_2;
+  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 - T(0.003311) * minus_G10_2 -
+      T(0.000635) * minus_G10_1 - minus_N10_3;
+  // f_theta10 = b10 . rho10 + effort_rr_hip_10: Kane's equation of the angle [N m]
+  const T f_theta10 = rho10_1 + effort_rr_hip_10;
+  f[9] = f_theta10;
+
+  // ---- body 8 (fl_calf) and what it carries
+  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
+  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
+  // f_theta8 = b8 . rho8 + effort_fl_calf_8: Kane's equation of the angle [N m]
+  const T f_theta8 = rho8_2 + effort_fl_calf_8;
+  f[8] = f_theta8;
+
+  // ---- body 7 (fl_thigh) and what it carries
+  // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
+  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
+  const T S7_1 = b7_1 - minus_G7_1;
+  const T S7_2 = G8_2 - minus_G7_2;
+  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 - minus_G7_3;
+  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.022327) * minus_G7_3 - T(0.027326) *
+      minus_G7_2 - minus_N7_1;
+  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.027326) * minus_G7_1 - T(0.003237) * minus_G7_3 - minus_N7_2;
+  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.003237) * minus_G7_2 - T(0.022327) * minus_G7_1 -
+      minus_N7_3;
+  // f_theta7 = b7 . rho7 + effort_fl_thigh_7: Kane's equation of the angle [N m]
+  const T f_theta7 = rho7_2 + effort_fl_thigh_7;
+  f[7] = f_theta7;
+
+  // ---- body 6 (fl_hip) and what it carries
+  // S6 = E7^T S7 + G6: sum of the force balances of the subtree, body axes [N]
+  const T b6_1 = E7_11 * S7_1 + minus_E7_13 * S7_3;
+  const T S6_1 = b6_1 - minus_G6_1;
+  const T S6_2 = S7_2 - minus_G6_2;
+  const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
+  const T S6_3 = b6_2 - minus_G6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
+      minus_G6_3 - minus_N6_1;
+  const T rho6_2 = rho7_2 - T(3.1e-05) * minus_G6_1 - T(0.003311) * minus_G6_3 - minus_N6_2;
+  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
+      minus_G6_1 - minus_N6_3;
+  // f_theta6 = b6 . rho6 + effort_fl_hip_6: Kane's equation of the angle [N m]
+  const T f_theta6 = rho6_1 + effort_fl_hip_6;
+  f[6] = f_theta6;
+
+  // ---- body 4 (fr_calf) and what it carries
+  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
+  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
+  // f_theta4 = b4 . rho4 + effort_fr_calf_4: Kane's equation of the angle [N m]
+  const T f_theta4 = rho4_2 + effort_fr_calf_4;
+  f[5] = f_theta4;
+
+  // ---- body 3 (fr_thigh) and what it carries
+  // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
+  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T S3_1 = b3_1 - minus_G3_1;
+  const T S3_2 = G4_2 - minus_G3_2;
+  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 - minus_G3_3;
+  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.027326) * minus_G3_2 - T(0.022327) *
+      minus_G3_3 - minus_N3_1;
+  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.027326) * minus_G3_1 - T(0.003237) * minus_G3_3 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.003237) * minus_G3_2 + T(0.022327) * minus_G3_1 -
+      minus_N3_3;
+  // f_theta3 = b3 . rho3 + effort_fr_thigh_3: Kane's equation of the angle [N m]
+  const T f_theta3 = rho3_2 + effort_fr_thigh_3;
+  f[4] = f_theta3;
+
+  // ---- body 2 (fr_hip) and what it carries
+  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
+  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
+  const T S2_1 = b2_1 - minus_G2_1;
+  const T S2_2 = S3_2 - minus_G2_2;
+  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
+  const T S2_3 = b2_2 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
+  //   body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 + T(0.000635) *
+      minus_G2_3 + N2_1;
+  const T rho2_2 = rho3_2 - T(3.1e-05) * minus_G2_1 - T(0.003311) * minus_G2_3 - minus_N2_2;
+  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
+      minus_G2_1 - minus_N2_3;
+  // f_theta2 = b2 . rho2 + effort_fr_hip_2: Kane's equation of the angle [N m]
+  const T f_theta2 = rho2_1 + effort_fr_hip_2;
+  f[3] = f_theta2;
+
+  // ---- body 1 (trunk) and what it carries
+  // S1 = E2^T S2 + E6^T S6 + E10^T S10 + E14^T S14 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1 = S2_1 + S6_1 + S10_1 + S14_1 - minus_G1_1;
+  const T b1_1 = E2_22 * S2_2 - E2_23 * S2_3;
+  const T b1_2 = E6_22 * S6_2 - E6_23 * S6_3;
+  const T b1_3 = E10_22 * S10_2 - E10_23 * S10_3;
+  const T b1_4 = E14_22 * S14_2 - E14_23 * S14_3;
+  const T S1_2 = b1_1 + b1_2 + b1_3 + b1_4 - minus_G1_2;
+  const T b1_5 = E2_23 * S2_2 + E2_22 * S2_3;
+  const T b1_6 = E6_23 * S6_2 + E6_22 * S6_3;
+  const T b1_7 = E10_23 * S10_2 + E10_22 * S10_3;
+  const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
+  const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 - minus_G1_3;
+  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
+  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
+  const T f_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
+      b1_8 + rho14_1 - T(5e-04) * minus_G1_2 - T(0.0041) * minus_G1_3 - minus_N1_1;
+  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
+      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
+      * rho14_3 + T(5e-04) * minus_G1_1 - minus_N1_2;
+  const T f_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
+      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
+      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + T(0.0041) *
+      minus_G1_1 - minus_N1_3;
+  f[0] = f_omega1_1;
+  f[1] = f_omega1_2;
+  f[2] = f_omega1_3;
+  // f_sdot1 = R1^T S1: Kane's equation of sdot [N]
+  const T f_sdot1_1 = R1_11 * S1_1 + R1_21 * S1_2 + R1_31 * S1_3;
+  const T f_sdot1_2 = R1_12 * S1_1 + R1_22 * S1_2 + R1_32 * S1_3;
+  const T f_sdot1_3 = R1_13 * S1_1 + R1_23 * S1_2 + R1_33 * S1_3;
+  f[15] = f_sdot1_1;
+  f[16] = f_sdot1_2;
+  f[17] = f_sdot1_3;
+}
+
+// mass_matrix: A, symmetric positive definite.
+// A (ny x ny) [kg m^2], [kg m], [kg]
+// 453 add, 514 multiply, 24 sine or cosine
+template <class T>
+void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 324; ++i) A[i] = T(0);
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+
+  // ---- body 16 (rl_calf) and what it carries
+  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
+  const T minus_hc16_3 = E16_11 * T(0.029826408000000002) + minus_E16_13 * T(0.00106821);
+
+  // ---- body 15 (rl_thigh) and what it carries
+  // h15 = m15 r15 + m_link16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h15_1 = minus_hc16_1 + T(0.0032790809999999997);
+  const T minus_h15_3 = T(0.072881238) + minus_hc16_3;
+  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m_link16 q16~ - hc16~) q16~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b15_1 = minus_E16_13 * T(2.6450064520000005e-05);
+  const T b15_2 = E16_11 * T(0.007321914302304) - b15_1;
+  const T b15_3 = E16_11 * T(2.6450064520000005e-05);
+  const T b15_4 = minus_E16_13 * T(4.889993135e-05) - b15_3;
+  const T b15_5 = T(0.2) * minus_hc16_3;
+  const T b15_6 = (minus_hc16_3 + T(0.045200000000000004)) * T(0.2);
+  const T J15_11 = b15_2 * E16_11 + b15_4 * minus_E16_13 + b15_5 + T(0.006790457872665) + b15_6;
+  const T J15_13 = T(0.000254264832594) - (T(0.2) * minus_hc16_1 - (b15_4 * E16_11 - b15_2 * minus_E16_13));
+  const T b15_7 = b15_5 + T(0.007344838233654);
+  const T J15_22 = b15_7 + T(0.005906370894785) + b15_6;
+  const T J15_33 = (minus_E16_13 * T(0.007321914302304) + b15_3) * minus_E16_13 + (b15_1 + E16_11 *
+      T(4.889993135e-05)) * E16_11 + T(0.001883377748274);
+  A[247] = J15_22;
+  // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc15_1 = minus_E15_13 * minus_h15_3 + E15_11 * minus_h15_1;
+  const T minus_hc15_3 = E15_11 * minus_h15_3 - minus_E15_13 * minus_h15_1;
+  A[248] = b15_7;
+  A[265] = b15_7;
+
+  // ---- body 14 (rl_hip) and what it carries
+  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h14_1 = T(0.002304456) - minus_hc15_1;
+  const T h14_3 = T(2.1575999999999998e-05) - minus_hc15_3;
+  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b14_1 = minus_E15_13 * J15_13;
+  const T b14_2 = E15_11 * J15_11 + b14_1;
+  const T b14_3 = E15_11 * J15_13;
+  const T b14_4 = b14_3 + minus_E15_13 * J15_33;
+  const T J14_11 = b14_2 * E15_11 + b14_4 * minus_E15_13 + T(0.005379679205856);
+  const T b14_5 = T(0.0838) * minus_hc15_1 - (E15_11 * T(6.838704148699999e-05) + minus_E15_13 *
+      T(0.0005955910008259999));
+  const T J14_12 = T(7.94567044e-06) + b14_5;
+  const T J14_13 = b14_4 * E15_11 - b14_2 * minus_E15_13 + T(2.70561864e-07);
+  const T J14_22 = J15_22 + T(0.0008151207226720001);
+  const T b14_6 = minus_E15_13 * T(6.838704148699999e-05) - E15_11 * T(0.0005955910008259999) + T(0.0838) *
+      minus_hc15_3;
+  const T J14_23 = b14_6 - T(4.7970076e-07);
+  const T J14_33 = (E15_11 * J15_33 - b14_1) * E15_11 - (b14_3 - minus_E15_13 * J15_11) * minus_E15_13 +
+      T(0.005470991590816);
+  A[228] = J14_11;
+  // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc14_2 = E14_22 * T(0.081652909) - E14_23 * h14_3;
+  const T hc14_3 = E14_22 * h14_3 + E14_23 * T(0.081652909);
+  // B_thetadot16_14 = E15^T B_thetadot16_15
+  const T B_thetadot16_14_1 = minus_E15_13 * minus_hc16_1 - E15_11 * minus_hc16_3;
+  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 + E15_11 * minus_hc16_1;
+  // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
+  const T K_thetadot16_14_1 = T(0.0838) * B_thetadot16_14_3;
+  const T minus_K_thetadot16_14_3 = T(0.0838) * B_thetadot16_14_1;
+  A[230] = K_thetadot16_14_1;
+  A[264] = K_thetadot16_14_1;
+  A[229] = b14_5;
+  A[246] = b14_5;
+
+  // ---- body 12 (rr_calf) and what it carries
+  // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
+  const T minus_hc12_3 = E12_11 * T(0.029826408000000002) + minus_E12_13 * T(0.00106821);
+
+  // ---- body 11 (rr_thigh) and what it carries
+  // h11 = m11 r11 + m_link12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h11_1 = minus_hc12_1 + T(0.0032790809999999997);
+  const T minus_h11_3 = T(0.072881238) + minus_hc12_3;
+  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_link12 q12~ - hc12~) q12~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b11_1 = minus_E12_13 * T(2.6450064520000005e-05);
+  const T b11_2 = E12_11 * T(0.007321914302304) - b11_1;
+  const T b11_3 = E12_11 * T(2.6450064520000005e-05);
+  const T b11_4 = minus_E12_13 * T(4.889993135e-05) - b11_3;
+  const T b11_5 = T(0.2) * minus_hc12_3;
+  const T b11_6 = (minus_hc12_3 + T(0.045200000000000004)) * T(0.2);
+  const T J11_11 = b11_2 * E12_11 + b11_4 * minus_E12_13 + b11_5 + T(0.006790457872665) + b11_6;
+  const T J11_13 = b11_4 * E12_11 - b11_2 * minus_E12_13 + (T(0.000254264832594) - T(0.2) * minus_hc12_1);
+  const T b11_7 = b11_5 + T(0.007344838233654);
+  const T J11_22 = b11_7 + T(0.005906370894785) + b11_6;
+  const T J11_33 = (minus_E12_13 * T(0.007321914302304) + b11_3) * minus_E12_13 + (b11_1 + E12_11 *
+      T(4.889993135e-05)) * E12_11 + T(0.001883377748274);
+  A[190] = J11_22;
+  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc11_1 = minus_E11_13 * minus_h11_3 + E11_11 * minus_h11_1;
+  const T minus_hc11_3 = E11_11 * minus_h11_3 - minus_E11_13 * minus_h11_1;
+  A[191] = b11_7;
+  A[208] = b11_7;
+
+  // ---- body 10 (rr_hip) and what it carries
+  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h10_1 = T(0.002304456) - minus_hc11_1;
+  const T h10_3 = T(2.1575999999999998e-05) - minus_hc11_3;
+  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b10_1 = minus_E11_13 * J11_13;
+  const T b10_2 = E11_11 * J11_11 + b10_1;
+  const T b10_3 = E11_11 * J11_13;
+  const T b10_4 = b10_3 + minus_E11_13 * J11_33;
+  const T J10_11 = b10_2 * E11_11 + b10_4 * minus_E11_13 + T(0.005379679205856);
+  const T b10_5 = T(0.0838) * minus_hc11_1 - (E11_11 * T(6.838704148699999e-05) + minus_E11_13 *
+      T(0.0005955910008259999));
+  const T minus_J10_12 = b10_5 + T(7.94567044e-06);
+  const T J10_13 = b10_4 * E11_11 - b10_2 * minus_E11_13 + T(2.70561864e-07);
+  const T J10_22 = J11_22 + T(0.0008151207226720001);
+  const T b10_6 = T(0.0838) * minus_hc11_3 - (E11_11 * T(0.0005955910008259999) - minus_E11_13 *
+      T(6.838704148699999e-05));
+  const T J10_23 = T(4.7970076e-07) - b10_6;
+  const T J10_33 = (E11_11 * J11_33 - b10_1) * E11_11 - (b10_3 - minus_E11_13 * J11_11) * minus_E11_13 +
+      T(0.005470991590816);
+  A[171] = J10_11;
+  // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc10_2 = E10_23 * h10_3 + E10_22 * T(0.081652909);
+  const T minus_hc10_3 = E10_23 * T(0.081652909) - E10_22 * h10_3;
+  // B_thetadot12_10 = E11^T B_thetadot12_11
+  const T B_thetadot12_10_1 = minus_E11_13 * minus_hc12_1 - E11_11 * minus_hc12_3;
+  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 + E11_11 * minus_hc12_1;
+  // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
+  const T minus_K_thetadot12_10_1 = T(0.0838) * B_thetadot12_10_3;
+  const T K_thetadot12_10_3 = T(0.0838) * B_thetadot12_10_1;
+  A[173] = -minus_K_thetadot12_10_1;
+  A[207] = -minus_K_thetadot12_10_1;
+  A[172] = -b10_5;
+  A[189] = -b10_5;
+
+  // ---- body 8 (fl_calf) and what it carries
+  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
+  const T minus_hc8_3 = E8_11 * T(0.029826408000000002) + minus_E8_13 * T(0.00106821);
+
+  // ---- body 7 (fl_thigh) and what it carries
+  // h7 = m7 r7 + m_link8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h7_1 = minus_hc8_1 + T(0.0032790809999999997);
+  const T minus_h7_3 = T(0.072881238) + minus_hc8_3;
+  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_link8 q8~ - hc8~) q8~: inertia carried, about the body
+  //   origin, body axes [kg m^2]
+  const T b7_1 = minus_E8_13 * T(2.6450064520000005e-05);
+  const T b7_2 = E8_11 * T(0.007321914302304) - b7_1;
+  const T b7_3 = E8_11 * T(2.6450064520000005e-05);
+  const T b7_4 = minus_E8_13 * T(4.889993135e-05) - b7_3;
+  const T b7_5 = T(0.2) * minus_hc8_3;
+  const T b7_6 = (minus_hc8_3 + T(0.045200000000000004)) * T(0.2);
+  const T J7_11 = b7_2 * E8_11 + b7_4 * minus_E8_13 + b7_5 + T(0.006790457872665) + b7_6;
+  const T J7_13 = b7_4 * E8_11 - b7_2 * minus_E8_13 + (T(0.000254264832594) - T(0.2) * minus_hc8_1);
+  const T b7_7 = b7_5 + T(0.007344838233654);
+  const T J7_22 = b7_7 + T(0.005906370894785) + b7_6;
+  const T J7_33 = (minus_E8_13 * T(0.007321914302304) + b7_3) * minus_E8_13 + (b7_1 + E8_11 * T(4.889993135e-05)) *
+      E8_11 + T(0.001883377748274);
+  A[133] = J7_22;
+  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc7_1 = minus_E7_13 * minus_h7_3 + E7_11 * minus_h7_1;
+  const T minus_hc7_3 = E7_11 * minus_h7_3 - minus_E7_13 * minus_h7_1;
+  A[134] = b7_7;
+  A[151] = b7_7;
+
+  // ---- body 6 (fl_hip) and what it carries
+  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h6_1 = minus_hc7_1 + T(0.002304456);
+  const T h6_3 = T(2.1575999999999998e-05) - minus_hc7_3;
+  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b6_1 = minus_E7_13 * J7_13;
+  const T b6_2 = E7_11 * J7_11 + b6_1;
+  const T b6_3 = E7_11 * J7_13;
+  const T b6_4 = b6_3 + minus_E7_13 * J7_33;
+  const T J6_11 = b6_2 * E7_11 + b6_4 * minus_E7_13 + T(0.005379679205856);
+  const T b6_5 = T(0.0838) * minus_hc7_1 - (E7_11 * T(6.838704148699999e-05) + minus_E7_13 *
+      T(0.0005955910008259999));
+  const T J6_12 = b6_5 - T(7.94567044e-06);
+  const T J6_13 = b6_4 * E7_11 - b6_2 * minus_E7_13 - T(2.70561864e-07);
+  const T J6_22 = J7_22 + T(0.0008151207226720001);
+  const T b6_6 = minus_E7_13 * T(6.838704148699999e-05) - E7_11 * T(0.0005955910008259999) + T(0.0838) * minus_hc7_3;
+  const T J6_23 = b6_6 - T(4.7970076e-07);
+  const T J6_33 = (E7_11 * J7_33 - b6_1) * E7_11 - (b6_3 - minus_E7_13 * J7_11) * minus_E7_13 + T(0.005470991590816);
+  A[114] = J6_11;
+  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc6_2 = E6_22 * T(0.081652909) - E6_23 * h6_3;
+  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(0.081652909);
+  // B_thetadot8_6 = E7^T B_thetadot8_7
+  const T B_thetadot8_6_1 = minus_E7_13 * minus_hc8_1 - E7_11 * minus_hc8_3;
+  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 + E7_11 * minus_hc8_1;
+  // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
+  const T K_thetadot8_6_1 = T(0.0838) * B_thetadot8_6_3;
+  const T minus_K_thetadot8_6_3 = T(0.0838) * B_thetadot8_6_1;
+  A[116] = K_thetadot8_6_1;
+  A[150] = K_thetadot8_6_1;
+  A[115] = b6_5;
+  A[132] = b6_5;
+
+  // ---- body 4 (fr_calf) and what it carries
+  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
+  const T minus_hc4_3 = E4_11 * T(0.029826408000000002) + minus_E4_13 * T(0.00106821);
+
+  // ---- body 3 (fr_thigh) and what it carries
+  // h3 = m3 r3 + m_link4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h3_1 = minus_hc4_1 + T(0.0032790809999999997);
+  const T minus_h3_3 = T(0.072881238) + minus_hc4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_link4 q4~ - hc4~) q4~: inertia carried, about the body
+  //   origin, body axes [kg m^2]
+  const T b3_1 = minus_E4_13 * T(2.6450064520000005e-05);
+  const T b3_2 = E4_11 * T(0.007321914302304) - b3_1;
+  const T b3_3 = E4_11 * T(2.6450064520000005e-05);
+  const T b3_4 = minus_E4_13 * T(4.889993135e-05) - b3_3;
+  const T b3_5 = T(0.2) * minus_hc4_3;
+  const T b3_6 = (minus_hc4_3 + T(0.045200000000000004)) * T(0.2);
+  const T J3_11 = b3_2 * E4_11 + b3_4 * minus_E4_13 + b3_5 + T(0.006790457872665) + b3_6;
+  const T J3_13 = b3_4 * E4_11 - b3_2 * minus_E4_13 + (T(0.000254264832594) - T(0.2) * minus_hc4_1);
+  const T b3_7 = b3_5 + T(0.007344838233654);
+  const T J3_22 = b3_7 + T(0.005906370894785) + b3_6;
+  const T J3_33 = (minus_E4_13 * T(0.007321914302304) + b3_3) * minus_E4_13 + (b3_1 + E4_11 * T(4.889993135e-05)) *
+      E4_11 + T(0.001883377748274);
+  A[76] = J3_22;
+  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc3_1 = minus_E3_13 * minus_h3_3 + E3_11 * minus_h3_1;
+  const T minus_hc3_3 = E3_11 * minus_h3_3 - minus_E3_13 * minus_h3_1;
+  A[77] = b3_7;
+  A[94] = b3_7;
+
+  // ---- body 2 (fr_hip) and what it carries
+  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h2_1 = minus_hc3_1 + T(0.002304456);
+  const T h2_3 = T(2.1575999999999998e-05) - minus_hc3_3;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
+  //   body axes [kg m^2]
+  const T b2_1 = minus_E3_13 * J3_13;
+  const T b2_2 = E3_11 * J3_11 + b2_1;
+  const T b2_3 = E3_11 * J3_13;
+  const T b2_4 = b2_3 + minus_E3_13 * J3_33;
+  const T J2_11 = b2_2 * E3_11 + b2_4 * minus_E3_13 + T(0.005379679205856);
+  const T b2_5 = T(0.0838) * minus_hc3_1 - (E3_11 * T(6.838704148699999e-05) + minus_E3_13 *
+      T(0.0005955910008259999));
+  const T J2_12 = T(7.94567044e-06) - b2_5;
+  const T J2_13 = b2_4 * E3_11 - b2_2 * minus_E3_13 - T(2.70561864e-07);
+  const T J2_22 = J3_22 + T(0.0008151207226720001);
+  const T b2_6 = T(0.0838) * minus_hc3_3 - (E3_11 * T(0.0005955910008259999) - minus_E3_13 *
+      T(6.838704148699999e-05));
+  const T J2_23 = T(4.7970076e-07) - b2_6;
+  const T J2_33 = (E3_11 * J3_33 - b2_1) * E3_11 - (b2_3 - minus_E3_13 * J3_11) * minus_E3_13 + T(0.005470991590816);
+  A[57] = J2_11;
+  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc2_2 = E2_23 * h2_3 + E2_22 * T(0.081652909);
+  const T minus_hc2_3 = E2_23 * T(0.081652909) - E2_22 * h2_3;
+  // B_thetadot4_2 = E3^T B_thetadot4_3
+  const T B_thetadot4_2_1 = minus_E3_13 * minus_hc4_1 - E3_11 * minus_hc4_3;
+  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 + E3_11 * minus_hc4_1;
+  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
+  const T minus_K_thetadot4_2_1 = T(0.0838) * B_thetadot4_2_3;
+  const T K_thetadot4_2_3 = T(0.0838) * B_thetadot4_2_1;
+  A[59] = -minus_K_thetadot4_2_1;
+  A[93] = -minus_K_thetadot4_2_1;
+  A[58] = -b2_5;
+  A[75] = -b2_5;
+
+  // ---- body 1 (trunk) and what it carries
+  A[285] = c.m_sub1;
+  A[304] = c.m_sub1;
+  A[323] = c.m_sub1;
+  // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
+  //   carried, about the body origin, body axes [kg m]
+  const T h1_1 = h10_1 - minus_h2_1 - minus_h6_1 + h14_1;
+  const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
+  const T h1_3 = hc6_3 - minus_hc2_3 - c.c1_7 - minus_hc10_3 + hc14_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
+  //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
+  //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b1_1 = T(0.047) * minus_hc2_2;
+  const T b1_2 = b1_1 + J2_11;
+  const T b1_3 = T(0.047) * hc6_2;
+  const T b1_4 = J6_11 + b1_3;
+  const T b1_5 = T(0.047) * minus_hc10_2;
+  const T b1_6 = J10_11 + b1_5;
+  const T b1_7 = T(0.047) * hc14_2;
+  const T b1_8 = J14_11 + b1_7;
+  const T b1_9 = T(0.090945) + hc14_2;
+  const T b1_10 = T(0.090945) + minus_hc10_2;
+  const T b1_11 = T(0.090945) + hc6_2;
+  const T b1_12 = T(0.090945) + minus_hc2_2;
+  const T b1_13 = b1_9 * T(0.047) + b1_10 * T(0.047) + (b1_11 * T(0.047) + b1_12 * T(0.047));
+  const T J1_11 = b1_2 + b1_4 + b1_6 + b1_8 + c.c1_2 + T(0.0158533) + b1_13;
+  const T b1_14 = E6_22 * J6_12 - E6_23 * J6_13;
+  const T b1_15 = E10_22 * minus_J10_12 + E10_23 * J10_13;
+  const T b1_16 = E14_22 * J14_12;
+  const T b1_17 = E14_23 * J14_13;
+  const T b1_18 = E2_22 * J2_12;
+  const T b1_19 = E2_23 * J2_13;
+  const T b1_20 = b1_14 - b1_15 + (b1_16 - b1_17 - (T(3.66e-05) - (b1_18 - b1_19)));
+  const T J1_12 = b1_20 - T(0.047) * minus_h2_1 + T(0.047) * minus_h6_1 + T(0.047) * h10_1 - T(0.047) * h14_1 + b1_9 *
+      T(0.1805) - b1_10 * T(0.1805) - b1_11 * T(0.1805) + b1_12 * T(0.1805);
+  const T b1_21 = E6_23 * J6_12 + E6_22 * J6_13;
+  const T b1_22 = E10_22 * J10_13 - E10_23 * minus_J10_12;
+  const T b1_23 = E14_23 * J14_12;
+  const T b1_24 = E14_22 * J14_13;
+  const T b1_25 = T(0.1805) * hc14_3;
+  const T b1_26 = T(0.1805) * minus_hc10_3;
+  const T b1_27 = T(0.1805) * hc6_3;
+  const T b1_28 = T(0.1805) * minus_hc2_3;
+  const T b1_29 = E2_23 * J2_12;
+  const T b1_30 = E2_22 * J2_13;
+  const T J1_13 = b1_21 + b1_22 + (b1_23 + b1_24 - (T(6.11e-05) - b1_25)) - (b1_26 + b1_27 - (b1_29 + b1_30 + b1_28));
+  const T b1_31 = T(0.1805) * minus_hc2_2;
+  const T b1_32 = T(0.1805) * hc6_2;
+  const T b1_33 = T(0.1805) * minus_hc10_2;
+  const T b1_34 = T(0.1805) * hc14_2;
+  const T b1_35 = h14_1 - T(0.34926749999999995);
+  const T b1_36 = h10_1 - T(0.34926749999999995);
+  const T b1_37 = T(0.34926749999999995) - minus_h6_1;
+  const T b1_38 = T(0.34926749999999995) - minus_h2_1;
+  const T J1_21 = b1_20 + b1_31 - b1_32 - b1_33 + b1_34 - b1_35 * T(0.047) + b1_36 * T(0.047) - b1_37 * T(0.047) +
+      b1_38 * T(0.047);
+  const T b1_39 = E2_23 * J2_23;
+  const T b1_40 = E2_22 * J2_22 - b1_39;
+  const T b1_41 = E2_22 * J2_23;
+  const T b1_42 = b1_41 - E2_23 * J2_33;
+  const T b1_43 = T(0.1805) * minus_h2_1 + T(0.1805) * minus_h6_1 + (T(0.1805) * h10_1 + T(0.1805) * h14_1) + (b1_35 *
+      T(0.1805) + b1_36 * T(0.1805) - (b1_37 * T(0.1805) + b1_38 * T(0.1805)));
+  const T b1_44 = E6_23 * J6_23;
+  const T b1_45 = E6_22 * J6_22 - b1_44;
+  const T b1_46 = E6_22 * J6_23;
+  const T b1_47 = b1_46 - E6_23 * J6_33;
+  const T b1_48 = E10_23 * J10_23;
+  const T b1_49 = E10_22 * J10_22 - b1_48;
+  const T b1_50 = E10_22 * J10_23;
+  const T b1_51 = b1_50 - E10_23 * J10_33;
+  const T b1_52 = E14_23 * J14_23;
+  const T b1_53 = E14_22 * J14_22 - b1_52;
+  const T b1_54 = E14_22 * J14_23;
+  const T b1_55 = b1_54 - E14_23 * J14_33;
+  const T J1_22 = b1_40 * E2_22 - b1_42 * E2_23 - b1_43 + b1_45 * E6_22 - b1_47 * E6_23 + b1_49 * E10_22 - b1_51 *
+      E10_23 + b1_53 * E14_22 - b1_55 * E14_23 + c.c1_3 + T(0.0377999);
+  const T J1_23 = b1_49 * E10_23 + b1_51 * E10_22 + (b1_53 * E14_23 + b1_55 * E14_22) - (T(2.75e-05) + T(0.047) *
+      minus_hc2_3 + (T(0.047) * hc6_3 + T(0.047) * minus_hc10_3)) - (T(0.047) * hc14_3 - c.c1_4 - (b1_40 * E2_23 +
+      b1_42 * E2_22 + (b1_45 * E6_23 + b1_47 * E6_22)));
+  const T J1_33 = (E2_23 * J2_22 + b1_41) * E2_23 + (b1_39 + E2_22 * J2_33) * E2_22 + b1_1 - b1_43 + b1_3 + (E6_23 *
+      J6_22 + b1_46) * E6_23 + (b1_44 + E6_22 * J6_33) * E6_22 + b1_5 + (E10_23 * J10_22 + b1_50) * E10_23 + (b1_48 +
+      E10_22 * J10_33) * E10_22 + b1_7 + (E14_23 * J14_22 + b1_54) * E14_23 + (b1_52 + E14_22 * J14_33) * E14_22 +
+      c.c1_5 + T(0.0456542) + b1_13;
+  A[0] = J1_11;
+  A[1] = J1_12;
+  A[2] = J1_13;
+  A[36] = J1_13;
+  A[18] = J1_21;
+  A[19] = J1_22;
+  A[20] = J1_23;
+  A[37] = J1_23;
+  A[38] = J1_33;
+  // B_thetadot16_1 = E14^T B_thetadot16_14
+  const T minus_B_thetadot16_1_2 = E14_23 * B_thetadot16_14_3;
+  const T B_thetadot16_1_3 = E14_22 * B_thetadot16_14_3;
+  // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
+  const T K_thetadot16_1_1 = T(0.047) * B_thetadot16_1_3 + K_thetadot16_14_1;
+  const T K_thetadot16_1_2 = T(0.1805) * B_thetadot16_1_3 + E14_22 * b15_7 + E14_23 * minus_K_thetadot16_14_3;
+  const T K_thetadot16_1_3 = T(0.1805) * minus_B_thetadot16_1_2 - T(0.047) * B_thetadot16_14_1 + E14_23 * b15_7 -
+      E14_22 * minus_K_thetadot16_14_3;
+  A[14] = K_thetadot16_1_1;
+  A[252] = K_thetadot16_1_1;
+  A[32] = K_thetadot16_1_2;
+  A[253] = K_thetadot16_1_2;
+  A[50] = K_thetadot16_1_3;
+  A[254] = K_thetadot16_1_3;
+  // B_thetadot15_1 = E14^T B_thetadot15_14
+  const T minus_B_thetadot15_1_2 = E14_23 * minus_hc15_1;
+  const T B_thetadot15_1_3 = E14_22 * minus_hc15_1;
+  // K_thetadot15_1 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
+  const T K_thetadot15_1_1 = T(0.047) * B_thetadot15_1_3 + b14_5;
+  const T K_thetadot15_1_2 = T(0.1805) * B_thetadot15_1_3 + E14_22 * J15_22 - E14_23 * b14_6;
+  const T K_thetadot15_1_3 = T(0.1805) * minus_B_thetadot15_1_2 + T(0.047) * minus_hc15_3 + E14_23 * J15_22 + E14_22 *
+      b14_6;
+  A[13] = K_thetadot15_1_1;
+  A[234] = K_thetadot15_1_1;
+  A[31] = K_thetadot15_1_2;
+  A[235] = K_thetadot15_1_2;
+  A[49] = K_thetadot15_1_3;
+  A[236] = K_thetadot15_1_3;
+  // K_thetadot14_1 = q14~ E14^T B_thetadot14_14 + E14^T K_thetadot14_14
+  const T K_thetadot14_1_2 = b1_34 + b1_16 - b1_17;
+  const T K_thetadot14_1_3 = b1_25 + b1_23 + b1_24;
+  A[12] = b1_8;
+  A[216] = b1_8;
+  A[30] = K_thetadot14_1_2;
+  A[217] = K_thetadot14_1_2;
+  A[48] = K_thetadot14_1_3;
+  A[218] = K_thetadot14_1_3;
+  // B_thetadot12_1 = E10^T B_thetadot12_10
+  const T minus_B_thetadot12_1_2 = E10_23 * B_thetadot12_10_3;
+  const T B_thetadot12_1_3 = E10_22 * B_thetadot12_10_3;
+  // K_thetadot12_1 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
+  const T minus_K_thetadot12_1_1 = T(0.047) * B_thetadot12_1_3 + minus_K_thetadot12_10_1;
+  const T K_thetadot12_1_2 = T(0.1805) * B_thetadot12_1_3 + E10_22 * b11_7 - E10_23 * K_thetadot12_10_3;
+  const T K_thetadot12_1_3 = T(0.1805) * minus_B_thetadot12_1_2 + T(0.047) * B_thetadot12_10_1 + E10_23 * b11_7 +
+      E10_22 * K_thetadot12_10_3;
+  A[11] = -minus_K_thetadot12_1_1;
+  A[198] = -minus_K_thetadot12_1_1;
+  A[29] = K_thetadot12_1_2;
+  A[199] = K_thetadot12_1_2;
+  A[47] = K_thetadot12_1_3;
+  A[200] = K_thetadot12_1_3;
+  // B_thetadot11_1 = E10^T B_thetadot11_10
+  const T minus_B_thetadot11_1_2 = E10_23 * minus_hc11_1;
+  const T B_thetadot11_1_3 = E10_22 * minus_hc11_1;
+  // K_thetadot11_1 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
+  const T minus_K_thetadot11_1_1 = b10_5 + T(0.047) * B_thetadot11_1_3;
+  const T K_thetadot11_1_2 = T(0.1805) * B_thetadot11_1_3 + E10_22 * J11_22 + E10_23 * b10_6;
+  const T K_thetadot11_1_3 = T(0.1805) * minus_B_thetadot11_1_2 - T(0.047) * minus_hc11_3 + E10_23 * J11_22 - E10_22 *
+      b10_6;
+  A[10] = -minus_K_thetadot11_1_1;
+  A[180] = -minus_K_thetadot11_1_1;
+  A[28] = K_thetadot11_1_2;
+  A[181] = K_thetadot11_1_2;
+  A[46] = K_thetadot11_1_3;
+  A[182] = K_thetadot11_1_3;
+  // K_thetadot10_1 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
+  const T minus_K_thetadot10_1_2 = b1_15 + b1_33;
+  const T K_thetadot10_1_3 = b1_22 - b1_26;
+  A[9] = b1_6;
+  A[162] = b1_6;
+  A[27] = -minus_K_thetadot10_1_2;
+  A[163] = -minus_K_thetadot10_1_2;
+  A[45] = K_thetadot10_1_3;
+  A[164] = K_thetadot10_1_3;
+  // B_thetadot8_1 = E6^T B_thetadot8_6
+  const T minus_B_thetadot8_1_2 = E6_23 * B_thetadot8_6_3;
+  const T B_thetadot8_1_3 = E6_22 * B_thetadot8_6_3;
+  // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
+  const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
+  const T K_thetadot8_1_2 = E6_22 * b7_7 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
+  const T K_thetadot8_1_3 = E6_23 * b7_7 - E6_22 * minus_K_thetadot8_6_3 - T(0.1805) * minus_B_thetadot8_1_2 -
+      T(0.047) * B_thetadot8_6_1;
+  A[8] = K_thetadot8_1_1;
+  A[144] = K_thetadot8_1_1;
+  A[26] = K_thetadot8_1_2;
+  A[145] = K_thetadot8_1_2;
+  A[44] = K_thetadot8_1_3;
+  A[146] = K_thetadot8_1_3;
+  // B_thetadot7_1 = E6^T B_thetadot7_6
+  const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
+  const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
+  // K_thetadot7_1 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
+  const T K_thetadot7_1_1 = T(0.047) * B_thetadot7_1_3 + b6_5;
+  const T K_thetadot7_1_2 = E6_22 * J7_22 - E6_23 * b6_6 - T(0.1805) * B_thetadot7_1_3;
+  const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 - T(0.1805) * minus_B_thetadot7_1_2 + E6_23 * J7_22 + E6_22 * b6_6;
+  A[7] = K_thetadot7_1_1;
+  A[126] = K_thetadot7_1_1;
+  A[25] = K_thetadot7_1_2;
+  A[127] = K_thetadot7_1_2;
+  A[43] = K_thetadot7_1_3;
+  A[128] = K_thetadot7_1_3;
+  // K_thetadot6_1 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
+  const T K_thetadot6_1_2 = b1_14 - b1_32;
+  const T K_thetadot6_1_3 = b1_21 - b1_27;
+  A[6] = b1_4;
+  A[108] = b1_4;
+  A[24] = K_thetadot6_1_2;
+  A[109] = K_thetadot6_1_2;
+  A[42] = K_thetadot6_1_3;
+  A[110] = K_thetadot6_1_3;
+  // B_thetadot4_1 = E2^T B_thetadot4_2
+  const T minus_B_thetadot4_1_2 = E2_23 * B_thetadot4_2_3;
+  const T B_thetadot4_1_3 = E2_22 * B_thetadot4_2_3;
+  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
+  const T minus_K_thetadot4_1_1 = T(0.047) * B_thetadot4_1_3 + minus_K_thetadot4_2_1;
+  const T K_thetadot4_1_2 = E2_22 * b3_7 - E2_23 * K_thetadot4_2_3 - T(0.1805) * B_thetadot4_1_3;
+  const T K_thetadot4_1_3 = T(0.047) * B_thetadot4_2_1 - T(0.1805) * minus_B_thetadot4_1_2 + E2_23 * b3_7 + E2_22 *
+      K_thetadot4_2_3;
+  A[5] = -minus_K_thetadot4_1_1;
+  A[90] = -minus_K_thetadot4_1_1;
+  A[23] = K_thetadot4_1_2;
+  A[91] = K_thetadot4_1_2;
+  A[41] = K_thetadot4_1_3;
+  A[92] = K_thetadot4_1_3;
+  // B_thetadot3_1 = E2^T B_thetadot3_2
+  const T minus_B_thetadot3_1_2 = E2_23 * minus_hc3_1;
+  const T B_thetadot3_1_3 = E2_22 * minus_hc3_1;
+  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
+  const T minus_K_thetadot3_1_1 = b2_5 + T(0.047) * B_thetadot3_1_3;
+  const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_6 - T(0.1805) * B_thetadot3_1_3;
+  const T K_thetadot3_1_3 = E2_23 * J3_22 - E2_22 * b2_6 - T(0.1805) * minus_B_thetadot3_1_2 - T(0.047) * minus_hc3_3;
+  A[4] = -minus_K_thetadot3_1_1;
+  A[72] = -minus_K_thetadot3_1_1;
+  A[22] = K_thetadot3_1_2;
+  A[73] = K_thetadot3_1_2;
+  A[40] = K_thetadot3_1_3;
+  A[74] = K_thetadot3_1_3;
+  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
+  const T K_thetadot2_1_2 = b1_31 + b1_18 - b1_19;
+  const T K_thetadot2_1_3 = b1_28 + b1_29 + b1_30;
+  A[3] = b1_2;
+  A[54] = b1_2;
+  A[21] = K_thetadot2_1_2;
+  A[55] = K_thetadot2_1_2;
+  A[39] = K_thetadot2_1_3;
+  A[56] = K_thetadot2_1_3;
+
+  // ---- results
+  const T t1 = h1_2 * R1_31 - h1_3 * R1_21;
+  A[15] = t1;
+  A[270] = t1;
+  const T t2 = h1_2 * R1_32 - h1_3 * R1_22;
+  A[16] = t2;
+  A[288] = t2;
+  const T t3 = h1_2 * R1_33 - h1_3 * R1_23;
+  A[17] = t3;
+  A[306] = t3;
+  const T t4 = h1_3 * R1_11 - h1_1 * R1_31;
+  A[33] = t4;
+  A[271] = t4;
+  const T t5 = h1_3 * R1_12 - h1_1 * R1_32;
+  A[34] = t5;
+  A[289] = t5;
+  const T t6 = h1_3 * R1_13 - h1_1 * R1_33;
+  A[35] = t6;
+  A[307] = t6;
+  const T t7 = h1_1 * R1_21 - h1_2 * R1_11;
+  A[51] = t7;
+  A[272] = t7;
+  const T t8 = h1_1 * R1_22 - h1_2 * R1_12;
+  A[52] = t8;
+  A[290] = t8;
+  const T t9 = h1_1 * R1_23 - h1_2 * R1_13;
+  A[53] = t9;
+  A[308] = t9;
+  const T t10 = R1_21 * minus_hc2_3 - R1_31 * minus_hc2_2;
+  A[69] = t10;
+  A[273] = t10;
+  const T t11 = R1_22 * minus_hc2_3 - R1_32 * minus_hc2_2;
+  A[70] = t11;
+  A[291] = t11;
+  const T t12 = R1_23 * minus_hc2_3 - R1_33 * minus_hc2_2;
+  A[71] = t12;
+  A[309] = t12;
+  const T t13 = R1_31 * B_thetadot3_1_3 - R1_11 * minus_hc3_3 - R1_21 * minus_B_thetadot3_1_2;
+  A[87] = t13;
+  A[274] = t13;
+  const T t14 = R1_32 * B_thetadot3_1_3 - R1_12 * minus_hc3_3 - R1_22 * minus_B_thetadot3_1_2;
+  A[88] = t14;
+  A[292] = t14;
+  const T t15 = R1_33 * B_thetadot3_1_3 - R1_13 * minus_hc3_3 - R1_23 * minus_B_thetadot3_1_2;
+  A[89] = t15;
+  A[310] = t15;
+  A[95] = T(0.007344838233654);
+  A[152] = T(0.007344838233654);
+  A[209] = T(0.007344838233654);
+  A[266] = T(0.007344838233654);
+  const T t16 = R1_11 * B_thetadot4_2_1 - R1_21 * minus_B_thetadot4_1_2 + R1_31 * B_thetadot4_1_3;
+  A[105] = t16;
+  A[275] = t16;
+  const T t17 = R1_12 * B_thetadot4_2_1 - R1_22 * minus_B_thetadot4_1_2 + R1_32 * B_thetadot4_1_3;
+  A[106] = t17;
+  A[293] = t17;
+  const T t18 = R1_13 * B_thetadot4_2_1 - R1_23 * minus_B_thetadot4_1_2 + R1_33 * B_thetadot4_1_3;
+  A[107] = t18;
+  A[311] = t18;
+  const T t19 = R1_31 * hc6_2 - R1_21 * hc6_3;
+  A[123] = t19;
+  A[276] = t19;
+  const T t20 = R1_32 * hc6_2 - R1_22 * hc6_3;
+  A[124] = t20;
+  A[294] = t20;
+  const T t21 = R1_33 * hc6_2 - R1_23 * hc6_3;
+  A[125] = t21;
+  A[312] = t21;
+  const T t22 = R1_31 * B_thetadot7_1_3 - R1_11 * minus_hc7_3 - R1_21 * minus_B_thetadot7_1_2;
+  A[141] = t22;
+  A[277] = t22;
+  const T t23 = R1_32 * B_thetadot7_1_3 - R1_12 * minus_hc7_3 - R1_22 * minus_B_thetadot7_1_2;
+  A[142] = t23;
+  A[295] = t23;
+  const T t24 = R1_33 * B_thetadot7_1_3 - R1_13 * minus_hc7_3 - R1_23 * minus_B_thetadot7_1_2;
+  A[143] = t24;
+  A[313] = t24;
+  const T t25 = R1_11 * B_thetadot8_6_1 - R1_21 * minus_B_thetadot8_1_2 + R1_31 * B_thetadot8_1_3;
+  A[159] = t25;
+  A[278] = t25;
+  const T t26 = R1_12 * B_thetadot8_6_1 - R1_22 * minus_B_thetadot8_1_2 + R1_32 * B_thetadot8_1_3;
+  A[160] = t26;
+  A[296] = t26;
+  const T t27 = R1_13 * B_thetadot8_6_1 - R1_23 * minus_B_thetadot8_1_2 + R1_33 * B_thetadot8_1_3;
+  A[161] = t27;
+  A[314] = t27;
+  const T t28 = R1_21 * minus_hc10_3 - R1_31 * minus_hc10_2;
+  A[177] = t28;
+  A[279] = t28;
+  const T t29 = R1_22 * minus_hc10_3 - R1_32 * minus_hc10_2;
+  A[178] = t29;
+  A[297] = t29;
+  const T t30 = R1_23 * minus_hc10_3 - R1_33 * minus_hc10_2;
+  A[179] = t30;
+  A[315] = t30;
+  const T t31 = R1_31 * B_thetadot11_1_3 - R1_11 * minus_hc11_3 - R1_21 * minus_B_thetadot11_1_2;
+  A[195] = t31;
+  A[280] = t31;
+  const T t32 = R1_32 * B_thetadot11_1_3 - R1_12 * minus_hc11_3 - R1_22 * minus_B_thetadot11_1_2;
+  A[196] = t32;
+  A[298] = t32;
+  const T t33 = R1_33 * B_thetadot11_1_3 - R1_13 * minus_hc11_3 - R1_23 * minus_B_thetadot11_1_2;
+  A[197] = t33;
+  A[316] = t33;
+  const T t34 = R1_11 * B_thetadot12_10_1 - R1_21 * minus_B_thetadot12_1_2 + R1_31 * B_thetadot12_1_3;
+  A[213] = t34;
+  A[281] = t34;
+  const T t35 = R1_12 * B_thetadot12_10_1 - R1_22 * minus_B_thetadot12_1_2 + R1_32 * B_thetadot12_1_3;
+  A[214] = t35;
+  A[299] = t35;
+  const T t36 = R1_13 * B_thetadot12_10_1 - R1_23 * minus_B_thetadot12_1_2 + R1_33 * B_thetadot12_1_3;
+  A[215] = t36;
+  A[317] = t36;
+  const T t37 = R1_31 * hc14_2 - R1_21 * hc14_3;
+  A[231] = t37;
+  A[282] = t37;
+  const T t38 = R1_32 * hc14_2 - R1_22 * hc14_3;
+  A[232] = t38;
+  A[300] = t38;
+  const T t39 = R1_33 * hc14_2 - R1_23 * hc14_3;
+  A[233] = t39;
+  A[318] = t39;
+  const T t40 = R1_31 * B_thetadot15_1_3 - R1_11 * minus_hc15_3 - R1_21 * minus_B_thetadot15_1_2;
+  A[249] = t40;
+  A[283] = t40;
+  const T t41 = R1_32 * B_thetadot15_1_3 - R1_12 * minus_hc15_3 - R1_22 * minus_B_thetadot15_1_2;
+  A[250] = t41;
+  A[301] = t41;
+  const T t42 = R1_33 * B_thetadot15_1_3 - R1_13 * minus_hc15_3 - R1_23 * minus_B_thetadot15_1_2;
+  A[251] = t42;
+  A[319] = t42;
+  const T t43 = R1_11 * B_thetadot16_14_1 - R1_21 * minus_B_thetadot16_1_2 + R1_31 * B_thetadot16_1_3;
+  A[267] = t43;
+  A[284] = t43;
+  const T t44 = R1_12 * B_thetadot16_14_1 - R1_22 * minus_B_thetadot16_1_2 + R1_32 * B_thetadot16_1_3;
+  A[268] = t44;
+  A[302] = t44;
+  const T t45 = R1_13 * B_thetadot16_14_1 - R1_23 * minus_B_thetadot16_1_2 + R1_33 * B_thetadot16_1_3;
+  A[269] = t45;
+  A[320] = t45;
+}
+
+// partial_velocities: partial velocities v_y of the mass centres: v = v_y y.
+// v_y of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 704 add, 928 multiply, 24 sine or cosine
+template <class T>
+void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 918; ++i) v_y[i] = T(0);
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // B1_1 = -R1^T r1~
+  const T B1_1_11 = R1_21 * T(5e-04) + R1_31 * T(0.0041);
+  const T minus_B1_1_12 = R1_11 * T(5e-04);
+  const T minus_B1_1_13 = R1_11 * T(0.0041);
+  const T B1_1_21 = R1_22 * T(5e-04) + R1_32 * T(0.0041);
+  const T minus_B1_1_22 = R1_12 * T(5e-04);
+  const T minus_B1_1_23 = R1_12 * T(0.0041);
+  const T B1_1_31 = R1_23 * T(5e-04) + R1_33 * T(0.0041);
+  const T minus_B1_1_32 = R1_13 * T(5e-04);
+  const T minus_B1_1_33 = R1_13 * T(0.0041);
+  v_y[0] = B1_1_11;
+  v_y[1] = -minus_B1_1_12;
+  v_y[2] = -minus_B1_1_13;
+  v_y[18] = B1_1_21;
+  v_y[19] = -minus_B1_1_22;
+  v_y[20] = -minus_B1_1_23;
+  v_y[36] = B1_1_31;
+  v_y[37] = -minus_B1_1_32;
+  v_y[38] = -minus_B1_1_33;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // P_omega1_2 = -R1^T q2~: partial velocity of the body origin, inertial axes
+  const T minus_P_omega1_2_11 = R1_31 * T(0.047);
+  const T minus_P_omega1_2_12 = R1_31 * T(0.1805);
+  const T t2_1 = R1_11 * T(0.047);
+  const T t2_2 = R1_21 * T(0.1805);
+  const T P_omega1_2_13 = t2_1 + t2_2;
+  const T minus_P_omega1_2_21 = R1_32 * T(0.047);
+  const T minus_P_omega1_2_22 = R1_32 * T(0.1805);
+  const T t2_3 = R1_12 * T(0.047);
+  const T t2_4 = R1_22 * T(0.1805);
+  const T P_omega1_2_23 = t2_3 + t2_4;
+  const T minus_P_omega1_2_31 = R1_33 * T(0.047);
+  const T minus_P_omega1_2_32 = R1_33 * T(0.1805);
+  const T t2_5 = R1_13 * T(0.047);
+  const T t2_6 = R1_23 * T(0.1805);
+  const T P_omega1_2_33 = t2_5 + t2_6;
+  // B3_1 = -R2^T r2~ E2 + P_omega1_2
+  const T t2_7 = R2_21 * T(3.1e-05) + R2_31 * T(0.000635);
+  const T minus_B3_1_11 = t2_7 + minus_P_omega1_2_11;
+  const T t2_8 = T(0.000635) * E2_23 - T(3.1e-05) * E2_22;
+  const T t2_9 = T(0.003311) * E2_23;
+  const T t2_10 = T(0.003311) * E2_22;
+  const T minus_B3_1_12 = R1_11 * t2_8 - R2_21 * t2_9 - R2_31 * t2_10 + minus_P_omega1_2_12;
+  const T t2_11 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
+  const T minus_B3_1_13 = R2_21 * t2_10 - R1_11 * t2_11 - R2_31 * t2_9 - P_omega1_2_13;
+  const T t2_12 = R2_22 * T(3.1e-05) + R2_32 * T(0.000635);
+  const T minus_B3_1_21 = t2_12 + minus_P_omega1_2_21;
+  const T minus_B3_1_22 = R1_12 * t2_8 - R2_22 * t2_9 - R2_32 * t2_10 + minus_P_omega1_2_22;
+  const T minus_B3_1_23 = R2_22 * t2_10 - R1_12 * t2_11 - R2_32 * t2_9 - P_omega1_2_23;
+  const T t2_13 = R2_23 * T(3.1e-05) + R2_33 * T(0.000635);
+  const T minus_B3_1_31 = t2_13 + minus_P_omega1_2_31;
+  const T minus_B3_1_32 = R1_13 * t2_8 - R2_23 * t2_9 - R2_33 * t2_10 + minus_P_omega1_2_32;
+  const T minus_B3_1_33 = R2_23 * t2_10 - R1_13 * t2_11 - R2_33 * t2_9 - P_omega1_2_33;
+  v_y[54] = -minus_B3_1_11;
+  v_y[55] = -minus_B3_1_12;
+  v_y[56] = -minus_B3_1_13;
+  v_y[72] = -minus_B3_1_21;
+  v_y[73] = -minus_B3_1_22;
+  v_y[74] = -minus_B3_1_23;
+  v_y[90] = -minus_B3_1_31;
+  v_y[91] = -minus_B3_1_32;
+  v_y[92] = -minus_B3_1_33;
+  v_y[57] = -t2_7;
+  v_y[75] = -t2_12;
+  v_y[93] = -t2_13;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega_omega1_3 = E3 E2: partial angular velocity, body axes
+  const T omega_omega1_3_12 = minus_E3_13 * E2_23;
+  const T minus_omega_omega1_3_13 = minus_E3_13 * E2_22;
+  const T minus_omega_omega1_3_32 = E3_11 * E2_23;
+  const T omega_omega1_3_33 = E3_11 * E2_22;
+  // P_omega1_3 = -R2^T q3~ E2 + P_omega1_2: partial velocity of the body origin, inertial axes
+  const T t3_1 = R2_31 * T(0.0838);
+  const T minus_P_omega1_3_11 = t3_1 + minus_P_omega1_2_11;
+  const T t3_2 = T(0.0838) * E2_23;
+  const T minus_P_omega1_3_12 = R1_11 * t3_2 + minus_P_omega1_2_12;
+  const T t3_3 = T(0.0838) * E2_22;
+  const T P_omega1_3_13 = R1_11 * t3_3 + P_omega1_2_13;
+  const T t3_4 = R2_32 * T(0.0838);
+  const T minus_P_omega1_3_21 = t3_4 + minus_P_omega1_2_21;
+  const T minus_P_omega1_3_22 = R1_12 * t3_2 + minus_P_omega1_2_22;
+  const T P_omega1_3_23 = R1_12 * t3_3 + P_omega1_2_23;
+  const T t3_5 = R2_33 * T(0.0838);
+  const T minus_P_omega1_3_31 = t3_5 + minus_P_omega1_2_31;
+  const T minus_P_omega1_3_32 = R1_13 * t3_2 + minus_P_omega1_2_32;
+  const T P_omega1_3_33 = R1_13 * t3_3 + P_omega1_2_33;
+  // B5_1 = -R3^T r3~ omega_omega1_3 + P_omega1_3
+  const T t3_6 = T(0.022327) * minus_E3_13;
+  const T t3_7 = T(0.003237) * minus_E3_13 - T(0.027326) * E3_11;
+  const T t3_8 = T(0.022327) * E3_11;
+  const T t3_9 = R3_11 * t3_6 + R2_21 * t3_7 - R3_31 * t3_8;
+  const T minus_B5_1_11 = t3_9 + minus_P_omega1_3_11;
+  const T t3_10 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
+  const T t3_11 = T(0.027326) * omega_omega1_3_12 + T(0.003237) * minus_omega_omega1_3_32;
+  const T t3_12 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
+  const T minus_B5_1_12 = R3_11 * t3_10 - R2_21 * t3_11 - R3_31 * t3_12 + minus_P_omega1_3_12;
+  const T t3_13 = T(0.027326) * E2_23 + T(0.022327) * omega_omega1_3_33;
+  const T t3_14 = T(0.027326) * minus_omega_omega1_3_13 + T(0.003237) * omega_omega1_3_33;
+  const T t3_15 = T(0.022327) * minus_omega_omega1_3_13 - T(0.003237) * E2_23;
+  const T minus_B5_1_13 = R3_11 * t3_13 + R2_21 * t3_14 + R3_31 * t3_15 - P_omega1_3_13;
+  const T t3_16 = R3_12 * t3_6 + R2_22 * t3_7 - R3_32 * t3_8;
+  const T minus_B5_1_21 = t3_16 + minus_P_omega1_3_21;
+  const T minus_B5_1_22 = R3_12 * t3_10 - R2_22 * t3_11 - R3_32 * t3_12 + minus_P_omega1_3_22;
+  const T minus_B5_1_23 = R3_12 * t3_13 + R2_22 * t3_14 + R3_32 * t3_15 - P_omega1_3_23;
+  const T t3_17 = R3_13 * t3_6 + R2_23 * t3_7 - R3_33 * t3_8;
+  const T minus_B5_1_31 = t3_17 + minus_P_omega1_3_31;
+  const T minus_B5_1_32 = R3_13 * t3_10 - R2_23 * t3_11 - R3_33 * t3_12 + minus_P_omega1_3_32;
+  const T minus_B5_1_33 = R3_13 * t3_13 + R2_23 * t3_14 + R3_33 * t3_15 - P_omega1_3_33;
+  v_y[108] = -minus_B5_1_11;
+  v_y[109] = -minus_B5_1_12;
+  v_y[110] = -minus_B5_1_13;
+  v_y[126] = -minus_B5_1_21;
+  v_y[127] = -minus_B5_1_22;
+  v_y[128] = -minus_B5_1_23;
+  v_y[144] = -minus_B5_1_31;
+  v_y[145] = -minus_B5_1_32;
+  v_y[146] = -minus_B5_1_33;
+  // B6_2 = -R3^T r3~ omega_thetadot2_3 + P_thetadot2_3
+  const T minus_B6_2_1 = t3_9 + t3_1;
+  const T minus_B6_2_2 = t3_16 + t3_4;
+  const T minus_B6_2_3 = t3_17 + t3_5;
+  v_y[111] = -minus_B6_2_1;
+  v_y[129] = -minus_B6_2_2;
+  v_y[147] = -minus_B6_2_3;
+  // B7_3 = -R3^T r3~ b3
+  const T minus_B7_3_1 = R3_11 * T(0.027326) - R3_31 * T(0.003237);
+  const T minus_B7_3_2 = R3_12 * T(0.027326) - R3_32 * T(0.003237);
+  const T minus_B7_3_3 = R3_13 * T(0.027326) - R3_33 * T(0.003237);
+  v_y[112] = -minus_B7_3_1;
+  v_y[130] = -minus_B7_3_2;
+  v_y[148] = -minus_B7_3_3;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega_omega1_4 = E4 omega_omega1_3: partial angular velocity, body axes
+  const T omega_omega1_4_11 = E4_11 * E3_11 - minus_E4_13 * minus_E3_13;
+  const T omega_omega1_4_12 = E4_11 * omega_omega1_3_12 + minus_E4_13 * minus_omega_omega1_3_32;
+  const T minus_omega_omega1_4_13 = E4_11 * minus_omega_omega1_3_13 + minus_E4_13 * omega_omega1_3_33;
+  const T omega_omega1_4_31 = minus_E4_13 * E3_11 + E4_11 * minus_E3_13;
+  const T omega_omega1_4_32 = minus_E4_13 * omega_omega1_3_12 - E4_11 * minus_omega_omega1_3_32;
+  const T omega_omega1_4_33 = E4_11 * omega_omega1_3_33 - minus_E4_13 * minus_omega_omega1_3_13;
+  // P_omega1_4 = -R3^T q4~ omega_omega1_3 + P_omega1_3: partial velocity of the body origin, inertial axes
+  const T t4_1 = T(0.2) * E3_11;
+  const T t4_2 = R2_21 * t4_1;
+  const T minus_P_omega1_4_11 = minus_P_omega1_3_11 - t4_2;
+  const T t4_3 = T(0.2) * E2_22;
+  const T t4_4 = T(0.2) * omega_omega1_3_12;
+  const T minus_P_omega1_4_12 = R3_11 * t4_3 - R2_21 * t4_4 + minus_P_omega1_3_12;
+  const T t4_5 = T(0.2) * E2_23;
+  const T t4_6 = T(0.2) * minus_omega_omega1_3_13;
+  const T minus_P_omega1_4_13 = R3_11 * t4_5 + R2_21 * t4_6 - P_omega1_3_13;
+  const T t4_7 = R2_22 * t4_1;
+  const T minus_P_omega1_4_21 = minus_P_omega1_3_21 - t4_7;
+  const T minus_P_omega1_4_22 = R3_12 * t4_3 - R2_22 * t4_4 + minus_P_omega1_3_22;
+  const T minus_P_omega1_4_23 = R3_12 * t4_5 + R2_22 * t4_6 - P_omega1_3_23;
+  const T t4_8 = R2_23 * t4_1;
+  const T minus_P_omega1_4_31 = minus_P_omega1_3_31 - t4_8;
+  const T minus_P_omega1_4_32 = R3_13 * t4_3 - R2_23 * t4_4 + minus_P_omega1_3_32;
+  const T minus_P_omega1_4_33 = R3_13 * t4_5 + R2_23 * t4_6 - P_omega1_3_33;
+  // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot2_4_1 = t3_1 - t4_2;
+  const T minus_P_thetadot2_4_2 = t3_4 - t4_7;
+  const T minus_P_thetadot2_4_3 = t3_5 - t4_8;
+  // P_thetadot3_4 = -R3^T q4~ b3: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot3_4_1 = R3_11 * T(0.2);
+  const T minus_P_thetadot3_4_2 = R3_12 * T(0.2);
+  const T minus_P_thetadot3_4_3 = R3_13 * T(0.2);
+  // B8_1 = -R4^T r4~ omega_omega1_4 + P_omega1_4
+  const T t4_9 = T(0.107388) * omega_omega1_4_11 + T(0.006435) * omega_omega1_4_31;
+  const T t4_10 = R2_21 * t4_9;
+  const T minus_B8_1_11 = minus_P_omega1_4_11 - t4_10;
+  const T t4_11 = T(0.107388) * E2_22;
+  const T t4_12 = T(0.107388) * omega_omega1_4_12 + T(0.006435) * omega_omega1_4_32;
+  const T t4_13 = T(0.006435) * E2_22;
+  const T minus_B8_1_12 = R4_11 * t4_11 - R2_21 * t4_12 + R4_31 * t4_13 + minus_P_omega1_4_12;
+  const T t4_14 = T(0.107388) * E2_23;
+  const T t4_15 = T(0.107388) * minus_omega_omega1_4_13 - T(0.006435) * omega_omega1_4_33;
+  const T t4_16 = T(0.006435) * E2_23;
+  const T minus_B8_1_13 = R4_11 * t4_14 + R2_21 * t4_15 + R4_31 * t4_16 + minus_P_omega1_4_13;
+  const T t4_17 = R2_22 * t4_9;
+  const T minus_B8_1_21 = minus_P_omega1_4_21 - t4_17;
+  const T minus_B8_1_22 = R4_12 * t4_11 - R2_22 * t4_12 + R4_32 * t4_13 + minus_P_omega1_4_22;
+  const T minus_B8_1_23 = R4_12 * t4_14 + R2_22 * t4_15 + R4_32 * t4_16 + minus_P_omega1_4_23;
+  const T t4_18 = R2_23 * t4_9;
+  const T minus_B8_1_31 = minus_P_omega1_4_31 - t4_18;
+  const T minus_B8_1_32 = R4_13 * t4_11 - R2_23 * t4_12 + R4_33 * t4_13 + minus_P_omega1_4_32;
+  const T minus_B8_1_33 = R4_13 * t4_14 + R2_23 * t4_15 + R4_33 * t4_16 + minus_P_omega1_4_33;
+  v_y[162] = -minus_B8_1_11;
+  v_y[163] = -minus_B8_1_12;
+  v_y[164] = -minus_B8_1_13;
+  v_y[180] = -minus_B8_1_21;
+  v_y[181] = -minus_B8_1_22;
+  v_y[182] = -minus_B8_1_23;
+  v_y[198] = -minus_B8_1_31;
+  v_y[199] = -minus_B8_1_32;
+  v_y[200] = -minus_B8_1_33;
+  // B9_2 = -R4^T r4~ omega_thetadot2_4 + P_thetadot2_4
+  const T minus_B9_2_1 = minus_P_thetadot2_4_1 - t4_10;
+  const T minus_B9_2_2 = minus_P_thetadot2_4_2 - t4_17;
+  const T minus_B9_2_3 = minus_P_thetadot2_4_3 - t4_18;
+  v_y[165] = -minus_B9_2_1;
+  v_y[183] = -minus_B9_2_2;
+  v_y[201] = -minus_B9_2_3;
+  // B10_3 = -R4^T r4~ omega_thetadot3_4 + P_thetadot3_4
+  const T t4_19 = R4_11 * T(0.107388) + R4_31 * T(0.006435);
+  const T minus_B10_3_1 = t4_19 + minus_P_thetadot3_4_1;
+  const T t4_20 = R4_12 * T(0.107388) + R4_32 * T(0.006435);
+  const T minus_B10_3_2 = t4_20 + minus_P_thetadot3_4_2;
+  const T t4_21 = R4_13 * T(0.107388) + R4_33 * T(0.006435);
+  const T minus_B10_3_3 = t4_21 + minus_P_thetadot3_4_3;
+  v_y[166] = -minus_B10_3_1;
+  v_y[184] = -minus_B10_3_2;
+  v_y[202] = -minus_B10_3_3;
+  v_y[167] = -t4_19;
+  v_y[185] = -t4_20;
+  v_y[203] = -t4_21;
+  // B12_1 = -R4^T o5~ omega_omega1_4 + P_omega1_4
+  const T t4_22 = T(0.2) * omega_omega1_4_11;
+  const T t4_23 = R2_21 * t4_22;
+  const T minus_B12_1_11 = minus_P_omega1_4_11 - t4_23;
+  const T t4_24 = T(0.2) * omega_omega1_4_12;
+  const T minus_B12_1_12 = R4_11 * t4_3 - R2_21 * t4_24 + minus_P_omega1_4_12;
+  const T t4_25 = T(0.2) * minus_omega_omega1_4_13;
+  const T minus_B12_1_13 = R4_11 * t4_5 + R2_21 * t4_25 + minus_P_omega1_4_13;
+  const T t4_26 = R2_22 * t4_22;
+  const T minus_B12_1_21 = minus_P_omega1_4_21 - t4_26;
+  const T minus_B12_1_22 = R4_12 * t4_3 - R2_22 * t4_24 + minus_P_omega1_4_22;
+  const T minus_B12_1_23 = R4_12 * t4_5 + R2_22 * t4_25 + minus_P_omega1_4_23;
+  const T t4_27 = R2_23 * t4_22;
+  const T minus_B12_1_31 = minus_P_omega1_4_31 - t4_27;
+  const T minus_B12_1_32 = R4_13 * t4_3 - R2_23 * t4_24 + minus_P_omega1_4_32;
+  const T minus_B12_1_33 = R4_13 * t4_5 + R2_23 * t4_25 + minus_P_omega1_4_33;
+  v_y[216] = -minus_B12_1_11;
+  v_y[217] = -minus_B12_1_12;
+  v_y[218] = -minus_B12_1_13;
+  v_y[234] = -minus_B12_1_21;
+  v_y[235] = -minus_B12_1_22;
+  v_y[236] = -minus_B12_1_23;
+  v_y[252] = -minus_B12_1_31;
+  v_y[253] = -minus_B12_1_32;
+  v_y[254] = -minus_B12_1_33;
+  // B13_2 = -R4^T o5~ omega_thetadot2_4 + P_thetadot2_4
+  const T minus_B13_2_1 = minus_P_thetadot2_4_1 - t4_23;
+  const T minus_B13_2_2 = minus_P_thetadot2_4_2 - t4_26;
+  const T minus_B13_2_3 = minus_P_thetadot2_4_3 - t4_27;
+  v_y[219] = -minus_B13_2_1;
+  v_y[237] = -minus_B13_2_2;
+  v_y[255] = -minus_B13_2_3;
+  // B14_3 = -R4^T o5~ omega_thetadot3_4 + P_thetadot3_4
+  const T t4_28 = R4_11 * T(0.2);
+  const T minus_B14_3_1 = t4_28 + minus_P_thetadot3_4_1;
+  const T t4_29 = R4_12 * T(0.2);
+  const T minus_B14_3_2 = t4_29 + minus_P_thetadot3_4_2;
+  const T t4_30 = R4_13 * T(0.2);
+  const T minus_B14_3_3 = t4_30 + minus_P_thetadot3_4_3;
+  v_y[220] = -minus_B14_3_1;
+  v_y[238] = -minus_B14_3_2;
+  v_y[256] = -minus_B14_3_3;
+  v_y[221] = -t4_28;
+  v_y[239] = -t4_29;
+  v_y[257] = -t4_30;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // P_omega1_6 = -R1^T q6~: partial velocity of the body origin, inertial axes
+  const T minus_P_omega1_6_13 = t2_1 - t2_2;
+  const T minus_P_omega1_6_23 = t2_3 - t2_4;
+  const T minus_P_omega1_6_33 = t2_5 - t2_6;
+  // B16_1 = -R6^T r6~ E6 + P_omega1_6
+  const T t6_1 = R6_21 * T(3.1e-05) - R6_31 * T(0.000635);
+  const T minus_B16_1_11 = t6_1 - minus_P_omega1_2_11;
+  const T t6_2 = T(3.1e-05) * E6_22 + T(0.000635) * E6_23;
+  const T t6_3 = T(0.003311) * E6_23;
+  const T t6_4 = T(0.003311) * E6_22;
+  const T minus_B16_1_12 = minus_P_omega1_2_12 - R1_11 * t6_2 - R6_21 * t6_3 - R6_31 * t6_4;
+  const T t6_5 = T(0.000635) * E6_22 - T(3.1e-05) * E6_23;
+  const T minus_B16_1_13 = R1_11 * t6_5 + R6_21 * t6_4 - R6_31 * t6_3 + minus_P_omega1_6_13;
+  const T t6_6 = R6_22 * T(3.1e-05) - R6_32 * T(0.000635);
+  const T minus_B16_1_21 = t6_6 - minus_P_omega1_2_21;
+  const T minus_B16_1_22 = minus_P_omega1_2_22 - R1_12 * t6_2 - R6_22 * t6_3 - R6_32 * t6_4;
+  const T minus_B16_1_23 = R1_12 * t6_5 + R6_22 * t6_4 - R6_32 * t6_3 + minus_P_omega1_6_23;
+  const T t6_7 = R6_23 * T(3.1e-05) - R6_33 * T(0.000635);
+  const T minus_B16_1_31 = t6_7 - minus_P_omega1_2_31;
+  const T minus_B16_1_32 = minus_P_omega1_2_32 - R1_13 * t6_2 - R6_23 * t6_3 - R6_33 * t6_4;
+  const T minus_B16_1_33 = R1_13 * t6_5 + R6_23 * t6_4 - R6_33 * t6_3 + minus_P_omega1_6_33;
+  v_y[270] = -minus_B16_1_11;
+  v_y[271] = -minus_B16_1_12;
+  v_y[272] = -minus_B16_1_13;
+  v_y[288] = -minus_B16_1_21;
+  v_y[289] = -minus_B16_1_22;
+  v_y[290] = -minus_B16_1_23;
+  v_y[306] = -minus_B16_1_31;
+  v_y[307] = -minus_B16_1_32;
+  v_y[308] = -minus_B16_1_33;
+  v_y[276] = -t6_1;
+  v_y[294] = -t6_6;
+  v_y[312] = -t6_7;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega_omega1_7 = E7 E6: partial angular velocity, body axes
+  const T omega_omega1_7_12 = minus_E7_13 * E6_23;
+  const T minus_omega_omega1_7_13 = minus_E7_13 * E6_22;
+  const T minus_omega_omega1_7_32 = E7_11 * E6_23;
+  const T omega_omega1_7_33 = E7_11 * E6_22;
+  // P_omega1_7 = -R6^T q7~ E6 + P_omega1_6: partial velocity of the body origin, inertial axes
+  const T t7_1 = R6_31 * T(0.0838);
+  const T P_omega1_7_11 = t7_1 + minus_P_omega1_2_11;
+  const T t7_2 = T(0.0838) * E6_23;
+  const T minus_P_omega1_7_12 = minus_P_omega1_2_12 - R1_11 * t7_2;
+  const T t7_3 = T(0.0838) * E6_22;
+  const T minus_P_omega1_7_13 = R1_11 * t7_3 + minus_P_omega1_6_13;
+  const T t7_4 = R6_32 * T(0.0838);
+  const T P_omega1_7_21 = t7_4 + minus_P_omega1_2_21;
+  const T minus_P_omega1_7_22 = minus_P_omega1_2_22 - R1_12 * t7_2;
+  const T minus_P_omega1_7_23 = R1_12 * t7_3 + minus_P_omega1_6_23;
+  const T t7_5 = R6_33 * T(0.0838);
+  const T P_omega1_7_31 = t7_5 + minus_P_omega1_2_31;
+  const T minus_P_omega1_7_32 = minus_P_omega1_2_32 - R1_13 * t7_2;
+  const T minus_P_omega1_7_33 = R1_13 * t7_3 + minus_P_omega1_6_33;
+  // B18_1 = -R7^T r7~ omega_omega1_7 + P_omega1_7
+  const T t7_6 = T(0.003237) * minus_E7_13 - T(0.027326) * E7_11;
+  const T t7_7 = T(0.022327) * minus_E7_13;
+  const T t7_8 = T(0.022327) * E7_11;
+  const T t7_9 = R6_21 * t7_6 - R7_11 * t7_7 + R7_31 * t7_8;
+  const T minus_B18_1_11 = t7_9 - P_omega1_7_11;
+  const T t7_10 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
+  const T t7_11 = T(0.027326) * omega_omega1_7_12 + T(0.003237) * minus_omega_omega1_7_32;
+  const T t7_12 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
+  const T minus_B18_1_12 = R7_11 * t7_10 - R6_21 * t7_11 + R7_31 * t7_12 + minus_P_omega1_7_12;
+  const T t7_13 = T(0.027326) * E6_23 - T(0.022327) * omega_omega1_7_33;
+  const T t7_14 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
+  const T t7_15 = T(0.003237) * E6_23 + T(0.022327) * minus_omega_omega1_7_13;
+  const T minus_B18_1_13 = R7_11 * t7_13 + R6_21 * t7_14 - R7_31 * t7_15 + minus_P_omega1_7_13;
+  const T t7_16 = R6_22 * t7_6 - R7_12 * t7_7 + R7_32 * t7_8;
+  const T minus_B18_1_21 = t7_16 - P_omega1_7_21;
+  const T minus_B18_1_22 = R7_12 * t7_10 - R6_22 * t7_11 + R7_32 * t7_12 + minus_P_omega1_7_22;
+  const T minus_B18_1_23 = R7_12 * t7_13 + R6_22 * t7_14 - R7_32 * t7_15 + minus_P_omega1_7_23;
+  const T t7_17 = R6_23 * t7_6 - R7_13 * t7_7 + R7_33 * t7_8;
+  const T minus_B18_1_31 = t7_17 - P_omega1_7_31;
+  const T minus_B18_1_32 = R7_13 * t7_10 - R6_23 * t7_11 + R7_33 * t7_12 + minus_P_omega1_7_32;
+  const T minus_B18_1_33 = R7_13 * t7_13 + R6_23 * t7_14 - R7_33 * t7_15 + minus_P_omega1_7_33;
+  v_y[324] = -minus_B18_1_11;
+  v_y[325] = -minus_B18_1_12;
+  v_y[326] = -minus_B18_1_13;
+  v_y[342] = -minus_B18_1_21;
+  v_y[343] = -minus_B18_1_22;
+  v_y[344] = -minus_B18_1_23;
+  v_y[360] = -minus_B18_1_31;
+  v_y[361] = -minus_B18_1_32;
+  v_y[362] = -minus_B18_1_33;
+  // B19_6 = -R7^T r7~ omega_thetadot6_7 + P_thetadot6_7
+  const T minus_B19_6_1 = t7_9 - t7_1;
+  const T minus_B19_6_2 = t7_16 - t7_4;
+  const T minus_B19_6_3 = t7_17 - t7_5;
+  v_y[330] = -minus_B19_6_1;
+  v_y[348] = -minus_B19_6_2;
+  v_y[366] = -minus_B19_6_3;
+  // B20_7 = -R7^T r7~ b7
+  const T minus_B20_7_1 = R7_11 * T(0.027326) - R7_31 * T(0.003237);
+  const T minus_B20_7_2 = R7_12 * T(0.027326) - R7_32 * T(0.003237);
+  const T minus_B20_7_3 = R7_13 * T(0.027326) - R7_33 * T(0.003237);
+  v_y[331] = -minus_B20_7_1;
+  v_y[349] = -minus_B20_7_2;
+  v_y[367] = -minus_B20_7_3;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega_omega1_8 = E8 omega_omega1_7: partial angular velocity, body axes
+  const T omega_omega1_8_11 = E8_11 * E7_11 - minus_E8_13 * minus_E7_13;
+  const T omega_omega1_8_12 = E8_11 * omega_omega1_7_12 + minus_E8_13 * minus_omega_omega1_7_32;
+  const T minus_omega_omega1_8_13 = E8_11 * minus_omega_omega1_7_13 + minus_E8_13 * omega_omega1_7_33;
+  const T omega_omega1_8_31 = minus_E8_13 * E7_11 + E8_11 * minus_E7_13;
+  const T omega_omega1_8_32 = minus_E8_13 * omega_omega1_7_12 - E8_11 * minus_omega_omega1_7_32;
+  const T omega_omega1_8_33 = E8_11 * omega_omega1_7_33 - minus_E8_13 * minus_omega_omega1_7_13;
+  // P_omega1_8 = -R7^T q8~ omega_omega1_7 + P_omega1_7: partial velocity of the body origin, inertial axes
+  const T t8_1 = T(0.2) * E7_11;
+  const T t8_2 = R6_21 * t8_1;
+  const T P_omega1_8_11 = t8_2 + P_omega1_7_11;
+  const T t8_3 = T(0.2) * E6_22;
+  const T t8_4 = T(0.2) * omega_omega1_7_12;
+  const T minus_P_omega1_8_12 = R7_11 * t8_3 - R6_21 * t8_4 + minus_P_omega1_7_12;
+  const T t8_5 = T(0.2) * E6_23;
+  const T t8_6 = T(0.2) * minus_omega_omega1_7_13;
+  const T minus_P_omega1_8_13 = R7_11 * t8_5 + R6_21 * t8_6 + minus_P_omega1_7_13;
+  const T t8_7 = R6_22 * t8_1;
+  const T P_omega1_8_21 = t8_7 + P_omega1_7_21;
+  const T minus_P_omega1_8_22 = R7_12 * t8_3 - R6_22 * t8_4 + minus_P_omega1_7_22;
+  const T minus_P_omega1_8_23 = R7_12 * t8_5 + R6_22 * t8_6 + minus_P_omega1_7_23;
+  const T t8_8 = R6_23 * t8_1;
+  const T P_omega1_8_31 = t8_8 + P_omega1_7_31;
+  const T minus_P_omega1_8_32 = R7_13 * t8_3 - R6_23 * t8_4 + minus_P_omega1_7_32;
+  const T minus_P_omega1_8_33 = R7_13 * t8_5 + R6_23 * t8_6 + minus_P_omega1_7_33;
+  // P_thetadot6_8 = -R7^T q8~ omega_thetadot6_7 + P_thetadot6_7: partial velocity of the body origin, inertial axes
+  const T P_thetadot6_8_1 = t8_2 + t7_1;
+  const T P_thetadot6_8_2 = t8_7 + t7_4;
+  const T P_thetadot6_8_3 = t8_8 + t7_5;
+  // P_thetadot7_8 = -R7^T q8~ b7: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot7_8_1 = R7_11 * T(0.2);
+  const T minus_P_thetadot7_8_2 = R7_12 * T(0.2);
+  const T minus_P_thetadot7_8_3 = R7_13 * T(0.2);
+  // B21_1 = -R8^T r8~ omega_omega1_8 + P_omega1_8
+  const T t8_9 = T(0.107388) * omega_omega1_8_11 + T(0.006435) * omega_omega1_8_31;
+  const T t8_10 = R6_21 * t8_9;
+  const T B21_1_11 = t8_10 + P_omega1_8_11;
+  const T t8_11 = T(0.107388) * E6_22;
+  const T t8_12 = T(0.107388) * omega_omega1_8_12 + T(0.006435) * omega_omega1_8_32;
+  const T t8_13 = T(0.006435) * E6_22;
+  const T minus_B21_1_12 = R8_11 * t8_11 - R6_21 * t8_12 + R8_31 * t8_13 + minus_P_omega1_8_12;
+  const T t8_14 = T(0.107388) * E6_23;
+  const T t8_15 = T(0.107388) * minus_omega_omega1_8_13 - T(0.006435) * omega_omega1_8_33;
+  const T t8_16 = T(0.006435) * E6_23;
+  const T minus_B21_1_13 = R8_11 * t8_14 + R6_21 * t8_15 + R8_31 * t8_16 + minus_P_omega1_8_13;
+  const T t8_17 = R6_22 * t8_9;
+  const T B21_1_21 = t8_17 + P_omega1_8_21;
+  const T minus_B21_1_22 = R8_12 * t8_11 - R6_22 * t8_12 + R8_32 * t8_13 + minus_P_omega1_8_22;
+  const T minus_B21_1_23 = R8_12 * t8_14 + R6_22 * t8_15 + R8_32 * t8_16 + minus_P_omega1_8_23;
+  const T t8_18 = R6_23 * t8_9;
+  const T B21_1_31 = t8_18 + P_omega1_8_31;
+  const T minus_B21_1_32 = R8_13 * t8_11 - R6_23 * t8_12 + R8_33 * t8_13 + minus_P_omega1_8_32;
+  const T minus_B21_1_33 = R8_13 * t8_14 + R6_23 * t8_15 + R8_33 * t8_16 + minus_P_omega1_8_33;
+  v_y[378] = B21_1_11;
+  v_y[379] = -minus_B21_1_12;
+  v_y[380] = -minus_B21_1_13;
+  v_y[396] = B21_1_21;
+  v_y[397] = -minus_B21_1_22;
+  v_y[398] = -minus_B21_1_23;
+  v_y[414] = B21_1_31;
+  v_y[415] = -minus_B21_1_32;
+  v_y[416] = -minus_B21_1_33;
+  // B22_6 = -R8^T r8~ omega_thetadot6_8 + P_thetadot6_8
+  const T B22_6_1 = t8_10 + P_thetadot6_8_1;
+  const T B22_6_2 = t8_17 + P_thetadot6_8_2;
+  const T B22_6_3 = t8_18 + P_thetadot6_8_3;
+  v_y[384] = B22_6_1;
+  v_y[402] = B22_6_2;
+  v_y[420] = B22_6_3;
+  // B23_7 = -R8^T r8~ omega_thetadot7_8 + P_thetadot7_8
+  const T t8_19 = R8_11 * T(0.107388) + R8_31 * T(0.006435);
+  const T minus_B23_7_1 = t8_19 + minus_P_thetadot7_8_1;
+  const T t8_20 = R8_12 * T(0.107388) + R8_32 * T(0.006435);
+  const T minus_B23_7_2 = t8_20 + minus_P_thetadot7_8_2;
+  const T t8_21 = R8_13 * T(0.107388) + R8_33 * T(0.006435);
+  const T minus_B23_7_3 = t8_21 + minus_P_thetadot7_8_3;
+  v_y[385] = -minus_B23_7_1;
+  v_y[403] = -minus_B23_7_2;
+  v_y[421] = -minus_B23_7_3;
+  v_y[386] = -t8_19;
+  v_y[404] = -t8_20;
+  v_y[422] = -t8_21;
+  // B25_1 = -R8^T o9~ omega_omega1_8 + P_omega1_8
+  const T t8_22 = T(0.2) * omega_omega1_8_11;
+  const T t8_23 = R6_21 * t8_22;
+  const T B25_1_11 = t8_23 + P_omega1_8_11;
+  const T t8_24 = T(0.2) * omega_omega1_8_12;
+  const T minus_B25_1_12 = R8_11 * t8_3 - R6_21 * t8_24 + minus_P_omega1_8_12;
+  const T t8_25 = T(0.2) * minus_omega_omega1_8_13;
+  const T minus_B25_1_13 = R8_11 * t8_5 + R6_21 * t8_25 + minus_P_omega1_8_13;
+  const T t8_26 = R6_22 * t8_22;
+  const T B25_1_21 = t8_26 + P_omega1_8_21;
+  const T minus_B25_1_22 = R8_12 * t8_3 - R6_22 * t8_24 + minus_P_omega1_8_22;
+  const T minus_B25_1_23 = R8_12 * t8_5 + R6_22 * t8_25 + minus_P_omega1_8_23;
+  const T t8_27 = R6_23 * t8_22;
+  const T B25_1_31 = t8_27 + P_omega1_8_31;
+  const T minus_B25_1_32 = R8_13 * t8_3 - R6_23 * t8_24 + minus_P_omega1_8_32;
+  const T minus_B25_1_33 = R8_13 * t8_5 + R6_23 * t8_25 + minus_P_omega1_8_33;
+  v_y[432] = B25_1_11;
+  v_y[433] = -minus_B25_1_12;
+  v_y[434] = -minus_B25_1_13;
+  v_y[450] = B25_1_21;
+  v_y[451] = -minus_B25_1_22;
+  v_y[452] = -minus_B25_1_23;
+  v_y[468] = B25_1_31;
+  v_y[469] = -minus_B25_1_32;
+  v_y[470] = -minus_B25_1_33;
+  // B26_6 = -R8^T o9~ omega_thetadot6_8 + P_thetadot6_8
+  const T B26_6_1 = t8_23 + P_thetadot6_8_1;
+  const T B26_6_2 = t8_26 + P_thetadot6_8_2;
+  const T B26_6_3 = t8_27 + P_thetadot6_8_3;
+  v_y[438] = B26_6_1;
+  v_y[456] = B26_6_2;
+  v_y[474] = B26_6_3;
+  // B27_7 = -R8^T o9~ omega_thetadot7_8 + P_thetadot7_8
+  const T t8_28 = R8_11 * T(0.2);
+  const T minus_B27_7_1 = t8_28 + minus_P_thetadot7_8_1;
+  const T t8_29 = R8_12 * T(0.2);
+  const T minus_B27_7_2 = t8_29 + minus_P_thetadot7_8_2;
+  const T t8_30 = R8_13 * T(0.2);
+  const T minus_B27_7_3 = t8_30 + minus_P_thetadot7_8_3;
+  v_y[439] = -minus_B27_7_1;
+  v_y[457] = -minus_B27_7_2;
+  v_y[475] = -minus_B27_7_3;
+  v_y[440] = -t8_28;
+  v_y[458] = -t8_29;
+  v_y[476] = -t8_30;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // B29_1 = -R10^T r10~ E10 + P_omega1_10
+  const T t10_1 = R10_21 * T(3.1e-05) + R10_31 * T(0.000635);
+  const T minus_B29_1_11 = t10_1 + minus_P_omega1_2_11;
+  const T t10_2 = T(0.000635) * E10_23 - T(3.1e-05) * E10_22;
+  const T t10_3 = T(0.003311) * E10_23;
+  const T t10_4 = T(0.003311) * E10_22;
+  const T minus_B29_1_12 = R1_11 * t10_2 + R10_21 * t10_3 + R10_31 * t10_4 - minus_P_omega1_2_12;
+  const T t10_5 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
+  const T minus_B29_1_13 = R10_31 * t10_3 - R1_11 * t10_5 - R10_21 * t10_4 - minus_P_omega1_6_13;
+  const T t10_6 = R10_22 * T(3.1e-05) + R10_32 * T(0.000635);
+  const T minus_B29_1_21 = t10_6 + minus_P_omega1_2_21;
+  const T minus_B29_1_22 = R1_12 * t10_2 + R10_22 * t10_3 + R10_32 * t10_4 - minus_P_omega1_2_22;
+  const T minus_B29_1_23 = R10_32 * t10_3 - R1_12 * t10_5 - R10_22 * t10_4 - minus_P_omega1_6_23;
+  const T t10_7 = R10_23 * T(3.1e-05) + R10_33 * T(0.000635);
+  const T minus_B29_1_31 = t10_7 + minus_P_omega1_2_31;
+  const T minus_B29_1_32 = R1_13 * t10_2 + R10_23 * t10_3 + R10_33 * t10_4 - minus_P_omega1_2_32;
+  const T minus_B29_1_33 = R10_33 * t10_3 - R1_13 * t10_5 - R10_23 * t10_4 - minus_P_omega1_6_33;
+  v_y[486] = -minus_B29_1_11;
+  v_y[487] = -minus_B29_1_12;
+  v_y[488] = -minus_B29_1_13;
+  v_y[504] = -minus_B29_1_21;
+  v_y[505] = -minus_B29_1_22;
+  v_y[506] = -minus_B29_1_23;
+  v_y[522] = -minus_B29_1_31;
+  v_y[523] = -minus_B29_1_32;
+  v_y[524] = -minus_B29_1_33;
+  v_y[495] = -t10_1;
+  v_y[513] = -t10_6;
+  v_y[531] = -t10_7;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega_omega1_11 = E11 E10: partial angular velocity, body axes
+  const T omega_omega1_11_12 = minus_E11_13 * E10_23;
+  const T minus_omega_omega1_11_13 = minus_E11_13 * E10_22;
+  const T minus_omega_omega1_11_32 = E11_11 * E10_23;
+  const T omega_omega1_11_33 = E11_11 * E10_22;
+  // P_omega1_11 = -R10^T q11~ E10 + P_omega1_10: partial velocity of the body origin, inertial axes
+  const T t11_1 = R10_31 * T(0.0838);
+  const T minus_P_omega1_11_11 = t11_1 + minus_P_omega1_2_11;
+  const T t11_2 = T(0.0838) * E10_23;
+  const T minus_P_omega1_11_12 = R1_11 * t11_2 - minus_P_omega1_2_12;
+  const T t11_3 = T(0.0838) * E10_22;
+  const T P_omega1_11_13 = minus_P_omega1_6_13 + R1_11 * t11_3;
+  const T t11_4 = R10_32 * T(0.0838);
+  const T minus_P_omega1_11_21 = t11_4 + minus_P_omega1_2_21;
+  const T minus_P_omega1_11_22 = R1_12 * t11_2 - minus_P_omega1_2_22;
+  const T P_omega1_11_23 = minus_P_omega1_6_23 + R1_12 * t11_3;
+  const T t11_5 = R10_33 * T(0.0838);
+  const T minus_P_omega1_11_31 = t11_5 + minus_P_omega1_2_31;
+  const T minus_P_omega1_11_32 = R1_13 * t11_2 - minus_P_omega1_2_32;
+  const T P_omega1_11_33 = minus_P_omega1_6_33 + R1_13 * t11_3;
+  // B31_1 = -R11^T r11~ omega_omega1_11 + P_omega1_11
+  const T t11_6 = T(0.022327) * minus_E11_13;
+  const T t11_7 = T(0.003237) * minus_E11_13 - T(0.027326) * E11_11;
+  const T t11_8 = T(0.022327) * E11_11;
+  const T t11_9 = R11_11 * t11_6 + R10_21 * t11_7 - R11_31 * t11_8;
+  const T minus_B31_1_11 = t11_9 + minus_P_omega1_11_11;
+  const T t11_10 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
+  const T t11_11 = T(0.027326) * omega_omega1_11_12 + T(0.003237) * minus_omega_omega1_11_32;
+  const T t11_12 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
+  const T minus_B31_1_12 = R11_11 * t11_10 - R10_21 * t11_11 - R11_31 * t11_12 + minus_P_omega1_11_12;
+  const T t11_13 = T(0.027326) * E10_23 + T(0.022327) * omega_omega1_11_33;
+  const T t11_14 = T(0.027326) * minus_omega_omega1_11_13 + T(0.003237) * omega_omega1_11_33;
+  const T t11_15 = T(0.022327) * minus_omega_omega1_11_13 - T(0.003237) * E10_23;
+  const T minus_B31_1_13 = R11_11 * t11_13 + R10_21 * t11_14 + R11_31 * t11_15 - P_omega1_11_13;
+  const T t11_16 = R11_12 * t11_6 + R10_22 * t11_7 - R11_32 * t11_8;
+  const T minus_B31_1_21 = t11_16 + minus_P_omega1_11_21;
+  const T minus_B31_1_22 = R11_12 * t11_10 - R10_22 * t11_11 - R11_32 * t11_12 + minus_P_omega1_11_22;
+  const T minus_B31_1_23 = R11_12 * t11_13 + R10_22 * t11_14 + R11_32 * t11_15 - P_omega1_11_23;
+  const T t11_17 = R11_13 * t11_6 + R10_23 * t11_7 - R11_33 * t11_8;
+  const T minus_B31_1_31 = t11_17 + minus_P_omega1_11_31;
+  const T minus_B31_1_32 = R11_13 * t11_10 - R10_23 * t11_11 - R11_33 * t11_12 + minus_P_omega1_11_32;
+  const T minus_B31_1_33 = R11_13 * t11_13 + R10_23 * t11_14 + R11_33 * t11_15 - P_omega1_11_33;
+  v_y[540] = -minus_B31_1_11;
+  v_y[541] = -minus_B31_1_12;
+  v_y[542] = -minus_B31_1_13;
+  v_y[558] = -minus_B31_1_21;
+  v_y[559] = -minus_B31_1_22;
+  v_y[560] = -minus_B31_1_23;
+  v_y[576] = -minus_B31_1_31;
+  v_y[577] = -minus_B31_1_32;
+  v_y[578] = -minus_B31_1_33;
+  // B32_10 = -R11^T r11~ omega_thetadot10_11 + P_thetadot10_11
+  const T minus_B32_10_1 = t11_9 + t11_1;
+  const T minus_B32_10_2 = t11_16 + t11_4;
+  const T minus_B32_10_3 = t11_17 + t11_5;
+  v_y[549] = -minus_B32_10_1;
+  v_y[567] = -minus_B32_10_2;
+  v_y[585] = -minus_B32_10_3;
+  // B33_11 = -R11^T r11~ b11
+  const T minus_B33_11_1 = R11_11 * T(0.027326) - R11_31 * T(0.003237);
+  const T minus_B33_11_2 = R11_12 * T(0.027326) - R11_32 * T(0.003237);
+  const T minus_B33_11_3 = R11_13 * T(0.027326) - R11_33 * T(0.003237);
+  v_y[550] = -minus_B33_11_1;
+  v_y[568] = -minus_B33_11_2;
+  v_y[586] = -minus_B33_11_3;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega_omega1_12 = E12 omega_omega1_11: partial angular velocity, body axes
+  const T omega_omega1_12_11 = E12_11 * E11_11 - minus_E12_13 * minus_E11_13;
+  const T omega_omega1_12_12 = E12_11 * omega_omega1_11_12 + minus_E12_13 * minus_omega_omega1_11_32;
+  const T minus_omega_omega1_12_13 = E12_11 * minus_omega_omega1_11_13 + minus_E12_13 * omega_omega1_11_33;
+  const T omega_omega1_12_31 = minus_E12_13 * E11_11 + E12_11 * minus_E11_13;
+  const T omega_omega1_12_32 = minus_E12_13 * omega_omega1_11_12 - E12_11 * minus_omega_omega1_11_32;
+  const T omega_omega1_12_33 = E12_11 * omega_omega1_11_33 - minus_E12_13 * minus_omega_omega1_11_13;
+  // P_omega1_12 = -R11^T q12~ omega_omega1_11 + P_omega1_11: partial velocity of the body origin, inertial axes
+  const T t12_1 = T(0.2) * E11_11;
+  const T t12_2 = R10_21 * t12_1;
+  const T minus_P_omega1_12_11 = minus_P_omega1_11_11 - t12_2;
+  const T t12_3 = T(0.2) * E10_22;
+  const T t12_4 = T(0.2) * omega_omega1_11_12;
+  const T minus_P_omega1_12_12 = R11_11 * t12_3 - R10_21 * t12_4 + minus_P_omega1_11_12;
+  const T t12_5 = T(0.2) * E10_23;
+  const T t12_6 = T(0.2) * minus_omega_omega1_11_13;
+  const T minus_P_omega1_12_13 = R11_11 * t12_5 + R10_21 * t12_6 - P_omega1_11_13;
+  const T t12_7 = R10_22 * t12_1;
+  const T minus_P_omega1_12_21 = minus_P_omega1_11_21 - t12_7;
+  const T minus_P_omega1_12_22 = R11_12 * t12_3 - R10_22 * t12_4 + minus_P_omega1_11_22;
+  const T minus_P_omega1_12_23 = R11_12 * t12_5 + R10_22 * t12_6 - P_omega1_11_23;
+  const T t12_8 = R10_23 * t12_1;
+  const T minus_P_omega1_12_31 = minus_P_omega1_11_31 - t12_8;
+  const T minus_P_omega1_12_32 = R11_13 * t12_3 - R10_23 * t12_4 + minus_P_omega1_11_32;
+  const T minus_P_omega1_12_33 = R11_13 * t12_5 + R10_23 * t12_6 - P_omega1_11_33;
+  // P_thetadot10_12 = -R11^T q12~ omega_thetadot10_11 + P_thetadot10_11: partial velocity of the body origin,
+  //   inertial axes
+  const T minus_P_thetadot10_12_1 = t11_1 - t12_2;
+  const T minus_P_thetadot10_12_2 = t11_4 - t12_7;
+  const T minus_P_thetadot10_12_3 = t11_5 - t12_8;
+  // P_thetadot11_12 = -R11^T q12~ b11: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot11_12_1 = R11_11 * T(0.2);
+  const T minus_P_thetadot11_12_2 = R11_12 * T(0.2);
+  const T minus_P_thetadot11_12_3 = R11_13 * T(0.2);
+  // B34_1 = -R12^T r12~ omega_omega1_12 + P_omega1_12
+  const T t12_9 = T(0.107388) * omega_omega1_12_11 + T(0.006435) * omega_omega1_12_31;
+  const T t12_10 = R10_21 * t12_9;
+  const T minus_B34_1_11 = minus_P_omega1_12_11 - t12_10;
+  const T t12_11 = T(0.107388) * E10_22;
+  const T t12_12 = T(0.107388) * omega_omega1_12_12 + T(0.006435) * omega_omega1_12_32;
+  const T t12_13 = T(0.006435) * E10_22;
+  const T minus_B34_1_12 = R12_11 * t12_11 - R10_21 * t12_12 + R12_31 * t12_13 + minus_P_omega1_12_12;
+  const T t12_14 = T(0.107388) * E10_23;
+  const T t12_15 = T(0.107388) * minus_omega_omega1_12_13 - T(0.006435) * omega_omega1_12_33;
+  const T t12_16 = T(0.006435) * E10_23;
+  const T minus_B34_1_13 = R12_11 * t12_14 + R10_21 * t12_15 + R12_31 * t12_16 + minus_P_omega1_12_13;
+  const T t12_17 = R10_22 * t12_9;
+  const T minus_B34_1_21 = minus_P_omega1_12_21 - t12_17;
+  const T minus_B34_1_22 = R12_12 * t12_11 - R10_22 * t12_12 + R12_32 * t12_13 + minus_P_omega1_12_22;
+  const T minus_B34_1_23 = R12_12 * t12_14 + R10_22 * t12_15 + R12_32 * t12_16 + minus_P_omega1_12_23;
+  const T t12_18 = R10_23 * t12_9;
+  const T minus_B34_1_31 = minus_P_omega1_12_31 - t12_18;
+  const T minus_B34_1_32 = R12_13 * t12_11 - R10_23 * t12_12 + R12_33 * t12_13 + minus_P_omega1_12_32;
+  const T minus_B34_1_33 = R12_13 * t12_14 + R10_23 * t12_15 + R12_33 * t12_16 + minus_P_omega1_12_33;
+  v_y[594] = -minus_B34_1_11;
+  v_y[595] = -minus_B34_1_12;
+  v_y[596] = -minus_B34_1_13;
+  v_y[612] = -minus_B34_1_21;
+  v_y[613] = -minus_B34_1_22;
+  v_y[614] = -minus_B34_1_23;
+  v_y[630] = -minus_B34_1_31;
+  v_y[631] = -minus_B34_1_32;
+  v_y[632] = -minus_B34_1_33;
+  // B35_10 = -R12^T r12~ omega_thetadot10_12 + P_thetadot10_12
+  const T minus_B35_10_1 = minus_P_thetadot10_12_1 - t12_10;
+  const T minus_B35_10_2 = minus_P_thetadot10_12_2 - t12_17;
+  const T minus_B35_10_3 = minus_P_thetadot10_12_3 - t12_18;
+  v_y[603] = -minus_B35_10_1;
+  v_y[621] = -minus_B35_10_2;
+  v_y[639] = -minus_B35_10_3;
+  // B36_11 = -R12^T r12~ omega_thetadot11_12 + P_thetadot11_12
+  const T t12_19 = R12_11 * T(0.107388) + R12_31 * T(0.006435);
+  const T minus_B36_11_1 = t12_19 + minus_P_thetadot11_12_1;
+  const T t12_20 = R12_12 * T(0.107388) + R12_32 * T(0.006435);
+  const T minus_B36_11_2 = t12_20 + minus_P_thetadot11_12_2;
+  const T t12_21 = R12_13 * T(0.107388) + R12_33 * T(0.006435);
+  const T minus_B36_11_3 = t12_21 + minus_P_thetadot11_12_3;
+  v_y[604] = -minus_B36_11_1;
+  v_y[622] = -minus_B36_11_2;
+  v_y[640] = -minus_B36_11_3;
+  v_y[605] = -t12_19;
+  v_y[623] = -t12_20;
+  v_y[641] = -t12_21;
+  // B38_1 = -R12^T o13~ omega_omega1_12 + P_omega1_12
+  const T t12_22 = T(0.2) * omega_omega1_12_11;
+  const T t12_23 = R10_21 * t12_22;
+  const T minus_B38_1_11 = minus_P_omega1_12_11 - t12_23;
+  const T t12_24 = T(0.2) * omega_omega1_12_12;
+  const T minus_B38_1_12 = R12_11 * t12_3 - R10_21 * t12_24 + minus_P_omega1_12_12;
+  const T t12_25 = T(0.2) * minus_omega_omega1_12_13;
+  const T minus_B38_1_13 = R12_11 * t12_5 + R10_21 * t12_25 + minus_P_omega1_12_13;
+  const T t12_26 = R10_22 * t12_22;
+  const T minus_B38_1_21 = minus_P_omega1_12_21 - t12_26;
+  const T minus_B38_1_22 = R12_12 * t12_3 - R10_22 * t12_24 + minus_P_omega1_12_22;
+  const T minus_B38_1_23 = R12_12 * t12_5 + R10_22 * t12_25 + minus_P_omega1_12_23;
+  const T t12_27 = R10_23 * t12_22;
+  const T minus_B38_1_31 = minus_P_omega1_12_31 - t12_27;
+  const T minus_B38_1_32 = R12_13 * t12_3 - R10_23 * t12_24 + minus_P_omega1_12_32;
+  const T minus_B38_1_33 = R12_13 * t12_5 + R10_23 * t12_25 + minus_P_omega1_12_33;
+  v_y[648] = -minus_B38_1_11;
+  v_y[649] = -minus_B38_1_12;
+  v_y[650] = -minus_B38_1_13;
+  v_y[666] = -minus_B38_1_21;
+  v_y[667] = -minus_B38_1_22;
+  v_y[668] = -minus_B38_1_23;
+  v_y[684] = -minus_B38_1_31;
+  v_y[685] = -minus_B38_1_32;
+  v_y[686] = -minus_B38_1_33;
+  // B39_10 = -R12^T o13~ omega_thetadot10_12 + P_thetadot10_12
+  const T minus_B39_10_1 = minus_P_thetadot10_12_1 - t12_23;
+  const T minus_B39_10_2 = minus_P_thetadot10_12_2 - t12_26;
+  const T minus_B39_10_3 = minus_P_thetadot10_12_3 - t12_27;
+  v_y[657] = -minus_B39_10_1;
+  v_y[675] = -minus_B39_10_2;
+  v_y[693] = -minus_B39_10_3;
+  // B40_11 = -R12^T o13~ omega_thetadot11_12 + P_thetadot11_12
+  const T t12_28 = R12_11 * T(0.2);
+  const T minus_B40_11_1 = t12_28 + minus_P_thetadot11_12_1;
+  const T t12_29 = R12_12 * T(0.2);
+  const T minus_B40_11_2 = t12_29 + minus_P_thetadot11_12_2;
+  const T t12_30 = R12_13 * T(0.2);
+  const T minus_B40_11_3 = t12_30 + minus_P_thetadot11_12_3;
+  v_y[658] = -minus_B40_11_1;
+  v_y[676] = -minus_B40_11_2;
+  v_y[694] = -minus_B40_11_3;
+  v_y[659] = -t12_28;
+  v_y[677] = -t12_29;
+  v_y[695] = -t12_30;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // B42_1 = -R14^T r14~ E14 + P_omega1_14
+  const T t14_1 = R14_21 * T(3.1e-05) - R14_31 * T(0.000635);
+  const T minus_B42_1_11 = t14_1 - minus_P_omega1_2_11;
+  const T t14_2 = T(0.003311) * E14_23;
+  const T t14_3 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
+  const T t14_4 = T(0.003311) * E14_22;
+  const T minus_B42_1_12 = R14_21 * t14_2 - R1_11 * t14_3 + R14_31 * t14_4 - minus_P_omega1_2_12;
+  const T t14_5 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
+  const T minus_B42_1_13 = R1_11 * t14_5 - R14_21 * t14_4 + R14_31 * t14_2 + P_omega1_2_13;
+  const T t14_6 = R14_22 * T(3.1e-05) - R14_32 * T(0.000635);
+  const T minus_B42_1_21 = t14_6 - minus_P_omega1_2_21;
+  const T minus_B42_1_22 = R14_22 * t14_2 - R1_12 * t14_3 + R14_32 * t14_4 - minus_P_omega1_2_22;
+  const T minus_B42_1_23 = R1_12 * t14_5 - R14_22 * t14_4 + R14_32 * t14_2 + P_omega1_2_23;
+  const T t14_7 = R14_23 * T(3.1e-05) - R14_33 * T(0.000635);
+  const T minus_B42_1_31 = t14_7 - minus_P_omega1_2_31;
+  const T minus_B42_1_32 = R14_23 * t14_2 - R1_13 * t14_3 + R14_33 * t14_4 - minus_P_omega1_2_32;
+  const T minus_B42_1_33 = R1_13 * t14_5 - R14_23 * t14_4 + R14_33 * t14_2 + P_omega1_2_33;
+  v_y[702] = -minus_B42_1_11;
+  v_y[703] = -minus_B42_1_12;
+  v_y[704] = -minus_B42_1_13;
+  v_y[720] = -minus_B42_1_21;
+  v_y[721] = -minus_B42_1_22;
+  v_y[722] = -minus_B42_1_23;
+  v_y[738] = -minus_B42_1_31;
+  v_y[739] = -minus_B42_1_32;
+  v_y[740] = -minus_B42_1_33;
+  v_y[714] = -t14_1;
+  v_y[732] = -t14_6;
+  v_y[750] = -t14_7;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega_omega1_15 = E15 E14: partial angular velocity, body axes
+  const T omega_omega1_15_12 = minus_E15_13 * E14_23;
+  const T minus_omega_omega1_15_13 = minus_E15_13 * E14_22;
+  const T minus_omega_omega1_15_32 = E15_11 * E14_23;
+  const T omega_omega1_15_33 = E15_11 * E14_22;
+  // P_omega1_15 = -R14^T q15~ E14 + P_omega1_14: partial velocity of the body origin, inertial axes
+  const T t15_1 = R14_31 * T(0.0838);
+  const T P_omega1_15_11 = t15_1 + minus_P_omega1_2_11;
+  const T t15_2 = T(0.0838) * E14_23;
+  const T P_omega1_15_12 = R1_11 * t15_2 + minus_P_omega1_2_12;
+  const T t15_3 = T(0.0838) * E14_22;
+  const T minus_P_omega1_15_13 = R1_11 * t15_3 + P_omega1_2_13;
+  const T t15_4 = R14_32 * T(0.0838);
+  const T P_omega1_15_21 = t15_4 + minus_P_omega1_2_21;
+  const T P_omega1_15_22 = R1_12 * t15_2 + minus_P_omega1_2_22;
+  const T minus_P_omega1_15_23 = R1_12 * t15_3 + P_omega1_2_23;
+  const T t15_5 = R14_33 * T(0.0838);
+  const T P_omega1_15_31 = t15_5 + minus_P_omega1_2_31;
+  const T P_omega1_15_32 = R1_13 * t15_2 + minus_P_omega1_2_32;
+  const T minus_P_omega1_15_33 = R1_13 * t15_3 + P_omega1_2_33;
+  // B44_1 = -R15^T r15~ omega_omega1_15 + P_omega1_15
+  const T t15_6 = T(0.003237) * minus_E15_13 - T(0.027326) * E15_11;
+  const T t15_7 = T(0.022327) * minus_E15_13;
+  const T t15_8 = T(0.022327) * E15_11;
+  const T t15_9 = R14_21 * t15_6 - R15_11 * t15_7 + R15_31 * t15_8;
+  const T minus_B44_1_11 = t15_9 - P_omega1_15_11;
+  const T t15_10 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
+  const T t15_11 = T(0.027326) * omega_omega1_15_12 + T(0.003237) * minus_omega_omega1_15_32;
+  const T t15_12 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
+  const T minus_B44_1_12 = R15_11 * t15_10 - R14_21 * t15_11 + R15_31 * t15_12 - P_omega1_15_12;
+  const T t15_13 = T(0.027326) * E14_23 - T(0.022327) * omega_omega1_15_33;
+  const T t15_14 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
+  const T t15_15 = T(0.003237) * E14_23 + T(0.022327) * minus_omega_omega1_15_13;
+  const T minus_B44_1_13 = R15_11 * t15_13 + R14_21 * t15_14 - R15_31 * t15_15 + minus_P_omega1_15_13;
+  const T t15_16 = R14_22 * t15_6 - R15_12 * t15_7 + R15_32 * t15_8;
+  const T minus_B44_1_21 = t15_16 - P_omega1_15_21;
+  const T minus_B44_1_22 = R15_12 * t15_10 - R14_22 * t15_11 + R15_32 * t15_12 - P_omega1_15_22;
+  const T minus_B44_1_23 = R15_12 * t15_13 + R14_22 * t15_14 - R15_32 * t15_15 + minus_P_omega1_15_23;
+  const T t15_17 = R14_23 * t15_6 - R15_13 * t15_7 + R15_33 * t15_8;
+  const T minus_B44_1_31 = t15_17 - P_omega1_15_31;
+  const T minus_B44_1_32 = R15_13 * t15_10 - R14_23 * t15_11 + R15_33 * t15_12 - P_omega1_15_32;
+  const T minus_B44_1_33 = R15_13 * t15_13 + R14_23 * t15_14 - R15_33 * t15_15 + minus_P_omega1_15_33;
+  v_y[756] = -minus_B44_1_11;
+  v_y[757] = -minus_B44_1_12;
+  v_y[758] = -minus_B44_1_13;
+  v_y[774] = -minus_B44_1_21;
+  v_y[775] = -minus_B44_1_22;
+  v_y[776] = -minus_B44_1_23;
+  v_y[792] = -minus_B44_1_31;
+  v_y[793] = -minus_B44_1_32;
+  v_y[794] = -minus_B44_1_33;
+  // B45_14 = -R15^T r15~ omega_thetadot14_15 + P_thetadot14_15
+  const T minus_B45_14_1 = t15_9 - t15_1;
+  const T minus_B45_14_2 = t15_16 - t15_4;
+  const T minus_B45_14_3 = t15_17 - t15_5;
+  v_y[768] = -minus_B45_14_1;
+  v_y[786] = -minus_B45_14_2;
+  v_y[804] = -minus_B45_14_3;
+  // B46_15 = -R15^T r15~ b15
+  const T minus_B46_15_1 = R15_11 * T(0.027326) - R15_31 * T(0.003237);
+  const T minus_B46_15_2 = R15_12 * T(0.027326) - R15_32 * T(0.003237);
+  const T minus_B46_15_3 = R15_13 * T(0.027326) - R15_33 * T(0.003237);
+  v_y[769] = -minus_B46_15_1;
+  v_y[787] = -minus_B46_15_2;
+  v_y[805] = -minus_B46_15_3;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega_omega1_16 = E16 omega_omega1_15: partial angular velocity, body axes
+  const T omega_omega1_16_11 = E16_11 * E15_11 - minus_E16_13 * minus_E15_13;
+  const T omega_omega1_16_12 = E16_11 * omega_omega1_15_12 + minus_E16_13 * minus_omega_omega1_15_32;
+  const T minus_omega_omega1_16_13 = E16_11 * minus_omega_omega1_15_13 + minus_E16_13 * omega_omega1_15_33;
+  const T omega_omega1_16_31 = minus_E16_13 * E15_11 + E16_11 * minus_E15_13;
+  const T omega_omega1_16_32 = minus_E16_13 * omega_omega1_15_12 - E16_11 * minus_omega_omega1_15_32;
+  const T omega_omega1_16_33 = E16_11 * omega_omega1_15_33 - minus_E16_13 * minus_omega_omega1_15_13;
+  // P_omega1_16 = -R15^T q16~ omega_omega1_15 + P_omega1_15: partial velocity of the body origin, inertial axes
+  const T t16_1 = T(0.2) * E15_11;
+  const T t16_2 = R14_21 * t16_1;
+  const T P_omega1_16_11 = t16_2 + P_omega1_15_11;
+  const T t16_3 = T(0.2) * E14_22;
+  const T t16_4 = T(0.2) * omega_omega1_15_12;
+  const T minus_P_omega1_16_12 = R15_11 * t16_3 - R14_21 * t16_4 - P_omega1_15_12;
+  const T t16_5 = T(0.2) * E14_23;
+  const T t16_6 = T(0.2) * minus_omega_omega1_15_13;
+  const T minus_P_omega1_16_13 = R15_11 * t16_5 + R14_21 * t16_6 + minus_P_omega1_15_13;
+  const T t16_7 = R14_22 * t16_1;
+  const T P_omega1_16_21 = t16_7 + P_omega1_15_21;
+  const T minus_P_omega1_16_22 = R15_12 * t16_3 - R14_22 * t16_4 - P_omega1_15_22;
+  const T minus_P_omega1_16_23 = R15_12 * t16_5 + R14_22 * t16_6 + minus_P_omega1_15_23;
+  const T t16_8 = R14_23 * t16_1;
+  const T P_omega1_16_31 = t16_8 + P_omega1_15_31;
+  const T minus_P_omega1_16_32 = R15_13 * t16_3 - R14_23 * t16_4 - P_omega1_15_32;
+  const T minus_P_omega1_16_33 = R15_13 * t16_5 + R14_23 * t16_6 + minus_P_omega1_15_33;
+  // P_thetadot14_16 = -R15^T q16~ omega_thetadot14_15 + P_thetadot14_15: partial velocity of the body origin,
+  //   inertial axes
+  const T P_thetadot14_16_1 = t16_2 + t15_1;
+  const T P_thetadot14_16_2 = t16_7 + t15_4;
+  const T P_thetadot14_16_3 = t16_8 + t15_5;
+  // P_thetadot15_16 = -R15^T q16~ b15: partial velocity of the body origin, inertial axes
+  const T minus_P_thetadot15_16_1 = R15_11 * T(0.2);
+  const T minus_P_thetadot15_16_2 = R15_12 * T(0.2);
+  const T minus_P_thetadot15_16_3 = R15_13 * T(0.2);
+  // B47_1 = -R16^T r16~ omega_omega1_16 + P_omega1_16
+  const T t16_9 = T(0.107388) * omega_omega1_16_11 + T(0.006435) * omega_omega1_16_31;
+  const T t16_10 = R14_21 * t16_9;
+  const T B47_1_11 = t16_10 + P_omega1_16_11;
+  const T t16_11 = T(0.107388) * E14_22;
+  const T t16_12 = T(0.107388) * omega_omega1_16_12 + T(0.006435) * omega_omega1_16_32;
+  const T t16_13 = T(0.006435) * E14_22;
+  const T minus_B47_1_12 = R16_11 * t16_11 - R14_21 * t16_12 + R16_31 * t16_13 + minus_P_omega1_16_12;
+  const T t16_14 = T(0.107388) * E14_23;
+  const T t16_15 = T(0.107388) * minus_omega_omega1_16_13 - T(0.006435) * omega_omega1_16_33;
+  const T t16_16 = T(0.006435) * E14_23;
+  const T minus_B47_1_13 = R16_11 * t16_14 + R14_21 * t16_15 + R16_31 * t16_16 + minus_P_omega1_16_13;
+  const T t16_17 = R14_22 * t16_9;
+  const T B47_1_21 = t16_17 + P_omega1_16_21;
+  const T minus_B47_1_22 = R16_12 * t16_11 - R14_22 * t16_12 + R16_32 * t16_13 + minus_P_omega1_16_22;
+  const T minus_B47_1_23 = R16_12 * t16_14 + R14_22 * t16_15 + R16_32 * t16_16 + minus_P_omega1_16_23;
+  const T t16_18 = R14_23 * t16_9;
+  const T B47_1_31 = t16_18 + P_omega1_16_31;
+  const T minus_B47_1_32 = R16_13 * t16_11 - R14_23 * t16_12 + R16_33 * t16_13 + minus_P_omega1_16_32;
+  const T minus_B47_1_33 = R16_13 * t16_14 + R14_23 * t16_15 + R16_33 * t16_16 + minus_P_omega1_16_33;
+  v_y[810] = B47_1_11;
+  v_y[811] = -minus_B47_1_12;
+  v_y[812] = -minus_B47_1_13;
+  v_y[828] = B47_1_21;
+  v_y[829] = -minus_B47_1_22;
+  v_y[830] = -minus_B47_1_23;
+  v_y[846] = B47_1_31;
+  v_y[847] = -minus_B47_1_32;
+  v_y[848] = -minus_B47_1_33;
+  // B48_14 = -R16^T r16~ omega_thetadot14_16 + P_thetadot14_16
+  const T B48_14_1 = t16_10 + P_thetadot14_16_1;
+  const T B48_14_2 = t16_17 + P_thetadot14_16_2;
+  const T B48_14_3 = t16_18 + P_thetadot14_16_3;
+  v_y[822] = B48_14_1;
+  v_y[840] = B48_14_2;
+  v_y[858] = B48_14_3;
+  // B49_15 = -R16^T r16~ omega_thetadot15_16 + P_thetadot15_16
+  const T t16_19 = R16_11 * T(0.107388) + R16_31 * T(0.006435);
+  const T minus_B49_15_1 = t16_19 + minus_P_thetadot15_16_1;
+  const T t16_20 = R16_12 * T(0.107388) + R16_32 * T(0.006435);
+  const T minus_B49_15_2 = t16_20 + minus_P_thetadot15_16_2;
+  const T t16_21 = R16_13 * T(0.107388) + R16_33 * T(0.006435);
+  const T minus_B49_15_3 = t16_21 + minus_P_thetadot15_16_3;
+  v_y[823] = -minus_B49_15_1;
+  v_y[841] = -minus_B49_15_2;
+  v_y[859] = -minus_B49_15_3;
+  v_y[824] = -t16_19;
+  v_y[842] = -t16_20;
+  v_y[860] = -t16_21;
+  // B51_1 = -R16^T o17~ omega_omega1_16 + P_omega1_16
+  const T t16_22 = T(0.2) * omega_omega1_16_11;
+  const T t16_23 = R14_21 * t16_22;
+  const T B51_1_11 = t16_23 + P_omega1_16_11;
+  const T t16_24 = T(0.2) * omega_omega1_16_12;
+  const T minus_B51_1_12 = R16_11 * t16_3 - R14_21 * t16_24 + minus_P_omega1_16_12;
+  const T t16_25 = T(0.2) * minus_omega_omega1_16_13;
+  const T minus_B51_1_13 = R16_11 * t16_5 + R14_21 * t16_25 + minus_P_omega1_16_13;
+  const T t16_26 = R14_22 * t16_22;
+  const T B51_1_21 = t16_26 + P_omega1_16_21;
+  const T minus_B51_1_22 = R16_12 * t16_3 - R14_22 * t16_24 + minus_P_omega1_16_22;
+  const T minus_B51_1_23 = R16_12 * t16_5 + R14_22 * t16_25 + minus_P_omega1_16_23;
+  const T t16_27 = R14_23 * t16_22;
+  const T B51_1_31 = t16_27 + P_omega1_16_31;
+  const T minus_B51_1_32 = R16_13 * t16_3 - R14_23 * t16_24 + minus_P_omega1_16_32;
+  const T minus_B51_1_33 = R16_13 * t16_5 + R14_23 * t16_25 + minus_P_omega1_16_33;
+  v_y[864] = B51_1_11;
+  v_y[865] = -minus_B51_1_12;
+  v_y[866] = -minus_B51_1_13;
+  v_y[882] = B51_1_21;
+  v_y[883] = -minus_B51_1_22;
+  v_y[884] = -minus_B51_1_23;
+  v_y[900] = B51_1_31;
+  v_y[901] = -minus_B51_1_32;
+  v_y[902] = -minus_B51_1_33;
+  // B52_14 = -R16^T o17~ omega_thetadot14_16 + P_thetadot14_16
+  const T B52_14_1 = t16_23 + P_thetadot14_16_1;
+  const T B52_14_2 = t16_26 + P_thetadot14_16_2;
+  const T B52_14_3 = t16_27 + P_thetadot14_16_3;
+  v_y[876] = B52_14_1;
+  v_y[894] = B52_14_2;
+  v_y[912] = B52_14_3;
+  // B53_15 = -R16^T o17~ omega_thetadot15_16 + P_thetadot15_16
+  const T t16_28 = R16_11 * T(0.2);
+  const T minus_B53_15_1 = t16_28 + minus_P_thetadot15_16_1;
+  const T t16_29 = R16_12 * T(0.2);
+  const T minus_B53_15_2 = t16_29 + minus_P_thetadot15_16_2;
+  const T t16_30 = R16_13 * T(0.2);
+  const T minus_B53_15_3 = t16_30 + minus_P_thetadot15_16_3;
+  v_y[877] = -minus_B53_15_1;
+  v_y[895] = -minus_B53_15_2;
+  v_y[913] = -minus_B53_15_3;
+  v_y[878] = -t16_28;
+  v_y[896] = -t16_29;
+  v_y[914] = -t16_30;
+
+  // ---- results
+  v_y[15] = T(1);
+  v_y[34] = T(1);
+  v_y[53] = T(1);
+  v_y[69] = T(1);
+  v_y[88] = T(1);
+  v_y[107] = T(1);
+  v_y[123] = T(1);
+  v_y[142] = T(1);
+  v_y[161] = T(1);
+  v_y[177] = T(1);
+  v_y[196] = T(1);
+  v_y[215] = T(1);
+  v_y[231] = T(1);
+  v_y[250] = T(1);
+  v_y[269] = T(1);
+  v_y[285] = T(1);
+  v_y[304] = T(1);
+  v_y[323] = T(1);
+  v_y[339] = T(1);
+  v_y[358] = T(1);
+  v_y[377] = T(1);
+  v_y[393] = T(1);
+  v_y[412] = T(1);
+  v_y[431] = T(1);
+  v_y[447] = T(1);
+  v_y[466] = T(1);
+  v_y[485] = T(1);
+  v_y[501] = T(1);
+  v_y[520] = T(1);
+  v_y[539] = T(1);
+  v_y[555] = T(1);
+  v_y[574] = T(1);
+  v_y[593] = T(1);
+  v_y[609] = T(1);
+  v_y[628] = T(1);
+  v_y[647] = T(1);
+  v_y[663] = T(1);
+  v_y[682] = T(1);
+  v_y[701] = T(1);
+  v_y[717] = T(1);
+  v_y[736] = T(1);
+  v_y[755] = T(1);
+  v_y[771] = T(1);
+  v_y[790] = T(1);
+  v_y[809] = T(1);
+  v_y[825] = T(1);
+  v_y[844] = T(1);
+  v_y[863] = T(1);
+  v_y[879] = T(1);
+  v_y[898] = T(1);
+  v_y[917] = T(1);
+}
+
+// partial_velocity_rates: time derivatives of the partial velocities.
+// v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
+// 1521 add, 2166 multiply, 24 sine or cosine
+template <class T>
+void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < 918; ++i) v_y_dot[i] = T(0);
+
+  // ---- body 1 (trunk) on the inertial frame
+  const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
+  const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
+  // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
+  const T t1_1 = T(2) * eps1_2;
+  const T t1_2 = t1_1 * eps1_2;
+  const T t1_3 = T(2) * eps1_3;
+  const T t1_4 = t1_3 * eps1_3;
+  const T R1_11 = T(1) - t1_2 - t1_4;
+  const T t1_5 = T(2) * eps1_1;
+  const T t1_6 = t1_5 * eps1_2;
+  const T t1_7 = t1_3 * eps1_4;
+  const T R1_12 = t1_6 + t1_7;
+  const T t1_8 = t1_5 * eps1_3;
+  const T t1_9 = t1_1 * eps1_4;
+  const T R1_13 = t1_8 - t1_9;
+  const T R1_21 = t1_6 - t1_7;
+  const T t1_10 = T(1) - t1_5 * eps1_1;
+  const T R1_22 = t1_10 - t1_4;
+  const T t1_11 = t1_1 * eps1_3;
+  const T t1_12 = t1_5 * eps1_4;
+  const T R1_23 = t1_11 + t1_12;
+  const T R1_31 = t1_8 + t1_9;
+  const T R1_32 = t1_11 - t1_12;
+  const T R1_33 = t1_10 - t1_2;
+  // B1_1 = -R1^T omega1~ r1~
+  const T t1_13 = R1_31 * omega1_1 - R1_11 * omega1_3;
+  const T t1_14 = R1_11 * omega1_2 - R1_21 * omega1_1;
+  const T B1_1_11 = t1_13 * T(5e-04) + t1_14 * T(0.0041);
+  const T t1_15 = R1_21 * omega1_3 - R1_31 * omega1_2;
+  const T minus_B1_1_12 = t1_15 * T(5e-04);
+  const T minus_B1_1_13 = t1_15 * T(0.0041);
+  const T t1_16 = R1_32 * omega1_1 - R1_12 * omega1_3;
+  const T t1_17 = R1_12 * omega1_2 - R1_22 * omega1_1;
+  const T B1_1_21 = t1_16 * T(5e-04) + t1_17 * T(0.0041);
+  const T t1_18 = R1_22 * omega1_3 - R1_32 * omega1_2;
+  const T minus_B1_1_22 = t1_18 * T(5e-04);
+  const T minus_B1_1_23 = t1_18 * T(0.0041);
+  const T t1_19 = R1_33 * omega1_1 - R1_13 * omega1_3;
+  const T t1_20 = R1_13 * omega1_2 - R1_23 * omega1_1;
+  const T B1_1_31 = t1_19 * T(5e-04) + t1_20 * T(0.0041);
+  const T t1_21 = R1_23 * omega1_3 - R1_33 * omega1_2;
+  const T minus_B1_1_32 = t1_21 * T(5e-04);
+  const T minus_B1_1_33 = t1_21 * T(0.0041);
+  v_y_dot[0] = B1_1_11;
+  v_y_dot[1] = -minus_B1_1_12;
+  v_y_dot[2] = -minus_B1_1_13;
+  v_y_dot[18] = B1_1_21;
+  v_y_dot[19] = -minus_B1_1_22;
+  v_y_dot[20] = -minus_B1_1_23;
+  v_y_dot[36] = B1_1_31;
+  v_y_dot[37] = -minus_B1_1_32;
+  v_y_dot[38] = -minus_B1_1_33;
+
+  // ---- body 2 (fr_hip) on body 1
+  const T theta2 = x[4];
+  const T thetadot2 = y[3];
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
+  const T E2_22 = cos(theta2);
+  const T E2_23 = sin(theta2);
+  // R2^T = R1^T E2^T: R takes inertial components to body components
+  const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
+  const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
+  const T R2_23 = R1_23 * E2_22 + R1_33 * E2_23;
+  const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
+  const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
+  const T R2_33 = R1_33 * E2_22 - R1_23 * E2_23;
+  // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega2_1 = thetadot2 + omega1_1;
+  const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
+  const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
+  // P_dot_omega1_2 = -R1^T omega1~ q2~: its rate
+  const T minus_P_dot_omega1_2_11 = t1_14 * T(0.047);
+  const T minus_P_dot_omega1_2_12 = t1_14 * T(0.1805);
+  const T t2_1 = t1_15 * T(0.047);
+  const T t2_2 = t1_13 * T(0.1805);
+  const T P_dot_omega1_2_13 = t2_1 + t2_2;
+  const T minus_P_dot_omega1_2_21 = t1_17 * T(0.047);
+  const T minus_P_dot_omega1_2_22 = t1_17 * T(0.1805);
+  const T t2_3 = t1_18 * T(0.047);
+  const T t2_4 = t1_16 * T(0.1805);
+  const T P_dot_omega1_2_23 = t2_3 + t2_4;
+  const T minus_P_dot_omega1_2_31 = t1_20 * T(0.047);
+  const T minus_P_dot_omega1_2_32 = t1_20 * T(0.1805);
+  const T t2_5 = t1_21 * T(0.047);
+  const T t2_6 = t1_19 * T(0.1805);
+  const T P_dot_omega1_2_33 = t2_5 + t2_6;
+  // B2_1 = thetadot2 R2^T r2~ b2~ E2 - R2^T omega2~ r2~ E2 + P_dot_omega1_2
+  const T t2_7 = omega2_2 * T(0.000635) - omega2_3 * T(3.1e-05);
+  const T t2_8 = omega2_1 * T(0.000635);
+  const T t2_9 = omega2_1 * T(3.1e-05);
+  const T t2_10 = R1_11 * t2_7 - R2_21 * t2_8 + R2_31 * t2_9;
+  const T minus_B2_1_11 = t2_10 + minus_P_dot_omega1_2_11;
+  const T t2_11 = T(0.003311) * E2_22;
+  const T t2_12 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
+  const T t2_13 = T(0.003311) * E2_23;
+  const T t2_14 = omega2_3 * t2_13 - omega2_2 * t2_11;
+  const T t2_15 = T(0.000635) * E2_23 - T(3.1e-05) * E2_22;
+  const T t2_16 = omega2_1 * t2_11;
+  const T t2_17 = omega2_3 * t2_15 + t2_16;
+  const T t2_18 = omega2_1 * t2_13;
+  const T t2_19 = t2_18 + omega2_2 * t2_15;
+  const T B2_1_12 = thetadot2 * (R2_21 * t2_11 - R1_11 * t2_12 - R2_31 * t2_13) - R1_11 * t2_14 - R2_21 * t2_17 +
+      R2_31 * t2_19 - minus_P_dot_omega1_2_12;
+  const T t2_20 = t2_18 - omega2_3 * t2_12;
+  const T t2_21 = omega2_3 * t2_11 + omega2_2 * t2_13;
+  const T t2_22 = t2_16 + omega2_2 * t2_12;
+  const T B2_1_13 = P_dot_omega1_2_13 - thetadot2 * (R1_11 * t2_15 - R2_21 * t2_13 - R2_31 * t2_11) - R2_21 * t2_20 +
+      R1_11 * t2_21 - R2_31 * t2_22;
+  const T t2_23 = R1_12 * t2_7 - R2_22 * t2_8 + R2_32 * t2_9;
+  const T minus_B2_1_21 = t2_23 + minus_P_dot_omega1_2_21;
+  const T B2_1_22 = thetadot2 * (R2_22 * t2_11 - R1_12 * t2_12 - R2_32 * t2_13) - R1_12 * t2_14 - R2_22 * t2_17 +
+      R2_32 * t2_19 - minus_P_dot_omega1_2_22;
+  const T B2_1_23 = P_dot_omega1_2_23 - thetadot2 * (R1_12 * t2_15 - R2_22 * t2_13 - R2_32 * t2_11) - R2_22 * t2_20 +
+      R1_12 * t2_21 - R2_32 * t2_22;
+  const T t2_24 = R1_13 * t2_7 - R2_23 * t2_8 + R2_33 * t2_9;
+  const T minus_B2_1_31 = t2_24 + minus_P_dot_omega1_2_31;
+  const T B2_1_32 = thetadot2 * (R2_23 * t2_11 - R1_13 * t2_12 - R2_33 * t2_13) - R1_13 * t2_14 - R2_23 * t2_17 +
+      R2_33 * t2_19 - minus_P_dot_omega1_2_32;
+  const T B2_1_33 = P_dot_omega1_2_33 - thetadot2 * (R1_13 * t2_15 - R2_23 * t2_13 - R2_33 * t2_11) - R2_23 * t2_20 +
+      R1_13 * t2_21 - R2_33 * t2_22;
+  v_y_dot[54] = -minus_B2_1_11;
+  v_y_dot[55] = B2_1_12;
+  v_y_dot[56] = B2_1_13;
+  v_y_dot[72] = -minus_B2_1_21;
+  v_y_dot[73] = B2_1_22;
+  v_y_dot[74] = B2_1_23;
+  v_y_dot[90] = -minus_B2_1_31;
+  v_y_dot[91] = B2_1_32;
+  v_y_dot[92] = B2_1_33;
+  v_y_dot[57] = -t2_10;
+  v_y_dot[75] = -t2_23;
+  v_y_dot[93] = -t2_24;
+
+  // ---- body 3 (fr_thigh) on body 2
+  const T theta3 = x[5];
+  const T thetadot3 = y[4];
+  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T E3_11 = cos(theta3);
+  const T minus_E3_13 = sin(theta3);
+  // R3^T = R2^T E3^T: R takes inertial components to body components
+  const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
+  const T R3_13 = R1_13 * E3_11 - R2_33 * minus_E3_13;
+  const T R3_31 = R1_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R1_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = R1_13 * minus_E3_13 + R2_33 * E3_11;
+  // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
+  const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + omega2_2;
+  const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
+  // omega_omega1_3 = E3 E2: partial angular velocity, body axes
+  const T omega_omega1_3_12 = minus_E3_13 * E2_23;
+  const T minus_omega_omega1_3_13 = minus_E3_13 * E2_22;
+  const T minus_omega_omega1_3_32 = E3_11 * E2_23;
+  const T omega_omega1_3_33 = E3_11 * E2_22;
+  // omega_dot_omega1_3 = -(thetadot2 E3 b2~ + thetadot3 b3~ E3) E2: its rate
+  const T minus_omega_dot_omega1_3_11 = thetadot3 * minus_E3_13;
+  const T t3_1 = thetadot2 * minus_E3_13;
+  const T t3_2 = thetadot3 * E3_11;
+  const T omega_dot_omega1_3_12 = t3_1 * E2_22 + t3_2 * E2_23;
+  const T minus_omega_dot_omega1_3_13 = t3_2 * E2_22 - t3_1 * E2_23;
+  const T minus_omega_dot_omega1_3_22 = thetadot2 * E2_23;
+  const T omega_dot_omega1_3_23 = thetadot2 * E2_22;
+  const T t3_3 = thetadot2 * E3_11;
+  const T minus_omega_dot_omega1_3_32 = t3_3 * E2_22 - minus_omega_dot_omega1_3_11 * E2_23;
+  const T minus_omega_dot_omega1_3_33 = t3_3 * E2_23 + minus_omega_dot_omega1_3_11 * E2_22;
+  // P_dot_omega1_3 = R2^T (thetadot2 q3~ b2~ - omega2~ q3~) E2 + P_dot_omega1_2: its rate
+  const T t3_4 = omega2_1 * T(0.0838);
+  const T t3_5 = omega2_2 * T(0.0838);
+  const T t3_6 = R2_21 * t3_4 - R1_11 * t3_5;
+  const T P_dot_omega1_3_11 = t3_6 - minus_P_dot_omega1_2_11;
+  const T t3_7 = t3_5 * E2_23;
+  const T t3_8 = thetadot2 * T(0.0838);
+  const T t3_9 = t3_8 * E2_22;
+  const T t3_10 = omega2_3 * T(0.0838);
+  const T t3_11 = t3_10 * E2_23;
+  const T P_dot_omega1_3_12 = R2_31 * t3_7 - R1_11 * t3_9 - R2_21 * t3_11 - minus_P_dot_omega1_2_12;
+  const T t3_12 = t3_10 * E2_22;
+  const T t3_13 = t3_8 * E2_23;
+  const T t3_14 = t3_5 * E2_22;
+  const T P_dot_omega1_3_13 = R2_21 * t3_12 - R1_11 * t3_13 - R2_31 * t3_14 + P_dot_omega1_2_13;
+  const T t3_15 = R2_22 * t3_4 - R1_12 * t3_5;
+  const T P_dot_omega1_3_21 = t3_15 - minus_P_dot_omega1_2_21;
+  const T P_dot_omega1_3_22 = R2_32 * t3_7 - R1_12 * t3_9 - R2_22 * t3_11 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_3_23 = R2_22 * t3_12 - R1_12 * t3_13 - R2_32 * t3_14 + P_dot_omega1_2_23;
+  const T t3_16 = R2_23 * t3_4 - R1_13 * t3_5;
+  const T P_dot_omega1_3_31 = t3_16 - minus_P_dot_omega1_2_31;
+  const T P_dot_omega1_3_32 = R2_33 * t3_7 - R1_13 * t3_9 - R2_23 * t3_11 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_3_33 = R2_23 * t3_12 - R1_13 * t3_13 - R2_33 * t3_14 + P_dot_omega1_2_33;
+  // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
+  const T t3_17 = T(0.022327) * minus_E3_13;
+  const T t3_18 = T(0.022327) * E3_11;
+  const T t3_19 = omega3_3 * t3_17 + omega3_1 * t3_18;
+  const T t3_20 = T(0.003237) * minus_E3_13 - T(0.027326) * E3_11;
+  const T t3_21 = omega3_3 * t3_20 + omega3_2 * t3_18;
+  const T t3_22 = omega3_1 * t3_20 - omega3_2 * t3_17;
+  const T t3_23 = T(0.022327) * t3_2;
+  const T t3_24 = T(0.003237) * t3_2 + T(0.027326) * minus_omega_dot_omega1_3_11;
+  const T t3_25 = T(0.022327) * minus_omega_dot_omega1_3_11;
+  const T t3_26 = R2_21 * t3_19 - R3_11 * t3_21 + R3_31 * t3_22 + R3_11 * t3_23 + R2_21 * t3_24 + R3_31 * t3_25;
+  const T B4_1_11 = P_dot_omega1_3_11 - t3_26;
+  const T t3_27 = T(0.027326) * omega_omega1_3_12 + T(0.003237) * minus_omega_omega1_3_32;
+  const T t3_28 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
+  const T t3_29 = omega3_3 * t3_27 - omega3_2 * t3_28;
+  const T t3_30 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
+  const T t3_31 = omega3_3 * t3_30 + omega3_1 * t3_28;
+  const T t3_32 = omega3_1 * t3_27 + omega3_2 * t3_30;
+  const T t3_33 = T(0.003237) * minus_omega_dot_omega1_3_22 - T(0.022327) * omega_dot_omega1_3_12;
+  const T t3_34 = T(0.027326) * minus_omega_dot_omega1_3_22 + T(0.022327) * minus_omega_dot_omega1_3_32;
+  const T t3_35 = T(0.003237) * minus_omega_dot_omega1_3_32 + T(0.027326) * omega_dot_omega1_3_12;
+  const T B4_1_12 = P_dot_omega1_3_12 - R3_11 * t3_29 - R2_21 * t3_31 + R3_31 * t3_32 - R3_31 * t3_33 + R3_11 * t3_34
+      + R2_21 * t3_35;
+  const T t3_36 = T(0.022327) * minus_omega_omega1_3_13 - T(0.003237) * E2_23;
+  const T t3_37 = T(0.027326) * minus_omega_omega1_3_13 + T(0.003237) * omega_omega1_3_33;
+  const T t3_38 = omega3_2 * t3_36 - omega3_3 * t3_37;
+  const T t3_39 = T(0.027326) * E2_23 + T(0.022327) * omega_omega1_3_33;
+  const T t3_40 = omega3_3 * t3_39 - omega3_1 * t3_36;
+  const T t3_41 = omega3_1 * t3_37 - omega3_2 * t3_39;
+  const T t3_42 = T(0.027326) * omega_dot_omega1_3_23 - T(0.022327) * minus_omega_dot_omega1_3_33;
+  const T t3_43 = T(0.027326) * minus_omega_dot_omega1_3_13 - T(0.003237) * minus_omega_dot_omega1_3_33;
+  const T t3_44 = T(0.022327) * minus_omega_dot_omega1_3_13 - T(0.003237) * omega_dot_omega1_3_23;
+  const T B4_1_13 = P_dot_omega1_3_13 - R3_11 * t3_38 - R2_21 * t3_40 - R3_31 * t3_41 - R3_11 * t3_42 - R2_21 * t3_43
+      - R3_31 * t3_44;
+  const T t3_45 = R2_22 * t3_19 - R3_12 * t3_21 + R3_32 * t3_22 + R3_12 * t3_23 + R2_22 * t3_24 + R3_32 * t3_25;
+  const T B4_1_21 = P_dot_omega1_3_21 - t3_45;
+  const T B4_1_22 = P_dot_omega1_3_22 - R3_12 * t3_29 - R2_22 * t3_31 + R3_32 * t3_32 - R3_32 * t3_33 + R3_12 * t3_34
+      + R2_22 * t3_35;
+  const T B4_1_23 = P_dot_omega1_3_23 - R3_12 * t3_38 - R2_22 * t3_40 - R3_32 * t3_41 - R3_12 * t3_42 - R2_22 * t3_43
+      - R3_32 * t3_44;
+  const T t3_46 = R2_23 * t3_19 - R3_13 * t3_21 + R3_33 * t3_22 + R3_13 * t3_23 + R2_23 * t3_24 + R3_33 * t3_25;
+  const T B4_1_31 = P_dot_omega1_3_31 - t3_46;
+  const T B4_1_32 = P_dot_omega1_3_32 - R3_13 * t3_29 - R2_23 * t3_31 + R3_33 * t3_32 - R3_33 * t3_33 + R3_13 * t3_34
+      + R2_23 * t3_35;
+  const T B4_1_33 = P_dot_omega1_3_33 - R3_13 * t3_38 - R2_23 * t3_40 - R3_33 * t3_41 - R3_13 * t3_42 - R2_23 * t3_43
+      - R3_33 * t3_44;
+  v_y_dot[108] = B4_1_11;
+  v_y_dot[109] = B4_1_12;
+  v_y_dot[110] = B4_1_13;
+  v_y_dot[126] = B4_1_21;
+  v_y_dot[127] = B4_1_22;
+  v_y_dot[128] = B4_1_23;
+  v_y_dot[144] = B4_1_31;
+  v_y_dot[145] = B4_1_32;
+  v_y_dot[146] = B4_1_33;
+  // B5_2 = -R3^T omega3~ r3~ omega_thetadot2_3 - R3^T r3~ omega_dot_thetadot2_3 + P_dot_thetadot2_3
+  const T minus_B5_2_1 = t3_26 - t3_6;
+  const T minus_B5_2_2 = t3_45 - t3_15;
+  const T minus_B5_2_3 = t3_46 - t3_16;
+  v_y_dot[111] = -minus_B5_2_1;
+  v_y_dot[129] = -minus_B5_2_2;
+  v_y_dot[147] = -minus_B5_2_3;
+  // B6_3 = -R3^T omega3~ r3~ b3
+  const T t3_47 = omega3_3 * T(0.027326) + omega3_1 * T(0.003237);
+  const T t3_48 = omega3_2 * T(0.003237);
+  const T t3_49 = omega3_2 * T(0.027326);
+  const T minus_B6_3_1 = R2_21 * t3_47 - R3_11 * t3_48 - R3_31 * t3_49;
+  const T minus_B6_3_2 = R2_22 * t3_47 - R3_12 * t3_48 - R3_32 * t3_49;
+  const T minus_B6_3_3 = R2_23 * t3_47 - R3_13 * t3_48 - R3_33 * t3_49;
+  v_y_dot[112] = -minus_B6_3_1;
+  v_y_dot[130] = -minus_B6_3_2;
+  v_y_dot[148] = -minus_B6_3_3;
+
+  // ---- body 4 (fr_calf) on body 3
+  const T theta4 = x[6];
+  const T thetadot4 = y[5];
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T E4_11 = cos(theta4);
+  const T minus_E4_13 = sin(theta4);
+  // R4^T = R3^T E4^T: R takes inertial components to body components
+  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
+  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
+  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
+  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T omega4_2 = thetadot4 + omega3_2;
+  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  // omega_omega1_4 = E4 omega_omega1_3: partial angular velocity, body axes
+  const T omega_omega1_4_11 = E4_11 * E3_11 - minus_E4_13 * minus_E3_13;
+  const T omega_omega1_4_12 = E4_11 * omega_omega1_3_12 + minus_E4_13 * minus_omega_omega1_3_32;
+  const T minus_omega_omega1_4_13 = E4_11 * minus_omega_omega1_3_13 + minus_E4_13 * omega_omega1_3_33;
+  const T omega_omega1_4_31 = minus_E4_13 * E3_11 + E4_11 * minus_E3_13;
+  const T omega_omega1_4_32 = minus_E4_13 * omega_omega1_3_12 - E4_11 * minus_omega_omega1_3_32;
+  const T omega_omega1_4_33 = E4_11 * omega_omega1_3_33 - minus_E4_13 * minus_omega_omega1_3_13;
+  // omega_dot_omega1_4 = -thetadot4 b4~ E4 omega_omega1_3 + E4 omega_dot_omega1_3: its rate
+  const T minus_omega_dot_omega1_4_11 = thetadot4 * omega_omega1_4_31 + E4_11 * minus_omega_dot_omega1_3_11 +
+      minus_E4_13 * t3_2;
+  const T omega_dot_omega1_4_12 = E4_11 * omega_dot_omega1_3_12 + minus_E4_13 * minus_omega_dot_omega1_3_32 -
+      thetadot4 * omega_omega1_4_32;
+  const T minus_omega_dot_omega1_4_13 = thetadot4 * omega_omega1_4_33 + E4_11 * minus_omega_dot_omega1_3_13 -
+      minus_E4_13 * minus_omega_dot_omega1_3_33;
+  const T omega_dot_omega1_4_31 = thetadot4 * omega_omega1_4_11 - minus_E4_13 * minus_omega_dot_omega1_3_11 + E4_11 *
+      t3_2;
+  const T omega_dot_omega1_4_32 = thetadot4 * omega_omega1_4_12 - E4_11 * minus_omega_dot_omega1_3_32 + minus_E4_13 *
+      omega_dot_omega1_3_12;
+  const T minus_omega_dot_omega1_4_33 = thetadot4 * minus_omega_omega1_4_13 + minus_E4_13 *
+      minus_omega_dot_omega1_3_13 + E4_11 * minus_omega_dot_omega1_3_33;
+  // P_dot_omega1_4 = R3^T (-omega3~ q4~ omega_omega1_3 - q4~ omega_dot_omega1_3) + P_dot_omega1_3: its rate
+  const T t4_1 = T(0.2) * E3_11;
+  const T t4_2 = omega3_3 * t4_1;
+  const T t4_3 = T(0.2) * minus_omega_dot_omega1_3_11;
+  const T t4_4 = omega3_1 * t4_1;
+  const T t4_5 = R3_11 * t4_2 + R2_21 * t4_3 - R3_31 * t4_4;
+  const T P_dot_omega1_4_11 = P_dot_omega1_3_11 - t4_5;
+  const T t4_6 = T(0.2) * omega_omega1_3_12;
+  const T t4_7 = T(0.2) * minus_omega_dot_omega1_3_22;
+  const T t4_8 = omega3_3 * t4_6 - t4_7;
+  const T t4_9 = T(0.2) * E2_22;
+  const T t4_10 = omega3_3 * t4_9 - T(0.2) * omega_dot_omega1_3_12;
+  const T t4_11 = omega3_1 * t4_6 + omega3_2 * t4_9;
+  const T P_dot_omega1_4_12 = P_dot_omega1_3_12 - R3_11 * t4_8 - R2_21 * t4_10 + R3_31 * t4_11;
+  const T t4_12 = T(0.2) * omega_dot_omega1_3_23;
+  const T t4_13 = T(0.2) * minus_omega_omega1_3_13;
+  const T t4_14 = t4_12 - omega3_3 * t4_13;
+  const T t4_15 = T(0.2) * E2_23;
+  const T t4_16 = omega3_3 * t4_15 + T(0.2) * minus_omega_dot_omega1_3_13;
+  const T t4_17 = omega3_1 * t4_13 - omega3_2 * t4_15;
+  const T P_dot_omega1_4_13 = P_dot_omega1_3_13 - R3_11 * t4_14 - R2_21 * t4_16 - R3_31 * t4_17;
+  const T t4_18 = R3_12 * t4_2 + R2_22 * t4_3 - R3_32 * t4_4;
+  const T P_dot_omega1_4_21 = P_dot_omega1_3_21 - t4_18;
+  const T P_dot_omega1_4_22 = P_dot_omega1_3_22 - R3_12 * t4_8 - R2_22 * t4_10 + R3_32 * t4_11;
+  const T P_dot_omega1_4_23 = P_dot_omega1_3_23 - R3_12 * t4_14 - R2_22 * t4_16 - R3_32 * t4_17;
+  const T t4_19 = R3_13 * t4_2 + R2_23 * t4_3 - R3_33 * t4_4;
+  const T P_dot_omega1_4_31 = P_dot_omega1_3_31 - t4_19;
+  const T P_dot_omega1_4_32 = P_dot_omega1_3_32 - R3_13 * t4_8 - R2_23 * t4_10 + R3_33 * t4_11;
+  const T P_dot_omega1_4_33 = P_dot_omega1_3_33 - R3_13 * t4_14 - R2_23 * t4_16 - R3_33 * t4_17;
+  // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
+  //   rate
+  const T minus_P_dot_thetadot2_4_1 = t4_5 - t3_6;
+  const T minus_P_dot_thetadot2_4_2 = t4_18 - t3_15;
+  const T minus_P_dot_thetadot2_4_3 = t4_19 - t3_16;
+  // P_dot_thetadot3_4 = -R3^T omega3~ q4~ b3: its rate
+  const T t4_20 = omega3_3 * T(0.2);
+  const T t4_21 = omega3_2 * T(0.2);
+  const T minus_P_dot_thetadot3_4_1 = R2_21 * t4_20 - R3_31 * t4_21;
+  const T minus_P_dot_thetadot3_4_2 = R2_22 * t4_20 - R3_32 * t4_21;
+  const T minus_P_dot_thetadot3_4_3 = R2_23 * t4_20 - R3_33 * t4_21;
+  // B7_1 = -R4^T omega4~ r4~ omega_omega1_4 - R4^T r4~ omega_dot_omega1_4 + P_dot_omega1_4
+  const T t4_22 = T(0.107388) * omega_omega1_4_11 + T(0.006435) * omega_omega1_4_31;
+  const T t4_23 = omega4_3 * t4_22;
+  const T t4_24 = omega4_1 * t4_22;
+  const T t4_25 = T(0.107388) * minus_omega_dot_omega1_4_11 - T(0.006435) * omega_dot_omega1_4_31;
+  const T t4_26 = R4_11 * t4_23 - R4_31 * t4_24 + R2_21 * t4_25;
+  const T B7_1_11 = P_dot_omega1_4_11 - t4_26;
+  const T t4_27 = T(0.107388) * omega_omega1_4_12 + T(0.006435) * omega_omega1_4_32;
+  const T t4_28 = T(0.006435) * E2_22;
+  const T t4_29 = omega4_3 * t4_27 + omega4_2 * t4_28;
+  const T t4_30 = T(0.107388) * E2_22;
+  const T t4_31 = omega4_3 * t4_30 - omega4_1 * t4_28;
+  const T t4_32 = omega4_1 * t4_27 + omega4_2 * t4_30;
+  const T t4_33 = T(0.107388) * minus_omega_dot_omega1_3_22;
+  const T t4_34 = T(0.107388) * omega_dot_omega1_4_12 + T(0.006435) * omega_dot_omega1_4_32;
+  const T t4_35 = T(0.006435) * minus_omega_dot_omega1_3_22;
+  const T B7_1_12 = P_dot_omega1_4_12 - R4_11 * t4_29 - R2_21 * t4_31 + R4_31 * t4_32 + R4_11 * t4_33 + R2_21 * t4_34
+      + R4_31 * t4_35;
+  const T t4_36 = T(0.006435) * E2_23;
+  const T t4_37 = T(0.107388) * minus_omega_omega1_4_13 - T(0.006435) * omega_omega1_4_33;
+  const T t4_38 = omega4_2 * t4_36 - omega4_3 * t4_37;
+  const T t4_39 = T(0.107388) * E2_23;
+  const T t4_40 = omega4_3 * t4_39 - omega4_1 * t4_36;
+  const T t4_41 = omega4_1 * t4_37 - omega4_2 * t4_39;
+  const T t4_42 = T(0.107388) * omega_dot_omega1_3_23;
+  const T t4_43 = T(0.107388) * minus_omega_dot_omega1_4_13 + T(0.006435) * minus_omega_dot_omega1_4_33;
+  const T t4_44 = T(0.006435) * omega_dot_omega1_3_23;
+  const T B7_1_13 = P_dot_omega1_4_13 - R4_11 * t4_38 - R2_21 * t4_40 - R4_31 * t4_41 - R4_11 * t4_42 - R2_21 * t4_43
+      - R4_31 * t4_44;
+  const T t4_45 = R4_12 * t4_23 - R4_32 * t4_24 + R2_22 * t4_25;
+  const T B7_1_21 = P_dot_omega1_4_21 - t4_45;
+  const T B7_1_22 = P_dot_omega1_4_22 - R4_12 * t4_29 - R2_22 * t4_31 + R4_32 * t4_32 + R4_12 * t4_33 + R2_22 * t4_34
+      + R4_32 * t4_35;
+  const T B7_1_23 = P_dot_omega1_4_23 - R4_12 * t4_38 - R2_22 * t4_40 - R4_32 * t4_41 - R4_12 * t4_42 - R2_22 * t4_43
+      - R4_32 * t4_44;
+  const T t4_46 = R4_13 * t4_23 - R4_33 * t4_24 + R2_23 * t4_25;
+  const T B7_1_31 = P_dot_omega1_4_31 - t4_46;
+  const T B7_1_32 = P_dot_omega1_4_32 - R4_13 * t4_29 - R2_23 * t4_31 + R4_33 * t4_32 + R4_13 * t4_33 + R2_23 * t4_34
+      + R4_33 * t4_35;
+  const T B7_1_33 = P_dot_omega1_4_33 - R4_13 * t4_38 - R2_23 * t4_40 - R4_33 * t4_41 - R4_13 * t4_42 - R2_23 * t4_43
+      - R4_33 * t4_44;
+  v_y_dot[162] = B7_1_11;
+  v_y_dot[163] = B7_1_12;
+  v_y_dot[164] = B7_1_13;
+  v_y_dot[180] = B7_1_21;
+  v_y_dot[181] = B7_1_22;
+  v_y_dot[182] = B7_1_23;
+  v_y_dot[198] = B7_1_31;
+  v_y_dot[199] = B7_1_32;
+  v_y_dot[200] = B7_1_33;
+  // B8_2 = -R4^T omega4~ r4~ omega_thetadot2_4 - R4^T r4~ omega_dot_thetadot2_4 + P_dot_thetadot2_4
+  const T minus_B8_2_1 = t4_26 + minus_P_dot_thetadot2_4_1;
+  const T minus_B8_2_2 = t4_45 + minus_P_dot_thetadot2_4_2;
+  const T minus_B8_2_3 = t4_46 + minus_P_dot_thetadot2_4_3;
+  v_y_dot[165] = -minus_B8_2_1;
+  v_y_dot[183] = -minus_B8_2_2;
+  v_y_dot[201] = -minus_B8_2_3;
+  // B9_3 = -R4^T omega4~ r4~ omega_thetadot3_4 - R4^T r4~ omega_dot_thetadot3_4 + P_dot_thetadot3_4
+  const T t4_47 = omega4_2 * T(0.006435);
+  const T t4_48 = omega4_3 * T(0.107388) - omega4_1 * T(0.006435);
+  const T t4_49 = omega4_2 * T(0.107388);
+  const T t4_50 = R4_11 * t4_47 + R2_21 * t4_48 - R4_31 * t4_49;
+  const T minus_B9_3_1 = t4_50 + minus_P_dot_thetadot3_4_1;
+  const T t4_51 = R4_12 * t4_47 + R2_22 * t4_48 - R4_32 * t4_49;
+  const T minus_B9_3_2 = t4_51 + minus_P_dot_thetadot3_4_2;
+  const T t4_52 = R4_13 * t4_47 + R2_23 * t4_48 - R4_33 * t4_49;
+  const T minus_B9_3_3 = t4_52 + minus_P_dot_thetadot3_4_3;
+  v_y_dot[166] = -minus_B9_3_1;
+  v_y_dot[184] = -minus_B9_3_2;
+  v_y_dot[202] = -minus_B9_3_3;
+  v_y_dot[167] = -t4_50;
+  v_y_dot[185] = -t4_51;
+  v_y_dot[203] = -t4_52;
+  // B11_1 = -R4^T omega4~ o5~ omega_omega1_4 - R4^T o5~ omega_dot_omega1_4 + P_dot_omega1_4
+  const T t4_53 = T(0.2) * omega_omega1_4_11;
+  const T t4_54 = omega4_3 * t4_53;
+  const T t4_55 = omega4_1 * t4_53;
+  const T t4_56 = T(0.2) * minus_omega_dot_omega1_4_11;
+  const T t4_57 = R4_11 * t4_54 - R4_31 * t4_55 + R2_21 * t4_56;
+  const T B11_1_11 = P_dot_omega1_4_11 - t4_57;
+  const T t4_58 = T(0.2) * omega_omega1_4_12;
+  const T t4_59 = omega4_3 * t4_58;
+  const T t4_60 = omega4_3 * t4_9;
+  const T t4_61 = omega4_1 * t4_58 + omega4_2 * t4_9;
+  const T t4_62 = T(0.2) * omega_dot_omega1_4_12;
+  const T B11_1_12 = P_dot_omega1_4_12 - R4_11 * t4_59 - R2_21 * t4_60 + R4_31 * t4_61 + R4_11 * t4_7 + R2_21 * t4_62;
+  const T t4_63 = omega4_3 * t4_15;
+  const T t4_64 = T(0.2) * minus_omega_omega1_4_13;
+  const T t4_65 = omega4_3 * t4_64;
+  const T t4_66 = omega4_1 * t4_64 - omega4_2 * t4_15;
+  const T t4_67 = T(0.2) * minus_omega_dot_omega1_4_13;
+  const T B11_1_13 = P_dot_omega1_4_13 - R2_21 * t4_63 + R4_11 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 - R2_21 *
+      t4_67;
+  const T t4_68 = R4_12 * t4_54 - R4_32 * t4_55 + R2_22 * t4_56;
+  const T B11_1_21 = P_dot_omega1_4_21 - t4_68;
+  const T B11_1_22 = P_dot_omega1_4_22 - R4_12 * t4_59 - R2_22 * t4_60 + R4_32 * t4_61 + R4_12 * t4_7 + R2_22 * t4_62;
+  const T B11_1_23 = P_dot_omega1_4_23 - R2_22 * t4_63 + R4_12 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 - R2_22 *
+      t4_67;
+  const T t4_69 = R4_13 * t4_54 - R4_33 * t4_55 + R2_23 * t4_56;
+  const T B11_1_31 = P_dot_omega1_4_31 - t4_69;
+  const T B11_1_32 = P_dot_omega1_4_32 - R4_13 * t4_59 - R2_23 * t4_60 + R4_33 * t4_61 + R4_13 * t4_7 + R2_23 * t4_62;
+  const T B11_1_33 = P_dot_omega1_4_33 - R2_23 * t4_63 + R4_13 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 - R2_23 *
+      t4_67;
+  v_y_dot[216] = B11_1_11;
+  v_y_dot[217] = B11_1_12;
+  v_y_dot[218] = B11_1_13;
+  v_y_dot[234] = B11_1_21;
+  v_y_dot[235] = B11_1_22;
+  v_y_dot[236] = B11_1_23;
+  v_y_dot[252] = B11_1_31;
+  v_y_dot[253] = B11_1_32;
+  v_y_dot[254] = B11_1_33;
+  // B12_2 = -R4^T omega4~ o5~ omega_thetadot2_4 - R4^T o5~ omega_dot_thetadot2_4 + P_dot_thetadot2_4
+  const T minus_B12_2_1 = t4_57 + minus_P_dot_thetadot2_4_1;
+  const T minus_B12_2_2 = t4_68 + minus_P_dot_thetadot2_4_2;
+  const T minus_B12_2_3 = t4_69 + minus_P_dot_thetadot2_4_3;
+  v_y_dot[219] = -minus_B12_2_1;
+  v_y_dot[237] = -minus_B12_2_2;
+  v_y_dot[255] = -minus_B12_2_3;
+  // B13_3 = -R4^T omega4~ o5~ omega_thetadot3_4 - R4^T o5~ omega_dot_thetadot3_4 + P_dot_thetadot3_4
+  const T t4_70 = omega4_3 * T(0.2);
+  const T t4_71 = omega4_2 * T(0.2);
+  const T t4_72 = R2_21 * t4_70 - R4_31 * t4_71;
+  const T minus_B13_3_1 = t4_72 + minus_P_dot_thetadot3_4_1;
+  const T t4_73 = R2_22 * t4_70 - R4_32 * t4_71;
+  const T minus_B13_3_2 = t4_73 + minus_P_dot_thetadot3_4_2;
+  const T t4_74 = R2_23 * t4_70 - R4_33 * t4_71;
+  const T minus_B13_3_3 = t4_74 + minus_P_dot_thetadot3_4_3;
+  v_y_dot[220] = -minus_B13_3_1;
+  v_y_dot[238] = -minus_B13_3_2;
+  v_y_dot[256] = -minus_B13_3_3;
+  v_y_dot[221] = -t4_72;
+  v_y_dot[239] = -t4_73;
+  v_y_dot[257] = -t4_74;
+
+  // ---- body 6 (fl_hip) on body 1
+  const T theta6 = x[7];
+  const T thetadot6 = y[6];
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T E6_22 = cos(theta6);
+  const T E6_23 = sin(theta6);
+  // R6^T = R1^T E6^T: R takes inertial components to body components
+  const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
+  const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
+  const T R6_23 = R1_23 * E6_22 + R1_33 * E6_23;
+  const T R6_31 = R1_31 * E6_22 - R1_21 * E6_23;
+  const T R6_32 = R1_32 * E6_22 - R1_22 * E6_23;
+  const T R6_33 = R1_33 * E6_22 - R1_23 * E6_23;
+  // omega6 = thetadot6 b6 + E6 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega6_1 = thetadot6 + omega1_1;
+  const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
+  const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
+  // P_dot_omega1_6 = -R1^T omega1~ q6~: its rate
+  const T minus_P_dot_omega1_6_13 = t2_1 - t2_2;
+  const T minus_P_dot_omega1_6_23 = t2_3 - t2_4;
+  const T minus_P_dot_omega1_6_33 = t2_5 - t2_6;
+  // B15_1 = thetadot6 R6^T r6~ b6~ E6 - R6^T omega6~ r6~ E6 + P_dot_omega1_6
+  const T t6_1 = omega6_1 * T(0.000635);
+  const T t6_2 = omega6_3 * T(3.1e-05) + omega6_2 * T(0.000635);
+  const T t6_3 = omega6_1 * T(3.1e-05);
+  const T t6_4 = R6_21 * t6_1 - R1_11 * t6_2 + R6_31 * t6_3;
+  const T B15_1_11 = minus_P_dot_omega1_2_11 - t6_4;
+  const T t6_5 = T(0.000635) * E6_22 - T(3.1e-05) * E6_23;
+  const T t6_6 = T(0.003311) * E6_22;
+  const T t6_7 = T(0.003311) * E6_23;
+  const T t6_8 = omega6_3 * t6_7 - omega6_2 * t6_6;
+  const T t6_9 = omega6_1 * t6_6;
+  const T t6_10 = T(3.1e-05) * E6_22 + T(0.000635) * E6_23;
+  const T t6_11 = t6_9 - omega6_3 * t6_10;
+  const T t6_12 = omega6_1 * t6_7;
+  const T t6_13 = omega6_2 * t6_10 - t6_12;
+  const T B15_1_12 = thetadot6 * (R1_11 * t6_5 + R6_21 * t6_6 - R6_31 * t6_7) - R1_11 * t6_8 - R6_21 * t6_11 - R6_31 *
+      t6_13 - minus_P_dot_omega1_2_12;
+  const T t6_14 = omega6_3 * t6_5 + t6_12;
+  const T t6_15 = omega6_3 * t6_6 + omega6_2 * t6_7;
+  const T t6_16 = t6_9 - omega6_2 * t6_5;
+  const T B15_1_13 = thetadot6 * (R1_11 * t6_10 + R6_21 * t6_7 + R6_31 * t6_6) - R6_21 * t6_14 + R1_11 * t6_15 - R6_31
+      * t6_16 - minus_P_dot_omega1_6_13;
+  const T t6_17 = R6_22 * t6_1 - R1_12 * t6_2 + R6_32 * t6_3;
+  const T B15_1_21 = minus_P_dot_omega1_2_21 - t6_17;
+  const T B15_1_22 = thetadot6 * (R1_12 * t6_5 + R6_22 * t6_6 - R6_32 * t6_7) - R1_12 * t6_8 - R6_22 * t6_11 - R6_32 *
+      t6_13 - minus_P_dot_omega1_2_22;
+  const T B15_1_23 = thetadot6 * (R1_12 * t6_10 + R6_22 * t6_7 + R6_32 * t6_6) - R6_22 * t6_14 + R1_12 * t6_15 - R6_32
+      * t6_16 - minus_P_dot_omega1_6_23;
+  const T t6_18 = R6_23 * t6_1 - R1_13 * t6_2 + R6_33 * t6_3;
+  const T B15_1_31 = minus_P_dot_omega1_2_31 - t6_18;
+  const T B15_1_32 = thetadot6 * (R1_13 * t6_5 + R6_23 * t6_6 - R6_33 * t6_7) - R1_13 * t6_8 - R6_23 * t6_11 - R6_33 *
+      t6_13 - minus_P_dot_omega1_2_32;
+  const T B15_1_33 = thetadot6 * (R1_13 * t6_10 + R6_23 * t6_7 + R6_33 * t6_6) - R6_23 * t6_14 + R1_13 * t6_15 - R6_33
+      * t6_16 - minus_P_dot_omega1_6_33;
+  v_y_dot[270] = B15_1_11;
+  v_y_dot[271] = B15_1_12;
+  v_y_dot[272] = B15_1_13;
+  v_y_dot[288] = B15_1_21;
+  v_y_dot[289] = B15_1_22;
+  v_y_dot[290] = B15_1_23;
+  v_y_dot[306] = B15_1_31;
+  v_y_dot[307] = B15_1_32;
+  v_y_dot[308] = B15_1_33;
+  v_y_dot[276] = -t6_4;
+  v_y_dot[294] = -t6_17;
+  v_y_dot[312] = -t6_18;
+
+  // ---- body 7 (fl_thigh) on body 6
+  const T theta7 = x[8];
+  const T thetadot7 = y[7];
+  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T E7_11 = cos(theta7);
+  const T minus_E7_13 = sin(theta7);
+  // R7^T = R6^T E7^T: R takes inertial components to body components
+  const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
+  const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
+  const T R7_13 = R1_13 * E7_11 - R6_33 * minus_E7_13;
+  const T R7_31 = R1_11 * minus_E7_13 + R6_31 * E7_11;
+  const T R7_32 = R1_12 * minus_E7_13 + R6_32 * E7_11;
+  const T R7_33 = R1_13 * minus_E7_13 + R6_33 * E7_11;
+  // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
+  const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
+  const T omega7_2 = thetadot7 + omega6_2;
+  const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
+  // omega_omega1_7 = E7 E6: partial angular velocity, body axes
+  const T omega_omega1_7_12 = minus_E7_13 * E6_23;
+  const T minus_omega_omega1_7_13 = minus_E7_13 * E6_22;
+  const T minus_omega_omega1_7_32 = E7_11 * E6_23;
+  const T omega_omega1_7_33 = E7_11 * E6_22;
+  // omega_dot_omega1_7 = -(thetadot6 E7 b6~ + thetadot7 b7~ E7) E6: its rate
+  const T minus_omega_dot_omega1_7_11 = thetadot7 * minus_E7_13;
+  const T t7_1 = thetadot6 * minus_E7_13;
+  const T t7_2 = thetadot7 * E7_11;
+  const T omega_dot_omega1_7_12 = t7_1 * E6_22 + t7_2 * E6_23;
+  const T minus_omega_dot_omega1_7_13 = t7_2 * E6_22 - t7_1 * E6_23;
+  const T minus_omega_dot_omega1_7_22 = thetadot6 * E6_23;
+  const T omega_dot_omega1_7_23 = thetadot6 * E6_22;
+  const T t7_3 = thetadot6 * E7_11;
+  const T minus_omega_dot_omega1_7_32 = t7_3 * E6_22 - minus_omega_dot_omega1_7_11 * E6_23;
+  const T minus_omega_dot_omega1_7_33 = t7_3 * E6_23 + minus_omega_dot_omega1_7_11 * E6_22;
+  // P_dot_omega1_7 = R6^T (thetadot6 q7~ b6~ - omega6~ q7~) E6 + P_dot_omega1_6: its rate
+  const T t7_4 = omega6_2 * T(0.0838);
+  const T t7_5 = omega6_1 * T(0.0838);
+  const T t7_6 = R1_11 * t7_4 - R6_21 * t7_5;
+  const T P_dot_omega1_7_11 = t7_6 + minus_P_dot_omega1_2_11;
+  const T t7_7 = thetadot6 * T(0.0838);
+  const T t7_8 = t7_7 * E6_22;
+  const T t7_9 = omega6_3 * T(0.0838);
+  const T t7_10 = t7_9 * E6_23;
+  const T t7_11 = t7_4 * E6_23;
+  const T P_dot_omega1_7_12 = R1_11 * t7_8 + R6_21 * t7_10 - R6_31 * t7_11 - minus_P_dot_omega1_2_12;
+  const T t7_12 = t7_7 * E6_23;
+  const T t7_13 = t7_9 * E6_22;
+  const T t7_14 = t7_4 * E6_22;
+  const T P_dot_omega1_7_13 = R1_11 * t7_12 - R6_21 * t7_13 + R6_31 * t7_14 - minus_P_dot_omega1_6_13;
+  const T t7_15 = R1_12 * t7_4 - R6_22 * t7_5;
+  const T P_dot_omega1_7_21 = t7_15 + minus_P_dot_omega1_2_21;
+  const T P_dot_omega1_7_22 = R1_12 * t7_8 + R6_22 * t7_10 - R6_32 * t7_11 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_7_23 = R1_12 * t7_12 - R6_22 * t7_13 + R6_32 * t7_14 - minus_P_dot_omega1_6_23;
+  const T t7_16 = R1_13 * t7_4 - R6_23 * t7_5;
+  const T P_dot_omega1_7_31 = t7_16 + minus_P_dot_omega1_2_31;
+  const T P_dot_omega1_7_32 = R1_13 * t7_8 + R6_23 * t7_10 - R6_33 * t7_11 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_7_33 = R1_13 * t7_12 - R6_23 * t7_13 + R6_33 * t7_14 - minus_P_dot_omega1_6_33;
+  // B17_1 = -R7^T omega7~ r7~ omega_omega1_7 - R7^T r7~ omega_dot_omega1_7 + P_dot_omega1_7
+  const T t7_17 = T(0.022327) * E7_11;
+  const T t7_18 = T(0.003237) * minus_E7_13 - T(0.027326) * E7_11;
+  const T t7_19 = omega7_2 * t7_17 - omega7_3 * t7_18;
+  const T t7_20 = T(0.022327) * minus_E7_13;
+  const T t7_21 = omega7_3 * t7_20 + omega7_1 * t7_17;
+  const T t7_22 = omega7_1 * t7_18 + omega7_2 * t7_20;
+  const T t7_23 = T(0.003237) * t7_2 + T(0.027326) * minus_omega_dot_omega1_7_11;
+  const T t7_24 = T(0.022327) * t7_2;
+  const T t7_25 = T(0.022327) * minus_omega_dot_omega1_7_11;
+  const T t7_26 = R7_11 * t7_19 - R6_21 * t7_21 + R7_31 * t7_22 + R6_21 * t7_23 - R7_11 * t7_24 - R7_31 * t7_25;
+  const T B17_1_11 = P_dot_omega1_7_11 - t7_26;
+  const T t7_27 = T(0.027326) * omega_omega1_7_12 + T(0.003237) * minus_omega_omega1_7_32;
+  const T t7_28 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
+  const T t7_29 = omega7_3 * t7_27 + omega7_2 * t7_28;
+  const T t7_30 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
+  const T t7_31 = omega7_3 * t7_30 - omega7_1 * t7_28;
+  const T t7_32 = omega7_1 * t7_27 + omega7_2 * t7_30;
+  const T t7_33 = T(0.022327) * minus_omega_dot_omega1_7_32 - T(0.027326) * minus_omega_dot_omega1_7_22;
+  const T t7_34 = T(0.003237) * minus_omega_dot_omega1_7_32 + T(0.027326) * omega_dot_omega1_7_12;
+  const T t7_35 = T(0.022327) * omega_dot_omega1_7_12 + T(0.003237) * minus_omega_dot_omega1_7_22;
+  const T B17_1_12 = P_dot_omega1_7_12 - R7_11 * t7_29 - R6_21 * t7_31 + R7_31 * t7_32 - R7_11 * t7_33 + R6_21 * t7_34
+      - R7_31 * t7_35;
+  const T t7_36 = T(0.027326) * E6_23 - T(0.022327) * omega_omega1_7_33;
+  const T t7_37 = T(0.003237) * E6_23 + T(0.022327) * minus_omega_omega1_7_13;
+  const T t7_38 = omega7_3 * t7_36 + omega7_1 * t7_37;
+  const T t7_39 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
+  const T t7_40 = omega7_3 * t7_39 + omega7_2 * t7_37;
+  const T t7_41 = omega7_1 * t7_39 - omega7_2 * t7_36;
+  const T t7_42 = T(0.027326) * omega_dot_omega1_7_23 + T(0.022327) * minus_omega_dot_omega1_7_33;
+  const T t7_43 = T(0.027326) * minus_omega_dot_omega1_7_13 - T(0.003237) * minus_omega_dot_omega1_7_33;
+  const T t7_44 = T(0.022327) * minus_omega_dot_omega1_7_13 + T(0.003237) * omega_dot_omega1_7_23;
+  const T B17_1_13 = P_dot_omega1_7_13 - R6_21 * t7_38 + R7_11 * t7_40 - R7_31 * t7_41 - R7_11 * t7_42 - R6_21 * t7_43
+      + R7_31 * t7_44;
+  const T t7_45 = R7_12 * t7_19 - R6_22 * t7_21 + R7_32 * t7_22 + R6_22 * t7_23 - R7_12 * t7_24 - R7_32 * t7_25;
+  const T B17_1_21 = P_dot_omega1_7_21 - t7_45;
+  const T B17_1_22 = P_dot_omega1_7_22 - R7_12 * t7_29 - R6_22 * t7_31 + R7_32 * t7_32 - R7_12 * t7_33 + R6_22 * t7_34
+      - R7_32 * t7_35;
+  const T B17_1_23 = P_dot_omega1_7_23 - R6_22 * t7_38 + R7_12 * t7_40 - R7_32 * t7_41 - R7_12 * t7_42 - R6_22 * t7_43
+      + R7_32 * t7_44;
+  const T t7_46 = R7_13 * t7_19 - R6_23 * t7_21 + R7_33 * t7_22 + R6_23 * t7_23 - R7_13 * t7_24 - R7_33 * t7_25;
+  const T B17_1_31 = P_dot_omega1_7_31 - t7_46;
+  const T B17_1_32 = P_dot_omega1_7_32 - R7_13 * t7_29 - R6_23 * t7_31 + R7_33 * t7_32 - R7_13 * t7_33 + R6_23 * t7_34
+      - R7_33 * t7_35;
+  const T B17_1_33 = P_dot_omega1_7_33 - R6_23 * t7_38 + R7_13 * t7_40 - R7_33 * t7_41 - R7_13 * t7_42 - R6_23 * t7_43
+      + R7_33 * t7_44;
+  v_y_dot[324] = B17_1_11;
+  v_y_dot[325] = B17_1_12;
+  v_y_dot[326] = B17_1_13;
+  v_y_dot[342] = B17_1_21;
+  v_y_dot[343] = B17_1_22;
+  v_y_dot[344] = B17_1_23;
+  v_y_dot[360] = B17_1_31;
+  v_y_dot[361] = B17_1_32;
+  v_y_dot[362] = B17_1_33;
+  // B18_6 = -R7^T omega7~ r7~ omega_thetadot6_7 - R7^T r7~ omega_dot_thetadot6_7 + P_dot_thetadot6_7
+  const T minus_B18_6_1 = t7_26 - t7_6;
+  const T minus_B18_6_2 = t7_45 - t7_15;
+  const T minus_B18_6_3 = t7_46 - t7_16;
+  v_y_dot[330] = -minus_B18_6_1;
+  v_y_dot[348] = -minus_B18_6_2;
+  v_y_dot[366] = -minus_B18_6_3;
+  // B19_7 = -R7^T omega7~ r7~ b7
+  const T t7_47 = omega7_3 * T(0.027326) + omega7_1 * T(0.003237);
+  const T t7_48 = omega7_2 * T(0.003237);
+  const T t7_49 = omega7_2 * T(0.027326);
+  const T minus_B19_7_1 = R6_21 * t7_47 - R7_11 * t7_48 - R7_31 * t7_49;
+  const T minus_B19_7_2 = R6_22 * t7_47 - R7_12 * t7_48 - R7_32 * t7_49;
+  const T minus_B19_7_3 = R6_23 * t7_47 - R7_13 * t7_48 - R7_33 * t7_49;
+  v_y_dot[331] = -minus_B19_7_1;
+  v_y_dot[349] = -minus_B19_7_2;
+  v_y_dot[367] = -minus_B19_7_3;
+
+  // ---- body 8 (fl_calf) on body 7
+  const T theta8 = x[9];
+  const T thetadot8 = y[8];
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T minus_E8_13 = sin(theta8);
+  // R8^T = R7^T E8^T: R takes inertial components to body components
+  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
+  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
+  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
+  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T omega8_2 = thetadot8 + omega7_2;
+  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  // omega_omega1_8 = E8 omega_omega1_7: partial angular velocity, body axes
+  const T omega_omega1_8_11 = E8_11 * E7_11 - minus_E8_13 * minus_E7_13;
+  const T omega_omega1_8_12 = E8_11 * omega_omega1_7_12 + minus_E8_13 * minus_omega_omega1_7_32;
+  const T minus_omega_omega1_8_13 = E8_11 * minus_omega_omega1_7_13 + minus_E8_13 * omega_omega1_7_33;
+  const T omega_omega1_8_31 = minus_E8_13 * E7_11 + E8_11 * minus_E7_13;
+  const T omega_omega1_8_32 = minus_E8_13 * omega_omega1_7_12 - E8_11 * minus_omega_omega1_7_32;
+  const T omega_omega1_8_33 = E8_11 * omega_omega1_7_33 - minus_E8_13 * minus_omega_omega1_7_13;
+  // omega_dot_omega1_8 = -thetadot8 b8~ E8 omega_omega1_7 + E8 omega_dot_omega1_7: its rate
+  const T minus_omega_dot_omega1_8_11 = thetadot8 * omega_omega1_8_31 + E8_11 * minus_omega_dot_omega1_7_11 +
+      minus_E8_13 * t7_2;
+  const T omega_dot_omega1_8_12 = E8_11 * omega_dot_omega1_7_12 + minus_E8_13 * minus_omega_dot_omega1_7_32 -
+      thetadot8 * omega_omega1_8_32;
+  const T minus_omega_dot_omega1_8_13 = thetadot8 * omega_omega1_8_33 + E8_11 * minus_omega_dot_omega1_7_13 -
+      minus_E8_13 * minus_omega_dot_omega1_7_33;
+  const T omega_dot_omega1_8_31 = thetadot8 * omega_omega1_8_11 - minus_E8_13 * minus_omega_dot_omega1_7_11 + E8_11 *
+      t7_2;
+  const T omega_dot_omega1_8_32 = thetadot8 * omega_omega1_8_12 - E8_11 * minus_omega_dot_omega1_7_32 + minus_E8_13 *
+      omega_dot_omega1_7_12;
+  const T minus_omega_dot_omega1_8_33 = thetadot8 * minus_omega_omega1_8_13 + minus_E8_13 *
+      minus_omega_dot_omega1_7_13 + E8_11 * minus_omega_dot_omega1_7_33;
+  // P_dot_omega1_8 = R7^T (-omega7~ q8~ omega_omega1_7 - q8~ omega_dot_omega1_7) + P_dot_omega1_7: its rate
+  const T t8_1 = T(0.2) * E7_11;
+  const T t8_2 = omega7_3 * t8_1;
+  const T t8_3 = T(0.2) * minus_omega_dot_omega1_7_11;
+  const T t8_4 = omega7_1 * t8_1;
+  const T t8_5 = R7_11 * t8_2 + R6_21 * t8_3 - R7_31 * t8_4;
+  const T P_dot_omega1_8_11 = P_dot_omega1_7_11 - t8_5;
+  const T t8_6 = T(0.2) * omega_omega1_7_12;
+  const T t8_7 = T(0.2) * minus_omega_dot_omega1_7_22;
+  const T t8_8 = omega7_3 * t8_6 - t8_7;
+  const T t8_9 = T(0.2) * E6_22;
+  const T t8_10 = omega7_3 * t8_9 - T(0.2) * omega_dot_omega1_7_12;
+  const T t8_11 = omega7_1 * t8_6 + omega7_2 * t8_9;
+  const T P_dot_omega1_8_12 = P_dot_omega1_7_12 - R7_11 * t8_8 - R6_21 * t8_10 + R7_31 * t8_11;
+  const T t8_12 = T(0.2) * omega_dot_omega1_7_23;
+  const T t8_13 = T(0.2) * minus_omega_omega1_7_13;
+  const T t8_14 = t8_12 - omega7_3 * t8_13;
+  const T t8_15 = T(0.2) * E6_23;
+  const T t8_16 = omega7_3 * t8_15 + T(0.2) * minus_omega_dot_omega1_7_13;
+  const T t8_17 = omega7_1 * t8_13 - omega7_2 * t8_15;
+  const T P_dot_omega1_8_13 = P_dot_omega1_7_13 - R7_11 * t8_14 - R6_21 * t8_16 - R7_31 * t8_17;
+  const T t8_18 = R7_12 * t8_2 + R6_22 * t8_3 - R7_32 * t8_4;
+  const T P_dot_omega1_8_21 = P_dot_omega1_7_21 - t8_18;
+  const T P_dot_omega1_8_22 = P_dot_omega1_7_22 - R7_12 * t8_8 - R6_22 * t8_10 + R7_32 * t8_11;
+  const T P_dot_omega1_8_23 = P_dot_omega1_7_23 - R7_12 * t8_14 - R6_22 * t8_16 - R7_32 * t8_17;
+  const T t8_19 = R7_13 * t8_2 + R6_23 * t8_3 - R7_33 * t8_4;
+  const T P_dot_omega1_8_31 = P_dot_omega1_7_31 - t8_19;
+  const T P_dot_omega1_8_32 = P_dot_omega1_7_32 - R7_13 * t8_8 - R6_23 * t8_10 + R7_33 * t8_11;
+  const T P_dot_omega1_8_33 = P_dot_omega1_7_33 - R7_13 * t8_14 - R6_23 * t8_16 - R7_33 * t8_17;
+  // P_dot_thetadot6_8 = R7^T (-omega7~ q8~ omega_thetadot6_7 - q8~ omega_dot_thetadot6_7) + P_dot_thetadot6_7: its
+  //   rate
+  const T minus_P_dot_thetadot6_8_1 = t8_5 - t7_6;
+  const T minus_P_dot_thetadot6_8_2 = t8_18 - t7_15;
+  const T minus_P_dot_thetadot6_8_3 = t8_19 - t7_16;
+  // P_dot_thetadot7_8 = -R7^T omega7~ q8~ b7: its rate
+  const T t8_20 = omega7_3 * T(0.2);
+  const T t8_21 = omega7_2 * T(0.2);
+  const T minus_P_dot_thetadot7_8_1 = R6_21 * t8_20 - R7_31 * t8_21;
+  const T minus_P_dot_thetadot7_8_2 = R6_22 * t8_20 - R7_32 * t8_21;
+  const T minus_P_dot_thetadot7_8_3 = R6_23 * t8_20 - R7_33 * t8_21;
+  // B20_1 = -R8^T omega8~ r8~ omega_omega1_8 - R8^T r8~ omega_dot_omega1_8 + P_dot_omega1_8
+  const T t8_22 = T(0.107388) * omega_omega1_8_11 + T(0.006435) * omega_omega1_8_31;
+  const T t8_23 = omega8_3 * t8_22;
+  const T t8_24 = omega8_1 * t8_22;
+  const T t8_25 = T(0.107388) * minus_omega_dot_omega1_8_11 - T(0.006435) * omega_dot_omega1_8_31;
+  const T t8_26 = R8_11 * t8_23 - R8_31 * t8_24 + R6_21 * t8_25;
+  const T B20_1_11 = P_dot_omega1_8_11 - t8_26;
+  const T t8_27 = T(0.107388) * omega_omega1_8_12 + T(0.006435) * omega_omega1_8_32;
+  const T t8_28 = T(0.006435) * E6_22;
+  const T t8_29 = omega8_3 * t8_27 + omega8_2 * t8_28;
+  const T t8_30 = T(0.107388) * E6_22;
+  const T t8_31 = omega8_3 * t8_30 - omega8_1 * t8_28;
+  const T t8_32 = omega8_1 * t8_27 + omega8_2 * t8_30;
+  const T t8_33 = T(0.107388) * minus_omega_dot_omega1_7_22;
+  const T t8_34 = T(0.107388) * omega_dot_omega1_8_12 + T(0.006435) * omega_dot_omega1_8_32;
+  const T t8_35 = T(0.006435) * minus_omega_dot_omega1_7_22;
+  const T B20_1_12 = P_dot_omega1_8_12 - R8_11 * t8_29 - R6_21 * t8_31 + R8_31 * t8_32 + R8_11 * t8_33 + R6_21 * t8_34
+      + R8_31 * t8_35;
+  const T t8_36 = T(0.006435) * E6_23;
+  const T t8_37 = T(0.107388) * minus_omega_omega1_8_13 - T(0.006435) * omega_omega1_8_33;
+  const T t8_38 = omega8_2 * t8_36 - omega8_3 * t8_37;
+  const T t8_39 = T(0.107388) * E6_23;
+  const T t8_40 = omega8_3 * t8_39 - omega8_1 * t8_36;
+  const T t8_41 = omega8_1 * t8_37 - omega8_2 * t8_39;
+  const T t8_42 = T(0.107388) * omega_dot_omega1_7_23;
+  const T t8_43 = T(0.107388) * minus_omega_dot_omega1_8_13 + T(0.006435) * minus_omega_dot_omega1_8_33;
+  const T t8_44 = T(0.006435) * omega_dot_omega1_7_23;
+  const T B20_1_13 = P_dot_omega1_8_13 - R8_11 * t8_38 - R6_21 * t8_40 - R8_31 * t8_41 - R8_11 * t8_42 - R6_21 * t8_43
+      - R8_31 * t8_44;
+  const T t8_45 = R8_12 * t8_23 - R8_32 * t8_24 + R6_22 * t8_25;
+  const T B20_1_21 = P_dot_omega1_8_21 - t8_45;
+  const T B20_1_22 = P_dot_omega1_8_22 - R8_12 * t8_29 - R6_22 * t8_31 + R8_32 * t8_32 + R8_12 * t8_33 + R6_22 * t8_34
+      + R8_32 * t8_35;
+  const T B20_1_23 = P_dot_omega1_8_23 - R8_12 * t8_38 - R6_22 * t8_40 - R8_32 * t8_41 - R8_12 * t8_42 - R6_22 * t8_43
+      - R8_32 * t8_44;
+  const T t8_46 = R8_13 * t8_23 - R8_33 * t8_24 + R6_23 * t8_25;
+  const T B20_1_31 = P_dot_omega1_8_31 - t8_46;
+  const T B20_1_32 = P_dot_omega1_8_32 - R8_13 * t8_29 - R6_23 * t8_31 + R8_33 * t8_32 + R8_13 * t8_33 + R6_23 * t8_34
+      + R8_33 * t8_35;
+  const T B20_1_33 = P_dot_omega1_8_33 - R8_13 * t8_38 - R6_23 * t8_40 - R8_33 * t8_41 - R8_13 * t8_42 - R6_23 * t8_43
+      - R8_33 * t8_44;
+  v_y_dot[378] = B20_1_11;
+  v_y_dot[379] = B20_1_12;
+  v_y_dot[380] = B20_1_13;
+  v_y_dot[396] = B20_1_21;
+  v_y_dot[397] = B20_1_22;
+  v_y_dot[398] = B20_1_23;
+  v_y_dot[414] = B20_1_31;
+  v_y_dot[415] = B20_1_32;
+  v_y_dot[416] = B20_1_33;
+  // B21_6 = -R8^T omega8~ r8~ omega_thetadot6_8 - R8^T r8~ omega_dot_thetadot6_8 + P_dot_thetadot6_8
+  const T minus_B21_6_1 = t8_26 + minus_P_dot_thetadot6_8_1;
+  const T minus_B21_6_2 = t8_45 + minus_P_dot_thetadot6_8_2;
+  const T minus_B21_6_3 = t8_46 + minus_P_dot_thetadot6_8_3;
+  v_y_dot[384] = -minus_B21_6_1;
+  v_y_dot[402] = -minus_B21_6_2;
+  v_y_dot[420] = -minus_B21_6_3;
+  // B22_7 = -R8^T omega8~ r8~ omega_thetadot7_8 - R8^T r8~ omega_dot_thetadot7_8 + P_dot_thetadot7_8
+  const T t8_47 = omega8_2 * T(0.006435);
+  const T t8_48 = omega8_3 * T(0.107388) - omega8_1 * T(0.006435);
+  const T t8_49 = omega8_2 * T(0.107388);
+  const T t8_50 = R8_11 * t8_47 + R6_21 * t8_48 - R8_31 * t8_49;
+  const T minus_B22_7_1 = t8_50 + minus_P_dot_thetadot7_8_1;
+  const T t8_51 = R8_12 * t8_47 + R6_22 * t8_48 - R8_32 * t8_49;
+  const T minus_B22_7_2 = t8_51 + minus_P_dot_thetadot7_8_2;
+  const T t8_52 = R8_13 * t8_47 + R6_23 * t8_48 - R8_33 * t8_49;
+  const T minus_B22_7_3 = t8_52 + minus_P_dot_thetadot7_8_3;
+  v_y_dot[385] = -minus_B22_7_1;
+  v_y_dot[403] = -minus_B22_7_2;
+  v_y_dot[421] = -minus_B22_7_3;
+  v_y_dot[386] = -t8_50;
+  v_y_dot[404] = -t8_51;
+  v_y_dot[422] = -t8_52;
+  // B24_1 = -R8^T omega8~ o9~ omega_omega1_8 - R8^T o9~ omega_dot_omega1_8 + P_dot_omega1_8
+  const T t8_53 = T(0.2) * omega_omega1_8_11;
+  const T t8_54 = omega8_3 * t8_53;
+  const T t8_55 = omega8_1 * t8_53;
+  const T t8_56 = T(0.2) * minus_omega_dot_omega1_8_11;
+  const T t8_57 = R8_11 * t8_54 - R8_31 * t8_55 + R6_21 * t8_56;
+  const T B24_1_11 = P_dot_omega1_8_11 - t8_57;
+  const T t8_58 = T(0.2) * omega_omega1_8_12;
+  const T t8_59 = omega8_3 * t8_58;
+  const T t8_60 = omega8_3 * t8_9;
+  const T t8_61 = omega8_1 * t8_58 + omega8_2 * t8_9;
+  const T t8_62 = T(0.2) * omega_dot_omega1_8_12;
+  const T B24_1_12 = P_dot_omega1_8_12 - R8_11 * t8_59 - R6_21 * t8_60 + R8_31 * t8_61 + R8_11 * t8_7 + R6_21 * t8_62;
+  const T t8_63 = omega8_3 * t8_15;
+  const T t8_64 = T(0.2) * minus_omega_omega1_8_13;
+  const T t8_65 = omega8_3 * t8_64;
+  const T t8_66 = omega8_1 * t8_64 - omega8_2 * t8_15;
+  const T t8_67 = T(0.2) * minus_omega_dot_omega1_8_13;
+  const T B24_1_13 = P_dot_omega1_8_13 - R6_21 * t8_63 + R8_11 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 - R6_21 *
+      t8_67;
+  const T t8_68 = R8_12 * t8_54 - R8_32 * t8_55 + R6_22 * t8_56;
+  const T B24_1_21 = P_dot_omega1_8_21 - t8_68;
+  const T B24_1_22 = P_dot_omega1_8_22 - R8_12 * t8_59 - R6_22 * t8_60 + R8_32 * t8_61 + R8_12 * t8_7 + R6_22 * t8_62;
+  const T B24_1_23 = P_dot_omega1_8_23 - R6_22 * t8_63 + R8_12 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 - R6_22 *
+      t8_67;
+  const T t8_69 = R8_13 * t8_54 - R8_33 * t8_55 + R6_23 * t8_56;
+  const T B24_1_31 = P_dot_omega1_8_31 - t8_69;
+  const T B24_1_32 = P_dot_omega1_8_32 - R8_13 * t8_59 - R6_23 * t8_60 + R8_33 * t8_61 + R8_13 * t8_7 + R6_23 * t8_62;
+  const T B24_1_33 = P_dot_omega1_8_33 - R6_23 * t8_63 + R8_13 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 - R6_23 *
+      t8_67;
+  v_y_dot[432] = B24_1_11;
+  v_y_dot[433] = B24_1_12;
+  v_y_dot[434] = B24_1_13;
+  v_y_dot[450] = B24_1_21;
+  v_y_dot[451] = B24_1_22;
+  v_y_dot[452] = B24_1_23;
+  v_y_dot[468] = B24_1_31;
+  v_y_dot[469] = B24_1_32;
+  v_y_dot[470] = B24_1_33;
+  // B25_6 = -R8^T omega8~ o9~ omega_thetadot6_8 - R8^T o9~ omega_dot_thetadot6_8 + P_dot_thetadot6_8
+  const T minus_B25_6_1 = t8_57 + minus_P_dot_thetadot6_8_1;
+  const T minus_B25_6_2 = t8_68 + minus_P_dot_thetadot6_8_2;
+  const T minus_B25_6_3 = t8_69 + minus_P_dot_thetadot6_8_3;
+  v_y_dot[438] = -minus_B25_6_1;
+  v_y_dot[456] = -minus_B25_6_2;
+  v_y_dot[474] = -minus_B25_6_3;
+  // B26_7 = -R8^T omega8~ o9~ omega_thetadot7_8 - R8^T o9~ omega_dot_thetadot7_8 + P_dot_thetadot7_8
+  const T t8_70 = omega8_3 * T(0.2);
+  const T t8_71 = omega8_2 * T(0.2);
+  const T t8_72 = R6_21 * t8_70 - R8_31 * t8_71;
+  const T minus_B26_7_1 = t8_72 + minus_P_dot_thetadot7_8_1;
+  const T t8_73 = R6_22 * t8_70 - R8_32 * t8_71;
+  const T minus_B26_7_2 = t8_73 + minus_P_dot_thetadot7_8_2;
+  const T t8_74 = R6_23 * t8_70 - R8_33 * t8_71;
+  const T minus_B26_7_3 = t8_74 + minus_P_dot_thetadot7_8_3;
+  v_y_dot[439] = -minus_B26_7_1;
+  v_y_dot[457] = -minus_B26_7_2;
+  v_y_dot[475] = -minus_B26_7_3;
+  v_y_dot[440] = -t8_72;
+  v_y_dot[458] = -t8_73;
+  v_y_dot[476] = -t8_74;
+
+  // ---- body 10 (rr_hip) on body 1
+  const T theta10 = x[10];
+  const T thetadot10 = y[9];
+  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
+  const T E10_22 = cos(theta10);
+  const T E10_23 = sin(theta10);
+  // R10^T = R1^T E10^T: R takes inertial components to body components
+  const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
+  const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
+  const T R10_23 = R1_23 * E10_22 + R1_33 * E10_23;
+  const T R10_31 = R1_31 * E10_22 - R1_21 * E10_23;
+  const T R10_32 = R1_32 * E10_22 - R1_22 * E10_23;
+  const T R10_33 = R1_33 * E10_22 - R1_23 * E10_23;
+  // omega10 = thetadot10 b10 + E10 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega10_1 = thetadot10 + omega1_1;
+  const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
+  const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
+  // B28_1 = thetadot10 R10^T r10~ b10~ E10 - R10^T omega10~ r10~ E10 + P_dot_omega1_10
+  const T t10_1 = omega10_2 * T(0.000635) - omega10_3 * T(3.1e-05);
+  const T t10_2 = omega10_1 * T(0.000635);
+  const T t10_3 = omega10_1 * T(3.1e-05);
+  const T t10_4 = R1_11 * t10_1 - R10_21 * t10_2 + R10_31 * t10_3;
+  const T minus_B28_1_11 = t10_4 + minus_P_dot_omega1_2_11;
+  const T t10_5 = T(0.003311) * E10_23;
+  const T t10_6 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
+  const T t10_7 = T(0.003311) * E10_22;
+  const T t10_8 = omega10_2 * t10_7 - omega10_3 * t10_5;
+  const T t10_9 = T(0.000635) * E10_23 - T(3.1e-05) * E10_22;
+  const T t10_10 = omega10_1 * t10_7;
+  const T t10_11 = omega10_3 * t10_9 - t10_10;
+  const T t10_12 = omega10_1 * t10_5;
+  const T t10_13 = t10_12 - omega10_2 * t10_9;
+  const T B28_1_12 = thetadot10 * (R10_31 * t10_5 - R1_11 * t10_6 - R10_21 * t10_7) - R1_11 * t10_8 - R10_21 * t10_11
+      - R10_31 * t10_13 + minus_P_dot_omega1_2_12;
+  const T t10_14 = omega10_3 * t10_7 + omega10_2 * t10_5;
+  const T t10_15 = omega10_3 * t10_6 + t10_12;
+  const T t10_16 = omega10_2 * t10_6 - t10_10;
+  const T B28_1_13 = minus_P_dot_omega1_6_13 - thetadot10 * (R1_11 * t10_9 + R10_21 * t10_5 + R10_31 * t10_7) - R1_11
+      * t10_14 + R10_21 * t10_15 - R10_31 * t10_16;
+  const T t10_17 = R1_12 * t10_1 - R10_22 * t10_2 + R10_32 * t10_3;
+  const T minus_B28_1_21 = t10_17 + minus_P_dot_omega1_2_21;
+  const T B28_1_22 = thetadot10 * (R10_32 * t10_5 - R1_12 * t10_6 - R10_22 * t10_7) - R1_12 * t10_8 - R10_22 * t10_11
+      - R10_32 * t10_13 + minus_P_dot_omega1_2_22;
+  const T B28_1_23 = minus_P_dot_omega1_6_23 - thetadot10 * (R1_12 * t10_9 + R10_22 * t10_5 + R10_32 * t10_7) - R1_12
+      * t10_14 + R10_22 * t10_15 - R10_32 * t10_16;
+  const T t10_18 = R1_13 * t10_1 - R10_23 * t10_2 + R10_33 * t10_3;
+  const T minus_B28_1_31 = t10_18 + minus_P_dot_omega1_2_31;
+  const T B28_1_32 = thetadot10 * (R10_33 * t10_5 - R1_13 * t10_6 - R10_23 * t10_7) - R1_13 * t10_8 - R10_23 * t10_11
+      - R10_33 * t10_13 + minus_P_dot_omega1_2_32;
+  const T B28_1_33 = minus_P_dot_omega1_6_33 - thetadot10 * (R1_13 * t10_9 + R10_23 * t10_5 + R10_33 * t10_7) - R1_13
+      * t10_14 + R10_23 * t10_15 - R10_33 * t10_16;
+  v_y_dot[486] = -minus_B28_1_11;
+  v_y_dot[487] = B28_1_12;
+  v_y_dot[488] = B28_1_13;
+  v_y_dot[504] = -minus_B28_1_21;
+  v_y_dot[505] = B28_1_22;
+  v_y_dot[506] = B28_1_23;
+  v_y_dot[522] = -minus_B28_1_31;
+  v_y_dot[523] = B28_1_32;
+  v_y_dot[524] = B28_1_33;
+  v_y_dot[495] = -t10_4;
+  v_y_dot[513] = -t10_17;
+  v_y_dot[531] = -t10_18;
+
+  // ---- body 11 (rr_thigh) on body 10
+  const T theta11 = x[11];
+  const T thetadot11 = y[10];
+  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
+  const T E11_11 = cos(theta11);
+  const T minus_E11_13 = sin(theta11);
+  // R11^T = R10^T E11^T: R takes inertial components to body components
+  const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
+  const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
+  const T R11_13 = R1_13 * E11_11 - R10_33 * minus_E11_13;
+  const T R11_31 = R1_11 * minus_E11_13 + R10_31 * E11_11;
+  const T R11_32 = R1_12 * minus_E11_13 + R10_32 * E11_11;
+  const T R11_33 = R1_13 * minus_E11_13 + R10_33 * E11_11;
+  // omega11 = thetadot11 b11 + E11 omega10: absolute angular velocity, body axes [rad/s]
+  const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
+  const T omega11_2 = thetadot11 + omega10_2;
+  const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
+  // omega_omega1_11 = E11 E10: partial angular velocity, body axes
+  const T omega_omega1_11_12 = minus_E11_13 * E10_23;
+  const T minus_omega_omega1_11_13 = minus_E11_13 * E10_22;
+  const T minus_omega_omega1_11_32 = E11_11 * E10_23;
+  const T omega_omega1_11_33 = E11_11 * E10_22;
+  // omega_dot_omega1_11 = -(thetadot10 E11 b10~ + thetadot11 b11~ E11) E10: its rate
+  const T minus_omega_dot_omega1_11_11 = thetadot11 * minus_E11_13;
+  const T t11_1 = thetadot10 * minus_E11_13;
+  const T t11_2 = thetadot11 * E11_11;
+  const T omega_dot_omega1_11_12 = t11_1 * E10_22 + t11_2 * E10_23;
+  const T minus_omega_dot_omega1_11_13 = t11_2 * E10_22 - t11_1 * E10_23;
+  const T minus_omega_dot_omega1_11_22 = thetadot10 * E10_23;
+  const T omega_dot_omega1_11_23 = thetadot10 * E10_22;
+  const T t11_3 = thetadot10 * E11_11;
+  const T minus_omega_dot_omega1_11_32 = t11_3 * E10_22 - minus_omega_dot_omega1_11_11 * E10_23;
+  const T minus_omega_dot_omega1_11_33 = t11_3 * E10_23 + minus_omega_dot_omega1_11_11 * E10_22;
+  // P_dot_omega1_11 = R10^T (thetadot10 q11~ b10~ - omega10~ q11~) E10 + P_dot_omega1_10: its rate
+  const T t11_4 = omega10_1 * T(0.0838);
+  const T t11_5 = omega10_2 * T(0.0838);
+  const T t11_6 = R10_21 * t11_4 - R1_11 * t11_5;
+  const T P_dot_omega1_11_11 = t11_6 - minus_P_dot_omega1_2_11;
+  const T t11_7 = t11_5 * E10_23;
+  const T t11_8 = thetadot10 * T(0.0838);
+  const T t11_9 = t11_8 * E10_22;
+  const T t11_10 = omega10_3 * T(0.0838);
+  const T t11_11 = t11_10 * E10_23;
+  const T P_dot_omega1_11_12 = R10_31 * t11_7 - R1_11 * t11_9 - R10_21 * t11_11 + minus_P_dot_omega1_2_12;
+  const T t11_12 = t11_10 * E10_22;
+  const T t11_13 = t11_8 * E10_23;
+  const T t11_14 = t11_5 * E10_22;
+  const T P_dot_omega1_11_13 = R10_21 * t11_12 - R1_11 * t11_13 - R10_31 * t11_14 + minus_P_dot_omega1_6_13;
+  const T t11_15 = R10_22 * t11_4 - R1_12 * t11_5;
+  const T P_dot_omega1_11_21 = t11_15 - minus_P_dot_omega1_2_21;
+  const T P_dot_omega1_11_22 = R10_32 * t11_7 - R1_12 * t11_9 - R10_22 * t11_11 + minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_11_23 = R10_22 * t11_12 - R1_12 * t11_13 - R10_32 * t11_14 + minus_P_dot_omega1_6_23;
+  const T t11_16 = R10_23 * t11_4 - R1_13 * t11_5;
+  const T P_dot_omega1_11_31 = t11_16 - minus_P_dot_omega1_2_31;
+  const T P_dot_omega1_11_32 = R10_33 * t11_7 - R1_13 * t11_9 - R10_23 * t11_11 + minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_11_33 = R10_23 * t11_12 - R1_13 * t11_13 - R10_33 * t11_14 + minus_P_dot_omega1_6_33;
+  // B30_1 = -R11^T omega11~ r11~ omega_omega1_11 - R11^T r11~ omega_dot_omega1_11 + P_dot_omega1_11
+  const T t11_17 = T(0.022327) * minus_E11_13;
+  const T t11_18 = T(0.022327) * E11_11;
+  const T t11_19 = omega11_3 * t11_17 + omega11_1 * t11_18;
+  const T t11_20 = T(0.003237) * minus_E11_13 - T(0.027326) * E11_11;
+  const T t11_21 = omega11_3 * t11_20 + omega11_2 * t11_18;
+  const T t11_22 = omega11_1 * t11_20 - omega11_2 * t11_17;
+  const T t11_23 = T(0.022327) * t11_2;
+  const T t11_24 = T(0.003237) * t11_2 + T(0.027326) * minus_omega_dot_omega1_11_11;
+  const T t11_25 = T(0.022327) * minus_omega_dot_omega1_11_11;
+  const T t11_26 = R10_21 * t11_19 - R11_11 * t11_21 + R11_31 * t11_22 + R11_11 * t11_23 + R10_21 * t11_24 + R11_31 *
+      t11_25;
+  const T B30_1_11 = P_dot_omega1_11_11 - t11_26;
+  const T t11_27 = T(0.027326) * omega_omega1_11_12 + T(0.003237) * minus_omega_omega1_11_32;
+  const T t11_28 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
+  const T t11_29 = omega11_3 * t11_27 - omega11_2 * t11_28;
+  const T t11_30 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
+  const T t11_31 = omega11_3 * t11_30 + omega11_1 * t11_28;
+  const T t11_32 = omega11_1 * t11_27 + omega11_2 * t11_30;
+  const T t11_33 = T(0.003237) * minus_omega_dot_omega1_11_22 - T(0.022327) * omega_dot_omega1_11_12;
+  const T t11_34 = T(0.027326) * minus_omega_dot_omega1_11_22 + T(0.022327) * minus_omega_dot_omega1_11_32;
+  const T t11_35 = T(0.003237) * minus_omega_dot_omega1_11_32 + T(0.027326) * omega_dot_omega1_11_12;
+  const T B30_1_12 = P_dot_omega1_11_12 - R11_11 * t11_29 - R10_21 * t11_31 + R11_31 * t11_32 - R11_31 * t11_33 +
+      R11_11 * t11_34 + R10_21 * t11_35;
+  const T t11_36 = T(0.022327) * minus_omega_omega1_11_13 - T(0.003237) * E10_23;
+  const T t11_37 = T(0.027326) * minus_omega_omega1_11_13 + T(0.003237) * omega_omega1_11_33;
+  const T t11_38 = omega11_2 * t11_36 - omega11_3 * t11_37;
+  const T t11_39 = T(0.027326) * E10_23 + T(0.022327) * omega_omega1_11_33;
+  const T t11_40 = omega11_3 * t11_39 - omega11_1 * t11_36;
+  const T t11_41 = omega11_1 * t11_37 - omega11_2 * t11_39;
+  const T t11_42 = T(0.027326) * omega_dot_omega1_11_23 - T(0.022327) * minus_omega_dot_omega1_11_33;
+  const T t11_43 = T(0.027326) * minus_omega_dot_omega1_11_13 - T(0.003237) * minus_omega_dot_omega1_11_33;
+  const T t11_44 = T(0.022327) * minus_omega_dot_omega1_11_13 - T(0.003237) * omega_dot_omega1_11_23;
+  const T B30_1_13 = P_dot_omega1_11_13 - R11_11 * t11_38 - R10_21 * t11_40 - R11_31 * t11_41 - R11_11 * t11_42 -
+      R10_21 * t11_43 - R11_31 * t11_44;
+  const T t11_45 = R10_22 * t11_19 - R11_12 * t11_21 + R11_32 * t11_22 + R11_12 * t11_23 + R10_22 * t11_24 + R11_32 *
+      t11_25;
+  const T B30_1_21 = P_dot_omega1_11_21 - t11_45;
+  const T B30_1_22 = P_dot_omega1_11_22 - R11_12 * t11_29 - R10_22 * t11_31 + R11_32 * t11_32 - R11_32 * t11_33 +
+      R11_12 * t11_34 + R10_22 * t11_35;
+  const T B30_1_23 = P_dot_omega1_11_23 - R11_12 * t11_38 - R10_22 * t11_40 - R11_32 * t11_41 - R11_12 * t11_42 -
+      R10_22 * t11_43 - R11_32 * t11_44;
+  const T t11_46 = R10_23 * t11_19 - R11_13 * t11_21 + R11_33 * t11_22 + R11_13 * t11_23 + R10_23 * t11_24 + R11_33 *
+      t11_25;
+  const T B30_1_31 = P_dot_omega1_11_31 - t11_46;
+  const T B30_1_32 = P_dot_omega1_11_32 - R11_13 * t11_29 - R10_23 * t11_31 + R11_33 * t11_32 - R11_33 * t11_33 +
+      R11_13 * t11_34 + R10_23 * t11_35;
+  const T B30_1_33 = P_dot_omega1_11_33 - R11_13 * t11_38 - R10_23 * t11_40 - R11_33 * t11_41 - R11_13 * t11_42 -
+      R10_23 * t11_43 - R11_33 * t11_44;
+  v_y_dot[540] = B30_1_11;
+  v_y_dot[541] = B30_1_12;
+  v_y_dot[542] = B30_1_13;
+  v_y_dot[558] = B30_1_21;
+  v_y_dot[559] = B30_1_22;
+  v_y_dot[560] = B30_1_23;
+  v_y_dot[576] = B30_1_31;
+  v_y_dot[577] = B30_1_32;
+  v_y_dot[578] = B30_1_33;
+  // B31_10 = -R11^T omega11~ r11~ omega_thetadot10_11 - R11^T r11~ omega_dot_thetadot10_11 + P_dot_thetadot10_11
+  const T minus_B31_10_1 = t11_26 - t11_6;
+  const T minus_B31_10_2 = t11_45 - t11_15;
+  const T minus_B31_10_3 = t11_46 - t11_16;
+  v_y_dot[549] = -minus_B31_10_1;
+  v_y_dot[567] = -minus_B31_10_2;
+  v_y_dot[585] = -minus_B31_10_3;
+  // B32_11 = -R11^T omega11~ r11~ b11
+  const T t11_47 = omega11_3 * T(0.027326) + omega11_1 * T(0.003237);
+  const T t11_48 = omega11_2 * T(0.003237);
+  const T t11_49 = omega11_2 * T(0.027326);
+  const T minus_B32_11_1 = R10_21 * t11_47 - R11_11 * t11_48 - R11_31 * t11_49;
+  const T minus_B32_11_2 = R10_22 * t11_47 - R11_12 * t11_48 - R11_32 * t11_49;
+  const T minus_B32_11_3 = R10_23 * t11_47 - R11_13 * t11_48 - R11_33 * t11_49;
+  v_y_dot[550] = -minus_B32_11_1;
+  v_y_dot[568] = -minus_B32_11_2;
+  v_y_dot[586] = -minus_B32_11_3;
+
+  // ---- body 12 (rr_calf) on body 11
+  const T theta12 = x[12];
+  const T thetadot12 = y[11];
+  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T E12_11 = cos(theta12);
+  const T minus_E12_13 = sin(theta12);
+  // R12^T = R11^T E12^T: R takes inertial components to body components
+  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
+  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
+  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
+  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T omega12_2 = thetadot12 + omega11_2;
+  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  // omega_omega1_12 = E12 omega_omega1_11: partial angular velocity, body axes
+  const T omega_omega1_12_11 = E12_11 * E11_11 - minus_E12_13 * minus_E11_13;
+  const T omega_omega1_12_12 = E12_11 * omega_omega1_11_12 + minus_E12_13 * minus_omega_omega1_11_32;
+  const T minus_omega_omega1_12_13 = E12_11 * minus_omega_omega1_11_13 + minus_E12_13 * omega_omega1_11_33;
+  const T omega_omega1_12_31 = minus_E12_13 * E11_11 + E12_11 * minus_E11_13;
+  const T omega_omega1_12_32 = minus_E12_13 * omega_omega1_11_12 - E12_11 * minus_omega_omega1_11_32;
+  const T omega_omega1_12_33 = E12_11 * omega_omega1_11_33 - minus_E12_13 * minus_omega_omega1_11_13;
+  // omega_dot_omega1_12 = -thetadot12 b12~ E12 omega_omega1_11 + E12 omega_dot_omega1_11: its rate
+  const T minus_omega_dot_omega1_12_11 = thetadot12 * omega_omega1_12_31 + E12_11 * minus_omega_dot_omega1_11_11 +
+      minus_E12_13 * t11_2;
+  const T omega_dot_omega1_12_12 = E12_11 * omega_dot_omega1_11_12 + minus_E12_13 * minus_omega_dot_omega1_11_32 -
+      thetadot12 * omega_omega1_12_32;
+  const T minus_omega_dot_omega1_12_13 = thetadot12 * omega_omega1_12_33 + E12_11 * minus_omega_dot_omega1_11_13 -
+      minus_E12_13 * minus_omega_dot_omega1_11_33;
+  const T omega_dot_omega1_12_31 = thetadot12 * omega_omega1_12_11 - minus_E12_13 * minus_omega_dot_omega1_11_11 +
+      E12_11 * t11_2;
+  const T omega_dot_omega1_12_32 = thetadot12 * omega_omega1_12_12 - E12_11 * minus_omega_dot_omega1_11_32 +
+      minus_E12_13 * omega_dot_omega1_11_12;
+  const T minus_omega_dot_omega1_12_33 = thetadot12 * minus_omega_omega1_12_13 + minus_E12_13 *
+      minus_omega_dot_omega1_11_13 + E12_11 * minus_omega_dot_omega1_11_33;
+  // P_dot_omega1_12 = R11^T (-omega11~ q12~ omega_omega1_11 - q12~ omega_dot_omega1_11) + P_dot_omega1_11: its rate
+  const T t12_1 = T(0.2) * E11_11;
+  const T t12_2 = omega11_3 * t12_1;
+  const T t12_3 = T(0.2) * minus_omega_dot_omega1_11_11;
+  const T t12_4 = omega11_1 * t12_1;
+  const T t12_5 = R11_11 * t12_2 + R10_21 * t12_3 - R11_31 * t12_4;
+  const T P_dot_omega1_12_11 = P_dot_omega1_11_11 - t12_5;
+  const T t12_6 = T(0.2) * omega_omega1_11_12;
+  const T t12_7 = T(0.2) * minus_omega_dot_omega1_11_22;
+  const T t12_8 = omega11_3 * t12_6 - t12_7;
+  const T t12_9 = T(0.2) * E10_22;
+  const T t12_10 = omega11_3 * t12_9 - T(0.2) * omega_dot_omega1_11_12;
+  const T t12_11 = omega11_1 * t12_6 + omega11_2 * t12_9;
+  const T P_dot_omega1_12_12 = P_dot_omega1_11_12 - R11_11 * t12_8 - R10_21 * t12_10 + R11_31 * t12_11;
+  const T t12_12 = T(0.2) * omega_dot_omega1_11_23;
+  const T t12_13 = T(0.2) * minus_omega_omega1_11_13;
+  const T t12_14 = t12_12 - omega11_3 * t12_13;
+  const T t12_15 = T(0.2) * E10_23;
+  const T t12_16 = omega11_3 * t12_15 + T(0.2) * minus_omega_dot_omega1_11_13;
+  const T t12_17 = omega11_1 * t12_13 - omega11_2 * t12_15;
+  const T P_dot_omega1_12_13 = P_dot_omega1_11_13 - R11_11 * t12_14 - R10_21 * t12_16 - R11_31 * t12_17;
+  const T t12_18 = R11_12 * t12_2 + R10_22 * t12_3 - R11_32 * t12_4;
+  const T P_dot_omega1_12_21 = P_dot_omega1_11_21 - t12_18;
+  const T P_dot_omega1_12_22 = P_dot_omega1_11_22 - R11_12 * t12_8 - R10_22 * t12_10 + R11_32 * t12_11;
+  const T P_dot_omega1_12_23 = P_dot_omega1_11_23 - R11_12 * t12_14 - R10_22 * t12_16 - R11_32 * t12_17;
+  const T t12_19 = R11_13 * t12_2 + R10_23 * t12_3 - R11_33 * t12_4;
+  const T P_dot_omega1_12_31 = P_dot_omega1_11_31 - t12_19;
+  const T P_dot_omega1_12_32 = P_dot_omega1_11_32 - R11_13 * t12_8 - R10_23 * t12_10 + R11_33 * t12_11;
+  const T P_dot_omega1_12_33 = P_dot_omega1_11_33 - R11_13 * t12_14 - R10_23 * t12_16 - R11_33 * t12_17;
+  // P_dot_thetadot10_12 = R11^T (-omega11~ q12~ omega_thetadot10_11 - q12~ omega_dot_thetadot10_11) +
+  //   P_dot_thetadot10_11: its rate
+  const T minus_P_dot_thetadot10_12_1 = t12_5 - t11_6;
+  const T minus_P_dot_thetadot10_12_2 = t12_18 - t11_15;
+  const T minus_P_dot_thetadot10_12_3 = t12_19 - t11_16;
+  // P_dot_thetadot11_12 = -R11^T omega11~ q12~ b11: its rate
+  const T t12_20 = omega11_3 * T(0.2);
+  const T t12_21 = omega11_2 * T(0.2);
+  const T minus_P_dot_thetadot11_12_1 = R10_21 * t12_20 - R11_31 * t12_21;
+  const T minus_P_dot_thetadot11_12_2 = R10_22 * t12_20 - R11_32 * t12_21;
+  const T minus_P_dot_thetadot11_12_3 = R10_23 * t12_20 - R11_33 * t12_21;
+  // B33_1 = -R12^T omega12~ r12~ omega_omega1_12 - R12^T r12~ omega_dot_omega1_12 + P_dot_omega1_12
+  const T t12_22 = T(0.107388) * omega_omega1_12_11 + T(0.006435) * omega_omega1_12_31;
+  const T t12_23 = omega12_3 * t12_22;
+  const T t12_24 = omega12_1 * t12_22;
+  const T t12_25 = T(0.107388) * minus_omega_dot_omega1_12_11 - T(0.006435) * omega_dot_omega1_12_31;
+  const T t12_26 = R12_11 * t12_23 - R12_31 * t12_24 + R10_21 * t12_25;
+  const T B33_1_11 = P_dot_omega1_12_11 - t12_26;
+  const T t12_27 = T(0.107388) * omega_omega1_12_12 + T(0.006435) * omega_omega1_12_32;
+  const T t12_28 = T(0.006435) * E10_22;
+  const T t12_29 = omega12_3 * t12_27 + omega12_2 * t12_28;
+  const T t12_30 = T(0.107388) * E10_22;
+  const T t12_31 = omega12_3 * t12_30 - omega12_1 * t12_28;
+  const T t12_32 = omega12_1 * t12_27 + omega12_2 * t12_30;
+  const T t12_33 = T(0.107388) * minus_omega_dot_omega1_11_22;
+  const T t12_34 = T(0.107388) * omega_dot_omega1_12_12 + T(0.006435) * omega_dot_omega1_12_32;
+  const T t12_35 = T(0.006435) * minus_omega_dot_omega1_11_22;
+  const T B33_1_12 = P_dot_omega1_12_12 - R12_11 * t12_29 - R10_21 * t12_31 + R12_31 * t12_32 + R12_11 * t12_33 +
+      R10_21 * t12_34 + R12_31 * t12_35;
+  const T t12_36 = T(0.006435) * E10_23;
+  const T t12_37 = T(0.107388) * minus_omega_omega1_12_13 - T(0.006435) * omega_omega1_12_33;
+  const T t12_38 = omega12_2 * t12_36 - omega12_3 * t12_37;
+  const T t12_39 = T(0.107388) * E10_23;
+  const T t12_40 = omega12_3 * t12_39 - omega12_1 * t12_36;
+  const T t12_41 = omega12_1 * t12_37 - omega12_2 * t12_39;
+  const T t12_42 = T(0.107388) * omega_dot_omega1_11_23;
+  const T t12_43 = T(0.107388) * minus_omega_dot_omega1_12_13 + T(0.006435) * minus_omega_dot_omega1_12_33;
+  const T t12_44 = T(0.006435) * omega_dot_omega1_11_23;
+  const T B33_1_13 = P_dot_omega1_12_13 - R12_11 * t12_38 - R10_21 * t12_40 - R12_31 * t12_41 - R12_11 * t12_42 -
+      R10_21 * t12_43 - R12_31 * t12_44;
+  const T t12_45 = R12_12 * t12_23 - R12_32 * t12_24 + R10_22 * t12_25;
+  const T B33_1_21 = P_dot_omega1_12_21 - t12_45;
+  const T B33_1_22 = P_dot_omega1_12_22 - R12_12 * t12_29 - R10_22 * t12_31 + R12_32 * t12_32 + R12_12 * t12_33 +
+      R10_22 * t12_34 + R12_32 * t12_35;
+  const T B33_1_23 = P_dot_omega1_12_23 - R12_12 * t12_38 - R10_22 * t12_40 - R12_32 * t12_41 - R12_12 * t12_42 -
+      R10_22 * t12_43 - R12_32 * t12_44;
+  const T t12_46 = R12_13 * t12_23 - R12_33 * t12_24 + R10_23 * t12_25;
+  const T B33_1_31 = P_dot_omega1_12_31 - t12_46;
+  const T B33_1_32 = P_dot_omega1_12_32 - R12_13 * t12_29 - R10_23 * t12_31 + R12_33 * t12_32 + R12_13 * t12_33 +
+      R10_23 * t12_34 + R12_33 * t12_35;
+  const T B33_1_33 = P_dot_omega1_12_33 - R12_13 * t12_38 - R10_23 * t12_40 - R12_33 * t12_41 - R12_13 * t12_42 -
+      R10_23 * t12_43 - R12_33 * t12_44;
+  v_y_dot[594] = B33_1_11;
+  v_y_dot[595] = B33_1_12;
+  v_y_dot[596] = B33_1_13;
+  v_y_dot[612] = B33_1_21;
+  v_y_dot[613] = B33_1_22;
+  v_y_dot[614] = B33_1_23;
+  v_y_dot[630] = B33_1_31;
+  v_y_dot[631] = B33_1_32;
+  v_y_dot[632] = B33_1_33;
+  // B34_10 = -R12^T omega12~ r12~ omega_thetadot10_12 - R12^T r12~ omega_dot_thetadot10_12 + P_dot_thetadot10_12
+  const T minus_B34_10_1 = t12_26 + minus_P_dot_thetadot10_12_1;
+  const T minus_B34_10_2 = t12_45 + minus_P_dot_thetadot10_12_2;
+  const T minus_B34_10_3 = t12_46 + minus_P_dot_thetadot10_12_3;
+  v_y_dot[603] = -minus_B34_10_1;
+  v_y_dot[621] = -minus_B34_10_2;
+  v_y_dot[639] = -minus_B34_10_3;
+  // B35_11 = -R12^T omega12~ r12~ omega_thetadot11_12 - R12^T r12~ omega_dot_thetadot11_12 + P_dot_thetadot11_12
+  const T t12_47 = omega12_2 * T(0.006435);
+  const T t12_48 = omega12_3 * T(0.107388) - omega12_1 * T(0.006435);
+  const T t12_49 = omega12_2 * T(0.107388);
+  const T t12_50 = R12_11 * t12_47 + R10_21 * t12_48 - R12_31 * t12_49;
+  const T minus_B35_11_1 = t12_50 + minus_P_dot_thetadot11_12_1;
+  const T t12_51 = R12_12 * t12_47 + R10_22 * t12_48 - R12_32 * t12_49;
+  const T minus_B35_11_2 = t12_51 + minus_P_dot_thetadot11_12_2;
+  const T t12_52 = R12_13 * t12_47 + R10_23 * t12_48 - R12_33 * t12_49;
+  const T minus_B35_11_3 = t12_52 + minus_P_dot_thetadot11_12_3;
+  v_y_dot[604] = -minus_B35_11_1;
+  v_y_dot[622] = -minus_B35_11_2;
+  v_y_dot[640] = -minus_B35_11_3;
+  v_y_dot[605] = -t12_50;
+  v_y_dot[623] = -t12_51;
+  v_y_dot[641] = -t12_52;
+  // B37_1 = -R12^T omega12~ o13~ omega_omega1_12 - R12^T o13~ omega_dot_omega1_12 + P_dot_omega1_12
+  const T t12_53 = T(0.2) * omega_omega1_12_11;
+  const T t12_54 = omega12_3 * t12_53;
+  const T t12_55 = omega12_1 * t12_53;
+  const T t12_56 = T(0.2) * minus_omega_dot_omega1_12_11;
+  const T t12_57 = R12_11 * t12_54 - R12_31 * t12_55 + R10_21 * t12_56;
+  const T B37_1_11 = P_dot_omega1_12_11 - t12_57;
+  const T t12_58 = T(0.2) * omega_omega1_12_12;
+  const T t12_59 = omega12_3 * t12_58;
+  const T t12_60 = omega12_3 * t12_9;
+  const T t12_61 = omega12_1 * t12_58 + omega12_2 * t12_9;
+  const T t12_62 = T(0.2) * omega_dot_omega1_12_12;
+  const T B37_1_12 = P_dot_omega1_12_12 - R12_11 * t12_59 - R10_21 * t12_60 + R12_31 * t12_61 + R12_11 * t12_7 +
+      R10_21 * t12_62;
+  const T t12_63 = omega12_3 * t12_15;
+  const T t12_64 = T(0.2) * minus_omega_omega1_12_13;
+  const T t12_65 = omega12_3 * t12_64;
+  const T t12_66 = omega12_1 * t12_64 - omega12_2 * t12_15;
+  const T t12_67 = T(0.2) * minus_omega_dot_omega1_12_13;
+  const T B37_1_13 = P_dot_omega1_12_13 - R10_21 * t12_63 + R12_11 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 -
+      R10_21 * t12_67;
+  const T t12_68 = R12_12 * t12_54 - R12_32 * t12_55 + R10_22 * t12_56;
+  const T B37_1_21 = P_dot_omega1_12_21 - t12_68;
+  const T B37_1_22 = P_dot_omega1_12_22 - R12_12 * t12_59 - R10_22 * t12_60 + R12_32 * t12_61 + R12_12 * t12_7 +
+      R10_22 * t12_62;
+  const T B37_1_23 = P_dot_omega1_12_23 - R10_22 * t12_63 + R12_12 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 -
+      R10_22 * t12_67;
+  const T t12_69 = R12_13 * t12_54 - R12_33 * t12_55 + R10_23 * t12_56;
+  const T B37_1_31 = P_dot_omega1_12_31 - t12_69;
+  const T B37_1_32 = P_dot_omega1_12_32 - R12_13 * t12_59 - R10_23 * t12_60 + R12_33 * t12_61 + R12_13 * t12_7 +
+      R10_23 * t12_62;
+  const T B37_1_33 = P_dot_omega1_12_33 - R10_23 * t12_63 + R12_13 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 -
+      R10_23 * t12_67;
+  v_y_dot[648] = B37_1_11;
+  v_y_dot[649] = B37_1_12;
+  v_y_dot[650] = B37_1_13;
+  v_y_dot[666] = B37_1_21;
+  v_y_dot[667] = B37_1_22;
+  v_y_dot[668] = B37_1_23;
+  v_y_dot[684] = B37_1_31;
+  v_y_dot[685] = B37_1_32;
+  v_y_dot[686] = B37_1_33;
+  // B38_10 = -R12^T omega12~ o13~ omega_thetadot10_12 - R12^T o13~ omega_dot_thetadot10_12 + P_dot_thetadot10_12
+  const T minus_B38_10_1 = t12_57 + minus_P_dot_thetadot10_12_1;
+  const T minus_B38_10_2 = t12_68 + minus_P_dot_thetadot10_12_2;
+  const T minus_B38_10_3 = t12_69 + minus_P_dot_thetadot10_12_3;
+  v_y_dot[657] = -minus_B38_10_1;
+  v_y_dot[675] = -minus_B38_10_2;
+  v_y_dot[693] = -minus_B38_10_3;
+  // B39_11 = -R12^T omega12~ o13~ omega_thetadot11_12 - R12^T o13~ omega_dot_thetadot11_12 + P_dot_thetadot11_12
+  const T t12_70 = omega12_3 * T(0.2);
+  const T t12_71 = omega12_2 * T(0.2);
+  const T t12_72 = R10_21 * t12_70 - R12_31 * t12_71;
+  const T minus_B39_11_1 = t12_72 + minus_P_dot_thetadot11_12_1;
+  const T t12_73 = R10_22 * t12_70 - R12_32 * t12_71;
+  const T minus_B39_11_2 = t12_73 + minus_P_dot_thetadot11_12_2;
+  const T t12_74 = R10_23 * t12_70 - R12_33 * t12_71;
+  const T minus_B39_11_3 = t12_74 + minus_P_dot_thetadot11_12_3;
+  v_y_dot[658] = -minus_B39_11_1;
+  v_y_dot[676] = -minus_B39_11_2;
+  v_y_dot[694] = -minus_B39_11_3;
+  v_y_dot[659] = -t12_72;
+  v_y_dot[677] = -t12_73;
+  v_y_dot[695] = -t12_74;
+
+  // ---- body 14 (rl_hip) on body 1
+  const T theta14 = x[13];
+  const T thetadot14 = y[12];
+  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
+  const T E14_22 = cos(theta14);
+  const T E14_23 = sin(theta14);
+  // R14^T = R1^T E14^T: R takes inertial components to body components
+  const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
+  const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
+  const T R14_23 = R1_23 * E14_22 + R1_33 * E14_23;
+  const T R14_31 = R1_31 * E14_22 - R1_21 * E14_23;
+  const T R14_32 = R1_32 * E14_22 - R1_22 * E14_23;
+  const T R14_33 = R1_33 * E14_22 - R1_23 * E14_23;
+  // omega14 = thetadot14 b14 + E14 omega1: absolute angular velocity, body axes [rad/s]
+  const T omega14_1 = thetadot14 + omega1_1;
+  const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
+  const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
+  // B41_1 = thetadot14 R14^T r14~ b14~ E14 - R14^T omega14~ r14~ E14 + P_dot_omega1_14
+  const T t14_1 = omega14_1 * T(0.000635);
+  const T t14_2 = omega14_3 * T(3.1e-05) + omega14_2 * T(0.000635);
+  const T t14_3 = omega14_1 * T(3.1e-05);
+  const T t14_4 = R14_21 * t14_1 - R1_11 * t14_2 + R14_31 * t14_3;
+  const T B41_1_11 = minus_P_dot_omega1_2_11 - t14_4;
+  const T t14_5 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
+  const T t14_6 = T(0.003311) * E14_22;
+  const T t14_7 = T(0.003311) * E14_23;
+  const T t14_8 = omega14_2 * t14_6 - omega14_3 * t14_7;
+  const T t14_9 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
+  const T t14_10 = omega14_1 * t14_6;
+  const T t14_11 = omega14_3 * t14_9 + t14_10;
+  const T t14_12 = omega14_1 * t14_7;
+  const T t14_13 = t14_12 + omega14_2 * t14_9;
+  const T B41_1_12 = thetadot14 * (R1_11 * t14_5 - R14_21 * t14_6 + R14_31 * t14_7) - R1_11 * t14_8 + R14_21 * t14_11
+      - R14_31 * t14_13 + minus_P_dot_omega1_2_12;
+  const T t14_14 = omega14_3 * t14_6 + omega14_2 * t14_7;
+  const T t14_15 = omega14_3 * t14_5 - t14_12;
+  const T t14_16 = t14_10 + omega14_2 * t14_5;
+  const T minus_B41_1_13 = thetadot14 * (R14_21 * t14_7 - R1_11 * t14_9 + R14_31 * t14_6) + R1_11 * t14_14 + R14_21 *
+      t14_15 - R14_31 * t14_16 + P_dot_omega1_2_13;
+  const T t14_17 = R14_22 * t14_1 - R1_12 * t14_2 + R14_32 * t14_3;
+  const T B41_1_21 = minus_P_dot_omega1_2_21 - t14_17;
+  const T B41_1_22 = thetadot14 * (R1_12 * t14_5 - R14_22 * t14_6 + R14_32 * t14_7) - R1_12 * t14_8 + R14_22 * t14_11
+      - R14_32 * t14_13 + minus_P_dot_omega1_2_22;
+  const T minus_B41_1_23 = thetadot14 * (R14_22 * t14_7 - R1_12 * t14_9 + R14_32 * t14_6) + R1_12 * t14_14 + R14_22 *
+      t14_15 - R14_32 * t14_16 + P_dot_omega1_2_23;
+  const T t14_18 = R14_23 * t14_1 - R1_13 * t14_2 + R14_33 * t14_3;
+  const T B41_1_31 = minus_P_dot_omega1_2_31 - t14_18;
+  const T B41_1_32 = thetadot14 * (R1_13 * t14_5 - R14_23 * t14_6 + R14_33 * t14_7) - R1_13 * t14_8 + R14_23 * t14_11
+      - R14_33 * t14_13 + minus_P_dot_omega1_2_32;
+  const T minus_B41_1_33 = thetadot14 * (R14_23 * t14_7 - R1_13 * t14_9 + R14_33 * t14_6) + R1_13 * t14_14 + R14_23 *
+      t14_15 - R14_33 * t14_16 + P_dot_omega1_2_33;
+  v_y_dot[702] = B41_1_11;
+  v_y_dot[703] = B41_1_12;
+  v_y_dot[704] = -minus_B41_1_13;
+  v_y_dot[720] = B41_1_21;
+  v_y_dot[721] = B41_1_22;
+  v_y_dot[722] = -minus_B41_1_23;
+  v_y_dot[738] = B41_1_31;
+  v_y_dot[739] = B41_1_32;
+  v_y_dot[740] = -minus_B41_1_33;
+  v_y_dot[714] = -t14_4;
+  v_y_dot[732] = -t14_17;
+  v_y_dot[750] = -t14_18;
+
+  // ---- body 15 (rl_thigh) on body 14
+  const T theta15 = x[14];
+  const T thetadot15 = y[13];
+  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
+  const T E15_11 = cos(theta15);
+  const T minus_E15_13 = sin(theta15);
+  // R15^T = R14^T E15^T: R takes inertial components to body components
+  const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
+  const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
+  const T R15_13 = R1_13 * E15_11 - R14_33 * minus_E15_13;
+  const T R15_31 = R1_11 * minus_E15_13 + R14_31 * E15_11;
+  const T R15_32 = R1_12 * minus_E15_13 + R14_32 * E15_11;
+  const T R15_33 = R1_13 * minus_E15_13 + R14_33 * E15_11;
+  // omega15 = thetadot15 b15 + E15 omega14: absolute angular velocity, body axes [rad/s]
+  const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
+  const T omega15_2 = thetadot15 + omega14_2;
+  const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
+  // omega_omega1_15 = E15 E14: partial angular velocity, body axes
+  const T omega_omega1_15_12 = minus_E15_13 * E14_23;
+  const T minus_omega_omega1_15_13 = minus_E15_13 * E14_22;
+  const T minus_omega_omega1_15_32 = E15_11 * E14_23;
+  const T omega_omega1_15_33 = E15_11 * E14_22;
+  // omega_dot_omega1_15 = -(thetadot14 E15 b14~ + thetadot15 b15~ E15) E14: its rate
+  const T minus_omega_dot_omega1_15_11 = thetadot15 * minus_E15_13;
+  const T t15_1 = thetadot14 * minus_E15_13;
+  const T t15_2 = thetadot15 * E15_11;
+  const T omega_dot_omega1_15_12 = t15_1 * E14_22 + t15_2 * E14_23;
+  const T minus_omega_dot_omega1_15_13 = t15_2 * E14_22 - t15_1 * E14_23;
+  const T minus_omega_dot_omega1_15_22 = thetadot14 * E14_23;
+  const T omega_dot_omega1_15_23 = thetadot14 * E14_22;
+  const T t15_3 = thetadot14 * E15_11;
+  const T minus_omega_dot_omega1_15_32 = t15_3 * E14_22 - minus_omega_dot_omega1_15_11 * E14_23;
+  const T minus_omega_dot_omega1_15_33 = t15_3 * E14_23 + minus_omega_dot_omega1_15_11 * E14_22;
+  // P_dot_omega1_15 = R14^T (thetadot14 q15~ b14~ - omega14~ q15~) E14 + P_dot_omega1_14: its rate
+  const T t15_4 = omega14_2 * T(0.0838);
+  const T t15_5 = omega14_1 * T(0.0838);
+  const T t15_6 = R1_11 * t15_4 - R14_21 * t15_5;
+  const T P_dot_omega1_15_11 = t15_6 + minus_P_dot_omega1_2_11;
+  const T t15_7 = thetadot14 * T(0.0838);
+  const T t15_8 = t15_7 * E14_22;
+  const T t15_9 = omega14_3 * T(0.0838);
+  const T t15_10 = t15_9 * E14_23;
+  const T t15_11 = t15_4 * E14_23;
+  const T P_dot_omega1_15_12 = R1_11 * t15_8 + R14_21 * t15_10 - R14_31 * t15_11 + minus_P_dot_omega1_2_12;
+  const T t15_12 = t15_7 * E14_23;
+  const T t15_13 = t15_9 * E14_22;
+  const T t15_14 = t15_4 * E14_22;
+  const T P_dot_omega1_15_13 = R1_11 * t15_12 - R14_21 * t15_13 + R14_31 * t15_14 - P_dot_omega1_2_13;
+  const T t15_15 = R1_12 * t15_4 - R14_22 * t15_5;
+  const T P_dot_omega1_15_21 = t15_15 + minus_P_dot_omega1_2_21;
+  const T P_dot_omega1_15_22 = R1_12 * t15_8 + R14_22 * t15_10 - R14_32 * t15_11 + minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_15_23 = R1_12 * t15_12 - R14_22 * t15_13 + R14_32 * t15_14 - P_dot_omega1_2_23;
+  const T t15_16 = R1_13 * t15_4 - R14_23 * t15_5;
+  const T P_dot_omega1_15_31 = t15_16 + minus_P_dot_omega1_2_31;
+  const T P_dot_omega1_15_32 = R1_13 * t15_8 + R14_23 * t15_10 - R14_33 * t15_11 + minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_15_33 = R1_13 * t15_12 - R14_23 * t15_13 + R14_33 * t15_14 - P_dot_omega1_2_33;
+  // B43_1 = -R15^T omega15~ r15~ omega_omega1_15 - R15^T r15~ omega_dot_omega1_15 + P_dot_omega1_15
+  const T t15_17 = T(0.022327) * E15_11;
+  const T t15_18 = T(0.003237) * minus_E15_13 - T(0.027326) * E15_11;
+  const T t15_19 = omega15_2 * t15_17 - omega15_3 * t15_18;
+  const T t15_20 = T(0.022327) * minus_E15_13;
+  const T t15_21 = omega15_3 * t15_20 + omega15_1 * t15_17;
+  const T t15_22 = omega15_1 * t15_18 + omega15_2 * t15_20;
+  const T t15_23 = T(0.003237) * t15_2 + T(0.027326) * minus_omega_dot_omega1_15_11;
+  const T t15_24 = T(0.022327) * t15_2;
+  const T t15_25 = T(0.022327) * minus_omega_dot_omega1_15_11;
+  const T t15_26 = R15_11 * t15_19 - R14_21 * t15_21 + R15_31 * t15_22 + R14_21 * t15_23 - R15_11 * t15_24 - R15_31 *
+      t15_25;
+  const T B43_1_11 = P_dot_omega1_15_11 - t15_26;
+  const T t15_27 = T(0.027326) * omega_omega1_15_12 + T(0.003237) * minus_omega_omega1_15_32;
+  const T t15_28 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
+  const T t15_29 = omega15_3 * t15_27 + omega15_2 * t15_28;
+  const T t15_30 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
+  const T t15_31 = omega15_3 * t15_30 - omega15_1 * t15_28;
+  const T t15_32 = omega15_1 * t15_27 + omega15_2 * t15_30;
+  const T t15_33 = T(0.022327) * minus_omega_dot_omega1_15_32 - T(0.027326) * minus_omega_dot_omega1_15_22;
+  const T t15_34 = T(0.003237) * minus_omega_dot_omega1_15_32 + T(0.027326) * omega_dot_omega1_15_12;
+  const T t15_35 = T(0.022327) * omega_dot_omega1_15_12 + T(0.003237) * minus_omega_dot_omega1_15_22;
+  const T B43_1_12 = P_dot_omega1_15_12 - R15_11 * t15_29 - R14_21 * t15_31 + R15_31 * t15_32 - R15_11 * t15_33 +
+      R14_21 * t15_34 - R15_31 * t15_35;
+  const T t15_36 = T(0.027326) * E14_23 - T(0.022327) * omega_omega1_15_33;
+  const T t15_37 = T(0.003237) * E14_23 + T(0.022327) * minus_omega_omega1_15_13;
+  const T t15_38 = omega15_3 * t15_36 + omega15_1 * t15_37;
+  const T t15_39 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
+  const T t15_40 = omega15_3 * t15_39 + omega15_2 * t15_37;
+  const T t15_41 = omega15_1 * t15_39 - omega15_2 * t15_36;
+  const T t15_42 = T(0.027326) * omega_dot_omega1_15_23 + T(0.022327) * minus_omega_dot_omega1_15_33;
+  const T t15_43 = T(0.027326) * minus_omega_dot_omega1_15_13 - T(0.003237) * minus_omega_dot_omega1_15_33;
+  const T t15_44 = T(0.022327) * minus_omega_dot_omega1_15_13 + T(0.003237) * omega_dot_omega1_15_23;
+  const T B43_1_13 = P_dot_omega1_15_13 - R14_21 * t15_38 + R15_11 * t15_40 - R15_31 * t15_41 - R15_11 * t15_42 -
+      R14_21 * t15_43 + R15_31 * t15_44;
+  const T t15_45 = R15_12 * t15_19 - R14_22 * t15_21 + R15_32 * t15_22 + R14_22 * t15_23 - R15_12 * t15_24 - R15_32 *
+      t15_25;
+  const T B43_1_21 = P_dot_omega1_15_21 - t15_45;
+  const T B43_1_22 = P_dot_omega1_15_22 - R15_12 * t15_29 - R14_22 * t15_31 + R15_32 * t15_32 - R15_12 * t15_33 +
+      R14_22 * t15_34 - R15_32 * t15_35;
+  const T B43_1_23 = P_dot_omega1_15_23 - R14_22 * t15_38 + R15_12 * t15_40 - R15_32 * t15_41 - R15_12 * t15_42 -
+      R14_22 * t15_43 + R15_32 * t15_44;
+  const T t15_46 = R15_13 * t15_19 - R14_23 * t15_21 + R15_33 * t15_22 + R14_23 * t15_23 - R15_13 * t15_24 - R15_33 *
+      t15_25;
+  const T B43_1_31 = P_dot_omega1_15_31 - t15_46;
+  const T B43_1_32 = P_dot_omega1_15_32 - R15_13 * t15_29 - R14_23 * t15_31 + R15_33 * t15_32 - R15_13 * t15_33 +
+      R14_23 * t15_34 - R15_33 * t15_35;
+  const T B43_1_33 = P_dot_omega1_15_33 - R14_23 * t15_38 + R15_13 * t15_40 - R15_33 * t15_41 - R15_13 * t15_42 -
+      R14_23 * t15_43 + R15_33 * t15_44;
+  v_y_dot[756] = B43_1_11;
+  v_y_dot[757] = B43_1_12;
+  v_y_dot[758] = B43_1_13;
+  v_y_dot[774] = B43_1_21;
+  v_y_dot[775] = B43_1_22;
+  v_y_dot[776] = B43_1_23;
+  v_y_dot[792] = B43_1_31;
+  v_y_dot[793] = B43_1_32;
+  v_y_dot[794] = B43_1_33;
+  // B44_14 = -R15^T omega15~ r15~ omega_thetadot14_15 - R15^T r15~ omega_dot_thetadot14_15 + P_dot_thetadot14_15
+  const T minus_B44_14_1 = t15_26 - t15_6;
+  const T minus_B44_14_2 = t15_45 - t15_15;
+  const T minus_B44_14_3 = t15_46 - t15_16;
+  v_y_dot[768] = -minus_B44_14_1;
+  v_y_dot[786] = -minus_B44_14_2;
+  v_y_dot[804] = -minus_B44_14_3;
+  // B45_15 = -R15^T omega15~ r15~ b15
+  const T t15_47 = omega15_3 * T(0.027326) + omega15_1 * T(0.003237);
+  const T t15_48 = omega15_2 * T(0.003237);
+  const T t15_49 = omega15_2 * T(0.027326);
+  const T minus_B45_15_1 = R14_21 * t15_47 - R15_11 * t15_48 - R15_31 * t15_49;
+  const T minus_B45_15_2 = R14_22 * t15_47 - R15_12 * t15_48 - R15_32 * t15_49;
+  const T minus_B45_15_3 = R14_23 * t15_47 - R15_13 * t15_48 - R15_33 * t15_49;
+  v_y_dot[769] = -minus_B45_15_1;
+  v_y_dot[787] = -minus_B45_15_2;
+  v_y_dot[805] = -minus_B45_15_3;
+
+  // ---- body 16 (rl_calf) on body 15
+  const T theta16 = x[15];
+  const T thetadot16 = y[14];
+  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T E16_11 = cos(theta16);
+  const T minus_E16_13 = sin(theta16);
+  // R16^T = R15^T E16^T: R takes inertial components to body components
+  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
+  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
+  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
+  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T omega16_2 = thetadot16 + omega15_2;
+  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  // omega_omega1_16 = E16 omega_omega1_15: partial angular velocity, body axes
+  const T omega_omega1_16_11 = E16_11 * E15_11 - minus_E16_13 * minus_E15_13;
+  const T omega_omega1_16_12 = E16_11 * omega_omega1_15_12 + minus_E16_13 * minus_omega_omega1_15_32;
+  const T minus_omega_omega1_16_13 = E16_11 * minus_omega_omega1_15_13 + minus_E16_13 * omega_omega1_15_33;
+  const T omega_omega1_16_31 = minus_E16_13 * E15_11 + E16_11 * minus_E15_13;
+  const T omega_omega1_16_32 = minus_E16_13 * omega_omega1_15_12 - E16_11 * minus_omega_omega1_15_32;
+  const T omega_omega1_16_33 = E16_11 * omega_omega1_15_33 - minus_E16_13 * minus_omega_omega1_15_13;
+  // omega_dot_omega1_16 = -thetadot16 b16~ E16 omega_omega1_15 + E16 omega_dot_omega1_15: its rate
+  const T minus_omega_dot_omega1_16_11 = thetadot16 * omega_omega1_16_31 + E16_11 * minus_omega_dot_omega1_15_11 +
+      minus_E16_13 * t15_2;
+  const T omega_dot_omega1_16_12 = E16_11 * omega_dot_omega1_15_12 + minus_E16_13 * minus_omega_dot_omega1_15_32 -
+      thetadot16 * omega_omega1_16_32;
+  const T minus_omega_dot_omega1_16_13 = thetadot16 * omega_omega1_16_33 + E16_11 * minus_omega_dot_omega1_15_13 -
+      minus_E16_13 * minus_omega_dot_omega1_15_33;
+  const T omega_dot_omega1_16_31 = thetadot16 * omega_omega1_16_11 - minus_E16_13 * minus_omega_dot_omega1_15_11 +
+      E16_11 * t15_2;
+  const T omega_dot_omega1_16_32 = thetadot16 * omega_omega1_16_12 - E16_11 * minus_omega_dot_omega1_15_32 +
+      minus_E16_13 * omega_dot_omega1_15_12;
+  const T minus_omega_dot_omega1_16_33 = thetadot16 * minus_omega_omega1_16_13 + minus_E16_13 *
+      minus_omega_dot_omega1_15_13 + E16_11 * minus_omega_dot_omega1_15_33;
+  // P_dot_omega1_16 = R15^T (-omega15~ q16~ omega_omega1_15 - q16~ omega_dot_omega1_15) + P_dot_omega1_15: its rate
+  const T t16_1 = T(0.2) * E15_11;
+  const T t16_2 = omega15_3 * t16_1;
+  const T t16_3 = T(0.2) * minus_omega_dot_omega1_15_11;
+  const T t16_4 = omega15_1 * t16_1;
+  const T t16_5 = R15_11 * t16_2 + R14_21 * t16_3 - R15_31 * t16_4;
+  const T P_dot_omega1_16_11 = P_dot_omega1_15_11 - t16_5;
+  const T t16_6 = T(0.2) * omega_omega1_15_12;
+  const T t16_7 = T(0.2) * minus_omega_dot_omega1_15_22;
+  const T t16_8 = omega15_3 * t16_6 - t16_7;
+  const T t16_9 = T(0.2) * E14_22;
+  const T t16_10 = omega15_3 * t16_9 - T(0.2) * omega_dot_omega1_15_12;
+  const T t16_11 = omega15_1 * t16_6 + omega15_2 * t16_9;
+  const T P_dot_omega1_16_12 = P_dot_omega1_15_12 - R15_11 * t16_8 - R14_21 * t16_10 + R15_31 * t16_11;
+  const T t16_12 = T(0.2) * omega_dot_omega1_15_23;
+  const T t16_13 = T(0.2) * minus_omega_omega1_15_13;
+  const T t16_14 = t16_12 - omega15_3 * t16_13;
+  const T t16_15 = T(0.2) * E14_23;
+  const T t16_16 = omega15_3 * t16_15 + T(0.2) * minus_omega_dot_omega1_15_13;
+  const T t16_17 = omega15_1 * t16_13 - omega15_2 * t16_15;
+  const T P_dot_omega1_16_13 = P_dot_omega1_15_13 - R15_11 * t16_14 - R14_21 * t16_16 - R15_31 * t16_17;
+  const T t16_18 = R15_12 * t16_2 + R14_22 * t16_3 - R15_32 * t16_4;
+  const T P_dot_omega1_16_21 = P_dot_omega1_15_21 - t16_18;
+  const T P_dot_omega1_16_22 = P_dot_omega1_15_22 - R15_12 * t16_8 - R14_22 * t16_10 + R15_32 * t16_11;
+  const T P_dot_omega1_16_23 = P_dot_omega1_15_23 - R15_12 * t16_14 - R14_22 * t16_16 - R15_32 * t16_17;
+  const T t16_19 = R15_13 * t16_2 + R14_23 * t16_3 - R15_33 * t16_4;
+  const T P_dot_omega1_16_31 = P_dot_omega1_15_31 - t16_19;
+  const T P_dot_omega1_16_32 = P_dot_omega1_15_32 - R15_13 * t16_8 - R14_23 * t16_10 + R15_33 * t16_11;
+  const T P_dot_omega1_16_33 = P_dot_omega1_15_33 - R15_13 * t16_14 - R14_23 * t16_16 - R15_33 * t16_17;
+  // P_dot_thetadot14_16 = R15^T (-omega15~ q16~ omega_thetadot14_15 - q16~ omega_dot_thetadot14_15) +
+  //   P_dot_thetadot14_15: its rate
+  const T minus_P_dot_thetadot14_16_1 = t16_5 - t15_6;
+  const T minus_P_dot_thetadot14_16_2 = t16_18 - t15_15;
+  const T minus_P_dot_thetadot14_16_3 = t16_19 - t15_16;
+  // P_dot_thetadot15_16 = -R15^T omega15~ q16~ b15: its rate
+  const T t16_20 = omega15_3 * T(0.2);
+  const T t16_21 = omega15_2 * T(0.2);
+  const T minus_P_dot_thetadot15_16_1 = R14_21 * t16_20 - R15_31 * t16_21;
+  const T minus_P_dot_thetadot15_16_2 = R14_22 * t16_20 - R15_32 * t16_21;
+  const T minus_P_dot_thetadot15_16_3 = R14_23 * t16_20 - R15_33 * t16_21;
+  // B46_1 = -R16^T omega16~ r16~ omega_omega1_16 - R16^T r16~ omega_dot_omega1_16 + P_dot_omega1_16
+  const T t16_22 = T(0.107388) * omega_omega1_16_11 + T(0.006435) * omega_omega1_16_31;
+  const T t16_23 = omega16_3 * t16_22;
+  const T t16_24 = omega16_1 * t16_22;
+  const T t16_25 = T(0.107388) * minus_omega_dot_omega1_16_11 - T(0.006435) * omega_dot_omega1_16_31;
+  const T t16_26 = R16_11 * t16_23 - R16_31 * t16_24 + R14_21 * t16_25;
+  const T B46_1_11 = P_dot_omega1_16_11 - t16_26;
+  const T t16_27 = T(0.107388) * omega_omega1_16_12 + T(0.006435) * omega_omega1_16_32;
+  const T t16_28 = T(0.006435) * E14_22;
+  const T t16_29 = omega16_3 * t16_27 + omega16_2 * t16_28;
+  const T t16_30 = T(0.107388) * E14_22;
+  const T t16_31 = omega16_3 * t16_30 - omega16_1 * t16_28;
+  const T t16_32 = omega16_1 * t16_27 + omega16_2 * t16_30;
+  const T t16_33 = T(0.107388) * minus_omega_dot_omega1_15_22;
+  const T t16_34 = T(0.107388) * omega_dot_omega1_16_12 + T(0.006435) * omega_dot_omega1_16_32;
+  const T t16_35 = T(0.006435) * minus_omega_dot_omega1_15_22;
+  const T B46_1_12 = P_dot_omega1_16_12 - R16_11 * t16_29 - R14_21 * t16_31 + R16_31 * t16_32 + R16_11 * t16_33 +
+      R14_21 * t16_34 + R16_31 * t16_35;
+  const T t16_36 = T(0.006435) * E14_23;
+  const T t16_37 = T(0.107388) * minus_omega_omega1_16_13 - T(0.006435) * omega_omega1_16_33;
+  const T t16_38 = omega16_2 * t16_36 - omega16_3 * t16_37;
+  const T t16_39 = T(0.107388) * E14_23;
+  const T t16_40 = omega16_3 * t16_39 - omega16_1 * t16_36;
+  const T t16_41 = omega16_1 * t16_37 - omega16_2 * t16_39;
+  const T t16_42 = T(0.107388) * omega_dot_omega1_15_23;
+  const T t16_43 = T(0.107388) * minus_omega_dot_omega1_16_13 + T(0.006435) * minus_omega_dot_omega1_16_33;
+  const T t16_44 = T(0.006435) * omega_dot_omega1_15_23;
+  const T B46_1_13 = P_dot_omega1_16_13 - R16_11 * t16_38 - R14_21 * t16_40 - R16_31 * t16_41 - R16_11 * t16_42 -
+      R14_21 * t16_43 - R16_31 * t16_44;
+  const T t16_45 = R16_12 * t16_23 - R16_32 * t16_24 + R14_22 * t16_25;
+  const T B46_1_21 = P_dot_omega1_16_21 - t16_45;
+  const T B46_1_22 = P_dot_omega1_16_22 - R16_12 * t16_29 - R14_22 * t16_31 + R16_32 * t16_32 + R16_12 * t16_33 +
+      R14_22 * t16_34 + R16_32 * t16_35;
+  const T B46_1_23 = P_dot_omega1_16_23 - R16_12 * t16_38 - R14_22 * t16_40 - R16_32 * t16_41 - R16_12 * t16_42 -
+      R14_22 * t16_43 - R16_32 * t16_44;
+  const T t16_46 = R16_13 * t16_23 - R16_33 * t16_24 + R14_23 * t16_25;
+  const T B46_1_31 = P_dot_omega1_16_31 - t16_46;
+  const T B46_1_32 = P_dot_omega1_16_32 - R16_13 * t16_29 - R14_23 * t16_31 + R16_33 * t16_32 + R16_13 * t16_33 +
+      R14_23 * t16_34 + R16_33 * t16_35;
+  const T B46_1_33 = P_dot_omega1_16_33 - R16_13 * t16_38 - R14_23 * t16_40 - R16_33 * t16_41 - R16_13 * t16_42 -
+      R14_23 * t16_43 - R16_33 * t16_44;
+  v_y_dot[810] = B46_1_11;
+  v_y_dot[811] = B46_1_12;
+  v_y_dot[812] = B46_1_13;
+  v_y_dot[828] = B46_1_21;
+  v_y_dot[829] = B46_1_22;
+  v_y_dot[830] = B46_1_23;
+  v_y_dot[846] = B46_1_31;
+  v_y_dot[847] = B46_1_32;
+  v_y_dot[848] = B46_1_33;
+  // B47_14 = -R16^T omega16~ r16~ omega_thetadot14_16 - R16^T r16~ omega_dot_thetadot14_16 + P_dot_thetadot14_16
+  const T minus_B47_14_1 = t16_26 + minus_P_dot_thetadot14_16_1;
+  const T minus_B47_14_2 = t16_45 + minus_P_dot_thetadot14_16_2;
+  const T minus_B47_14_3 = t16_46 + minus_P_dot_thetadot14_16_3;
+  v_y_dot[822] = -minus_B47_14_1;
+  v_y_dot[840] = -minus_B47_14_2;
+  v_y_dot[858] = -minus_B47_14_3;
+  // B48_15 = -R16^T omega16~ r16~ omega_thetadot15_16 - R16^T r16~ omega_dot_thetadot15_16 + P_dot_thetadot15_16
+  const T t16_47 = omega16_2 * T(0.006435);
+  const T t16_48 = omega16_3 * T(0.107388) - omega16_1 * T(0.006435);
+  const T t16_49 = omega16_2 * T(0.107388);
+  const T t16_50 = R16_11 * t16_47 + R14_21 * t16_48 - R16_31 * t16_49;
+  const T minus_B48_15_1 = t16_50 + minus_P_dot_thetadot15_16_1;
+  const T t16_51 = R16_12 * t16_47 + R14_22 * t16_48 - R16_32 * t16_49;
+  const T minus_B48_15_2 = t16_51 + minus_P_dot_thetadot15_16_2;
+  const T t16_52 = R16_13 * t16_47 + R14_23 * t16_48 - R16_33 * t16_49;
+  const T minus_B48_15_3 = t16_52 + minus_P_dot_thetadot15_16_3;
+  v_y_dot[823] = -minus_B48_15_1;
+  v_y_dot[841] = -minus_B48_15_2;
+  v_y_dot[859] = -minus_B48_15_3;
+  v_y_dot[824] = -t16_50;
+  v_y_dot[842] = -t16_51;
+  v_y_dot[860] = -t16_52;
+  // B50_1 = -R16^T omega16~ o17~ omega_omega1_16 - R16^T o17~ omega_dot_omega1_16 + P_dot_omega1_16
+  const T t16_53 = T(0.2) * omega_omega1_16_11;
+  const T t16_54 = omega16_3 * t16_53;
+  const T t16_55 = omega16_1 * t16_53;
+  const T t16_56 = T(0.2) * minus_omega_dot_omega1_16_11;
+  const T t16_57 = R16_11 * t16_54 - R16_31 * t16_55 + R14_21 * t16_56;
+  const T B50_1_11 = P_dot_omega1_16_11 - t16_57;
+  const T t16_58 = T(0.2) * omega_omega1_16_12;
+  const T t16_59 = omega16_3 * t16_58;
+  const T t16_60 = omega16_3 * t16_9;
+  const T t16_61 = omega16_1 * t16_58 + omega16_2 * t16_9;
+  const T t16_62 = T(0.2) * omega_dot_omega1_16_12;
+  const T B50_1_12 = P_dot_omega1_16_12 - R16_11 * t16_59 - R14_21 * t16_60 + R16_31 * t16_61 + R16_11 * t16_7 +
+      R14_21 * t16_62;
+  const T t16_63 = omega16_3 * t16_15;
+  const T t16_64 = T(0.2) * minus_omega_omega1_16_13;
+  const T t16_65 = omega16_3 * t16_64;
+  const T t16_66 = omega16_1 * t16_64 - omega16_2 * t16_15;
+  const T t16_67 = T(0.2) * minus_omega_dot_omega1_16_13;
+  const T B50_1_13 = P_dot_omega1_16_13 - R14_21 * t16_63 + R16_11 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 -
+      R14_21 * t16_67;
+  const T t16_68 = R16_12 * t16_54 - R16_32 * t16_55 + R14_22 * t16_56;
+  const T B50_1_21 = P_dot_omega1_16_21 - t16_68;
+  const T B50_1_22 = P_dot_omega1_16_22 - R16_12 * t16_59 - R14_22 * t16_60 + R16_32 * t16_61 + R16_12 * t16_7 +
+      R14_22 * t16_62;
+  const T B50_1_23 = P_dot_omega1_16_23 - R14_22 * t16_63 + R16_12 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 -
+      R14_22 * t16_67;
+  const T t16_69 = R16_13 * t16_54 - R16_33 * t16_55 + R14_23 * t16_56;
+  const T B50_1_31 = P_dot_omega1_16_31 - t16_69;
+  const T B50_1_32 = P_dot_omega1_16_32 - R16_13 * t16_59 - R14_23 * t16_60 + R16_33 * t16_61 + R16_13 * t16_7 +
+      R14_23 * t16_62;
+  const T B50_1_33 = P_dot_omega1_16_33 - R14_23 * t16_63 + R16_13 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 -
+      R14_23 * t16_67;
+  v_y_dot[864] = B50_1_11;
+  v_y_dot[865] = B50_1_12;
+  v_y_dot[866] = B50_1_13;
+  v_y_dot[882] = B50_1_21;
+  v_y_dot[883] = B50_1_22;
+  v_y_dot[884] = B50_1_23;
+  v_y_dot[900] = B50_1_31;
+  v_y_dot[901] = B50_1_32;
+  v_y_dot[902] = B50_1_33;
+  // B51_14 = -R16^T omega16~ o17~ omega_thetadot14_16 - R16^T o17~ omega_dot_thetadot14_16 + P_dot_thetadot14_16
+  const T minus_B51_14_1 = t16_57 + minus_P_dot_thetadot14_16_1;
+  const T minus_B51_14_2 = t16_68 + minus_P_dot_thetadot14_16_2;
+  const T minus_B51_14_3 = t16_69 + minus_P_dot_thetadot14_16_3;
+  v_y_dot[876] = -minus_B51_14_1;
+  v_y_dot[894] = -minus_B51_14_2;
+  v_y_dot[912] = -minus_B51_14_3;
+  // B52_15 = -R16^T omega16~ o17~ omega_thetadot15_16 - R16^T o17~ omega_dot_thetadot15_16 + P_dot_thetadot15_16
+  const T t16_70 = omega16_3 * T(0.2);
+  const T t16_71 = omega16_2 * T(0.2);
+  const T t16_72 = R14_21 * t16_70 - R16_31 * t16_71;
+  const T minus_B52_15_1 = t16_72 + minus_P_dot_thetadot15_16_1;
+  const T t16_73 = R14_22 * t16_70 - R16_32 * t16_71;
+  const T minus_B52_15_2 = t16_73 + minus_P_dot_thetadot15_16_2;
+  const T t16_74 = R14_23 * t16_70 - R16_33 * t16_71;
+  const T minus_B52_15_3 = t16_74 + minus_P_dot_thetadot15_16_3;
+  v_y_dot[877] = -minus_B52_15_1;
+  v_y_dot[895] = -minus_B52_15_2;
+  v_y_dot[913] = -minus_B52_15_3;
+  v_y_dot[878] = -t16_72;
+  v_y_dot[896] = -t16_73;
+  v_y_dot[914] = -t16_74;
+}
+
+}  // namespace kanec::quadruped

@@ -1,0 +1,16 @@
+// Which entries of a matrix that a function returns are not always 0, as constants in emitted code. Not: how these entries
+// are computed.
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "generator/program/program.hpp"
+
+namespace kanec::emit {
+
+// "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order; empty for functions
+// whose signature has no columns. A result of a combined function is its own function's.
+std::string sparsity(const program::Program& program, const program::Function& function);
+
+}  // namespace kanec::emit

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include "generator/program/passes.hpp"
+
+namespace kanec::program {
+namespace {
+
+// Appends the nodes and functions of another program.
+void append(Program& program, const Program& other) {
+  const auto first = static_cast<Index>(program.nodes.size());
+  const auto moved = [first](Ref ref) { return Ref{ref.node + first, ref.negative}; };
+  Builder builder;
+  builder.nodes() = std::move(program.nodes);
+  for (const Node& node : other.nodes) {
+    const Operands from = operands(node);
+    same_again(builder, node, {moved({from.at[0], false}), moved({from.at[1], false}), moved({from.at[2], false})});
+  }
+  program.nodes = std::move(builder.nodes());
+  for (Function function : other.functions) {
+    std::transform(function.outputs.begin(), function.outputs.end(), function.outputs.begin(), moved);
+    for (Quantity& quantity : function.quantities)
+      std::transform(quantity.entries.begin(), quantity.entries.end(), quantity.entries.begin(), moved);
+    program.functions.push_back(std::move(function));
+  }
+}
+
+}  // namespace
+
+Program by_function(const Program& program, const std::function<Program(const Program&)>& pass) {
+  Program result{program.names, {}, {}};
+  for (const Function& function : program.functions)
+    append(result, pass(drop_dead({program.names, program.nodes, {function}})));
+  return share(result);
+}
+
+}  // namespace kanec::program

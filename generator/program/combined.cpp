@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/combined.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "generator/program/builder.hpp"
+#include "runtime/base/error.hpp"
+
+namespace kanec::program {
+namespace {
+
+const Function& find(const Program& program, const std::string& name) {
+  for (const Function& function : program.functions)
+    if (function.name == name) return function;
+  throw InternalError("combined: no function " + name);
+}
+
+// All outputs in place, zeros between blocks.
+std::vector<Ref> dense(const Function& function, Ref zero) {
+  if (function.placements.empty()) return function.outputs;
+  std::vector<Ref> result(static_cast<std::size_t>(function.n_out), zero);
+  for (const Placement& place : function.placements)
+    for (Index i = 0; i < 9; ++i)
+      result[static_cast<std::size_t>(place.offset + i / 3 * function.stride + i % 3)] =
+          function.outputs[static_cast<std::size_t>(9 * place.block + i)];
+  return result;
+}
+
+bool is_same(const Quantity& a, const Quantity& b) { return a.labels == b.labels && a.entries == b.entries; }
+
+// Quantities of several functions in one order that keeps each one's.
+class Merged {
+ public:
+  explicit Merged(std::vector<Quantity>& list) : list_(list) {}
+
+  void add(const Function& function) {
+    std::size_t after = 0;
+    for (const Quantity& quantity : function.quantities) {
+      const auto is_known = [&](const Quantity& other) { return is_same(other, quantity); };
+      const auto known = std::find_if(list_.begin(), list_.end(), is_known);
+      if (known != list_.end()) {
+        after = std::max(after, static_cast<std::size_t>(known - list_.begin()) + 1);
+        continue;
+      }
+      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(after++), unique(quantity, function.name));
+    }
+  }
+
+ private:
+  // A label that something else bears gets the function's name behind.
+  Quantity unique(Quantity quantity, const std::string& function) {
+    for (std::string& label : quantity.labels) {
+      if (labels_.count(label) > 0) label += "_" + function;
+      labels_.insert(label);
+    }
+    return quantity;
+  }
+
+  std::vector<Quantity>& list_;
+  std::set<std::string> labels_;
+};
+
+void append_results(const Function& function, std::vector<Result>& list) {
+  for (Result result : results(function)) {
+    const auto has_name = [&](const Result& other) { return other.out == result.out; };
+    if (std::any_of(list.begin(), list.end(), has_name)) result.out += "_" + function.name;
+    list.push_back(std::move(result));
+  }
+}
+
+}  // namespace
+
+Function combined(Program& program, const std::vector<std::string>& names) {
+  Builder builder;
+  builder.nodes() = std::move(program.nodes);
+  const Ref zero = builder.constant(0.0);
+  program.nodes = std::move(builder.nodes());
+  Function result;
+  result.signature = {false, false, false, false, "", "", 0, {}};
+  Merged quantities(result.quantities);
+  for (const std::string& name : names) {
+    const Function& part = find(program, name);
+    result.name += (result.name.empty() ? "" : "_and_") + name;
+    result.meaning += (result.meaning.empty() ? "" : "; ") + part.meaning;
+    const std::vector<Ref> outputs = dense(part, zero);
+    result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
+    quantities.add(part);
+    append_results(part, result.signature.results);
+    result.signature.x |= part.signature.x;
+    result.signature.y |= part.signature.y;
+    result.signature.ydot |= part.signature.ydot;
+    result.signature.inputs |= part.signature.inputs;
+  }
+  result.n_out = static_cast<Index>(result.outputs.size());
+  return result;
+}
+
+}  // namespace kanec::program

@@ -1,0 +1,34 @@
+// The functions that are asked for, and the program that holds them and nothing else. Not: emission.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/program/program.hpp"
+#include "generator/scene/scene.hpp"
+#include "generator/symbolic/links.hpp"
+
+namespace kanec {
+
+// A function that a scene's solver can have.
+struct Available {
+  std::string name;
+  std::string meaning;
+  int n_out = 0;
+  program::Signature signature;
+  bool usual = true;  // emitted unless functions are named
+};
+
+// All of them, in order; combinations "a+b" are not listed.
+std::vector<Available> available_functions(const scene::Scene& scene);
+
+// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, with the nearest
+// known name, for one that the scene does not have; each part of a combination counts.
+std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names);
+
+// Derived and lowered, unsimplified.
+program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& names,
+                            const symbolic::Reductions& reductions = {});
+
+}  // namespace kanec

@@ -1,0 +1,14 @@
+// Which functions a scene's solver can have. Not: how they are derived (stages.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/symbolic/equations.hpp"
+
+namespace kanec::symbolic {
+
+// In order, without outputs.
+std::vector<Function> functions(const scene::Scene& scene);
+
+}  // namespace kanec::symbolic

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symbolic/links.hpp"
+
+#include <cmath>
+
+namespace kanec::symbolic {
+
+using scene::Axis;
+using scene::Coordinate;
+using scene::Joint;
+using scene::Rotation;
+
+namespace {
+
+// Rounding noise beside ones: cos of a typed pi/2, or what a product of such leaves.
+double snapped(long double value) {
+  constexpr long double noise = 4e-16L;
+  for (const double exact : {0.0, 1.0, -1.0})
+    if (std::fabs(value - exact) < noise) return exact;
+  return static_cast<double>(value);
+}
+
+scene::Vector constants(const Axis& axis, double factor) {
+  return {scene::Number::constant(axis[0] * factor), scene::Number::constant(axis[1] * factor),
+          scene::Number::constant(axis[2] * factor)};
+}
+
+Rotation attitude(const std::array<double, 4>& eps) {
+  const long double x = eps[0], y = eps[1], z = eps[2], w = eps[3];
+  return {{{snapped(1 - 2 * (y * y + z * z)), snapped(2 * (x * y - z * w)), snapped(2 * (x * z + y * w))},
+           {snapped(2 * (x * y + z * w)), snapped(1 - 2 * (x * x + z * z)), snapped(2 * (y * z - x * w))},
+           {snapped(2 * (x * z - y * w)), snapped(2 * (y * z + x * w)), snapped(1 - 2 * (x * x + y * y))}}};
+}
+
+// Adds the links of one joint after another.
+class Builder {
+ public:
+  Builder(const scene::Scene& scene, const Reductions& reductions) : scene_(scene), reductions_(reductions) {}
+
+  Mechanism result() {
+    for (int k = 1; k <= size(scene_); ++k) add(k);
+    return std::move(mechanism_);
+  }
+
+ private:
+  bool moves(const Coordinate& c) const { return c.motion != Coordinate::Motion::locked || !reductions_.drop_locks; }
+
+  void add(int k) {
+    const auto at = static_cast<std::size_t>(k - 1);
+    const scene::Body& body = scene_.bodies[at];
+    const int l = scene_.lower[at];
+    const BodyPlace lower = l == 0 ? BodyPlace{} : mechanism_.bodies[static_cast<std::size_t>(l - 1)];
+    Link link;
+    link.body = k;
+    link.lower = lower.link;
+    link.offset = lower.offset;
+    add_term(link.offset, lower.orientation, body.q);
+    std::vector<Freedom> slides = take_slides(body.joint, lower.orientation, link.offset);
+    if (body.joint.ball) {
+      add_ball(link, std::move(slides), body);
+    } else {
+      add_turns(link, std::move(slides), body.joint, lower.orientation);
+    }
+  }
+
+  // The slides that move; locked ones go to the offset. Three along the lower link's own axes are one vector.
+  std::vector<Freedom> take_slides(const Joint& joint, const Rotation& orientation, Offset& offset) const {
+    std::vector<Freedom> slides;
+    for (std::size_t i = 0; i < joint.slides.size(); ++i) {
+      const Coordinate& slide = joint.slides[i];
+      if (moves(slide))
+        slides.push_back({Freedom::Kind::slide, static_cast<int>(i), turned(orientation, slide.axis)});
+      else if (slide.value != 0)
+        add_term(offset, orientation, constants(slide.axis, slide.value));
+    }
+    const auto is_free_along = [&](std::size_t i) {
+      return joint.slides[i].motion == Coordinate::Motion::free && slides[i].axis == scene::no_rotation[i];
+    };
+    if (slides.size() == 3 && is_free_along(0) && is_free_along(1) && is_free_along(2))
+      return {{Freedom::Kind::translation, 0, {}}};
+    return slides;
+  }
+
+  void add_ball(Link link, std::vector<Freedom> slides, const scene::Body& body) {
+    link.suffix = std::to_string(link.body);
+    link.turning = body.joint.held ? Link::Turning::held : Link::Turning::ball;
+    if (body.joint.held) {
+      link.zero = attitude(body.initial.eps);
+      const bool is_weld = slides.empty() && link.lower == 0;
+      if (is_weld && reductions_.merge_welds && reductions_.drop_locks) return merge(link, link.zero);
+    }
+    if (!body.joint.held || !reductions_.drop_locks) link.freedoms.push_back({Freedom::Kind::attitude, 0, {}});
+    link.freedoms.insert(link.freedoms.end(), slides.begin(), slides.end());
+    push(link, scene::no_rotation);
+  }
+
+  // A constant rotation before a turn is taken behind it: Q Rot(a, θ) = Rot(Q a, θ) Q.
+  void add_turns(Link link, std::vector<Freedom> slides, const Joint& joint, const Rotation& orientation) {
+    Rotation constant = orientation;
+    std::vector<Freedom> turns;
+    for (std::size_t i = 0; i < joint.turns.size(); ++i) {
+      const Coordinate& turn = joint.turns[i];
+      const Axis axis = turned(constant, turn.axis);
+      if (moves(turn)) {
+        turns.push_back({Freedom::Kind::turn, static_cast<int>(i), axis});
+        continue;
+      }
+      constant = product(constant, rotation_about(turn.axis, turn.value));
+      if (i == 0 && joint.pitch != 0) add_term(link.offset, scene::no_rotation, constants(axis, joint.pitch * turn.value));
+    }
+    constant = product(constant, joint.zero);
+    const bool is_weld = turns.empty() && slides.empty();
+    if (is_weld && reductions_.merge_welds) return merge(link, constant);
+    add_chain(link, std::move(slides), turns, joint, constant);
+  }
+
+  // One link a turn; the first slides, the last has the body's axes.
+  void add_chain(Link link, std::vector<Freedom> slides, const std::vector<Freedom>& turns, const Joint& joint,
+                 const Rotation& constant) {
+    const std::string suffix = std::to_string(link.body);
+    const std::size_t n = turns.size();
+    for (std::size_t i = 0; i < std::max<std::size_t>(n, 1); ++i) {
+      const bool is_last = i + 1 >= n;
+      link.suffix = is_last ? suffix : suffix + std::string(1, static_cast<char>('a' + i));
+      link.turning = n == 0 ? Link::Turning::fixed : Link::Turning::turn;
+      link.freedoms.clear();
+      if (n > 0) link.freedoms.push_back(turns[i]);
+      link.freedoms.insert(link.freedoms.end(), slides.begin(), slides.end());
+      link.pitch = n > 0 && turns[i].coordinate == 0 ? joint.pitch : 0.0;
+      link.zero = is_last ? constant : scene::no_rotation;
+      slides.clear();
+      if (!is_last) {
+        mechanism_.links.push_back(link);
+        link.lower = mechanism_.size();
+        link.offset.clear();
+      }
+    }
+    push(link, scene::no_rotation);
+  }
+
+  void push(const Link& link, const Rotation& orientation) {
+    mechanism_.links.push_back(link);
+    mechanism_.bodies.push_back({mechanism_.size(), orientation, {}});
+  }
+
+  void merge(const Link& link, const Rotation& orientation) {
+    mechanism_.bodies.push_back({link.lower, orientation, link.offset});
+  }
+
+  static void add_term(Offset& offset, const Rotation& orientation, const scene::Vector& numbers) {
+    if (!is_zero(numbers)) offset.push_back({orientation, numbers});
+  }
+
+  const scene::Scene& scene_;
+  const Reductions& reductions_;
+  Mechanism mechanism_;
+};
+
+}  // namespace
+
+bool is_identity(const Rotation& a) { return a == scene::no_rotation; }
+
+Rotation product(const Rotation& a, const Rotation& b) {
+  Rotation result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      long double entry = 0;
+      for (std::size_t l = 0; l < 3; ++l) entry += static_cast<long double>(a[i][l]) * b[l][j];
+      result[i][j] = snapped(entry);
+    }
+  return result;
+}
+
+Axis turned(const Rotation& a, const Axis& v) {
+  Axis result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    long double entry = 0;
+    for (std::size_t l = 0; l < 3; ++l) entry += static_cast<long double>(a[i][l]) * v[l];
+    result[i] = snapped(entry);
+  }
+  return result;
+}
+
+// 1 + sin ã + (1 - cos) ã ã.
+Rotation rotation_about(const Axis& axis, double angle) {
+  const long double s = std::sin(static_cast<long double>(angle));
+  const long double half = std::sin(static_cast<long double>(angle) / 2);
+  const long double versine = 2 * half * half;
+  const long double x = axis[0], y = axis[1], z = axis[2];
+  return {{{snapped(1 - versine * (y * y + z * z)), snapped(versine * x * y - s * z), snapped(versine * x * z + s * y)},
+           {snapped(versine * x * y + s * z), snapped(1 - versine * (x * x + z * z)), snapped(versine * y * z - s * x)},
+           {snapped(versine * x * z - s * y), snapped(versine * y * z + s * x), snapped(1 - versine * (x * x + y * y))}}};
+}
+
+std::vector<int> Mechanism::children(int at) const {
+  std::vector<int> result;
+  for (int j = 1; j <= size(); ++j)
+    if (link(j).lower == at) result.push_back(j);
+  return result;
+}
+
+std::vector<int> Mechanism::carried(int at) const {
+  std::vector<int> result;
+  for (int k = 1; k <= static_cast<int>(bodies.size()); ++k)
+    if (body(k).link == at) result.push_back(k);
+  return result;
+}
+
+Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions) {
+  return Builder(scene, reductions).result();
+}
+
+}  // namespace kanec::symbolic

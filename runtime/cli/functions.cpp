@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/functions.hpp"
+
+#include <algorithm>
+
+#include "generator/scene/place.hpp"
+#include "runtime/base/error.hpp"
+
+namespace kanec::cli {
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+[[noreturn]] void refuse(const std::string& found, const std::string& allowed) {
+  throw InputError("function: found " + found + "; allowed: " + allowed);
+}
+
+}  // namespace
+
+std::vector<std::string> parts_of(const std::string& request) {
+  std::vector<std::string> parts = {""};
+  for (const char c : request)
+    if (c == '+')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::string emitted_name(const std::string& request) {
+  std::string name;
+  for (const std::string& part : parts_of(request)) name += (name.empty() ? "" : "_and_") + part;
+  return name;
+}
+
+std::vector<std::string> parts_of_emitted(const std::string& name, const std::vector<std::string>& requests) {
+  for (const std::string& request : requests)
+    if (emitted_name(request) == name) return parts_of(request);
+  return {name};
+}
+
+Functions::Functions(const scene::Scene& scene) : all_(available_functions(scene)) {}
+
+std::vector<std::string> Functions::names() const {
+  std::vector<std::string> names;
+  for (const Available& available : all_) names.push_back(available.name);
+  return names;
+}
+
+bool Functions::has(const std::string& name) const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Available& available) { return available.name == name; });
+}
+
+void Functions::check(const std::string& request) const {
+  std::vector<std::string> before;
+  for (const std::string& part : parts_of(request)) {
+    if (contains(before, part)) refuse(scene::in_quotes(request), "each part once");
+    before.push_back(part);
+    if (has(part)) continue;
+    if (part == "power")
+      refuse("power, which a scene without applied loads does not have", scene::one_of(names(), ""));
+    refuse(scene::in_quotes(part), scene::one_of(names(), part) + "; several joined by + are one");
+  }
+}
+
+std::vector<std::string> Functions::chosen(const std::vector<std::string>& requests) const {
+  std::vector<std::string> chosen;
+  for (const std::string& request : requests) {
+    check(request);
+    if (!contains(chosen, request)) chosen.push_back(request);
+  }
+  return chosen;
+}
+
+Needs Functions::needs(const std::string& request) const {
+  const std::vector<std::string> parts = parts_of(request);
+  Needs needs;
+  for (const Available& available : all_) {
+    if (!contains(parts, available.name)) continue;
+    needs.y = needs.y || available.signature.y;
+    needs.ydot = needs.ydot || available.signature.ydot;
+  }
+  return needs;
+}
+
+}  // namespace kanec::cli

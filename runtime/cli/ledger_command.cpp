@@ -1,0 +1,104 @@
+// kanec ledger: the operations of all functions of many scenes. SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "generator/scene/read.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/commands.hpp"
+#include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/ledger.hpp"
+#include "runtime/cli/progress.hpp"
+
+namespace kanec::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto footer = R"(Example: what the shipped scenes cost, as the page that the documentation links
+  kanec ledger models --markdown -o docs/ledger.md
+
+A scene is a scene.toml or a folder that holds one; a folder of such folders means all of them, by name. Without any,
+those under models/. Counted are the functions that a scene asks for, or the usual ones; with --all every function that
+it can have, derivatives included. Nothing is compiled. In the JSON a list of scenes.)";
+
+struct Options {
+  std::vector<std::string> scenes;
+  bool markdown = false, json = false, all = false;
+  std::string output;
+};
+
+bool is_scene(const fs::path& path) {
+  std::error_code ignored;
+  return !fs::is_directory(path, ignored) || fs::exists(path / "scene.toml", ignored);
+}
+
+// The scene files that a word of the command line means.
+std::vector<fs::path> files_of(const std::string& word) {
+  const fs::path path(word);
+  const auto file = [](const fs::path& scene) { return fs::is_directory(scene) ? scene / "scene.toml" : scene; };
+  if (is_scene(path)) return {file(path)};
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+    if (entry.is_directory() && is_scene(entry.path())) files.push_back(file(entry.path()));
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw InputError("SCENES: found '" + word + "', in which no folder holds a scene.toml; allowed: scenes, or a folder of them");
+  return files;
+}
+
+std::vector<SceneCost> costs_of(const Options& options) {
+  std::vector<fs::path> files;
+  for (const std::string& word : options.scenes.empty() ? std::vector<std::string>{"models"} : options.scenes)
+    for (fs::path& file : files_of(word)) files.push_back(std::move(file));
+  const Interrupts interrupts;
+  ProgressBar bar("ledger");
+  std::vector<SceneCost> costs;
+  for (const fs::path& file : files) {
+    interrupts.poll();
+    bar.show(static_cast<double>(costs.size()) / static_cast<double>(files.size()));
+    costs.push_back(cost_of(scene::read(file), options.all));
+  }
+  return costs;
+}
+
+std::string command_of(const Options& options) {
+  std::string command = "kanec ledger";
+  for (const std::string& scene : options.scenes) command += " " + scene;
+  return command + (options.all ? " --all" : "") + " --markdown";
+}
+
+int ledger(const Options& options) {
+  if (options.markdown && options.json)
+    throw InputError("--json: found it beside --markdown; allowed: one of them");
+  std::optional<AtomicFile> file;
+  if (!options.output.empty()) file.emplace(options.output);
+  const std::vector<SceneCost> costs = costs_of(options);
+  const std::string text = options.markdown ? costs_markdown(costs, command_of(options))
+                           : options.json   ? json_text(costs_json(costs))
+                                            : costs_text(costs);
+  if (!file) {
+    print(text);
+    return 0;
+  }
+  file->write(text);
+  file->commit();
+  return 0;
+}
+
+}  // namespace
+
+void add_ledger(CLI::App& app, Action& action) {
+  const auto [command, options] =
+      add_command(app, action, "ledger", "the operations of every function of many scenes", footer, &ledger);
+  command->add_option("SCENES", options->scenes, "scenes, or folders of scenes (models)")
+      ->option_text(" ")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--all", options->all, "every function that a scene can have");
+  command->add_flag("--markdown", options->markdown, "as a page of tables");
+  command->add_flag("--json", options->json, "for machines");
+  command->add_option("-o,--output", options->output, "into this file")->option_text("FILE");
+}
+
+}  // namespace kanec::cli
