@@ -99,7 +99,7 @@ class Reducing {
 
   static long cost(const program::Program& program) {
     long sum = 0;
-    for (const program::Ledger& ledger : program::ledgers(program)) sum += ledger.operations() + ledger.trigonometric + ledger.functions;
+    for (const program::Ledger& ledger : program::ledgers(program)) sum += ledger.operations();
     return sum;
   }
 

@@ -23,8 +23,8 @@ struct Available {
 // All of them, in order; combinations "a+b" are not listed.
 std::vector<Available> available_functions(const scene::Scene& scene);
 
-// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, with the nearest
-// known name, for one that the scene does not have; each part of a combination counts.
+// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, with all known
+// names, for one that the scene does not have; each part of a combination counts.
 std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names);
 
 // Derived and lowered, unsimplified.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9ee462427ced4de7 of arm_6/scene.toml; the usual functions
+// model 01773f27c5f7cec2 of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "9ee462427ced4de7";
+inline constexpr char model_hash[] = "01773f27c5f7cec2";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -191,7 +191,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   pose[17] = -E2_11;
@@ -199,65 +199,51 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
-  const T minus_R2_21 = E1_11 * minus_E2_13;
-  const T minus_R2_22 = E1_12 * minus_E2_13;
+  const T R2_31 = E1_11 * minus_E2_13;
+  const T R2_32 = E1_12 * minus_E2_13;
   pose[12] = R2_11;
   pose[13] = R2_12;
-  pose[15] = -minus_R2_21;
-  pose[16] = -minus_R2_22;
-  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.068) - minus_R2_21 * T(0.006) - T(0.22749999999999998) * E1_12;
-  const T p2_2 = R2_12 * T(0.068) - minus_R2_22 * T(0.006) + T(0.22749999999999998) * E1_11;
-  const T minus_p2_3 = minus_E2_13 * T(0.068) + E2_11 * T(0.006);
-  pose[21] = p2_1;
-  pose[22] = p2_2;
-  pose[23] = -minus_p2_3;
+  pose[15] = -R2_31;
+  pose[16] = -R2_32;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_11 = R2_11 * E3_11 - minus_R2_21 * E3_12;
-  const T R3_12 = R2_12 * E3_11 - minus_R2_22 * E3_12;
-  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * E3_12;
-  const T minus_R3_21 = R2_11 * E3_12 + minus_R2_21 * E3_11;
-  const T minus_R3_22 = R2_12 * E3_12 + minus_R2_22 * E3_11;
-  const T R3_23 = minus_E2_13 * E3_12 - E2_11 * E3_11;
+  const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
+  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * minus_E3_13;
+  const T R3_31 = R2_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R2_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = E2_11 * E3_11 - minus_E2_13 * minus_E3_13;
   pose[24] = R3_11;
   pose[25] = R3_12;
   pose[26] = -minus_R3_13;
-  pose[27] = -minus_R3_21;
-  pose[42] = minus_R3_21;
-  pose[28] = -minus_R3_22;
-  pose[43] = minus_R3_22;
-  pose[29] = R3_23;
-  pose[44] = -R3_23;
+  pose[27] = -R3_31;
+  pose[42] = R3_31;
+  pose[28] = -R3_32;
+  pose[43] = R3_32;
+  pose[29] = -R3_33;
+  pose[44] = R3_33;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T P3_1 = R2_11 * T(0.4318) - T(0.1501) * E1_12;
   const T P3_2 = R2_12 * T(0.4318) + T(0.1501) * E1_11;
   const T minus_P3_3 = minus_E2_13 * T(0.4318);
-  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = minus_R3_21 * T(0.07) - E1_12 * T(0.014) + P3_1;
-  const T p3_2 = minus_R3_22 * T(0.07) + E1_11 * T(0.014) + P3_2;
-  const T minus_p3_3 = R3_23 * T(0.07) + minus_P3_3;
-  pose[33] = p3_1;
-  pose[34] = p3_2;
-  pose[35] = -minus_p3_3;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_13;
-  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_13;
+  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
+  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_13 + E1_12 * E4_11;
-  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_13;
-  const T R4_23 = minus_R3_13 * E4_13;
+  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
+  const T R4_23 = minus_R3_13 * E4_12;
   pose[36] = R4_11;
   pose[37] = R4_12;
   pose[38] = -minus_R4_13;
@@ -268,57 +254,57 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[41] = R4_23;
   pose[56] = R4_23;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = minus_R3_21 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
-  const T P4_2 = minus_R3_22 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
-  const T P4_3 = minus_R3_13 * T(0.0203) - R3_23 * T(0.4331) - minus_P3_3;
+  const T P4_1 = R3_31 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
+  const T P4_2 = R3_32 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
+  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
   pose[57] = P4_1;
   pose[58] = P4_2;
   pose[59] = P4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = P4_1 - minus_R3_21 * T(0.019);
-  const T p4_2 = P4_2 - minus_R3_22 * T(0.019);
-  const T p4_3 = R3_23 * T(0.019) + P4_3;
+  const T p4_1 = P4_1 - R3_31 * T(0.019);
+  const T p4_2 = P4_2 - R3_32 * T(0.019);
+  const T p4_3 = P4_3 - R3_33 * T(0.019);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 - minus_R3_21 * minus_E5_13;
-  const T R5_12 = R4_12 * E5_11 - minus_R3_22 * minus_E5_13;
-  const T R5_13 = R3_23 * minus_E5_13 - minus_R4_13 * E5_11;
-  const T minus_R5_21 = R4_11 * minus_E5_13 + minus_R3_21 * E5_11;
-  const T minus_R5_22 = R4_12 * minus_E5_13 + minus_R3_22 * E5_11;
-  const T R5_23 = minus_R4_13 * minus_E5_13 + R3_23 * E5_11;
+  const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
+  const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
+  const T minus_R5_13 = minus_R4_13 * E5_11 + R3_33 * minus_E5_13;
+  const T R5_31 = R4_11 * minus_E5_13 + R3_31 * E5_11;
+  const T R5_32 = R4_12 * minus_E5_13 + R3_32 * E5_11;
+  const T R5_33 = R3_33 * E5_11 - minus_R4_13 * minus_E5_13;
   pose[48] = R5_11;
   pose[49] = R5_12;
-  pose[50] = R5_13;
-  pose[51] = -minus_R5_21;
-  pose[66] = minus_R5_21;
-  pose[78] = minus_R5_21;
-  pose[52] = -minus_R5_22;
-  pose[67] = minus_R5_22;
-  pose[79] = minus_R5_22;
-  pose[53] = R5_23;
-  pose[68] = -R5_23;
-  pose[80] = -R5_23;
+  pose[50] = -minus_R5_13;
+  pose[51] = -R5_31;
+  pose[66] = R5_31;
+  pose[78] = R5_31;
+  pose[52] = -R5_32;
+  pose[67] = R5_32;
+  pose[79] = R5_32;
+  pose[53] = -R5_33;
+  pose[68] = R5_33;
+  pose[80] = R5_33;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_13;
-  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_13;
-  const T R6_13 = R5_13 * E6_11 + R4_23 * E6_13;
-  const T minus_R6_21 = R5_11 * E6_13 + minus_R4_21 * E6_11;
-  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_13;
-  const T R6_23 = R4_23 * E6_11 - R5_13 * E6_13;
+  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
+  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
+  const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
+  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
+  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
   pose[60] = R6_11;
   pose[72] = R6_11;
   pose[61] = R6_12;
@@ -334,12 +320,18 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 
   // ---- results
   pose[8] = T(1);
-  pose[69] = minus_R5_21 * T(0.032) + P4_1;
-  pose[70] = minus_R5_22 * T(0.032) + P4_2;
-  pose[71] = P4_3 - R5_23 * T(0.032);
-  pose[81] = T(0.10650000000000001) * minus_R5_21 + P4_1;
-  pose[82] = T(0.10650000000000001) * minus_R5_22 + P4_2;
-  pose[83] = P4_3 - T(0.10650000000000001) * R5_23;
+  pose[21] = R2_11 * T(0.068) - T(0.22749999999999998) * E1_12 - R2_31 * T(0.006);
+  pose[22] = R2_12 * T(0.068) + T(0.22749999999999998) * E1_11 - R2_32 * T(0.006);
+  pose[23] = -(minus_E2_13 * T(0.068) + E2_11 * T(0.006));
+  pose[33] = R3_31 * T(0.07) - E1_12 * T(0.014) + P3_1;
+  pose[34] = E1_11 * T(0.014) + R3_32 * T(0.07) + P3_2;
+  pose[35] = R3_33 * T(0.07) - minus_P3_3;
+  pose[69] = R5_31 * T(0.032) + P4_1;
+  pose[70] = R5_32 * T(0.032) + P4_2;
+  pose[71] = R5_33 * T(0.032) + P4_3;
+  pose[81] = T(0.10650000000000001) * R5_31 + P4_1;
+  pose[82] = T(0.10650000000000001) * R5_32 + P4_2;
+  pose[83] = T(0.10650000000000001) * R5_33 + P4_3;
 }
 
 // energy: kinetic and potential energy [J].
@@ -361,107 +353,107 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
   const T thetadot2 = y[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
-  const T minus_R2_21 = E1_11 * minus_E2_13;
-  const T minus_R2_22 = E1_12 * minus_E2_13;
+  const T R2_31 = E1_11 * minus_E2_13;
+  const T R2_32 = E1_12 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
-  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
+  const T omega2_3 = E2_11 * thetadot1;
+  // p2 = R2^T r_link2 + P2: position of the mass centre, inertial axes [m]
   const T minus_p2_3 = minus_E2_13 * T(0.068) + E2_11 * T(0.006);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_1 = thetadot1 * T(0.2435);
   const T minus_Pdot2_1 = E1_11 * t2_1;
   const T minus_Pdot2_2 = E1_12 * t2_1;
-  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T t2_2 = minus_omega2_2 * T(0.016) - thetadot2 * T(0.006);
-  const T t2_3 = thetadot2 * T(0.068) - minus_omega2_1 * T(0.016);
-  const T t2_4 = minus_omega2_2 * T(0.068) - minus_omega2_1 * T(0.006);
-  const T v2_1 = R2_11 * t2_2 - minus_R2_21 * t2_3 - E1_12 * t2_4 - minus_Pdot2_1;
-  const T v2_2 = R2_12 * t2_2 - minus_R2_22 * t2_3 + E1_11 * t2_4 - minus_Pdot2_2;
-  const T minus_v2_3 = minus_E2_13 * t2_2 + E2_11 * t2_3;
-  // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
-  const T T2 = T(0.5) * (T(0.13) * minus_omega2_1 * minus_omega2_1 + T(0.524) * minus_omega2_2 * minus_omega2_2 +
-      T(0.539) * thetadot2 * thetadot2) + T(8.7) * (v2_1 * v2_1 + v2_2 * v2_2 + minus_v2_3 * minus_v2_3);
+  // v2 = R2^T omega2~ r_link2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_2 = omega2_3 * T(0.016) - thetadot2 * T(0.006);
+  const T t2_3 = omega2_3 * T(0.068) - minus_omega2_1 * T(0.006);
+  const T t2_4 = minus_omega2_1 * T(0.016) - thetadot2 * T(0.068);
+  const T v2_1 = R2_11 * t2_2 - E1_12 * t2_3 + R2_31 * t2_4 - minus_Pdot2_1;
+  const T v2_2 = R2_12 * t2_2 + E1_11 * t2_3 + R2_32 * t2_4 - minus_Pdot2_2;
+  const T v2_3 = E2_11 * t2_4 - minus_E2_13 * t2_2;
+  // T2 = 1/2 omega2 . (I_link2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
+  const T T2 = T(0.5) * (T(0.13) * minus_omega2_1 * minus_omega2_1 + T(0.539) * thetadot2 * thetadot2 + T(0.524) *
+      omega2_3 * omega2_3) + T(8.7) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_11 = R2_11 * E3_11 - minus_R2_21 * E3_12;
-  const T R3_12 = R2_12 * E3_11 - minus_R2_22 * E3_12;
-  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * E3_12;
-  const T minus_R3_21 = R2_11 * E3_12 + minus_R2_21 * E3_11;
-  const T minus_R3_22 = R2_12 * E3_12 + minus_R2_22 * E3_11;
-  const T R3_23 = minus_E2_13 * E3_12 - E2_11 * E3_11;
+  const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
+  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * minus_E3_13;
+  const T R3_31 = R2_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R2_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = E2_11 * E3_11 - minus_E2_13 * minus_E3_13;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T minus_P3_3 = minus_E2_13 * T(0.4318);
-  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T minus_p3_3 = R3_23 * T(0.07) + minus_P3_3;
+  // p3 = R3^T r_link3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_3 = R3_33 * T(0.07) - minus_P3_3;
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_1 = minus_omega2_2 * T(0.0934);
-  const T t3_2 = thetadot2 * T(0.4318) - minus_omega2_1 * T(0.0934);
-  const T t3_3 = minus_omega2_2 * T(0.4318);
-  const T Pdot3_1 = R2_11 * t3_1 - minus_R2_21 * t3_2 - E1_12 * t3_3 - minus_Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_1 - minus_R2_22 * t3_2 + E1_11 * t3_3 - minus_Pdot2_2;
-  const T minus_Pdot3_3 = minus_E2_13 * t3_1 + E2_11 * t3_2;
-  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T t3_4 = omega3_3 * T(0.07) + omega3_2 * T(0.014);
-  const T t3_5 = minus_omega3_1 * T(0.014);
-  const T t3_6 = minus_omega3_1 * T(0.07);
-  const T v3_1 = R3_11 * t3_4 - minus_R3_21 * t3_5 - E1_12 * t3_6 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_4 - minus_R3_22 * t3_5 + E1_11 * t3_6 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_5 - minus_R3_13 * t3_4 - minus_Pdot3_3;
-  // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
-  const T T3 = T(0.5) * (T(0.066) * minus_omega3_1 * minus_omega3_1 + T(0.0125) * omega3_2 * omega3_2 + T(0.066) *
+  const T t3_1 = omega2_3 * T(0.0934);
+  const T t3_2 = omega2_3 * T(0.4318);
+  const T t3_3 = minus_omega2_1 * T(0.0934) - thetadot2 * T(0.4318);
+  const T Pdot3_1 = R2_11 * t3_1 - E1_12 * t3_2 + R2_31 * t3_3 - minus_Pdot2_1;
+  const T Pdot3_2 = R2_12 * t3_1 + E1_11 * t3_2 + R2_32 * t3_3 - minus_Pdot2_2;
+  const T Pdot3_3 = E2_11 * t3_3 - minus_E2_13 * t3_1;
+  // v3 = R3^T omega3~ r_link3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_4 = omega3_2 * T(0.07) - omega3_3 * T(0.014);
+  const T t3_5 = minus_omega3_1 * T(0.07);
+  const T t3_6 = minus_omega3_1 * T(0.014);
+  const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
+  const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
+  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
+  // T3 = 1/2 omega3 . (I_link3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
+  const T T3 = T(0.5) * (T(0.066) * minus_omega3_1 * minus_omega3_1 + T(0.066) * omega3_2 * omega3_2 + T(0.0125) *
       omega3_3 * omega3_3) + T(2.4) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_13;
-  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_13;
+  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
+  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_13 + E1_12 * E4_11;
-  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_13;
-  const T R4_23 = minus_R3_13 * E4_13;
+  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
+  const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_3 = minus_R3_13 * T(0.0203) - R3_23 * T(0.4331) - minus_P3_3;
+  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R3_23 * T(0.019) + P4_3;
+  const T p4_3 = P4_3 - R3_33 * T(0.019);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t4_1 = omega3_3 * T(0.4331);
-  const T t4_2 = omega3_3 * T(0.0203);
-  const T t4_3 = minus_omega3_1 * T(0.4331) + omega3_2 * T(0.0203);
-  const T Pdot4_1 = R3_11 * t4_1 + minus_R3_21 * t4_2 - E1_12 * t4_3 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 + minus_R3_22 * t4_2 + E1_11 * t4_3 + Pdot3_2;
-  const T minus_Pdot4_3 = minus_R3_13 * t4_1 + R3_23 * t4_2 + minus_Pdot3_3;
+  const T t4_1 = omega3_2 * T(0.4331);
+  const T t4_2 = minus_omega3_1 * T(0.4331) - omega3_3 * T(0.0203);
+  const T t4_3 = omega3_2 * T(0.0203);
+  const T Pdot4_1 = R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3 + Pdot3_1;
+  const T Pdot4_2 = R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3 + Pdot3_2;
+  const T Pdot4_3 = R3_33 * t4_3 - minus_R3_13 * t4_1 + Pdot3_3;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
   const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
   const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
-  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 - minus_Pdot4_3;
+  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (T(0.0018) * omega4_1 * omega4_1 + T(0.0018) * omega4_2 * omega4_2 + T(0.0013) * omega4_3 *
       omega4_3) + T(0.41) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
@@ -469,47 +461,47 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
   const T thetadot5 = y[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 - minus_R3_21 * minus_E5_13;
-  const T R5_12 = R4_12 * E5_11 - minus_R3_22 * minus_E5_13;
-  const T R5_13 = R3_23 * minus_E5_13 - minus_R4_13 * E5_11;
-  const T R5_23 = minus_R4_13 * minus_E5_13 + R3_23 * E5_11;
+  const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
+  const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
+  const T minus_R5_13 = minus_R4_13 * E5_11 + R3_33 * minus_E5_13;
+  const T R5_33 = R3_33 * E5_11 - minus_R4_13 * minus_E5_13;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
-  // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 Pdot4 . Pdot4: kinetic energy [J]
-  const T T5 = T(0.5) * (T(3e-04) * omega5_1 * omega5_1 + T(3e-04) * minus_omega5_2 * minus_omega5_2 + T(4e-04) *
-      omega5_3 * omega5_3) + T(0.17) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 + minus_Pdot4_3 * minus_Pdot4_3);
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
+  // T5 = 1/2 omega5 . (I_link5 omega5) + 1/2 m5 Pdot4 . Pdot4: kinetic energy [J]
+  const T T5 = T(0.5) * (T(3e-04) * omega5_1 * omega5_1 + T(4e-04) * omega5_2 * omega5_2 + T(3e-04) * omega5_3 *
+      omega5_3) + T(0.17) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 + Pdot4_3 * Pdot4_3);
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_13;
-  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_13;
-  const T R6_13 = R5_13 * E6_11 + R4_23 * E6_13;
-  const T minus_R6_21 = R5_11 * E6_13 + minus_R4_21 * E6_11;
-  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_13;
-  const T R6_23 = R4_23 * E6_11 - R5_13 * E6_13;
+  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
+  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
+  const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
+  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
+  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // p6 = R6^T r_link6 + P4: position of the mass centre, inertial axes [m]
-  const T p6_3 = P4_3 - R5_23 * c.r_link6_3;
+  const T p6_3 = R5_33 * c.r_link6_3 + P4_3;
   // v6 = R6^T omega6~ r_link6 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t6_1 = omega6_2 * c.r_link6_3;
   const T t6_2 = omega6_1 * c.r_link6_3;
   const T v6_1 = R6_11 * t6_1 + minus_R6_21 * t6_2 + Pdot4_1;
   const T v6_2 = R6_12 * t6_1 - R6_22 * t6_2 + Pdot4_2;
-  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 - minus_Pdot4_3;
+  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 + Pdot4_3;
   // T6 = 1/2 omega6 . (I_link6 omega6) + 1/2 m_link6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (c.I_link6_11 * omega6_1 * omega6_1 + c.I_link6_11 * omega6_2 * omega6_2 + T(4e-05) * omega6_3
       * omega6_3) + c.c6_1 * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
@@ -519,7 +511,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T kinetic = T1 + T2 + T3 + T4 + T5 + T6;
   energy[0] = kinetic;
   // mp = m2 p2 + m3 p3 + m4 p4 + m5 P4 + m_link6 p6: first moment of mass, inertial axes [kg m]
-  const T mp_3 = T(0.82) * p4_3 - T(17.4) * minus_p2_3 - T(4.8) * minus_p3_3 + T(0.34) * P4_3 + c.m_link6 * p6_3;
+  const T mp_3 = T(4.8) * p3_3 - T(17.4) * minus_p2_3 + T(0.82) * p4_3 + T(0.34) * P4_3 + c.m_link6 * p6_3;
   // potential = -g . mp: potential energy of gravity and springs [J]
   const T potential = T(9.81) * mp_3;
   energy[1] = potential;
@@ -544,42 +536,42 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
   const T thetadot2 = y[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
-  const T minus_R2_21 = E1_11 * minus_E2_13;
-  const T minus_R2_22 = E1_12 * minus_E2_13;
+  const T R2_31 = E1_11 * minus_E2_13;
+  const T R2_32 = E1_12 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
-  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.068) - minus_R2_21 * T(0.006) - T(0.22749999999999998) * E1_12;
-  const T p2_2 = R2_12 * T(0.068) - minus_R2_22 * T(0.006) + T(0.22749999999999998) * E1_11;
+  const T omega2_3 = E2_11 * thetadot1;
+  // p2 = R2^T r_link2 + P2: position of the mass centre, inertial axes [m]
+  const T p2_1 = R2_11 * T(0.068) - T(0.22749999999999998) * E1_12 - R2_31 * T(0.006);
+  const T p2_2 = R2_12 * T(0.068) + T(0.22749999999999998) * E1_11 - R2_32 * T(0.006);
   const T minus_p2_3 = minus_E2_13 * T(0.068) + E2_11 * T(0.006);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_1 = thetadot1 * T(0.2435);
   const T minus_Pdot2_1 = E1_11 * t2_1;
   const T minus_Pdot2_2 = E1_12 * t2_1;
-  // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T t2_2 = minus_omega2_2 * T(0.016) - thetadot2 * T(0.006);
-  const T t2_3 = thetadot2 * T(0.068) - minus_omega2_1 * T(0.016);
-  const T t2_4 = minus_omega2_2 * T(0.068) - minus_omega2_1 * T(0.006);
-  const T v2_1 = R2_11 * t2_2 - minus_R2_21 * t2_3 - E1_12 * t2_4 - minus_Pdot2_1;
-  const T v2_2 = R2_12 * t2_2 - minus_R2_22 * t2_3 + E1_11 * t2_4 - minus_Pdot2_2;
-  const T minus_v2_3 = minus_E2_13 * t2_2 + E2_11 * t2_3;
+  // v2 = R2^T omega2~ r_link2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
+  const T t2_2 = omega2_3 * T(0.016) - thetadot2 * T(0.006);
+  const T t2_3 = omega2_3 * T(0.068) - minus_omega2_1 * T(0.006);
+  const T t2_4 = minus_omega2_1 * T(0.016) - thetadot2 * T(0.068);
+  const T v2_1 = R2_11 * t2_2 - E1_12 * t2_3 + R2_31 * t2_4 - minus_Pdot2_1;
+  const T v2_2 = R2_12 * t2_2 + E1_11 * t2_3 + R2_32 * t2_4 - minus_Pdot2_2;
+  const T v2_3 = E2_11 * t2_4 - minus_E2_13 * t2_2;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(17.4) * v2_1;
   const T l2_2 = T(17.4) * v2_2;
-  const T minus_l2_3 = T(17.4) * minus_v2_3;
-  // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
-  const T t2_5 = T(0.524) * minus_omega2_2;
+  const T l2_3 = T(17.4) * v2_3;
+  // H2 = R2^T I_link2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t2_5 = T(0.524) * omega2_3;
   const T t2_6 = T(0.13) * minus_omega2_1;
   const T t2_7 = T(0.539) * thetadot2;
-  const T H2_1 = minus_R2_21 * t2_5 - R2_11 * t2_6 - E1_12 * t2_7 + minus_p2_3 * l2_2 - p2_2 * minus_l2_3;
-  const T H2_2 = minus_R2_22 * t2_5 - R2_12 * t2_6 + E1_11 * t2_7 + p2_1 * minus_l2_3 - minus_p2_3 * l2_1;
+  const T H2_1 = R2_31 * t2_5 - R2_11 * t2_6 - E1_12 * t2_7 + minus_p2_3 * l2_2 + p2_2 * l2_3;
+  const T H2_2 = E1_11 * t2_7 - R2_12 * t2_6 + R2_32 * t2_5 - minus_p2_3 * l2_1 - p2_1 * l2_3;
   const T H2_3 = minus_E2_13 * t2_6 + E2_11 * t2_5 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (forearm) on body 2
@@ -587,90 +579,90 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_11 = R2_11 * E3_11 - minus_R2_21 * E3_12;
-  const T R3_12 = R2_12 * E3_11 - minus_R2_22 * E3_12;
-  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * E3_12;
-  const T minus_R3_21 = R2_11 * E3_12 + minus_R2_21 * E3_11;
-  const T minus_R3_22 = R2_12 * E3_12 + minus_R2_22 * E3_11;
-  const T R3_23 = minus_E2_13 * E3_12 - E2_11 * E3_11;
+  const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
+  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * minus_E3_13;
+  const T R3_31 = R2_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R2_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = E2_11 * E3_11 - minus_E2_13 * minus_E3_13;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T P3_1 = R2_11 * T(0.4318) - T(0.1501) * E1_12;
   const T P3_2 = R2_12 * T(0.4318) + T(0.1501) * E1_11;
   const T minus_P3_3 = minus_E2_13 * T(0.4318);
-  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = minus_R3_21 * T(0.07) - E1_12 * T(0.014) + P3_1;
-  const T p3_2 = minus_R3_22 * T(0.07) + E1_11 * T(0.014) + P3_2;
-  const T minus_p3_3 = R3_23 * T(0.07) + minus_P3_3;
+  // p3 = R3^T r_link3 + P3: position of the mass centre, inertial axes [m]
+  const T p3_1 = R3_31 * T(0.07) - E1_12 * T(0.014) + P3_1;
+  const T p3_2 = E1_11 * T(0.014) + R3_32 * T(0.07) + P3_2;
+  const T p3_3 = R3_33 * T(0.07) - minus_P3_3;
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_1 = minus_omega2_2 * T(0.0934);
-  const T t3_2 = thetadot2 * T(0.4318) - minus_omega2_1 * T(0.0934);
-  const T t3_3 = minus_omega2_2 * T(0.4318);
-  const T Pdot3_1 = R2_11 * t3_1 - minus_R2_21 * t3_2 - E1_12 * t3_3 - minus_Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_1 - minus_R2_22 * t3_2 + E1_11 * t3_3 - minus_Pdot2_2;
-  const T minus_Pdot3_3 = minus_E2_13 * t3_1 + E2_11 * t3_2;
-  // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T t3_4 = omega3_3 * T(0.07) + omega3_2 * T(0.014);
-  const T t3_5 = minus_omega3_1 * T(0.014);
-  const T t3_6 = minus_omega3_1 * T(0.07);
-  const T v3_1 = R3_11 * t3_4 - minus_R3_21 * t3_5 - E1_12 * t3_6 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_4 - minus_R3_22 * t3_5 + E1_11 * t3_6 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_5 - minus_R3_13 * t3_4 - minus_Pdot3_3;
+  const T t3_1 = omega2_3 * T(0.0934);
+  const T t3_2 = omega2_3 * T(0.4318);
+  const T t3_3 = minus_omega2_1 * T(0.0934) - thetadot2 * T(0.4318);
+  const T Pdot3_1 = R2_11 * t3_1 - E1_12 * t3_2 + R2_31 * t3_3 - minus_Pdot2_1;
+  const T Pdot3_2 = R2_12 * t3_1 + E1_11 * t3_2 + R2_32 * t3_3 - minus_Pdot2_2;
+  const T Pdot3_3 = E2_11 * t3_3 - minus_E2_13 * t3_1;
+  // v3 = R3^T omega3~ r_link3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
+  const T t3_4 = omega3_2 * T(0.07) - omega3_3 * T(0.014);
+  const T t3_5 = minus_omega3_1 * T(0.07);
+  const T t3_6 = minus_omega3_1 * T(0.014);
+  const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
+  const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
+  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(4.8) * v3_1;
   const T l3_2 = T(4.8) * v3_2;
   const T l3_3 = T(4.8) * v3_3;
-  // H3 = R3^T I3 omega3 + p3~ l3: angular momentum about the inertial origin, inertial axes [kg m^2/s]
-  const T t3_7 = T(0.066) * minus_omega3_1;
-  const T t3_8 = T(0.0125) * omega3_2;
-  const T t3_9 = T(0.066) * omega3_3;
-  const T H3_1 = minus_p3_3 * l3_2 + p3_2 * l3_3 - R3_11 * t3_7 - minus_R3_21 * t3_8 - E1_12 * t3_9;
-  const T H3_2 = E1_11 * t3_9 - R3_12 * t3_7 - minus_R3_22 * t3_8 - minus_p3_3 * l3_1 - p3_1 * l3_3;
-  const T H3_3 = minus_R3_13 * t3_7 + R3_23 * t3_8 + p3_1 * l3_2 - p3_2 * l3_1;
+  // H3 = R3^T I_link3 omega3 + p3~ l3: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t3_7 = T(0.0125) * omega3_3;
+  const T t3_8 = T(0.066) * minus_omega3_1;
+  const T t3_9 = T(0.066) * omega3_2;
+  const T H3_1 = R3_31 * t3_7 - R3_11 * t3_8 - E1_12 * t3_9 + p3_2 * l3_3 - p3_3 * l3_2;
+  const T H3_2 = E1_11 * t3_9 - R3_12 * t3_8 + R3_32 * t3_7 + p3_3 * l3_1 - p3_1 * l3_3;
+  const T H3_3 = minus_R3_13 * t3_8 + R3_33 * t3_7 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_13;
-  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_13;
+  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
+  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_13 + E1_12 * E4_11;
-  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_13;
-  const T R4_23 = minus_R3_13 * E4_13;
+  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
+  const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = minus_R3_21 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
-  const T P4_2 = minus_R3_22 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
-  const T P4_3 = minus_R3_13 * T(0.0203) - R3_23 * T(0.4331) - minus_P3_3;
+  const T P4_1 = R3_31 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
+  const T P4_2 = R3_32 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
+  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = P4_1 - minus_R3_21 * T(0.019);
-  const T p4_2 = P4_2 - minus_R3_22 * T(0.019);
-  const T p4_3 = R3_23 * T(0.019) + P4_3;
+  const T p4_1 = P4_1 - R3_31 * T(0.019);
+  const T p4_2 = P4_2 - R3_32 * T(0.019);
+  const T p4_3 = P4_3 - R3_33 * T(0.019);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t4_1 = omega3_3 * T(0.4331);
-  const T t4_2 = omega3_3 * T(0.0203);
-  const T t4_3 = minus_omega3_1 * T(0.4331) + omega3_2 * T(0.0203);
-  const T Pdot4_1 = R3_11 * t4_1 + minus_R3_21 * t4_2 - E1_12 * t4_3 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 + minus_R3_22 * t4_2 + E1_11 * t4_3 + Pdot3_2;
-  const T minus_Pdot4_3 = minus_R3_13 * t4_1 + R3_23 * t4_2 + minus_Pdot3_3;
+  const T t4_1 = omega3_2 * T(0.4331);
+  const T t4_2 = minus_omega3_1 * T(0.4331) - omega3_3 * T(0.0203);
+  const T t4_3 = omega3_2 * T(0.0203);
+  const T Pdot4_1 = R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3 + Pdot3_1;
+  const T Pdot4_2 = R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3 + Pdot3_2;
+  const T Pdot4_3 = R3_33 * t4_3 - minus_R3_13 * t4_1 + Pdot3_3;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
   const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
   const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
-  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 - minus_Pdot4_3;
+  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(0.82) * v4_1;
   const T l4_2 = T(0.82) * v4_2;
@@ -679,66 +671,66 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t4_6 = T(0.0018) * omega4_1;
   const T t4_7 = T(0.0018) * omega4_2;
   const T t4_8 = T(0.0013) * omega4_3;
-  const T H4_1 = R4_11 * t4_6 - minus_R4_21 * t4_7 + minus_R3_21 * t4_8 + p4_2 * l4_3 - p4_3 * l4_2;
-  const T H4_2 = R4_12 * t4_6 + R4_22 * t4_7 + minus_R3_22 * t4_8 + p4_3 * l4_1 - p4_1 * l4_3;
-  const T H4_3 = R4_23 * t4_7 - minus_R4_13 * t4_6 - R3_23 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
+  const T H4_1 = R4_11 * t4_6 - minus_R4_21 * t4_7 + R3_31 * t4_8 + p4_2 * l4_3 - p4_3 * l4_2;
+  const T H4_2 = R4_12 * t4_6 + R4_22 * t4_7 + R3_32 * t4_8 + p4_3 * l4_1 - p4_1 * l4_3;
+  const T H4_3 = R4_23 * t4_7 - minus_R4_13 * t4_6 + R3_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
   const T thetadot5 = y[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 - minus_R3_21 * minus_E5_13;
-  const T R5_12 = R4_12 * E5_11 - minus_R3_22 * minus_E5_13;
-  const T R5_13 = R3_23 * minus_E5_13 - minus_R4_13 * E5_11;
-  const T minus_R5_21 = R4_11 * minus_E5_13 + minus_R3_21 * E5_11;
-  const T minus_R5_22 = R4_12 * minus_E5_13 + minus_R3_22 * E5_11;
-  const T R5_23 = minus_R4_13 * minus_E5_13 + R3_23 * E5_11;
+  const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
+  const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
+  const T minus_R5_13 = minus_R4_13 * E5_11 + R3_33 * minus_E5_13;
+  const T R5_31 = R4_11 * minus_E5_13 + R3_31 * E5_11;
+  const T R5_32 = R4_12 * minus_E5_13 + R3_32 * E5_11;
+  const T R5_33 = R3_33 * E5_11 - minus_R4_13 * minus_E5_13;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
   // l5 = m5 Pdot4: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(0.34) * Pdot4_1;
   const T l5_2 = T(0.34) * Pdot4_2;
-  const T minus_l5_3 = T(0.34) * minus_Pdot4_3;
-  // H5 = R5^T I5 omega5 + P4~ l5: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T l5_3 = T(0.34) * Pdot4_3;
+  // H5 = R5^T I_link5 omega5 + P4~ l5: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t5_1 = T(3e-04) * omega5_1;
-  const T t5_2 = T(3e-04) * minus_omega5_2;
-  const T t5_3 = T(4e-04) * omega5_3;
-  const T H5_1 = R5_11 * t5_1 + minus_R5_21 * t5_2 - minus_R4_21 * t5_3 - P4_3 * l5_2 - P4_2 * minus_l5_3;
-  const T H5_2 = R5_12 * t5_1 + minus_R5_22 * t5_2 + R4_22 * t5_3 + P4_3 * l5_1 + P4_1 * minus_l5_3;
-  const T H5_3 = R5_13 * t5_1 - R5_23 * t5_2 + R4_23 * t5_3 + P4_1 * l5_2 - P4_2 * l5_1;
+  const T t5_2 = T(4e-04) * omega5_2;
+  const T t5_3 = T(3e-04) * omega5_3;
+  const T H5_1 = R5_11 * t5_1 - minus_R4_21 * t5_2 + R5_31 * t5_3 + P4_2 * l5_3 - P4_3 * l5_2;
+  const T H5_2 = R5_12 * t5_1 + R4_22 * t5_2 + R5_32 * t5_3 + P4_3 * l5_1 - P4_1 * l5_3;
+  const T H5_3 = R4_23 * t5_2 - minus_R5_13 * t5_1 + R5_33 * t5_3 + P4_1 * l5_2 - P4_2 * l5_1;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_13;
-  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_13;
-  const T R6_13 = R5_13 * E6_11 + R4_23 * E6_13;
-  const T minus_R6_21 = R5_11 * E6_13 + minus_R4_21 * E6_11;
-  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_13;
-  const T R6_23 = R4_23 * E6_11 - R5_13 * E6_13;
+  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
+  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
+  const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
+  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
+  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // p6 = R6^T r_link6 + P4: position of the mass centre, inertial axes [m]
-  const T p6_1 = minus_R5_21 * c.r_link6_3 + P4_1;
-  const T p6_2 = minus_R5_22 * c.r_link6_3 + P4_2;
-  const T p6_3 = P4_3 - R5_23 * c.r_link6_3;
+  const T p6_1 = R5_31 * c.r_link6_3 + P4_1;
+  const T p6_2 = R5_32 * c.r_link6_3 + P4_2;
+  const T p6_3 = R5_33 * c.r_link6_3 + P4_3;
   // v6 = R6^T omega6~ r_link6 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t6_1 = omega6_2 * c.r_link6_3;
   const T t6_2 = omega6_1 * c.r_link6_3;
   const T v6_1 = R6_11 * t6_1 + minus_R6_21 * t6_2 + Pdot4_1;
   const T v6_2 = R6_12 * t6_1 - R6_22 * t6_2 + Pdot4_2;
-  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 - minus_Pdot4_3;
+  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 + Pdot4_3;
   // l6 = m_link6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = c.m_link6 * v6_1;
   const T l6_2 = c.m_link6 * v6_2;
@@ -747,15 +739,15 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t6_3 = c.I_link6_11 * omega6_1;
   const T t6_4 = c.I_link6_11 * omega6_2;
   const T t6_5 = T(4e-05) * omega6_3;
-  const T H6_1 = R6_11 * t6_3 - minus_R6_21 * t6_4 + minus_R5_21 * t6_5 + p6_2 * l6_3 - p6_3 * l6_2;
-  const T H6_2 = R6_12 * t6_3 + R6_22 * t6_4 + minus_R5_22 * t6_5 + p6_3 * l6_1 - p6_1 * l6_3;
-  const T H6_3 = R6_13 * t6_3 + R6_23 * t6_4 - R5_23 * t6_5 + p6_1 * l6_2 - p6_2 * l6_1;
+  const T H6_1 = R6_11 * t6_3 - minus_R6_21 * t6_4 + R5_31 * t6_5 + p6_2 * l6_3 - p6_3 * l6_2;
+  const T H6_2 = R6_12 * t6_3 + R6_22 * t6_4 + R5_32 * t6_5 + p6_3 * l6_1 - p6_1 * l6_3;
+  const T H6_3 = R6_13 * t6_3 + R6_23 * t6_4 + R5_33 * t6_5 + p6_1 * l6_2 - p6_2 * l6_1;
 
   // ---- whole system
   // linear = l2 + l3 + l4 + l5 + l6: linear momentum of the system [kg m/s]
   const T linear_1 = l2_1 + l3_1 + l4_1 + l5_1 + l6_1;
   const T linear_2 = l2_2 + l3_2 + l4_2 + l5_2 + l6_2;
-  const T linear_3 = l3_3 - minus_l2_3 + l4_3 - minus_l5_3 + l6_3;
+  const T linear_3 = l2_3 + l3_3 + l4_3 + l5_3 + l6_3;
   momentum[0] = linear_1;
   momentum[1] = linear_2;
   momentum[2] = linear_3;
@@ -800,125 +792,126 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
+  const T omega2_3 = E2_11 * thetadot1;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot2_1 = thetadot2 * minus_omega2_2;
-  const T omegadot2_2 = thetadot2 * minus_omega2_1;
+  const T minus_omegadot2_1 = thetadot2 * omega2_3;
+  const T minus_omegadot2_3 = thetadot2 * minus_omega2_1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = thetadot2 * thetadot2;
-  const T t2_2 = minus_omega2_2 * minus_omega2_2;
+  const T t2_1 = omega2_3 * omega2_3;
+  const T t2_2 = thetadot2 * thetadot2;
   const T minus_U2_11 = t2_1 + t2_2;
-  const T U2_12 = minus_omega2_2 * minus_omega2_1;
+  const T minus_U2_13 = omega2_3 * minus_omega2_1;
+  const T minus_U2_21 = minus_omegadot2_3 + minus_omegadot2_3;
   const T t2_3 = minus_omega2_1 * minus_omega2_1;
   const T minus_U2_22 = t2_1 + t2_3;
-  const T minus_U2_31 = omegadot2_2 + omegadot2_2;
-  const T minus_U2_32 = minus_omegadot2_1 + minus_omegadot2_1;
+  const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
   // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
-  const T minus_Pddot2_2 = E2_11 * T(9.81);
-  const T minus_Pddot2_3 = thetadot1 * T(0.2435) * thetadot1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
-  const T a2_2 = U2_12 * T(0.068) - minus_U2_22 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.016) - minus_U2_31 * T(0.068) - minus_U2_32 * T(0.006) - minus_Pddot2_3;
+  const T minus_Pddot2_2 = thetadot1 * T(0.2435) * thetadot1;
+  const T Pddot2_3 = E2_11 * T(9.81);
+  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_13 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
+  const T a2_2 = minus_U2_22 * T(0.016) - minus_U2_21 * T(0.068) - U2_23 * T(0.006) - minus_Pddot2_2;
+  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_13 * T(0.068) + Pddot2_3;
   // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G2_1 = T(17.4) * a2_1;
   const T minus_G2_2 = T(17.4) * a2_2;
   const T minus_G2_3 = T(17.4) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.07250000000000001) * minus_U2_32;
-  const T minus_N2_2 = T(0.4665) * minus_U2_31;
-  const T minus_N2_3 = T(0.394) * U2_12;
+  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T N2_1 = T(0.07250000000000001) * U2_23;
+  const T minus_N2_2 = T(0.394) * minus_U2_13;
+  const T N2_3 = T(0.4665) * minus_U2_21;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_1 = thetadot3 * omega3_2 + E3_12 * omegadot2_2 - E3_11 * minus_omegadot2_1;
-  const T omegadot3_2 = thetadot3 * minus_omega3_1 + E3_12 * minus_omegadot2_1 + E3_11 * omegadot2_2;
+  const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - E3_11 * minus_omegadot2_1 - thetadot3 * omega3_3;
+  const T minus_omegadot3_3 = thetadot3 * minus_omega3_1 + minus_E3_13 * minus_omegadot2_1 + E3_11 *
+      minus_omegadot2_3;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t3_1 = omega3_3 * omega3_3;
   const T t3_2 = omega3_2 * omega3_2;
   const T minus_U3_11 = t3_1 + t3_2;
-  const T minus_U3_12 = omega3_2 * minus_omega3_1;
-  const T t3_3 = omega3_3 * minus_omega3_1;
-  const T U3_13 = omegadot3_2 - t3_3;
+  const T t3_3 = omega3_2 * minus_omega3_1;
+  const T U3_12 = minus_omegadot3_3 - t3_3;
+  const T minus_U3_13 = omega3_3 * minus_omega3_1;
+  const T minus_U3_21 = t3_3 + minus_omegadot3_3;
   const T t3_4 = minus_omega3_1 * minus_omega3_1;
   const T minus_U3_22 = t3_1 + t3_4;
   const T t3_5 = omega3_3 * omega3_2;
   const T U3_23 = t3_5 - omegadot3_1;
-  const T minus_U3_31 = t3_3 + omegadot3_2;
   const T U3_32 = t3_5 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_4;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_6 = U2_12 * T(0.4318) - minus_Pddot2_2;
-  const T t3_7 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
-  const T Pddot3_1 = E3_12 * t3_6 - E3_11 * t3_7;
-  const T Pddot3_2 = E3_12 * t3_7 + E3_11 * t3_6;
-  const T Pddot3_3 = minus_U2_33 * T(0.0934) - minus_U2_31 * T(0.4318) - minus_Pddot2_3;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_12 * T(0.07) + U3_13 * T(0.014) + Pddot3_1;
-  const T a3_2 = minus_U3_22 * T(0.07) + U3_23 * T(0.014) + Pddot3_2;
-  const T a3_3 = Pddot3_3 - U3_32 * T(0.07) - minus_U3_33 * T(0.014);
+  const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
+  const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
+  const T Pddot3_2 = minus_U2_22 * T(0.0934) - minus_U2_21 * T(0.4318) - minus_Pddot2_2;
+  const T Pddot3_3 = E3_11 * t3_7 - minus_E3_13 * t3_6;
+  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = U3_12 * T(0.014) - minus_U3_13 * T(0.07) - minus_Pddot3_1;
+  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
+  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
   // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G3_1 = T(4.8) * a3_1;
   const T minus_G3_2 = T(4.8) * a3_2;
   const T minus_G3_3 = T(4.8) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.059750000000000004) * U3_32 - T(0.00625) * U3_23;
-  const T minus_N3_2 = T(0.00625) * U3_13 + T(0.00625) * minus_U3_31;
-  const T minus_N3_3 = T(0.053500000000000006) * minus_U3_12;
+  // N3 = -axial(U3 (tr(I_link3)/2 - I_link3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
+  const T N3_2 = T(0.053500000000000006) * minus_U3_13;
+  const T N3_3 = T(0.00625) * minus_U3_21 + T(0.00625) * U3_12;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_2 + E4_11 * omegadot3_1;
-  const T minus_omegadot4_2 = thetadot4 * omega4_1 + E4_13 * omegadot3_1;
+  const T minus_omegadot4_2 = thetadot4 * omega4_1 + E4_12 * omegadot3_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_1;
-  const T U4_12 = t4_1 + omegadot3_2;
+  const T U4_12 = t4_1 + minus_omegadot3_3;
   const T t4_2 = omega4_3 * omega4_1;
   const T U4_13 = t4_2 - minus_omegadot4_2;
-  const T U4_21 = t4_1 - omegadot3_2;
+  const T U4_21 = t4_1 - minus_omegadot3_3;
   const T t4_3 = omega4_3 * omega4_2;
   const T U4_23 = t4_3 - omegadot4_1;
   const T U4_31 = t4_2 + minus_omegadot4_2;
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + minus_U3_12 * T(0.4331) + Pddot3_1;
-  const T t4_5 = minus_U3_31 * T(0.0203) - U3_32 * T(0.4331) + Pddot3_3;
-  const T Pddot4_1 = E4_11 * t4_4 + E4_13 * t4_5;
-  const T Pddot4_2 = E4_11 * t4_5 - E4_13 * t4_4;
-  const T minus_Pddot4_3 = minus_U3_12 * T(0.0203) + minus_U3_22 * T(0.4331) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_13 * T(0.4331) - minus_Pddot3_1;
+  const T t4_5 = minus_U3_21 * T(0.0203) + U3_23 * T(0.4331) + Pddot3_2;
+  const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
+  const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
+  const T Pddot4_3 = minus_U3_13 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
   const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) - minus_Pddot4_3;
+  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
   // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(0.82) * a4_1;
   const T minus_G4_2 = T(0.82) * a4_2;
@@ -931,75 +924,75 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
   const T thetadot5 = y[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
   // omegadot5 = -thetadot5 b5~ E5 omega4 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
-  const T omegadot5_1 = E5_11 * omegadot4_1 + minus_E5_13 * omegadot3_2 - thetadot5 * minus_omega5_2;
-  const T omegadot5_2 = E5_11 * omegadot3_2 - minus_E5_13 * omegadot4_1 - thetadot5 * omega5_1;
+  const T omegadot5_1 = E5_11 * omegadot4_1 + minus_E5_13 * minus_omegadot3_3 - thetadot5 * omega5_3;
+  const T omegadot5_3 = thetadot5 * omega5_1 + minus_E5_13 * omegadot4_1 - E5_11 * minus_omegadot3_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_1 = minus_omega5_2 * omega5_1;
-  const T U5_12 = minus_omegadot4_2 - t5_1;
+  const T t5_1 = omega5_2 * omega5_1;
+  const T U5_12 = t5_1 - omegadot5_3;
   const T t5_2 = omega5_3 * omega5_1;
-  const T U5_13 = t5_2 + omegadot5_2;
-  const T minus_U5_21 = t5_1 + minus_omegadot4_2;
-  const T t5_3 = omega5_3 * minus_omega5_2;
-  const T minus_U5_23 = t5_3 + omegadot5_1;
-  const T U5_31 = t5_2 - omegadot5_2;
-  const T U5_32 = omegadot5_1 - t5_3;
+  const T U5_13 = t5_2 - minus_omegadot4_2;
+  const T U5_21 = t5_1 + omegadot5_3;
+  const T t5_3 = omega5_3 * omega5_2;
+  const T U5_23 = t5_3 - omegadot5_1;
+  const T U5_31 = t5_2 + minus_omegadot4_2;
+  const T U5_32 = t5_3 + omegadot5_1;
   // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 + minus_E5_13 * minus_Pddot4_3;
-  const T Pddot5_2 = E5_11 * minus_Pddot4_3 - minus_E5_13 * Pddot4_1;
+  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
+  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
   // G5 = -m5 Pddot5: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G5_1 = T(0.34) * Pddot5_1;
-  const T minus_G5_2 = T(0.34) * Pddot5_2;
-  const T minus_G5_3 = T(0.34) * Pddot4_2;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(2e-04) * U5_32 + T(9.999999999999996e-05) * minus_U5_23;
-  const T minus_N5_2 = T(9.999999999999996e-05) * U5_13 - T(2e-04) * U5_31;
-  const T N5_3 = T(2e-04) * minus_U5_21 + T(2e-04) * U5_12;
+  const T minus_G5_2 = T(0.34) * Pddot4_2;
+  const T minus_G5_3 = T(0.34) * Pddot5_3;
+  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
+  const T minus_N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
+  const T minus_N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
-  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_13 * minus_omegadot4_2;
-  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_13 * omegadot5_1 + E6_11 * minus_omegadot4_2;
+  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_12 * minus_omegadot4_2;
+  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_12 * omegadot5_1 + E6_11 * minus_omegadot4_2;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t6_1 = omega6_2 * omega6_1;
-  const T U6_12 = t6_1 + omegadot5_2;
+  const T U6_12 = t6_1 - omegadot5_3;
   const T t6_2 = omega6_3 * omega6_1;
   const T U6_13 = t6_2 - minus_omegadot6_2;
-  const T U6_21 = t6_1 - omegadot5_2;
+  const T U6_21 = t6_1 + omegadot5_3;
   const T t6_3 = omega6_3 * omega6_2;
   const T U6_23 = t6_3 - omegadot6_1;
   const T U6_31 = t6_2 + minus_omegadot6_2;
   const T U6_32 = t6_3 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
   // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_13 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_13 * Pddot5_1;
+  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
+  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
   // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
   const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T minus_a6_3 = minus_U6_33 * c.r_link6_3 + Pddot5_2;
+  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
   // G6 = -m_link6 a6: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G6_1 = c.m_link6 * a6_1;
   const T minus_G6_2 = c.m_link6 * a6_2;
-  const T G6_3 = c.m_link6 * minus_a6_3;
+  const T minus_G6_3 = c.m_link6 * a6_3;
   // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
   const T minus_N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
@@ -1012,227 +1005,228 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 5 (hand) and what it carries
   // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_13 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
-  const T minus_S5_2 = G6_3 + minus_G5_2;
-  const T minus_S5_3 = E6_13 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_3;
+  const T S5_1 = E6_12 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
+  const T minus_S5_2 = E6_12 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_2;
+  const T minus_S5_3 = minus_G6_3 + minus_G5_3;
   // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 + E6_13 * minus_rho6_2 - minus_N5_1;
-  const T rho5_2 = minus_N6_3 - minus_N5_2;
-  const T rho5_3 = E6_13 * rho6_1 - E6_11 * minus_rho6_2 + N5_3;
-  // J5 = E6^T J6 E6 + I5: inertia carried, about the body origin, body axes [kg m^2]
+  const T rho5_1 = E6_11 * rho6_1 + E6_12 * minus_rho6_2 - minus_N5_1;
+  const T rho5_2 = E6_12 * rho6_1 - E6_11 * minus_rho6_2 - minus_N5_2;
+  const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
+  // J5 = E6^T J6 E6 + I_link5: inertia carried, about the body origin, body axes [kg m^2]
   const T b5_1 = E6_11 * c.J6_11;
-  const T b5_2 = E6_13 * c.J6_11;
-  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_13;
+  const T b5_2 = E6_12 * c.J6_11;
+  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_12;
   const T J5_11 = b5_3 + T(3e-04);
-  const T J5_13 = b5_1 * E6_13 - b5_2 * E6_11;
-  const T J5_33 = b5_3 + T(4e-04);
+  const T J5_12 = b5_1 * E6_12 - b5_2 * E6_11;
+  const T J5_22 = b5_3 + T(4e-04);
   // hc5 = E5^T hc6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = minus_E5_13 * c.h6_3;
   const T hc5_3 = E5_11 * c.h6_3;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 + minus_E5_13 * minus_S5_2 - minus_G4_1;
-  const T minus_S4_2 = minus_S5_3 + minus_G4_2;
-  const T S4_3 = E5_11 * minus_S5_2 - minus_E5_13 * S5_1 - minus_G4_3;
+  const T S4_1 = E5_11 * S5_1 - minus_E5_13 * minus_S5_3 - minus_G4_1;
+  const T minus_S4_2 = minus_S5_2 + minus_G4_2;
+  const T minus_S4_3 = minus_E5_13 * S5_1 + E5_11 * minus_S5_3 + minus_G4_3;
   // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * rho5_2 - T(0.019) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = rho5_3 + T(0.019) * minus_G4_1 - minus_N4_2;
-  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * rho5_2 + minus_N4_3;
+  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - T(0.019) * minus_G4_2 - minus_N4_1;
+  const T rho4_2 = rho5_2 + T(0.019) * minus_G4_1 - minus_N4_2;
+  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
   // h4 = m4 r4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h4_3 = hc5_3 - T(0.015579999999999998);
   // J4 = E5^T J5 E5 - m4 r4~ r4~ + I4: inertia carried, about the body origin, body axes [kg m^2]
   const T b4_1 = E5_11 * J5_11;
   const T b4_2 = minus_E5_13 * T(0.00033999999999999997);
   const T J4_11 = b4_1 * E5_11 + b4_2 * minus_E5_13 + T(0.00209602);
-  const T J4_12 = E5_11 * J5_13;
+  const T J4_12 = E5_11 * J5_12;
   const T J4_13 = b4_2 * E5_11 - b4_1 * minus_E5_13;
-  const T J4_22 = J5_33 + T(0.00209602);
-  const T minus_J4_23 = minus_E5_13 * J5_13;
+  const T J4_22 = J5_22 + T(0.00209602);
+  const T minus_J4_23 = minus_E5_13 * J5_12;
   const T J4_33 = minus_E5_13 * J5_11 * minus_E5_13 + E5_11 * T(0.00033999999999999997) * E5_11 + T(0.0013);
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = E4_11 * hc5_1;
-  const T hc4_3 = E4_13 * hc5_1;
+  const T hc4_2 = E4_12 * hc5_1;
   // K_thetadot6_4 = E5^T K_thetadot6_5
   const T K_thetadot6_4_1 = minus_E5_13 * T(4e-05);
   const T K_thetadot6_4_3 = E5_11 * T(4e-05);
   // D_thetaddot4: pivots of L D L^T
   const T b4_3 = K_thetadot6_4_3 * T(24999.999999999996);
-  const T b4_4 = T(1) / J5_33;
+  const T b4_4 = T(1) / J5_22;
   const T b4_5 = minus_J4_23 * b4_4;
   const T D_thetaddot4 = J4_33 - b4_3 * K_thetadot6_4_3 - b4_5 * minus_J4_23;
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_13 * minus_S4_2;
+  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_S4_2;
   const T S3_1 = b3_1 - minus_G3_1;
-  const T minus_S3_2 = S4_3 + minus_G3_2;
-  const T b3_2 = E4_13 * S4_1 - E4_11 * minus_S4_2;
-  const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_2 - T(0.4331) * b3_2 + T(0.014) * minus_G3_2 + T(0.07) * minus_G3_3 -
+  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_S4_2;
+  const T S3_2 = b3_2 - minus_G3_2;
+  const T minus_S3_3 = minus_S4_3 + minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.07) * minus_G3_2 - T(0.014) * minus_G3_3 -
       minus_N3_1;
-  const T rho3_2 = T(0.0203) * b3_2 + minus_rho4_3 - T(0.014) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = T(0.0203) * S4_3 + T(0.4331) * b3_1 + E4_13 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1 -
-      minus_N3_3;
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
+      + N3_2;
+  const T rho3_3 = T(0.014) * minus_G3_1 - T(0.0203) * b3_2 - minus_rho4_3 + N3_3;
+  // h3 = m3 r_link3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h3_1 = hc4_1 - c.c3_2;
-  const T minus_h3_2 = c.c3_3 + h4_3;
-  const T h3_3 = T(0.0672) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_3 = E4_13 * J4_12;
+  const T h3_2 = T(0.0672) + hc4_2;
+  const T h3_3 = c.c3_3 + h4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r_link3~ r_link3~ + I_link3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b3_3 = E4_12 * J4_12;
   const T b3_4 = E4_11 * J4_11 - b3_3;
   const T b3_5 = E4_11 * J4_12;
-  const T b3_6 = b3_5 - E4_13 * J4_22;
-  const T b3_7 = c.c3_1 + h4_3;
+  const T b3_6 = b3_5 - E4_12 * J4_22;
+  const T b3_7 = h4_3 + c.c3_1;
   const T b3_8 = T(0.4331) * h4_3 + b3_7 * T(0.4331);
-  const T J3_11 = b3_4 * E4_11 - b3_6 * E4_13 + b3_8 + T(0.09046080000000001);
-  const T b3_9 = E4_11 * J4_13 + E4_13 * minus_J4_23;
+  const T J3_11 = b3_4 * E4_11 - b3_6 * E4_12 + b3_8 + T(0.09046080000000001);
+  const T J3_12 = b3_4 * E4_12 + b3_6 * E4_11 + T(0.0203) * hc4_2;
+  const T b3_9 = E4_11 * J4_13 + E4_12 * minus_J4_23;
   const T b3_10 = b3_9 - T(0.4331) * hc4_1;
-  const T minus_J3_12 = b3_10 + b3_7 * T(0.0203);
-  const T J3_13 = b3_4 * E4_13 + b3_6 * E4_11 + T(0.0203) * hc4_3;
-  const T J3_21 = h3_1 * T(0.4331) - b3_9 - T(0.0203) * h4_3;
+  const T J3_13 = b3_10 + b3_7 * T(0.0203);
   const T b3_11 = T(0.0203) * hc4_1;
-  const T b3_12 = b3_11 - J4_33;
-  const T b3_13 = h3_1 * T(0.0203);
-  const T J3_22 = T(0.013440800000000001) - b3_12 - b3_13;
-  const T b3_14 = T(0.4331) * hc4_3 - (E4_13 * J4_13 - E4_11 * minus_J4_23);
-  const T J3_23 = T(0.004704000000000001) + b3_14;
-  const T J3_33 = (E4_13 * J4_11 + b3_5) * E4_13 + (b3_3 + E4_11 * J4_22) * E4_11 + b3_8 - b3_11 + T(0.08952) - b3_13;
+  const T b3_12 = h3_1 * T(0.0203);
+  const T J3_22 = (E4_12 * J4_11 + b3_5) * E4_12 + (b3_3 + E4_11 * J4_22) * E4_11 - b3_11 + b3_8 + T(0.08952) - b3_12;
+  const T b3_13 = T(0.4331) * hc4_2 - (E4_12 * J4_13 - E4_11 * minus_J4_23);
+  const T minus_J3_23 = b3_13 + T(0.004704000000000001);
+  const T J3_31 = b3_9 + T(0.0203) * h4_3 - h3_1 * T(0.4331);
+  const T b3_14 = J4_33 - b3_11;
+  const T J3_33 = b3_14 + T(0.013440800000000001) - b3_12;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_12 * minus_h3_2 + E3_11 * h3_1;
-  const T minus_hc3_2 = E3_11 * minus_h3_2 - E3_12 * h3_1;
+  const T hc3_1 = minus_E3_13 * h3_3 + E3_11 * h3_1;
+  const T hc3_3 = E3_11 * h3_3 - minus_E3_13 * h3_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
   const T K_thetadot6_3_1 = E4_11 * K_thetadot6_4_1;
-  const T K_thetadot6_3_3 = E4_13 * K_thetadot6_4_1;
+  const T K_thetadot6_3_2 = E4_12 * K_thetadot6_4_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T B_thetadot5_3_1 = E4_11 * hc5_3;
-  const T B_thetadot5_3_3 = E4_13 * hc5_3;
+  const T B_thetadot5_3_2 = E4_12 * hc5_3;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_5 - E4_13 * J5_33 - T(0.4331) * B_thetadot5_3_3;
-  const T K_thetadot5_3_2 = T(0.0203) * B_thetadot5_3_3 + minus_J4_23;
-  const T K_thetadot5_3_3 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_3 + E4_11 * J5_33;
+  const T K_thetadot5_3_1 = b3_5 - E4_12 * J5_22 - T(0.4331) * B_thetadot5_3_2;
+  const T K_thetadot5_3_2 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_3 + E4_11 * J5_22;
+  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + minus_J4_23;
   // D_thetaddot3: pivots of L D L^T
-  const T b3_15 = K_thetadot6_3_3 * T(24999.999999999996);
-  const T b3_16 = b3_15 * K_thetadot6_3_3;
-  const T b3_17 = K_thetadot5_3_3 * b4_4;
+  const T b3_15 = K_thetadot6_3_2 * T(24999.999999999996);
+  const T b3_16 = b3_15 * K_thetadot6_3_2;
+  const T b3_17 = K_thetadot5_3_2 * b4_4;
   const T b3_18 = b3_15 * K_thetadot6_4_3;
-  const T b3_19 = b3_17 * minus_J4_23 - (b3_14 + b3_18);
+  const T b3_19 = b3_17 * minus_J4_23 - (b3_13 + b3_18);
   const T b3_20 = T(1) / D_thetaddot4;
   const T b3_21 = b3_19 * b3_20;
-  const T D_thetaddot3 = J3_33 - b3_16 - b3_17 * K_thetadot5_3_3 - b3_21 * b3_19;
+  const T D_thetaddot3 = J3_22 - b3_16 - b3_17 * K_thetadot5_3_2 - b3_21 * b3_19;
 
   // ---- body 2 (upper_arm) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 + E3_12 * minus_S3_2;
+  const T b2_1 = E3_11 * S3_1 - minus_E3_13 * minus_S3_3;
   const T S2_1 = b2_1 - minus_G2_1;
-  const T b2_2 = E3_12 * S3_1 - E3_11 * minus_S3_2;
-  const T S2_2 = b2_2 - minus_G2_2;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 - E3_12 * rho3_2 - T(0.016) * minus_G2_2 - T(0.006) * minus_G2_3
-      + N2_1;
-  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 - T(0.0934) * b2_1 - T(0.4318) * S3_3 + T(0.016) * minus_G2_1 +
-      T(0.068) * minus_G2_3 - minus_N2_2;
-  const T rho2_3 = T(0.4318) * b2_2 + rho3_3 + T(0.006) * minus_G2_1 - T(0.068) * minus_G2_2 - minus_N2_3;
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T b2_2 = minus_E3_13 * S3_1 + E3_11 * minus_S3_3;
+  const T minus_S2_3 = b2_2 + minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 + minus_E3_13 * rho3_3 + T(0.016) * minus_G2_3 - T(0.006) *
+      minus_G2_2 + N2_1;
+  const T rho2_2 = T(0.4318) * b2_2 + rho3_2 + T(0.006) * minus_G2_1 + T(0.068) * minus_G2_3 - minus_N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 - T(0.068) * minus_G2_2
+      - T(0.016) * minus_G2_1 + N2_3;
+  // h2 = m2 r_link2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
   const T h2_1 = c.c2_3 + hc3_1;
-  const T h2_2 = T(0.10439999999999999) - minus_hc3_2;
-  const T h2_3 = h3_3 - c.c2_4;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_3 = E3_11 * J3_11 - E3_12 * J3_21;
-  const T b2_4 = E3_11 * minus_J3_12 + E3_12 * J3_22;
-  const T b2_5 = h3_3 - c.c2_1;
-  const T b2_6 = T(0.0934) * h3_3 + b2_5 * T(0.0934);
-  const T J2_11 = b2_3 * E3_11 + b2_4 * E3_12 - b2_6 + T(0.1350808);
-  const T J2_12 = b2_3 * E3_12 - b2_4 * E3_11 + T(0.4318) * minus_hc3_2 - T(0.0070992);
-  const T b2_7 = T(0.0934) * hc3_1 + E3_11 * J3_13 - E3_12 * J3_23;
-  const T J2_13 = b2_7 + T(0.0189312) - b2_5 * T(0.4318);
+  const T h2_2 = h3_2 - c.c2_4;
+  const T h2_3 = hc3_3 - T(0.10439999999999999);
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b2_3 = E3_11 * J3_11 + minus_E3_13 * J3_31;
+  const T b2_4 = E3_11 * J3_13 + minus_E3_13 * J3_33;
+  const T b2_5 = c.c2_1 - h3_2;
+  const T b2_6 = T(0.0934) * h3_2 - b2_5 * T(0.0934);
+  const T J2_11 = b2_3 * E3_11 + b2_4 * minus_E3_13 - b2_6 + T(0.1350808);
+  const T b2_7 = T(0.0934) * hc3_1 + E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
+  const T J2_12 = b2_7 + T(0.0189312) + b2_5 * T(0.4318);
+  const T J2_13 = T(0.0070992) - (T(0.4318) * hc3_3 - (b2_4 * E3_11 - b2_3 * minus_E3_13));
   const T b2_8 = T(0.4318) * hc3_1;
-  const T b2_9 = (hc3_1 + c.c2_2) * T(0.4318);
-  const T J2_22 = (E3_12 * J3_11 + E3_11 * J3_21) * E3_12 + (E3_11 * J3_22 - E3_12 * minus_J3_12) * E3_11 - b2_6 +
-      b2_8 + T(0.608912) + b2_9;
-  const T b2_10 = E3_12 * J3_13 + E3_11 * J3_23 - T(0.0934) * minus_hc3_2;
-  const T J2_23 = b2_10 + T(0.0016703999999999998);
-  const T b2_11 = b2_8 + J3_33;
-  const T J2_33 = b2_11 + T(0.6200840000000001) + b2_9;
+  const T b2_9 = b2_8 + J3_22;
+  const T b2_10 = (hc3_1 + c.c2_2) * T(0.4318);
+  const T J2_22 = b2_9 + T(0.6200840000000001) + b2_10;
+  const T b2_11 = T(0.0934) * hc3_3 - minus_E3_13 * J3_12 - E3_11 * minus_J3_23;
+  const T J2_32 = b2_11 - T(0.0016703999999999998);
+  const T J2_33 = (E3_11 * J3_33 - minus_E3_13 * J3_13) * E3_11 - (E3_11 * J3_31 - minus_E3_13 * J3_11) * minus_E3_13
+      + b2_8 - b2_6 + T(0.608912) + b2_10;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_3 = E2_11 * h2_2 + minus_E2_13 * h2_1;
+  const T hc2_3 = E2_11 * h2_3 - minus_E2_13 * h2_1;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + E3_12 * K_thetadot6_4_3;
-  const T K_thetadot6_2_2 = E3_12 * K_thetadot6_3_1 - E3_11 * K_thetadot6_4_3;
+  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + minus_E3_13 * K_thetadot6_4_3;
+  const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
   // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - E3_12 * hc5_1;
-  const T B_thetadot5_2_2 = E3_12 * B_thetadot5_3_1 + E3_11 * hc5_1;
+  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - minus_E3_13 * hc5_1;
+  const T minus_B_thetadot5_2_3 = minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.0934) * B_thetadot5_2_2 + E3_11 * K_thetadot5_3_1 - E3_12 * K_thetadot5_3_2;
-  const T K_thetadot5_2_2 = E3_12 * K_thetadot5_3_1 + E3_11 * K_thetadot5_3_2 - T(0.0934) * B_thetadot5_2_1 -
-      T(0.4318) * B_thetadot5_3_3;
-  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_2_2 + K_thetadot5_3_3;
+  const T K_thetadot5_2_1 = T(0.0934) * minus_B_thetadot5_2_3 + E3_11 * K_thetadot5_3_1 - minus_E3_13 *
+      minus_K_thetadot5_3_3;
+  const T K_thetadot5_2_2 = T(0.4318) * minus_B_thetadot5_2_3 + K_thetadot5_3_2;
+  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + T(0.0934) * B_thetadot5_2_1 - minus_E3_13 * K_thetadot5_3_1
+      - E3_11 * minus_K_thetadot5_3_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_3;
-  const T minus_B_thetadot4_2_2 = E3_12 * hc4_3;
+  const T minus_B_thetadot4_2_1 = E3_11 * hc4_2;
+  const T B_thetadot4_2_3 = minus_E3_13 * hc4_2;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = E3_11 * b3_10 - E3_12 * b3_12 - T(0.0934) * minus_B_thetadot4_2_2;
-  const T K_thetadot4_2_2 = T(0.0934) * minus_B_thetadot4_2_1 - T(0.4318) * hc4_1 + E3_12 * b3_10 + E3_11 * b3_12;
-  const T minus_K_thetadot4_2_3 = b3_14 + T(0.4318) * minus_B_thetadot4_2_2;
+  const T K_thetadot4_2_1 = E3_11 * b3_10 + minus_E3_13 * b3_14 - T(0.0934) * B_thetadot4_2_3;
+  const T minus_K_thetadot4_2_2 = b3_13 + T(0.4318) * B_thetadot4_2_3;
+  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 - T(0.0934) * minus_B_thetadot4_2_1 + E3_11 * b3_14 - minus_E3_13 *
+      b3_10;
   // D_thetaddot2: pivots of L D L^T
-  const T b2_12 = K_thetadot5_2_3 * b4_4;
-  const T b2_13 = b2_12 * minus_J4_23 - (minus_K_thetadot4_2_3 + b3_18);
+  const T b2_12 = K_thetadot5_2_2 * b4_4;
+  const T b2_13 = b2_12 * minus_J4_23 - (minus_K_thetadot4_2_2 + b3_18);
   const T b2_14 = b2_13 * b3_20;
-  const T b2_15 = b2_11 - b3_16 - b2_12 * K_thetadot5_3_3 - b2_14 * b3_19;
+  const T b2_15 = b2_9 - b3_16 - b2_12 * K_thetadot5_3_2 - b2_14 * b3_19;
   const T b2_16 = T(1) / D_thetaddot3;
   const T b2_17 = b2_15 * b2_16;
-  const T D_thetaddot2 = J2_33 - b3_16 - b2_12 * K_thetadot5_2_3 - b2_14 * b2_13 - b2_17 * b2_15;
+  const T D_thetaddot2 = J2_22 - b3_16 - b2_12 * K_thetadot5_2_2 - b2_14 * b2_13 - b2_17 * b2_15;
 
   // ---- body 1 (waist) and what it carries
   // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T minus_rho1_3 = T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * S2_2) + minus_E2_13 * rho2_1 + E2_11 * rho2_2;
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * minus_S2_3);
   // J1 = -q2~ hc2~ + E2^T J2 E2 + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes
   //   [kg m^2]
-  const T J1_33 = (minus_E2_13 * J2_11 + E2_11 * J2_12) * minus_E2_13 + (minus_E2_13 * J2_12 + E2_11 * J2_22) * E2_11
-      + T(0.2435) * h2_3 + T(0.35) + (c.c1_1 + h2_3) * T(0.2435);
+  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
+      + T(0.2435) * h2_2 + T(0.35) + (c.c1_1 + h2_2) * T(0.2435);
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T minus_K_thetadot6_1_3 = minus_E2_13 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  const T K_thetadot6_1_3 = E2_11 * K_thetadot6_2_3 - minus_E2_13 * K_thetadot6_2_1;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T minus_K_thetadot5_1_3 = T(0.2435) * (E2_11 * B_thetadot5_2_1 - minus_E2_13 * B_thetadot5_2_2) + minus_E2_13
-      * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2;
+  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 - minus_E2_13 * K_thetadot5_2_1 - T(0.2435) * (E2_11 *
+      B_thetadot5_2_1 - minus_E2_13 * minus_B_thetadot5_2_3);
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_3 = T(0.2435) * (minus_E2_13 * minus_B_thetadot4_2_2 - E2_11 * minus_B_thetadot4_2_1) +
-      minus_E2_13 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
+  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1 - T(0.2435) * (minus_E2_13 *
+      B_thetadot4_2_3 - E2_11 * minus_B_thetadot4_2_1);
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T minus_K_thetadot3_1_3 = T(0.2435) * (E2_11 * minus_hc3_2 - minus_E2_13 * hc3_1) + minus_E2_13 * b2_7 + E2_11
-      * b2_10;
+  const T K_thetadot3_1_3 = E2_11 * b2_11 - minus_E2_13 * b2_7 - T(0.2435) * (E2_11 * hc3_3 - minus_E2_13 * hc3_1);
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_3 = T(0.2435) * minus_hc2_3 - minus_E2_13 * J2_13 - E2_11 * J2_23;
+  const T K_thetadot2_1_3 = E2_11 * J2_32 - minus_E2_13 * J2_12 - T(0.2435) * hc2_3;
   // D_thetaddot1: pivots of L D L^T
-  const T b1_1 = minus_K_thetadot6_1_3 * T(24999.999999999996);
-  const T b1_2 = minus_K_thetadot5_1_3 * b4_4;
-  const T b1_3 = b1_1 * K_thetadot6_4_3 - minus_K_thetadot4_1_3 - b1_2 * minus_J4_23;
+  const T b1_1 = K_thetadot6_1_3 * T(24999.999999999996);
+  const T b1_2 = K_thetadot5_1_3 * b4_4;
+  const T b1_3 = K_thetadot4_1_3 - b1_1 * K_thetadot6_4_3 + b1_2 * minus_J4_23;
   const T b1_4 = b1_3 * b3_20;
-  const T b1_5 = b1_1 * K_thetadot6_3_3;
-  const T b1_6 = b1_5 - minus_K_thetadot3_1_3 + b1_2 * K_thetadot5_3_3 - b1_4 * b3_19;
+  const T b1_5 = b1_1 * K_thetadot6_3_2;
+  const T b1_6 = K_thetadot3_1_3 - b1_5 - b1_2 * K_thetadot5_3_2 - b1_4 * b3_19;
   const T b1_7 = b1_6 * b2_16;
-  const T b1_8 = K_thetadot2_1_3 + b1_5 + b1_2 * K_thetadot5_2_3 - b1_4 * b2_13 - b1_7 * b2_15;
+  const T b1_8 = K_thetadot2_1_3 - b1_5 - b1_2 * K_thetadot5_2_2 - b1_4 * b2_13 - b1_7 * b2_15;
   const T b1_9 = T(1) / D_thetaddot2;
   const T b1_10 = b1_8 * b1_9;
-  const T D_thetaddot1 = J1_33 - b1_1 * minus_K_thetadot6_1_3 - b1_2 * minus_K_thetadot5_1_3 - b1_4 * b1_3 - b1_7 *
-      b1_6 - b1_10 * b1_8;
+  const T D_thetaddot1 = J1_33 - b1_1 * K_thetadot6_1_3 - b1_2 * K_thetadot5_1_3 - b1_4 * b1_3 - b1_7 * b1_6 - b1_10 *
+      b1_8;
 
   // ---- body 1 (waist), solved
   // thetaddot1: from A ydot = f by elimination
   const T z1_1 = u.tau_6 - minus_N6_3;
-  const T z1_2 = rho5_3 + u.tau_5;
+  const T z1_2 = rho5_2 + u.tau_5;
   const T z1_3 = u.tau_4 - minus_rho4_3 - b4_3 * z1_1 + b4_5 * z1_2;
   const T z1_4 = b3_15 * z1_1;
-  const T z1_5 = rho3_3 + u.tau_3 - z1_4 - b3_17 * z1_2 - b3_21 * z1_3;
-  const T z1_6 = rho2_3 + u.tau_2 - z1_4 - b2_12 * z1_2 - b2_14 * z1_3 - b2_17 * z1_5;
-  const T thetaddot1 = T(1) / D_thetaddot1 * (u.tau_1 - minus_rho1_3 + b1_1 * z1_1 + b1_2 * z1_2 - b1_4 * z1_3 - b1_7
-      * z1_5 - b1_10 * z1_6);
+  const T z1_5 = rho3_2 + u.tau_3 - z1_4 - b3_17 * z1_2 - b3_21 * z1_3;
+  const T z1_6 = rho2_2 + u.tau_2 - z1_4 - b2_12 * z1_2 - b2_14 * z1_3 - b2_17 * z1_5;
+  const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_3 + u.tau_1 - b1_1 * z1_1 - b1_2 * z1_2 - b1_4 * z1_3 - b1_7 * z1_5
+      - b1_10 * z1_6);
   ydot[0] = thetaddot1;
 
   // ---- body 2 (upper_arm), solved
@@ -1252,12 +1246,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 5 (hand), solved
   // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_2 * b4_4 + b4_5 * thetaddot4 - b3_17 * thetaddot3 - b2_12 * thetaddot2 + b1_2 * thetaddot1;
+  const T thetaddot5 = z1_2 * b4_4 + b4_5 * thetaddot4 - b3_17 * thetaddot3 - b2_12 * thetaddot2 - b1_2 * thetaddot1;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (flange), solved
   // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_1 * T(24999.999999999996) - b4_3 * thetaddot4 - b3_15 * thetaddot3 - b3_15 * thetaddot2 +
+  const T thetaddot6 = z1_1 * T(24999.999999999996) - b4_3 * thetaddot4 - b3_15 * thetaddot3 - b3_15 * thetaddot2 -
       b1_1 * thetaddot1;
   ydot[5] = thetaddot6;
 }
@@ -1282,49 +1276,49 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta2 = x[1];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
+  const T omega2_3 = E2_11 * thetadot1;
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T t2_1 = thetadot2 * minus_omega2_2;
+  const T t2_1 = thetadot2 * omega2_3;
   const T minus_omegadot2_1 = t2_1 + minus_E2_13 * thetaddot1;
   const T t2_2 = thetadot2 * minus_omega2_1;
-  const T omegadot2_2 = t2_2 - E2_11 * thetaddot1;
+  const T omegadot2_3 = E2_11 * thetaddot1 - t2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_3 = thetadot2 * thetadot2;
-  const T t2_4 = minus_omega2_2 * minus_omega2_2;
+  const T t2_3 = omega2_3 * omega2_3;
+  const T t2_4 = thetadot2 * thetadot2;
   const T minus_U2_11 = t2_3 + t2_4;
-  const T t2_5 = minus_omega2_2 * minus_omega2_1;
-  const T U2_12 = t2_5 - thetaddot2;
-  const T U2_13 = omegadot2_2 - t2_2;
-  const T U2_21 = t2_5 + thetaddot2;
+  const T minus_U2_12 = t2_2 + omegadot2_3;
+  const T t2_5 = omega2_3 * minus_omega2_1;
+  const T U2_13 = thetaddot2 - t2_5;
+  const T U2_21 = omegadot2_3 - t2_2;
   const T t2_6 = minus_omega2_1 * minus_omega2_1;
   const T minus_U2_22 = t2_3 + t2_6;
-  const T U2_23 = minus_omegadot2_1 - t2_1;
-  const T minus_U2_31 = t2_2 + omegadot2_2;
-  const T minus_U2_32 = t2_1 + minus_omegadot2_1;
+  const T U2_23 = t2_1 + minus_omegadot2_1;
+  const T minus_U2_31 = t2_5 + thetaddot2;
+  const T U2_32 = t2_1 - minus_omegadot2_1;
   const T minus_U2_33 = t2_4 + t2_6;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_7 = thetaddot1 * T(0.2435);
   const T minus_Pddot2_1 = E2_11 * t2_7 + minus_E2_13 * T(9.81);
-  const T Pddot2_2 = minus_E2_13 * t2_7 - E2_11 * T(9.81);
-  const T minus_Pddot2_3 = minus_U1_11 * T(0.2435);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.006) - minus_U2_11 * T(0.068) - U2_13 * T(0.016) - minus_Pddot2_1;
-  const T a2_2 = U2_21 * T(0.068) - minus_U2_22 * T(0.006) - U2_23 * T(0.016) + Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.016) - minus_U2_31 * T(0.068) - minus_U2_32 * T(0.006) - minus_Pddot2_3;
+  const T minus_Pddot2_2 = minus_U1_11 * T(0.2435);
+  const T Pddot2_3 = E2_11 * T(9.81) - minus_E2_13 * t2_7;
+  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_12 * T(0.016) - minus_U2_11 * T(0.068) - U2_13 * T(0.006) - minus_Pddot2_1;
+  const T a2_2 = U2_21 * T(0.068) + minus_U2_22 * T(0.016) - U2_23 * T(0.006) - minus_Pddot2_2;
+  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_31 * T(0.068) - U2_32 * T(0.016) + Pddot2_3;
   // G2 = m2 a2: force balance, body axes [N]
   const T G2_1 = T(17.4) * a2_1;
   const T G2_2 = T(17.4) * a2_2;
   const T G2_3 = T(17.4) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T minus_N2_1 = T(0.07250000000000001) * minus_U2_32 + T(0.057499999999999996) * U2_23;
-  const T N2_2 = T(0.057499999999999996) * U2_13 + T(0.4665) * minus_U2_31;
-  const T N2_3 = T(0.4665) * U2_21 - T(0.07250000000000001) * U2_12;
+  // N2 = axial(U2 (tr(I_link2)/2 - I_link2)): moment balance about the mass centre, body axes [N m]
+  const T N2_1 = T(0.057499999999999996) * U2_32 - T(0.07250000000000001) * U2_23;
+  const T N2_2 = T(0.07250000000000001) * U2_13 + T(0.4665) * minus_U2_31;
+  const T N2_3 = T(0.4665) * U2_21 + T(0.057499999999999996) * minus_U2_12;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
@@ -1332,15 +1326,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetaddot3 = ydot[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_1 = thetadot3 * omega3_2 + E3_12 * omegadot2_2 - E3_11 * minus_omegadot2_1;
-  const T omegadot3_2 = thetadot3 * minus_omega3_1 + E3_12 * minus_omegadot2_1 + E3_11 * omegadot2_2;
-  const T omegadot3_3 = thetaddot3 + thetaddot2;
+  const T minus_omegadot3_1 = thetadot3 * omega3_3 + E3_11 * minus_omegadot2_1 + minus_E3_13 * omegadot2_3;
+  const T omegadot3_2 = thetaddot3 + thetaddot2;
+  const T omegadot3_3 = E3_11 * omegadot2_3 - minus_E3_13 * minus_omegadot2_1 - thetadot3 * minus_omega3_1;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t3_1 = omega3_3 * omega3_3;
@@ -1354,44 +1348,44 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t3_5 = minus_omega3_1 * minus_omega3_1;
   const T minus_U3_22 = t3_1 + t3_5;
   const T t3_6 = omega3_3 * omega3_2;
-  const T U3_23 = t3_6 - omegadot3_1;
+  const T U3_23 = t3_6 + minus_omegadot3_1;
   const T minus_U3_31 = t3_4 + omegadot3_2;
-  const T U3_32 = t3_6 + omegadot3_1;
+  const T U3_32 = t3_6 - minus_omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = U2_21 * T(0.4318) - U2_23 * T(0.0934) + Pddot2_2;
-  const T t3_8 = minus_U2_11 * T(0.4318) + U2_13 * T(0.0934) + minus_Pddot2_1;
-  const T Pddot3_1 = E3_12 * t3_7 - E3_11 * t3_8;
-  const T Pddot3_2 = E3_12 * t3_8 + E3_11 * t3_7;
-  const T Pddot3_3 = minus_U2_33 * T(0.0934) - minus_U2_31 * T(0.4318) - minus_Pddot2_3;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_12 * T(0.07) + U3_13 * T(0.014) + Pddot3_1;
-  const T a3_2 = minus_U3_22 * T(0.07) + U3_23 * T(0.014) + Pddot3_2;
-  const T a3_3 = Pddot3_3 - U3_32 * T(0.07) - minus_U3_33 * T(0.014);
+  const T t3_7 = minus_U2_12 * T(0.0934) - minus_U2_11 * T(0.4318) - minus_Pddot2_1;
+  const T t3_8 = Pddot2_3 - minus_U2_31 * T(0.4318) - U2_32 * T(0.0934);
+  const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
+  const T Pddot3_2 = U2_21 * T(0.4318) + minus_U2_22 * T(0.0934) - minus_Pddot2_2;
+  const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
+  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = U3_13 * T(0.07) - minus_U3_12 * T(0.014) + Pddot3_1;
+  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
+  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
   // G3 = m3 a3: force balance, body axes [N]
   const T G3_1 = T(4.8) * a3_1;
   const T G3_2 = T(4.8) * a3_2;
   const T G3_3 = T(4.8) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.059750000000000004) * U3_32 - T(0.00625) * U3_23;
-  const T N3_2 = T(0.00625) * U3_13 + T(0.00625) * minus_U3_31;
-  const T N3_3 = T(0.00625) * U3_21 + T(0.059750000000000004) * minus_U3_12;
+  // N3 = axial(U3 (tr(I_link3)/2 - I_link3)): moment balance about the mass centre, body axes [N m]
+  const T N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
+  const T N3_2 = T(0.059750000000000004) * U3_13 + T(0.00625) * minus_U3_31;
+  const T N3_3 = T(0.00625) * U3_21 + T(0.00625) * minus_U3_12;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
   const T thetaddot4 = ydot[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
-  const T omegadot4_1 = thetadot4 * omega4_2 + E4_11 * omegadot3_1 + E4_13 * omegadot3_3;
-  const T omegadot4_2 = E4_11 * omegadot3_3 - E4_13 * omegadot3_1 - thetadot4 * omega4_1;
-  const T omegadot4_3 = thetaddot4 - omegadot3_2;
+  const T omegadot4_1 = thetadot4 * omega4_2 + E4_12 * omegadot3_2 - E4_11 * minus_omegadot3_1;
+  const T omegadot4_2 = E4_12 * minus_omegadot3_1 + E4_11 * omegadot3_2 - thetadot4 * omega4_1;
+  const T omegadot4_3 = thetaddot4 + omegadot3_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_1;
@@ -1405,15 +1399,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + minus_U3_12 * T(0.4331) + Pddot3_1;
-  const T t4_5 = minus_U3_31 * T(0.0203) - U3_32 * T(0.4331) + Pddot3_3;
-  const T Pddot4_1 = E4_11 * t4_4 + E4_13 * t4_5;
-  const T Pddot4_2 = E4_11 * t4_5 - E4_13 * t4_4;
-  const T minus_Pddot4_3 = minus_U3_22 * T(0.4331) - U3_21 * T(0.0203) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) + U3_13 * T(0.4331) + Pddot3_1;
+  const T t4_5 = U3_23 * T(0.4331) - U3_21 * T(0.0203) + Pddot3_2;
+  const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
+  const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
+  const T Pddot4_3 = minus_U3_31 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
   const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) - minus_Pddot4_3;
+  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
   // G4 = m4 a4: force balance, body axes [N]
   const T G4_1 = T(0.82) * a4_1;
   const T G4_2 = T(0.82) * a4_2;
@@ -1427,55 +1421,55 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta5 = x[4];
   const T thetadot5 = y[4];
   const T thetaddot5 = ydot[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
   // omegadot5 = -thetadot5 b5~ E5 omega4 + thetaddot5 b5 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
-  const T omegadot5_1 = E5_11 * omegadot4_1 - minus_E5_13 * omegadot4_3 - thetadot5 * minus_omega5_2;
-  const T minus_omegadot5_2 = thetadot5 * omega5_1 + minus_E5_13 * omegadot4_1 + E5_11 * omegadot4_3;
-  const T omegadot5_3 = thetaddot5 + omegadot4_2;
+  const T omegadot5_1 = E5_11 * omegadot4_1 - minus_E5_13 * omegadot4_3 - thetadot5 * omega5_3;
+  const T omegadot5_2 = thetaddot5 + omegadot4_2;
+  const T omegadot5_3 = thetadot5 * omega5_1 + minus_E5_13 * omegadot4_1 + E5_11 * omegadot4_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_1 = minus_omega5_2 * omega5_1;
-  const T minus_U5_12 = t5_1 + omegadot5_3;
+  const T t5_1 = omega5_2 * omega5_1;
+  const T U5_12 = t5_1 - omegadot5_3;
   const T t5_2 = omega5_3 * omega5_1;
-  const T U5_13 = t5_2 - minus_omegadot5_2;
-  const T U5_21 = omegadot5_3 - t5_1;
-  const T t5_3 = omega5_3 * minus_omega5_2;
-  const T minus_U5_23 = t5_3 + omegadot5_1;
-  const T U5_31 = t5_2 + minus_omegadot5_2;
-  const T U5_32 = omegadot5_1 - t5_3;
+  const T U5_13 = t5_2 + omegadot5_2;
+  const T U5_21 = t5_1 + omegadot5_3;
+  const T t5_3 = omega5_3 * omega5_2;
+  const T U5_23 = t5_3 - omegadot5_1;
+  const T U5_31 = t5_2 - omegadot5_2;
+  const T U5_32 = t5_3 + omegadot5_1;
   // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 + minus_E5_13 * minus_Pddot4_3;
-  const T Pddot5_2 = E5_11 * minus_Pddot4_3 - minus_E5_13 * Pddot4_1;
+  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
+  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
   // G5 = m5 Pddot5: force balance, body axes [N]
   const T G5_1 = T(0.34) * Pddot5_1;
-  const T G5_2 = T(0.34) * Pddot5_2;
-  const T G5_3 = T(0.34) * Pddot4_2;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(2e-04) * U5_32 + T(9.999999999999996e-05) * minus_U5_23;
-  const T N5_2 = T(9.999999999999996e-05) * U5_13 - T(2e-04) * U5_31;
-  const T N5_3 = T(2e-04) * U5_21 + T(2e-04) * minus_U5_12;
+  const T G5_2 = T(0.34) * Pddot4_2;
+  const T G5_3 = T(0.34) * Pddot5_3;
+  // N5 = axial(U5 (tr(I_link5)/2 - I_link5)): moment balance about the mass centre, body axes [N m]
+  const T N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
+  const T N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
+  const T N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
   const T thetaddot6 = ydot[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + thetaddot6 b6 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
-  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 + E6_13 * omegadot5_3;
-  const T omegadot6_2 = E6_11 * omegadot5_3 - E6_13 * omegadot5_1 - thetadot6 * omega6_1;
-  const T omegadot6_3 = thetaddot6 + minus_omegadot5_2;
+  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 + E6_12 * omegadot5_2;
+  const T omegadot6_2 = E6_11 * omegadot5_2 - E6_12 * omegadot5_1 - thetadot6 * omega6_1;
+  const T omegadot6_3 = thetaddot6 + omegadot5_3;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t6_1 = omega6_2 * omega6_1;
@@ -1489,16 +1483,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U6_32 = t6_3 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
   // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_13 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_13 * Pddot5_1;
+  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
+  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
   // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
   const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T minus_a6_3 = minus_U6_33 * c.r_link6_3 + Pddot5_2;
+  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
   // G6 = m_link6 a6: force balance, body axes [N]
   const T G6_1 = c.m_link6 * a6_1;
   const T G6_2 = c.m_link6 * a6_2;
-  const T minus_G6_3 = c.m_link6 * minus_a6_3;
+  const T G6_3 = c.m_link6 * a6_3;
   // N6 = axial(U6 (tr(I_link6)/2 - I_link6)): moment balance about the mass centre, body axes [N m]
   const T N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
   const T N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
@@ -1514,67 +1508,67 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 5 (hand) and what it carries
   // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_11 * G6_1 - E6_13 * G6_2 + G5_1;
-  const T S5_2 = minus_G6_3 + G5_2;
-  const T S5_3 = E6_13 * G6_1 + E6_11 * G6_2 + G5_3;
+  const T S5_1 = E6_11 * G6_1 - E6_12 * G6_2 + G5_1;
+  const T S5_2 = E6_12 * G6_1 + E6_11 * G6_2 + G5_2;
+  const T S5_3 = G6_3 + G5_3;
   // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 - E6_13 * rho6_2 + N5_1;
-  const T rho5_2 = N5_2 - N6_3;
-  const T rho5_3 = E6_13 * rho6_1 + E6_11 * rho6_2 + N5_3;
+  const T rho5_1 = E6_11 * rho6_1 - E6_12 * rho6_2 + N5_1;
+  const T rho5_2 = E6_12 * rho6_1 + E6_11 * rho6_2 + N5_2;
+  const T rho5_3 = N6_3 + N5_3;
   // r_theta5 = b5 . rho5 - tau_hand_: Kane's equation of the angle [N m]
-  const T r_theta5 = rho5_3 - u.tau_5;
+  const T r_theta5 = rho5_2 - u.tau_5;
   r[4] = r_theta5;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 - minus_E5_13 * S5_2 + G4_1;
-  const T S4_2 = S5_3 + G4_2;
-  const T S4_3 = G4_3 - minus_E5_13 * S5_1 - E5_11 * S5_2;
+  const T S4_1 = E5_11 * S5_1 + minus_E5_13 * S5_3 + G4_1;
+  const T S4_2 = S5_2 + G4_2;
+  const T S4_3 = E5_11 * S5_3 - minus_E5_13 * S5_1 + G4_3;
   // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * rho5_2 + T(0.019) * G4_2 + N4_1;
-  const T rho4_2 = rho5_3 - T(0.019) * G4_1 + N4_2;
-  const T rho4_3 = N4_3 - minus_E5_13 * rho5_1 - E5_11 * rho5_2;
+  const T rho4_1 = E5_11 * rho5_1 + minus_E5_13 * rho5_3 + T(0.019) * G4_2 + N4_1;
+  const T rho4_2 = rho5_2 - T(0.019) * G4_1 + N4_2;
+  const T rho4_3 = E5_11 * rho5_3 - minus_E5_13 * rho5_1 + N4_3;
   // r_theta4 = b4 . rho4 - tau_wrist_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_3 - u.tau_4;
   r[3] = r_theta4;
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 - E4_13 * S4_2;
+  const T b3_1 = E4_11 * S4_1 - E4_12 * S4_2;
   const T S3_1 = b3_1 + G3_1;
-  const T S3_2 = G3_2 - S4_3;
-  const T b3_2 = E4_13 * S4_1 + E4_11 * S4_2;
-  const T S3_3 = b3_2 + G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_2 - T(0.4331) * b3_2 - T(0.014) * G3_2 - T(0.07) * G3_3 + N3_1;
-  const T rho3_2 = T(0.0203) * b3_2 - rho4_3 + T(0.014) * G3_1 + N3_2;
-  const T rho3_3 = T(0.0203) * S4_3 + T(0.4331) * b3_1 + E4_13 * rho4_1 + E4_11 * rho4_2 + T(0.07) * G3_1 + N3_3;
+  const T b3_2 = E4_12 * S4_1 + E4_11 * S4_2;
+  const T S3_2 = b3_2 + G3_2;
+  const T S3_3 = S4_3 + G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.014) * G3_3 - T(0.07) * G3_2 + N3_1;
+  const T rho3_2 = T(0.4331) * b3_1 + T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 + T(0.07) * G3_1 + N3_2;
+  const T rho3_3 = rho4_3 - T(0.0203) * b3_2 - T(0.014) * G3_1 + N3_3;
   // r_theta3 = b3 . rho3 - tau_forearm_: Kane's equation of the angle [N m]
-  const T r_theta3 = rho3_3 - u.tau_3;
+  const T r_theta3 = rho3_2 - u.tau_3;
   r[2] = r_theta3;
 
   // ---- body 2 (upper_arm) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 - E3_12 * S3_2;
+  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
   const T S2_1 = b2_1 + G2_1;
-  const T b2_2 = E3_12 * S3_1 + E3_11 * S3_2;
-  const T S2_2 = b2_2 + G2_2;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 - E3_12 * rho3_2 + T(0.016) * G2_2 + T(0.006) * G2_3 -
-      minus_N2_1;
-  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 - T(0.0934) * b2_1 - T(0.4318) * S3_3 - T(0.016) * G2_1 - T(0.068)
-      * G2_3 + N2_2;
-  const T rho2_3 = T(0.4318) * b2_2 + rho3_3 + T(0.068) * G2_2 - T(0.006) * G2_1 + N2_3;
+  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
+  const T S2_3 = b2_2 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0934) * b2_2 + T(0.006) * G2_2 - T(0.016) * G2_3 +
+      N2_1;
+  const T rho2_2 = rho3_2 - T(0.4318) * b2_2 - T(0.006) * G2_1 - T(0.068) * G2_3 + N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.068) * G2_2 +
+      T(0.016) * G2_1 + N2_3;
   // r_theta2 = b2 . rho2 - tau_upper_arm_: Kane's equation of the angle [N m]
-  const T r_theta2 = rho2_3 - u.tau_2;
+  const T r_theta2 = rho2_2 - u.tau_2;
   r[1] = r_theta2;
 
   // ---- body 1 (waist) and what it carries
   // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho1_3 = N1_3 - T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * S2_2) - minus_E2_13 * rho2_1 - E2_11 * rho2_2;
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 + minus_E2_13 * S2_3) + N1_3;
   // r_theta1 = b1 . rho1 - tau_waist_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_3 - u.tau_1;
   r[0] = r_theta1;
@@ -1591,125 +1585,126 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
+  const T omega2_3 = E2_11 * thetadot1;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot2_1 = thetadot2 * minus_omega2_2;
-  const T omegadot2_2 = thetadot2 * minus_omega2_1;
+  const T minus_omegadot2_1 = thetadot2 * omega2_3;
+  const T minus_omegadot2_3 = thetadot2 * minus_omega2_1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = thetadot2 * thetadot2;
-  const T t2_2 = minus_omega2_2 * minus_omega2_2;
+  const T t2_1 = omega2_3 * omega2_3;
+  const T t2_2 = thetadot2 * thetadot2;
   const T minus_U2_11 = t2_1 + t2_2;
-  const T U2_12 = minus_omega2_2 * minus_omega2_1;
+  const T minus_U2_13 = omega2_3 * minus_omega2_1;
+  const T minus_U2_21 = minus_omegadot2_3 + minus_omegadot2_3;
   const T t2_3 = minus_omega2_1 * minus_omega2_1;
   const T minus_U2_22 = t2_1 + t2_3;
-  const T minus_U2_31 = omegadot2_2 + omegadot2_2;
-  const T minus_U2_32 = minus_omegadot2_1 + minus_omegadot2_1;
+  const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
   // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
-  const T minus_Pddot2_2 = E2_11 * T(9.81);
-  const T minus_Pddot2_3 = thetadot1 * T(0.2435) * thetadot1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
-  const T a2_2 = U2_12 * T(0.068) - minus_U2_22 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.016) - minus_U2_31 * T(0.068) - minus_U2_32 * T(0.006) - minus_Pddot2_3;
+  const T minus_Pddot2_2 = thetadot1 * T(0.2435) * thetadot1;
+  const T Pddot2_3 = E2_11 * T(9.81);
+  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = minus_U2_13 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
+  const T a2_2 = minus_U2_22 * T(0.016) - minus_U2_21 * T(0.068) - U2_23 * T(0.006) - minus_Pddot2_2;
+  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_13 * T(0.068) + Pddot2_3;
   // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G2_1 = T(17.4) * a2_1;
   const T minus_G2_2 = T(17.4) * a2_2;
   const T minus_G2_3 = T(17.4) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.07250000000000001) * minus_U2_32;
-  const T minus_N2_2 = T(0.4665) * minus_U2_31;
-  const T minus_N2_3 = T(0.394) * U2_12;
+  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T N2_1 = T(0.07250000000000001) * U2_23;
+  const T minus_N2_2 = T(0.394) * minus_U2_13;
+  const T N2_3 = T(0.4665) * minus_U2_21;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_1 = thetadot3 * omega3_2 + E3_12 * omegadot2_2 - E3_11 * minus_omegadot2_1;
-  const T omegadot3_2 = thetadot3 * minus_omega3_1 + E3_12 * minus_omegadot2_1 + E3_11 * omegadot2_2;
+  const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - E3_11 * minus_omegadot2_1 - thetadot3 * omega3_3;
+  const T minus_omegadot3_3 = thetadot3 * minus_omega3_1 + minus_E3_13 * minus_omegadot2_1 + E3_11 *
+      minus_omegadot2_3;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t3_1 = omega3_3 * omega3_3;
   const T t3_2 = omega3_2 * omega3_2;
   const T minus_U3_11 = t3_1 + t3_2;
-  const T minus_U3_12 = omega3_2 * minus_omega3_1;
-  const T t3_3 = omega3_3 * minus_omega3_1;
-  const T U3_13 = omegadot3_2 - t3_3;
+  const T t3_3 = omega3_2 * minus_omega3_1;
+  const T U3_12 = minus_omegadot3_3 - t3_3;
+  const T minus_U3_13 = omega3_3 * minus_omega3_1;
+  const T minus_U3_21 = t3_3 + minus_omegadot3_3;
   const T t3_4 = minus_omega3_1 * minus_omega3_1;
   const T minus_U3_22 = t3_1 + t3_4;
   const T t3_5 = omega3_3 * omega3_2;
   const T U3_23 = t3_5 - omegadot3_1;
-  const T minus_U3_31 = t3_3 + omegadot3_2;
   const T U3_32 = t3_5 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_4;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_6 = U2_12 * T(0.4318) - minus_Pddot2_2;
-  const T t3_7 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
-  const T Pddot3_1 = E3_12 * t3_6 - E3_11 * t3_7;
-  const T Pddot3_2 = E3_12 * t3_7 + E3_11 * t3_6;
-  const T Pddot3_3 = minus_U2_33 * T(0.0934) - minus_U2_31 * T(0.4318) - minus_Pddot2_3;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_12 * T(0.07) + U3_13 * T(0.014) + Pddot3_1;
-  const T a3_2 = minus_U3_22 * T(0.07) + U3_23 * T(0.014) + Pddot3_2;
-  const T a3_3 = Pddot3_3 - U3_32 * T(0.07) - minus_U3_33 * T(0.014);
+  const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
+  const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
+  const T Pddot3_2 = minus_U2_22 * T(0.0934) - minus_U2_21 * T(0.4318) - minus_Pddot2_2;
+  const T Pddot3_3 = E3_11 * t3_7 - minus_E3_13 * t3_6;
+  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a3_1 = U3_12 * T(0.014) - minus_U3_13 * T(0.07) - minus_Pddot3_1;
+  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
+  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
   // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G3_1 = T(4.8) * a3_1;
   const T minus_G3_2 = T(4.8) * a3_2;
   const T minus_G3_3 = T(4.8) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.059750000000000004) * U3_32 - T(0.00625) * U3_23;
-  const T minus_N3_2 = T(0.00625) * U3_13 + T(0.00625) * minus_U3_31;
-  const T minus_N3_3 = T(0.053500000000000006) * minus_U3_12;
+  // N3 = -axial(U3 (tr(I_link3)/2 - I_link3)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
+  const T N3_2 = T(0.053500000000000006) * minus_U3_13;
+  const T N3_3 = T(0.00625) * minus_U3_21 + T(0.00625) * U3_12;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_2 + E4_11 * omegadot3_1;
-  const T minus_omegadot4_2 = thetadot4 * omega4_1 + E4_13 * omegadot3_1;
+  const T minus_omegadot4_2 = thetadot4 * omega4_1 + E4_12 * omegadot3_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_1;
-  const T U4_12 = t4_1 + omegadot3_2;
+  const T U4_12 = t4_1 + minus_omegadot3_3;
   const T t4_2 = omega4_3 * omega4_1;
   const T U4_13 = t4_2 - minus_omegadot4_2;
-  const T U4_21 = t4_1 - omegadot3_2;
+  const T U4_21 = t4_1 - minus_omegadot3_3;
   const T t4_3 = omega4_3 * omega4_2;
   const T U4_23 = t4_3 - omegadot4_1;
   const T U4_31 = t4_2 + minus_omegadot4_2;
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + minus_U3_12 * T(0.4331) + Pddot3_1;
-  const T t4_5 = minus_U3_31 * T(0.0203) - U3_32 * T(0.4331) + Pddot3_3;
-  const T Pddot4_1 = E4_11 * t4_4 + E4_13 * t4_5;
-  const T Pddot4_2 = E4_11 * t4_5 - E4_13 * t4_4;
-  const T minus_Pddot4_3 = minus_U3_12 * T(0.0203) + minus_U3_22 * T(0.4331) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_13 * T(0.4331) - minus_Pddot3_1;
+  const T t4_5 = minus_U3_21 * T(0.0203) + U3_23 * T(0.4331) + Pddot3_2;
+  const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
+  const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
+  const T Pddot4_3 = minus_U3_13 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
   const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) - minus_Pddot4_3;
+  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
   // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(0.82) * a4_1;
   const T minus_G4_2 = T(0.82) * a4_2;
@@ -1722,75 +1717,75 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
   const T thetadot5 = y[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
   // omegadot5 = -thetadot5 b5~ E5 omega4 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
-  const T omegadot5_1 = E5_11 * omegadot4_1 + minus_E5_13 * omegadot3_2 - thetadot5 * minus_omega5_2;
-  const T omegadot5_2 = E5_11 * omegadot3_2 - minus_E5_13 * omegadot4_1 - thetadot5 * omega5_1;
+  const T omegadot5_1 = E5_11 * omegadot4_1 + minus_E5_13 * minus_omegadot3_3 - thetadot5 * omega5_3;
+  const T omegadot5_3 = thetadot5 * omega5_1 + minus_E5_13 * omegadot4_1 - E5_11 * minus_omegadot3_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_1 = minus_omega5_2 * omega5_1;
-  const T U5_12 = minus_omegadot4_2 - t5_1;
+  const T t5_1 = omega5_2 * omega5_1;
+  const T U5_12 = t5_1 - omegadot5_3;
   const T t5_2 = omega5_3 * omega5_1;
-  const T U5_13 = t5_2 + omegadot5_2;
-  const T minus_U5_21 = t5_1 + minus_omegadot4_2;
-  const T t5_3 = omega5_3 * minus_omega5_2;
-  const T minus_U5_23 = t5_3 + omegadot5_1;
-  const T U5_31 = t5_2 - omegadot5_2;
-  const T U5_32 = omegadot5_1 - t5_3;
+  const T U5_13 = t5_2 - minus_omegadot4_2;
+  const T U5_21 = t5_1 + omegadot5_3;
+  const T t5_3 = omega5_3 * omega5_2;
+  const T U5_23 = t5_3 - omegadot5_1;
+  const T U5_31 = t5_2 + minus_omegadot4_2;
+  const T U5_32 = t5_3 + omegadot5_1;
   // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 + minus_E5_13 * minus_Pddot4_3;
-  const T Pddot5_2 = E5_11 * minus_Pddot4_3 - minus_E5_13 * Pddot4_1;
+  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
+  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
   // G5 = -m5 Pddot5: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G5_1 = T(0.34) * Pddot5_1;
-  const T minus_G5_2 = T(0.34) * Pddot5_2;
-  const T minus_G5_3 = T(0.34) * Pddot4_2;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(2e-04) * U5_32 + T(9.999999999999996e-05) * minus_U5_23;
-  const T minus_N5_2 = T(9.999999999999996e-05) * U5_13 - T(2e-04) * U5_31;
-  const T N5_3 = T(2e-04) * minus_U5_21 + T(2e-04) * U5_12;
+  const T minus_G5_2 = T(0.34) * Pddot4_2;
+  const T minus_G5_3 = T(0.34) * Pddot5_3;
+  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
+  const T minus_N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
+  const T minus_N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
-  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_13 * minus_omegadot4_2;
-  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_13 * omegadot5_1 + E6_11 * minus_omegadot4_2;
+  const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_12 * minus_omegadot4_2;
+  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_12 * omegadot5_1 + E6_11 * minus_omegadot4_2;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t6_1 = omega6_2 * omega6_1;
-  const T U6_12 = t6_1 + omegadot5_2;
+  const T U6_12 = t6_1 - omegadot5_3;
   const T t6_2 = omega6_3 * omega6_1;
   const T U6_13 = t6_2 - minus_omegadot6_2;
-  const T U6_21 = t6_1 - omegadot5_2;
+  const T U6_21 = t6_1 + omegadot5_3;
   const T t6_3 = omega6_3 * omega6_2;
   const T U6_23 = t6_3 - omegadot6_1;
   const T U6_31 = t6_2 + minus_omegadot6_2;
   const T U6_32 = t6_3 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
   // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_13 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_13 * Pddot5_1;
+  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
+  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
   // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
   const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T minus_a6_3 = minus_U6_33 * c.r_link6_3 + Pddot5_2;
+  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
   // G6 = -m_link6 a6: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G6_1 = c.m_link6 * a6_1;
   const T minus_G6_2 = c.m_link6 * a6_2;
-  const T G6_3 = c.m_link6 * minus_a6_3;
+  const T minus_G6_3 = c.m_link6 * a6_3;
   // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
   const T minus_N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
@@ -1806,71 +1801,71 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 5 (hand) and what it carries
   // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_13 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
-  const T minus_S5_2 = G6_3 + minus_G5_2;
-  const T minus_S5_3 = E6_13 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_3;
+  const T S5_1 = E6_12 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
+  const T minus_S5_2 = E6_12 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_2;
+  const T minus_S5_3 = minus_G6_3 + minus_G5_3;
   // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 + E6_13 * minus_rho6_2 - minus_N5_1;
-  const T rho5_2 = minus_N6_3 - minus_N5_2;
-  const T rho5_3 = E6_13 * rho6_1 - E6_11 * minus_rho6_2 + N5_3;
+  const T rho5_1 = E6_11 * rho6_1 + E6_12 * minus_rho6_2 - minus_N5_1;
+  const T rho5_2 = E6_12 * rho6_1 - E6_11 * minus_rho6_2 - minus_N5_2;
+  const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
   // f_theta5 = b5 . rho5 + tau_hand_: Kane's equation of the angle [N m]
-  const T f_theta5 = rho5_3 + u.tau_5;
+  const T f_theta5 = rho5_2 + u.tau_5;
   f[4] = f_theta5;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 + minus_E5_13 * minus_S5_2 - minus_G4_1;
-  const T minus_S4_2 = minus_S5_3 + minus_G4_2;
-  const T S4_3 = E5_11 * minus_S5_2 - minus_E5_13 * S5_1 - minus_G4_3;
+  const T S4_1 = E5_11 * S5_1 - minus_E5_13 * minus_S5_3 - minus_G4_1;
+  const T minus_S4_2 = minus_S5_2 + minus_G4_2;
+  const T minus_S4_3 = minus_E5_13 * S5_1 + E5_11 * minus_S5_3 + minus_G4_3;
   // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * rho5_2 - T(0.019) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = rho5_3 + T(0.019) * minus_G4_1 - minus_N4_2;
-  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * rho5_2 + minus_N4_3;
+  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - T(0.019) * minus_G4_2 - minus_N4_1;
+  const T rho4_2 = rho5_2 + T(0.019) * minus_G4_1 - minus_N4_2;
+  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
   // f_theta4 = b4 . rho4 + tau_wrist_: Kane's equation of the angle [N m]
   const T f_theta4 = u.tau_4 - minus_rho4_3;
   f[3] = f_theta4;
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_13 * minus_S4_2;
+  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_S4_2;
   const T S3_1 = b3_1 - minus_G3_1;
-  const T minus_S3_2 = S4_3 + minus_G3_2;
-  const T b3_2 = E4_13 * S4_1 - E4_11 * minus_S4_2;
-  const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_2 - T(0.4331) * b3_2 + T(0.014) * minus_G3_2 + T(0.07) * minus_G3_3 -
+  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_S4_2;
+  const T S3_2 = b3_2 - minus_G3_2;
+  const T minus_S3_3 = minus_S4_3 + minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.07) * minus_G3_2 - T(0.014) * minus_G3_3 -
       minus_N3_1;
-  const T rho3_2 = T(0.0203) * b3_2 + minus_rho4_3 - T(0.014) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = T(0.0203) * S4_3 + T(0.4331) * b3_1 + E4_13 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1 -
-      minus_N3_3;
+  const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
+      + N3_2;
+  const T rho3_3 = T(0.014) * minus_G3_1 - T(0.0203) * b3_2 - minus_rho4_3 + N3_3;
   // f_theta3 = b3 . rho3 + tau_forearm_: Kane's equation of the angle [N m]
-  const T f_theta3 = rho3_3 + u.tau_3;
+  const T f_theta3 = rho3_2 + u.tau_3;
   f[2] = f_theta3;
 
   // ---- body 2 (upper_arm) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 + E3_12 * minus_S3_2;
+  const T b2_1 = E3_11 * S3_1 - minus_E3_13 * minus_S3_3;
   const T S2_1 = b2_1 - minus_G2_1;
-  const T b2_2 = E3_12 * S3_1 - E3_11 * minus_S3_2;
-  const T S2_2 = b2_2 - minus_G2_2;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 - E3_12 * rho3_2 - T(0.016) * minus_G2_2 - T(0.006) * minus_G2_3
-      + N2_1;
-  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 - T(0.0934) * b2_1 - T(0.4318) * S3_3 + T(0.016) * minus_G2_1 +
-      T(0.068) * minus_G2_3 - minus_N2_2;
-  const T rho2_3 = T(0.4318) * b2_2 + rho3_3 + T(0.006) * minus_G2_1 - T(0.068) * minus_G2_2 - minus_N2_3;
+  const T b2_2 = minus_E3_13 * S3_1 + E3_11 * minus_S3_3;
+  const T minus_S2_3 = b2_2 + minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
+  //   origin, body axes [N m]
+  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 + minus_E3_13 * rho3_3 + T(0.016) * minus_G2_3 - T(0.006) *
+      minus_G2_2 + N2_1;
+  const T rho2_2 = T(0.4318) * b2_2 + rho3_2 + T(0.006) * minus_G2_1 + T(0.068) * minus_G2_3 - minus_N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 - T(0.068) * minus_G2_2
+      - T(0.016) * minus_G2_1 + N2_3;
   // f_theta2 = b2 . rho2 + tau_upper_arm_: Kane's equation of the angle [N m]
-  const T f_theta2 = rho2_3 + u.tau_2;
+  const T f_theta2 = rho2_2 + u.tau_2;
   f[1] = f_theta2;
 
   // ---- body 1 (waist) and what it carries
   // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T minus_rho1_3 = T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * S2_2) + minus_E2_13 * rho2_1 + E2_11 * rho2_2;
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * minus_S2_3);
   // f_theta1 = b1 . rho1 + tau_waist_: Kane's equation of the angle [N m]
-  const T f_theta1 = u.tau_1 - minus_rho1_3;
+  const T f_theta1 = rho1_3 + u.tau_1;
   f[0] = f_theta1;
 }
 
@@ -1883,7 +1878,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
 
@@ -1891,35 +1886,35 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
 
   // ---- body 5 (hand) and what it carries
-  // J5 = E6^T J6 E6 + I5: inertia carried, about the body origin, body axes [kg m^2]
+  // J5 = E6^T J6 E6 + I_link5: inertia carried, about the body origin, body axes [kg m^2]
   const T b5_1 = E6_11 * c.J6_11;
-  const T b5_2 = E6_13 * c.J6_11;
-  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_13;
+  const T b5_2 = E6_12 * c.J6_11;
+  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_12;
   const T J5_11 = b5_3 + T(3e-04);
-  const T J5_13 = b5_1 * E6_13 - b5_2 * E6_11;
-  const T J5_33 = b5_3 + T(4e-04);
-  A[28] = J5_33;
+  const T J5_12 = b5_1 * E6_12 - b5_2 * E6_11;
+  const T J5_22 = b5_3 + T(4e-04);
+  A[28] = J5_22;
   // hc5 = E5^T hc6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = minus_E5_13 * c.h6_3;
   const T hc5_3 = E5_11 * c.h6_3;
@@ -1931,17 +1926,17 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b4_1 = E5_11 * J5_11;
   const T b4_2 = minus_E5_13 * T(0.00033999999999999997);
   const T J4_11 = b4_1 * E5_11 + b4_2 * minus_E5_13 + T(0.00209602);
-  const T J4_12 = E5_11 * J5_13;
+  const T J4_12 = E5_11 * J5_12;
   const T J4_13 = b4_2 * E5_11 - b4_1 * minus_E5_13;
-  const T J4_22 = J5_33 + T(0.00209602);
-  const T minus_J4_23 = minus_E5_13 * J5_13;
+  const T J4_22 = J5_22 + T(0.00209602);
+  const T minus_J4_23 = minus_E5_13 * J5_12;
   const T J4_33 = minus_E5_13 * J5_11 * minus_E5_13 + E5_11 * T(0.00033999999999999997) * E5_11 + T(0.0013);
   A[22] = -minus_J4_23;
   A[27] = -minus_J4_23;
   A[21] = J4_33;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = E4_11 * hc5_1;
-  const T hc4_3 = E4_13 * hc5_1;
+  const T hc4_2 = E4_12 * hc5_1;
   // K_thetadot6_4 = E5^T K_thetadot6_5
   const T K_thetadot6_4_1 = minus_E5_13 * T(4e-05);
   const T K_thetadot6_4_3 = E5_11 * T(4e-05);
@@ -1949,132 +1944,133 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[33] = K_thetadot6_4_3;
 
   // ---- body 3 (forearm) and what it carries
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  // h3 = m3 r_link3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h3_1 = hc4_1 - c.c3_2;
-  const T minus_h3_2 = c.c3_3 + h4_3;
-  const T h3_3 = T(0.0672) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_1 = E4_13 * J4_12;
+  const T h3_2 = T(0.0672) + hc4_2;
+  const T h3_3 = c.c3_3 + h4_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r_link3~ r_link3~ + I_link3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b3_1 = E4_12 * J4_12;
   const T b3_2 = E4_11 * J4_11 - b3_1;
   const T b3_3 = E4_11 * J4_12;
-  const T b3_4 = b3_3 - E4_13 * J4_22;
-  const T b3_5 = c.c3_1 + h4_3;
+  const T b3_4 = b3_3 - E4_12 * J4_22;
+  const T b3_5 = h4_3 + c.c3_1;
   const T b3_6 = T(0.4331) * h4_3 + b3_5 * T(0.4331);
-  const T J3_11 = b3_2 * E4_11 - b3_4 * E4_13 + b3_6 + T(0.09046080000000001);
-  const T b3_7 = E4_11 * J4_13 + E4_13 * minus_J4_23;
+  const T J3_11 = b3_2 * E4_11 - b3_4 * E4_12 + b3_6 + T(0.09046080000000001);
+  const T J3_12 = b3_2 * E4_12 + b3_4 * E4_11 + T(0.0203) * hc4_2;
+  const T b3_7 = E4_11 * J4_13 + E4_12 * minus_J4_23;
   const T b3_8 = b3_7 - T(0.4331) * hc4_1;
-  const T minus_J3_12 = b3_8 + b3_5 * T(0.0203);
-  const T J3_13 = b3_2 * E4_13 + b3_4 * E4_11 + T(0.0203) * hc4_3;
-  const T J3_21 = h3_1 * T(0.4331) - b3_7 - T(0.0203) * h4_3;
+  const T J3_13 = b3_8 + b3_5 * T(0.0203);
   const T b3_9 = T(0.0203) * hc4_1;
-  const T b3_10 = b3_9 - J4_33;
-  const T b3_11 = h3_1 * T(0.0203);
-  const T J3_22 = T(0.013440800000000001) - b3_10 - b3_11;
-  const T b3_12 = T(0.4331) * hc4_3 - (E4_13 * J4_13 - E4_11 * minus_J4_23);
-  const T J3_23 = T(0.004704000000000001) + b3_12;
-  const T J3_33 = (E4_13 * J4_11 + b3_3) * E4_13 + (b3_1 + E4_11 * J4_22) * E4_11 + b3_6 - b3_9 + T(0.08952) - b3_11;
-  A[14] = J3_33;
+  const T b3_10 = h3_1 * T(0.0203);
+  const T J3_22 = (E4_12 * J4_11 + b3_3) * E4_12 + (b3_1 + E4_11 * J4_22) * E4_11 - b3_9 + b3_6 + T(0.08952) - b3_10;
+  const T b3_11 = T(0.4331) * hc4_2 - (E4_12 * J4_13 - E4_11 * minus_J4_23);
+  const T minus_J3_23 = b3_11 + T(0.004704000000000001);
+  const T J3_31 = b3_7 + T(0.0203) * h4_3 - h3_1 * T(0.4331);
+  const T b3_12 = J4_33 - b3_9;
+  const T J3_33 = b3_12 + T(0.013440800000000001) - b3_10;
+  A[14] = J3_22;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_12 * minus_h3_2 + E3_11 * h3_1;
-  const T minus_hc3_2 = E3_11 * minus_h3_2 - E3_12 * h3_1;
+  const T hc3_1 = minus_E3_13 * h3_3 + E3_11 * h3_1;
+  const T hc3_3 = E3_11 * h3_3 - minus_E3_13 * h3_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
   const T K_thetadot6_3_1 = E4_11 * K_thetadot6_4_1;
-  const T K_thetadot6_3_3 = E4_13 * K_thetadot6_4_1;
-  A[11] = K_thetadot6_3_3;
-  A[17] = K_thetadot6_3_3;
-  A[31] = K_thetadot6_3_3;
-  A[32] = K_thetadot6_3_3;
+  const T K_thetadot6_3_2 = E4_12 * K_thetadot6_4_1;
+  A[11] = K_thetadot6_3_2;
+  A[17] = K_thetadot6_3_2;
+  A[31] = K_thetadot6_3_2;
+  A[32] = K_thetadot6_3_2;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T B_thetadot5_3_1 = E4_11 * hc5_3;
-  const T B_thetadot5_3_3 = E4_13 * hc5_3;
+  const T B_thetadot5_3_2 = E4_12 * hc5_3;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_3 - E4_13 * J5_33 - T(0.4331) * B_thetadot5_3_3;
-  const T K_thetadot5_3_2 = T(0.0203) * B_thetadot5_3_3 + minus_J4_23;
-  const T K_thetadot5_3_3 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_1 + E4_11 * J5_33;
-  A[16] = K_thetadot5_3_3;
-  A[26] = K_thetadot5_3_3;
-  A[15] = -b3_12;
-  A[20] = -b3_12;
+  const T K_thetadot5_3_1 = b3_3 - E4_12 * J5_22 - T(0.4331) * B_thetadot5_3_2;
+  const T K_thetadot5_3_2 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_1 + E4_11 * J5_22;
+  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + minus_J4_23;
+  A[16] = K_thetadot5_3_2;
+  A[26] = K_thetadot5_3_2;
+  A[15] = -b3_11;
+  A[20] = -b3_11;
 
   // ---- body 2 (upper_arm) and what it carries
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  // h2 = m2 r_link2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
   const T h2_1 = c.c2_3 + hc3_1;
-  const T h2_2 = T(0.10439999999999999) - minus_hc3_2;
-  const T h2_3 = h3_3 - c.c2_4;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_1 = E3_11 * J3_11 - E3_12 * J3_21;
-  const T b2_2 = E3_11 * minus_J3_12 + E3_12 * J3_22;
-  const T b2_3 = h3_3 - c.c2_1;
-  const T b2_4 = T(0.0934) * h3_3 + b2_3 * T(0.0934);
-  const T J2_11 = b2_1 * E3_11 + b2_2 * E3_12 - b2_4 + T(0.1350808);
-  const T J2_12 = b2_1 * E3_12 - b2_2 * E3_11 + T(0.4318) * minus_hc3_2 - T(0.0070992);
-  const T b2_5 = T(0.0934) * hc3_1 + E3_11 * J3_13 - E3_12 * J3_23;
-  const T J2_13 = b2_5 + T(0.0189312) - b2_3 * T(0.4318);
+  const T h2_2 = h3_2 - c.c2_4;
+  const T h2_3 = hc3_3 - T(0.10439999999999999);
+  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
+  //   the body origin, body axes [kg m^2]
+  const T b2_1 = E3_11 * J3_11 + minus_E3_13 * J3_31;
+  const T b2_2 = E3_11 * J3_13 + minus_E3_13 * J3_33;
+  const T b2_3 = c.c2_1 - h3_2;
+  const T b2_4 = T(0.0934) * h3_2 - b2_3 * T(0.0934);
+  const T J2_11 = b2_1 * E3_11 + b2_2 * minus_E3_13 - b2_4 + T(0.1350808);
+  const T b2_5 = T(0.0934) * hc3_1 + E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
+  const T J2_12 = b2_5 + T(0.0189312) + b2_3 * T(0.4318);
+  const T J2_13 = T(0.0070992) - (T(0.4318) * hc3_3 - (b2_2 * E3_11 - b2_1 * minus_E3_13));
   const T b2_6 = T(0.4318) * hc3_1;
-  const T b2_7 = (hc3_1 + c.c2_2) * T(0.4318);
-  const T J2_22 = (E3_12 * J3_11 + E3_11 * J3_21) * E3_12 + (E3_11 * J3_22 - E3_12 * minus_J3_12) * E3_11 - b2_4 +
-      b2_6 + T(0.608912) + b2_7;
-  const T b2_8 = E3_12 * J3_13 + E3_11 * J3_23 - T(0.0934) * minus_hc3_2;
-  const T J2_23 = b2_8 + T(0.0016703999999999998);
-  const T b2_9 = b2_6 + J3_33;
-  const T J2_33 = b2_9 + T(0.6200840000000001) + b2_7;
-  A[7] = J2_33;
+  const T b2_7 = b2_6 + J3_22;
+  const T b2_8 = (hc3_1 + c.c2_2) * T(0.4318);
+  const T J2_22 = b2_7 + T(0.6200840000000001) + b2_8;
+  const T b2_9 = T(0.0934) * hc3_3 - minus_E3_13 * J3_12 - E3_11 * minus_J3_23;
+  const T J2_32 = b2_9 - T(0.0016703999999999998);
+  const T J2_33 = (E3_11 * J3_33 - minus_E3_13 * J3_13) * E3_11 - (E3_11 * J3_31 - minus_E3_13 * J3_11) * minus_E3_13
+      + b2_6 - b2_4 + T(0.608912) + b2_8;
+  A[7] = J2_22;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_3 = E2_11 * h2_2 + minus_E2_13 * h2_1;
+  const T hc2_3 = E2_11 * h2_3 - minus_E2_13 * h2_1;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + E3_12 * K_thetadot6_4_3;
-  const T K_thetadot6_2_2 = E3_12 * K_thetadot6_3_1 - E3_11 * K_thetadot6_4_3;
+  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + minus_E3_13 * K_thetadot6_4_3;
+  const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
   // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - E3_12 * hc5_1;
-  const T B_thetadot5_2_2 = E3_12 * B_thetadot5_3_1 + E3_11 * hc5_1;
+  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - minus_E3_13 * hc5_1;
+  const T minus_B_thetadot5_2_3 = minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.0934) * B_thetadot5_2_2 + E3_11 * K_thetadot5_3_1 - E3_12 * K_thetadot5_3_2;
-  const T K_thetadot5_2_2 = E3_12 * K_thetadot5_3_1 + E3_11 * K_thetadot5_3_2 - T(0.0934) * B_thetadot5_2_1 -
-      T(0.4318) * B_thetadot5_3_3;
-  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_2_2 + K_thetadot5_3_3;
-  A[10] = K_thetadot5_2_3;
-  A[25] = K_thetadot5_2_3;
+  const T K_thetadot5_2_1 = T(0.0934) * minus_B_thetadot5_2_3 + E3_11 * K_thetadot5_3_1 - minus_E3_13 *
+      minus_K_thetadot5_3_3;
+  const T K_thetadot5_2_2 = T(0.4318) * minus_B_thetadot5_2_3 + K_thetadot5_3_2;
+  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + T(0.0934) * B_thetadot5_2_1 - minus_E3_13 * K_thetadot5_3_1
+      - E3_11 * minus_K_thetadot5_3_3;
+  A[10] = K_thetadot5_2_2;
+  A[25] = K_thetadot5_2_2;
   // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_3;
-  const T minus_B_thetadot4_2_2 = E3_12 * hc4_3;
+  const T minus_B_thetadot4_2_1 = E3_11 * hc4_2;
+  const T B_thetadot4_2_3 = minus_E3_13 * hc4_2;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = E3_11 * b3_8 - E3_12 * b3_10 - T(0.0934) * minus_B_thetadot4_2_2;
-  const T K_thetadot4_2_2 = T(0.0934) * minus_B_thetadot4_2_1 - T(0.4318) * hc4_1 + E3_12 * b3_8 + E3_11 * b3_10;
-  const T minus_K_thetadot4_2_3 = b3_12 + T(0.4318) * minus_B_thetadot4_2_2;
-  A[9] = -minus_K_thetadot4_2_3;
-  A[19] = -minus_K_thetadot4_2_3;
-  A[8] = b2_9;
-  A[13] = b2_9;
+  const T K_thetadot4_2_1 = E3_11 * b3_8 + minus_E3_13 * b3_12 - T(0.0934) * B_thetadot4_2_3;
+  const T minus_K_thetadot4_2_2 = b3_11 + T(0.4318) * B_thetadot4_2_3;
+  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 - T(0.0934) * minus_B_thetadot4_2_1 + E3_11 * b3_12 - minus_E3_13 *
+      b3_8;
+  A[9] = -minus_K_thetadot4_2_2;
+  A[19] = -minus_K_thetadot4_2_2;
+  A[8] = b2_7;
+  A[13] = b2_7;
 
   // ---- body 1 (waist) and what it carries
   // J1 = -q2~ hc2~ + E2^T J2 E2 + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes
   //   [kg m^2]
-  const T J1_33 = (minus_E2_13 * J2_11 + E2_11 * J2_12) * minus_E2_13 + (minus_E2_13 * J2_12 + E2_11 * J2_22) * E2_11
-      + T(0.2435) * h2_3 + T(0.35) + (c.c1_1 + h2_3) * T(0.2435);
+  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
+      + T(0.2435) * h2_2 + T(0.35) + (c.c1_1 + h2_2) * T(0.2435);
   A[0] = J1_33;
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T minus_K_thetadot6_1_3 = minus_E2_13 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
-  A[5] = -minus_K_thetadot6_1_3;
-  A[30] = -minus_K_thetadot6_1_3;
+  const T K_thetadot6_1_3 = E2_11 * K_thetadot6_2_3 - minus_E2_13 * K_thetadot6_2_1;
+  A[5] = K_thetadot6_1_3;
+  A[30] = K_thetadot6_1_3;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T minus_K_thetadot5_1_3 = T(0.2435) * (E2_11 * B_thetadot5_2_1 - minus_E2_13 * B_thetadot5_2_2) + minus_E2_13
-      * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2;
-  A[4] = -minus_K_thetadot5_1_3;
-  A[24] = -minus_K_thetadot5_1_3;
+  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 - minus_E2_13 * K_thetadot5_2_1 - T(0.2435) * (E2_11 *
+      B_thetadot5_2_1 - minus_E2_13 * minus_B_thetadot5_2_3);
+  A[4] = K_thetadot5_1_3;
+  A[24] = K_thetadot5_1_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_3 = T(0.2435) * (minus_E2_13 * minus_B_thetadot4_2_2 - E2_11 * minus_B_thetadot4_2_1) +
-      minus_E2_13 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
-  A[3] = -minus_K_thetadot4_1_3;
-  A[18] = -minus_K_thetadot4_1_3;
+  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1 - T(0.2435) * (minus_E2_13 *
+      B_thetadot4_2_3 - E2_11 * minus_B_thetadot4_2_1);
+  A[3] = K_thetadot4_1_3;
+  A[18] = K_thetadot4_1_3;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T minus_K_thetadot3_1_3 = T(0.2435) * (E2_11 * minus_hc3_2 - minus_E2_13 * hc3_1) + minus_E2_13 * b2_5 + E2_11
-      * b2_8;
-  A[2] = -minus_K_thetadot3_1_3;
-  A[12] = -minus_K_thetadot3_1_3;
+  const T K_thetadot3_1_3 = E2_11 * b2_9 - minus_E2_13 * b2_5 - T(0.2435) * (E2_11 * hc3_3 - minus_E2_13 * hc3_1);
+  A[2] = K_thetadot3_1_3;
+  A[12] = K_thetadot3_1_3;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_3 = T(0.2435) * minus_hc2_3 - minus_E2_13 * J2_13 - E2_11 * J2_23;
+  const T K_thetadot2_1_3 = E2_11 * J2_32 - minus_E2_13 * J2_12 - T(0.2435) * hc2_3;
   A[1] = K_thetadot2_1_3;
   A[6] = K_thetadot2_1_3;
 
@@ -2100,110 +2096,110 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
-  const T minus_R2_21 = E1_11 * minus_E2_13;
-  const T minus_R2_22 = E1_12 * minus_E2_13;
+  const T R2_31 = E1_11 * minus_E2_13;
+  const T R2_32 = E1_12 * minus_E2_13;
   // P_thetadot1_2 = -E1^T q2~ b1: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot1_2_1 = E1_11 * T(0.2435);
   const T minus_P_thetadot1_2_2 = E1_12 * T(0.2435);
-  // B1_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
+  // B1_1 = -R2^T (C2^T r2)~ omega_thetadot1_2 + P_thetadot1_2
   const T t2_1 = T(0.016) * E2_11;
-  const T t2_2 = T(0.016) * minus_E2_13;
-  const T t2_3 = T(0.006) * minus_E2_13 - T(0.068) * E2_11;
-  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - R2_11 * t2_1 - minus_R2_21 * t2_2 - E1_12 * t2_3;
-  const T minus_B1_1_2 = E1_11 * t2_3 - R2_12 * t2_1 - minus_R2_22 * t2_2 + minus_P_thetadot1_2_2;
-  const T minus_B1_1_3 = minus_E2_13 * t2_1 - E2_11 * t2_2;
+  const T t2_2 = T(0.006) * minus_E2_13 - T(0.068) * E2_11;
+  const T t2_3 = T(0.016) * minus_E2_13;
+  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - R2_11 * t2_1 - E1_12 * t2_2 - R2_31 * t2_3;
+  const T minus_B1_1_2 = E1_11 * t2_2 - R2_12 * t2_1 - R2_32 * t2_3 + minus_P_thetadot1_2_2;
+  const T minus_B1_1_3 = minus_E2_13 * t2_1 - E2_11 * t2_3;
   v_y[18] = -minus_B1_1_1;
   v_y[24] = -minus_B1_1_2;
   v_y[30] = -minus_B1_1_3;
-  // B2_2 = -R2^T r2~ b2
-  const T minus_B2_2_1 = R2_11 * T(0.006) + minus_R2_21 * T(0.068);
-  const T minus_B2_2_2 = R2_12 * T(0.006) + minus_R2_22 * T(0.068);
+  // B2_2 = -R2^T (C2^T r2)~ b2
+  const T minus_B2_2_1 = R2_11 * T(0.006) + R2_31 * T(0.068);
+  const T minus_B2_2_2 = R2_12 * T(0.006) + R2_32 * T(0.068);
   v_y[19] = -minus_B2_2_1;
   v_y[25] = -minus_B2_2_2;
-  v_y[31] = t2_3;
+  v_y[31] = t2_2;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_11 = R2_11 * E3_11 - minus_R2_21 * E3_12;
-  const T R3_12 = R2_12 * E3_11 - minus_R2_22 * E3_12;
-  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * E3_12;
-  const T minus_R3_21 = R2_11 * E3_12 + minus_R2_21 * E3_11;
-  const T minus_R3_22 = R2_12 * E3_12 + minus_R2_22 * E3_11;
-  const T R3_23 = minus_E2_13 * E3_12 - E2_11 * E3_11;
+  const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
+  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * minus_E3_13;
+  const T R3_31 = R2_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R2_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = E2_11 * E3_11 - minus_E2_13 * minus_E3_13;
   // P_thetadot1_3 = -R2^T q3~ omega_thetadot1_2 + P_thetadot1_2: partial velocity of the body origin, inertial axes
   const T t3_1 = T(0.4318) * E2_11;
   const T t3_2 = T(0.0934) * E2_11;
   const T t3_3 = T(0.0934) * minus_E2_13;
-  const T minus_P_thetadot1_3_1 = E1_12 * t3_1 - R2_11 * t3_2 - minus_R2_21 * t3_3 + minus_P_thetadot1_2_1;
-  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - R2_12 * t3_2 - minus_R2_22 * t3_3 - E1_11 * t3_1;
+  const T minus_P_thetadot1_3_1 = E1_12 * t3_1 - R2_11 * t3_2 - R2_31 * t3_3 + minus_P_thetadot1_2_1;
+  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - R2_12 * t3_2 - E1_11 * t3_1 - R2_32 * t3_3;
   const T minus_P_thetadot1_3_3 = minus_E2_13 * t3_2 - E2_11 * t3_3;
   v_y[84] = -minus_P_thetadot1_3_3;
   // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
-  const T minus_P_thetadot2_3_1 = minus_R2_21 * T(0.4318);
-  const T minus_P_thetadot2_3_2 = minus_R2_22 * T(0.4318);
-  // B3_1 = -R3^T r3~ omega_thetadot1_3 + P_thetadot1_3
-  const T t3_4 = T(0.014) * minus_R3_13;
-  const T t3_5 = T(0.014) * R3_23;
-  const T t3_6 = T(0.07) * minus_R3_13;
-  const T minus_B3_1_1 = minus_R3_21 * t3_4 - R3_11 * t3_5 + E1_12 * t3_6 + minus_P_thetadot1_3_1;
-  const T minus_B3_1_2 = minus_R3_22 * t3_4 - R3_12 * t3_5 - E1_11 * t3_6 + minus_P_thetadot1_3_2;
-  const T minus_B3_1_3 = minus_R3_13 * t3_5 - R3_23 * t3_4 + minus_P_thetadot1_3_3;
+  const T minus_P_thetadot2_3_1 = R2_31 * T(0.4318);
+  const T minus_P_thetadot2_3_2 = R2_32 * T(0.4318);
+  // B3_1 = -R3^T (C3^T r3)~ omega_thetadot1_3 + P_thetadot1_3
+  const T t3_4 = T(0.014) * R3_33;
+  const T t3_5 = T(0.07) * minus_R3_13;
+  const T t3_6 = T(0.014) * minus_R3_13;
+  const T minus_B3_1_1 = R3_11 * t3_4 + E1_12 * t3_5 + R3_31 * t3_6 + minus_P_thetadot1_3_1;
+  const T minus_B3_1_2 = R3_12 * t3_4 - E1_11 * t3_5 + R3_32 * t3_6 + minus_P_thetadot1_3_2;
+  const T minus_B3_1_3 = R3_33 * t3_6 - minus_R3_13 * t3_4 + minus_P_thetadot1_3_3;
   v_y[36] = -minus_B3_1_1;
   v_y[42] = -minus_B3_1_2;
   v_y[48] = -minus_B3_1_3;
-  // B4_2 = -R3^T r3~ omega_thetadot2_3 + P_thetadot2_3
+  // B4_2 = -R3^T (C3^T r3)~ omega_thetadot2_3 + P_thetadot2_3
   const T t3_7 = R3_11 * T(0.07);
   const T minus_B4_2_1 = minus_P_thetadot2_3_1 - t3_7;
   const T t3_8 = R3_12 * T(0.07);
   const T minus_B4_2_2 = minus_P_thetadot2_3_2 - t3_8;
-  const T minus_B4_2_3 = t3_6 + t3_1;
+  const T minus_B4_2_3 = t3_5 + t3_1;
   v_y[37] = -minus_B4_2_1;
   v_y[43] = -minus_B4_2_2;
   v_y[49] = -minus_B4_2_3;
   v_y[38] = t3_7;
   v_y[44] = t3_8;
-  v_y[50] = -t3_6;
+  v_y[50] = -t3_5;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_13;
-  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_13;
+  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
+  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_13 + E1_12 * E4_11;
-  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_13;
-  const T R4_23 = minus_R3_13 * E4_13;
+  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
+  const T R4_23 = minus_R3_13 * E4_12;
   // P_thetadot1_4 = -R3^T q4~ omega_thetadot1_3 + P_thetadot1_3: partial velocity of the body origin, inertial axes
-  const T t4_1 = T(0.0203) * R3_23 + T(0.4331) * minus_R3_13;
-  const T minus_P_thetadot1_4_1 = E1_12 * t4_1 + minus_P_thetadot1_3_1;
-  const T minus_P_thetadot1_4_2 = minus_P_thetadot1_3_2 - E1_11 * t4_1;
+  const T t4_1 = T(0.0203) * R3_33 - T(0.4331) * minus_R3_13;
+  const T minus_P_thetadot1_4_1 = minus_P_thetadot1_3_1 - E1_12 * t4_1;
+  const T minus_P_thetadot1_4_2 = E1_11 * t4_1 + minus_P_thetadot1_3_2;
   v_y[72] = -minus_P_thetadot1_4_1;
   v_y[78] = -minus_P_thetadot1_4_2;
   // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
-  const T t4_2 = R3_11 * T(0.4331) + minus_R3_21 * T(0.0203);
+  const T t4_2 = R3_11 * T(0.4331) + R3_31 * T(0.0203);
   const T minus_P_thetadot2_4_1 = minus_P_thetadot2_3_1 - t4_2;
-  const T t4_3 = R3_12 * T(0.4331) + minus_R3_22 * T(0.0203);
+  const T t4_3 = R3_12 * T(0.4331) + R3_32 * T(0.0203);
   const T minus_P_thetadot2_4_2 = minus_P_thetadot2_3_2 - t4_3;
-  const T minus_P_thetadot2_4_3 = t4_1 + t3_1;
+  const T minus_P_thetadot2_4_3 = t3_1 - t4_1;
   v_y[73] = -minus_P_thetadot2_4_1;
   v_y[79] = -minus_P_thetadot2_4_2;
   v_y[85] = -minus_P_thetadot2_4_3;
   v_y[74] = t4_2;
   v_y[80] = t4_3;
-  v_y[86] = -t4_1;
+  v_y[86] = t4_1;
   // B6_1 = -R4^T r4~ omega_thetadot1_4 + P_thetadot1_4
   const T t4_4 = T(0.019) * R4_23;
   const T t4_5 = T(0.019) * minus_R4_13;
@@ -2215,7 +2211,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[66] = -minus_B6_1_3;
   // B7_2 = -R4^T r4~ omega_thetadot2_4 + P_thetadot2_4
   const T t4_6 = T(0.019) * E4_11;
-  const T t4_7 = T(0.019) * E4_13;
+  const T t4_7 = T(0.019) * E4_12;
   const T t4_8 = R4_11 * t4_6 + minus_R4_21 * t4_7;
   const T minus_B7_2_1 = t4_8 + minus_P_thetadot2_4_1;
   const T t4_9 = R4_12 * t4_6 - R4_22 * t4_7;
@@ -2228,41 +2224,41 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B8_3 = -R4^T r4~ omega_thetadot3_4 + P_thetadot3_4
   const T minus_B8_3_1 = t4_8 - t4_2;
   const T minus_B8_3_2 = t4_9 - t4_3;
-  const T minus_B8_3_3 = t4_1 - t4_10;
+  const T B8_3_3 = t4_1 + t4_10;
   v_y[56] = -minus_B8_3_1;
   v_y[62] = -minus_B8_3_2;
-  v_y[68] = -minus_B8_3_3;
+  v_y[68] = B8_3_3;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 - minus_R3_21 * minus_E5_13;
-  const T R5_12 = R4_12 * E5_11 - minus_R3_22 * minus_E5_13;
-  const T R5_13 = R3_23 * minus_E5_13 - minus_R4_13 * E5_11;
+  const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
+  const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
+  const T minus_R5_13 = minus_R4_13 * E5_11 + R3_33 * minus_E5_13;
   // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
-  const T omega_thetadot2_5_1 = E5_11 * E4_13;
+  const T omega_thetadot2_5_1 = E5_11 * E4_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_13;
-  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_13;
-  const T R6_13 = R5_13 * E6_11 + R4_23 * E6_13;
-  const T minus_R6_21 = R5_11 * E6_13 + minus_R4_21 * E6_11;
-  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_13;
-  const T R6_23 = R4_23 * E6_11 - R5_13 * E6_13;
+  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
+  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
+  const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
+  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
+  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
   // omega_thetadot2_6 = E6 omega_thetadot2_5: partial angular velocity, body axes
-  const T omega_thetadot2_6_1 = E6_11 * omega_thetadot2_5_1 + E6_13 * E4_11;
-  const T omega_thetadot2_6_2 = E6_11 * E4_11 - E6_13 * omega_thetadot2_5_1;
+  const T omega_thetadot2_6_1 = E6_11 * omega_thetadot2_5_1 + E6_12 * E4_11;
+  const T omega_thetadot2_6_2 = E6_11 * E4_11 - E6_12 * omega_thetadot2_5_1;
   // omega_thetadot4_6 = E6 omega_thetadot4_5: partial angular velocity, body axes
   const T minus_omega_thetadot4_6_1 = E6_11 * minus_E5_13;
-  const T omega_thetadot4_6_2 = E6_13 * minus_E5_13;
+  const T omega_thetadot4_6_2 = E6_12 * minus_E5_13;
   // B13_1 = -R6^T r6~ omega_thetadot1_6 + P_thetadot1_4
   const T t6_1 = T(0.032) * R6_23;
   const T t6_2 = T(0.032) * R6_13;
@@ -2287,7 +2283,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B15_3 = -R6^T r6~ omega_thetadot3_6 + P_thetadot3_4
   const T B15_3_1 = t6_5 + t4_2;
   const T minus_B15_3_2 = t6_6 - t4_3;
-  const T minus_B15_3_3 = t6_7 + t4_1;
+  const T minus_B15_3_3 = t6_7 - t4_1;
   v_y[92] = B15_3_1;
   v_y[98] = -minus_B15_3_2;
   v_y[104] = -minus_B15_3_3;
@@ -2302,7 +2298,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[105] = B16_4_3;
   // B17_5 = -R6^T r6~ omega_thetadot5_6
   const T t6_10 = T(0.032) * E6_11;
-  const T t6_11 = T(0.032) * E6_13;
+  const T t6_11 = T(0.032) * E6_12;
   const T B17_5_1 = R6_11 * t6_10 + minus_R6_21 * t6_11;
   const T minus_B17_5_2 = R6_22 * t6_11 - R6_12 * t6_10;
   const T minus_B17_5_3 = R6_23 * t6_11 - R6_13 * t6_10;
@@ -2338,7 +2334,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B21_3 = -R6^T o7~ omega_thetadot3_6 - R6^T r7~ omega_thetadot3_6 + P_thetadot3_4
   const T B21_3_1 = t6_20 + t4_2;
   const T minus_B21_3_2 = t6_21 - t4_3;
-  const T minus_B21_3_3 = t6_22 + t4_1;
+  const T minus_B21_3_3 = t6_22 - t4_1;
   v_y[110] = B21_3_1;
   v_y[116] = -minus_B21_3_2;
   v_y[122] = -minus_B21_3_3;
@@ -2355,9 +2351,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[123] = B22_4_3;
   // B23_5 = -R6^T o7~ omega_thetadot5_6 - R6^T r7~ omega_thetadot5_6
   const T t6_27 = T(0.0565) * E6_11;
-  const T t6_28 = T(0.0565) * E6_13;
+  const T t6_28 = T(0.0565) * E6_12;
   const T t6_29 = T(0.05) * E6_11;
-  const T t6_30 = T(0.05) * E6_13;
+  const T t6_30 = T(0.05) * E6_12;
   const T B23_5_1 = R6_11 * t6_27 + minus_R6_21 * t6_28 + R6_11 * t6_29 + minus_R6_21 * t6_30;
   const T minus_B23_5_2 = R6_22 * t6_28 - R6_12 * t6_27 + R6_22 * t6_30 - R6_12 * t6_29;
   const T minus_B23_5_3 = R6_23 * t6_28 - R6_13 * t6_27 + R6_23 * t6_30 - R6_13 * t6_29;
@@ -2384,49 +2380,49 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
-  // E2^T = Z2^T Rot(b2, theta2): E takes components in the lower body to those in the body
+  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
-  const T minus_R2_21 = E1_11 * minus_E2_13;
-  const T minus_R2_22 = E1_12 * minus_E2_13;
+  const T R2_31 = E1_11 * minus_E2_13;
+  const T R2_32 = E1_12 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
-  const T minus_omega2_2 = E2_11 * thetadot1;
+  const T omega2_3 = E2_11 * thetadot1;
   // omega_dot_thetadot1_2 = -thetadot2 b2~ E2 b1: its rate
   const T minus_omega_dot_thetadot1_2_1 = thetadot2 * E2_11;
-  const T omega_dot_thetadot1_2_2 = thetadot2 * minus_E2_13;
+  const T minus_omega_dot_thetadot1_2_3 = thetadot2 * minus_E2_13;
   // P_dot_thetadot1_2 = -E1^T omega1~ q2~ b1: its rate
   const T t2_1 = thetadot1 * T(0.2435);
   const T P_dot_thetadot1_2_1 = E1_12 * t2_1;
   const T minus_P_dot_thetadot1_2_2 = E1_11 * t2_1;
-  // B1_1 = -R2^T omega2~ r2~ omega_thetadot1_2 - R2^T r2~ omega_dot_thetadot1_2 + P_dot_thetadot1_2
-  const T t2_2 = T(0.016) * minus_E2_13;
-  const T t2_3 = T(0.016) * E2_11;
-  const T t2_4 = minus_omega2_1 * t2_2 + minus_omega2_2 * t2_3;
+  // B1_1 = -R2^T omega2~ (C2^T r2)~ omega_thetadot1_2 - R2^T (C2^T r2)~ omega_dot_thetadot1_2 + P_dot_thetadot1_2
+  const T t2_2 = T(0.016) * E2_11;
+  const T t2_3 = T(0.016) * minus_E2_13;
+  const T t2_4 = omega2_3 * t2_2 + minus_omega2_1 * t2_3;
   const T t2_5 = T(0.006) * minus_E2_13 - T(0.068) * E2_11;
-  const T t2_6 = thetadot2 * t2_2 + minus_omega2_2 * t2_5;
-  const T t2_7 = minus_omega2_1 * t2_5 - thetadot2 * t2_3;
-  const T t2_8 = T(0.016) * omega_dot_thetadot1_2_2;
-  const T t2_9 = T(0.016) * minus_omega_dot_thetadot1_2_1;
-  const T t2_10 = T(0.068) * omega_dot_thetadot1_2_2 + T(0.006) * minus_omega_dot_thetadot1_2_1;
-  const T minus_B1_1_1 = E1_12 * t2_4 - R2_11 * t2_6 - minus_R2_21 * t2_7 + R2_11 * t2_8 - minus_R2_21 * t2_9 - E1_12
-      * t2_10 - P_dot_thetadot1_2_1;
-  const T minus_B1_1_2 = R2_12 * t2_8 - minus_R2_22 * t2_9 + E1_11 * t2_10 - R2_12 * t2_6 - minus_R2_22 * t2_7 - E1_11
-      * t2_4 + minus_P_dot_thetadot1_2_2;
-  const T minus_B1_1_3 = minus_E2_13 * t2_6 - E2_11 * t2_7 - minus_E2_13 * t2_8 - E2_11 * t2_9;
+  const T t2_6 = omega2_3 * t2_5 + thetadot2 * t2_3;
+  const T t2_7 = thetadot2 * t2_2 - minus_omega2_1 * t2_5;
+  const T t2_8 = T(0.016) * minus_omega_dot_thetadot1_2_3;
+  const T t2_9 = T(0.006) * minus_omega_dot_thetadot1_2_1 + T(0.068) * minus_omega_dot_thetadot1_2_3;
+  const T t2_10 = T(0.016) * minus_omega_dot_thetadot1_2_1;
+  const T minus_B1_1_1 = E1_12 * t2_4 - R2_11 * t2_6 + R2_31 * t2_7 + R2_11 * t2_8 - E1_12 * t2_9 - R2_31 * t2_10 -
+      P_dot_thetadot1_2_1;
+  const T minus_B1_1_2 = R2_32 * t2_7 - R2_12 * t2_6 - E1_11 * t2_4 + R2_12 * t2_8 + E1_11 * t2_9 - R2_32 * t2_10 +
+      minus_P_dot_thetadot1_2_2;
+  const T minus_B1_1_3 = minus_E2_13 * t2_6 + E2_11 * t2_7 - minus_E2_13 * t2_8 - E2_11 * t2_10;
   v_y_dot[18] = -minus_B1_1_1;
   v_y_dot[24] = -minus_B1_1_2;
   v_y_dot[30] = -minus_B1_1_3;
-  // B2_2 = -R2^T omega2~ r2~ b2
+  // B2_2 = -R2^T omega2~ (C2^T r2)~ b2
   const T t2_11 = thetadot2 * T(0.068);
-  const T t2_12 = thetadot2 * T(0.006);
-  const T t2_13 = minus_omega2_1 * T(0.068) + minus_omega2_2 * T(0.006);
-  const T minus_B2_2_1 = R2_11 * t2_11 - minus_R2_21 * t2_12 - E1_12 * t2_13;
-  const T minus_B2_2_2 = R2_12 * t2_11 - minus_R2_22 * t2_12 + E1_11 * t2_13;
-  const T B2_2_3 = minus_E2_13 * t2_11 + E2_11 * t2_12;
+  const T t2_12 = omega2_3 * T(0.006) + minus_omega2_1 * T(0.068);
+  const T t2_13 = thetadot2 * T(0.006);
+  const T minus_B2_2_1 = R2_11 * t2_11 - E1_12 * t2_12 - R2_31 * t2_13;
+  const T minus_B2_2_2 = R2_12 * t2_11 + E1_11 * t2_12 - R2_32 * t2_13;
+  const T B2_2_3 = minus_E2_13 * t2_11 + E2_11 * t2_13;
   v_y_dot[19] = -minus_B2_2_1;
   v_y_dot[25] = -minus_B2_2_2;
   v_y_dot[31] = B2_2_3;
@@ -2436,120 +2432,120 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
   const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T minus_E3_13 = sin(theta3);
   // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_11 = R2_11 * E3_11 - minus_R2_21 * E3_12;
-  const T R3_12 = R2_12 * E3_11 - minus_R2_22 * E3_12;
-  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * E3_12;
-  const T minus_R3_21 = R2_11 * E3_12 + minus_R2_21 * E3_11;
-  const T minus_R3_22 = R2_12 * E3_12 + minus_R2_22 * E3_11;
-  const T R3_23 = minus_E2_13 * E3_12 - E2_11 * E3_11;
+  const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
+  const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
+  const T minus_R3_13 = minus_E2_13 * E3_11 + E2_11 * minus_E3_13;
+  const T R3_31 = R2_11 * minus_E3_13 + R2_31 * E3_11;
+  const T R3_32 = R2_12 * minus_E3_13 + R2_32 * E3_11;
+  const T R3_33 = E2_11 * E3_11 - minus_E2_13 * minus_E3_13;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
-  const T minus_omega3_1 = E3_11 * minus_omega2_1 + E3_12 * minus_omega2_2;
-  const T omega3_2 = E3_12 * minus_omega2_1 - E3_11 * minus_omega2_2;
-  const T omega3_3 = thetadot3 + thetadot2;
+  const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
+  const T omega3_2 = thetadot3 + thetadot2;
+  const T omega3_3 = E3_11 * omega2_3 - minus_E3_13 * minus_omega2_1;
   // omega_dot_thetadot1_3 = -thetadot3 b3~ E3 omega_thetadot1_2 + E3 omega_dot_thetadot1_2: its rate
-  const T omega_dot_thetadot1_3_1 = thetadot3 * R3_23 + E3_12 * omega_dot_thetadot1_2_2 - E3_11 *
-      minus_omega_dot_thetadot1_2_1;
-  const T omega_dot_thetadot1_3_2 = thetadot3 * minus_R3_13 + E3_12 * minus_omega_dot_thetadot1_2_1 + E3_11 *
-      omega_dot_thetadot1_2_2;
+  const T omega_dot_thetadot1_3_1 = minus_E3_13 * minus_omega_dot_thetadot1_2_3 - E3_11 *
+      minus_omega_dot_thetadot1_2_1 - thetadot3 * R3_33;
+  const T minus_omega_dot_thetadot1_3_3 = thetadot3 * minus_R3_13 + minus_E3_13 * minus_omega_dot_thetadot1_2_1 +
+      E3_11 * minus_omega_dot_thetadot1_2_3;
   // P_dot_thetadot1_3 = R2^T (-omega2~ q3~ omega_thetadot1_2 - q3~ omega_dot_thetadot1_2) + P_dot_thetadot1_2: its
   //   rate
   const T t3_1 = T(0.4318) * E2_11;
   const T t3_2 = T(0.0934) * minus_E2_13;
-  const T t3_3 = minus_omega2_2 * t3_1 - thetadot2 * t3_2 + T(0.0934) * omega_dot_thetadot1_2_2;
+  const T t3_3 = omega2_3 * t3_1 - thetadot2 * t3_2 + T(0.0934) * minus_omega_dot_thetadot1_2_3;
   const T t3_4 = T(0.0934) * E2_11;
-  const T t3_5 = T(0.0934) * minus_omega_dot_thetadot1_2_1 - thetadot2 * t3_4 - minus_omega2_1 * t3_1;
-  const T t3_6 = T(0.4318) * omega_dot_thetadot1_2_2 - minus_omega2_1 * t3_2 - minus_omega2_2 * t3_4;
-  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - minus_R2_21 * t3_5 - E1_12 * t3_6 - P_dot_thetadot1_2_1;
-  const T minus_P_dot_thetadot1_3_2 = R2_12 * t3_3 - minus_R2_22 * t3_5 + E1_11 * t3_6 + minus_P_dot_thetadot1_2_2;
-  const T P_dot_thetadot1_3_3 = minus_E2_13 * t3_3 + E2_11 * t3_5;
+  const T t3_5 = T(0.4318) * minus_omega_dot_thetadot1_2_3 - omega2_3 * t3_4 - minus_omega2_1 * t3_2;
+  const T t3_6 = minus_omega2_1 * t3_1 + thetadot2 * t3_4 - T(0.0934) * minus_omega_dot_thetadot1_2_1;
+  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - E1_12 * t3_5 + R2_31 * t3_6 - P_dot_thetadot1_2_1;
+  const T minus_P_dot_thetadot1_3_2 = R2_12 * t3_3 + E1_11 * t3_5 + R2_32 * t3_6 + minus_P_dot_thetadot1_2_2;
+  const T minus_P_dot_thetadot1_3_3 = E2_11 * t3_6 - minus_E2_13 * t3_3;
   // P_dot_thetadot2_3 = -R2^T omega2~ q3~ b2: its rate
   const T t3_7 = thetadot2 * T(0.4318);
   const T t3_8 = minus_omega2_1 * T(0.4318);
   const T minus_P_dot_thetadot2_3_1 = R2_11 * t3_7 - E1_12 * t3_8;
   const T minus_P_dot_thetadot2_3_2 = R2_12 * t3_7 + E1_11 * t3_8;
   const T P_dot_thetadot2_3_3 = minus_E2_13 * t3_7;
-  // B3_1 = -R3^T omega3~ r3~ omega_thetadot1_3 - R3^T r3~ omega_dot_thetadot1_3 + P_dot_thetadot1_3
-  const T t3_9 = T(0.014) * minus_R3_13;
-  const T t3_10 = T(0.07) * minus_R3_13;
-  const T t3_11 = omega3_3 * t3_9 - omega3_2 * t3_10;
-  const T t3_12 = T(0.014) * R3_23;
+  // B3_1 = -R3^T omega3~ (C3^T r3)~ omega_thetadot1_3 - R3^T (C3^T r3)~ omega_dot_thetadot1_3 + P_dot_thetadot1_3
+  const T t3_9 = T(0.07) * minus_R3_13;
+  const T t3_10 = T(0.014) * minus_R3_13;
+  const T t3_11 = omega3_3 * t3_9 + omega3_2 * t3_10;
+  const T t3_12 = T(0.014) * R3_33;
   const T t3_13 = omega3_3 * t3_12 + minus_omega3_1 * t3_10;
-  const T t3_14 = minus_omega3_1 * t3_9 + omega3_2 * t3_12;
-  const T t3_15 = T(0.014) * omega_dot_thetadot1_3_2;
-  const T t3_16 = T(0.014) * omega_dot_thetadot1_3_1;
-  const T t3_17 = T(0.07) * omega_dot_thetadot1_3_1;
-  const T minus_B3_1_1 = R3_11 * t3_11 + minus_R3_21 * t3_13 - E1_12 * t3_14 - R3_11 * t3_15 - minus_R3_21 * t3_16 -
-      E1_12 * t3_17 + minus_P_dot_thetadot1_3_1;
-  const T minus_B3_1_2 = R3_12 * t3_11 + minus_R3_22 * t3_13 + E1_11 * t3_14 + E1_11 * t3_17 - R3_12 * t3_15 -
-      minus_R3_22 * t3_16 + minus_P_dot_thetadot1_3_2;
-  const T minus_B3_1_3 = minus_R3_13 * t3_15 + R3_23 * t3_16 - minus_R3_13 * t3_11 - R3_23 * t3_13 -
-      P_dot_thetadot1_3_3;
+  const T t3_14 = minus_omega3_1 * t3_9 - omega3_2 * t3_12;
+  const T t3_15 = T(0.014) * minus_omega_dot_thetadot1_3_3;
+  const T t3_16 = T(0.07) * omega_dot_thetadot1_3_1;
+  const T t3_17 = T(0.014) * omega_dot_thetadot1_3_1;
+  const T minus_B3_1_1 = R3_11 * t3_11 - E1_12 * t3_13 + R3_31 * t3_14 - R3_11 * t3_15 - E1_12 * t3_16 - R3_31 * t3_17
+      + minus_P_dot_thetadot1_3_1;
+  const T minus_B3_1_2 = R3_12 * t3_11 + E1_11 * t3_13 + R3_32 * t3_14 + E1_11 * t3_16 - R3_12 * t3_15 - R3_32 * t3_17
+      + minus_P_dot_thetadot1_3_2;
+  const T minus_B3_1_3 = R3_33 * t3_14 - minus_R3_13 * t3_11 + minus_R3_13 * t3_15 - R3_33 * t3_17 +
+      minus_P_dot_thetadot1_3_3;
   v_y_dot[36] = -minus_B3_1_1;
   v_y_dot[42] = -minus_B3_1_2;
   v_y_dot[48] = -minus_B3_1_3;
-  // B4_2 = -R3^T omega3~ r3~ omega_thetadot2_3 - R3^T r3~ omega_dot_thetadot2_3 + P_dot_thetadot2_3
+  // B4_2 = -R3^T omega3~ (C3^T r3)~ omega_thetadot2_3 - R3^T (C3^T r3)~ omega_dot_thetadot2_3 + P_dot_thetadot2_3
   const T t3_18 = omega3_3 * T(0.07);
   const T t3_19 = omega3_2 * T(0.07);
-  const T t3_20 = minus_R3_21 * t3_18 - E1_12 * t3_19;
+  const T t3_20 = E1_12 * t3_18 + R3_31 * t3_19;
   const T minus_B4_2_1 = t3_20 + minus_P_dot_thetadot2_3_1;
-  const T t3_21 = minus_R3_22 * t3_18 + E1_11 * t3_19;
+  const T t3_21 = R3_32 * t3_19 - E1_11 * t3_18;
   const T minus_B4_2_2 = t3_21 + minus_P_dot_thetadot2_3_2;
-  const T t3_22 = R3_23 * t3_18;
-  const T B4_2_3 = t3_22 + P_dot_thetadot2_3_3;
+  const T t3_22 = R3_33 * t3_19;
+  const T minus_B4_2_3 = t3_22 - P_dot_thetadot2_3_3;
   v_y_dot[37] = -minus_B4_2_1;
   v_y_dot[43] = -minus_B4_2_2;
-  v_y_dot[49] = B4_2_3;
+  v_y_dot[49] = -minus_B4_2_3;
   v_y_dot[38] = -t3_20;
   v_y_dot[44] = -t3_21;
-  v_y_dot[50] = t3_22;
+  v_y_dot[50] = -t3_22;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
   const T thetadot4 = y[3];
-  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_12 = sin(theta4);
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_13;
-  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_13;
+  const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
+  const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_13 + E1_12 * E4_11;
-  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_13;
-  const T R4_23 = minus_R3_13 * E4_13;
+  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
+  const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_13 * omega3_3 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_13 * minus_omega3_1 + E4_11 * omega3_3;
-  const T omega4_3 = thetadot4 - omega3_2;
+  const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
+  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_3 = thetadot4 + omega3_3;
   // omega_dot_thetadot1_4 = -thetadot4 b4~ E4 omega_thetadot1_3 + E4 omega_dot_thetadot1_3: its rate
   const T omega_dot_thetadot1_4_1 = thetadot4 * R4_23 + E4_11 * omega_dot_thetadot1_3_1;
-  const T omega_dot_thetadot1_4_2 = thetadot4 * minus_R4_13 - E4_13 * omega_dot_thetadot1_3_1;
+  const T omega_dot_thetadot1_4_2 = thetadot4 * minus_R4_13 - E4_12 * omega_dot_thetadot1_3_1;
   // omega_dot_thetadot2_4 = -thetadot4 b4~ E4 omega_thetadot2_3 + E4 omega_dot_thetadot2_3: its rate
   const T omega_dot_thetadot2_4_1 = thetadot4 * E4_11;
-  const T minus_omega_dot_thetadot2_4_2 = thetadot4 * E4_13;
+  const T minus_omega_dot_thetadot2_4_2 = thetadot4 * E4_12;
   // P_dot_thetadot1_4 = R3^T (-omega3~ q4~ omega_thetadot1_3 - q4~ omega_dot_thetadot1_3) + P_dot_thetadot1_3: its
   //   rate
-  const T t4_1 = T(0.0203) * R3_23 + T(0.4331) * minus_R3_13;
-  const T t4_2 = minus_omega3_1 * t4_1;
-  const T t4_3 = omega3_2 * t4_1;
-  const T t4_4 = T(0.4331) * omega_dot_thetadot1_3_1 - T(0.0203) * omega_dot_thetadot1_3_2;
-  const T minus_P_dot_thetadot1_4_1 = minus_R3_21 * t4_2 - R3_11 * t4_3 - E1_12 * t4_4 + minus_P_dot_thetadot1_3_1;
-  const T minus_P_dot_thetadot1_4_2 = minus_R3_22 * t4_2 - R3_12 * t4_3 + E1_11 * t4_4 + minus_P_dot_thetadot1_3_2;
-  const T minus_P_dot_thetadot1_4_3 = minus_R3_13 * t4_3 - R3_23 * t4_2 - P_dot_thetadot1_3_3;
+  const T t4_1 = T(0.0203) * R3_33 - T(0.4331) * minus_R3_13;
+  const T t4_2 = omega3_3 * t4_1;
+  const T t4_3 = T(0.4331) * omega_dot_thetadot1_3_1 - T(0.0203) * minus_omega_dot_thetadot1_3_3;
+  const T t4_4 = minus_omega3_1 * t4_1;
+  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 - R3_11 * t4_2 - E1_12 * t4_3 - R3_31 * t4_4;
+  const T minus_P_dot_thetadot1_4_2 = E1_11 * t4_3 - R3_12 * t4_2 - R3_32 * t4_4 + minus_P_dot_thetadot1_3_2;
+  const T minus_P_dot_thetadot1_4_3 = minus_R3_13 * t4_2 - R3_33 * t4_4 + minus_P_dot_thetadot1_3_3;
   v_y_dot[72] = -minus_P_dot_thetadot1_4_1;
   v_y_dot[78] = -minus_P_dot_thetadot1_4_2;
   v_y_dot[84] = -minus_P_dot_thetadot1_4_3;
   // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
   //   rate
-  const T t4_5 = omega3_3 * T(0.4331);
-  const T t4_6 = omega3_3 * T(0.0203);
-  const T t4_7 = omega3_2 * T(0.4331) - minus_omega3_1 * T(0.0203);
-  const T t4_8 = minus_R3_21 * t4_5 - R3_11 * t4_6 - E1_12 * t4_7;
+  const T t4_5 = omega3_3 * T(0.4331) + minus_omega3_1 * T(0.0203);
+  const T t4_6 = omega3_2 * T(0.0203);
+  const T t4_7 = omega3_2 * T(0.4331);
+  const T t4_8 = E1_12 * t4_5 - R3_11 * t4_6 + R3_31 * t4_7;
   const T minus_P_dot_thetadot2_4_1 = t4_8 + minus_P_dot_thetadot2_3_1;
-  const T t4_9 = minus_R3_22 * t4_5 - R3_12 * t4_6 + E1_11 * t4_7;
+  const T t4_9 = R3_32 * t4_7 - R3_12 * t4_6 - E1_11 * t4_5;
   const T minus_P_dot_thetadot2_4_2 = t4_9 + minus_P_dot_thetadot2_3_2;
-  const T t4_10 = minus_R3_13 * t4_6 - R3_23 * t4_5;
+  const T t4_10 = minus_R3_13 * t4_6 + R3_33 * t4_7;
   const T minus_P_dot_thetadot2_4_3 = t4_10 - P_dot_thetadot2_3_3;
   v_y_dot[73] = -minus_P_dot_thetadot2_4_1;
   v_y_dot[79] = -minus_P_dot_thetadot2_4_2;
@@ -2565,28 +2561,28 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_15 = omega4_3 * t4_12;
   const T t4_16 = T(0.019) * omega_dot_thetadot1_4_2;
   const T t4_17 = T(0.019) * omega_dot_thetadot1_4_1;
-  const T minus_B6_1_1 = minus_R3_21 * t4_13 - R4_11 * t4_14 - minus_R4_21 * t4_15 + R4_11 * t4_16 + minus_R4_21 *
-      t4_17 + minus_P_dot_thetadot1_4_1;
-  const T minus_B6_1_2 = R4_22 * t4_15 - R4_12 * t4_14 + minus_R3_22 * t4_13 + R4_12 * t4_16 - R4_22 * t4_17 +
+  const T minus_B6_1_1 = R3_31 * t4_13 - R4_11 * t4_14 - minus_R4_21 * t4_15 + R4_11 * t4_16 + minus_R4_21 * t4_17 +
+      minus_P_dot_thetadot1_4_1;
+  const T minus_B6_1_2 = R4_22 * t4_15 - R4_12 * t4_14 + R3_32 * t4_13 + R4_12 * t4_16 - R4_22 * t4_17 +
       minus_P_dot_thetadot1_4_2;
-  const T minus_B6_1_3 = minus_R4_13 * t4_14 + R4_23 * t4_15 - R3_23 * t4_13 - minus_R4_13 * t4_16 - R4_23 * t4_17 +
+  const T minus_B6_1_3 = minus_R4_13 * t4_14 + R4_23 * t4_15 + R3_33 * t4_13 - minus_R4_13 * t4_16 - R4_23 * t4_17 +
       minus_P_dot_thetadot1_4_3;
   v_y_dot[54] = -minus_B6_1_1;
   v_y_dot[60] = -minus_B6_1_2;
   v_y_dot[66] = -minus_B6_1_3;
   // B7_2 = -R4^T omega4~ r4~ omega_thetadot2_4 - R4^T r4~ omega_dot_thetadot2_4 + P_dot_thetadot2_4
-  const T t4_18 = T(0.019) * E4_13;
+  const T t4_18 = T(0.019) * E4_12;
   const T t4_19 = omega4_3 * t4_18;
   const T t4_20 = T(0.019) * E4_11;
   const T t4_21 = omega4_3 * t4_20;
   const T t4_22 = omega4_1 * t4_18 + omega4_2 * t4_20;
   const T t4_23 = T(0.019) * omega_dot_thetadot2_4_1;
   const T t4_24 = T(0.019) * minus_omega_dot_thetadot2_4_2;
-  const T t4_25 = R4_11 * t4_19 - minus_R4_21 * t4_21 - minus_R3_21 * t4_22 + minus_R4_21 * t4_23 - R4_11 * t4_24;
+  const T t4_25 = R4_11 * t4_19 - minus_R4_21 * t4_21 - R3_31 * t4_22 + minus_R4_21 * t4_23 - R4_11 * t4_24;
   const T minus_B7_2_1 = t4_25 + minus_P_dot_thetadot2_4_1;
-  const T t4_26 = R4_12 * t4_19 + R4_22 * t4_21 - minus_R3_22 * t4_22 - R4_12 * t4_24 - R4_22 * t4_23;
+  const T t4_26 = R4_12 * t4_19 + R4_22 * t4_21 - R3_32 * t4_22 - R4_12 * t4_24 - R4_22 * t4_23;
   const T minus_B7_2_2 = t4_26 + minus_P_dot_thetadot2_4_2;
-  const T t4_27 = R4_23 * t4_21 - minus_R4_13 * t4_19 + R3_23 * t4_22 + minus_R4_13 * t4_24 - R4_23 * t4_23;
+  const T t4_27 = R4_23 * t4_21 - minus_R4_13 * t4_19 - R3_33 * t4_22 + minus_R4_13 * t4_24 - R4_23 * t4_23;
   const T minus_B7_2_3 = t4_27 + minus_P_dot_thetadot2_4_3;
   v_y_dot[55] = -minus_B7_2_1;
   v_y_dot[61] = -minus_B7_2_2;
@@ -2602,70 +2598,70 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
   const T thetadot5 = y[4];
-  // E5^T = Z5^T Rot(b5, theta5): E takes components in the lower body to those in the body
+  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
   // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 - minus_R3_21 * minus_E5_13;
-  const T R5_12 = R4_12 * E5_11 - minus_R3_22 * minus_E5_13;
-  const T R5_13 = R3_23 * minus_E5_13 - minus_R4_13 * E5_11;
-  const T minus_R5_21 = R4_11 * minus_E5_13 + minus_R3_21 * E5_11;
-  const T minus_R5_22 = R4_12 * minus_E5_13 + minus_R3_22 * E5_11;
-  const T R5_23 = minus_R4_13 * minus_E5_13 + R3_23 * E5_11;
+  const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
+  const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
+  const T minus_R5_13 = minus_R4_13 * E5_11 + R3_33 * minus_E5_13;
+  const T R5_31 = R4_11 * minus_E5_13 + R3_31 * E5_11;
+  const T R5_32 = R4_12 * minus_E5_13 + R3_32 * E5_11;
+  const T R5_33 = R3_33 * E5_11 - minus_R4_13 * minus_E5_13;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
-  const T minus_omega5_2 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
-  const T omega5_3 = thetadot5 + omega4_2;
+  const T omega5_2 = thetadot5 + omega4_2;
+  const T omega5_3 = minus_E5_13 * omega4_1 + E5_11 * omega4_3;
   // omega_dot_thetadot1_5 = -thetadot5 b5~ E5 omega_thetadot1_4 + E5 omega_dot_thetadot1_4: its rate
-  const T omega_dot_thetadot1_5_1 = thetadot5 * R5_23 + E5_11 * omega_dot_thetadot1_4_1 + minus_E5_13 *
-      omega_dot_thetadot1_3_2;
+  const T omega_dot_thetadot1_5_1 = E5_11 * omega_dot_thetadot1_4_1 + minus_E5_13 * minus_omega_dot_thetadot1_3_3 -
+      thetadot5 * R5_33;
   // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
-  const T omega_thetadot2_5_1 = E5_11 * E4_13;
-  const T minus_omega_thetadot2_5_2 = minus_E5_13 * E4_13;
+  const T omega_thetadot2_5_1 = E5_11 * E4_12;
+  const T omega_thetadot2_5_3 = minus_E5_13 * E4_12;
   // omega_dot_thetadot2_5 = -thetadot5 b5~ E5 omega_thetadot2_4 + E5 omega_dot_thetadot2_4: its rate
-  const T omega_dot_thetadot2_5_1 = E5_11 * omega_dot_thetadot2_4_1 - thetadot5 * minus_omega_thetadot2_5_2;
+  const T omega_dot_thetadot2_5_1 = E5_11 * omega_dot_thetadot2_4_1 - thetadot5 * omega_thetadot2_5_3;
   // omega_dot_thetadot4_5 = -thetadot5 b5~ E5 b4: its rate
   const T minus_omega_dot_thetadot4_5_1 = thetadot5 * E5_11;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
   const T thetadot6 = y[5];
-  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
   const T E6_11 = cos(theta6);
-  const T E6_13 = sin(theta6);
+  const T E6_12 = sin(theta6);
   // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_13;
-  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_13;
-  const T R6_13 = R5_13 * E6_11 + R4_23 * E6_13;
-  const T minus_R6_21 = R5_11 * E6_13 + minus_R4_21 * E6_11;
-  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_13;
-  const T R6_23 = R4_23 * E6_11 - R5_13 * E6_13;
+  const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
+  const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
+  const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
+  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
+  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
-  const T omega6_1 = E6_11 * omega5_1 + E6_13 * omega5_3;
-  const T omega6_2 = E6_11 * omega5_3 - E6_13 * omega5_1;
-  const T omega6_3 = thetadot6 + minus_omega5_2;
+  const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
+  const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
+  const T omega6_3 = thetadot6 + omega5_3;
   // omega_dot_thetadot1_6 = -thetadot6 b6~ E6 omega_thetadot1_5 + E6 omega_dot_thetadot1_5: its rate
-  const T omega_dot_thetadot1_6_1 = thetadot6 * R6_23 + E6_11 * omega_dot_thetadot1_5_1 + E6_13 *
+  const T omega_dot_thetadot1_6_1 = thetadot6 * R6_23 + E6_11 * omega_dot_thetadot1_5_1 + E6_12 *
       omega_dot_thetadot1_4_2;
-  const T omega_dot_thetadot1_6_2 = E6_11 * omega_dot_thetadot1_4_2 - E6_13 * omega_dot_thetadot1_5_1 - thetadot6 *
+  const T omega_dot_thetadot1_6_2 = E6_11 * omega_dot_thetadot1_4_2 - E6_12 * omega_dot_thetadot1_5_1 - thetadot6 *
       R6_13;
   // omega_thetadot2_6 = E6 omega_thetadot2_5: partial angular velocity, body axes
-  const T omega_thetadot2_6_1 = E6_11 * omega_thetadot2_5_1 + E6_13 * E4_11;
-  const T omega_thetadot2_6_2 = E6_11 * E4_11 - E6_13 * omega_thetadot2_5_1;
+  const T omega_thetadot2_6_1 = E6_11 * omega_thetadot2_5_1 + E6_12 * E4_11;
+  const T omega_thetadot2_6_2 = E6_11 * E4_11 - E6_12 * omega_thetadot2_5_1;
   // omega_dot_thetadot2_6 = -thetadot6 b6~ E6 omega_thetadot2_5 + E6 omega_dot_thetadot2_5: its rate
-  const T omega_dot_thetadot2_6_1 = thetadot6 * omega_thetadot2_6_2 + E6_11 * omega_dot_thetadot2_5_1 - E6_13 *
+  const T omega_dot_thetadot2_6_1 = thetadot6 * omega_thetadot2_6_2 + E6_11 * omega_dot_thetadot2_5_1 - E6_12 *
       minus_omega_dot_thetadot2_4_2;
-  const T minus_omega_dot_thetadot2_6_2 = thetadot6 * omega_thetadot2_6_1 + E6_13 * omega_dot_thetadot2_5_1 + E6_11 *
+  const T minus_omega_dot_thetadot2_6_2 = thetadot6 * omega_thetadot2_6_1 + E6_12 * omega_dot_thetadot2_5_1 + E6_11 *
       minus_omega_dot_thetadot2_4_2;
   // omega_thetadot4_6 = E6 omega_thetadot4_5: partial angular velocity, body axes
   const T minus_omega_thetadot4_6_1 = E6_11 * minus_E5_13;
-  const T omega_thetadot4_6_2 = E6_13 * minus_E5_13;
+  const T omega_thetadot4_6_2 = E6_12 * minus_E5_13;
   // omega_dot_thetadot4_6 = -thetadot6 b6~ E6 omega_thetadot4_5 + E6 omega_dot_thetadot4_5: its rate
   const T omega_dot_thetadot4_6_1 = thetadot6 * omega_thetadot4_6_2 - E6_11 * minus_omega_dot_thetadot4_5_1;
-  const T omega_dot_thetadot4_6_2 = thetadot6 * minus_omega_thetadot4_6_1 + E6_13 * minus_omega_dot_thetadot4_5_1;
+  const T omega_dot_thetadot4_6_2 = thetadot6 * minus_omega_thetadot4_6_1 + E6_12 * minus_omega_dot_thetadot4_5_1;
   // omega_dot_thetadot5_6 = -thetadot6 b6~ E6 b5: its rate
   const T omega_dot_thetadot5_6_1 = thetadot6 * E6_11;
-  const T minus_omega_dot_thetadot5_6_2 = thetadot6 * E6_13;
+  const T minus_omega_dot_thetadot5_6_2 = thetadot6 * E6_12;
   // B13_1 = -R6^T omega6~ r6~ omega_thetadot1_6 - R6^T r6~ omega_dot_thetadot1_6 + P_dot_thetadot1_4
   const T t6_1 = T(0.032) * R6_23;
   const T t6_2 = omega6_3 * t6_1;
@@ -2674,11 +2670,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_5 = omega6_1 * t6_3 + omega6_2 * t6_1;
   const T t6_6 = T(0.032) * omega_dot_thetadot1_6_2;
   const T t6_7 = T(0.032) * omega_dot_thetadot1_6_1;
-  const T minus_B13_1_1 = minus_R6_21 * t6_2 - R6_11 * t6_4 + minus_R5_21 * t6_5 - R6_11 * t6_6 - minus_R6_21 * t6_7 +
+  const T minus_B13_1_1 = minus_R6_21 * t6_2 - R6_11 * t6_4 + R5_31 * t6_5 - R6_11 * t6_6 - minus_R6_21 * t6_7 +
       minus_P_dot_thetadot1_4_1;
-  const T minus_B13_1_2 = minus_R5_22 * t6_5 - R6_12 * t6_4 - R6_22 * t6_2 + R6_22 * t6_7 - R6_12 * t6_6 +
+  const T minus_B13_1_2 = R5_32 * t6_5 - R6_12 * t6_4 - R6_22 * t6_2 + R6_22 * t6_7 - R6_12 * t6_6 +
       minus_P_dot_thetadot1_4_2;
-  const T minus_B13_1_3 = R6_23 * t6_7 - R6_13 * t6_6 - R6_13 * t6_4 - R6_23 * t6_2 - R5_23 * t6_5 +
+  const T minus_B13_1_3 = R5_33 * t6_5 - R6_13 * t6_4 - R6_23 * t6_2 + R6_23 * t6_7 - R6_13 * t6_6 +
       minus_P_dot_thetadot1_4_3;
   v_y_dot[90] = -minus_B13_1_1;
   v_y_dot[96] = -minus_B13_1_2;
@@ -2691,11 +2687,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_12 = omega6_1 * t6_10 + omega6_2 * t6_8;
   const T t6_13 = T(0.032) * minus_omega_dot_thetadot2_6_2;
   const T t6_14 = T(0.032) * omega_dot_thetadot2_6_1;
-  const T t6_15 = minus_R6_21 * t6_9 - R6_11 * t6_11 + minus_R5_21 * t6_12 + R6_11 * t6_13 - minus_R6_21 * t6_14;
+  const T t6_15 = minus_R6_21 * t6_9 - R6_11 * t6_11 + R5_31 * t6_12 + R6_11 * t6_13 - minus_R6_21 * t6_14;
   const T minus_B14_2_1 = t6_15 + minus_P_dot_thetadot2_4_1;
-  const T t6_16 = minus_R5_22 * t6_12 - R6_12 * t6_11 - R6_22 * t6_9 + R6_12 * t6_13 + R6_22 * t6_14;
+  const T t6_16 = R5_32 * t6_12 - R6_12 * t6_11 - R6_22 * t6_9 + R6_12 * t6_13 + R6_22 * t6_14;
   const T minus_B14_2_2 = t6_16 + minus_P_dot_thetadot2_4_2;
-  const T t6_17 = R6_13 * t6_13 + R6_23 * t6_14 - R6_13 * t6_11 - R6_23 * t6_9 - R5_23 * t6_12;
+  const T t6_17 = R5_33 * t6_12 - R6_13 * t6_11 - R6_23 * t6_9 + R6_13 * t6_13 + R6_23 * t6_14;
   const T minus_B14_2_3 = t6_17 + minus_P_dot_thetadot2_4_3;
   v_y_dot[91] = -minus_B14_2_1;
   v_y_dot[97] = -minus_B14_2_2;
@@ -2715,25 +2711,23 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_22 = omega6_2 * t6_20 - omega6_1 * t6_18;
   const T t6_23 = T(0.032) * omega_dot_thetadot4_6_2;
   const T t6_24 = T(0.032) * omega_dot_thetadot4_6_1;
-  const T minus_B16_4_1 = R6_11 * t6_19 + minus_R6_21 * t6_21 + minus_R5_21 * t6_22 - R6_11 * t6_23 - minus_R6_21 *
-      t6_24;
-  const T minus_B16_4_2 = R6_12 * t6_19 - R6_22 * t6_21 + minus_R5_22 * t6_22 + R6_22 * t6_24 - R6_12 * t6_23;
-  const T minus_B16_4_3 = R6_13 * t6_19 - R6_23 * t6_21 - R5_23 * t6_22 + R6_23 * t6_24 - R6_13 * t6_23;
+  const T minus_B16_4_1 = R6_11 * t6_19 + minus_R6_21 * t6_21 + R5_31 * t6_22 - R6_11 * t6_23 - minus_R6_21 * t6_24;
+  const T minus_B16_4_2 = R6_12 * t6_19 - R6_22 * t6_21 + R5_32 * t6_22 + R6_22 * t6_24 - R6_12 * t6_23;
+  const T minus_B16_4_3 = R6_13 * t6_19 - R6_23 * t6_21 + R5_33 * t6_22 + R6_23 * t6_24 - R6_13 * t6_23;
   v_y_dot[93] = -minus_B16_4_1;
   v_y_dot[99] = -minus_B16_4_2;
   v_y_dot[105] = -minus_B16_4_3;
   // B17_5 = -R6^T omega6~ r6~ omega_thetadot5_6 - R6^T r6~ omega_dot_thetadot5_6
   const T t6_25 = T(0.032) * E6_11;
   const T t6_26 = omega6_3 * t6_25;
-  const T t6_27 = T(0.032) * E6_13;
+  const T t6_27 = T(0.032) * E6_12;
   const T t6_28 = omega6_3 * t6_27;
   const T t6_29 = omega6_1 * t6_27 + omega6_2 * t6_25;
   const T t6_30 = T(0.032) * minus_omega_dot_thetadot5_6_2;
   const T t6_31 = T(0.032) * omega_dot_thetadot5_6_1;
-  const T minus_B17_5_1 = minus_R6_21 * t6_26 - R6_11 * t6_28 + minus_R5_21 * t6_29 + R6_11 * t6_30 - minus_R6_21 *
-      t6_31;
-  const T minus_B17_5_2 = minus_R5_22 * t6_29 - R6_12 * t6_28 - R6_22 * t6_26 + R6_12 * t6_30 + R6_22 * t6_31;
-  const T minus_B17_5_3 = R6_13 * t6_30 + R6_23 * t6_31 - R6_13 * t6_28 - R6_23 * t6_26 - R5_23 * t6_29;
+  const T minus_B17_5_1 = minus_R6_21 * t6_26 - R6_11 * t6_28 + R5_31 * t6_29 + R6_11 * t6_30 - minus_R6_21 * t6_31;
+  const T minus_B17_5_2 = R5_32 * t6_29 - R6_12 * t6_28 - R6_22 * t6_26 + R6_12 * t6_30 + R6_22 * t6_31;
+  const T minus_B17_5_3 = R5_33 * t6_29 - R6_13 * t6_28 - R6_23 * t6_26 + R6_13 * t6_30 + R6_23 * t6_31;
   v_y_dot[94] = -minus_B17_5_1;
   v_y_dot[100] = -minus_B17_5_2;
   v_y_dot[106] = -minus_B17_5_3;
@@ -2753,13 +2747,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_43 = T(0.0565) * omega_dot_thetadot1_6_1;
   const T t6_44 = T(0.05) * omega_dot_thetadot1_6_2;
   const T t6_45 = T(0.05) * omega_dot_thetadot1_6_1;
-  const T minus_B19_1_1 = minus_R6_21 * t6_33 - R6_11 * t6_35 + minus_R5_21 * t6_36 + minus_R6_21 * t6_38 - R6_11 *
-      t6_40 + minus_R5_21 * t6_41 - R6_11 * t6_42 - minus_R6_21 * t6_43 - R6_11 * t6_44 - minus_R6_21 * t6_45 +
+  const T minus_B19_1_1 = minus_R6_21 * t6_33 - R6_11 * t6_35 + R5_31 * t6_36 + minus_R6_21 * t6_38 - R6_11 * t6_40 +
+      R5_31 * t6_41 - R6_11 * t6_42 - minus_R6_21 * t6_43 - R6_11 * t6_44 - minus_R6_21 * t6_45 +
       minus_P_dot_thetadot1_4_1;
-  const T minus_B19_1_2 = minus_R5_22 * t6_36 - R6_12 * t6_35 - R6_22 * t6_33 + minus_R5_22 * t6_41 - R6_12 * t6_40 -
-      R6_22 * t6_38 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44 + minus_P_dot_thetadot1_4_2;
-  const T minus_B19_1_3 = R6_23 * t6_43 - R6_13 * t6_42 - R6_13 * t6_35 - R6_23 * t6_33 - R5_23 * t6_36 - R6_13 *
-      t6_40 - R6_23 * t6_38 - R5_23 * t6_41 + R6_23 * t6_45 - R6_13 * t6_44 + minus_P_dot_thetadot1_4_3;
+  const T minus_B19_1_2 = R5_32 * t6_36 - R6_12 * t6_35 - R6_22 * t6_33 + R5_32 * t6_41 - R6_12 * t6_40 - R6_22 *
+      t6_38 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44 + minus_P_dot_thetadot1_4_2;
+  const T minus_B19_1_3 = R5_33 * t6_36 - R6_13 * t6_35 - R6_23 * t6_33 + R5_33 * t6_41 - R6_13 * t6_40 - R6_23 *
+      t6_38 + R6_23 * t6_43 - R6_13 * t6_42 + R6_23 * t6_45 - R6_13 * t6_44 + minus_P_dot_thetadot1_4_3;
   v_y_dot[108] = -minus_B19_1_1;
   v_y_dot[114] = -minus_B19_1_2;
   v_y_dot[120] = -minus_B19_1_3;
@@ -2779,14 +2773,14 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_57 = T(0.0565) * omega_dot_thetadot2_6_1;
   const T t6_58 = T(0.05) * minus_omega_dot_thetadot2_6_2;
   const T t6_59 = T(0.05) * omega_dot_thetadot2_6_1;
-  const T t6_60 = minus_R6_21 * t6_47 - R6_11 * t6_49 + minus_R5_21 * t6_50 + minus_R6_21 * t6_52 - R6_11 * t6_54 +
-      minus_R5_21 * t6_55 + R6_11 * t6_56 - minus_R6_21 * t6_57 + R6_11 * t6_58 - minus_R6_21 * t6_59;
+  const T t6_60 = minus_R6_21 * t6_47 - R6_11 * t6_49 + R5_31 * t6_50 + minus_R6_21 * t6_52 - R6_11 * t6_54 + R5_31 *
+      t6_55 + R6_11 * t6_56 - minus_R6_21 * t6_57 + R6_11 * t6_58 - minus_R6_21 * t6_59;
   const T minus_B20_2_1 = t6_60 + minus_P_dot_thetadot2_4_1;
-  const T t6_61 = minus_R5_22 * t6_50 - R6_12 * t6_49 - R6_22 * t6_47 + minus_R5_22 * t6_55 - R6_12 * t6_54 - R6_22 *
-      t6_52 + R6_12 * t6_56 + R6_22 * t6_57 + R6_12 * t6_58 + R6_22 * t6_59;
+  const T t6_61 = R5_32 * t6_50 - R6_12 * t6_49 - R6_22 * t6_47 + R5_32 * t6_55 - R6_12 * t6_54 - R6_22 * t6_52 +
+      R6_12 * t6_56 + R6_22 * t6_57 + R6_12 * t6_58 + R6_22 * t6_59;
   const T minus_B20_2_2 = t6_61 + minus_P_dot_thetadot2_4_2;
-  const T t6_62 = R6_13 * t6_56 + R6_23 * t6_57 - R6_13 * t6_49 - R6_23 * t6_47 - R5_23 * t6_50 - R6_13 * t6_54 -
-      R6_23 * t6_52 - R5_23 * t6_55 + R6_13 * t6_58 + R6_23 * t6_59;
+  const T t6_62 = R5_33 * t6_50 - R6_13 * t6_49 - R6_23 * t6_47 + R5_33 * t6_55 - R6_13 * t6_54 - R6_23 * t6_52 +
+      R6_13 * t6_56 + R6_23 * t6_57 + R6_13 * t6_58 + R6_23 * t6_59;
   const T minus_B20_2_3 = t6_62 + minus_P_dot_thetadot2_4_3;
   v_y_dot[109] = -minus_B20_2_1;
   v_y_dot[115] = -minus_B20_2_2;
@@ -2815,11 +2809,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_74 = T(0.0565) * omega_dot_thetadot4_6_1;
   const T t6_75 = T(0.05) * omega_dot_thetadot4_6_2;
   const T t6_76 = T(0.05) * omega_dot_thetadot4_6_1;
-  const T minus_B22_4_1 = R6_11 * t6_64 + minus_R6_21 * t6_66 + minus_R5_21 * t6_67 + R6_11 * t6_69 + minus_R6_21 *
-      t6_71 + minus_R5_21 * t6_72 - R6_11 * t6_73 - minus_R6_21 * t6_74 - R6_11 * t6_75 - minus_R6_21 * t6_76;
-  const T minus_B22_4_2 = R6_12 * t6_64 - R6_22 * t6_66 + minus_R5_22 * t6_67 + R6_12 * t6_69 - R6_22 * t6_71 +
-      minus_R5_22 * t6_72 + R6_22 * t6_74 - R6_12 * t6_73 + R6_22 * t6_76 - R6_12 * t6_75;
-  const T minus_B22_4_3 = R6_13 * t6_64 - R6_23 * t6_66 - R5_23 * t6_67 + R6_13 * t6_69 - R6_23 * t6_71 - R5_23 *
+  const T minus_B22_4_1 = R6_11 * t6_64 + minus_R6_21 * t6_66 + R5_31 * t6_67 + R6_11 * t6_69 + minus_R6_21 * t6_71 +
+      R5_31 * t6_72 - R6_11 * t6_73 - minus_R6_21 * t6_74 - R6_11 * t6_75 - minus_R6_21 * t6_76;
+  const T minus_B22_4_2 = R6_12 * t6_64 - R6_22 * t6_66 + R5_32 * t6_67 + R6_12 * t6_69 - R6_22 * t6_71 + R5_32 *
+      t6_72 + R6_22 * t6_74 - R6_12 * t6_73 + R6_22 * t6_76 - R6_12 * t6_75;
+  const T minus_B22_4_3 = R6_13 * t6_64 - R6_23 * t6_66 + R5_33 * t6_67 + R6_13 * t6_69 - R6_23 * t6_71 + R5_33 *
       t6_72 + R6_23 * t6_74 - R6_13 * t6_73 + R6_23 * t6_76 - R6_13 * t6_75;
   v_y_dot[111] = -minus_B22_4_1;
   v_y_dot[117] = -minus_B22_4_2;
@@ -2828,24 +2822,24 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   //   - R6^T r7~ omega_dot_thetadot5_6
   const T t6_77 = T(0.0565) * E6_11;
   const T t6_78 = omega6_3 * t6_77;
-  const T t6_79 = T(0.0565) * E6_13;
+  const T t6_79 = T(0.0565) * E6_12;
   const T t6_80 = omega6_3 * t6_79;
   const T t6_81 = omega6_1 * t6_79 + omega6_2 * t6_77;
   const T t6_82 = T(0.05) * E6_11;
   const T t6_83 = omega6_3 * t6_82;
-  const T t6_84 = T(0.05) * E6_13;
+  const T t6_84 = T(0.05) * E6_12;
   const T t6_85 = omega6_3 * t6_84;
   const T t6_86 = omega6_1 * t6_84 + omega6_2 * t6_82;
   const T t6_87 = T(0.0565) * minus_omega_dot_thetadot5_6_2;
   const T t6_88 = T(0.0565) * omega_dot_thetadot5_6_1;
   const T t6_89 = T(0.05) * minus_omega_dot_thetadot5_6_2;
   const T t6_90 = T(0.05) * omega_dot_thetadot5_6_1;
-  const T minus_B23_5_1 = minus_R6_21 * t6_78 - R6_11 * t6_80 + minus_R5_21 * t6_81 + minus_R6_21 * t6_83 - R6_11 *
-      t6_85 + minus_R5_21 * t6_86 + R6_11 * t6_87 - minus_R6_21 * t6_88 + R6_11 * t6_89 - minus_R6_21 * t6_90;
-  const T minus_B23_5_2 = minus_R5_22 * t6_81 - R6_12 * t6_80 - R6_22 * t6_78 + minus_R5_22 * t6_86 - R6_12 * t6_85 -
-      R6_22 * t6_83 + R6_12 * t6_87 + R6_22 * t6_88 + R6_12 * t6_89 + R6_22 * t6_90;
-  const T minus_B23_5_3 = R6_13 * t6_87 + R6_23 * t6_88 - R6_13 * t6_80 - R6_23 * t6_78 - R5_23 * t6_81 - R6_13 *
-      t6_85 - R6_23 * t6_83 - R5_23 * t6_86 + R6_13 * t6_89 + R6_23 * t6_90;
+  const T minus_B23_5_1 = minus_R6_21 * t6_78 - R6_11 * t6_80 + R5_31 * t6_81 + minus_R6_21 * t6_83 - R6_11 * t6_85 +
+      R5_31 * t6_86 + R6_11 * t6_87 - minus_R6_21 * t6_88 + R6_11 * t6_89 - minus_R6_21 * t6_90;
+  const T minus_B23_5_2 = R5_32 * t6_81 - R6_12 * t6_80 - R6_22 * t6_78 + R5_32 * t6_86 - R6_12 * t6_85 - R6_22 *
+      t6_83 + R6_12 * t6_87 + R6_22 * t6_88 + R6_12 * t6_89 + R6_22 * t6_90;
+  const T minus_B23_5_3 = R5_33 * t6_81 - R6_13 * t6_80 - R6_23 * t6_78 + R5_33 * t6_86 - R6_13 * t6_85 - R6_23 *
+      t6_83 + R6_13 * t6_87 + R6_23 * t6_88 + R6_13 * t6_89 + R6_23 * t6_90;
   v_y_dot[112] = -minus_B23_5_1;
   v_y_dot[118] = -minus_B23_5_2;
   v_y_dot[124] = -minus_B23_5_3;

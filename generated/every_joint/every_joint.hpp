@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model acad3995bba878ae of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 24ba9c5e0f89c5a0 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -41,26 +41,26 @@
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics                      69 (24 add, 45 multiply)
-//   poses                           599 (268 add, 331 multiply, 17 sine or cosine)
-//   energy                          1185 (512 add, 673 multiply, 1 square root, 18 sine or cosine)
-//   momentum                        1469 (664 add, 805 multiply, 18 sine or cosine)
-//   power                           639 (282 add, 356 multiply, 1 divide, 11 sine or cosine, 3 other function)
-//   accelerations                   3948 (1733 add, 2201 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   residual                        1894 (863 add, 1029 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   forcing                         1760 (774 add, 984 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   mass_matrix                     1195 (499 add, 696 multiply, 17 sine or cosine)
-//   partial_velocities              1134 (462 add, 672 multiply, 17 sine or cosine)
-//   partial_velocity_rates          2345 (924 add, 1421 multiply, 18 sine or cosine)
-//   partial_angular_velocities      163 (63 add, 100 multiply, 15 sine or cosine)
-//   partial_angular_velocity_rates  253 (85 add, 168 multiply, 16 sine or cosine)
-//   load_powers                     641 (280 add, 359 multiply, 2 divide, 1 square root, 11 sine or cosine, 3 other function)
-//   driving_loads                   446 (194 add, 250 multiply, 2 divide, 1 square root, 8 sine or cosine)
-//   reactions                       1884 (859 add, 1023 multiply, 2 divide, 1 square root, 19 sine or cosine, 1 other function)
-//   probe_position                  116 (47 add, 69 multiply, 5 sine or cosine)
-//   probe_velocity                  175 (70 add, 105 multiply, 6 sine or cosine)
-//   probe_acceleration              298 (124 add, 174 multiply, 6 sine or cosine)
-//   probe_jacobian                  196 (75 add, 121 multiply, 5 sine or cosine)
-//   kinematics_and_accelerations    4017 (1757 add, 2246 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   poses                           604 (268 add, 336 multiply, 17 sine or cosine)
+//   energy                          1150 (499 add, 651 multiply, 1 square root, 18 sine or cosine)
+//   momentum                        1434 (651 add, 783 multiply, 18 sine or cosine)
+//   power                           614 (273 add, 340 multiply, 1 divide, 11 sine or cosine, 3 other function)
+//   accelerations                   3863 (1699 add, 2150 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   residual                        1831 (839 add, 990 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   forcing                         1699 (751 add, 946 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   mass_matrix                     1167 (488 add, 679 multiply, 17 sine or cosine)
+//   partial_velocities              1150 (470 add, 680 multiply, 17 sine or cosine)
+//   partial_velocity_rates          2374 (937 add, 1437 multiply, 18 sine or cosine)
+//   partial_angular_velocities      165 (61 add, 104 multiply, 15 sine or cosine)
+//   partial_angular_velocity_rates  246 (81 add, 165 multiply, 16 sine or cosine)
+//   load_powers                     616 (271 add, 343 multiply, 2 divide, 1 square root, 11 sine or cosine, 3 other function)
+//   driving_loads                   441 (193 add, 246 multiply, 2 divide, 1 square root, 8 sine or cosine)
+//   reactions                       1886 (861 add, 1023 multiply, 2 divide, 1 square root, 19 sine or cosine, 1 other function)
+//   probe_position                  91 (38 add, 53 multiply, 5 sine or cosine)
+//   probe_velocity                  150 (61 add, 89 multiply, 6 sine or cosine)
+//   probe_acceleration              245 (105 add, 140 multiply, 6 sine or cosine)
+//   probe_jacobian                  157 (60 add, 97 multiply, 5 sine or cosine)
+//   kinematics_and_accelerations    3932 (1723 add, 2195 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
 #pragma once
 
 #include <cmath>
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "acad3995bba878ae";
+inline constexpr char model_hash[] = "24ba9c5e0f89c5a0";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -141,8 +141,8 @@ template <class T>
 struct Prepared {
   Parameters<T> p;
   T m_link5;
-  T r_link5_3;
   T r_link5_1;
+  T r_link5_3;
   T I_link5_11;
   T I_link5_13;
   T I_link5_22;
@@ -158,23 +158,19 @@ struct Prepared {
   T J5_13;
   T J5_22;
   T J5_33;
-  T c5_2;
-  T c5_3;
-  T J5a_11;
   T h5_1;
   T h5_3;
-  T hc5_1;
   T c1_1;
   T c1_2;
   T c1_3;
   T m_sub1;
   T c1_4;
-  T c5_4;
-  T c5_5;
+  T E5_31;
+  T E5_11;
   T c12_1;
 };
 
-// prepare: 34 add, 43 multiply, 1 divide, 2 sine or cosine
+// prepare: 32 add, 37 multiply, 1 divide, 2 sine or cosine
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   using std::cos, std::sin;
@@ -182,50 +178,49 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.p = p;
   const T m_link5 = T(0.6) + p.m_plate;
   const T t1 = T(1) / m_link5;
-  const T t2 = p.m_plate * t1;
-  const T r_link5_3 = t2 * T(0.03535533905932738);
-  const T r_link5_1 = T(0.6) * t1 * T(0.05) + T(0.06464466094067263) * t2;
-  const T t3 = r_link5_3 * r_link5_3;
-  const T t4 = T(0.03535533905932738) - r_link5_3;
+  const T t2 = T(0.6) * t1;
+  const T t3 = p.m_plate * t1;
+  const T r_link5_1 = t2 * T(0.049750208263901294) + T(0.06785135119395468) * t3;
+  const T r_link5_3 = T(0.028725012259164514) * t3 - t2 * T(0.004991670832341408);
+  const T t4 = T(0.004991670832341408) + r_link5_3;
   const T t5 = t4 * t4;
-  const T I_link5_11 = T(0.6) * t3 + T(0.007000000000000001) + p.m_plate * t5;
-  const T t6 = T(0.05) - r_link5_1;
-  const T t7 = T(0.06464466094067263) - r_link5_1;
-  const T I_link5_13 = r_link5_3 * t6 * T(0.6) + T(0.0020000000000000005) - t4 * t7 * p.m_plate;
-  const T t8 = t6 * t6;
-  const T t9 = t7 * t7;
-  const T I_link5_22 = T(0.6) * (t3 + t8) + T(0.006) + p.m_plate * (t5 + t9);
-  const T I_link5_33 = T(0.6) * t8 + T(0.008) + p.m_plate * t9;
+  const T t6 = T(0.028725012259164514) - r_link5_3;
+  const T t7 = t6 * t6;
+  const T I_link5_11 = T(0.007407305372669503) + T(0.6) * t5 + p.m_plate * t7;
+  const T t8 = T(0.049750208263901294) - r_link5_1;
+  const T t9 = T(0.06785135119395468) - r_link5_1;
+  const T I_link5_13 = T(0.0020594678210800145) + t4 * t8 * T(0.6) - t6 * t9 * p.m_plate;
+  const T t10 = t8 * t8;
+  const T t11 = t9 * t9;
+  const T I_link5_22 = T(0.006) + T(0.6) * (t5 + t10) + p.m_plate * (t7 + t11);
+  const T I_link5_33 = T(0.0075926946273305) + T(0.6) * t10 + p.m_plate * t11;
   const T c5_1 = T(0.5) * m_link5;
   const T c0_1 = T(0.5) * p.k;
-  const T t10 = I_link5_11 - I_link5_22;
-  const T c9_1 = T(0.5) * (I_link5_33 - t10);
-  const T c9_2 = T(0.5) * (I_link5_33 + t10);
+  const T t12 = I_link5_11 - I_link5_22;
+  const T c9_1 = T(0.5) * (I_link5_33 - t12);
+  const T c9_2 = T(0.5) * (I_link5_33 + t12);
   const T c9_3 = T(0.5) * (I_link5_11 + I_link5_22 - I_link5_33);
-  const T lever5_1 = T(0.029289321881345243) - r_link5_1;
-  const T lever5_3 = T(0.07071067811865477) - r_link5_3;
-  const T J5_11 = m_link5 * t3 + I_link5_11;
+  const T lever5_1 = T(0.03620228586010676) - r_link5_1;
+  const T lever5_3 = T(0.06743336618301184) - r_link5_3;
+  const T t13 = r_link5_3 * r_link5_3;
+  const T J5_11 = m_link5 * t13 + I_link5_11;
   const T J5_13 = I_link5_13 - r_link5_3 * r_link5_1 * m_link5;
-  const T t11 = r_link5_1 * r_link5_1;
-  const T J5_22 = m_link5 * (t3 + t11) + I_link5_22;
-  const T J5_33 = m_link5 * t11 + I_link5_33;
-  const T c5_2 = T(0.9950041652780258) * J5_11 + T(0.09983341664682815) * J5_13;
-  const T c5_3 = T(0.9950041652780258) * J5_13 + T(0.09983341664682815) * J5_33;
-  const T J5a_11 = c5_2 * T(0.9950041652780258) + c5_3 * T(0.09983341664682815);
+  const T t14 = r_link5_1 * r_link5_1;
+  const T J5_22 = m_link5 * (t13 + t14) + I_link5_22;
+  const T J5_33 = m_link5 * t14 + I_link5_33;
   const T h5_1 = m_link5 * r_link5_1;
   const T h5_3 = m_link5 * r_link5_3;
-  const T hc5_1 = T(0.9950041652780258) * h5_1 + T(0.09983341664682815) * h5_3;
   const T c1_1 = m_link5 * T(0.1);
   const T c1_2 = m_link5 * T(0.3);
   const T c1_3 = T(0.39999999999999997) + c1_1;
   const T m_sub1 = T(13.1) + m_link5;
   const T c1_4 = m_sub1 - T(0.013636363636363637);
-  const T c5_4 = sin(T(0.1));
-  const T c5_5 = cos(T(0.1));
+  const T E5_31 = sin(T(0.1));
+  const T E5_11 = cos(T(0.1));
   const T c12_1 = p.k * T(0.3);
   c.m_link5 = m_link5;
-  c.r_link5_3 = r_link5_3;
   c.r_link5_1 = r_link5_1;
+  c.r_link5_3 = r_link5_3;
   c.I_link5_11 = I_link5_11;
   c.I_link5_13 = I_link5_13;
   c.I_link5_22 = I_link5_22;
@@ -241,19 +236,15 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.J5_13 = J5_13;
   c.J5_22 = J5_22;
   c.J5_33 = J5_33;
-  c.c5_2 = c5_2;
-  c.c5_3 = c5_3;
-  c.J5a_11 = J5a_11;
   c.h5_1 = h5_1;
   c.h5_3 = h5_3;
-  c.hc5_1 = hc5_1;
   c.c1_1 = c1_1;
   c.c1_2 = c1_2;
   c.c1_3 = c1_3;
   c.m_sub1 = m_sub1;
   c.c1_4 = c1_4;
-  c.c5_4 = c5_4;
-  c.c5_5 = c5_5;
+  c.E5_31 = E5_31;
+  c.E5_11 = E5_11;
   c.c12_1 = c12_1;
   return c;
 }
@@ -356,7 +347,7 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T
 
 // poses: attitude R and mass centre p of each body.
 // R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
-// 268 add, 331 multiply, 17 sine or cosine
+// 268 add, 336 multiply, 17 sine or cosine
 template <class T>
 void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   using std::cos, std::sin;
@@ -609,35 +600,22 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T R5a_23 = R1_23 * E5a_11 - R1_13 * E5a_12;
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_2 + R1_31 * t5_1;
-  const T R5_22 = R5a_22 * t5_2 + R1_32 * t5_1;
-  const T R5_23 = R5a_23 * t5_2 + R1_33 * t5_1;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
-  pose[48] = R5_11;
-  pose[49] = R5_12;
-  pose[50] = R5_13;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   pose[51] = R5_21;
   pose[132] = R5_21;
   pose[52] = R5_22;
   pose[133] = R5_22;
   pose[53] = R5_23;
   pose[134] = R5_23;
-  pose[54] = R5_31;
-  pose[55] = R5_32;
-  pose[56] = R5_33;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_18 - R1_21 * T(0.3);
   const T P5a_2 = t3_19 - R1_22 * T(0.3);
@@ -671,35 +649,28 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
   const T s8 = x[25];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // R8^T = R1^T E8^T: R takes inertial components to body components
-  const T R8_11 = R1_31 * E8_13 - R1_11 * minus_E8_11;
-  const T R8_12 = R1_32 * E8_13 - R1_12 * minus_E8_11;
-  const T R8_13 = R1_33 * E8_13 - R1_13 * minus_E8_11;
-  const T minus_R8_21 = R1_11 * E8_13 + R1_31 * minus_E8_11;
-  const T minus_R8_22 = R1_12 * E8_13 + R1_32 * minus_E8_11;
-  const T minus_R8_23 = R1_13 * E8_13 + R1_33 * minus_E8_11;
-  pose[84] = R8_11;
-  pose[85] = R8_12;
-  pose[86] = R8_13;
-  pose[87] = -minus_R8_21;
-  pose[88] = -minus_R8_22;
-  pose[89] = -minus_R8_23;
+  const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
+  const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
+  const T R8_13 = R1_13 * E8_11 + R1_33 * E8_13;
+  const T R8_31 = R1_31 * E8_11 - R1_11 * E8_13;
+  const T R8_32 = R1_32 * E8_11 - R1_12 * E8_13;
+  const T R8_33 = R1_33 * E8_11 - R1_13 * E8_13;
+  pose[87] = -R8_11;
+  pose[88] = -R8_12;
+  pose[89] = -R8_13;
+  pose[84] = R8_31;
+  pose[85] = R8_32;
+  pose[86] = R8_33;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_1 = s1_1 + R1_21 * d8_2;
   const T P8_2 = s1_2 + R1_22 * d8_2;
   const T P8_3 = s1_3 + R1_23 * d8_2;
-  // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = R8_11 * T(0.02) - minus_R8_21 * T(0.01) - t2_13 + P8_1;
-  const T p8_2 = R8_12 * T(0.02) - minus_R8_22 * T(0.01) - t2_16 + P8_2;
-  const T p8_3 = R8_13 * T(0.02) - minus_R8_23 * T(0.01) - t2_19 + P8_3;
-  pose[93] = p8_1;
-  pose[94] = p8_2;
-  pose[95] = p8_3;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -769,33 +740,26 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // R11^T = R8^T E11^T: R takes inertial components to body components
-  const T R11_11 = R8_11 * E11_11 - minus_R8_21 * E11_12;
-  const T R11_12 = R8_12 * E11_11 - minus_R8_22 * E11_12;
-  const T R11_13 = R8_13 * E11_11 - minus_R8_23 * E11_12;
-  const T minus_R11_21 = R8_11 * E11_12 + minus_R8_21 * E11_11;
-  const T minus_R11_22 = R8_12 * E11_12 + minus_R8_22 * E11_11;
-  const T minus_R11_23 = R8_13 * E11_12 + minus_R8_23 * E11_11;
-  pose[120] = R11_11;
-  pose[121] = R11_12;
-  pose[122] = R11_13;
-  pose[123] = -minus_R11_21;
-  pose[124] = -minus_R11_22;
-  pose[125] = -minus_R11_23;
+  const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
+  const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
+  const T R11_13 = R8_13 * E11_11 + R8_33 * E11_13;
+  const T R11_31 = R8_31 * E11_11 - R8_11 * E11_13;
+  const T R11_32 = R8_32 * E11_11 - R8_12 * E11_13;
+  const T R11_33 = R8_33 * E11_11 - R8_13 * E11_13;
+  pose[123] = -R11_11;
+  pose[124] = -R11_12;
+  pose[125] = -R11_13;
+  pose[120] = R11_31;
+  pose[121] = R11_32;
+  pose[122] = R11_33;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // P11 = R8^T d11 + P8: position of the body origin, inertial axes [m]
-  const T P11_1 = P8_1 - R1_21 * d11_3;
-  const T P11_2 = P8_2 - R1_22 * d11_3;
-  const T P11_3 = P8_3 - R1_23 * d11_3;
-  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R11_11 * T(0.01) + P11_1;
-  const T p11_2 = R11_12 * T(0.01) + P11_2;
-  const T p11_3 = R11_13 * T(0.01) + P11_3;
-  pose[129] = p11_1;
-  pose[130] = p11_2;
-  pose[131] = p11_3;
+  const T P11_1 = P8_1 - R1_21 * minus_d11_2;
+  const T P11_2 = P8_2 - R1_22 * minus_d11_2;
+  const T P11_3 = P8_3 - R1_23 * minus_d11_2;
 
   // ---- body 13 (ballast) on the inertial frame
   const T s13_1 = x[29];
@@ -805,30 +769,36 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
 
   // ---- results
   const T s13_2 = x[30], s13_3 = x[31];
-  pose[57] = R5_11 * T(0.05) + P5a_1;
-  pose[58] = R5_12 * T(0.05) + P5a_2;
-  pose[59] = R5_13 * T(0.05) + P5a_3;
+  pose[48] = T(0.9950041652780258) * R5a_11 - T(0.09983341664682815) * R5_31;
+  pose[49] = T(0.9950041652780258) * R5a_12 - T(0.09983341664682815) * R5_32;
+  pose[50] = T(0.9950041652780258) * R5a_13 - T(0.09983341664682815) * R5_33;
+  pose[54] = T(0.09983341664682815) * R5a_11 + T(0.9950041652780258) * R5_31;
+  pose[55] = T(0.09983341664682815) * R5a_12 + T(0.9950041652780258) * R5_32;
+  pose[56] = T(0.09983341664682815) * R5a_13 + T(0.9950041652780258) * R5_33;
+  pose[57] = R5a_11 * T(0.049750208263901294) - R5_31 * T(0.004991670832341408) + P5a_1;
+  pose[58] = R5a_12 * T(0.049750208263901294) - R5_32 * T(0.004991670832341408) + P5a_2;
+  pose[59] = R5a_13 * T(0.049750208263901294) - R5_33 * T(0.004991670832341408) + P5a_3;
   pose[72] = T(1);
   pose[76] = T(1);
   pose[80] = T(1);
   pose[104] = T(1);
   pose[148] = T(1);
   pose[83] = T(0.9);
-  const T t1 = T(0.7071067811865476) * R5_31;
-  const T t2 = T(0.7071067811865476) * R5_11;
-  pose[135] = t1 - t2;
-  const T t3 = T(0.7071067811865476) * R5_32;
-  const T t4 = T(0.7071067811865476) * R5_12;
-  pose[136] = t3 - t4;
-  const T t5 = T(0.7071067811865476) * R5_33;
-  const T t6 = T(0.7071067811865476) * R5_13;
-  pose[137] = t5 - t6;
-  pose[138] = t2 + t1;
-  pose[139] = t4 + t3;
-  pose[140] = t6 + t5;
-  pose[141] = R5_31 * T(0.03535533905932738) + T(0.06464466094067263) * R5_11 + P5a_1;
-  pose[142] = R5_32 * T(0.03535533905932738) + T(0.06464466094067263) * R5_12 + P5a_2;
-  pose[143] = R5_33 * T(0.03535533905932738) + T(0.06464466094067263) * R5_13 + P5a_3;
+  pose[93] = R8_31 * T(0.02) - R8_11 * T(0.01) - t2_13 + P8_1;
+  pose[94] = R8_32 * T(0.02) - R8_12 * T(0.01) - t2_16 + P8_2;
+  pose[95] = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_19 + P8_3;
+  pose[129] = R11_31 * T(0.01) + P11_1;
+  pose[130] = R11_32 * T(0.01) + P11_2;
+  pose[131] = R11_33 * T(0.01) + P11_3;
+  pose[135] = T(0.7741670784769465) * R5_31 - T(0.6329813066769583) * R5a_11;
+  pose[136] = T(0.7741670784769465) * R5_32 - T(0.6329813066769583) * R5a_12;
+  pose[137] = T(0.7741670784769465) * R5_33 - T(0.6329813066769583) * R5a_13;
+  pose[138] = T(0.7741670784769465) * R5a_11 + T(0.6329813066769583) * R5_31;
+  pose[139] = T(0.7741670784769465) * R5a_12 + T(0.6329813066769583) * R5_32;
+  pose[140] = T(0.7741670784769465) * R5a_13 + T(0.6329813066769583) * R5_33;
+  pose[141] = T(0.028725012259164514) * R5_31 + T(0.06785135119395468) * R5a_11 + P5a_1;
+  pose[142] = T(0.028725012259164514) * R5_32 + T(0.06785135119395468) * R5a_12 + P5a_2;
+  pose[143] = T(0.028725012259164514) * R5_33 + T(0.06785135119395468) * R5a_13 + P5a_3;
   pose[144] = T(0.28);
   pose[152] = T(0.28);
   pose[146] = -T(0.96);
@@ -839,7 +809,7 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
 
 // energy: kinetic and potential energy [J].
 // kinetic, potential (2) [J]
-// 512 add, 673 multiply, 1 square root, 18 sine or cosine
+// 499 add, 651 multiply, 1 square root, 18 sine or cosine
 template <class T>
 void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexcept {
   using std::cos, std::sin, std::sqrt;
@@ -1105,48 +1075,39 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = s1_1 + R1_31 * T(0.1) - R1_21 * T(0.3);
   const T P5a_2 = s1_2 + R1_32 * T(0.1) - R1_22 * T(0.3);
   const T P5a_3 = t3_18 - R1_23 * T(0.3);
   // p5 = R5^T r_link5 + P5a: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
+  const T p5_3 = R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_4 = t3_20 + t3_19;
-  const T t5_5 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t2_21 - R1_31 * t5_5;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t2_21 - R1_32 * t5_5;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t2_21 - R1_33 * t5_5;
+  const T t5_2 = t3_20 + t3_19;
+  const T t5_3 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_2 - R1_21 * t2_21 - R1_31 * t5_3;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_2 - R1_22 * t2_21 - R1_32 * t5_3;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_2 - R1_23 * t2_21 - R1_33 * t5_3;
   // v5 = R5^T omega5~ r_link5 + Pdot5a: velocity of the mass centre, inertial axes [m/s]
-  const T t5_6 = omega5_2 * c.r_link5_3;
-  const T t5_7 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
-  const T t5_8 = omega5_2 * c.r_link5_1;
-  const T v5_1 = R5_11 * t5_6 + R5_21 * t5_7 - R5_31 * t5_8 + Pdot5a_1;
-  const T v5_2 = R5_12 * t5_6 + R5_22 * t5_7 - R5_32 * t5_8 + Pdot5a_2;
-  const T v5_3 = R5_13 * t5_6 + R5_23 * t5_7 - R5_33 * t5_8 + Pdot5a_3;
+  const T t5_4 = omega5_2 * c.r_link5_3;
+  const T t5_5 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
+  const T t5_6 = omega5_2 * c.r_link5_1;
+  const T v5_1 = R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6 + Pdot5a_1;
+  const T v5_2 = R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6 + Pdot5a_2;
+  const T v5_3 = R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6 + Pdot5a_3;
   // T5 = 1/2 omega5 . (I_link5 omega5) + 1/2 m_link5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (c.I_link5_11 * omega5_1 + c.I_link5_13 * omega5_3) + c.I_link5_22 * omega5_2 *
       omega5_2 + omega5_3 * (c.I_link5_13 * omega5_1 + c.I_link5_33 * omega5_3)) + c.c5_1 * (v5_1 * v5_1 + v5_2 * v5_2
@@ -1188,42 +1149,42 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // R8^T = R1^T E8^T: R takes inertial components to body components
-  const T R8_11 = R1_31 * E8_13 - R1_11 * minus_E8_11;
-  const T R8_12 = R1_32 * E8_13 - R1_12 * minus_E8_11;
-  const T R8_13 = R1_33 * E8_13 - R1_13 * minus_E8_11;
-  const T minus_R8_21 = R1_11 * E8_13 + R1_31 * minus_E8_11;
-  const T minus_R8_22 = R1_12 * E8_13 + R1_32 * minus_E8_11;
-  const T minus_R8_23 = R1_13 * E8_13 + R1_33 * minus_E8_11;
+  const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
+  const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
+  const T R8_13 = R1_13 * E8_11 + R1_33 * E8_13;
+  const T R8_31 = R1_31 * E8_11 - R1_11 * E8_13;
+  const T R8_32 = R1_32 * E8_11 - R1_12 * E8_13;
+  const T R8_33 = R1_33 * E8_11 - R1_13 * E8_13;
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_3 = s1_3 + R1_23 * d8_2;
-  // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = R8_13 * T(0.02) - minus_R8_23 * T(0.01) - t2_13 + P8_3;
+  // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
+  const T p8_3 = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_13 + P8_3;
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega1_1 * d8_2;
   const T t8_2 = omega1_3 * d8_2;
   const T Pdot8_1 = sdot1_1 + R1_31 * t8_1 - R1_11 * t8_2 - R1_21 * sdot8;
   const T Pdot8_2 = sdot1_2 + R1_32 * t8_1 - R1_12 * t8_2 - R1_22 * sdot8;
   const T Pdot8_3 = sdot1_3 + R1_33 * t8_1 - R1_13 * t8_2 - R1_23 * sdot8;
-  // v8 = R8^T omega8~ r8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
-  const T t8_3 = omega8_3 * T(0.01) + minus_omega8_2 * T(0.1);
-  const T t8_4 = omega8_3 * T(0.02) - omega8_1 * T(0.1);
-  const T t8_5 = omega8_1 * T(0.01) + minus_omega8_2 * T(0.02);
-  const T v8_1 = Pdot8_1 - R8_11 * t8_3 - minus_R8_21 * t8_4 - R1_21 * t8_5;
-  const T v8_2 = Pdot8_2 - R8_12 * t8_3 - minus_R8_22 * t8_4 - R1_22 * t8_5;
-  const T v8_3 = Pdot8_3 - R8_13 * t8_3 - minus_R8_23 * t8_4 - R1_23 * t8_5;
-  // T8 = 1/2 omega8 . (I8 omega8) + 1/2 m8 v8 . v8: kinetic energy [J]
-  const T T8 = T(0.5) * (T(0.004) * omega8_1 * omega8_1 + T(0.003) * minus_omega8_2 * minus_omega8_2 + T(0.002) *
-      omega8_3 * omega8_3) + T(0.35) * (v8_1 * v8_1 + v8_2 * v8_2 + v8_3 * v8_3);
+  // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
+  const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
+  const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
+  const T t8_5 = omega8_2 * T(0.01) - omega8_1 * T(0.1);
+  const T v8_1 = R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5 + Pdot8_1;
+  const T v8_2 = R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5 + Pdot8_2;
+  const T v8_3 = R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5 + Pdot8_3;
+  // T8 = 1/2 omega8 . (I_link8 omega8) + 1/2 m8 v8 . v8: kinetic energy [J]
+  const T T8 = T(0.5) * (T(0.003) * omega8_1 * omega8_1 + T(0.002) * omega8_2 * omega8_2 + T(0.004) * omega8_3 *
+      omega8_3) + T(0.35) * (v8_1 * v8_1 + v8_2 * v8_2 + v8_3 * v8_3);
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -1241,17 +1202,17 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T v9_2 = E9_11 * t9_1 + sdot9_2;
   // T9 = 1/2 omega9 . (I9 omega9) + 1/2 m9 v9 . v9: kinetic energy [J]
   const T T9 = T(0.08) * thetadot9 * thetadot9 * T(0.5) + v9_1 * v9_1 + v9_2 * v9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
   // stretch_tether_9 = length_tether_9 - l_tether_: stretch of the spring
@@ -1290,7 +1251,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T p10_3 = R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03) + P10_3;
   // Pdot10 = sdot1 + R1^T (omega1~ d10 + sdot10 u10): velocity of the body origin, inertial axes [m/s]
   const T t10_13 = t3_22 - omega1_3 * s10;
-  const T t10_14 = t2_18 - t5_5 + sdot10;
+  const T t10_14 = t2_18 - t5_3 + sdot10;
   const T t10_15 = omega1_1 * s10 - t3_19;
   const T Pdot10_1 = sdot1_1 + R1_11 * t10_13 + R1_21 * t10_14 + R1_31 * t10_15;
   const T Pdot10_2 = sdot1_2 + R1_12 * t10_13 + R1_22 * t10_14 + R1_32 * t10_15;
@@ -1311,38 +1272,38 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // R11^T = R8^T E11^T: R takes inertial components to body components
-  const T R11_13 = R8_13 * E11_11 - minus_R8_23 * E11_12;
-  const T minus_R11_21 = R8_11 * E11_12 + minus_R8_21 * E11_11;
-  const T minus_R11_22 = R8_12 * E11_12 + minus_R8_22 * E11_11;
-  const T minus_R11_23 = R8_13 * E11_12 + minus_R8_23 * E11_11;
+  const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
+  const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
+  const T R11_13 = R8_13 * E11_11 + R8_33 * E11_13;
+  const T R11_33 = R8_33 * E11_11 - R8_13 * E11_13;
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // P11 = R8^T d11 + P8: position of the body origin, inertial axes [m]
-  const T P11_3 = P8_3 - R1_23 * d11_3;
-  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_3 = R11_13 * T(0.01) + P11_3;
+  const T P11_3 = P8_3 - R1_23 * minus_d11_2;
+  // p11 = R11^T r_link11 + P11: position of the mass centre, inertial axes [m]
+  const T p11_3 = R11_33 * T(0.01) + P11_3;
   // Pdot11 = R8^T (omega8~ d11 + thetadot11 pitch11 u11) + Pdot8: velocity of the body origin, inertial axes [m/s]
-  const T t11_1 = omega8_1 * d11_3;
-  const T t11_2 = minus_omega8_2 * d11_3;
-  const T t11_3 = thetadot11 * T(0.01);
-  const T Pdot11_1 = minus_R8_21 * t11_1 - R8_11 * t11_2 - R1_21 * t11_3 + Pdot8_1;
-  const T Pdot11_2 = minus_R8_22 * t11_1 - R8_12 * t11_2 - R1_22 * t11_3 + Pdot8_2;
-  const T Pdot11_3 = minus_R8_23 * t11_1 - R8_13 * t11_2 - R1_23 * t11_3 + Pdot8_3;
-  // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
-  const T t11_4 = omega11_3 * T(0.01);
-  const T t11_5 = minus_omega11_2 * T(0.01);
-  const T v11_1 = Pdot11_1 - minus_R11_21 * t11_4 - R1_21 * t11_5;
-  const T v11_2 = Pdot11_2 - minus_R11_22 * t11_4 - R1_22 * t11_5;
-  const T v11_3 = Pdot11_3 - minus_R11_23 * t11_4 - R1_23 * t11_5;
-  // T11 = 1/2 omega11 . (I11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
-  const T T11 = T(0.5) * (T(4e-04) * omega11_1 * omega11_1 + T(4e-04) * minus_omega11_2 * minus_omega11_2 + T(6e-04) *
-      omega11_3 * omega11_3) + T(0.15) * (v11_1 * v11_1 + v11_2 * v11_2 + v11_3 * v11_3);
+  const T t11_1 = omega8_3 * minus_d11_2;
+  const T t11_2 = thetadot11 * T(0.01);
+  const T t11_3 = omega8_1 * minus_d11_2;
+  const T Pdot11_1 = R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3 + Pdot8_1;
+  const T Pdot11_2 = R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3 + Pdot8_2;
+  const T Pdot11_3 = R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3 + Pdot8_3;
+  // v11 = R11^T omega11~ r_link11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
+  const T t11_4 = omega11_2 * T(0.01);
+  const T t11_5 = omega11_1 * T(0.01);
+  const T v11_1 = R11_11 * t11_4 - R1_21 * t11_5 + Pdot11_1;
+  const T v11_2 = R11_12 * t11_4 - R1_22 * t11_5 + Pdot11_2;
+  const T v11_3 = R11_13 * t11_4 - R1_23 * t11_5 + Pdot11_3;
+  // T11 = 1/2 omega11 . (I_link11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
+  const T T11 = T(0.5) * (T(4e-04) * omega11_1 * omega11_1 + T(6e-04) * omega11_2 * omega11_2 + T(4e-04) * omega11_3 *
+      omega11_3) + T(0.15) * (v11_1 * v11_1 + v11_2 * v11_2 + v11_3 * v11_3);
 
   // ---- body 13 (ballast) on the inertial frame
   const T sdot13_1 = y[26], sdot13_2 = y[27], sdot13_3 = y[28];
@@ -1367,7 +1328,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
 
 // momentum: linear and angular momentum, inertial axes, about the inertial origin.
 // linear (3) [kg m/s], angular (3) [kg m^2/s]
-// 664 add, 805 multiply, 18 sine or cosine
+// 651 add, 783 multiply, 18 sine or cosine
 template <class T>
 void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) noexcept {
   using std::cos, std::sin;
@@ -1682,61 +1643,52 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_18 - R1_21 * T(0.3);
   const T P5a_2 = t3_19 - R1_22 * T(0.3);
   const T P5a_3 = t3_20 - R1_23 * T(0.3);
   // p5 = R5^T r_link5 + P5a: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * c.r_link5_1 + R5_31 * c.r_link5_3 + P5a_1;
-  const T p5_2 = R5_12 * c.r_link5_1 + R5_32 * c.r_link5_3 + P5a_2;
-  const T p5_3 = R5_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
+  const T p5_1 = R5a_11 * c.r_link5_1 + R5_31 * c.r_link5_3 + P5a_1;
+  const T p5_2 = R5a_12 * c.r_link5_1 + R5_32 * c.r_link5_3 + P5a_2;
+  const T p5_3 = R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_4 = t3_22 + t3_21;
-  const T t5_5 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t2_27 - R1_31 * t5_5;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t2_27 - R1_32 * t5_5;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t2_27 - R1_33 * t5_5;
+  const T t5_2 = t3_22 + t3_21;
+  const T t5_3 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_2 - R1_21 * t2_27 - R1_31 * t5_3;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_2 - R1_22 * t2_27 - R1_32 * t5_3;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_2 - R1_23 * t2_27 - R1_33 * t5_3;
   // v5 = R5^T omega5~ r_link5 + Pdot5a: velocity of the mass centre, inertial axes [m/s]
-  const T t5_6 = omega5_2 * c.r_link5_3;
-  const T t5_7 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
-  const T t5_8 = omega5_2 * c.r_link5_1;
-  const T v5_1 = R5_11 * t5_6 + R5_21 * t5_7 - R5_31 * t5_8 + Pdot5a_1;
-  const T v5_2 = R5_12 * t5_6 + R5_22 * t5_7 - R5_32 * t5_8 + Pdot5a_2;
-  const T v5_3 = R5_13 * t5_6 + R5_23 * t5_7 - R5_33 * t5_8 + Pdot5a_3;
+  const T t5_4 = omega5_2 * c.r_link5_3;
+  const T t5_5 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
+  const T t5_6 = omega5_2 * c.r_link5_1;
+  const T v5_1 = R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6 + Pdot5a_1;
+  const T v5_2 = R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6 + Pdot5a_2;
+  const T v5_3 = R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6 + Pdot5a_3;
   // l5 = m_link5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = c.m_link5 * v5_1;
   const T l5_2 = c.m_link5 * v5_2;
   const T l5_3 = c.m_link5 * v5_3;
   // H5 = R5^T I_link5 omega5 + p5~ l5: angular momentum about the inertial origin, inertial axes [kg m^2/s]
-  const T t5_9 = c.I_link5_11 * omega5_1 + c.I_link5_13 * omega5_3;
-  const T t5_10 = c.I_link5_22 * omega5_2;
-  const T t5_11 = c.I_link5_13 * omega5_1 + c.I_link5_33 * omega5_3;
-  const T H5_1 = R5_11 * t5_9 + R5_21 * t5_10 + R5_31 * t5_11 + p5_2 * l5_3 - p5_3 * l5_2;
-  const T H5_2 = R5_12 * t5_9 + R5_22 * t5_10 + R5_32 * t5_11 + p5_3 * l5_1 - p5_1 * l5_3;
-  const T H5_3 = R5_13 * t5_9 + R5_23 * t5_10 + R5_33 * t5_11 + p5_1 * l5_2 - p5_2 * l5_1;
+  const T t5_7 = c.I_link5_11 * omega5_1 + c.I_link5_13 * omega5_3;
+  const T t5_8 = c.I_link5_22 * omega5_2;
+  const T t5_9 = c.I_link5_13 * omega5_1 + c.I_link5_33 * omega5_3;
+  const T H5_1 = R5a_11 * t5_7 + R5_21 * t5_8 + R5_31 * t5_9 + p5_2 * l5_3 - p5_3 * l5_2;
+  const T H5_2 = R5a_12 * t5_7 + R5_22 * t5_8 + R5_32 * t5_9 + p5_3 * l5_1 - p5_1 * l5_3;
+  const T H5_3 = R5a_13 * t5_7 + R5_23 * t5_8 + R5_33 * t5_9 + p5_1 * l5_2 - p5_2 * l5_1;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -1795,54 +1747,54 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // R8^T = R1^T E8^T: R takes inertial components to body components
-  const T R8_11 = R1_31 * E8_13 - R1_11 * minus_E8_11;
-  const T R8_12 = R1_32 * E8_13 - R1_12 * minus_E8_11;
-  const T R8_13 = R1_33 * E8_13 - R1_13 * minus_E8_11;
-  const T minus_R8_21 = R1_11 * E8_13 + R1_31 * minus_E8_11;
-  const T minus_R8_22 = R1_12 * E8_13 + R1_32 * minus_E8_11;
-  const T minus_R8_23 = R1_13 * E8_13 + R1_33 * minus_E8_11;
+  const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
+  const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
+  const T R8_13 = R1_13 * E8_11 + R1_33 * E8_13;
+  const T R8_31 = R1_31 * E8_11 - R1_11 * E8_13;
+  const T R8_32 = R1_32 * E8_11 - R1_12 * E8_13;
+  const T R8_33 = R1_33 * E8_11 - R1_13 * E8_13;
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_1 = s1_1 + R1_21 * d8_2;
   const T P8_2 = s1_2 + R1_22 * d8_2;
   const T P8_3 = s1_3 + R1_23 * d8_2;
-  // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = R8_11 * T(0.02) - minus_R8_21 * T(0.01) - t2_13 + P8_1;
-  const T p8_2 = R8_12 * T(0.02) - minus_R8_22 * T(0.01) - t2_16 + P8_2;
-  const T p8_3 = R8_13 * T(0.02) - minus_R8_23 * T(0.01) - t2_19 + P8_3;
+  // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
+  const T p8_1 = R8_31 * T(0.02) - R8_11 * T(0.01) - t2_13 + P8_1;
+  const T p8_2 = R8_32 * T(0.02) - R8_12 * T(0.01) - t2_16 + P8_2;
+  const T p8_3 = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_19 + P8_3;
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega1_1 * d8_2;
   const T t8_2 = omega1_3 * d8_2;
   const T Pdot8_1 = sdot1_1 + R1_31 * t8_1 - R1_11 * t8_2 - R1_21 * sdot8;
   const T Pdot8_2 = sdot1_2 + R1_32 * t8_1 - R1_12 * t8_2 - R1_22 * sdot8;
   const T Pdot8_3 = sdot1_3 + R1_33 * t8_1 - R1_13 * t8_2 - R1_23 * sdot8;
-  // v8 = R8^T omega8~ r8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
-  const T t8_3 = omega8_3 * T(0.01) + minus_omega8_2 * T(0.1);
-  const T t8_4 = omega8_3 * T(0.02) - omega8_1 * T(0.1);
-  const T t8_5 = omega8_1 * T(0.01) + minus_omega8_2 * T(0.02);
-  const T v8_1 = Pdot8_1 - R8_11 * t8_3 - minus_R8_21 * t8_4 - R1_21 * t8_5;
-  const T v8_2 = Pdot8_2 - R8_12 * t8_3 - minus_R8_22 * t8_4 - R1_22 * t8_5;
-  const T v8_3 = Pdot8_3 - R8_13 * t8_3 - minus_R8_23 * t8_4 - R1_23 * t8_5;
+  // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
+  const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
+  const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
+  const T t8_5 = omega8_2 * T(0.01) - omega8_1 * T(0.1);
+  const T v8_1 = R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5 + Pdot8_1;
+  const T v8_2 = R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5 + Pdot8_2;
+  const T v8_3 = R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5 + Pdot8_3;
   // l8 = m8 v8: linear momentum, inertial axes [kg m/s]
   const T l8_1 = T(0.7) * v8_1;
   const T l8_2 = T(0.7) * v8_2;
   const T l8_3 = T(0.7) * v8_3;
-  // H8 = R8^T I8 omega8 + p8~ l8: angular momentum about the inertial origin, inertial axes [kg m^2/s]
-  const T t8_6 = T(0.004) * omega8_1;
-  const T t8_7 = T(0.003) * minus_omega8_2;
-  const T t8_8 = T(0.002) * omega8_3;
-  const T H8_1 = R8_11 * t8_6 + minus_R8_21 * t8_7 - R1_21 * t8_8 + p8_2 * l8_3 - p8_3 * l8_2;
-  const T H8_2 = R8_12 * t8_6 + minus_R8_22 * t8_7 - R1_22 * t8_8 + p8_3 * l8_1 - p8_1 * l8_3;
-  const T H8_3 = R8_13 * t8_6 + minus_R8_23 * t8_7 - R1_23 * t8_8 + p8_1 * l8_2 - p8_2 * l8_1;
+  // H8 = R8^T I_link8 omega8 + p8~ l8: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  const T t8_6 = T(0.003) * omega8_1;
+  const T t8_7 = T(0.002) * omega8_2;
+  const T t8_8 = T(0.004) * omega8_3;
+  const T H8_1 = R8_11 * t8_6 + R1_21 * t8_7 + R8_31 * t8_8 + p8_2 * l8_3 - p8_3 * l8_2;
+  const T H8_2 = R8_12 * t8_6 + R1_22 * t8_7 + R8_32 * t8_8 + p8_3 * l8_1 - p8_1 * l8_3;
+  const T H8_3 = R8_13 * t8_6 + R1_23 * t8_7 + R8_33 * t8_8 + p8_1 * l8_2 - p8_2 * l8_1;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -1904,7 +1856,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T p10_3 = R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03) + P10_3;
   // Pdot10 = sdot1 + R1^T (omega1~ d10 + sdot10 u10): velocity of the body origin, inertial axes [m/s]
   const T t10_13 = t3_24 - omega1_3 * s10;
-  const T t10_14 = t2_24 - t5_5 + sdot10;
+  const T t10_14 = t2_24 - t5_3 + sdot10;
   const T t10_15 = omega1_1 * s10 - t3_21;
   const T Pdot10_1 = sdot1_1 + R1_11 * t10_13 + R1_21 * t10_14 + R1_31 * t10_15;
   const T Pdot10_2 = sdot1_2 + R1_12 * t10_13 + R1_22 * t10_14 + R1_32 * t10_15;
@@ -1933,52 +1885,52 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // R11^T = R8^T E11^T: R takes inertial components to body components
-  const T R11_11 = R8_11 * E11_11 - minus_R8_21 * E11_12;
-  const T R11_12 = R8_12 * E11_11 - minus_R8_22 * E11_12;
-  const T R11_13 = R8_13 * E11_11 - minus_R8_23 * E11_12;
-  const T minus_R11_21 = R8_11 * E11_12 + minus_R8_21 * E11_11;
-  const T minus_R11_22 = R8_12 * E11_12 + minus_R8_22 * E11_11;
-  const T minus_R11_23 = R8_13 * E11_12 + minus_R8_23 * E11_11;
+  const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
+  const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
+  const T R11_13 = R8_13 * E11_11 + R8_33 * E11_13;
+  const T R11_31 = R8_31 * E11_11 - R8_11 * E11_13;
+  const T R11_32 = R8_32 * E11_11 - R8_12 * E11_13;
+  const T R11_33 = R8_33 * E11_11 - R8_13 * E11_13;
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // P11 = R8^T d11 + P8: position of the body origin, inertial axes [m]
-  const T P11_1 = P8_1 - R1_21 * d11_3;
-  const T P11_2 = P8_2 - R1_22 * d11_3;
-  const T P11_3 = P8_3 - R1_23 * d11_3;
-  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R11_11 * T(0.01) + P11_1;
-  const T p11_2 = R11_12 * T(0.01) + P11_2;
-  const T p11_3 = R11_13 * T(0.01) + P11_3;
+  const T P11_1 = P8_1 - R1_21 * minus_d11_2;
+  const T P11_2 = P8_2 - R1_22 * minus_d11_2;
+  const T P11_3 = P8_3 - R1_23 * minus_d11_2;
+  // p11 = R11^T r_link11 + P11: position of the mass centre, inertial axes [m]
+  const T p11_1 = R11_31 * T(0.01) + P11_1;
+  const T p11_2 = R11_32 * T(0.01) + P11_2;
+  const T p11_3 = R11_33 * T(0.01) + P11_3;
   // Pdot11 = R8^T (omega8~ d11 + thetadot11 pitch11 u11) + Pdot8: velocity of the body origin, inertial axes [m/s]
-  const T t11_1 = omega8_1 * d11_3;
-  const T t11_2 = minus_omega8_2 * d11_3;
-  const T t11_3 = thetadot11 * T(0.01);
-  const T Pdot11_1 = minus_R8_21 * t11_1 - R8_11 * t11_2 - R1_21 * t11_3 + Pdot8_1;
-  const T Pdot11_2 = minus_R8_22 * t11_1 - R8_12 * t11_2 - R1_22 * t11_3 + Pdot8_2;
-  const T Pdot11_3 = minus_R8_23 * t11_1 - R8_13 * t11_2 - R1_23 * t11_3 + Pdot8_3;
-  // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
-  const T t11_4 = omega11_3 * T(0.01);
-  const T t11_5 = minus_omega11_2 * T(0.01);
-  const T v11_1 = Pdot11_1 - minus_R11_21 * t11_4 - R1_21 * t11_5;
-  const T v11_2 = Pdot11_2 - minus_R11_22 * t11_4 - R1_22 * t11_5;
-  const T v11_3 = Pdot11_3 - minus_R11_23 * t11_4 - R1_23 * t11_5;
+  const T t11_1 = omega8_3 * minus_d11_2;
+  const T t11_2 = thetadot11 * T(0.01);
+  const T t11_3 = omega8_1 * minus_d11_2;
+  const T Pdot11_1 = R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3 + Pdot8_1;
+  const T Pdot11_2 = R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3 + Pdot8_2;
+  const T Pdot11_3 = R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3 + Pdot8_3;
+  // v11 = R11^T omega11~ r_link11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
+  const T t11_4 = omega11_2 * T(0.01);
+  const T t11_5 = omega11_1 * T(0.01);
+  const T v11_1 = R11_11 * t11_4 - R1_21 * t11_5 + Pdot11_1;
+  const T v11_2 = R11_12 * t11_4 - R1_22 * t11_5 + Pdot11_2;
+  const T v11_3 = R11_13 * t11_4 - R1_23 * t11_5 + Pdot11_3;
   // l11 = m11 v11: linear momentum, inertial axes [kg m/s]
   const T l11_1 = T(0.3) * v11_1;
   const T l11_2 = T(0.3) * v11_2;
   const T l11_3 = T(0.3) * v11_3;
-  // H11 = R11^T I11 omega11 + p11~ l11: angular momentum about the inertial origin, inertial axes [kg m^2/s]
+  // H11 = R11^T I_link11 omega11 + p11~ l11: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t11_6 = T(4e-04) * omega11_1;
-  const T t11_7 = T(4e-04) * minus_omega11_2;
-  const T t11_8 = T(6e-04) * omega11_3;
-  const T H11_1 = R11_11 * t11_6 + minus_R11_21 * t11_7 - R1_21 * t11_8 + p11_2 * l11_3 - p11_3 * l11_2;
-  const T H11_2 = R11_12 * t11_6 + minus_R11_22 * t11_7 - R1_22 * t11_8 + p11_3 * l11_1 - p11_1 * l11_3;
-  const T H11_3 = R11_13 * t11_6 + minus_R11_23 * t11_7 - R1_23 * t11_8 + p11_1 * l11_2 - p11_2 * l11_1;
+  const T t11_7 = T(6e-04) * omega11_2;
+  const T t11_8 = T(4e-04) * omega11_3;
+  const T H11_1 = R11_11 * t11_6 + R1_21 * t11_7 + R11_31 * t11_8 + p11_2 * l11_3 - p11_3 * l11_2;
+  const T H11_2 = R11_12 * t11_6 + R1_22 * t11_7 + R11_32 * t11_8 + p11_3 * l11_1 - p11_1 * l11_3;
+  const T H11_3 = R11_13 * t11_6 + R1_23 * t11_7 + R11_33 * t11_8 + p11_1 * l11_2 - p11_2 * l11_1;
 
   // ---- body 13 (ballast) on the inertial frame
   const T s13_1 = x[29], s13_2 = x[30], s13_3 = x[31];
@@ -2014,7 +1966,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
 
 // power: power of the applied loads, without gravity and springs that keep their energy [W].
 // power (1) [W]
-// 282 add, 356 multiply, 1 divide, 11 sine or cosine, 3 other function
+// 273 add, 340 multiply, 1 divide, 11 sine or cosine, 3 other function
 template <class T>
 void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* out) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::tanh;
@@ -2168,39 +2120,30 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_18 - R1_21 * T(0.3);
   const T P5a_2 = t3_19 - R1_22 * T(0.3);
   const T P5a_3 = t3_20 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_4 = t3_22 + t3_21;
-  const T t5_5 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t2_16 - R1_31 * t5_5;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t2_16 - R1_32 * t5_5;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t2_16 - R1_33 * t5_5;
+  const T t5_2 = t3_22 + t3_21;
+  const T t5_3 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_2 - R1_21 * t2_16 - R1_31 * t5_3;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_2 - R1_22 * t2_16 - R1_32 * t5_3;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_2 - R1_23 * t2_16 - R1_33 * t5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -2219,7 +2162,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_3 = R3_11 * T(0.2);
   const T t6_4 = R3_12 * T(0.2);
   const T t6_5 = R3_13 * T(0.2);
@@ -2233,7 +2176,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   // ---- body 8 (piston) on body 1
   const T thetadot8 = y[10];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_2 = omega1_2 - thetadot8;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -2245,49 +2188,50 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_damping_tether_9 = d_tether_9 . ddot_tether_9 ll_tether_9^-1 c_tether_: attraction by the length [N/m]
-  const T t9_8 = d_tether_9_1 * ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 *
-      minus_ddot_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_damping_tether_9 = line_tether_9 . line_rate_tether_9 ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T t9_8 = line_tether_9_1 * line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 *
+      minus_line_rate_tether_9_3;
   const T f_damping_tether_9 = T(1) / ll_tether_9 * t9_8 * T(0.4);
 
   // ---- body 11 (nut) on body 8
   const T thetadot11 = y[15];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
 
   // ---- whole system
   const T omega2_1 = y[3], omega2_2 = y[4], omega2_3 = y[5];
   // power = thetadot3 damping_boom_3 - R3^T F_jet_ . (R2^T omega2~ arm2 + Pdot2) + (R3^T F_jet_) . (R3^T omega3~
-  //   r_point + Pdot6) + sdot6 effort_telescope_6 + thetadot11 effort_nut_11 - d_tether_9 . ddot_tether_9
-  //   f_damping_tether_9 + F1 . (sdot1 + R1^T omega1~ r1) + M1 . omega1 + M_coupling_ . omega11: power of the applied
-  //   loads [W]
+  //   r_jet_ + Pdot6) + sdot6 effort_telescope_6 + thetadot11 effort_nut_11 + (C11^T M_coupling_) . omega11 -
+  //   line_tether_9 . line_rate_tether_9 f_damping_tether_9 + F1 . (sdot1 + R1^T omega1~ r1) + M1 . omega1: power of
+  //   the applied loads [W]
   const T b0_1 = T(0.5) * u.thrust * exp(T(0) - t);
   const T b0_2 = R3_11 * T(0.1) + R3_21 * b0_1;
   const T b0_3 = omega2_2 * arm2_3 - omega2_3 * arm2_2;
@@ -2301,15 +2245,15 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
       (R2_12 * b0_3 + R2_22 * b0_4 + R2_32 * b0_5 + Pdot2_2) - b0_7 * (R2_13 * b0_3 + R2_23 * b0_4 + R2_33 * b0_5 +
       Pdot2_3) + b0_2 * (R3_21 * b0_8 - R3_31 * b0_9 + Pdot6_1) + b0_6 * (R3_22 * b0_8 - R3_32 * b0_9 + Pdot6_2) +
       b0_7 * (R3_23 * b0_8 - R3_33 * b0_9 + Pdot6_3) - sdot6 * minus_effort_telescope_6 - thetadot11 *
-      minus_effort_nut_11 - t9_8 * f_damping_tether_9 + u.thrust * (sdot1_3 + R1_13 * (T(0.01) * omega1_3 + T(0.03) *
-      omega1_2) + R1_23 * (omega1_3 * T(0.02) - omega1_1 * T(0.03)) - R1_33 * (T(0.01) * omega1_1 + T(0.02) *
-      omega1_2)) + t2_16 + T(0.2) * cos(T(2) * t) * omega1_2 + T(0.02) * u.motor * omega11_3;
+      minus_effort_nut_11 - T(0.02) * u.motor * omega11_2 - t9_8 * f_damping_tether_9 + u.thrust * (sdot1_3 + R1_13 *
+      (T(0.01) * omega1_3 + T(0.03) * omega1_2) + R1_23 * (omega1_3 * T(0.02) - omega1_1 * T(0.03)) - R1_33 * (T(0.01)
+      * omega1_1 + T(0.02) * omega1_2)) + t2_16 + T(0.2) * cos(T(2) * t) * omega1_2;
   out[0] = power;
 }
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1733 add, 2201 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// 1699 add, 2150 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -2643,78 +2587,65 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
   // thetaddot5_2 = d^2/dt^2 expression 1: prescribed
   const T minus_thetaddot5_2 = t5_2 * T(3) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_3 = sin(theta5_2);
-  const T E5_12 = t5_3 * T(0.09983341664682815);
-  const T t5_4 = cos(theta5_2);
-  const T minus_E5_13 = t5_4 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_3 * T(0.9950041652780258);
-  const T E5_33 = t5_4 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_4 + R1_31 * t5_3;
-  const T R5_22 = R5a_22 * t5_4 + R1_32 * t5_3;
-  const T R5_23 = R5a_23 * t5_4 + R1_33 * t5_3;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T t5_5 = T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 - minus_E5_13 * omega5a_3;
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + t5_5;
-  const T omega5_2 = t5_4 * omega5a_2 + t5_3 * omega5a_3;
-  const T t5_6 = T(0.09983341664682815) * omega5a_1 - minus_E5_32 * omega5a_2 + E5_33 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + t5_6;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_21 - R1_21 * T(0.3);
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_7 = t3_33 + t3_30;
-  const T t5_8 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_7 - R1_21 * t2_13 - R1_31 * t5_8;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_7 - R1_22 * t2_13 - R1_32 * t5_8;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_7 - R1_23 * t2_13 - R1_33 * t5_8;
+  const T t5_3 = t3_33 + t3_30;
+  const T t5_4 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a omega1~ omega1~ q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_9 = omega1_3 * t2_13 - omega1_2 * t5_8;
-  const T t5_10 = omega1_3 * t5_7 + omega1_1 * t5_8;
-  const T Pddot5a_1 = E5a_11 * t5_9 + E5a_12 * t5_10;
-  const T Pddot5a_2 = E5a_11 * t5_10 - E5a_12 * t5_9;
-  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_7;
+  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4;
+  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4;
+  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
+  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
+  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_3;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot5_1 = T(0.09983341664682815) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.9950041652780258) +
-      T(0.9950041652780258) * omegadot5a_1 - E5_12 * minus_omegadot5a_2;
-  const T minus_omegadot5_2 = thetadot5_2 * (T(0.09983341664682815) * t5_5 - T(0.9950041652780258) * t5_6) + t5_4 *
-      minus_omegadot5a_2;
-  const T omegadot5_3 = T(0.09983341664682815) * omegadot5a_1 + minus_E5_32 * minus_omegadot5a_2 -
-      T(0.9950041652780258) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.09983341664682815);
+  const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
+  const T omegadot5_2 = thetadot5_2 * omega5_3 - E5_22 * minus_omegadot5a_2;
+  const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_11 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_11;
-  const T t5_12 = omega5_2 * omega5_1;
-  const T U5_12 = t5_12 - omegadot5_3;
-  const T t5_13 = omega5_3 * omega5_1;
-  const T U5_13 = t5_13 - minus_omegadot5_2;
-  const T U5_21 = t5_12 + omegadot5_3;
-  const T t5_14 = omega5_3 * omega5_2;
-  const T U5_23 = t5_14 - omegadot5_1;
-  const T U5_31 = t5_13 + minus_omegadot5_2;
-  const T U5_32 = t5_14 + omegadot5_1;
-  const T minus_U5_33 = t5_11 + omega5_1 * omega5_1;
+  const T t5_7 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
+  const T t5_8 = omega5_2 * omega5_1;
+  const T U5_12 = t5_8 - omegadot5_3;
+  const T t5_9 = omega5_3 * omega5_1;
+  const T U5_13 = t5_9 + omegadot5_2;
+  const T U5_21 = t5_8 + omegadot5_3;
+  const T t5_10 = omega5_3 * omega5_2;
+  const T U5_23 = t5_10 - omegadot5_1;
+  const T U5_31 = t5_9 - omegadot5_2;
+  const T U5_32 = t5_10 + omegadot5_1;
+  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = T(0.9950041652780258) * Pddot5a_1 + E5_12 * Pddot5a_2 + minus_E5_13 * minus_Pddot5a_3;
-  const T Pddot5_2 = t5_4 * Pddot5a_2 - t5_3 * minus_Pddot5a_3;
-  const T Pddot5_3 = T(0.09983341664682815) * Pddot5a_1 - minus_E5_32 * Pddot5a_2 - E5_33 * minus_Pddot5a_3;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
+  const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5_1;
+  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -2732,7 +2663,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
   const T t6_4 = R3_13 * T(0.2);
@@ -2770,54 +2701,54 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // omegadot8 = -thetadot8 b8~ E8 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot8_1 = thetadot8 * minus_omega8_2;
-  const T minus_omegadot8_2 = thetadot8 * omega8_1;
+  const T omegadot8_1 = thetadot8 * omega8_3;
+  const T minus_omegadot8_3 = thetadot8 * omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_3 * omega8_3;
-  const T t8_2 = minus_omega8_2 * minus_omega8_2;
+  const T t8_2 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_1 + t8_2;
-  const T minus_U8_12 = minus_omega8_2 * omega8_1;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 - minus_omegadot8_2;
+  const T t8_3 = omega8_2 * omega8_1;
+  const T U8_12 = t8_3 + minus_omegadot8_3;
+  const T U8_13 = omega8_3 * omega8_1;
+  const T U8_21 = t8_3 - minus_omegadot8_3;
   const T t8_4 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_1 + t8_4;
-  const T t8_5 = omega8_3 * minus_omega8_2;
-  const T U8_23 = minus_omegadot8_1 - t8_5;
-  const T U8_31 = t8_3 + minus_omegadot8_2;
-  const T minus_U8_32 = t8_5 + minus_omegadot8_1;
+  const T t8_5 = omega8_3 * omega8_2;
+  const T U8_23 = t8_5 - omegadot8_1;
+  const T U8_32 = t8_5 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_4;
   // Pddot8 = E8 omega1~ (omega1~ d8 + 2 sdot8 u8): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_6 = omega1_3 * d8_2;
-  const T t8_7 = T(2) * sdot8;
-  const T t8_8 = omega1_2 * t8_6 - omega1_1 * t8_7;
-  const T t8_9 = omega1_1 * d8_2;
-  const T t8_10 = omega1_3 * t8_7 + omega1_2 * t8_9;
-  const T Pddot8_1 = E8_13 * t8_8 - minus_E8_11 * t8_10;
-  const T minus_Pddot8_2 = E8_13 * t8_10 + minus_E8_11 * t8_8;
-  const T Pddot8_3 = omega1_3 * t8_6 + omega1_1 * t8_9;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_13 * T(0.1) - minus_U8_11 * T(0.02) - minus_U8_12 * T(0.01) + Pddot8_1;
-  const T a8_2 = U8_23 * T(0.1) - minus_U8_12 * T(0.02) - minus_U8_22 * T(0.01) - minus_Pddot8_2;
-  const T a8_3 = U8_31 * T(0.02) - minus_U8_32 * T(0.01) - minus_U8_33 * T(0.1) + Pddot8_3;
+  const T t8_6 = T(2) * sdot8;
+  const T t8_7 = omega1_1 * d8_2;
+  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7;
+  const T t8_9 = omega1_3 * d8_2;
+  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6;
+  const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
+  const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
+  const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
+  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I8)/2 - I8)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N8_1 = T(0.0015) * minus_U8_32 + T(0.0025) * U8_23;
-  const T minus_N8_2 = T(0.0025) * U8_13 - T(5e-04) * U8_31;
-  const T minus_N8_3 = T(0.001) * minus_U8_12;
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
+  const T N8_2 = T(0.001) * U8_13;
+  const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -2829,43 +2760,45 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + d_tether_9 . ddot_tether_9 ll_tether_9^-1
-  //   c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (d_tether_9_1 *
-      ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 * minus_ddot_tether_9_3) * T(0.4);
-  // F_tether_9 = f_tether_9 d_tether_9: on the first end, inertial axes [N]
-  const T F_tether_9_1 = f_tether_9 * d_tether_9_1;
-  const T F_tether_9_2 = f_tether_9 * d_tether_9_2;
-  const T F_tether_9_3 = f_tether_9 * d_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
+      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
+      T(0.4);
+  // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
+  const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
+  const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
+  const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
   // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T t9_8 = R5_11 * F_tether_9_1 + R5_12 * F_tether_9_2 + R5_13 * F_tether_9_3;
+  const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
@@ -2915,7 +2848,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Pddot10 = R1^T omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, inertial axes
   //   [m/s^2]
   const T t10_13 = omega1_1 * s10 - t3_30;
-  const T t10_14 = t2_19 - t5_8 + T(2) * sdot10;
+  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
   const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14;
   const T t10_16 = t3_31 - omega1_3 * s10;
   const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13;
@@ -2957,57 +2890,58 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + E11 omegadot8: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot11_1 = thetadot11 * minus_omega11_2 + E11_11 * minus_omegadot8_1 + E11_12 * minus_omegadot8_2;
-  const T omegadot11_2 = E11_12 * minus_omegadot8_1 - E11_11 * minus_omegadot8_2 - thetadot11 * omega11_1;
+  const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 - E11_13 * minus_omegadot8_3;
+  const T minus_omegadot11_3 = thetadot11 * omega11_1 + E11_13 * omegadot8_1 + E11_11 * minus_omegadot8_3;
   // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T minus_U11_11 = omega11_3 * omega11_3 + minus_omega11_2 * minus_omega11_2;
-  const T minus_U11_12 = minus_omega11_2 * omega11_1;
-  const T t11_1 = omega11_3 * omega11_1;
-  const T U11_13 = t11_1 + omegadot11_2;
-  const T t11_2 = omega11_3 * minus_omega11_2;
-  const T U11_23 = minus_omegadot11_1 - t11_2;
-  const T U11_31 = t11_1 - omegadot11_2;
-  const T minus_U11_32 = t11_2 + minus_omegadot11_1;
+  const T t11_1 = omega11_2 * omega11_1;
+  const T U11_12 = t11_1 + minus_omegadot11_3;
+  const T U11_13 = omega11_3 * omega11_1;
+  const T U11_21 = t11_1 - minus_omegadot11_3;
+  const T t11_2 = omega11_3 * omega11_2;
+  const T U11_23 = t11_2 - omegadot11_1;
+  const T U11_32 = t11_2 + omegadot11_1;
+  const T minus_U11_33 = omega11_2 * omega11_2 + omega11_1 * omega11_1;
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = U8_13 * d11_3 - t11_3 * minus_omega8_2 + Pddot8_1;
-  const T t11_5 = U8_23 * d11_3 - t11_3 * omega8_1 - minus_Pddot8_2;
-  const T Pddot11_1 = E11_11 * t11_4 + E11_12 * t11_5;
-  const T Pddot11_2 = E11_11 * t11_5 - E11_12 * t11_4;
-  const T Pddot11_3 = Pddot8_3 - minus_U8_33 * d11_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = Pddot11_1 - minus_U11_11 * T(0.01);
-  const T a11_2 = Pddot11_2 - minus_U11_12 * T(0.01);
-  const T a11_3 = U11_31 * T(0.01) + Pddot11_3;
+  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
+  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
+  const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
+  // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
+  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = M_coupling_ - axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N11_1 = T(3e-04) * minus_U11_32 + T(0.00010000000000000005) * U11_23;
-  const T minus_N11_2 = T(0.00010000000000000005) * U11_13 - T(3e-04) * U11_31;
-  const T N11_3 = T(0.02) * u.motor;
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
+  //   axes [N m]
+  const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
+  const T minus_N11_2 = T(0.02) * u.motor;
+  const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T b11_1 = minus_G11_3 * T(0.01);
-  const T rho11_2 = b11_1 - minus_N11_2;
-  const T rho11_3 = N11_3 - T(0.01) * minus_G11_2;
+  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b11_1 = minus_G11_2 * T(0.01);
+  const T rho11_1 = b11_1 - minus_N11_1;
+  const T minus_rho11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc11_1 = E11_11 * T(0.003);
-  const T hc11_2 = E11_12 * T(0.003);
+  const T minus_hc11_1 = E11_13 * T(0.003);
+  const T hc11_3 = E11_11 * T(0.003);
 
   // ---- body 10 (runner) and what it carries
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
@@ -3044,42 +2978,41 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
   // ---- body 8 (piston) and what it carries
   // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_12 * minus_G11_2 - E11_11 * minus_G11_1;
+  const T b8_1 = E11_13 * minus_G11_3 - E11_11 * minus_G11_1;
   const T S8_1 = b8_1 - minus_G8_1;
-  const T b8_2 = E11_12 * minus_G11_1 + E11_11 * minus_G11_2;
-  const T minus_S8_2 = b8_2 + minus_G8_2;
-  const T minus_S8_3 = minus_G11_3 + minus_G8_3;
-  // rho8 = E11^T rho11 + r8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
+  const T minus_S8_2 = minus_G11_2 + minus_G8_2;
+  const T b8_2 = E11_13 * minus_G11_1 + E11_11 * minus_G11_3;
+  const T minus_S8_3 = b8_2 + minus_G8_3;
+  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * N11_1 - E11_12 * rho11_2 + T(0.1) * minus_G8_2 - T(0.01) * minus_G8_3 + d11_3 * b8_2 +
-      N8_1;
-  const T rho8_2 = E11_12 * N11_1 + E11_11 * rho11_2 + T(0.02) * minus_G8_3 - T(0.1) * minus_G8_1 + d11_3 * b8_1 -
-      minus_N8_2;
-  const T rho8_3 = rho11_3 + T(0.01) * minus_G8_1 - T(0.02) * minus_G8_2 - minus_N8_3;
-  // h8 = m8 r8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h8_1 = T(0.013999999999999999) + hc11_1;
-  const T h8_2 = T(0.006999999999999999) + hc11_2;
-  const T b8_3 = T(0.3) * d11_3;
-  const T h8_3 = T(0.06999999999999999) + b8_3;
-  // J8 = E11^T J11 E11 - m8 r8~ r8~ + I8 + (-m11 d11~ - hc11~) d11~ - d11~ hc11~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b8_4 = E11_11 * T(4e-04);
-  const T b8_5 = E11_12 * T(0.00043000000000000004);
-  const T b8_6 = b8_3 * d11_3;
-  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_12 + T(0.01107) + b8_6;
-  const T J8_12 = b8_4 * E11_12 - b8_5 * E11_11 - T(0.00014);
-  const T b8_7 = d11_3 * hc11_1;
-  const T minus_J8_13 = T(0.0014) + b8_7;
-  const T J8_22 = E11_12 * T(4e-04) * E11_12 + E11_11 * T(0.00043000000000000004) * E11_11 + T(0.010280000000000001) +
-      b8_6;
-  const T b8_8 = d11_3 * hc11_2;
-  const T minus_J8_23 = T(7e-04) + b8_8;
+  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
+      * b8_2 - minus_N8_1;
+  const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
+  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
+      * b8_1 - minus_N8_3;
+  // h8 = m8 r_link8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h8_1 = T(0.006999999999999999) + minus_hc11_1;
+  const T b8_3 = T(0.3) * minus_d11_2;
+  const T minus_h8_2 = T(0.06999999999999999) + b8_3;
+  const T h8_3 = T(0.013999999999999999) + hc11_3;
+  // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
+  //   about the body origin, body axes [kg m^2]
+  const T b8_4 = E11_11 * T(0.00043000000000000004);
+  const T b8_5 = E11_13 * T(4e-04);
+  const T b8_6 = b8_3 * minus_d11_2;
+  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_13 + T(0.010280000000000001) + b8_6;
+  const T b8_7 = minus_d11_2 * minus_hc11_1;
+  const T minus_J8_12 = T(7e-04) + b8_7;
+  const T J8_13 = b8_4 * E11_13 - b8_5 * E11_11 + T(0.00014);
+  const T b8_8 = minus_d11_2 * hc11_3;
+  const T J8_23 = T(0.0014) + b8_8;
+  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_6;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = E8_13 * h8_2 + minus_E8_11 * h8_1;
-  const T minus_hc8_3 = minus_E8_11 * h8_2 - E8_13 * h8_1;
+  const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
+  const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
   // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_12 * T(3e-05) - b8_7;
-  const T minus_K_thetadot11_8_2 = E11_11 * T(3e-05) + b8_8;
+  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_7;
+  const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_8;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -3093,29 +3026,25 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
   const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_1 = T(0.9950041652780258) * G5_1 + T(0.09983341664682815) * G5_3;
-  const T S5a_2 = E5_12 * G5_1 + t5_4 * G5_2 - minus_E5_32 * G5_3;
-  const T S5a_3 = t5_3 * G5_2 - minus_E5_13 * G5_1 + E5_33 * G5_3;
+  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
   // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_1 = T(0.9950041652780258) * rho5_1 + T(0.09983341664682815) * rho5_3;
-  const T rho5a_2 = E5_12 * rho5_1 + t5_4 * rho5_2 - minus_E5_32 * rho5_3;
-  const T rho5a_3 = t5_3 * rho5_2 - minus_E5_13 * rho5_1 + E5_33 * rho5_3;
+  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
+  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_2 = E5_12 * c.h5_1 - minus_E5_32 * c.h5_3;
-  const T hc5_3 = E5_33 * c.h5_3 - minus_E5_13 * c.h5_1;
+  const T minus_hc5_2 = E5_23 * c.h5_3;
+  const T hc5_3 = E5_22 * c.h5_3;
   // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T J5a_12 = c.c5_2 * E5_12 - c.c5_3 * minus_E5_32;
-  const T J5a_13 = c.c5_3 * E5_33 - c.c5_2 * minus_E5_13;
-  const T b5_1 = E5_12 * c.J5_11 - minus_E5_32 * c.J5_13;
-  const T b5_2 = t5_4 * c.J5_22;
-  const T b5_3 = E5_12 * c.J5_13 - minus_E5_32 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_12 + b5_2 * t5_4 - b5_3 * minus_E5_32;
-  const T J5a_23 = b5_2 * t5_3 - b5_1 * minus_E5_13 + b5_3 * E5_33;
-  const T J5a_33 = t5_3 * c.J5_22 * t5_3 - (E5_33 * c.J5_13 - minus_E5_13 * c.J5_11) * minus_E5_13 + (E5_33 * c.J5_33
-      - minus_E5_13 * c.J5_13) * E5_33;
+  const T minus_J5a_12 = E5_23 * c.J5_13;
+  const T J5a_13 = E5_22 * c.J5_13;
+  const T b5_1 = E5_22 * c.J5_22;
+  const T b5_2 = E5_23 * c.J5_33;
+  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
+  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
+  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
   // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_11 * c.hc5_1 - E5a_12 * hc5_2;
-  const T hc5a_2 = E5a_11 * hc5_2 + E5a_12 * c.hc5_1;
+  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
+  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
 
   // ---- body 4 (cross) and what it carries
   // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -3214,42 +3143,42 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_2 = R1_11 * minus_G2_1 + R1_12 * minus_G2_2 + R1_13 * minus_G2_3;
   const T b1_3 = R1_11 * minus_G10_1 + R1_12 * minus_G10_2 + R1_13 * minus_G10_3;
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * S5a_1 - E5a_12 * S5a_2;
-  const T b1_6 = E8_13 * minus_S8_2 - minus_E8_11 * S8_1;
+  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
+  const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
   const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
   const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
   const T b1_10 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
-  const T b1_11 = E5a_12 * S5a_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 + minus_S8_3 + G1_2;
+  const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
+  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 - minus_S8_2 + G1_2;
   const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
   const T b1_15 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
-  const T b1_16 = E8_13 * S8_1 + minus_E8_11 * minus_S8_2;
+  const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
   const T S1_3 = b1_12 - b1_13 - b1_14 + b1_15 + S5a_3 + b1_16 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_8;
   const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_17 - T(0.1) * b1_13 - T(0.1) * b1_7 +
       T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
-      T(0.3) * S5a_3 + E5a_11 * rho5a_1 - E5a_12 * rho5a_2 - minus_E8_11 * rho8_1 - E8_13 * rho8_2 - T(0.03) * G1_2 -
-      T(0.01) * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
+      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
+      * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
   const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_13 + T(0.1) * b1_1 - T(0.3) * b1_12 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5a_1 + E5a_11 * rho5a_2 - rho8_3 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) * b1_14
-      - T(0.3) * b1_3 + N1_2;
+      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
+      b1_14 - T(0.3) * b1_3 + N1_2;
   const T f_omega1_3 = T(0.1) * b1_2 - b1_17 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
       - T(0.2) * b1_10 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 - minus_E8_11 * rho8_2 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 *
-      b1_3 - T(0.1) * b1_9 - minus_N1_3;
+      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
+      T(0.1) * b1_9 - minus_N1_3;
   // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
   //   moment of mass carried, about the body origin, body axes [kg m]
   const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_18 = hc5a_2 - c.c1_2;
-  const T b1_19 = h8_3 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 + b1_18 - b1_19 + hc3_2 + hc4a_2;
+  const T b1_18 = minus_hc5a_2 + c.c1_2;
+  const T b1_19 = minus_h8_2 - T(1) * d8_2;
+  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_18 - b1_19 + hc3_2 + hc4a_2;
   const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
   // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
   //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
@@ -3258,30 +3187,30 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_21 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
   const T b1_22 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
   const T b1_23 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + ((hc5_3 + c.c1_1) * T(0.1) + (hc3_3 + T(0.2)) * T(0.1));
-  const T b1_24 = b1_18 * T(0.3) + d8_2 * h8_3 + (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) + hc4a_2)
-      * T(0.1)));
+  const T b1_24 = b1_18 * T(0.3) - d8_2 * minus_h8_2 - (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) +
+      hc4a_2) * T(0.1)));
   const T b1_25 = minus_E4a_12 * J4a_12;
   const T b1_26 = minus_E4a_13 * J4a_13;
   const T b1_27 = E4a_11 * J4a_11 + b1_25 + b1_26;
   const T b1_28 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
   const T b1_29 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_30 = T(0.3) * hc5a_2;
-  const T b1_31 = E5a_12 * J5a_12;
-  const T b1_32 = E5a_11 * c.J5a_11 - b1_31;
-  const T b1_33 = E5a_11 * J5a_12;
-  const T b1_34 = b1_33 - E5a_12 * J5a_22;
-  const T b1_35 = E8_13 * J8_12;
-  const T b1_36 = minus_E8_11 * J8_11 + b1_35;
-  const T b1_37 = minus_E8_11 * J8_12;
-  const T b1_38 = b1_37 + E8_13 * J8_22;
+  const T b1_30 = T(0.3) * minus_hc5a_2;
+  const T b1_31 = E5a_12 * minus_J5a_12;
+  const T b1_32 = E5a_11 * c.J5_11 + b1_31;
+  const T b1_33 = E5a_11 * minus_J5a_12;
+  const T b1_34 = b1_33 + E5a_12 * J5a_22;
+  const T b1_35 = E8_13 * J8_13;
+  const T b1_36 = E8_11 * J8_11 - b1_35;
+  const T b1_37 = E8_11 * J8_13;
+  const T b1_38 = b1_37 - E8_13 * J8_33;
   const T b1_39 = s10 * s10;
-  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 - b1_24 + b1_27 * E4a_11 + b1_28 *
-      minus_E4a_12 + b1_29 * minus_E4a_13 - b1_30 + b1_32 * E5a_11 - b1_34 * E5a_12 + b1_36 * minus_E8_11 + b1_38 *
-      E8_13 + T(0.648) + T(0.4) * (T(0.09) + b1_39);
-  const T b1_40 = minus_E8_11 * minus_J8_13 + E8_13 * minus_J8_23 - d8_2 * minus_hc8_1;
+  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 + b1_24 + b1_27 * E4a_11 + b1_28 *
+      minus_E4a_12 + b1_29 * minus_E4a_13 + b1_30 + b1_32 * E5a_11 + b1_34 * E5a_12 + b1_36 * E8_11 - b1_38 * E8_13 +
+      T(0.648) + T(0.4) * (T(0.09) + b1_39);
+  const T b1_40 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
   const T b1_41 = hc4a_1 - T(0.18000000000000002);
   const T J1_21 = b1_20 * E3_12 + b1_21 * E3_22 + b1_22 * E3_32 - T(0.3) * hc3_2 + T(0.2) * hc4a_2 + b1_28 * E4a_22 -
-      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 + b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
+      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 - b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
       b1_41 * T(0.1) - s10 * T(0.1) * T(0.4) + T(0.3) * hc5a_1;
   const T b1_42 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
   const T b1_43 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
@@ -3293,32 +3222,30 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_49 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
   const T b1_50 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
   const T J1_22 = b1_42 * E3_12 + b1_43 * E3_22 + b1_44 * E3_32 + b1_23 + b1_46 + b1_48 * E4a_22 - b1_49 *
-      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5a_11 + b1_33) * E5a_12 + (b1_31 + E5a_11 * J5a_22) * E5a_11 +
+      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5_11 - b1_33) * E5a_12 + (E5a_11 * J5a_22 - b1_31) * E5a_11 +
       T(0.61738);
   const T b1_51 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
   const T J1_31 = b1_21 * E3_23 - b1_20 * minus_E3_13 + b1_22 * E3_33 - T(0.3) * hc3_3 + T(0.2) * hc4a_3 + b1_28 *
-      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_38 * minus_E8_11 - b1_36 * E8_13 +
-      T(0.005200000000000004) - b1_45 * T(0.1);
+      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_36 * E8_13 + b1_38 * E8_11 + T(0.005200000000000004)
+      - b1_45 * T(0.1);
   const T b1_52 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_53 = minus_E8_11 * minus_J8_23 - E8_13 * minus_J8_13 - d8_2 * minus_hc8_3;
+  const T b1_53 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
   const T J1_32 = b1_43 * E3_23 - b1_42 * minus_E3_13 + b1_44 * E3_33 - T(0.1) * hc4a_3 + b1_48 * E4a_23 - b1_49 *
-      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) - b1_18 *
+      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
       T(0.1) - T(0.1) * hc3_2;
-  const T b1_54 = J5a_33 - b1_30;
+  const T b1_54 = J5a_33 + b1_30;
   const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
       T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_46 - b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
+      + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
       minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
-      (E8_13 * J8_11 - b1_37) * E8_13 - (b1_35 - minus_E8_11 * J8_22) * minus_E8_11 + T(0.744) + T(0.4) * (b1_39 +
+      (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
       T(0.010000000000000002));
   // B_thetadot11_1 = E8^T B_thetadot11_8
-  const T B_thetadot11_1_1 = minus_E8_11 * hc11_2 - E8_13 * hc11_1;
-  const T minus_B_thetadot11_1_3 = E8_13 * hc11_2 + minus_E8_11 * hc11_1;
+  const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
+  const T minus_B_thetadot11_1_3 = E8_13 * hc11_3 + E8_11 * minus_hc11_1;
   // K_thetadot11_1 = E8^T K_thetadot11_8 + d8~ E8^T B_thetadot11_8
-  const T K_thetadot11_1_1 = E8_13 * minus_K_thetadot11_8_2 - minus_E8_11 * K_thetadot11_8_1 - d8_2 *
-      minus_B_thetadot11_1_3;
-  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + minus_E8_11 * minus_K_thetadot11_8_2 - d8_2 *
-      B_thetadot11_1_1;
+  const T K_thetadot11_1_1 = E8_11 * K_thetadot11_8_1 - E8_13 * K_thetadot11_8_3 - d8_2 * minus_B_thetadot11_1_3;
+  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_3 - d8_2 * B_thetadot11_1_1;
   // B_sdot6_1 = E3^T B_sdot6_3
   const T B_sdot6_1_1 = E3_11 * T(0.5);
   const T B_sdot6_1_2 = E3_12 * T(0.5);
@@ -3328,7 +3255,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T K_sdot6_1_2 = T(0.1) * B_sdot6_1_1 + T(0.3) * minus_B_sdot6_1_3 + E3_22 * T(0.005);
   const T K_sdot6_1_3 = T(0.3) * B_sdot6_1_2 + E3_23 * T(0.005);
   // K_thetadot5_1_1 = q5a~ E5a^T B_thetadot5_1_5a + E5a^T K_thetadot5_1_5a
-  const T K_thetadot5_1_1_2 = b1_52 - T(0.1) * hc5a_2;
+  const T K_thetadot5_1_1_2 = T(0.1) * minus_hc5a_2 + b1_52;
   // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
   const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
       B_thetadot4_2_4a_3;
@@ -3503,7 +3430,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_167 = b1_166 * T(0.0028636363636363638) - b1_156 * T(0.003);
   const T b1_168 = b1_167 * T(1.0173808227700445);
   const T b1_169 = B_sdot6_1_1 * T(2);
-  const T b1_170 = hc5a_2 * b1_73;
+  const T b1_170 = minus_hc5a_2 * b1_73;
   const T b1_171 = B_thetadot4_2_1_1 * T(59.4883997620464);
   const T b1_172 = B_thetadot4_1_1_1 * b1_76;
   const T b1_173 = B_thetadot3_1_1 - b1_169 * T(0.002218939466028826);
@@ -3513,22 +3440,22 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_177 = b1_176 * T(0.0032000000000000006) - b1_119;
   const T b1_178 = b1_177 * T(244.9863263445761);
   const T b1_179 = b1_157 * b1_57 - b1_156 * K_thetadot11_1_1 + b1_159 * b1_60 + b1_161 * b1_63 + b1_163 * b1_65 -
-      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 - b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
+      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 + b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
       K_thetadot4_1_1_1 - b1_174 * b1_78 - b1_175 * b1_84 - b1_176 * b1_89 - b1_178 * b1_94;
   const T b1_180 = b1_179 * b1_123;
   const T b1_181 = h1_3 + b1_164 + b1_157 * b1_97 + b1_159 * b1_100 + b1_161 * b1_103 + b1_163 * b1_105 + b1_166 *
-      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 + b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
+      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 - b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
       b1_172 * K_thetadot4_1_1_2 - b1_174 * b1_111 + b1_175 * b1_114 + b1_176 * b1_117 - b1_178 * b1_120 - b1_180 *
       b1_122;
   const T b1_182 = b1_181 * b1_154;
   const T b1_183 = h1_2 + b1_156 * K_thetadot11_1_3 - b1_157 * b1_126 - b1_159 * b1_128 - b1_161 * b1_130 - b1_163 *
-      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 - b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
+      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 + b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
       + b1_172 * K_thetadot4_1_1_3 + b1_174 * b1_143 - b1_175 * b1_145 + b1_176 * b1_147 + b1_178 * b1_149 + b1_180 *
       b1_151 + b1_182 * b1_153;
   const T b1_184 = T(1) / D_omegadot1_3;
   const T b1_185 = b1_183 * b1_184;
   const T D_Pddot1_1 = c.m_sub1 - b1_156 * B_thetadot11_1_1 - b1_157 * b1_96 - b1_159 * b1_158 - b1_161 * b1_160 -
-      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * hc5a_2 - b1_171 *
+      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * minus_hc5a_2 - b1_171 *
       B_thetadot4_2_1_1 - b1_172 * B_thetadot4_1_1_1 - b1_174 * b1_173 - b1_175 * b1_113 - b1_176 * b1_116 - b1_178 *
       b1_177 - b1_180 * b1_179 - b1_182 * b1_181 - b1_185 * b1_183;
   const T b1_186 = D_sddot10 * b1_66;
@@ -3557,7 +3484,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       b1_149 + b1_198 * b1_151 - b1_200 * b1_153;
   const T b1_202 = b1_201 * b1_184;
   const T b1_203 = T(4.545454545454546) * B_thetadot11_1_1 - b10_6 * b1_96 - b10_9 * b1_158 - b10_11 * b1_160 + b1_186
-      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 + b1_188 * hc5a_2 - b1_189 *
+      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 - b1_188 * minus_hc5a_2 - b1_189 *
       B_thetadot4_2_1_1 + b1_190 * B_thetadot4_1_1_1 - b1_192 * b1_173 - b1_193 * b1_113 - b1_194 * b1_116 - b1_196 *
       b1_177 + b1_198 * b1_179 - b1_200 * b1_181 + b1_202 * b1_183;
   const T b1_204 = T(1) / D_Pddot1_1;
@@ -3617,38 +3544,38 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
   // ---- body 1 (hull), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = rho11_3 - b11_1 - minus_effort_nut_11;
+  const T z1_1 = b11_1 + minus_rho11_2 - minus_effort_nut_11;
   const T z1_2 = f_omega10_2 + T(0.03333333333333333) * f_omega10_1;
   const T z1_3 = f_omega10_3 - T(0.1) * f_omega10_1 - T(0.03639120545868082) * z1_2;
   const T z1_4 = b10_11 * z1_3 - (b10_6 * f_omega10_1 + b10_9 * z1_2);
   const T z1_5 = b1_9 - z1_4;
   const T z1_6 = T(0.9545454545454546) * z1_1;
-  const T z1_7 = rho8_3 - z1_6;
+  const T z1_7 = minus_rho8_2 - z1_6;
   const T z1_8 = T(4.545454545454546) * z1_1 - T(1.2038983374737244) * z1_7;
-  const T z1_9 = z1_8 + minus_S8_3;
+  const T z1_9 = minus_S8_2 - z1_8;
   const T z1_10 = G6_1 - minus_effort_telescope_6;
   const T z1_11 = T(0.28) * rho4a_2 - T(0.96) * rho4a_3;
   const T z1_12 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3 +
       effort_boom_3 - T(0.004437878932057652) * z1_10;
   const T z1_13 = f_omega2_3 - T(0.07441860465116279) * f_omega2_2;
   const T z1_14 = f_omega1_1 - b1_55 * z1_1 + b1_58 * f_omega10_1 + b1_61 * z1_2 - b1_64 * z1_3 + b1_67 * z1_5 - b1_69
-      * z1_7 + b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
+      * z1_7 - b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
       * minus_f_omega2_1 + b1_90 * f_omega2_2 - b1_95 * z1_13;
   const T z1_15 = f_omega1_2 + z1_6 + b1_98 * f_omega10_1 + b1_101 * z1_2 - b1_104 * z1_3 + b1_106 * z1_5 + z1_7 -
       b1_107 * z1_10 - b1_108 * rho5a_3 - b1_109 * rho4_2 - b1_110 * z1_11 - b1_112 * z1_12 - b1_115 *
       minus_f_omega2_1 - b1_118 * f_omega2_2 - b1_121 * z1_13 - b1_124 * z1_14;
   const T z1_16 = f_omega1_3 - b1_125 * z1_1 + b1_127 * f_omega10_1 + b1_129 * z1_2 - b1_131 * z1_3 + b1_133 * z1_5 -
-      b1_136 * z1_7 + b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
+      b1_136 * z1_7 - b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
       z1_12 - b1_146 * minus_f_omega2_1 + b1_148 * f_omega2_2 - b1_150 * z1_13 - b1_152 * z1_14 - b1_155 * z1_15;
   const T z1_17 = S1_1 - b1_156 * z1_1 - b1_157 * f_omega10_1 - b1_159 * z1_2 + b1_161 * z1_3 - b1_163 * z1_5 - b1_166
-      * z1_7 + b1_168 * z1_9 - b1_169 * z1_10 + b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
+      * z1_7 - b1_168 * z1_9 - b1_169 * z1_10 - b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
       b1_175 * minus_f_omega2_1 + b1_176 * f_omega2_2 - b1_178 * z1_13 - b1_180 * z1_14 - b1_182 * z1_15 + b1_185 *
       z1_16;
-  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 - z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
+  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 + z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
       b1_190 * z1_11 - b1_192 * z1_12 + b1_193 * minus_f_omega2_1 + b1_194 * f_omega2_2 - b1_196 * z1_13 + b1_198 *
       z1_14 - b1_200 * z1_15 - b1_202 * z1_16 - b1_205 * z1_17;
   const T z1_19 = T(1) / D_Pddot1_3 * (S1_3 + b1_206 * z1_1 - b1_207 * f_omega10_1 - b1_209 * z1_2 + b1_211 * z1_3 -
-      b1_213 * z1_5 - b1_216 * z1_7 + b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
+      b1_213 * z1_5 - b1_216 * z1_7 - b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
       z1_12 + b1_224 * minus_f_omega2_1 + b1_225 * f_omega2_2 - b1_227 * z1_13 - b1_229 * z1_14 + b1_231 * z1_15 -
       b1_233 * z1_16 - b1_235 * z1_17 - b1_238 * z1_18);
   const T z1_20 = z1_18 * b1_237 - b1_238 * z1_19;
@@ -3699,7 +3626,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
   // ---- body 5 (camera), solved
   // thetaddot5_1: from A ydot = f by elimination
-  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 + b1_170 * Pddot1_1 -
+  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 - b1_170 * Pddot1_1 -
       b1_188 * z1_20;
   ydot[9] = thetaddot5_1;
 
@@ -3711,7 +3638,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
   // ---- body 8 (piston), solved
   // sddot8: from A ydot = f by elimination
-  const T sddot8 = z1_20 - (z1_9 * T(1.0173808227700445) + b1_71 * omegadot1_1 + b1_138 * z1_21 + b1_168 * Pddot1_1) -
+  const T sddot8 = z1_9 * T(1.0173808227700445) - b1_71 * omegadot1_1 - b1_138 * z1_21 - b1_168 * Pddot1_1 + z1_20 -
       b1_218 * z1_19;
   ydot[22] = sddot8;
   // thetaddot8: from A ydot = f by elimination
@@ -3765,7 +3692,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 863 add, 1029 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
+// 839 add, 990 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -4131,79 +4058,66 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
   // thetaddot5_2 = d^2/dt^2 expression 1: prescribed
   const T minus_thetaddot5_2 = t5_2 * T(3) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_3 = sin(theta5_2);
-  const T E5_12 = t5_3 * T(0.09983341664682815);
-  const T t5_4 = cos(theta5_2);
-  const T minus_E5_13 = t5_4 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_3 * T(0.9950041652780258);
-  const T E5_33 = t5_4 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_4 + R1_31 * t5_3;
-  const T R5_22 = R5a_22 * t5_4 + R1_32 * t5_3;
-  const T R5_23 = R5a_23 * t5_4 + R1_33 * t5_3;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T t5_5 = T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 - minus_E5_13 * omega5a_3;
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + t5_5;
-  const T omega5_2 = t5_4 * omega5a_2 + t5_3 * omega5a_3;
-  const T t5_6 = T(0.09983341664682815) * omega5a_1 - minus_E5_32 * omega5a_2 + E5_33 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + t5_6;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_21 - R1_21 * T(0.3);
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_7 = omega1_3 * T(0.3) + omega1_2 * T(0.1);
-  const T t5_8 = omega1_1 * T(0.1);
-  const T t5_9 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_7 - R1_21 * t5_8 - R1_31 * t5_9;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_7 - R1_22 * t5_8 - R1_32 * t5_9;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_7 - R1_23 * t5_8 - R1_33 * t5_9;
+  const T t5_3 = omega1_3 * T(0.3) + omega1_2 * T(0.1);
+  const T t5_4 = omega1_1 * T(0.1);
+  const T t5_5 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t5_4 - R1_31 * t5_5;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t5_4 - R1_32 * t5_5;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t5_4 - R1_33 * t5_5;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1 + thetaddot5_1 b5_1 + E5a omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2 + E5a_11 * omegadot1_1 + E5a_12 * omegadot1_2;
   const T omegadot5a_2 = E5a_11 * omegadot1_2 - E5a_12 * omegadot1_1 - thetadot5_1 * omega5a_1;
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_10 = t3_30 - U1_12 * T(0.3);
-  const T t5_11 = minus_U1_22 * T(0.3) + t3_32;
-  const T Pddot5a_1 = E5a_11 * t5_10 + E5a_12 * t5_11;
-  const T Pddot5a_2 = E5a_11 * t5_11 - E5a_12 * t5_10;
+  const T t5_6 = t3_30 - U1_12 * T(0.3);
+  const T t5_7 = minus_U1_22 * T(0.3) + t3_32;
+  const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
+  const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
   const T Pddot5a_3 = t3_34 - U1_32 * T(0.3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot5_1 = T(0.09983341664682815) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.9950041652780258) +
-      T(0.9950041652780258) * omegadot5a_1 + E5_12 * omegadot5a_2 - minus_E5_13 * omegadot5a_3;
-  const T omegadot5_2 = t5_4 * omegadot5a_2 + t5_3 * omegadot5a_3 - thetadot5_2 * (T(0.09983341664682815) * t5_5 -
-      T(0.9950041652780258) * t5_6);
-  const T omegadot5_3 = T(0.09983341664682815) * omegadot5a_1 - minus_E5_32 * omegadot5a_2 + E5_33 * omegadot5a_3 -
-      T(0.9950041652780258) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.09983341664682815);
+  const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
+  const T omegadot5_2 = thetadot5_2 * omega5_3 + E5_22 * omegadot5a_2 + E5_23 * omegadot5a_3;
+  const T omegadot5_3 = E5_22 * omegadot5a_3 - E5_23 * omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_12 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_12;
-  const T t5_13 = omega5_2 * omega5_1;
-  const T U5_12 = t5_13 - omegadot5_3;
-  const T t5_14 = omega5_3 * omega5_1;
-  const T U5_13 = t5_14 + omegadot5_2;
-  const T U5_21 = t5_13 + omegadot5_3;
-  const T t5_15 = omega5_3 * omega5_2;
-  const T U5_23 = t5_15 - omegadot5_1;
-  const T U5_31 = t5_14 - omegadot5_2;
-  const T U5_32 = t5_15 + omegadot5_1;
-  const T minus_U5_33 = t5_12 + omega5_1 * omega5_1;
+  const T t5_8 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_8;
+  const T t5_9 = omega5_2 * omega5_1;
+  const T U5_12 = t5_9 - omegadot5_3;
+  const T t5_10 = omega5_3 * omega5_1;
+  const T U5_13 = t5_10 + omegadot5_2;
+  const T U5_21 = t5_9 + omegadot5_3;
+  const T t5_11 = omega5_3 * omega5_2;
+  const T U5_23 = t5_11 - omegadot5_1;
+  const T U5_31 = t5_10 - omegadot5_2;
+  const T U5_32 = t5_11 + omegadot5_1;
+  const T minus_U5_33 = t5_8 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = T(0.9950041652780258) * Pddot5a_1 + E5_12 * Pddot5a_2 - minus_E5_13 * Pddot5a_3;
-  const T Pddot5_2 = t5_4 * Pddot5a_2 + t5_3 * Pddot5a_3;
-  const T Pddot5_3 = T(0.09983341664682815) * Pddot5a_1 - minus_E5_32 * Pddot5a_2 + E5_33 * Pddot5a_3;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 + E5_23 * Pddot5a_3;
+  const T Pddot5_3 = E5_22 * Pddot5a_3 - E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5_1;
+  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
   const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
 
@@ -4225,7 +4139,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
   const T t6_4 = R3_13 * T(0.2);
@@ -4274,56 +4188,56 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T sdot8 = y[22];
   const T thetaddot8 = ydot[10];
   const T sddot8 = ydot[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // omegadot8 = -thetadot8 b8~ E8 omega1 + thetaddot8 b8 + E8 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T omegadot8_1 = E8_13 * omegadot1_3 - minus_E8_11 * omegadot1_1 - thetadot8 * minus_omega8_2;
-  const T minus_omegadot8_2 = thetadot8 * omega8_1 + E8_13 * omegadot1_1 + minus_E8_11 * omegadot1_3;
-  const T omegadot8_3 = thetaddot8 - omegadot1_2;
+  const T omegadot8_1 = thetadot8 * omega8_3 + E8_11 * omegadot1_1 + E8_13 * omegadot1_3;
+  const T omegadot8_2 = omegadot1_2 - thetaddot8;
+  const T omegadot8_3 = E8_11 * omegadot1_3 - E8_13 * omegadot1_1 - thetadot8 * omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_3 * omega8_3;
-  const T t8_2 = minus_omega8_2 * minus_omega8_2;
+  const T t8_2 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_1 + t8_2;
-  const T t8_3 = minus_omega8_2 * omega8_1;
-  const T minus_U8_12 = t8_3 + omegadot8_3;
+  const T t8_3 = omega8_2 * omega8_1;
+  const T U8_12 = t8_3 - omegadot8_3;
   const T t8_4 = omega8_3 * omega8_1;
-  const T U8_13 = t8_4 - minus_omegadot8_2;
-  const T U8_21 = omegadot8_3 - t8_3;
+  const T U8_13 = t8_4 + omegadot8_2;
+  const T U8_21 = t8_3 + omegadot8_3;
   const T t8_5 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_1 + t8_5;
-  const T t8_6 = omega8_3 * minus_omega8_2;
-  const T minus_U8_23 = t8_6 + omegadot8_1;
-  const T U8_31 = t8_4 + minus_omegadot8_2;
-  const T U8_32 = omegadot8_1 - t8_6;
+  const T t8_6 = omega8_3 * omega8_2;
+  const T U8_23 = t8_6 - omegadot8_1;
+  const T U8_31 = t8_4 - omegadot8_2;
+  const T U8_32 = t8_6 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_5;
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
-  const T t8_9 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
-  const T Pddot8_1 = E8_13 * t8_8 - minus_E8_11 * t8_9;
-  const T minus_Pddot8_2 = E8_13 * t8_9 + minus_E8_11 * t8_8;
-  const T minus_Pddot8_3 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_13 * T(0.1) - minus_U8_11 * T(0.02) - minus_U8_12 * T(0.01) + Pddot8_1;
-  const T a8_2 = U8_21 * T(0.02) - minus_U8_22 * T(0.01) - minus_U8_23 * T(0.1) - minus_Pddot8_2;
-  const T a8_3 = U8_31 * T(0.02) + U8_32 * T(0.01) - minus_U8_33 * T(0.1) - minus_Pddot8_3;
+  const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
+  const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
+  const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
+  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
+  const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
+  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
+  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = m8 a8: force balance, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
   const T G8_3 = T(0.7) * a8_3;
-  // N8 = axial(U8 (tr(I8)/2 - I8)): moment balance about the mass centre, body axes [N m]
-  const T N8_1 = T(0.0015) * U8_32 + T(0.0025) * minus_U8_23;
-  const T N8_2 = T(0.0025) * U8_13 - T(5e-04) * U8_31;
-  const T N8_3 = T(5e-04) * U8_21 + T(0.0015) * minus_U8_12;
+  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): moment balance about the mass centre, body axes [N m]
+  const T N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
+  const T N8_2 = T(5e-04) * U8_13 - T(0.0015) * U8_31;
+  const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -4337,41 +4251,43 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + d_tether_9 . ddot_tether_9 ll_tether_9^-1
-  //   c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (d_tether_9_1 *
-      ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 * minus_ddot_tether_9_3) * T(0.4);
-  // F_tether_9 = f_tether_9 d_tether_9: on the first end, inertial axes [N]
-  const T F_tether_9_1 = f_tether_9 * d_tether_9_1;
-  const T F_tether_9_2 = f_tether_9 * d_tether_9_2;
-  const T F_tether_9_3 = f_tether_9 * d_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
+      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
+      T(0.4);
+  // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
+  const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
+  const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
+  const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
   // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U9_11 = thetadot9 * thetadot9;
@@ -4380,7 +4296,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot9_1 = E9_11 * sddot9_1 + E9_12 * sddot9_2;
   const T Pddot9_2 = E9_11 * sddot9_2 - E9_12 * sddot9_1;
   // G5 = -R5 F_tether_9 + m_link5 a5: force balance, body axes [N]
-  const T t9_8 = R5_11 * F_tether_9_1 + R5_12 * F_tether_9_2 + R5_13 * F_tether_9_3;
+  const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = c.m_link5 * a5_1 - t9_8;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = c.m_link5 * a5_2 - t9_9;
@@ -4478,52 +4394,53 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T thetaddot11 = ydot[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + thetaddot11 b11 + E11 omegadot8: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot11_1 = E11_11 * omegadot8_1 - E11_12 * minus_omegadot8_2 - thetadot11 * minus_omega11_2;
-  const T minus_omegadot11_2 = thetadot11 * omega11_1 + E11_12 * omegadot8_1 + E11_11 * minus_omegadot8_2;
-  const T omegadot11_3 = thetaddot11 + omegadot8_3;
+  const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 + E11_13 * omegadot8_3;
+  const T omegadot11_2 = omegadot8_2 - thetaddot11;
+  const T omegadot11_3 = E11_11 * omegadot8_3 - E11_13 * omegadot8_1 - thetadot11 * omega11_1;
   // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T minus_U11_11 = omega11_3 * omega11_3 + minus_omega11_2 * minus_omega11_2;
-  const T t11_1 = minus_omega11_2 * omega11_1;
-  const T minus_U11_12 = t11_1 + omegadot11_3;
+  const T t11_1 = omega11_2 * omega11_1;
+  const T U11_12 = t11_1 - omegadot11_3;
   const T t11_2 = omega11_3 * omega11_1;
-  const T U11_13 = t11_2 - minus_omegadot11_2;
-  const T U11_21 = omegadot11_3 - t11_1;
-  const T t11_3 = omega11_3 * minus_omega11_2;
-  const T minus_U11_23 = t11_3 + omegadot11_1;
-  const T U11_31 = t11_2 + minus_omegadot11_2;
-  const T U11_32 = omegadot11_1 - t11_3;
+  const T U11_13 = t11_2 + omegadot11_2;
+  const T U11_21 = t11_1 + omegadot11_3;
+  const T t11_3 = omega11_3 * omega11_2;
+  const T U11_23 = t11_3 - omegadot11_1;
+  const T U11_31 = t11_2 - omegadot11_2;
+  const T U11_32 = t11_3 + omegadot11_1;
+  const T minus_U11_33 = omega11_2 * omega11_2 + omega11_1 * omega11_1;
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + thetaddot11 pitch11 u11 + U8 d11 + Pddot8): acceleration of the
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
-  const T t11_5 = U8_13 * d11_3 - t11_4 * minus_omega8_2 + Pddot8_1;
-  const T t11_6 = t11_4 * omega8_1 + minus_U8_23 * d11_3 + minus_Pddot8_2;
-  const T Pddot11_1 = E11_11 * t11_5 - E11_12 * t11_6;
-  const T minus_Pddot11_2 = E11_12 * t11_5 + E11_11 * t11_6;
-  const T Pddot11_3 = thetaddot11 * T(0.01) - minus_U8_33 * d11_3 - minus_Pddot8_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = Pddot11_1 - minus_U11_11 * T(0.01);
-  const T a11_2 = U11_21 * T(0.01) - minus_Pddot11_2;
-  const T a11_3 = U11_31 * T(0.01) + Pddot11_3;
+  const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
+  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
+  const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
+  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
+  const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
+  // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
+  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = m11 a11: force balance, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
   const T G11_2 = T(0.3) * a11_2;
   const T G11_3 = T(0.3) * a11_3;
-  // N11 = -M_coupling_ + axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
-  const T N11_1 = T(3e-04) * U11_32 + T(0.00010000000000000005) * minus_U11_23;
-  const T N11_2 = T(0.00010000000000000005) * U11_13 - T(3e-04) * U11_31;
-  const T N11_3 = T(3e-04) * U11_21 + T(3e-04) * minus_U11_12 - T(0.02) * u.motor;
+  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): moment balance about the mass centre, body
+  //   axes [N m]
+  const T N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
+  const T N11_2 = T(3e-04) * U11_13 - T(3e-04) * U11_31 + T(0.02) * u.motor;
+  const T N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 13 (ballast) on the inertial frame
   const T sddot13_1 = ydot[26], sddot13_2 = ydot[27], sddot13_3 = ydot[28];
@@ -4538,12 +4455,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   r[28] = G13_3;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T b11_1 = G11_3 * T(0.01);
-  const T rho11_2 = N11_2 - b11_1;
-  const T rho11_3 = T(0.01) * G11_2 + N11_3;
+  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b11_1 = G11_2 * T(0.01);
+  const T rho11_1 = N11_1 - b11_1;
+  const T rho11_2 = T(0.01) * G11_1 + N11_2;
   // r_theta11 = b11 . G11 pitch11 + b11 . rho11 - effort_nut_11: Kane's equation of the angle [N m]
-  const T r_theta11 = b11_1 + rho11_3 + minus_effort_nut_11;
+  const T r_theta11 = minus_effort_nut_11 - b11_1 - rho11_2;
   r[15] = r_theta11;
 
   // ---- body 10 (runner) and what it carries
@@ -4574,18 +4491,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
 
   // ---- body 8 (piston) and what it carries
   // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_11 * G11_1 - E11_12 * G11_2;
+  const T b8_1 = E11_11 * G11_1 - E11_13 * G11_3;
   const T S8_1 = b8_1 + G8_1;
-  const T b8_2 = E11_12 * G11_1 + E11_11 * G11_2;
-  const T S8_2 = b8_2 + G8_2;
-  const T S8_3 = G11_3 + G8_3;
-  r[22] = S8_3;
-  // rho8 = E11^T rho11 + r8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
+  const T S8_2 = G11_2 + G8_2;
+  const T b8_2 = E11_13 * G11_1 + E11_11 * G11_3;
+  const T S8_3 = b8_2 + G8_3;
+  r[22] = -S8_2;
+  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * N11_1 - E11_12 * rho11_2 + T(0.01) * G8_3 - T(0.1) * G8_2 - d11_3 * b8_2 + N8_1;
-  const T rho8_2 = E11_12 * N11_1 + E11_11 * rho11_2 + T(0.1) * G8_1 - T(0.02) * G8_3 + d11_3 * b8_1 + N8_2;
-  const T rho8_3 = rho11_3 + T(0.02) * G8_2 - T(0.01) * G8_1 + N8_3;
-  r[10] = rho8_3;
+  const T rho8_1 = E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2 + N8_1;
+  const T rho8_2 = rho11_2 + T(0.02) * G8_1 + T(0.01) * G8_3 + N8_2;
+  const T rho8_3 = E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1 + N8_3;
+  r[10] = -rho8_2;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -4602,13 +4519,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
   const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_1 = T(0.9950041652780258) * G5_1 + T(0.09983341664682815) * G5_3;
-  const T S5a_2 = E5_12 * G5_1 + t5_4 * G5_2 - minus_E5_32 * G5_3;
-  const T S5a_3 = t5_3 * G5_2 - minus_E5_13 * G5_1 + E5_33 * G5_3;
+  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
   // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_1 = T(0.9950041652780258) * rho5_1 + T(0.09983341664682815) * rho5_3;
-  const T rho5a_2 = E5_12 * rho5_1 + t5_4 * rho5_2 - minus_E5_32 * rho5_3;
-  const T rho5a_3 = t5_3 * rho5_2 - minus_E5_13 * rho5_1 + E5_33 * rho5_3;
+  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
+  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
   r[9] = rho5a_3;
 
   // ---- body 4 (cross) and what it carries
@@ -4662,35 +4577,35 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T b1_2 = R1_11 * G10_1 + R1_12 * G10_2 + R1_13 * G10_3;
   const T b1_3 = E3_11 * S3_1 + E3_21 * S3_2 + E3_31 * S3_3;
   const T b1_4 = E4a_11 * S4a_1 + minus_E4a_12 * S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * S5a_1 - E5a_12 * S5a_2;
-  const T b1_6 = minus_E8_11 * S8_1 + E8_13 * S8_2;
-  const T S1_1 = b1_1 + b1_2 + b1_3 + b1_4 + b1_5 - b1_6 + G1_1;
+  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
+  const T b1_6 = E8_11 * S8_1 - E8_13 * S8_3;
+  const T S1_1 = b1_1 + b1_2 + b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = R1_21 * G2_1 + R1_22 * G2_2 + R1_23 * G2_3;
   const T b1_8 = E3_12 * S3_1 + E3_22 * S3_2 + E3_32 * S3_3;
   const T b1_9 = E4a_22 * S4a_2 - minus_E4a_12 * S4a_1 + E4a_23 * S4a_3;
-  const T b1_10 = E5a_12 * S5a_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 + r_sdot1_10 + b1_8 + b1_9 + b1_10 - S8_3 + G1_2;
+  const T b1_10 = E5a_12 * G5_1 + E5a_11 * S5a_2;
+  const T S1_2 = b1_7 + r_sdot1_10 + b1_8 + b1_9 + b1_10 + S8_2 + G1_2;
   const T b1_11 = R1_31 * G2_1 + R1_32 * G2_2 + R1_33 * G2_3;
   const T b1_12 = R1_31 * G10_1 + R1_32 * G10_2 + R1_33 * G10_3;
   const T b1_13 = E3_23 * S3_2 - minus_E3_13 * S3_1 + E3_33 * S3_3;
   const T b1_14 = E4a_23 * S4a_2 - minus_E4a_13 * S4a_1 + E4a_33 * S4a_3;
-  const T b1_15 = E8_13 * S8_1 - minus_E8_11 * S8_2;
+  const T b1_15 = E8_13 * S8_1 + E8_11 * S8_3;
   const T S1_3 = b1_11 + b1_12 + b1_13 + b1_14 + S5a_3 + b1_15 + G1_3;
   // r_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_16 = T(0.2) * b1_7;
   const T r_omega1_1 = b1_16 + T(0.1) * b1_11 - T(0.1) * b1_8 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
       T(0.1) * b1_14 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 - T(0.3) *
-      S5a_3 + E5a_11 * rho5a_1 - E5a_12 * rho5a_2 - minus_E8_11 * rho8_1 - E8_13 * rho8_2 - T(0.03) * G1_2 - T(0.01) *
-      G1_3 + d8_2 * b1_15 + s10 * b1_12 - T(0.3) * r_sdot1_10 + N1_1;
+      S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3 +
+      d8_2 * b1_15 + s10 * b1_12 - T(0.3) * r_sdot1_10 + N1_1;
   const T r_omega1_2 = T(0.1) * b1_3 - T(0.3) * b1_13 - T(0.2) * b1_1 - T(0.2) * b1_11 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
-      * b1_5 + E5a_12 * rho5a_1 + E5a_11 * rho5a_2 - rho8_3 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
+      * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
       * b1_12 + N1_2;
   const T r_omega1_3 = b1_16 - T(0.1) * b1_1 + T(0.3) * b1_8 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
       - T(0.2) * b1_9 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3 + T(0.3) * b1_5 +
-      rho5a_3 + E8_13 * rho8_1 - minus_E8_11 * rho8_2 + T(0.02) * G1_2 + T(0.01) * G1_1 + d8_2 * b1_6 + T(0.1) *
-      r_sdot1_10 - s10 * b1_2 + N1_3;
+      rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) * r_sdot1_10
+      - s10 * b1_2 + N1_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -4705,7 +4620,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 774 add, 984 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
+// 751 add, 946 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -5033,76 +4948,63 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
   // thetaddot5_2 = d^2/dt^2 expression 1: prescribed
   const T minus_thetaddot5_2 = t5_2 * T(3) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_3 = sin(theta5_2);
-  const T E5_12 = t5_3 * T(0.09983341664682815);
-  const T t5_4 = cos(theta5_2);
-  const T minus_E5_13 = t5_4 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_3 * T(0.9950041652780258);
-  const T E5_33 = t5_4 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_4 + R1_31 * t5_3;
-  const T R5_22 = R5a_22 * t5_4 + R1_32 * t5_3;
-  const T R5_23 = R5a_23 * t5_4 + R1_33 * t5_3;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T t5_5 = T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 - minus_E5_13 * omega5a_3;
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + t5_5;
-  const T omega5_2 = t5_4 * omega5a_2 + t5_3 * omega5a_3;
-  const T t5_6 = T(0.09983341664682815) * omega5a_1 - minus_E5_32 * omega5a_2 + E5_33 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + t5_6;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_21 - R1_21 * T(0.3);
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_7 = t3_30 + t3_34;
-  const T t5_8 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_7 - R1_21 * t2_13 - R1_31 * t5_8;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_7 - R1_22 * t2_13 - R1_32 * t5_8;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_7 - R1_23 * t2_13 - R1_33 * t5_8;
+  const T t5_3 = t3_30 + t3_34;
+  const T t5_4 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a (omega1~ omega1~ q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_9 = omega1_3 * t2_13 - omega1_2 * t5_8 + Pddot1_1;
-  const T t5_10 = omega1_3 * t5_7 + omega1_1 * t5_8 + Pddot1_2;
-  const T Pddot5a_1 = E5a_11 * t5_9 + E5a_12 * t5_10;
-  const T Pddot5a_2 = E5a_11 * t5_10 - E5a_12 * t5_9;
-  const T Pddot5a_3 = Pddot1_3 - omega1_1 * t2_13 - omega1_2 * t5_7;
+  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4 + Pddot1_1;
+  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4 + Pddot1_2;
+  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
+  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
+  const T Pddot5a_3 = Pddot1_3 - omega1_1 * t2_13 - omega1_2 * t5_3;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot5_1 = T(0.09983341664682815) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.9950041652780258) +
-      T(0.9950041652780258) * omegadot5a_1 - E5_12 * minus_omegadot5a_2;
-  const T minus_omegadot5_2 = thetadot5_2 * (T(0.09983341664682815) * t5_5 - T(0.9950041652780258) * t5_6) + t5_4 *
-      minus_omegadot5a_2;
-  const T omegadot5_3 = T(0.09983341664682815) * omegadot5a_1 + minus_E5_32 * minus_omegadot5a_2 -
-      T(0.9950041652780258) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.09983341664682815);
+  const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
+  const T omegadot5_2 = thetadot5_2 * omega5_3 - E5_22 * minus_omegadot5a_2;
+  const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_11 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_11;
-  const T t5_12 = omega5_2 * omega5_1;
-  const T U5_12 = t5_12 - omegadot5_3;
-  const T t5_13 = omega5_3 * omega5_1;
-  const T U5_13 = t5_13 - minus_omegadot5_2;
-  const T U5_21 = t5_12 + omegadot5_3;
-  const T t5_14 = omega5_3 * omega5_2;
-  const T U5_23 = t5_14 - omegadot5_1;
-  const T U5_31 = t5_13 + minus_omegadot5_2;
-  const T U5_32 = t5_14 + omegadot5_1;
-  const T minus_U5_33 = t5_11 + omega5_1 * omega5_1;
+  const T t5_7 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
+  const T t5_8 = omega5_2 * omega5_1;
+  const T U5_12 = t5_8 - omegadot5_3;
+  const T t5_9 = omega5_3 * omega5_1;
+  const T U5_13 = t5_9 + omegadot5_2;
+  const T U5_21 = t5_8 + omegadot5_3;
+  const T t5_10 = omega5_3 * omega5_2;
+  const T U5_23 = t5_10 - omegadot5_1;
+  const T U5_31 = t5_9 - omegadot5_2;
+  const T U5_32 = t5_10 + omegadot5_1;
+  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = T(0.9950041652780258) * Pddot5a_1 + E5_12 * Pddot5a_2 - minus_E5_13 * Pddot5a_3;
-  const T Pddot5_2 = t5_4 * Pddot5a_2 + t5_3 * Pddot5a_3;
-  const T Pddot5_3 = T(0.09983341664682815) * Pddot5a_1 - minus_E5_32 * Pddot5a_2 + E5_33 * Pddot5a_3;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 + E5_23 * Pddot5a_3;
+  const T Pddot5_3 = E5_22 * Pddot5a_3 - E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5_1;
+  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
   const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
 
@@ -5122,7 +5024,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
   const T t6_4 = R3_13 * T(0.2);
@@ -5160,55 +5062,55 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // omegadot8 = -thetadot8 b8~ E8 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot8_1 = thetadot8 * minus_omega8_2;
-  const T minus_omegadot8_2 = thetadot8 * omega8_1;
+  const T omegadot8_1 = thetadot8 * omega8_3;
+  const T minus_omegadot8_3 = thetadot8 * omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_3 * omega8_3;
-  const T t8_2 = minus_omega8_2 * minus_omega8_2;
+  const T t8_2 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_1 + t8_2;
-  const T minus_U8_12 = minus_omega8_2 * omega8_1;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 - minus_omegadot8_2;
+  const T t8_3 = omega8_2 * omega8_1;
+  const T U8_12 = t8_3 + minus_omegadot8_3;
+  const T U8_13 = omega8_3 * omega8_1;
+  const T U8_21 = t8_3 - minus_omegadot8_3;
   const T t8_4 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_1 + t8_4;
-  const T t8_5 = omega8_3 * minus_omega8_2;
-  const T U8_23 = minus_omegadot8_1 - t8_5;
-  const T U8_31 = t8_3 + minus_omegadot8_2;
-  const T minus_U8_32 = t8_5 + minus_omegadot8_1;
+  const T t8_5 = omega8_3 * omega8_2;
+  const T U8_23 = t8_5 - omegadot8_1;
+  const T U8_32 = t8_5 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_4;
   // Pddot8 = E8 (omega1~ (omega1~ d8 + 2 sdot8 u8) + Pddot1): acceleration of the body origin, less gravity, body
   //   axes [m/s^2]
-  const T t8_6 = omega1_3 * d8_2;
-  const T t8_7 = T(2) * sdot8;
-  const T t8_8 = omega1_2 * t8_6 - omega1_1 * t8_7 + Pddot1_3;
-  const T t8_9 = omega1_1 * d8_2;
-  const T t8_10 = omega1_3 * t8_7 + omega1_2 * t8_9 + Pddot1_1;
-  const T Pddot8_1 = E8_13 * t8_8 - minus_E8_11 * t8_10;
-  const T minus_Pddot8_2 = E8_13 * t8_10 + minus_E8_11 * t8_8;
-  const T minus_Pddot8_3 = Pddot1_2 - omega1_3 * t8_6 - omega1_1 * t8_9;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_13 * T(0.1) - minus_U8_11 * T(0.02) - minus_U8_12 * T(0.01) + Pddot8_1;
-  const T a8_2 = U8_23 * T(0.1) - minus_U8_12 * T(0.02) - minus_U8_22 * T(0.01) - minus_Pddot8_2;
-  const T a8_3 = U8_31 * T(0.02) - minus_U8_32 * T(0.01) - minus_U8_33 * T(0.1) - minus_Pddot8_3;
+  const T t8_6 = T(2) * sdot8;
+  const T t8_7 = omega1_1 * d8_2;
+  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7 + Pddot1_1;
+  const T t8_9 = omega1_3 * d8_2;
+  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6 + Pddot1_3;
+  const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
+  const T Pddot8_2 = Pddot1_2 - omega1_3 * t8_9 - omega1_1 * t8_7;
+  const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
+  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I8)/2 - I8)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N8_1 = T(0.0015) * minus_U8_32 + T(0.0025) * U8_23;
-  const T minus_N8_2 = T(0.0025) * U8_13 - T(5e-04) * U8_31;
-  const T minus_N8_3 = T(0.001) * minus_U8_12;
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
+  const T N8_2 = T(0.001) * U8_13;
+  const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -5220,43 +5122,45 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + d_tether_9 . ddot_tether_9 ll_tether_9^-1
-  //   c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (d_tether_9_1 *
-      ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 * minus_ddot_tether_9_3) * T(0.4);
-  // F_tether_9 = f_tether_9 d_tether_9: on the first end, inertial axes [N]
-  const T F_tether_9_1 = f_tether_9 * d_tether_9_1;
-  const T F_tether_9_2 = f_tether_9 * d_tether_9_2;
-  const T F_tether_9_3 = f_tether_9 * d_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
+      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
+      T(0.4);
+  // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
+  const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
+  const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
+  const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
   // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T t9_8 = R5_11 * F_tether_9_1 + R5_12 * F_tether_9_2 + R5_13 * F_tether_9_3;
+  const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
@@ -5307,7 +5211,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // Pddot10 = R1^T (omega1~ (omega1~ d10 + 2 sdot10 u10) + Pddot1): acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
   const T t10_13 = omega1_1 * s10 - t3_34;
-  const T t10_14 = t2_19 - t5_8 + T(2) * sdot10;
+  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
   const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14 + Pddot1_1;
   const T t10_16 = t3_32 - omega1_3 * s10;
   const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13 + Pddot1_2;
@@ -5339,56 +5243,57 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + E11 omegadot8: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot11_1 = thetadot11 * minus_omega11_2 + E11_11 * minus_omegadot8_1 + E11_12 * minus_omegadot8_2;
-  const T omegadot11_2 = E11_12 * minus_omegadot8_1 - E11_11 * minus_omegadot8_2 - thetadot11 * omega11_1;
+  const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 - E11_13 * minus_omegadot8_3;
+  const T minus_omegadot11_3 = thetadot11 * omega11_1 + E11_13 * omegadot8_1 + E11_11 * minus_omegadot8_3;
   // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T minus_U11_11 = omega11_3 * omega11_3 + minus_omega11_2 * minus_omega11_2;
-  const T minus_U11_12 = minus_omega11_2 * omega11_1;
-  const T t11_1 = omega11_3 * omega11_1;
-  const T U11_13 = t11_1 + omegadot11_2;
-  const T t11_2 = omega11_3 * minus_omega11_2;
-  const T U11_23 = minus_omegadot11_1 - t11_2;
-  const T U11_31 = t11_1 - omegadot11_2;
-  const T minus_U11_32 = t11_2 + minus_omegadot11_1;
+  const T t11_1 = omega11_2 * omega11_1;
+  const T U11_12 = t11_1 + minus_omegadot11_3;
+  const T U11_13 = omega11_3 * omega11_1;
+  const T U11_21 = t11_1 - minus_omegadot11_3;
+  const T t11_2 = omega11_3 * omega11_2;
+  const T U11_23 = t11_2 - omegadot11_1;
+  const T U11_32 = t11_2 + omegadot11_1;
+  const T minus_U11_33 = omega11_2 * omega11_2 + omega11_1 * omega11_1;
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = U8_13 * d11_3 - t11_3 * minus_omega8_2 + Pddot8_1;
-  const T t11_5 = U8_23 * d11_3 - t11_3 * omega8_1 - minus_Pddot8_2;
-  const T Pddot11_1 = E11_11 * t11_4 + E11_12 * t11_5;
-  const T Pddot11_2 = E11_11 * t11_5 - E11_12 * t11_4;
-  const T minus_Pddot11_3 = minus_U8_33 * d11_3 + minus_Pddot8_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = Pddot11_1 - minus_U11_11 * T(0.01);
-  const T a11_2 = Pddot11_2 - minus_U11_12 * T(0.01);
-  const T a11_3 = U11_31 * T(0.01) - minus_Pddot11_3;
+  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
+  const T Pddot11_2 = minus_U8_22 * minus_d11_2 + Pddot8_2;
+  const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
+  // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
+  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = M_coupling_ - axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N11_1 = T(3e-04) * minus_U11_32 + T(0.00010000000000000005) * U11_23;
-  const T minus_N11_2 = T(0.00010000000000000005) * U11_13 - T(3e-04) * U11_31;
-  const T N11_3 = T(0.02) * u.motor;
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
+  //   axes [N m]
+  const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
+  const T minus_N11_2 = T(0.02) * u.motor;
+  const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T b11_1 = minus_G11_3 * T(0.01);
-  const T rho11_2 = b11_1 - minus_N11_2;
-  const T rho11_3 = N11_3 - T(0.01) * minus_G11_2;
+  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b11_1 = minus_G11_2 * T(0.01);
+  const T rho11_1 = b11_1 - minus_N11_1;
+  const T minus_rho11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
   // f_theta11 = b11 . G11 pitch11 + b11 . rho11 + effort_nut_11: Kane's equation of the angle [N m]
-  const T f_theta11 = rho11_3 - b11_1 - minus_effort_nut_11;
+  const T f_theta11 = b11_1 + minus_rho11_2 - minus_effort_nut_11;
   f[15] = f_theta11;
 
   // ---- body 10 (runner) and what it carries
@@ -5416,20 +5321,20 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 8 (piston) and what it carries
   // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_12 * minus_G11_2 - E11_11 * minus_G11_1;
+  const T b8_1 = E11_13 * minus_G11_3 - E11_11 * minus_G11_1;
   const T S8_1 = b8_1 - minus_G8_1;
-  const T b8_2 = E11_12 * minus_G11_1 + E11_11 * minus_G11_2;
-  const T minus_S8_2 = b8_2 + minus_G8_2;
-  const T minus_S8_3 = minus_G11_3 + minus_G8_3;
-  f[22] = -minus_S8_3;
-  // rho8 = E11^T rho11 + r8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
+  const T minus_S8_2 = minus_G11_2 + minus_G8_2;
+  const T b8_2 = E11_13 * minus_G11_1 + E11_11 * minus_G11_3;
+  const T minus_S8_3 = b8_2 + minus_G8_3;
+  f[22] = minus_S8_2;
+  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * N11_1 - E11_12 * rho11_2 + T(0.1) * minus_G8_2 - T(0.01) * minus_G8_3 + d11_3 * b8_2 +
-      N8_1;
-  const T rho8_2 = E11_12 * N11_1 + E11_11 * rho11_2 + T(0.02) * minus_G8_3 - T(0.1) * minus_G8_1 + d11_3 * b8_1 -
-      minus_N8_2;
-  const T rho8_3 = rho11_3 + T(0.01) * minus_G8_1 - T(0.02) * minus_G8_2 - minus_N8_3;
-  f[10] = rho8_3;
+  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
+      * b8_2 - minus_N8_1;
+  const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
+  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
+      * b8_1 - minus_N8_3;
+  f[10] = minus_rho8_2;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -5446,13 +5351,11 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
   const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_1 = T(0.9950041652780258) * G5_1 + T(0.09983341664682815) * G5_3;
-  const T S5a_2 = E5_12 * G5_1 + t5_4 * G5_2 - minus_E5_32 * G5_3;
-  const T S5a_3 = t5_3 * G5_2 - minus_E5_13 * G5_1 + E5_33 * G5_3;
+  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
   // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_1 = T(0.9950041652780258) * rho5_1 + T(0.09983341664682815) * rho5_3;
-  const T rho5a_2 = E5_12 * rho5_1 + t5_4 * rho5_2 - minus_E5_32 * rho5_3;
-  const T rho5a_3 = t5_3 * rho5_2 - minus_E5_13 * rho5_1 + E5_33 * rho5_3;
+  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
+  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
   f[9] = rho5a_3;
 
   // ---- body 4 (cross) and what it carries
@@ -5506,35 +5409,35 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T b1_2 = R1_11 * minus_G2_1 + R1_12 * minus_G2_2 + R1_13 * minus_G2_3;
   const T b1_3 = R1_11 * minus_G10_1 + R1_12 * minus_G10_2 + R1_13 * minus_G10_3;
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * S5a_1 - E5a_12 * S5a_2;
-  const T b1_6 = E8_13 * minus_S8_2 - minus_E8_11 * S8_1;
+  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
+  const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
   const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
   const T b1_9 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
-  const T b1_10 = E5a_12 * S5a_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - minus_f_sdot1_10 + b1_9 + b1_10 + minus_S8_3 + G1_2;
+  const T b1_10 = E5a_12 * G5_1 + E5a_11 * S5a_2;
+  const T S1_2 = b1_7 - b1_8 - minus_f_sdot1_10 + b1_9 + b1_10 - minus_S8_2 + G1_2;
   const T b1_11 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_12 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_13 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
   const T b1_14 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
-  const T b1_15 = E8_13 * S8_1 + minus_E8_11 * minus_S8_2;
+  const T b1_15 = E8_13 * S8_1 - E8_11 * minus_S8_3;
   const T S1_3 = b1_11 - b1_12 - b1_13 + b1_14 + S5a_3 + b1_15 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_16 = T(0.2) * b1_8;
   const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_16 - T(0.1) * b1_12 - T(0.1) * b1_7 +
       T(0.1) * b1_14 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 -
-      T(0.3) * S5a_3 + E5a_11 * rho5a_1 - E5a_12 * rho5a_2 - minus_E8_11 * rho8_1 - E8_13 * rho8_2 - T(0.03) * G1_2 -
-      T(0.01) * G1_3 + d8_2 * b1_15 + T(0.3) * minus_f_sdot1_10 - s10 * b1_13 + N1_1;
+      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
+      * G1_3 + d8_2 * b1_15 + T(0.3) * minus_f_sdot1_10 - s10 * b1_13 + N1_1;
   const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_12 + T(0.1) * b1_1 - T(0.3) * b1_11 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5a_1 + E5a_11 * rho5a_2 - rho8_3 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) * b1_13
-      - T(0.3) * b1_3 + N1_2;
+      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
+      b1_13 - T(0.3) * b1_3 + N1_2;
   const T f_omega1_3 = T(0.1) * b1_2 - b1_16 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
       - T(0.2) * b1_9 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 - minus_E8_11 * rho8_2 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 *
-      b1_3 - T(0.1) * minus_f_sdot1_10 - minus_N1_3;
+      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
+      T(0.1) * minus_f_sdot1_10 - minus_N1_3;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -5556,7 +5459,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 499 add, 696 multiply, 17 sine or cosine
+// 488 add, 679 multiply, 17 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -5678,13 +5581,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T E5a_12 = sin(theta5_1);
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -5694,9 +5593,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
   const T s8 = x[25];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
 
@@ -5745,63 +5644,60 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
 
   // ---- body 11 (nut) and what it carries
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc11_1 = E11_11 * T(0.003);
-  const T hc11_2 = E11_12 * T(0.003);
+  const T minus_hc11_1 = E11_13 * T(0.003);
+  const T hc11_3 = E11_11 * T(0.003);
 
   // ---- body 8 (piston) and what it carries
-  // h8 = m8 r8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h8_1 = T(0.013999999999999999) + hc11_1;
-  const T h8_2 = T(0.006999999999999999) + hc11_2;
-  const T b8_1 = T(0.3) * d11_3;
-  const T h8_3 = T(0.06999999999999999) + b8_1;
-  // J8 = E11^T J11 E11 - m8 r8~ r8~ + I8 + (-m11 d11~ - hc11~) d11~ - d11~ hc11~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b8_2 = E11_11 * T(4e-04);
-  const T b8_3 = E11_12 * T(0.00043000000000000004);
-  const T b8_4 = b8_1 * d11_3;
-  const T J8_11 = b8_2 * E11_11 + b8_3 * E11_12 + T(0.01107) + b8_4;
-  const T J8_12 = b8_2 * E11_12 - b8_3 * E11_11 - T(0.00014);
-  const T b8_5 = d11_3 * hc11_1;
-  const T minus_J8_13 = T(0.0014) + b8_5;
-  const T J8_22 = E11_12 * T(4e-04) * E11_12 + E11_11 * T(0.00043000000000000004) * E11_11 + T(0.010280000000000001) +
-      b8_4;
-  const T b8_6 = d11_3 * hc11_2;
-  const T minus_J8_23 = T(7e-04) + b8_6;
+  // h8 = m8 r_link8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h8_1 = T(0.006999999999999999) + minus_hc11_1;
+  const T b8_1 = T(0.3) * minus_d11_2;
+  const T minus_h8_2 = T(0.06999999999999999) + b8_1;
+  const T h8_3 = T(0.013999999999999999) + hc11_3;
+  // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
+  //   about the body origin, body axes [kg m^2]
+  const T b8_2 = E11_11 * T(0.00043000000000000004);
+  const T b8_3 = E11_13 * T(4e-04);
+  const T b8_4 = b8_1 * minus_d11_2;
+  const T J8_11 = b8_2 * E11_11 + b8_3 * E11_13 + T(0.010280000000000001) + b8_4;
+  const T b8_5 = minus_d11_2 * minus_hc11_1;
+  const T minus_J8_12 = T(7e-04) + b8_5;
+  const T J8_13 = b8_2 * E11_13 - b8_3 * E11_11 + T(0.00014);
+  const T b8_6 = minus_d11_2 * hc11_3;
+  const T J8_23 = T(0.0014) + b8_6;
+  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_4;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = E8_13 * h8_2 + minus_E8_11 * h8_1;
-  const T minus_hc8_3 = minus_E8_11 * h8_2 - E8_13 * h8_1;
+  const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
+  const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
   A[80] = minus_hc8_1;
   A[640] = minus_hc8_1;
   A[22] = -minus_hc8_3;
   A[638] = -minus_hc8_3;
   // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_12 * T(3e-05) - b8_5;
-  const T minus_K_thetadot11_8_2 = E11_11 * T(3e-05) + b8_6;
+  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_5;
+  const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_6;
 
   // ---- body 5 (camera) and what it carries
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_2 = E5_12 * c.h5_1 - minus_E5_32 * c.h5_3;
-  const T hc5_3 = E5_33 * c.h5_3 - minus_E5_13 * c.h5_1;
+  const T minus_hc5_2 = E5_23 * c.h5_3;
+  const T hc5_3 = E5_22 * c.h5_3;
   // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T J5a_12 = c.c5_2 * E5_12 - c.c5_3 * minus_E5_32;
-  const T J5a_13 = c.c5_3 * E5_33 - c.c5_2 * minus_E5_13;
-  const T b5_1 = E5_12 * c.J5_11 - minus_E5_32 * c.J5_13;
-  const T b5_2 = t5_2 * c.J5_22;
-  const T b5_3 = E5_12 * c.J5_13 - minus_E5_32 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_12 + b5_2 * t5_2 - b5_3 * minus_E5_32;
-  const T J5a_23 = b5_2 * t5_1 - b5_1 * minus_E5_13 + b5_3 * E5_33;
-  const T J5a_33 = t5_1 * c.J5_22 * t5_1 - (E5_33 * c.J5_13 - minus_E5_13 * c.J5_11) * minus_E5_13 + (E5_33 * c.J5_33
-      - minus_E5_13 * c.J5_13) * E5_33;
+  const T minus_J5a_12 = E5_23 * c.J5_13;
+  const T J5a_13 = E5_22 * c.J5_13;
+  const T b5_1 = E5_22 * c.J5_22;
+  const T b5_2 = E5_23 * c.J5_33;
+  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
+  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
+  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
   A[270] = J5a_33;
   // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_11 * c.hc5_1 - E5a_12 * hc5_2;
-  const T hc5a_2 = E5a_11 * hc5_2 + E5a_12 * c.hc5_1;
+  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
+  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
 
   // ---- body 4 (cross) and what it carries
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
@@ -5867,9 +5763,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
   //   moment of mass carried, about the body origin, body axes [kg m]
   const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_1 = hc5a_2 - c.c1_2;
-  const T b1_2 = h8_3 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 + b1_1 - b1_2 + hc3_2 + hc4a_2;
+  const T b1_1 = minus_hc5a_2 + c.c1_2;
+  const T b1_2 = minus_h8_2 - T(1) * d8_2;
+  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_1 - b1_2 + hc3_2 + hc4a_2;
   const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
   // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
   //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
@@ -5881,33 +5777,33 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T b1_7 = hc3_3 + T(0.2);
   const T b1_8 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + (b1_6 * T(0.1) + b1_7 * T(0.1));
   const T b1_9 = T(0.09000000000000001) + hc4a_2;
-  const T b1_10 = b1_1 * T(0.3) + d8_2 * h8_3 + (b1_2 * d8_2 - (T(0.1) * hc4a_2 + b1_9 * T(0.1)));
+  const T b1_10 = b1_1 * T(0.3) - d8_2 * minus_h8_2 - (b1_2 * d8_2 - (T(0.1) * hc4a_2 + b1_9 * T(0.1)));
   const T b1_11 = minus_E4a_12 * J4a_12;
   const T b1_12 = minus_E4a_13 * J4a_13;
   const T b1_13 = E4a_11 * J4a_11 + b1_11 + b1_12;
   const T b1_14 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
   const T b1_15 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_16 = T(0.3) * hc5a_2;
-  const T b1_17 = E5a_12 * J5a_12;
-  const T b1_18 = E5a_11 * c.J5a_11 - b1_17;
-  const T b1_19 = E5a_11 * J5a_12;
-  const T b1_20 = b1_19 - E5a_12 * J5a_22;
-  const T b1_21 = E8_13 * J8_12;
-  const T b1_22 = minus_E8_11 * J8_11 + b1_21;
-  const T b1_23 = minus_E8_11 * J8_12;
-  const T b1_24 = b1_23 + E8_13 * J8_22;
+  const T b1_16 = T(0.3) * minus_hc5a_2;
+  const T b1_17 = E5a_12 * minus_J5a_12;
+  const T b1_18 = E5a_11 * c.J5_11 + b1_17;
+  const T b1_19 = E5a_11 * minus_J5a_12;
+  const T b1_20 = b1_19 + E5a_12 * J5a_22;
+  const T b1_21 = E8_13 * J8_13;
+  const T b1_22 = E8_11 * J8_11 - b1_21;
+  const T b1_23 = E8_11 * J8_13;
+  const T b1_24 = b1_23 - E8_13 * J8_33;
   const T b1_25 = s10 * s10;
-  const T J1_11 = b1_3 * E3_11 + b1_4 * E3_21 + b1_5 * E3_31 + b1_8 - b1_10 + b1_13 * E4a_11 + b1_14 * minus_E4a_12 +
-      b1_15 * minus_E4a_13 - b1_16 + b1_18 * E5a_11 - b1_20 * E5a_12 + b1_22 * minus_E8_11 + b1_24 * E8_13 + T(0.648)
-      + T(0.4) * (T(0.09) + b1_25);
-  const T b1_26 = minus_E8_11 * minus_J8_13 + E8_13 * minus_J8_23 - d8_2 * minus_hc8_1;
+  const T J1_11 = b1_3 * E3_11 + b1_4 * E3_21 + b1_5 * E3_31 + b1_8 + b1_10 + b1_13 * E4a_11 + b1_14 * minus_E4a_12 +
+      b1_15 * minus_E4a_13 + b1_16 + b1_18 * E5a_11 + b1_20 * E5a_12 + b1_22 * E8_11 - b1_24 * E8_13 + T(0.648) +
+      T(0.4) * (T(0.09) + b1_25);
+  const T b1_26 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
   const T b1_27 = T(0.3) * hc3_2 - T(0.3) * hc5a_1 + (s10 * T(0.1) * T(0.4) - (b1_3 * E3_12 + b1_4 * E3_22 + b1_5 *
-      E3_32)) - (b1_14 * E4a_22 - b1_13 * minus_E4a_12 + b1_15 * E4a_23 + T(0.005599999999999998) + (b1_18 * E5a_12 +
+      E3_32)) - (b1_14 * E4a_22 - b1_13 * minus_E4a_12 + b1_15 * E4a_23 + T(0.005599999999999998) + (b1_18 * E5a_12 -
       b1_20 * E5a_11 - b1_26));
   const T J1_12 = b1_9 * T(0.2) - (b1_27 + T(0.1) * hc4a_1);
   const T b1_28 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
-  const T b1_29 = b1_24 * minus_E8_11 - b1_22 * E8_13 - b1_28 + (b1_4 * E3_23 - b1_3 * minus_E3_13 + b1_5 * E3_33 +
-      T(0.2) * hc4a_3 + (b1_14 * E4a_23 - b1_13 * minus_E4a_13 + b1_15 * E4a_33 + T(0.005200000000000004)));
+  const T b1_29 = b1_22 * E8_13 + b1_24 * E8_11 - b1_28 + (b1_4 * E3_23 - b1_3 * minus_E3_13 + b1_5 * E3_33 + T(0.2) *
+      hc4a_3 + (b1_14 * E4a_23 - b1_13 * minus_E4a_13 + b1_15 * E4a_33 + T(0.005200000000000004)));
   const T J1_13 = b1_29 - T(0.1) * hc3_1 - b1_7 * T(0.3);
   const T b1_30 = hc4a_1 - T(0.18000000000000002);
   const T J1_21 = T(0.2) * hc4a_2 - b1_27 - b1_30 * T(0.1);
@@ -5921,21 +5817,21 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T b1_38 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
   const T b1_39 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
   const T J1_22 = b1_31 * E3_12 + b1_32 * E3_22 + b1_33 * E3_32 + b1_8 + b1_35 + b1_37 * E4a_22 - b1_38 * minus_E4a_12
-      + b1_39 * E4a_23 + (E5a_12 * c.J5a_11 + b1_19) * E5a_12 + (b1_17 + E5a_11 * J5a_22) * E5a_11 + T(0.61738);
-  const T b1_40 = minus_E8_11 * minus_J8_23 - E8_13 * minus_J8_13 - d8_2 * minus_hc8_3;
-  const T b1_41 = T(0.1) * hc3_2 + T(0.1) * hc4a_3 + b1_40 + (T(0.3) * s10 * T(0.4) - (b1_32 * E3_23 - b1_31 *
+      + b1_39 * E4a_23 + (E5a_12 * c.J5_11 - b1_19) * E5a_12 + (E5a_11 * J5a_22 - b1_17) * E5a_11 + T(0.61738);
+  const T b1_40 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
+  const T b1_41 = T(0.1) * minus_hc5a_2 + b1_40;
+  const T b1_42 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
+  const T b1_43 = T(0.1) * hc3_2 + T(0.1) * hc4a_3 + b1_42 + (T(0.3) * s10 * T(0.4) - (b1_32 * E3_23 - b1_31 *
       minus_E3_13 + b1_33 * E3_33) - (b1_37 * E4a_23 - b1_38 * minus_E4a_13 + b1_39 * E4a_33 + T(0.0484)));
-  const T b1_42 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_43 = b1_42 - T(0.1) * hc5a_2;
-  const T J1_23 = b1_6 * T(0.3) - (b1_41 - b1_43);
+  const T J1_23 = b1_41 - b1_43 + b1_6 * T(0.3);
   const T J1_31 = b1_29 - T(0.3) * hc3_3 - b1_34 * T(0.1);
-  const T J1_32 = T(0.3) * hc5_3 - b1_41 + b1_42 - b1_1 * T(0.1);
-  const T b1_44 = J5a_33 - b1_16;
+  const T J1_32 = T(0.3) * hc5_3 - b1_43 + b1_40 + b1_1 * T(0.1);
+  const T b1_44 = J5a_33 + b1_16;
   const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
       T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_35 - b1_10 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
+      + b1_35 + b1_10 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
       minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_36 - b1_12 + E4a_33 * J4a_33) * E4a_33 + b1_44 +
-      (E8_13 * J8_11 - b1_23) * E8_13 - (b1_21 - minus_E8_11 * J8_22) * minus_E8_11 + T(0.744) + T(0.4) * (b1_25 +
+      (E8_13 * J8_11 + b1_23) * E8_13 + (b1_21 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_25 +
       T(0.010000000000000002));
   A[0] = J1_11;
   A[1] = J1_12;
@@ -5947,21 +5843,19 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[59] = J1_32;
   A[60] = J1_33;
   // B_thetadot11_1 = E8^T B_thetadot11_8
-  const T B_thetadot11_1_1 = minus_E8_11 * hc11_2 - E8_13 * hc11_1;
-  const T minus_B_thetadot11_1_3 = E8_13 * hc11_2 + minus_E8_11 * hc11_1;
+  const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
+  const T minus_B_thetadot11_1_3 = E8_13 * hc11_3 + E8_11 * minus_hc11_1;
   // K_thetadot11_1 = E8^T K_thetadot11_8 + d8~ E8^T B_thetadot11_8
-  const T K_thetadot11_1_1 = E8_13 * minus_K_thetadot11_8_2 - minus_E8_11 * K_thetadot11_8_1 - d8_2 *
-      minus_B_thetadot11_1_3;
-  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + minus_E8_11 * minus_K_thetadot11_8_2 - d8_2 *
-      B_thetadot11_1_1;
+  const T K_thetadot11_1_1 = E8_11 * K_thetadot11_8_1 - E8_13 * K_thetadot11_8_3 - d8_2 * minus_B_thetadot11_1_3;
+  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_3 - d8_2 * B_thetadot11_1_1;
   A[15] = K_thetadot11_1_1;
   A[435] = K_thetadot11_1_1;
   A[73] = K_thetadot11_1_3;
   A[437] = K_thetadot11_1_3;
   A[10] = b1_26;
   A[290] = b1_26;
-  A[68] = b1_40;
-  A[292] = b1_40;
+  A[68] = b1_42;
+  A[292] = b1_42;
   // B_sdot6_1 = E3^T B_sdot6_3
   const T B_sdot6_1_1 = E3_11 * T(0.5);
   const T B_sdot6_1_2 = E3_12 * T(0.5);
@@ -5978,8 +5872,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[553] = K_sdot6_1_3;
   A[9] = -b1_28;
   A[261] = -b1_28;
-  A[38] = b1_43;
-  A[262] = b1_43;
+  A[38] = b1_41;
+  A[262] = b1_41;
   A[67] = b1_44;
   A[263] = b1_44;
   // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
@@ -6217,13 +6111,13 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t63 = R1_13 * B_thetadot4_2_1_1 + R1_23 * B_thetadot4_2_1_2 + R1_33 * B_thetadot4_2_1_3;
   A[250] = t63;
   A[530] = t63;
-  const T t64 = R1_21 * hc5a_1 - R1_11 * hc5a_2;
+  const T t64 = R1_11 * minus_hc5a_2 + R1_21 * hc5a_1;
   A[277] = t64;
   A[473] = t64;
-  const T t65 = R1_22 * hc5a_1 - R1_12 * hc5a_2;
+  const T t65 = R1_12 * minus_hc5a_2 + R1_22 * hc5a_1;
   A[278] = t65;
   A[502] = t65;
-  const T t66 = R1_23 * hc5a_1 - R1_13 * hc5a_2;
+  const T t66 = R1_13 * minus_hc5a_2 + R1_23 * hc5a_1;
   A[279] = t66;
   A[531] = t66;
   const T t67 = R1_11 * minus_hc8_3 - R1_31 * minus_hc8_1;
@@ -6337,7 +6231,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
 
 // partial_velocities: partial velocities v_y of the mass centres: v = v_y y.
 // v_y of body 1, of body 2, ... (n_bodies x 3 x ny)
-// 462 add, 672 multiply, 17 sine or cosine
+// 470 add, 680 multiply, 17 sine or cosine
 template <class T>
 void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept {
   using std::cos, std::sin;
@@ -6678,23 +6572,16 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T R5a_23 = R1_23 * E5a_11 - R1_13 * E5a_12;
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_2 + R1_31 * t5_1;
-  const T R5_22 = R5a_22 * t5_2 + R1_32 * t5_1;
-  const T R5_23 = R5a_23 * t5_2 + R1_33 * t5_1;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // P_omega1_5a = -R1^T q5a~: partial velocity of the body origin, inertial axes
   const T minus_P_omega1_5a_11 = minus_P_omega1_3_11 + t3_18;
   const T P_omega1_5a_13 = R1_11 * T(0.3);
@@ -6703,31 +6590,32 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T minus_P_omega1_5a_31 = minus_P_omega1_3_31 + t3_20;
   const T P_omega1_5a_33 = R1_13 * T(0.3);
   // omega_omega1_5 = E5 E5a: partial angular velocity, body axes
-  const T omega_omega1_5_11 = T(0.9950041652780258) * E5a_11 - E5_12 * E5a_12;
-  const T omega_omega1_5_12 = T(0.9950041652780258) * E5a_12 + E5_12 * E5a_11;
-  const T minus_omega_omega1_5_21 = t5_2 * E5a_12;
-  const T omega_omega1_5_22 = t5_2 * E5a_11;
-  const T omega_omega1_5_31 = T(0.09983341664682815) * E5a_11 + minus_E5_32 * E5a_12;
-  const T omega_omega1_5_32 = T(0.09983341664682815) * E5a_12 - minus_E5_32 * E5a_11;
-  // B10_1 = -R5^T r5~ omega_omega1_5 + P_omega1_5a
-  const T t5_3 = T(0.05) * omega_omega1_5_31;
-  const T t5_4 = T(0.05) * minus_omega_omega1_5_21;
-  const T minus_B10_1_11 = minus_P_omega1_5a_11 - R5_21 * t5_3 - R5_31 * t5_4;
-  const T t5_5 = T(0.05) * omega_omega1_5_22;
-  const T t5_6 = T(0.05) * omega_omega1_5_32;
-  const T minus_B10_1_12 = R5_31 * t5_5 - R5_21 * t5_6 - t2_16;
-  const T t5_7 = T(0.05) * t5_1;
-  const T t5_8 = T(0.05) * E5_33;
-  const T t5_9 = R5_31 * t5_7 - R5_21 * t5_8;
-  const T minus_B10_1_13 = t5_9 - P_omega1_5a_13;
-  const T minus_B10_1_21 = minus_P_omega1_5a_21 - R5_22 * t5_3 - R5_32 * t5_4;
-  const T minus_B10_1_22 = R5_32 * t5_5 - R5_22 * t5_6 - t2_20;
-  const T t5_10 = R5_32 * t5_7 - R5_22 * t5_8;
-  const T minus_B10_1_23 = t5_10 - P_omega1_5a_23;
-  const T minus_B10_1_31 = minus_P_omega1_5a_31 - R5_23 * t5_3 - R5_33 * t5_4;
-  const T minus_B10_1_32 = R5_33 * t5_5 - R5_23 * t5_6 - t2_24;
-  const T t5_11 = R5_33 * t5_7 - R5_23 * t5_8;
-  const T minus_B10_1_33 = t5_11 - P_omega1_5a_33;
+  const T minus_omega_omega1_5_21 = E5_22 * E5a_12;
+  const T omega_omega1_5_22 = E5_22 * E5a_11;
+  const T omega_omega1_5_31 = E5_23 * E5a_12;
+  const T minus_omega_omega1_5_32 = E5_23 * E5a_11;
+  // B10_1 = -R5^T (C5^T r5)~ omega_omega1_5 + P_omega1_5a
+  const T t5_1 = T(0.004991670832341408) * minus_omega_omega1_5_21;
+  const T t5_2 = T(0.004991670832341408) * E5a_11 + T(0.049750208263901294) * omega_omega1_5_31;
+  const T t5_3 = T(0.049750208263901294) * minus_omega_omega1_5_21;
+  const T minus_B10_1_11 = minus_P_omega1_5a_11 - R5a_11 * t5_1 - R5_21 * t5_2 - R5_31 * t5_3;
+  const T t5_4 = T(0.004991670832341408) * omega_omega1_5_22;
+  const T t5_5 = T(0.049750208263901294) * minus_omega_omega1_5_32 - T(0.004991670832341408) * E5a_12;
+  const T t5_6 = T(0.049750208263901294) * omega_omega1_5_22;
+  const T minus_B10_1_12 = R5a_11 * t5_4 + R5_21 * t5_5 + R5_31 * t5_6 - t2_16;
+  const T t5_7 = T(0.004991670832341408) * E5_23;
+  const T t5_8 = T(0.049750208263901294) * E5_22;
+  const T t5_9 = T(0.049750208263901294) * E5_23;
+  const T t5_10 = R5a_11 * t5_7 - R5_21 * t5_8 + R5_31 * t5_9;
+  const T minus_B10_1_13 = t5_10 - P_omega1_5a_13;
+  const T minus_B10_1_21 = minus_P_omega1_5a_21 - R5a_12 * t5_1 - R5_22 * t5_2 - R5_32 * t5_3;
+  const T minus_B10_1_22 = R5a_12 * t5_4 + R5_22 * t5_5 + R5_32 * t5_6 - t2_20;
+  const T t5_11 = R5a_12 * t5_7 - R5_22 * t5_8 + R5_32 * t5_9;
+  const T minus_B10_1_23 = t5_11 - P_omega1_5a_23;
+  const T minus_B10_1_31 = minus_P_omega1_5a_31 - R5a_13 * t5_1 - R5_23 * t5_2 - R5_33 * t5_3;
+  const T minus_B10_1_32 = R5a_13 * t5_4 + R5_23 * t5_5 + R5_33 * t5_6 - t2_24;
+  const T t5_12 = R5a_13 * t5_7 - R5_23 * t5_8 + R5_33 * t5_9;
+  const T minus_B10_1_33 = t5_12 - P_omega1_5a_33;
   v_y[348] = -minus_B10_1_11;
   v_y[349] = -minus_B10_1_12;
   v_y[350] = -minus_B10_1_13;
@@ -6737,37 +6625,46 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[406] = -minus_B10_1_31;
   v_y[407] = -minus_B10_1_32;
   v_y[408] = -minus_B10_1_33;
-  v_y[357] = -t5_9;
-  v_y[386] = -t5_10;
-  v_y[415] = -t5_11;
-  // B30_1 = -R5^T (C12^T r12)~ omega_omega1_5 - R5^T o12~ omega_omega1_5 + P_omega1_5a
-  const T t5_12 = T(0.03535533905932738) * minus_omega_omega1_5_21;
-  const T t5_13 = T(0.03535533905932738) * omega_omega1_5_11 + T(0.03535533905932738) * omega_omega1_5_31;
-  const T t5_14 = T(0.1) * omega_omega1_5_31;
-  const T t5_15 = T(0.1) * minus_omega_omega1_5_21;
-  const T minus_B30_1_11 = R5_11 * t5_12 + R5_21 * t5_13 + R5_31 * t5_12 - R5_21 * t5_14 - R5_31 * t5_15 +
-      minus_P_omega1_5a_11;
-  const T t5_16 = T(0.03535533905932738) * omega_omega1_5_12 + T(0.03535533905932738) * omega_omega1_5_32;
-  const T t5_17 = T(0.03535533905932738) * omega_omega1_5_22;
-  const T t5_18 = T(0.1) * omega_omega1_5_22;
-  const T t5_19 = T(0.1) * omega_omega1_5_32;
-  const T minus_B30_1_12 = R5_21 * t5_16 - R5_11 * t5_17 - R5_31 * t5_17 + R5_31 * t5_18 - R5_21 * t5_19 - t2_16;
-  const T t5_20 = T(0.03535533905932738) * E5_33 - T(0.03535533905932738) * minus_E5_13;
-  const T t5_21 = T(0.03535533905932738) * t5_1;
-  const T t5_22 = T(0.1) * t5_1;
-  const T t5_23 = T(0.1) * E5_33;
-  const T t5_24 = R5_21 * t5_20 - R5_11 * t5_21 - R5_31 * t5_21 + R5_31 * t5_22 - R5_21 * t5_23;
-  const T minus_B30_1_13 = t5_24 - P_omega1_5a_13;
-  const T minus_B30_1_21 = R5_12 * t5_12 + R5_22 * t5_13 + R5_32 * t5_12 - R5_22 * t5_14 - R5_32 * t5_15 +
-      minus_P_omega1_5a_21;
-  const T minus_B30_1_22 = R5_22 * t5_16 - R5_12 * t5_17 - R5_32 * t5_17 + R5_32 * t5_18 - R5_22 * t5_19 - t2_20;
-  const T t5_25 = R5_22 * t5_20 - R5_12 * t5_21 - R5_32 * t5_21 + R5_32 * t5_22 - R5_22 * t5_23;
-  const T minus_B30_1_23 = t5_25 - P_omega1_5a_23;
-  const T minus_B30_1_31 = R5_13 * t5_12 + R5_23 * t5_13 + R5_33 * t5_12 - R5_23 * t5_14 - R5_33 * t5_15 +
-      minus_P_omega1_5a_31;
-  const T minus_B30_1_32 = R5_23 * t5_16 - R5_13 * t5_17 - R5_33 * t5_17 + R5_33 * t5_18 - R5_23 * t5_19 - t2_24;
-  const T t5_26 = R5_23 * t5_20 - R5_13 * t5_21 - R5_33 * t5_21 + R5_33 * t5_22 - R5_23 * t5_23;
-  const T minus_B30_1_33 = t5_26 - P_omega1_5a_33;
+  v_y[357] = -t5_10;
+  v_y[386] = -t5_11;
+  v_y[415] = -t5_12;
+  // B30_1 = -R5^T (C12^T r12)~ omega_omega1_5 - R5^T o5~ omega_omega1_5 + P_omega1_5a
+  const T t5_13 = T(0.03870835392384733) * minus_omega_omega1_5_21;
+  const T t5_14 = T(0.03870835392384733) * E5a_11 + T(0.03164906533384792) * omega_omega1_5_31;
+  const T t5_15 = T(0.03164906533384792) * minus_omega_omega1_5_21;
+  const T t5_16 = T(0.009983341664682815) * minus_omega_omega1_5_21;
+  const T t5_17 = T(0.009983341664682815) * E5a_11 + T(0.09950041652780259) * omega_omega1_5_31;
+  const T t5_18 = T(0.09950041652780259) * minus_omega_omega1_5_21;
+  const T minus_B30_1_11 = R5a_11 * t5_13 + R5_21 * t5_14 + R5_31 * t5_15 - R5a_11 * t5_16 - R5_21 * t5_17 - R5_31 *
+      t5_18 + minus_P_omega1_5a_11;
+  const T t5_19 = T(0.03870835392384733) * E5a_12 - T(0.03164906533384792) * minus_omega_omega1_5_32;
+  const T t5_20 = T(0.03870835392384733) * omega_omega1_5_22;
+  const T t5_21 = T(0.03164906533384792) * omega_omega1_5_22;
+  const T t5_22 = T(0.009983341664682815) * omega_omega1_5_22;
+  const T t5_23 = T(0.09950041652780259) * minus_omega_omega1_5_32 - T(0.009983341664682815) * E5a_12;
+  const T t5_24 = T(0.09950041652780259) * omega_omega1_5_22;
+  const T minus_B30_1_12 = R5_21 * t5_19 - R5a_11 * t5_20 - R5_31 * t5_21 + R5a_11 * t5_22 + R5_21 * t5_23 + R5_31 *
+      t5_24 - t2_16;
+  const T t5_25 = T(0.03164906533384792) * E5_22;
+  const T t5_26 = T(0.03870835392384733) * E5_23;
+  const T t5_27 = T(0.03164906533384792) * E5_23;
+  const T t5_28 = T(0.009983341664682815) * E5_23;
+  const T t5_29 = T(0.09950041652780259) * E5_22;
+  const T t5_30 = T(0.09950041652780259) * E5_23;
+  const T t5_31 = R5_21 * t5_25 - R5a_11 * t5_26 - R5_31 * t5_27 + R5a_11 * t5_28 - R5_21 * t5_29 + R5_31 * t5_30;
+  const T minus_B30_1_13 = t5_31 - P_omega1_5a_13;
+  const T minus_B30_1_21 = R5a_12 * t5_13 + R5_22 * t5_14 + R5_32 * t5_15 - R5a_12 * t5_16 - R5_22 * t5_17 - R5_32 *
+      t5_18 + minus_P_omega1_5a_21;
+  const T minus_B30_1_22 = R5_22 * t5_19 - R5a_12 * t5_20 - R5_32 * t5_21 + R5a_12 * t5_22 + R5_22 * t5_23 + R5_32 *
+      t5_24 - t2_20;
+  const T t5_32 = R5_22 * t5_25 - R5a_12 * t5_26 - R5_32 * t5_27 + R5a_12 * t5_28 - R5_22 * t5_29 + R5_32 * t5_30;
+  const T minus_B30_1_23 = t5_32 - P_omega1_5a_23;
+  const T minus_B30_1_31 = R5a_13 * t5_13 + R5_23 * t5_14 + R5_33 * t5_15 - R5a_13 * t5_16 - R5_23 * t5_17 - R5_33 *
+      t5_18 + minus_P_omega1_5a_31;
+  const T minus_B30_1_32 = R5_23 * t5_19 - R5a_13 * t5_20 - R5_33 * t5_21 + R5a_13 * t5_22 + R5_23 * t5_23 + R5_33 *
+      t5_24 - t2_24;
+  const T t5_33 = R5_23 * t5_25 - R5a_13 * t5_26 - R5_33 * t5_27 + R5a_13 * t5_28 - R5_23 * t5_29 + R5_33 * t5_30;
+  const T minus_B30_1_33 = t5_33 - P_omega1_5a_33;
   v_y[957] = -minus_B30_1_11;
   v_y[958] = -minus_B30_1_12;
   v_y[959] = -minus_B30_1_13;
@@ -6777,9 +6674,9 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[1015] = -minus_B30_1_31;
   v_y[1016] = -minus_B30_1_32;
   v_y[1017] = -minus_B30_1_33;
-  v_y[966] = -t5_24;
-  v_y[995] = -t5_25;
-  v_y[1024] = -t5_26;
+  v_y[966] = -t5_31;
+  v_y[995] = -t5_32;
+  v_y[1024] = -t5_33;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -6849,16 +6746,16 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
   const T s8 = x[25];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // R8^T = R1^T E8^T: R takes inertial components to body components
-  const T R8_11 = R1_31 * E8_13 - R1_11 * minus_E8_11;
-  const T R8_12 = R1_32 * E8_13 - R1_12 * minus_E8_11;
-  const T R8_13 = R1_33 * E8_13 - R1_13 * minus_E8_11;
-  const T minus_R8_21 = R1_11 * E8_13 + R1_31 * minus_E8_11;
-  const T minus_R8_22 = R1_12 * E8_13 + R1_32 * minus_E8_11;
-  const T minus_R8_23 = R1_13 * E8_13 + R1_33 * minus_E8_11;
+  const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
+  const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
+  const T R8_13 = R1_13 * E8_11 + R1_33 * E8_13;
+  const T R8_31 = R1_31 * E8_11 - R1_11 * E8_13;
+  const T R8_32 = R1_32 * E8_11 - R1_12 * E8_13;
+  const T R8_33 = R1_33 * E8_11 - R1_13 * E8_13;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // P_omega1_8 = -R1^T d8~: partial velocity of the body origin, inertial axes
@@ -6868,20 +6765,20 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T minus_P_omega1_8_23 = R1_12 * d8_2;
   const T P_omega1_8_31 = R1_33 * d8_2;
   const T minus_P_omega1_8_33 = R1_13 * d8_2;
-  // B17_1 = -R8^T r8~ E8 + P_omega1_8
+  // B17_1 = -R8^T (C8^T r8)~ E8 + P_omega1_8
   const T t8_1 = T(0.1) * E8_13;
-  const T t8_2 = T(0.1) * minus_E8_11;
-  const T t8_3 = T(0.01) * minus_E8_11 - T(0.02) * E8_13;
-  const T minus_B17_1_11 = R8_11 * t8_1 + minus_R8_21 * t8_2 - R1_21 * t8_3 - P_omega1_8_11;
-  const T B17_1_12 = R8_11 * T(0.01) + minus_R8_21 * T(0.02);
-  const T t8_4 = T(0.02) * minus_E8_11 + T(0.01) * E8_13;
-  const T minus_B17_1_13 = R8_11 * t8_2 - minus_R8_21 * t8_1 + R1_21 * t8_4 + minus_P_omega1_8_13;
-  const T minus_B17_1_21 = R8_12 * t8_1 + minus_R8_22 * t8_2 - R1_22 * t8_3 - P_omega1_8_21;
-  const T B17_1_22 = R8_12 * T(0.01) + minus_R8_22 * T(0.02);
-  const T minus_B17_1_23 = R8_12 * t8_2 - minus_R8_22 * t8_1 + R1_22 * t8_4 + minus_P_omega1_8_23;
-  const T minus_B17_1_31 = R8_13 * t8_1 + minus_R8_23 * t8_2 - R1_23 * t8_3 - P_omega1_8_31;
-  const T B17_1_32 = R8_13 * T(0.01) + minus_R8_23 * T(0.02);
-  const T minus_B17_1_33 = R8_13 * t8_2 - minus_R8_23 * t8_1 + R1_23 * t8_4 + minus_P_omega1_8_33;
+  const T t8_2 = T(0.02) * E8_11 - T(0.01) * E8_13;
+  const T t8_3 = T(0.1) * E8_11;
+  const T minus_B17_1_11 = R8_11 * t8_1 + R1_21 * t8_2 + R8_31 * t8_3 - P_omega1_8_11;
+  const T B17_1_12 = R8_11 * T(0.02) + R8_31 * T(0.01);
+  const T t8_4 = T(0.02) * E8_13 + T(0.01) * E8_11;
+  const T minus_B17_1_13 = R1_21 * t8_4 - R8_11 * t8_3 + R8_31 * t8_1 + minus_P_omega1_8_13;
+  const T minus_B17_1_21 = R8_12 * t8_1 + R1_22 * t8_2 + R8_32 * t8_3 - P_omega1_8_21;
+  const T B17_1_22 = R8_12 * T(0.02) + R8_32 * T(0.01);
+  const T minus_B17_1_23 = R1_22 * t8_4 - R8_12 * t8_3 + R8_32 * t8_1 + minus_P_omega1_8_23;
+  const T minus_B17_1_31 = R8_13 * t8_1 + R1_23 * t8_2 + R8_33 * t8_3 - P_omega1_8_31;
+  const T B17_1_32 = R8_13 * T(0.02) + R8_33 * T(0.01);
+  const T minus_B17_1_33 = R1_23 * t8_4 - R8_13 * t8_3 + R8_33 * t8_1 + minus_P_omega1_8_33;
   v_y[609] = -minus_B17_1_11;
   v_y[610] = B17_1_12;
   v_y[619] = -B17_1_12;
@@ -6974,36 +6871,36 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // R11^T = R8^T E11^T: R takes inertial components to body components
-  const T minus_R11_21 = R8_11 * E11_12 + minus_R8_21 * E11_11;
-  const T minus_R11_22 = R8_12 * E11_12 + minus_R8_22 * E11_11;
-  const T minus_R11_23 = R8_13 * E11_12 + minus_R8_23 * E11_11;
+  const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
+  const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
+  const T R11_13 = R8_13 * E11_11 + R8_33 * E11_13;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
-  const T minus_omega_omega1_11_11 = E11_11 * minus_E8_11 + E11_12 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 - E11_12 * minus_E8_11;
+  const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
+  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
   // P_omega1_11 = -R8^T d11~ E8 + P_omega1_8: partial velocity of the body origin, inertial axes
-  const T t11_1 = d11_3 * E8_13;
-  const T t11_2 = d11_3 * minus_E8_11;
-  const T minus_P_omega1_11_11 = R8_11 * t11_1 + minus_R8_21 * t11_2 - P_omega1_8_11;
-  const T minus_P_omega1_11_13 = R8_11 * t11_2 - minus_R8_21 * t11_1 + minus_P_omega1_8_13;
-  const T minus_P_omega1_11_21 = R8_12 * t11_1 + minus_R8_22 * t11_2 - P_omega1_8_21;
-  const T minus_P_omega1_11_23 = R8_12 * t11_2 - minus_R8_22 * t11_1 + minus_P_omega1_8_23;
-  const T minus_P_omega1_11_31 = R8_13 * t11_1 + minus_R8_23 * t11_2 - P_omega1_8_31;
-  const T minus_P_omega1_11_33 = R8_13 * t11_2 - minus_R8_23 * t11_1 + minus_P_omega1_8_33;
-  // B26_1 = -R11^T r11~ omega_omega1_11 + P_omega1_11
-  const T t11_3 = T(0.01) * omega_omega1_11_13;
-  const T minus_B26_1_11 = minus_P_omega1_11_11 + R1_21 * t11_3;
-  const T B26_1_12 = minus_R11_21 * T(0.01);
-  const T t11_4 = T(0.01) * minus_omega_omega1_11_11;
+  const T t11_1 = minus_d11_2 * E8_13;
+  const T t11_2 = minus_d11_2 * E8_11;
+  const T minus_P_omega1_11_11 = R8_11 * t11_1 + R8_31 * t11_2 - P_omega1_8_11;
+  const T minus_P_omega1_11_13 = R8_31 * t11_1 - R8_11 * t11_2 + minus_P_omega1_8_13;
+  const T minus_P_omega1_11_21 = R8_12 * t11_1 + R8_32 * t11_2 - P_omega1_8_21;
+  const T minus_P_omega1_11_23 = R8_32 * t11_1 - R8_12 * t11_2 + minus_P_omega1_8_23;
+  const T minus_P_omega1_11_31 = R8_13 * t11_1 + R8_33 * t11_2 - P_omega1_8_31;
+  const T minus_P_omega1_11_33 = R8_33 * t11_1 - R8_13 * t11_2 + minus_P_omega1_8_33;
+  // B26_1 = -R11^T (C11^T r11)~ omega_omega1_11 + P_omega1_11
+  const T t11_3 = T(0.01) * omega_omega1_11_11;
+  const T minus_B26_1_11 = R1_21 * t11_3 + minus_P_omega1_11_11;
+  const T B26_1_12 = R11_11 * T(0.01);
+  const T t11_4 = T(0.01) * omega_omega1_11_13;
   const T minus_B26_1_13 = R1_21 * t11_4 + minus_P_omega1_11_13;
-  const T minus_B26_1_21 = minus_P_omega1_11_21 + R1_22 * t11_3;
-  const T B26_1_22 = minus_R11_22 * T(0.01);
+  const T minus_B26_1_21 = R1_22 * t11_3 + minus_P_omega1_11_21;
+  const T B26_1_22 = R11_12 * T(0.01);
   const T minus_B26_1_23 = R1_22 * t11_4 + minus_P_omega1_11_23;
-  const T minus_B26_1_31 = minus_P_omega1_11_31 + R1_23 * t11_3;
-  const T B26_1_32 = minus_R11_23 * T(0.01);
+  const T minus_B26_1_31 = R1_23 * t11_3 + minus_P_omega1_11_31;
+  const T B26_1_32 = R11_13 * T(0.01);
   const T minus_B26_1_33 = R1_23 * t11_4 + minus_P_omega1_11_33;
   v_y[870] = -minus_B26_1_11;
   v_y[871] = B26_1_12;
@@ -7017,7 +6914,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[929] = B26_1_32;
   v_y[938] = -B26_1_32;
   v_y[930] = -minus_B26_1_33;
-  // B28_11 = -R11^T r11~ b11 + pitch11 R8^T u11
+  // B28_11 = -R11^T (C11^T r11)~ b11 + pitch11 R8^T u11
   const T minus_B28_11_1 = R1_21 * T(0.01) + B26_1_12;
   const T minus_B28_11_2 = R1_22 * T(0.01) + B26_1_22;
   const T minus_B28_11_3 = R1_23 * T(0.01) + B26_1_32;
@@ -7067,7 +6964,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
 
 // partial_velocity_rates: time derivatives of the partial velocities.
 // v_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
-// 924 add, 1421 multiply, 18 sine or cosine
+// 937 add, 1437 multiply, 18 sine or cosine
 template <class T>
 void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T* v_y_dot) noexcept {
   using std::cos, std::sin;
@@ -7537,29 +7434,20 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P_dot_omega1_5a = -R1^T omega1~ q5a~: its rate
   const T minus_P_dot_omega1_5a_11 = minus_P_dot_omega1_3_11 + t3_18;
   const T P_dot_omega1_5a_13 = t1_15 * T(0.3);
@@ -7568,66 +7456,69 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T minus_P_dot_omega1_5a_31 = minus_P_dot_omega1_3_31 + t3_20;
   const T P_dot_omega1_5a_33 = t1_21 * T(0.3);
   // omega_omega1_5 = E5 E5a: partial angular velocity, body axes
-  const T omega_omega1_5_11 = T(0.9950041652780258) * E5a_11 - E5_12 * E5a_12;
-  const T omega_omega1_5_12 = T(0.9950041652780258) * E5a_12 + E5_12 * E5a_11;
-  const T minus_omega_omega1_5_21 = t5_3 * E5a_12;
-  const T omega_omega1_5_22 = t5_3 * E5a_11;
-  const T omega_omega1_5_31 = T(0.09983341664682815) * E5a_11 + minus_E5_32 * E5a_12;
-  const T omega_omega1_5_32 = T(0.09983341664682815) * E5a_12 - minus_E5_32 * E5a_11;
+  const T minus_omega_omega1_5_21 = E5_22 * E5a_12;
+  const T omega_omega1_5_22 = E5_22 * E5a_11;
+  const T omega_omega1_5_31 = E5_23 * E5a_12;
+  const T minus_omega_omega1_5_32 = E5_23 * E5a_11;
   // omega_dot_omega1_5 = -(thetadot5_1 E5 b5_1~ + thetadot5_2 b5_2~ E5) E5a: its rate
-  const T t5_4 = thetadot5_1 * E5_12;
-  const T t5_5 = thetadot5_1 * T(0.9950041652780258) + thetadot5_2 * minus_E5_13;
-  const T minus_omega_dot_omega1_5_11 = t5_4 * E5a_11 + t5_5 * E5a_12;
-  const T minus_omega_dot_omega1_5_12 = t5_4 * E5a_12 - t5_5 * E5a_11;
-  const T omega_dot_omega1_5_13 = thetadot5_2 * E5_12;
-  const T t5_6 = thetadot5_1 * t5_3;
-  const T t5_7 = thetadot5_2 * (T(0.09983341664682815) * E5_12 + T(0.9950041652780258) * minus_E5_32);
-  const T minus_omega_dot_omega1_5_21 = t5_6 * E5a_11 - t5_7 * E5a_12;
-  const T minus_omega_dot_omega1_5_22 = t5_6 * E5a_12 + t5_7 * E5a_11;
-  const T omega_dot_omega1_5_23 = thetadot5_2 * (T(0.09983341664682815) * minus_E5_13 + T(0.9950041652780258) *
-      E5_33);
-  const T t5_8 = thetadot5_1 * minus_E5_32;
-  const T t5_9 = thetadot5_2 * E5_33 - thetadot5_1 * T(0.09983341664682815);
-  const T omega_dot_omega1_5_31 = t5_8 * E5a_11 + t5_9 * E5a_12;
-  const T minus_omega_dot_omega1_5_32 = t5_9 * E5a_11 - t5_8 * E5a_12;
-  const T minus_omega_dot_omega1_5_33 = thetadot5_2 * minus_E5_32;
-  // B9_1 = -R5^T omega5~ r5~ omega_omega1_5 - R5^T r5~ omega_dot_omega1_5 + P_dot_omega1_5a
-  const T t5_10 = T(0.05) * omega_omega1_5_31;
-  const T t5_11 = T(0.05) * minus_omega_omega1_5_21;
-  const T t5_12 = omega5_3 * t5_10 - omega5_2 * t5_11;
-  const T t5_13 = omega5_1 * t5_11;
-  const T t5_14 = omega5_1 * t5_10;
-  const T t5_15 = T(0.05) * omega_dot_omega1_5_31;
-  const T t5_16 = T(0.05) * minus_omega_dot_omega1_5_21;
-  const T minus_B9_1_11 = R5_11 * t5_12 + R5_21 * t5_13 - R5_31 * t5_14 - R5_21 * t5_15 - R5_31 * t5_16 +
-      minus_P_dot_omega1_5a_11;
-  const T t5_17 = T(0.05) * omega_omega1_5_32;
-  const T t5_18 = T(0.05) * omega_omega1_5_22;
-  const T t5_19 = omega5_3 * t5_17 + omega5_2 * t5_18;
-  const T t5_20 = omega5_1 * t5_18;
-  const T t5_21 = omega5_1 * t5_17;
-  const T t5_22 = T(0.05) * minus_omega_dot_omega1_5_32;
-  const T t5_23 = T(0.05) * minus_omega_dot_omega1_5_22;
-  const T minus_B9_1_12 = R5_11 * t5_19 - R5_21 * t5_20 - R5_31 * t5_21 + R5_21 * t5_22 - R5_31 * t5_23 - t2_16;
-  const T t5_24 = T(0.05) * E5_33;
-  const T t5_25 = T(0.05) * t5_2;
-  const T t5_26 = omega5_3 * t5_24 + omega5_2 * t5_25;
-  const T t5_27 = omega5_1 * t5_25;
-  const T t5_28 = omega5_1 * t5_24;
-  const T t5_29 = T(0.05) * minus_omega_dot_omega1_5_33;
-  const T t5_30 = T(0.05) * omega_dot_omega1_5_23;
-  const T t5_31 = R5_11 * t5_26 - R5_21 * t5_27 - R5_31 * t5_28 + R5_21 * t5_29 + R5_31 * t5_30;
-  const T minus_B9_1_13 = t5_31 - P_dot_omega1_5a_13;
-  const T minus_B9_1_21 = R5_12 * t5_12 + R5_22 * t5_13 - R5_32 * t5_14 - R5_22 * t5_15 - R5_32 * t5_16 +
-      minus_P_dot_omega1_5a_21;
-  const T minus_B9_1_22 = R5_12 * t5_19 - R5_22 * t5_20 - R5_32 * t5_21 + R5_22 * t5_22 - R5_32 * t5_23 - t2_20;
-  const T t5_32 = R5_12 * t5_26 - R5_22 * t5_27 - R5_32 * t5_28 + R5_22 * t5_29 + R5_32 * t5_30;
-  const T minus_B9_1_23 = t5_32 - P_dot_omega1_5a_23;
-  const T minus_B9_1_31 = R5_13 * t5_12 + R5_23 * t5_13 - R5_33 * t5_14 - R5_23 * t5_15 - R5_33 * t5_16 +
-      minus_P_dot_omega1_5a_31;
-  const T minus_B9_1_32 = R5_13 * t5_19 - R5_23 * t5_20 - R5_33 * t5_21 + R5_23 * t5_22 - R5_33 * t5_23 - t2_24;
-  const T t5_33 = R5_13 * t5_26 - R5_23 * t5_27 - R5_33 * t5_28 + R5_23 * t5_29 + R5_33 * t5_30;
-  const T minus_B9_1_33 = t5_33 - P_dot_omega1_5a_33;
+  const T minus_omega_dot_omega1_5_11 = thetadot5_1 * E5a_12;
+  const T omega_dot_omega1_5_12 = thetadot5_1 * E5a_11;
+  const T t5_2 = thetadot5_1 * E5_22;
+  const T t5_3 = thetadot5_2 * E5_23;
+  const T minus_omega_dot_omega1_5_21 = t5_2 * E5a_11 - t5_3 * E5a_12;
+  const T minus_omega_dot_omega1_5_22 = t5_2 * E5a_12 + t5_3 * E5a_11;
+  const T omega_dot_omega1_5_23 = thetadot5_2 * E5_22;
+  const T t5_4 = thetadot5_1 * E5_23;
+  const T omega_dot_omega1_5_31 = t5_4 * E5a_11 + omega_dot_omega1_5_23 * E5a_12;
+  const T minus_omega_dot_omega1_5_32 = omega_dot_omega1_5_23 * E5a_11 - t5_4 * E5a_12;
+  // B9_1 = -R5^T omega5~ (C5^T r5)~ omega_omega1_5 - R5^T (C5^T r5)~ omega_dot_omega1_5 + P_dot_omega1_5a
+  const T t5_5 = T(0.004991670832341408) * E5a_11 + T(0.049750208263901294) * omega_omega1_5_31;
+  const T t5_6 = T(0.049750208263901294) * minus_omega_omega1_5_21;
+  const T t5_7 = omega5_3 * t5_5 - omega5_2 * t5_6;
+  const T t5_8 = T(0.004991670832341408) * minus_omega_omega1_5_21;
+  const T t5_9 = omega5_1 * t5_6 - omega5_3 * t5_8;
+  const T t5_10 = omega5_2 * t5_8 - omega5_1 * t5_5;
+  const T t5_11 = T(0.004991670832341408) * minus_omega_dot_omega1_5_11 - T(0.049750208263901294) *
+      omega_dot_omega1_5_31;
+  const T t5_12 = T(0.004991670832341408) * minus_omega_dot_omega1_5_21;
+  const T t5_13 = T(0.049750208263901294) * minus_omega_dot_omega1_5_21;
+  const T minus_B9_1_11 = R5a_11 * t5_7 + R5_21 * t5_9 + R5_31 * t5_10 + R5_21 * t5_11 - R5a_11 * t5_12 - R5_31 *
+      t5_13 + minus_P_dot_omega1_5a_11;
+  const T t5_14 = T(0.049750208263901294) * omega_omega1_5_22;
+  const T t5_15 = T(0.049750208263901294) * minus_omega_omega1_5_32 - T(0.004991670832341408) * E5a_12;
+  const T t5_16 = omega5_2 * t5_14 - omega5_3 * t5_15;
+  const T t5_17 = T(0.004991670832341408) * omega_omega1_5_22;
+  const T t5_18 = omega5_3 * t5_17 - omega5_1 * t5_14;
+  const T t5_19 = omega5_1 * t5_15 - omega5_2 * t5_17;
+  const T t5_20 = T(0.049750208263901294) * minus_omega_dot_omega1_5_32 - T(0.004991670832341408) *
+      omega_dot_omega1_5_12;
+  const T t5_21 = T(0.004991670832341408) * minus_omega_dot_omega1_5_22;
+  const T t5_22 = T(0.049750208263901294) * minus_omega_dot_omega1_5_22;
+  const T minus_B9_1_12 = R5a_11 * t5_16 + R5_21 * t5_18 + R5_31 * t5_19 + R5_21 * t5_20 - R5a_11 * t5_21 - R5_31 *
+      t5_22 - t2_16;
+  const T t5_23 = T(0.049750208263901294) * E5_22;
+  const T t5_24 = T(0.049750208263901294) * E5_23;
+  const T t5_25 = omega5_3 * t5_23 + omega5_2 * t5_24;
+  const T t5_26 = T(0.004991670832341408) * E5_23;
+  const T t5_27 = omega5_3 * t5_26 - omega5_1 * t5_24;
+  const T t5_28 = omega5_1 * t5_23 + omega5_2 * t5_26;
+  const T t5_29 = T(0.004991670832341408) * omega_dot_omega1_5_23;
+  const T t5_30 = T(0.049750208263901294) * t5_3;
+  const T t5_31 = T(0.049750208263901294) * omega_dot_omega1_5_23;
+  const T t5_32 = R5a_11 * t5_25 + R5_21 * t5_27 - R5_31 * t5_28 + R5a_11 * t5_29 + R5_21 * t5_30 + R5_31 * t5_31;
+  const T minus_B9_1_13 = t5_32 - P_dot_omega1_5a_13;
+  const T minus_B9_1_21 = R5a_12 * t5_7 + R5_22 * t5_9 + R5_32 * t5_10 + R5_22 * t5_11 - R5a_12 * t5_12 - R5_32 *
+      t5_13 + minus_P_dot_omega1_5a_21;
+  const T minus_B9_1_22 = R5a_12 * t5_16 + R5_22 * t5_18 + R5_32 * t5_19 + R5_22 * t5_20 - R5a_12 * t5_21 - R5_32 *
+      t5_22 - t2_20;
+  const T t5_33 = R5a_12 * t5_25 + R5_22 * t5_27 - R5_32 * t5_28 + R5a_12 * t5_29 + R5_22 * t5_30 + R5_32 * t5_31;
+  const T minus_B9_1_23 = t5_33 - P_dot_omega1_5a_23;
+  const T minus_B9_1_31 = R5a_13 * t5_7 + R5_23 * t5_9 + R5_33 * t5_10 + R5_23 * t5_11 - R5a_13 * t5_12 - R5_33 *
+      t5_13 + minus_P_dot_omega1_5a_31;
+  const T minus_B9_1_32 = R5a_13 * t5_16 + R5_23 * t5_18 + R5_33 * t5_19 + R5_23 * t5_20 - R5a_13 * t5_21 - R5_33 *
+      t5_22 - t2_24;
+  const T t5_34 = R5a_13 * t5_25 + R5_23 * t5_27 - R5_33 * t5_28 + R5a_13 * t5_29 + R5_23 * t5_30 + R5_33 * t5_31;
+  const T minus_B9_1_33 = t5_34 - P_dot_omega1_5a_33;
   v_y_dot[348] = -minus_B9_1_11;
   v_y_dot[349] = -minus_B9_1_12;
   v_y_dot[350] = -minus_B9_1_13;
@@ -7637,83 +7528,93 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[406] = -minus_B9_1_31;
   v_y_dot[407] = -minus_B9_1_32;
   v_y_dot[408] = -minus_B9_1_33;
-  v_y_dot[357] = -t5_31;
-  v_y_dot[386] = -t5_32;
-  v_y_dot[415] = -t5_33;
-  // B25_1 = -R5^T omega5~ (C12^T r12)~ omega_omega1_5 - R5^T omega5~ o12~ omega_omega1_5 - R5^T (C12^T r12)~
-  //   omega_dot_omega1_5 - R5^T o12~ omega_dot_omega1_5 + P_dot_omega1_5a
-  const T t5_34 = T(0.03535533905932738) * minus_omega_omega1_5_21;
-  const T t5_35 = omega5_2 * t5_34;
-  const T t5_36 = T(0.03535533905932738) * omega_omega1_5_11 + T(0.03535533905932738) * omega_omega1_5_31;
-  const T t5_37 = t5_35 - omega5_3 * t5_36;
-  const T t5_38 = omega5_3 * t5_34 - omega5_1 * t5_34;
-  const T t5_39 = omega5_1 * t5_36 - t5_35;
-  const T t5_40 = T(0.1) * omega_omega1_5_31;
-  const T t5_41 = T(0.1) * minus_omega_omega1_5_21;
-  const T t5_42 = omega5_3 * t5_40 - omega5_2 * t5_41;
-  const T t5_43 = omega5_1 * t5_41;
-  const T t5_44 = omega5_1 * t5_40;
-  const T t5_45 = T(0.03535533905932738) * minus_omega_dot_omega1_5_21;
-  const T t5_46 = T(0.03535533905932738) * omega_dot_omega1_5_31 - T(0.03535533905932738) *
+  v_y_dot[357] = -t5_32;
+  v_y_dot[386] = -t5_33;
+  v_y_dot[415] = -t5_34;
+  // B25_1 = -R5^T omega5~ (C12^T r12)~ omega_omega1_5 - R5^T omega5~ o5~ omega_omega1_5 - R5^T (C12^T r12)~
+  //   omega_dot_omega1_5 - R5^T o5~ omega_dot_omega1_5 + P_dot_omega1_5a
+  const T t5_35 = T(0.03164906533384792) * minus_omega_omega1_5_21;
+  const T t5_36 = T(0.03870835392384733) * E5a_11 + T(0.03164906533384792) * omega_omega1_5_31;
+  const T t5_37 = omega5_2 * t5_35 - omega5_3 * t5_36;
+  const T t5_38 = T(0.03870835392384733) * minus_omega_omega1_5_21;
+  const T t5_39 = omega5_3 * t5_38 - omega5_1 * t5_35;
+  const T t5_40 = omega5_1 * t5_36 - omega5_2 * t5_38;
+  const T t5_41 = T(0.009983341664682815) * E5a_11 + T(0.09950041652780259) * omega_omega1_5_31;
+  const T t5_42 = T(0.09950041652780259) * minus_omega_omega1_5_21;
+  const T t5_43 = omega5_3 * t5_41 - omega5_2 * t5_42;
+  const T t5_44 = T(0.009983341664682815) * minus_omega_omega1_5_21;
+  const T t5_45 = omega5_1 * t5_42 - omega5_3 * t5_44;
+  const T t5_46 = omega5_2 * t5_44 - omega5_1 * t5_41;
+  const T t5_47 = T(0.03870835392384733) * minus_omega_dot_omega1_5_21;
+  const T t5_48 = T(0.03164906533384792) * omega_dot_omega1_5_31 - T(0.03870835392384733) *
       minus_omega_dot_omega1_5_11;
-  const T t5_47 = T(0.1) * omega_dot_omega1_5_31;
-  const T t5_48 = T(0.1) * minus_omega_dot_omega1_5_21;
-  const T minus_B25_1_11 = R5_11 * t5_37 + R5_21 * t5_38 + R5_31 * t5_39 + R5_11 * t5_42 + R5_21 * t5_43 - R5_31 *
-      t5_44 + R5_11 * t5_45 + R5_21 * t5_46 + R5_31 * t5_45 - R5_21 * t5_47 - R5_31 * t5_48 +
+  const T t5_49 = T(0.03164906533384792) * minus_omega_dot_omega1_5_21;
+  const T t5_50 = T(0.009983341664682815) * minus_omega_dot_omega1_5_11 - T(0.09950041652780259) *
+      omega_dot_omega1_5_31;
+  const T t5_51 = T(0.009983341664682815) * minus_omega_dot_omega1_5_21;
+  const T t5_52 = T(0.09950041652780259) * minus_omega_dot_omega1_5_21;
+  const T minus_B25_1_11 = R5a_11 * t5_37 + R5_21 * t5_39 + R5_31 * t5_40 + R5a_11 * t5_43 + R5_21 * t5_45 + R5_31 *
+      t5_46 + R5a_11 * t5_47 + R5_21 * t5_48 + R5_31 * t5_49 + R5_21 * t5_50 - R5a_11 * t5_51 - R5_31 * t5_52 +
       minus_P_dot_omega1_5a_11;
-  const T t5_49 = T(0.03535533905932738) * omega_omega1_5_22;
-  const T t5_50 = omega5_1 * t5_49 - omega5_3 * t5_49;
-  const T t5_51 = T(0.03535533905932738) * omega_omega1_5_12 + T(0.03535533905932738) * omega_omega1_5_32;
-  const T t5_52 = omega5_2 * t5_49;
-  const T t5_53 = omega5_3 * t5_51 + t5_52;
-  const T t5_54 = omega5_1 * t5_51 + t5_52;
-  const T t5_55 = T(0.1) * omega_omega1_5_32;
-  const T t5_56 = T(0.1) * omega_omega1_5_22;
-  const T t5_57 = omega5_3 * t5_55 + omega5_2 * t5_56;
-  const T t5_58 = omega5_1 * t5_56;
-  const T t5_59 = omega5_1 * t5_55;
-  const T t5_60 = T(0.03535533905932738) * minus_omega_dot_omega1_5_22;
-  const T t5_61 = T(0.03535533905932738) * minus_omega_dot_omega1_5_32 + T(0.03535533905932738) *
-      minus_omega_dot_omega1_5_12;
-  const T t5_62 = T(0.1) * minus_omega_dot_omega1_5_32;
-  const T t5_63 = T(0.1) * minus_omega_dot_omega1_5_22;
-  const T minus_B25_1_12 = R5_21 * t5_50 - R5_11 * t5_53 + R5_31 * t5_54 + R5_11 * t5_57 - R5_21 * t5_58 - R5_31 *
-      t5_59 + R5_11 * t5_60 - R5_21 * t5_61 + R5_31 * t5_60 + R5_21 * t5_62 - R5_31 * t5_63 - t2_16;
-  const T t5_64 = T(0.03535533905932738) * t5_2;
-  const T t5_65 = omega5_1 * t5_64 - omega5_3 * t5_64;
-  const T t5_66 = T(0.03535533905932738) * E5_33 - T(0.03535533905932738) * minus_E5_13;
-  const T t5_67 = omega5_2 * t5_64;
-  const T t5_68 = omega5_3 * t5_66 + t5_67;
-  const T t5_69 = omega5_1 * t5_66 + t5_67;
-  const T t5_70 = T(0.1) * E5_33;
-  const T t5_71 = T(0.1) * t5_2;
-  const T t5_72 = omega5_3 * t5_70 + omega5_2 * t5_71;
-  const T t5_73 = omega5_1 * t5_71;
-  const T t5_74 = omega5_1 * t5_70;
-  const T t5_75 = T(0.03535533905932738) * omega_dot_omega1_5_13 - T(0.03535533905932738) *
-      minus_omega_dot_omega1_5_33;
-  const T t5_76 = T(0.03535533905932738) * omega_dot_omega1_5_23;
-  const T t5_77 = T(0.1) * minus_omega_dot_omega1_5_33;
-  const T t5_78 = T(0.1) * omega_dot_omega1_5_23;
-  const T t5_79 = R5_21 * t5_65 - R5_11 * t5_68 + R5_31 * t5_69 + R5_11 * t5_72 - R5_21 * t5_73 - R5_31 * t5_74 +
-      R5_21 * t5_75 - R5_11 * t5_76 - R5_31 * t5_76 + R5_21 * t5_77 + R5_31 * t5_78;
-  const T minus_B25_1_13 = t5_79 - P_dot_omega1_5a_13;
-  const T minus_B25_1_21 = R5_12 * t5_37 + R5_22 * t5_38 + R5_32 * t5_39 + R5_12 * t5_42 + R5_22 * t5_43 - R5_32 *
-      t5_44 + R5_12 * t5_45 + R5_22 * t5_46 + R5_32 * t5_45 - R5_22 * t5_47 - R5_32 * t5_48 +
+  const T t5_53 = T(0.03164906533384792) * omega_omega1_5_22;
+  const T t5_54 = T(0.03870835392384733) * omega_omega1_5_22;
+  const T t5_55 = omega5_1 * t5_53 - omega5_3 * t5_54;
+  const T t5_56 = T(0.03870835392384733) * E5a_12 - T(0.03164906533384792) * minus_omega_omega1_5_32;
+  const T t5_57 = omega5_3 * t5_56 + omega5_2 * t5_53;
+  const T t5_58 = omega5_1 * t5_56 + omega5_2 * t5_54;
+  const T t5_59 = T(0.09950041652780259) * omega_omega1_5_22;
+  const T t5_60 = T(0.09950041652780259) * minus_omega_omega1_5_32 - T(0.009983341664682815) * E5a_12;
+  const T t5_61 = omega5_2 * t5_59 - omega5_3 * t5_60;
+  const T t5_62 = T(0.009983341664682815) * omega_omega1_5_22;
+  const T t5_63 = omega5_3 * t5_62 - omega5_1 * t5_59;
+  const T t5_64 = omega5_1 * t5_60 - omega5_2 * t5_62;
+  const T t5_65 = T(0.03870835392384733) * minus_omega_dot_omega1_5_22;
+  const T t5_66 = T(0.03870835392384733) * omega_dot_omega1_5_12 - T(0.03164906533384792) *
+      minus_omega_dot_omega1_5_32;
+  const T t5_67 = T(0.03164906533384792) * minus_omega_dot_omega1_5_22;
+  const T t5_68 = T(0.09950041652780259) * minus_omega_dot_omega1_5_32 - T(0.009983341664682815) *
+      omega_dot_omega1_5_12;
+  const T t5_69 = T(0.009983341664682815) * minus_omega_dot_omega1_5_22;
+  const T t5_70 = T(0.09950041652780259) * minus_omega_dot_omega1_5_22;
+  const T minus_B25_1_12 = R5_21 * t5_55 - R5a_11 * t5_57 + R5_31 * t5_58 + R5a_11 * t5_61 + R5_21 * t5_63 + R5_31 *
+      t5_64 + R5a_11 * t5_65 + R5_21 * t5_66 + R5_31 * t5_67 + R5_21 * t5_68 - R5a_11 * t5_69 - R5_31 * t5_70 - t2_16;
+  const T t5_71 = T(0.03164906533384792) * E5_23;
+  const T t5_72 = T(0.03870835392384733) * E5_23;
+  const T t5_73 = omega5_1 * t5_71 - omega5_3 * t5_72;
+  const T t5_74 = T(0.03164906533384792) * E5_22;
+  const T t5_75 = omega5_3 * t5_74 + omega5_2 * t5_71;
+  const T t5_76 = omega5_1 * t5_74 + omega5_2 * t5_72;
+  const T t5_77 = T(0.09950041652780259) * E5_22;
+  const T t5_78 = T(0.09950041652780259) * E5_23;
+  const T t5_79 = omega5_3 * t5_77 + omega5_2 * t5_78;
+  const T t5_80 = T(0.009983341664682815) * E5_23;
+  const T t5_81 = omega5_3 * t5_80 - omega5_1 * t5_78;
+  const T t5_82 = omega5_1 * t5_77 + omega5_2 * t5_80;
+  const T t5_83 = T(0.03870835392384733) * omega_dot_omega1_5_23;
+  const T t5_84 = T(0.03164906533384792) * t5_3;
+  const T t5_85 = T(0.03164906533384792) * omega_dot_omega1_5_23;
+  const T t5_86 = T(0.009983341664682815) * omega_dot_omega1_5_23;
+  const T t5_87 = T(0.09950041652780259) * t5_3;
+  const T t5_88 = T(0.09950041652780259) * omega_dot_omega1_5_23;
+  const T t5_89 = R5_21 * t5_73 - R5a_11 * t5_75 + R5_31 * t5_76 + R5a_11 * t5_79 + R5_21 * t5_81 - R5_31 * t5_82 -
+      R5a_11 * t5_83 - R5_21 * t5_84 - R5_31 * t5_85 + R5a_11 * t5_86 + R5_21 * t5_87 + R5_31 * t5_88;
+  const T minus_B25_1_13 = t5_89 - P_dot_omega1_5a_13;
+  const T minus_B25_1_21 = R5a_12 * t5_37 + R5_22 * t5_39 + R5_32 * t5_40 + R5a_12 * t5_43 + R5_22 * t5_45 + R5_32 *
+      t5_46 + R5a_12 * t5_47 + R5_22 * t5_48 + R5_32 * t5_49 + R5_22 * t5_50 - R5a_12 * t5_51 - R5_32 * t5_52 +
       minus_P_dot_omega1_5a_21;
-  const T minus_B25_1_22 = R5_22 * t5_50 - R5_12 * t5_53 + R5_32 * t5_54 + R5_12 * t5_57 - R5_22 * t5_58 - R5_32 *
-      t5_59 + R5_12 * t5_60 - R5_22 * t5_61 + R5_32 * t5_60 + R5_22 * t5_62 - R5_32 * t5_63 - t2_20;
-  const T t5_80 = R5_22 * t5_65 - R5_12 * t5_68 + R5_32 * t5_69 + R5_12 * t5_72 - R5_22 * t5_73 - R5_32 * t5_74 +
-      R5_22 * t5_75 - R5_12 * t5_76 - R5_32 * t5_76 + R5_22 * t5_77 + R5_32 * t5_78;
-  const T minus_B25_1_23 = t5_80 - P_dot_omega1_5a_23;
-  const T minus_B25_1_31 = R5_13 * t5_37 + R5_23 * t5_38 + R5_33 * t5_39 + R5_13 * t5_42 + R5_23 * t5_43 - R5_33 *
-      t5_44 + R5_13 * t5_45 + R5_23 * t5_46 + R5_33 * t5_45 - R5_23 * t5_47 - R5_33 * t5_48 +
+  const T minus_B25_1_22 = R5_22 * t5_55 - R5a_12 * t5_57 + R5_32 * t5_58 + R5a_12 * t5_61 + R5_22 * t5_63 + R5_32 *
+      t5_64 + R5a_12 * t5_65 + R5_22 * t5_66 + R5_32 * t5_67 + R5_22 * t5_68 - R5a_12 * t5_69 - R5_32 * t5_70 - t2_20;
+  const T t5_90 = R5_22 * t5_73 - R5a_12 * t5_75 + R5_32 * t5_76 + R5a_12 * t5_79 + R5_22 * t5_81 - R5_32 * t5_82 -
+      R5a_12 * t5_83 - R5_22 * t5_84 - R5_32 * t5_85 + R5a_12 * t5_86 + R5_22 * t5_87 + R5_32 * t5_88;
+  const T minus_B25_1_23 = t5_90 - P_dot_omega1_5a_23;
+  const T minus_B25_1_31 = R5a_13 * t5_37 + R5_23 * t5_39 + R5_33 * t5_40 + R5a_13 * t5_43 + R5_23 * t5_45 + R5_33 *
+      t5_46 + R5a_13 * t5_47 + R5_23 * t5_48 + R5_33 * t5_49 + R5_23 * t5_50 - R5a_13 * t5_51 - R5_33 * t5_52 +
       minus_P_dot_omega1_5a_31;
-  const T minus_B25_1_32 = R5_23 * t5_50 - R5_13 * t5_53 + R5_33 * t5_54 + R5_13 * t5_57 - R5_23 * t5_58 - R5_33 *
-      t5_59 + R5_13 * t5_60 - R5_23 * t5_61 + R5_33 * t5_60 + R5_23 * t5_62 - R5_33 * t5_63 - t2_24;
-  const T t5_81 = R5_23 * t5_65 - R5_13 * t5_68 + R5_33 * t5_69 + R5_13 * t5_72 - R5_23 * t5_73 - R5_33 * t5_74 +
-      R5_23 * t5_75 - R5_13 * t5_76 - R5_33 * t5_76 + R5_23 * t5_77 + R5_33 * t5_78;
-  const T minus_B25_1_33 = t5_81 - P_dot_omega1_5a_33;
+  const T minus_B25_1_32 = R5_23 * t5_55 - R5a_13 * t5_57 + R5_33 * t5_58 + R5a_13 * t5_61 + R5_23 * t5_63 + R5_33 *
+      t5_64 + R5a_13 * t5_65 + R5_23 * t5_66 + R5_33 * t5_67 + R5_23 * t5_68 - R5a_13 * t5_69 - R5_33 * t5_70 - t2_24;
+  const T t5_91 = R5_23 * t5_73 - R5a_13 * t5_75 + R5_33 * t5_76 + R5a_13 * t5_79 + R5_23 * t5_81 - R5_33 * t5_82 -
+      R5a_13 * t5_83 - R5_23 * t5_84 - R5_33 * t5_85 + R5a_13 * t5_86 + R5_23 * t5_87 + R5_33 * t5_88;
+  const T minus_B25_1_33 = t5_91 - P_dot_omega1_5a_33;
   v_y_dot[957] = -minus_B25_1_11;
   v_y_dot[958] = -minus_B25_1_12;
   v_y_dot[959] = -minus_B25_1_13;
@@ -7723,9 +7624,9 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[1015] = -minus_B25_1_31;
   v_y_dot[1016] = -minus_B25_1_32;
   v_y_dot[1017] = -minus_B25_1_33;
-  v_y_dot[966] = -t5_79;
-  v_y_dot[995] = -t5_80;
-  v_y_dot[1024] = -t5_81;
+  v_y_dot[966] = -t5_89;
+  v_y_dot[995] = -t5_90;
+  v_y_dot[1024] = -t5_91;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -7835,20 +7736,20 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // R8^T = R1^T E8^T: R takes inertial components to body components
-  const T R8_11 = R1_31 * E8_13 - R1_11 * minus_E8_11;
-  const T R8_12 = R1_32 * E8_13 - R1_12 * minus_E8_11;
-  const T R8_13 = R1_33 * E8_13 - R1_13 * minus_E8_11;
-  const T minus_R8_21 = R1_11 * E8_13 + R1_31 * minus_E8_11;
-  const T minus_R8_22 = R1_12 * E8_13 + R1_32 * minus_E8_11;
-  const T minus_R8_23 = R1_13 * E8_13 + R1_33 * minus_E8_11;
+  const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
+  const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
+  const T R8_13 = R1_13 * E8_11 + R1_33 * E8_13;
+  const T R8_31 = R1_31 * E8_11 - R1_11 * E8_13;
+  const T R8_32 = R1_32 * E8_11 - R1_12 * E8_13;
+  const T R8_33 = R1_33 * E8_11 - R1_13 * E8_13;
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // P_dot_omega1_8 = -R1^T (omega1~ d8~ + sdot8 u8~): its rate
@@ -7861,37 +7762,37 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T minus_P_dot_omega1_8_23 = R1_22 * t8_3 - R1_12 * sdot8 - R1_32 * t8_2;
   const T minus_P_dot_omega1_8_31 = R1_23 * t8_1 - R1_13 * t8_2 + R1_33 * sdot8;
   const T minus_P_dot_omega1_8_33 = R1_23 * t8_3 - R1_13 * sdot8 - R1_33 * t8_2;
-  // B14_1 = thetadot8 R8^T r8~ b8~ E8 - R8^T omega8~ r8~ E8 + P_dot_omega1_8
-  const T t8_4 = T(0.1) * minus_E8_11;
-  const T t8_5 = T(0.1) * E8_13;
-  const T t8_6 = T(0.02) * minus_E8_11 + T(0.01) * E8_13;
-  const T t8_7 = omega8_3 * t8_4;
-  const T t8_8 = T(0.01) * minus_E8_11 - T(0.02) * E8_13;
-  const T t8_9 = t8_7 - minus_omega8_2 * t8_8;
-  const T t8_10 = omega8_3 * t8_5;
-  const T t8_11 = t8_10 - omega8_1 * t8_8;
-  const T t8_12 = minus_omega8_2 * t8_5 - omega8_1 * t8_4;
-  const T B14_1_11 = thetadot8 * (R8_11 * t8_4 - minus_R8_21 * t8_5 + R1_21 * t8_6) - R8_11 * t8_9 + minus_R8_21 *
-      t8_11 + R1_21 * t8_12 - minus_P_dot_omega1_8_11;
-  const T t8_13 = omega8_3 * T(0.01);
-  const T t8_14 = omega8_3 * T(0.02);
-  const T t8_15 = omega8_1 * T(0.02) - minus_omega8_2 * T(0.01);
-  const T minus_B14_1_12 = minus_R8_21 * t8_13 - R8_11 * t8_14 - R1_21 * t8_15;
-  const T t8_16 = minus_omega8_2 * t8_6 - t8_10;
-  const T t8_17 = t8_7 + omega8_1 * t8_6;
-  const T t8_18 = omega8_1 * t8_5 + minus_omega8_2 * t8_4;
-  const T minus_B14_1_13 = thetadot8 * (R8_11 * t8_5 + minus_R8_21 * t8_4 - R1_21 * t8_8) + R8_11 * t8_16 -
-      minus_R8_21 * t8_17 - R1_21 * t8_18 + minus_P_dot_omega1_8_13;
-  const T B14_1_21 = thetadot8 * (R8_12 * t8_4 - minus_R8_22 * t8_5 + R1_22 * t8_6) - R8_12 * t8_9 + minus_R8_22 *
-      t8_11 + R1_22 * t8_12 - minus_P_dot_omega1_8_21;
-  const T minus_B14_1_22 = minus_R8_22 * t8_13 - R8_12 * t8_14 - R1_22 * t8_15;
-  const T minus_B14_1_23 = thetadot8 * (R8_12 * t8_5 + minus_R8_22 * t8_4 - R1_22 * t8_8) + R8_12 * t8_16 -
-      minus_R8_22 * t8_17 - R1_22 * t8_18 + minus_P_dot_omega1_8_23;
-  const T B14_1_31 = thetadot8 * (R8_13 * t8_4 - minus_R8_23 * t8_5 + R1_23 * t8_6) - R8_13 * t8_9 + minus_R8_23 *
-      t8_11 + R1_23 * t8_12 - minus_P_dot_omega1_8_31;
-  const T minus_B14_1_32 = minus_R8_23 * t8_13 - R8_13 * t8_14 - R1_23 * t8_15;
-  const T minus_B14_1_33 = thetadot8 * (R8_13 * t8_5 + minus_R8_23 * t8_4 - R1_23 * t8_8) + R8_13 * t8_16 -
-      minus_R8_23 * t8_17 - R1_23 * t8_18 + minus_P_dot_omega1_8_33;
+  // B14_1 = thetadot8 R8^T (C8^T r8)~ b8~ E8 - R8^T omega8~ (C8^T r8)~ E8 + P_dot_omega1_8
+  const T t8_4 = T(0.02) * E8_13 + T(0.01) * E8_11;
+  const T t8_5 = T(0.1) * E8_11;
+  const T t8_6 = T(0.1) * E8_13;
+  const T t8_7 = omega8_2 * t8_5;
+  const T t8_8 = T(0.02) * E8_11 - T(0.01) * E8_13;
+  const T t8_9 = t8_7 - omega8_3 * t8_8;
+  const T t8_10 = omega8_3 * t8_6 - omega8_1 * t8_5;
+  const T t8_11 = omega8_2 * t8_6;
+  const T t8_12 = omega8_1 * t8_8 - t8_11;
+  const T B14_1_11 = thetadot8 * (R1_21 * t8_4 - R8_11 * t8_5 + R8_31 * t8_6) - R8_11 * t8_9 - R1_21 * t8_10 - R8_31 *
+      t8_12 - minus_P_dot_omega1_8_11;
+  const T t8_13 = omega8_1 * T(0.01) - omega8_3 * T(0.02);
+  const T t8_14 = omega8_2 * T(0.01);
+  const T t8_15 = omega8_2 * T(0.02);
+  const T minus_B14_1_12 = R1_21 * t8_13 - R8_11 * t8_14 + R8_31 * t8_15;
+  const T t8_16 = t8_11 - omega8_3 * t8_4;
+  const T t8_17 = omega8_3 * t8_5 + omega8_1 * t8_6;
+  const T t8_18 = omega8_1 * t8_4 + t8_7;
+  const T minus_B14_1_13 = thetadot8 * (R8_11 * t8_6 + R1_21 * t8_8 + R8_31 * t8_5) + R8_11 * t8_16 - R1_21 * t8_17 +
+      R8_31 * t8_18 + minus_P_dot_omega1_8_13;
+  const T B14_1_21 = thetadot8 * (R1_22 * t8_4 - R8_12 * t8_5 + R8_32 * t8_6) - R8_12 * t8_9 - R1_22 * t8_10 - R8_32 *
+      t8_12 - minus_P_dot_omega1_8_21;
+  const T minus_B14_1_22 = R1_22 * t8_13 - R8_12 * t8_14 + R8_32 * t8_15;
+  const T minus_B14_1_23 = thetadot8 * (R8_12 * t8_6 + R1_22 * t8_8 + R8_32 * t8_5) + R8_12 * t8_16 - R1_22 * t8_17 +
+      R8_32 * t8_18 + minus_P_dot_omega1_8_23;
+  const T B14_1_31 = thetadot8 * (R1_23 * t8_4 - R8_13 * t8_5 + R8_33 * t8_6) - R8_13 * t8_9 - R1_23 * t8_10 - R8_33 *
+      t8_12 - minus_P_dot_omega1_8_31;
+  const T minus_B14_1_32 = R1_23 * t8_13 - R8_13 * t8_14 + R8_33 * t8_15;
+  const T minus_B14_1_33 = thetadot8 * (R8_13 * t8_6 + R1_23 * t8_8 + R8_33 * t8_5) + R8_13 * t8_16 - R1_23 * t8_17 +
+      R8_33 * t8_18 + minus_P_dot_omega1_8_33;
   v_y_dot[609] = B14_1_11;
   v_y_dot[610] = -minus_B14_1_12;
   v_y_dot[619] = minus_B14_1_12;
@@ -8010,80 +7911,80 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // R11^T = R8^T E11^T: R takes inertial components to body components
-  const T R11_11 = R8_11 * E11_11 - minus_R8_21 * E11_12;
-  const T R11_12 = R8_12 * E11_11 - minus_R8_22 * E11_12;
-  const T R11_13 = R8_13 * E11_11 - minus_R8_23 * E11_12;
-  const T minus_R11_21 = R8_11 * E11_12 + minus_R8_21 * E11_11;
-  const T minus_R11_22 = R8_12 * E11_12 + minus_R8_22 * E11_11;
-  const T minus_R11_23 = R8_13 * E11_12 + minus_R8_23 * E11_11;
+  const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
+  const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
+  const T R11_13 = R8_13 * E11_11 + R8_33 * E11_13;
+  const T R11_31 = R8_31 * E11_11 - R8_11 * E11_13;
+  const T R11_32 = R8_32 * E11_11 - R8_12 * E11_13;
+  const T R11_33 = R8_33 * E11_11 - R8_13 * E11_13;
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
-  const T minus_omega_omega1_11_11 = E11_11 * minus_E8_11 + E11_12 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 - E11_12 * minus_E8_11;
+  const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
+  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
   // omega_dot_omega1_11 = -(thetadot8 E11 b8~ + thetadot11 b11~ E11) E8: its rate
-  const T t11_1 = thetadot8 * E11_11 + thetadot11 * E11_11;
-  const T t11_2 = thetadot8 * E11_12 + thetadot11 * E11_12;
-  const T minus_omega_dot_omega1_11_11 = t11_1 * E8_13 - t11_2 * minus_E8_11;
-  const T minus_omega_dot_omega1_11_13 = t11_2 * E8_13 + t11_1 * minus_E8_11;
+  const T t11_1 = thetadot8 * E11_13 + thetadot11 * E11_13;
+  const T t11_2 = thetadot8 * E11_11 + thetadot11 * E11_11;
+  const T minus_omega_dot_omega1_11_11 = t11_1 * E8_11 + t11_2 * E8_13;
+  const T minus_omega_dot_omega1_11_13 = t11_1 * E8_13 - t11_2 * E8_11;
   // P_dot_omega1_11 = R8^T (thetadot8 d11~ b8~ - omega8~ d11~ - thetadot11 pitch11 u11~) E8 + P_dot_omega1_8: its
   //   rate
-  const T t11_3 = omega8_3 * d11_3 - thetadot8 * d11_3;
-  const T t11_4 = thetadot11 * T(0.01);
-  const T t11_5 = t11_3 * minus_E8_11 + t11_4 * E8_13;
-  const T t11_6 = t11_3 * E8_13 - t11_4 * minus_E8_11;
-  const T t11_7 = omega8_1 * d11_3;
-  const T t11_8 = minus_omega8_2 * d11_3;
-  const T t11_9 = t11_7 * minus_E8_11 - t11_8 * E8_13;
-  const T minus_P_dot_omega1_11_11 = R8_11 * t11_5 - minus_R8_21 * t11_6 + R1_21 * t11_9 + minus_P_dot_omega1_8_11;
-  const T t11_10 = t11_7 * E8_13 + t11_8 * minus_E8_11;
-  const T P_dot_omega1_11_13 = R8_11 * t11_6 + minus_R8_21 * t11_5 + R1_21 * t11_10 - minus_P_dot_omega1_8_13;
-  const T minus_P_dot_omega1_11_21 = R8_12 * t11_5 - minus_R8_22 * t11_6 + R1_22 * t11_9 + minus_P_dot_omega1_8_21;
-  const T P_dot_omega1_11_23 = R8_12 * t11_6 + minus_R8_22 * t11_5 + R1_22 * t11_10 - minus_P_dot_omega1_8_23;
-  const T minus_P_dot_omega1_11_31 = R8_13 * t11_5 - minus_R8_23 * t11_6 + R1_23 * t11_9 + minus_P_dot_omega1_8_31;
-  const T P_dot_omega1_11_33 = R8_13 * t11_6 + minus_R8_23 * t11_5 + R1_23 * t11_10 - minus_P_dot_omega1_8_33;
-  // B21_1 = -R11^T omega11~ r11~ omega_omega1_11 - R11^T r11~ omega_dot_omega1_11 + P_dot_omega1_11
-  const T t11_11 = T(0.01) * omega_omega1_11_13;
-  const T t11_12 = minus_omega11_2 * t11_11;
-  const T t11_13 = omega11_1 * t11_11;
-  const T t11_14 = T(0.01) * minus_omega_dot_omega1_11_13;
-  const T minus_B21_1_11 = minus_P_dot_omega1_11_11 + R11_11 * t11_12 - minus_R11_21 * t11_13 - R1_21 * t11_14;
-  const T t11_15 = omega11_3 * T(0.01);
-  const T t11_16 = omega11_1 * T(0.01);
-  const T B21_1_12 = R11_11 * t11_15 + R1_21 * t11_16;
-  const T t11_17 = T(0.01) * minus_omega_omega1_11_11;
-  const T t11_18 = minus_omega11_2 * t11_17;
-  const T t11_19 = omega11_1 * t11_17;
-  const T t11_20 = T(0.01) * minus_omega_dot_omega1_11_11;
-  const T B21_1_13 = P_dot_omega1_11_13 - R11_11 * t11_18 + minus_R11_21 * t11_19 - R1_21 * t11_20;
-  const T minus_B21_1_21 = minus_P_dot_omega1_11_21 + R11_12 * t11_12 - minus_R11_22 * t11_13 - R1_22 * t11_14;
-  const T B21_1_22 = R11_12 * t11_15 + R1_22 * t11_16;
-  const T B21_1_23 = P_dot_omega1_11_23 - R11_12 * t11_18 + minus_R11_22 * t11_19 - R1_22 * t11_20;
-  const T minus_B21_1_31 = minus_P_dot_omega1_11_31 + R11_13 * t11_12 - minus_R11_23 * t11_13 - R1_23 * t11_14;
-  const T B21_1_32 = R11_13 * t11_15 + R1_23 * t11_16;
-  const T B21_1_33 = P_dot_omega1_11_33 - R11_13 * t11_18 + minus_R11_23 * t11_19 - R1_23 * t11_20;
-  v_y_dot[870] = -minus_B21_1_11;
-  v_y_dot[871] = B21_1_12;
-  v_y_dot[880] = -B21_1_12;
+  const T t11_3 = omega8_1 * minus_d11_2;
+  const T t11_4 = omega8_3 * minus_d11_2;
+  const T t11_5 = t11_3 * E8_11 - t11_4 * E8_13;
+  const T t11_6 = thetadot8 * minus_d11_2 + omega8_2 * minus_d11_2;
+  const T t11_7 = thetadot11 * T(0.01);
+  const T t11_8 = t11_6 * E8_11 + t11_7 * E8_13;
+  const T t11_9 = t11_7 * E8_11 - t11_6 * E8_13;
+  const T P_dot_omega1_11_11 = R1_21 * t11_5 - R8_11 * t11_8 - R8_31 * t11_9 - minus_P_dot_omega1_8_11;
+  const T t11_10 = t11_3 * E8_13 + t11_4 * E8_11;
+  const T P_dot_omega1_11_13 = R8_11 * t11_9 + R1_21 * t11_10 - R8_31 * t11_8 - minus_P_dot_omega1_8_13;
+  const T P_dot_omega1_11_21 = R1_22 * t11_5 - R8_12 * t11_8 - R8_32 * t11_9 - minus_P_dot_omega1_8_21;
+  const T P_dot_omega1_11_23 = R8_12 * t11_9 + R1_22 * t11_10 - R8_32 * t11_8 - minus_P_dot_omega1_8_23;
+  const T P_dot_omega1_11_31 = R1_23 * t11_5 - R8_13 * t11_8 - R8_33 * t11_9 - minus_P_dot_omega1_8_31;
+  const T P_dot_omega1_11_33 = R8_13 * t11_9 + R1_23 * t11_10 - R8_33 * t11_8 - minus_P_dot_omega1_8_33;
+  // B21_1 = -R11^T omega11~ (C11^T r11)~ omega_omega1_11 - R11^T (C11^T r11)~ omega_dot_omega1_11 + P_dot_omega1_11
+  const T t11_11 = T(0.01) * omega_omega1_11_11;
+  const T t11_12 = omega11_1 * t11_11;
+  const T t11_13 = omega11_3 * t11_11;
+  const T t11_14 = T(0.01) * minus_omega_dot_omega1_11_11;
+  const T B21_1_11 = P_dot_omega1_11_11 - R11_31 * t11_12 + R11_11 * t11_13 + R1_21 * t11_14;
+  const T t11_15 = omega11_2 * T(0.01);
+  const T t11_16 = omega11_3 * T(0.01);
+  const T minus_B21_1_12 = R11_31 * t11_15 - R1_21 * t11_16;
+  const T t11_17 = T(0.01) * omega_omega1_11_13;
+  const T t11_18 = omega11_1 * t11_17;
+  const T t11_19 = omega11_3 * t11_17;
+  const T t11_20 = T(0.01) * minus_omega_dot_omega1_11_13;
+  const T B21_1_13 = P_dot_omega1_11_13 - R11_31 * t11_18 + R11_11 * t11_19 + R1_21 * t11_20;
+  const T B21_1_21 = P_dot_omega1_11_21 - R11_32 * t11_12 + R11_12 * t11_13 + R1_22 * t11_14;
+  const T minus_B21_1_22 = R11_32 * t11_15 - R1_22 * t11_16;
+  const T B21_1_23 = P_dot_omega1_11_23 - R11_32 * t11_18 + R11_12 * t11_19 + R1_22 * t11_20;
+  const T B21_1_31 = P_dot_omega1_11_31 - R11_33 * t11_12 + R11_13 * t11_13 + R1_23 * t11_14;
+  const T minus_B21_1_32 = R11_33 * t11_15 - R1_23 * t11_16;
+  const T B21_1_33 = P_dot_omega1_11_33 - R11_33 * t11_18 + R11_13 * t11_19 + R1_23 * t11_20;
+  v_y_dot[870] = B21_1_11;
+  v_y_dot[871] = -minus_B21_1_12;
+  v_y_dot[880] = minus_B21_1_12;
   v_y_dot[872] = B21_1_13;
-  v_y_dot[899] = -minus_B21_1_21;
-  v_y_dot[900] = B21_1_22;
-  v_y_dot[909] = -B21_1_22;
+  v_y_dot[899] = B21_1_21;
+  v_y_dot[900] = -minus_B21_1_22;
+  v_y_dot[909] = minus_B21_1_22;
   v_y_dot[901] = B21_1_23;
-  v_y_dot[928] = -minus_B21_1_31;
-  v_y_dot[929] = B21_1_32;
-  v_y_dot[938] = -B21_1_32;
+  v_y_dot[928] = B21_1_31;
+  v_y_dot[929] = -minus_B21_1_32;
+  v_y_dot[938] = minus_B21_1_32;
   v_y_dot[930] = B21_1_33;
-  // B23_11 = -R11^T omega11~ r11~ b11 + pitch11 R8^T omega8~ u11
-  const T B23_11_1 = T(0.01) * (minus_R8_21 * omega8_1 - R8_11 * minus_omega8_2) - B21_1_12;
-  const T B23_11_2 = T(0.01) * (minus_R8_22 * omega8_1 - R8_12 * minus_omega8_2) - B21_1_22;
-  const T B23_11_3 = T(0.01) * (minus_R8_23 * omega8_1 - R8_13 * minus_omega8_2) - B21_1_32;
+  // B23_11 = -R11^T omega11~ (C11^T r11)~ b11 + pitch11 R8^T omega8~ u11
+  const T B23_11_1 = T(0.01) * (R8_11 * omega8_3 - R8_31 * omega8_1) + minus_B21_1_12;
+  const T B23_11_2 = T(0.01) * (R8_12 * omega8_3 - R8_32 * omega8_1) + minus_B21_1_22;
+  const T B23_11_3 = T(0.01) * (R8_13 * omega8_3 - R8_33 * omega8_1) + minus_B21_1_32;
   v_y_dot[885] = B23_11_1;
   v_y_dot[914] = B23_11_2;
   v_y_dot[943] = B23_11_3;
@@ -8091,7 +7992,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
 
 // partial_angular_velocities: partial angular velocities omega_y, body axes: omega = omega_y y.
 // omega_y of body 1, of body 2, ... (n_bodies x 3 x ny)
-// 63 add, 100 multiply, 15 sine or cosine
+// 61 add, 104 multiply, 15 sine or cosine
 template <class T>
 void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_y) noexcept {
   using std::cos, std::sin;
@@ -8195,51 +8096,46 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   const T E5a_12 = sin(theta5_1);
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
-  omega_y[350] = -minus_E5_13;
-  omega_y[357] = -minus_E5_13;
-  omega_y[379] = t5_1;
-  omega_y[386] = t5_1;
-  omega_y[959] = t5_1;
-  omega_y[966] = t5_1;
-  omega_y[408] = E5_33;
-  omega_y[415] = E5_33;
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
+  omega_y[379] = E5_23;
+  omega_y[386] = E5_23;
+  omega_y[959] = E5_23;
+  omega_y[966] = E5_23;
   // omega_omega1_5 = E5 E5a: partial angular velocity, body axes
-  const T omega_omega1_5_11 = T(0.9950041652780258) * E5a_11 - E5_12 * E5a_12;
-  const T omega_omega1_5_12 = T(0.9950041652780258) * E5a_12 + E5_12 * E5a_11;
-  const T minus_omega_omega1_5_21 = t5_2 * E5a_12;
-  const T omega_omega1_5_22 = t5_2 * E5a_11;
-  const T omega_omega1_5_31 = T(0.09983341664682815) * E5a_11 + minus_E5_32 * E5a_12;
-  const T omega_omega1_5_32 = T(0.09983341664682815) * E5a_12 - minus_E5_32 * E5a_11;
-  omega_y[348] = omega_omega1_5_11;
-  omega_y[349] = omega_omega1_5_12;
+  const T minus_omega_omega1_5_21 = E5_22 * E5a_12;
+  const T omega_omega1_5_22 = E5_22 * E5a_11;
+  const T omega_omega1_5_31 = E5_23 * E5a_12;
+  const T minus_omega_omega1_5_32 = E5_23 * E5a_11;
   omega_y[377] = -minus_omega_omega1_5_21;
   omega_y[957] = -minus_omega_omega1_5_21;
   omega_y[378] = omega_omega1_5_22;
   omega_y[958] = omega_omega1_5_22;
-  omega_y[406] = omega_omega1_5_31;
-  omega_y[407] = omega_omega1_5_32;
+  // B7_1 = C5 omega_omega1_5
+  const T B7_1_11 = T(0.9950041652780258) * E5a_11 - T(0.09983341664682815) * omega_omega1_5_31;
+  const T B7_1_12 = T(0.9950041652780258) * E5a_12 + T(0.09983341664682815) * minus_omega_omega1_5_32;
+  const T minus_B7_1_13 = T(0.09983341664682815) * E5_22;
+  const T B7_1_31 = T(0.09983341664682815) * E5a_11 + T(0.9950041652780258) * omega_omega1_5_31;
+  const T B7_1_32 = T(0.09983341664682815) * E5a_12 - T(0.9950041652780258) * minus_omega_omega1_5_32;
+  const T B7_1_33 = T(0.9950041652780258) * E5_22;
+  omega_y[348] = B7_1_11;
+  omega_y[349] = B7_1_12;
+  omega_y[350] = -minus_B7_1_13;
+  omega_y[357] = -minus_B7_1_13;
+  omega_y[406] = B7_1_31;
+  omega_y[407] = B7_1_32;
+  omega_y[408] = B7_1_33;
+  omega_y[415] = B7_1_33;
   // B15_1 = C12 omega_omega1_5
-  const T t5_3 = T(0.7071067811865476) * omega_omega1_5_31;
-  const T t5_4 = T(0.7071067811865476) * omega_omega1_5_11;
-  const T B15_1_21 = t5_3 - t5_4;
-  const T t5_5 = T(0.7071067811865476) * omega_omega1_5_32;
-  const T t5_6 = T(0.7071067811865476) * omega_omega1_5_12;
-  const T B15_1_22 = t5_5 - t5_6;
-  const T t5_7 = T(0.7071067811865476) * minus_E5_13;
-  const T t5_8 = T(0.7071067811865476) * E5_33;
-  const T B15_1_23 = t5_7 + t5_8;
-  const T B15_1_31 = t5_4 + t5_3;
-  const T B15_1_32 = t5_6 + t5_5;
-  const T B15_1_33 = t5_8 - t5_7;
+  const T B15_1_21 = T(0.7741670784769465) * omega_omega1_5_31 - T(0.6329813066769583) * E5a_11;
+  const T minus_B15_1_22 = T(0.6329813066769583) * E5a_12 + T(0.7741670784769465) * minus_omega_omega1_5_32;
+  const T B15_1_23 = T(0.7741670784769465) * E5_22;
+  const T B15_1_31 = T(0.7741670784769465) * E5a_11 + T(0.6329813066769583) * omega_omega1_5_31;
+  const T B15_1_32 = T(0.7741670784769465) * E5a_12 - T(0.6329813066769583) * minus_omega_omega1_5_32;
+  const T B15_1_33 = T(0.6329813066769583) * E5_22;
   omega_y[986] = B15_1_21;
-  omega_y[987] = B15_1_22;
+  omega_y[987] = -minus_B15_1_22;
   omega_y[988] = B15_1_23;
   omega_y[995] = B15_1_23;
   omega_y[1015] = B15_1_31;
@@ -8249,26 +8145,26 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
-  omega_y[609] = -minus_E8_11;
-  omega_y[640] = -minus_E8_11;
-  omega_y[611] = E8_13;
-  omega_y[638] = -E8_13;
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
+  omega_y[611] = E8_11;
+  omega_y[638] = -E8_11;
+  omega_y[609] = -E8_13;
+  omega_y[640] = -E8_13;
 
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
-  const T minus_omega_omega1_11_11 = E11_11 * minus_E8_11 + E11_12 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 - E11_12 * minus_E8_11;
-  omega_y[870] = -minus_omega_omega1_11_11;
-  omega_y[901] = -minus_omega_omega1_11_11;
-  omega_y[872] = omega_omega1_11_13;
-  omega_y[899] = -omega_omega1_11_13;
+  const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
+  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
+  omega_y[872] = omega_omega1_11_11;
+  omega_y[899] = -omega_omega1_11_11;
+  omega_y[870] = -omega_omega1_11_13;
+  omega_y[901] = -omega_omega1_11_13;
 
   // ---- results
   omega_y[0] = T(1);
@@ -8297,7 +8193,7 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
 
 // partial_angular_velocity_rates: time derivatives of the partial angular velocities, body axes.
 // omega_y_dot of body 1, of body 2, ... (n_bodies x 3 x ny)
-// 85 add, 168 multiply, 16 sine or cosine
+// 81 add, 165 multiply, 16 sine or cosine
 template <class T>
 void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T* omega_y_dot) noexcept {
   using std::cos, std::sin;
@@ -8424,34 +8320,20 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // omega_dot_omega1_5 = -(thetadot5_1 E5 b5_1~ + thetadot5_2 b5_2~ E5) E5a: its rate
-  const T t5_4 = thetadot5_1 * E5_12;
-  const T t5_5 = thetadot5_1 * T(0.9950041652780258) + thetadot5_2 * minus_E5_13;
-  const T minus_omega_dot_omega1_5_11 = t5_4 * E5a_11 + t5_5 * E5a_12;
-  const T minus_omega_dot_omega1_5_12 = t5_4 * E5a_12 - t5_5 * E5a_11;
-  const T omega_dot_omega1_5_13 = thetadot5_2 * E5_12;
-  const T t5_6 = thetadot5_1 * t5_3;
-  const T t5_7 = thetadot5_2 * (T(0.09983341664682815) * E5_12 + T(0.9950041652780258) * minus_E5_32);
-  const T minus_omega_dot_omega1_5_21 = t5_6 * E5a_11 - t5_7 * E5a_12;
-  const T minus_omega_dot_omega1_5_22 = t5_6 * E5a_12 + t5_7 * E5a_11;
-  const T omega_dot_omega1_5_23 = thetadot5_2 * (T(0.09983341664682815) * minus_E5_13 + T(0.9950041652780258) *
-      E5_33);
-  const T t5_8 = thetadot5_1 * minus_E5_32;
-  const T t5_9 = thetadot5_2 * E5_33 - thetadot5_1 * T(0.09983341664682815);
-  const T omega_dot_omega1_5_31 = t5_8 * E5a_11 + t5_9 * E5a_12;
-  const T minus_omega_dot_omega1_5_32 = t5_9 * E5a_11 - t5_8 * E5a_12;
-  const T minus_omega_dot_omega1_5_33 = thetadot5_2 * minus_E5_32;
-  omega_y_dot[348] = -minus_omega_dot_omega1_5_11;
-  omega_y_dot[349] = -minus_omega_dot_omega1_5_12;
-  omega_y_dot[350] = omega_dot_omega1_5_13;
-  omega_y_dot[357] = omega_dot_omega1_5_13;
+  const T minus_omega_dot_omega1_5_11 = thetadot5_1 * E5a_12;
+  const T omega_dot_omega1_5_12 = thetadot5_1 * E5a_11;
+  const T t5_2 = thetadot5_1 * E5_22;
+  const T t5_3 = thetadot5_2 * E5_23;
+  const T minus_omega_dot_omega1_5_21 = t5_2 * E5a_11 - t5_3 * E5a_12;
+  const T minus_omega_dot_omega1_5_22 = t5_2 * E5a_12 + t5_3 * E5a_11;
+  const T omega_dot_omega1_5_23 = thetadot5_2 * E5_22;
+  const T t5_4 = thetadot5_1 * E5_23;
+  const T omega_dot_omega1_5_31 = t5_4 * E5a_11 + omega_dot_omega1_5_23 * E5a_12;
+  const T minus_omega_dot_omega1_5_32 = omega_dot_omega1_5_23 * E5a_11 - t5_4 * E5a_12;
   omega_y_dot[377] = -minus_omega_dot_omega1_5_21;
   omega_y_dot[957] = -minus_omega_dot_omega1_5_21;
   omega_y_dot[378] = -minus_omega_dot_omega1_5_22;
@@ -8460,23 +8342,36 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   omega_y_dot[386] = omega_dot_omega1_5_23;
   omega_y_dot[959] = omega_dot_omega1_5_23;
   omega_y_dot[966] = omega_dot_omega1_5_23;
-  omega_y_dot[406] = omega_dot_omega1_5_31;
-  omega_y_dot[407] = -minus_omega_dot_omega1_5_32;
-  omega_y_dot[408] = -minus_omega_dot_omega1_5_33;
-  omega_y_dot[415] = -minus_omega_dot_omega1_5_33;
+  // B4_1 = C5 omega_dot_omega1_5
+  const T minus_B4_1_11 = T(0.9950041652780258) * minus_omega_dot_omega1_5_11 + T(0.09983341664682815) *
+      omega_dot_omega1_5_31;
+  const T B4_1_12 = T(0.9950041652780258) * omega_dot_omega1_5_12 + T(0.09983341664682815) *
+      minus_omega_dot_omega1_5_32;
+  const T B4_1_13 = T(0.09983341664682815) * t5_3;
+  const T minus_B4_1_31 = T(0.09983341664682815) * minus_omega_dot_omega1_5_11 - T(0.9950041652780258) *
+      omega_dot_omega1_5_31;
+  const T minus_B4_1_32 = T(0.9950041652780258) * minus_omega_dot_omega1_5_32 - T(0.09983341664682815) *
+      omega_dot_omega1_5_12;
+  const T minus_B4_1_33 = T(0.9950041652780258) * t5_3;
+  omega_y_dot[348] = -minus_B4_1_11;
+  omega_y_dot[349] = B4_1_12;
+  omega_y_dot[350] = B4_1_13;
+  omega_y_dot[357] = B4_1_13;
+  omega_y_dot[406] = -minus_B4_1_31;
+  omega_y_dot[407] = -minus_B4_1_32;
+  omega_y_dot[408] = -minus_B4_1_33;
+  omega_y_dot[415] = -minus_B4_1_33;
   // B9_1 = C12 omega_dot_omega1_5
-  const T t5_10 = T(0.7071067811865476) * minus_omega_dot_omega1_5_11;
-  const T t5_11 = T(0.7071067811865476) * omega_dot_omega1_5_31;
-  const T B9_1_21 = t5_10 + t5_11;
-  const T t5_12 = T(0.7071067811865476) * minus_omega_dot_omega1_5_32;
-  const T t5_13 = T(0.7071067811865476) * minus_omega_dot_omega1_5_12;
-  const T minus_B9_1_22 = t5_12 - t5_13;
-  const T t5_14 = T(0.7071067811865476) * omega_dot_omega1_5_13;
-  const T t5_15 = T(0.7071067811865476) * minus_omega_dot_omega1_5_33;
-  const T minus_B9_1_23 = t5_14 + t5_15;
-  const T minus_B9_1_31 = t5_10 - t5_11;
-  const T minus_B9_1_32 = t5_13 + t5_12;
-  const T minus_B9_1_33 = t5_15 - t5_14;
+  const T B9_1_21 = T(0.6329813066769583) * minus_omega_dot_omega1_5_11 + T(0.7741670784769465) *
+      omega_dot_omega1_5_31;
+  const T minus_B9_1_22 = T(0.6329813066769583) * omega_dot_omega1_5_12 + T(0.7741670784769465) *
+      minus_omega_dot_omega1_5_32;
+  const T minus_B9_1_23 = T(0.7741670784769465) * t5_3;
+  const T minus_B9_1_31 = T(0.7741670784769465) * minus_omega_dot_omega1_5_11 - T(0.6329813066769583) *
+      omega_dot_omega1_5_31;
+  const T minus_B9_1_32 = T(0.6329813066769583) * minus_omega_dot_omega1_5_32 - T(0.7741670784769465) *
+      omega_dot_omega1_5_12;
+  const T minus_B9_1_33 = T(0.6329813066769583) * t5_3;
   omega_y_dot[986] = B9_1_21;
   omega_y_dot[987] = -minus_B9_1_22;
   omega_y_dot[988] = -minus_B9_1_23;
@@ -8489,12 +8384,12 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
   const T thetadot8 = y[10];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
-  // B6_1 = -thetadot8 b8~ E8
-  const T minus_B6_1_11 = thetadot8 * E8_13;
-  const T minus_B6_1_13 = thetadot8 * minus_E8_11;
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
+  // B6_1 = -thetadot8 C8 b8~ E8
+  const T minus_B6_1_11 = thetadot8 * E8_11;
+  const T minus_B6_1_13 = thetadot8 * E8_13;
   omega_y_dot[609] = -minus_B6_1_11;
   omega_y_dot[640] = -minus_B6_1_11;
   omega_y_dot[611] = -minus_B6_1_13;
@@ -8505,21 +8400,21 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega_dot_omega1_11 = -(thetadot8 E11 b8~ + thetadot11 b11~ E11) E8: its rate
-  const T t11_1 = thetadot8 * E11_11 + thetadot11 * E11_11;
-  const T t11_2 = thetadot8 * E11_12 + thetadot11 * E11_12;
-  const T minus_omega_dot_omega1_11_11 = t11_1 * E8_13 - t11_2 * minus_E8_11;
-  const T minus_omega_dot_omega1_11_13 = t11_2 * E8_13 + t11_1 * minus_E8_11;
-  omega_y_dot[870] = -minus_omega_dot_omega1_11_11;
-  omega_y_dot[901] = -minus_omega_dot_omega1_11_11;
-  omega_y_dot[872] = -minus_omega_dot_omega1_11_13;
-  omega_y_dot[899] = minus_omega_dot_omega1_11_13;
+  const T t11_1 = thetadot8 * E11_13 + thetadot11 * E11_13;
+  const T t11_2 = thetadot8 * E11_11 + thetadot11 * E11_11;
+  const T minus_omega_dot_omega1_11_11 = t11_1 * E8_11 + t11_2 * E8_13;
+  const T minus_omega_dot_omega1_11_13 = t11_1 * E8_13 - t11_2 * E8_11;
+  omega_y_dot[872] = -minus_omega_dot_omega1_11_11;
+  omega_y_dot[899] = minus_omega_dot_omega1_11_11;
+  omega_y_dot[870] = minus_omega_dot_omega1_11_13;
+  omega_y_dot[901] = minus_omega_dot_omega1_11_13;
 }
 
 // load_powers: power of each load [W].
 // one a load (8) [W]
-// 280 add, 359 multiply, 2 divide, 1 square root, 11 sine or cosine, 3 other function
+// 271 add, 343 multiply, 2 divide, 1 square root, 11 sine or cosine, 3 other function
 template <class T>
 void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* power) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -8675,39 +8570,30 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_18 - R1_21 * T(0.3);
   const T P5a_2 = t3_19 - R1_22 * T(0.3);
   const T P5a_3 = t3_20 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_4 = t3_22 + t3_21;
-  const T t5_5 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t2_16 - R1_31 * t5_5;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t2_16 - R1_32 * t5_5;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t2_16 - R1_33 * t5_5;
+  const T t5_2 = t3_22 + t3_21;
+  const T t5_3 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_2 - R1_21 * t2_16 - R1_31 * t5_3;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_2 - R1_22 * t2_16 - R1_32 * t5_3;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_2 - R1_23 * t2_16 - R1_33 * t5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -8726,7 +8612,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_3 = R3_11 * T(0.2);
   const T t6_4 = R3_12 * T(0.2);
   const T t6_5 = R3_13 * T(0.2);
@@ -8740,7 +8626,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   // ---- body 8 (piston) on body 1
   const T thetadot8 = y[10];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_2 = omega1_2 - thetadot8;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -8752,43 +8638,44 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + d_tether_9 . ddot_tether_9 ll_tether_9^-1
-  //   c_tether_: attraction by the length [N/m]
-  const T t9_8 = d_tether_9_1 * ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 *
-      minus_ddot_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T t9_8 = line_tether_9_1 * line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 *
+      minus_line_rate_tether_9_3;
   const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * t9_8 * T(0.4);
 
   // ---- body 11 (nut) on body 8
   const T thetadot11 = y[15];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
 
@@ -8808,10 +8695,10 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   // W4_ = thetadot11 effort_nut_11
   const T minus_W4 = thetadot11 * minus_effort_nut_11;
   power[3] = -minus_W4;
-  // W5_ = -d_tether_9 . ddot_tether_9 f_tether_9
+  // W5_ = -line_tether_9 . line_rate_tether_9 f_tether_9
   const T minus_W5 = t9_8 * f_tether_9;
   power[4] = -minus_W5;
-  // W6_ = -R3^T F_jet_ . (R2^T omega2~ arm2 + Pdot2) + (R3^T F_jet_) . (R3^T omega3~ r_point + Pdot6)
+  // W6_ = -R3^T F_jet_ . (R2^T omega2~ arm2 + Pdot2) + (R3^T F_jet_) . (R3^T omega3~ r_jet_ + Pdot6)
   const T b0_1 = T(0.5) * u.thrust * exp(T(0) - t);
   const T b0_2 = R3_11 * T(0.1) + R3_21 * b0_1;
   const T b0_3 = omega3_3 * T(0.2);
@@ -8826,9 +8713,9 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
       * (R2_12 * b0_7 + R2_22 * b0_8 + R2_32 * b0_9 + Pdot2_2) - b0_6 * (R2_13 * b0_7 + R2_23 * b0_8 + R2_33 * b0_9 +
       Pdot2_3);
   power[5] = W6;
-  // W7_ = M_coupling_ . omega11
-  const T W7 = T(0.02) * u.motor * omega11_3;
-  power[6] = W7;
+  // W7_ = (C11^T M_coupling_) . omega11
+  const T minus_W7 = T(0.02) * u.motor * omega11_2;
+  power[6] = -minus_W7;
 
   // ---- results
   power[7] = T(0);
@@ -8836,7 +8723,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
 
 // driving_loads: what must act along locked and prescribed coordinates besides the joint's loads.
 // one a coordinate (6) [N m], [N]
-// 194 add, 250 multiply, 2 divide, 1 square root, 8 sine or cosine
+// 193 add, 246 multiply, 2 divide, 1 square root, 8 sine or cosine
 template <class T>
 void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, [[maybe_unused]] const Inputs<T>&
     u, T* drive) noexcept {
@@ -8928,15 +8815,15 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T omega5b_2 = E5b_22 * omega5a_2 + E5b_23 * omega5a_3;
   const T omega5b_3 = E5b_22 * omega5a_3 - E5b_23 * omega5a_2;
   // R5^T = R5b^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * c.c5_5 - R5b_31 * c.c5_4;
-  const T R5_12 = R5a_12 * c.c5_5 - R5b_32 * c.c5_4;
-  const T R5_13 = R5a_13 * c.c5_5 - R5b_33 * c.c5_4;
-  const T R5_31 = R5a_11 * c.c5_4 + R5b_31 * c.c5_5;
-  const T R5_32 = R5a_12 * c.c5_4 + R5b_32 * c.c5_5;
-  const T R5_33 = R5a_13 * c.c5_4 + R5b_33 * c.c5_5;
+  const T R5_11 = R5a_11 * c.E5_11 - R5b_31 * c.E5_31;
+  const T R5_12 = R5a_12 * c.E5_11 - R5b_32 * c.E5_31;
+  const T R5_13 = R5a_13 * c.E5_11 - R5b_33 * c.E5_31;
+  const T R5_31 = R5a_11 * c.E5_31 + R5b_31 * c.E5_11;
+  const T R5_32 = R5a_12 * c.E5_31 + R5b_32 * c.E5_11;
+  const T R5_33 = R5a_13 * c.E5_31 + R5b_33 * c.E5_11;
   // omega5 = E5 omega5b: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = c.c5_5 * omega5b_1 - c.c5_4 * omega5b_3;
-  const T omega5_3 = c.c5_4 * omega5b_1 + c.c5_5 * omega5b_3;
+  const T omega5_1 = c.E5_11 * omega5b_1 - c.E5_31 * omega5b_3;
+  const T omega5_3 = c.E5_31 * omega5b_1 + c.E5_11 * omega5b_3;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = s1_1 + R1_31 * T(0.1) - R1_21 * T(0.3);
   const T P5a_2 = s1_2 + R1_32 * T(0.1) - R1_22 * T(0.3);
@@ -8968,8 +8855,8 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T Pddot5b_2 = E5b_22 * Pddot5a_2 + E5b_23 * Pddot5a_3;
   const T Pddot5b_3 = E5b_22 * Pddot5a_3 - E5b_23 * Pddot5a_2;
   // omegadot5 = E5 omegadot5b: angular acceleration, body axes [rad/s^2]
-  const T omegadot5_1 = c.c5_5 * omegadot5b_1 - c.c5_4 * omegadot5b_3;
-  const T omegadot5_3 = c.c5_4 * omegadot5b_1 + c.c5_5 * omegadot5b_3;
+  const T omegadot5_1 = c.E5_11 * omegadot5b_1 - c.E5_31 * omegadot5b_3;
+  const T omegadot5_3 = c.E5_31 * omegadot5b_1 + c.E5_11 * omegadot5b_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t5_8 = omega5b_2 * omega5b_2;
@@ -8983,9 +8870,10 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T U5_23 = t5_11 - omegadot5_1;
   const T U5_31 = t5_10 - omegadot5b_2;
   const T U5_32 = t5_11 + omegadot5_1;
+  const T minus_U5_33 = t5_8 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5b: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = c.c5_5 * Pddot5a_1 - c.c5_4 * Pddot5b_3;
-  const T Pddot5_3 = c.c5_4 * Pddot5a_1 + c.c5_5 * Pddot5b_3;
+  const T Pddot5_1 = c.E5_11 * Pddot5a_1 - c.E5_31 * Pddot5b_3;
+  const T Pddot5_3 = c.E5_31 * Pddot5a_1 + c.E5_11 * Pddot5b_3;
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
   const T a5_3 = U5_31 * T(0.05) + Pddot5_3;
@@ -9010,114 +8898,89 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T s9_1 = x[26];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
-  // R12^T = R5^T E12^T: R takes inertial components to body components
-  const T t12_1 = R5_31 * T(0.7071067811865476);
-  const T t12_2 = R5_11 * T(0.7071067811865476);
-  const T R12_21 = t12_1 - t12_2;
-  const T t12_3 = R5_32 * T(0.7071067811865476);
-  const T t12_4 = R5_12 * T(0.7071067811865476);
-  const T R12_22 = t12_3 - t12_4;
-  const T t12_5 = R5_33 * T(0.7071067811865476);
-  const T t12_6 = R5_13 * T(0.7071067811865476);
-  const T R12_23 = t12_5 - t12_6;
-  const T R12_31 = t12_2 + t12_1;
-  const T R12_32 = t12_4 + t12_3;
-  const T R12_33 = t12_6 + t12_5;
-  // omega12 = E12 omega5: absolute angular velocity, body axes [rad/s]
-  const T t12_7 = T(0.7071067811865476) * omega5_3;
-  const T t12_8 = T(0.7071067811865476) * omega5_1;
-  const T omega12_2 = t12_7 - t12_8;
-  const T omega12_3 = t12_8 + t12_7;
   // P12 = R5^T q12 + P5a: position of the body origin, inertial axes [m]
   const T P12_1 = R5_11 * T(0.1) + P5a_1;
   const T P12_2 = R5_12 * T(0.1) + P5a_2;
   const T P12_3 = R5_13 * T(0.1) + P5a_3;
   // Pdot12 = R5^T omega5~ q12 + Pdot5a: velocity of the body origin, inertial axes [m/s]
-  const T t12_9 = omega5_3 * T(0.1);
-  const T t12_10 = omega5b_2 * T(0.1);
-  const T Pdot12_1 = R5b_21 * t12_9 - R5_31 * t12_10 + Pdot5a_1;
-  const T Pdot12_2 = R5b_22 * t12_9 - R5_32 * t12_10 + Pdot5a_2;
-  const T Pdot12_3 = R5b_23 * t12_9 - R5_33 * t12_10 + Pdot5a_3;
-  // omegadot12 = E12 omegadot5: angular acceleration, body axes [rad/s^2]
-  const T t12_11 = T(0.7071067811865476) * omegadot5_3;
-  const T t12_12 = T(0.7071067811865476) * omegadot5_1;
-  const T omegadot12_2 = t12_11 - t12_12;
-  const T omegadot12_3 = t12_12 + t12_11;
-  // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
-  //   axes [1/s^2]
-  const T t12_13 = omega12_2 * omega5b_2;
-  const T U12_12 = t12_13 - omegadot12_3;
-  const T U12_21 = t12_13 + omegadot12_3;
-  const T minus_U12_22 = omega12_3 * omega12_3 + t5_8;
-  const T U12_31 = omega12_3 * omega5b_2 - omegadot12_2;
-  const T U12_32 = omega12_3 * omega12_2 + omegadot5b_2;
-  // Pddot12 = E12 (U5 q12 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot12_1 = U5_21 * T(0.1) + Pddot5b_2;
-  const T t12_14 = T(0.7071067811865476) * (U5_31 * T(0.1) + Pddot5_3);
-  const T t12_15 = T(0.7071067811865476) * (Pddot5_1 - minus_U5_11 * T(0.1));
-  const T Pddot12_2 = t12_14 - t12_15;
-  const T Pddot12_3 = t12_15 + t12_14;
-  // d_tether_12 = E9^T r_point - R12^T r_point + d9 - P12: from one end of the spring to the other, inertial axes [m]
-  const T d_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) - R12_21 * T(0.1) + s9_1 - P12_1;
-  const T d_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) - R12_22 * T(0.1) + d9_2 - P12_2;
-  const T d_tether_12_3 = T(0.1) - R5b_23 * T(0.02) - R12_23 * T(0.1) - P12_3;
-  // ll_tether_12 = 1e-36 + d_tether_12 . d_tether_12: length squared [m^2]
-  const T ll_tether_12 = T(1e-36) + d_tether_12_1 * d_tether_12_1 + d_tether_12_2 * d_tether_12_2 + d_tether_12_3 *
-      d_tether_12_3;
+  const T t12_1 = omega5_3 * T(0.1);
+  const T t12_2 = omega5b_2 * T(0.1);
+  const T Pdot12_1 = R5b_21 * t12_1 - R5_31 * t12_2 + Pdot5a_1;
+  const T Pdot12_2 = R5b_22 * t12_1 - R5_32 * t12_2 + Pdot5a_2;
+  const T Pdot12_3 = R5b_23 * t12_1 - R5_33 * t12_2 + Pdot5a_3;
+  // Pddot12 = U5 q12 + Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot12_1 = Pddot5_1 - minus_U5_11 * T(0.1);
+  const T Pddot12_2 = U5_21 * T(0.1) + Pddot5b_2;
+  const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
+  // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
+  //   other, inertial axes [m]
+  const T line_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) + R5_11 * T(0.07071067811865477) - R5_31 *
+      T(0.07071067811865477) + s9_1 - P12_1;
+  const T line_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) + R5_12 * T(0.07071067811865477) - R5_32 *
+      T(0.07071067811865477) + d9_2 - P12_2;
+  const T line_tether_12_3 = T(0.1) - R5b_23 * T(0.02) + R5_13 * T(0.07071067811865477) - R5_33 *
+      T(0.07071067811865477) - P12_3;
+  // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
+  const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
+      line_tether_12_3 * line_tether_12_3;
   // length_tether_12 = ll_tether_12^1/2: length [m]
   const T length_tether_12 = sqrt(ll_tether_12);
-  // ddot_tether_12 = E9^T omega9~ r_point - R12^T omega12~ r_point + Pdot9 - Pdot12: its rate [m/s]
-  const T t12_16 = thetadot9 * T(0.1);
-  const T t12_17 = omega12_3 * T(0.02);
-  const T t12_18 = omega12_3 * T(0.1);
-  const T t12_19 = t12_10 - omega12_2 * T(0.02);
-  const T ddot_tether_12_1 = sdot9_1 - E9_12 * t12_16 - R12_21 * t12_17 + R5b_21 * t12_18 - R12_31 * t12_19 -
-      Pdot12_1;
-  const T ddot_tether_12_2 = E9_11 * t12_16 - R12_22 * t12_17 + R5b_22 * t12_18 - R12_32 * t12_19 + sdot9_2 -
-      Pdot12_2;
-  const T minus_ddot_tether_12_3 = R12_23 * t12_17 - R5b_23 * t12_18 + R12_33 * t12_19 + Pdot12_3;
-  // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ d_tether_12 . ddot_tether_12
-  //   ll_tether_12^-1: attraction by the length [N/m]
-  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (d_tether_12_1 * ddot_tether_12_1 +
-      d_tether_12_2 * ddot_tether_12_2 - d_tether_12_3 * minus_ddot_tether_12_3) * (T(1) / ll_tether_12);
-  // F_tether_12 = f_tether_12 d_tether_12: on the first end, inertial axes [N]
-  const T F_tether_12_1 = f_tether_12 * d_tether_12_1;
-  const T F_tether_12_2 = f_tether_12 * d_tether_12_2;
-  const T F_tether_12_3 = f_tether_12 * d_tether_12_3;
-  // a12 = U12 r12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = U12_12 * T(0.05) + Pddot12_1;
-  const T a12_2 = Pddot12_2 - minus_U12_22 * T(0.05);
-  const T a12_3 = U12_32 * T(0.05) + Pddot12_3;
-  // G12 = -R12 F_tether_12 + m12 a12: force balance, body axes [N]
-  const T t12_20 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
-  const T G12_1 = c.p.m_plate * a12_1 - t12_20;
-  const T t12_21 = R12_21 * F_tether_12_1 + R12_22 * F_tether_12_2 + R12_23 * F_tether_12_3;
-  const T G12_2 = c.p.m_plate * a12_2 - t12_21;
-  const T t12_22 = R12_31 * F_tether_12_1 + R12_32 * F_tether_12_2 + R12_33 * F_tether_12_3;
-  const T G12_3 = c.p.m_plate * a12_3 - t12_22;
-  // N12 = axial(U12 (tr(I12)/2 - I12)) - lever12~ R12 F_tether_12: moment balance about the mass centre, body axes [N
-  //   m]
-  const T N12_1 = T(0.004) * U12_32 - T(0.05) * t12_22;
-  const T N12_2 = T(0.02) * t12_22 - T(0.002) * U12_31;
-  const T N12_3 = T(0.002) * U12_21 - T(0.004) * U12_12 - T(0.02) * t12_21 + T(0.05) * t12_20;
+  // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
+  //   [m/s]
+  const T t12_3 = thetadot9 * T(0.1);
+  const T t12_4 = omega5b_2 * T(0.07071067811865477);
+  const T t12_5 = t12_4 - omega5_3 * T(0.02);
+  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_7 = omega5_1 * T(0.02) + t12_4;
+  const T line_rate_tether_12_1 = sdot9_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7 - Pdot12_1;
+  const T line_rate_tether_12_2 = E9_11 * t12_3 - R5_12 * t12_5 + R5b_22 * t12_6 - R5_32 * t12_7 + sdot9_2 - Pdot12_2;
+  const T minus_line_rate_tether_12_3 = R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7 + Pdot12_3;
+  // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
+  //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
+  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
+      + line_tether_12_2 * line_rate_tether_12_2 - line_tether_12_3 * minus_line_rate_tether_12_3) * (T(1) /
+      ll_tether_12);
+  // F_tether_12 = f_tether_12 line_tether_12: on the first end, inertial axes [N]
+  const T F_tether_12_1 = f_tether_12 * line_tether_12_1;
+  const T F_tether_12_2 = f_tether_12 * line_tether_12_2;
+  const T F_tether_12_3 = f_tether_12 * line_tether_12_3;
+  // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
+  const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
+  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
+  // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
+  const T t12_8 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
+  const T G12_1 = c.p.m_plate * a12_1 - t12_8;
+  const T t12_9 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
+  const T G12_2 = c.p.m_plate * a12_2 - t12_9;
+  const T t12_10 = R5_31 * F_tether_12_1 + R5_32 * F_tether_12_2 + R5_33 * F_tether_12_3;
+  const T G12_3 = c.p.m_plate * a12_3 - t12_10;
+  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: moment balance about the mass centre, body
+  //   axes [N m]
+  const T t12_11 = T(0.03535533905932738) * t12_9;
+  const T N12_1 = T(0.0020000000000000005) * U5_32 - T(0.002) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
+      t12_10 + t12_11;
+  const T N12_2 = T(0.002) * U5_13 - T(0.002) * U5_31 - T(0.0020000000000000005) * (minus_U5_33 - minus_U5_11) -
+      T(0.03535533905932738) * t12_8 - T(0.03535533905932738) * t12_10;
+  const T N12_3 = T(0.002) * U5_21 - T(0.0020000000000000005) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_11 +
+      T(0.02) * t12_8;
 
   // ---- body 12 (plate) and what it carries
-  // rho12 = r12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho12_1 = T(0.05) * G12_3 + N12_1;
-  const T rho12_3 = N12_3 - T(0.05) * G12_1;
+  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b12_1 = T(0.03535533905932738) * G12_2;
+  const T rho12_1 = N12_1 - b12_1;
+  const T rho12_2 = T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3 + N12_2;
+  const T rho12_3 = N12_3 - b12_1;
 
   // ---- body 5 (camera) and what it carries
-  // rho5 = q12~ E12^T G12 + E12^T rho12 + r5~ G5 + N5: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T b5_1 = T(0.7071067811865476) * rho12_3;
-  const T b5_2 = T(0.7071067811865476) * N12_2;
-  const T rho5_1 = b5_1 - b5_2 + N5_1;
-  const T rho5_2 = rho12_1 - T(0.1) * (T(0.7071067811865476) * G12_2 + T(0.7071067811865476) * G12_3) - T(0.05) * G5_3
-      + N5_2;
-  const T rho5_3 = T(0.1) * G12_1 + b5_2 + b5_1 + T(0.05) * G5_2 + N5_3;
+  // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = N5_1 + rho12_1;
+  const T rho5_2 = N5_2 - T(0.1) * G12_3 - T(0.05) * G5_3 + rho12_2;
+  const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
   drive[1] = rho5_2;
   // rho5b = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5b_1 = c.c5_5 * rho5_1 + c.c5_4 * rho5_3;
+  const T rho5b_1 = c.E5_11 * rho5_1 + c.E5_31 * rho5_3;
   drive[0] = rho5b_1;
 
   // ---- results
@@ -9129,7 +8992,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
 
 // reactions: force and moment on each body through its joint, about its origin, body axes.
 // force (3) [N] and moment (3) [N m] of body 1, of body 2, ... (n_bodies * 6)
-// 859 add, 1023 multiply, 2 divide, 1 square root, 19 sine or cosine, 1 other function
+// 861 add, 1023 multiply, 2 divide, 1 square root, 19 sine or cosine, 1 other function
 template <class T>
 void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* reaction)
     noexcept {
@@ -9510,15 +9373,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T omega5b_2 = E5b_22 * omega5a_2 + E5b_23 * omega5a_3;
   const T omega5b_3 = E5b_22 * omega5a_3 - E5b_23 * omega5a_2;
   // R5^T = R5b^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * c.c5_5 - R5b_31 * c.c5_4;
-  const T R5_12 = R5a_12 * c.c5_5 - R5b_32 * c.c5_4;
-  const T R5_13 = R5a_13 * c.c5_5 - R5b_33 * c.c5_4;
-  const T R5_31 = R5a_11 * c.c5_4 + R5b_31 * c.c5_5;
-  const T R5_32 = R5a_12 * c.c5_4 + R5b_32 * c.c5_5;
-  const T R5_33 = R5a_13 * c.c5_4 + R5b_33 * c.c5_5;
+  const T R5_11 = R5a_11 * c.E5_11 - R5b_31 * c.E5_31;
+  const T R5_12 = R5a_12 * c.E5_11 - R5b_32 * c.E5_31;
+  const T R5_13 = R5a_13 * c.E5_11 - R5b_33 * c.E5_31;
+  const T R5_31 = R5a_11 * c.E5_31 + R5b_31 * c.E5_11;
+  const T R5_32 = R5a_12 * c.E5_31 + R5b_32 * c.E5_11;
+  const T R5_33 = R5a_13 * c.E5_31 + R5b_33 * c.E5_11;
   // omega5 = E5 omega5b: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = c.c5_5 * omega5b_1 - c.c5_4 * omega5b_3;
-  const T omega5_3 = c.c5_4 * omega5b_1 + c.c5_5 * omega5b_3;
+  const T omega5_1 = c.E5_11 * omega5b_1 - c.E5_31 * omega5b_3;
+  const T omega5_3 = c.E5_31 * omega5b_1 + c.E5_11 * omega5b_3;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_21 - R1_21 * T(0.3);
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
@@ -9550,8 +9413,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot5b_2 = E5b_22 * Pddot5a_2 + E5b_23 * Pddot5a_3;
   const T Pddot5b_3 = E5b_22 * Pddot5a_3 - E5b_23 * Pddot5a_2;
   // omegadot5 = E5 omegadot5b: angular acceleration, body axes [rad/s^2]
-  const T omegadot5_1 = c.c5_5 * omegadot5b_1 - c.c5_4 * omegadot5b_3;
-  const T omegadot5_3 = c.c5_4 * omegadot5b_1 + c.c5_5 * omegadot5b_3;
+  const T omegadot5_1 = c.E5_11 * omegadot5b_1 - c.E5_31 * omegadot5b_3;
+  const T omegadot5_3 = c.E5_31 * omegadot5b_1 + c.E5_11 * omegadot5b_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t5_8 = omega5b_2 * omega5b_2;
@@ -9565,9 +9428,10 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T U5_23 = t5_11 - omegadot5_1;
   const T U5_31 = t5_10 - omegadot5b_2;
   const T U5_32 = t5_11 + omegadot5_1;
+  const T minus_U5_33 = t5_8 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5b: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = c.c5_5 * Pddot5a_1 - c.c5_4 * Pddot5b_3;
-  const T Pddot5_3 = c.c5_4 * Pddot5a_1 + c.c5_5 * Pddot5b_3;
+  const T Pddot5_1 = c.E5_11 * Pddot5a_1 - c.E5_31 * Pddot5b_3;
+  const T Pddot5_3 = c.E5_31 * Pddot5a_1 + c.E5_11 * Pddot5b_3;
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = Pddot5_1 - minus_U5_11 * T(0.05);
   const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
@@ -9597,7 +9461,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
   const T t6_4 = R3_13 * T(0.2);
@@ -9649,56 +9513,56 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T sdot8 = y[22];
   const T thetaddot8 = ydot[10];
   const T sddot8 = ydot[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // omegadot8 = -thetadot8 b8~ E8 omega1 + thetaddot8 b8 + E8 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T omegadot8_1 = E8_13 * omegadot1_3 - minus_E8_11 * omegadot1_1 - thetadot8 * minus_omega8_2;
-  const T minus_omegadot8_2 = thetadot8 * omega8_1 + E8_13 * omegadot1_1 + minus_E8_11 * omegadot1_3;
-  const T omegadot8_3 = thetaddot8 - omegadot1_2;
+  const T omegadot8_1 = thetadot8 * omega8_3 + E8_11 * omegadot1_1 + E8_13 * omegadot1_3;
+  const T omegadot8_2 = omegadot1_2 - thetaddot8;
+  const T omegadot8_3 = E8_11 * omegadot1_3 - E8_13 * omegadot1_1 - thetadot8 * omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_3 * omega8_3;
-  const T t8_2 = minus_omega8_2 * minus_omega8_2;
+  const T t8_2 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_1 + t8_2;
-  const T t8_3 = minus_omega8_2 * omega8_1;
-  const T minus_U8_12 = t8_3 + omegadot8_3;
+  const T t8_3 = omega8_2 * omega8_1;
+  const T U8_12 = t8_3 - omegadot8_3;
   const T t8_4 = omega8_3 * omega8_1;
-  const T U8_13 = t8_4 - minus_omegadot8_2;
-  const T U8_21 = omegadot8_3 - t8_3;
+  const T U8_13 = t8_4 + omegadot8_2;
+  const T U8_21 = t8_3 + omegadot8_3;
   const T t8_5 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_1 + t8_5;
-  const T t8_6 = omega8_3 * minus_omega8_2;
-  const T minus_U8_23 = t8_6 + omegadot8_1;
-  const T U8_31 = t8_4 + minus_omegadot8_2;
-  const T U8_32 = omegadot8_1 - t8_6;
+  const T t8_6 = omega8_3 * omega8_2;
+  const T U8_23 = t8_6 - omegadot8_1;
+  const T U8_31 = t8_4 - omegadot8_2;
+  const T U8_32 = t8_6 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_5;
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
-  const T t8_9 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
-  const T Pddot8_1 = E8_13 * t8_8 - minus_E8_11 * t8_9;
-  const T minus_Pddot8_2 = E8_13 * t8_9 + minus_E8_11 * t8_8;
-  const T minus_Pddot8_3 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_13 * T(0.1) - minus_U8_11 * T(0.02) - minus_U8_12 * T(0.01) + Pddot8_1;
-  const T a8_2 = U8_21 * T(0.02) - minus_U8_22 * T(0.01) - minus_U8_23 * T(0.1) - minus_Pddot8_2;
-  const T a8_3 = U8_31 * T(0.02) + U8_32 * T(0.01) - minus_U8_33 * T(0.1) - minus_Pddot8_3;
+  const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
+  const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
+  const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
+  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
+  const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
+  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
+  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = m8 a8: force balance, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
   const T G8_3 = T(0.7) * a8_3;
-  // N8 = axial(U8 (tr(I8)/2 - I8)): moment balance about the mass centre, body axes [N m]
-  const T N8_1 = T(0.0015) * U8_32 + T(0.0025) * minus_U8_23;
-  const T N8_2 = T(0.0025) * U8_13 - T(5e-04) * U8_31;
-  const T N8_3 = T(5e-04) * U8_21 + T(0.0015) * minus_U8_12;
+  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): moment balance about the mass centre, body axes [N m]
+  const T N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
+  const T N8_2 = T(5e-04) * U8_13 - T(0.0015) * U8_31;
+  const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -9799,166 +9663,140 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T thetaddot11 = ydot[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + thetaddot11 b11 + E11 omegadot8: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot11_1 = E11_11 * omegadot8_1 - E11_12 * minus_omegadot8_2 - thetadot11 * minus_omega11_2;
-  const T minus_omegadot11_2 = thetadot11 * omega11_1 + E11_12 * omegadot8_1 + E11_11 * minus_omegadot8_2;
-  const T omegadot11_3 = thetaddot11 + omegadot8_3;
+  const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 + E11_13 * omegadot8_3;
+  const T omegadot11_2 = omegadot8_2 - thetaddot11;
+  const T omegadot11_3 = E11_11 * omegadot8_3 - E11_13 * omegadot8_1 - thetadot11 * omega11_1;
   // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T minus_U11_11 = omega11_3 * omega11_3 + minus_omega11_2 * minus_omega11_2;
-  const T t11_1 = minus_omega11_2 * omega11_1;
-  const T minus_U11_12 = t11_1 + omegadot11_3;
+  const T t11_1 = omega11_2 * omega11_1;
+  const T U11_12 = t11_1 - omegadot11_3;
   const T t11_2 = omega11_3 * omega11_1;
-  const T U11_13 = t11_2 - minus_omegadot11_2;
-  const T U11_21 = omegadot11_3 - t11_1;
-  const T t11_3 = omega11_3 * minus_omega11_2;
-  const T minus_U11_23 = t11_3 + omegadot11_1;
-  const T U11_31 = t11_2 + minus_omegadot11_2;
-  const T U11_32 = omegadot11_1 - t11_3;
+  const T U11_13 = t11_2 + omegadot11_2;
+  const T U11_21 = t11_1 + omegadot11_3;
+  const T t11_3 = omega11_3 * omega11_2;
+  const T U11_23 = t11_3 - omegadot11_1;
+  const T U11_31 = t11_2 - omegadot11_2;
+  const T U11_32 = t11_3 + omegadot11_1;
+  const T minus_U11_33 = omega11_2 * omega11_2 + omega11_1 * omega11_1;
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + thetaddot11 pitch11 u11 + U8 d11 + Pddot8): acceleration of the
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
-  const T t11_5 = U8_13 * d11_3 - t11_4 * minus_omega8_2 + Pddot8_1;
-  const T t11_6 = t11_4 * omega8_1 + minus_U8_23 * d11_3 + minus_Pddot8_2;
-  const T Pddot11_1 = E11_11 * t11_5 - E11_12 * t11_6;
-  const T minus_Pddot11_2 = E11_12 * t11_5 + E11_11 * t11_6;
-  const T Pddot11_3 = thetaddot11 * T(0.01) - minus_U8_33 * d11_3 - minus_Pddot8_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = Pddot11_1 - minus_U11_11 * T(0.01);
-  const T a11_2 = U11_21 * T(0.01) - minus_Pddot11_2;
-  const T a11_3 = U11_31 * T(0.01) + Pddot11_3;
+  const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
+  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
+  const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
+  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
+  const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
+  // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
+  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = m11 a11: force balance, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
   const T G11_2 = T(0.3) * a11_2;
   const T G11_3 = T(0.3) * a11_3;
-  reaction[60] = G11_1;
-  reaction[61] = G11_2;
-  reaction[62] = G11_3;
-  // N11 = -M_coupling_ + axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
-  const T N11_1 = T(3e-04) * U11_32 + T(0.00010000000000000005) * minus_U11_23;
-  const T N11_2 = T(0.00010000000000000005) * U11_13 - T(3e-04) * U11_31;
-  const T N11_3 = T(3e-04) * U11_21 + T(3e-04) * minus_U11_12 - T(0.02) * u.motor;
-  reaction[63] = N11_1;
+  reaction[61] = -G11_1;
+  reaction[62] = -G11_2;
+  reaction[60] = G11_3;
+  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): moment balance about the mass centre, body
+  //   axes [N m]
+  const T N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
+  const T N11_2 = T(3e-04) * U11_13 - T(3e-04) * U11_31 + T(0.02) * u.motor;
+  const T N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
+  reaction[63] = N11_3;
 
   // ---- body 12 (plate) on body 5
   const T s9_1 = x[26];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
-  // R12^T = R5^T E12^T: R takes inertial components to body components
-  const T t12_1 = R5_31 * T(0.7071067811865476);
-  const T t12_2 = R5_11 * T(0.7071067811865476);
-  const T R12_21 = t12_1 - t12_2;
-  const T t12_3 = R5_32 * T(0.7071067811865476);
-  const T t12_4 = R5_12 * T(0.7071067811865476);
-  const T R12_22 = t12_3 - t12_4;
-  const T t12_5 = R5_33 * T(0.7071067811865476);
-  const T t12_6 = R5_13 * T(0.7071067811865476);
-  const T R12_23 = t12_5 - t12_6;
-  const T R12_31 = t12_2 + t12_1;
-  const T R12_32 = t12_4 + t12_3;
-  const T R12_33 = t12_6 + t12_5;
-  // omega12 = E12 omega5: absolute angular velocity, body axes [rad/s]
-  const T t12_7 = T(0.7071067811865476) * omega5_3;
-  const T t12_8 = T(0.7071067811865476) * omega5_1;
-  const T omega12_2 = t12_7 - t12_8;
-  const T omega12_3 = t12_8 + t12_7;
   // P12 = R5^T q12 + P5a: position of the body origin, inertial axes [m]
   const T P12_1 = R5_11 * T(0.1) + P5a_1;
   const T P12_2 = R5_12 * T(0.1) + P5a_2;
   const T P12_3 = R5_13 * T(0.1) + P5a_3;
   // Pdot12 = R5^T omega5~ q12 + Pdot5a: velocity of the body origin, inertial axes [m/s]
-  const T t12_9 = omega5_3 * T(0.1);
-  const T t12_10 = omega5b_2 * T(0.1);
-  const T Pdot12_1 = R5b_21 * t12_9 - R5_31 * t12_10 + Pdot5a_1;
-  const T Pdot12_2 = R5b_22 * t12_9 - R5_32 * t12_10 + Pdot5a_2;
-  const T Pdot12_3 = R5b_23 * t12_9 - R5_33 * t12_10 + Pdot5a_3;
-  // d_tether_12 = E9^T r_point - R12^T r_point + d9 - P12: from one end of the spring to the other, inertial axes [m]
-  const T d_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) - R12_21 * T(0.1) + s9_1 - P12_1;
-  const T d_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) - R12_22 * T(0.1) + d9_2 - P12_2;
-  const T d_tether_12_3 = T(0.1) - R5b_23 * T(0.02) - R12_23 * T(0.1) - P12_3;
-  // ll_tether_12 = 1e-36 + d_tether_12 . d_tether_12: length squared [m^2]
-  const T ll_tether_12 = T(1e-36) + d_tether_12_1 * d_tether_12_1 + d_tether_12_2 * d_tether_12_2 + d_tether_12_3 *
-      d_tether_12_3;
+  const T t12_1 = omega5_3 * T(0.1);
+  const T t12_2 = omega5b_2 * T(0.1);
+  const T Pdot12_1 = R5b_21 * t12_1 - R5_31 * t12_2 + Pdot5a_1;
+  const T Pdot12_2 = R5b_22 * t12_1 - R5_32 * t12_2 + Pdot5a_2;
+  const T Pdot12_3 = R5b_23 * t12_1 - R5_33 * t12_2 + Pdot5a_3;
+  // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
+  //   other, inertial axes [m]
+  const T line_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) + R5_11 * T(0.07071067811865477) - R5_31 *
+      T(0.07071067811865477) + s9_1 - P12_1;
+  const T line_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) + R5_12 * T(0.07071067811865477) - R5_32 *
+      T(0.07071067811865477) + d9_2 - P12_2;
+  const T line_tether_12_3 = T(0.1) - R5b_23 * T(0.02) + R5_13 * T(0.07071067811865477) - R5_33 *
+      T(0.07071067811865477) - P12_3;
+  // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
+  const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
+      line_tether_12_3 * line_tether_12_3;
   // length_tether_12 = ll_tether_12^1/2: length [m]
   const T length_tether_12 = sqrt(ll_tether_12);
-  // ddot_tether_12 = E9^T omega9~ r_point - R12^T omega12~ r_point + Pdot9 - Pdot12: its rate [m/s]
-  const T t12_11 = thetadot9 * T(0.1);
-  const T t12_12 = omega12_3 * T(0.02);
-  const T t12_13 = omega12_3 * T(0.1);
-  const T t12_14 = t12_10 - omega12_2 * T(0.02);
-  const T ddot_tether_12_1 = sdot9_1 - E9_12 * t12_11 - R12_21 * t12_12 + R5b_21 * t12_13 - R12_31 * t12_14 -
-      Pdot12_1;
-  const T ddot_tether_12_2 = E9_11 * t12_11 - R12_22 * t12_12 + R5b_22 * t12_13 - R12_32 * t12_14 + sdot9_2 -
-      Pdot12_2;
-  const T minus_ddot_tether_12_3 = R12_23 * t12_12 - R5b_23 * t12_13 + R12_33 * t12_14 + Pdot12_3;
-  // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ d_tether_12 . ddot_tether_12
-  //   ll_tether_12^-1: attraction by the length [N/m]
-  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (d_tether_12_1 * ddot_tether_12_1 +
-      d_tether_12_2 * ddot_tether_12_2 - d_tether_12_3 * minus_ddot_tether_12_3) * (T(1) / ll_tether_12);
-  // F_tether_12 = f_tether_12 d_tether_12: on the first end, inertial axes [N]
-  const T F_tether_12_1 = f_tether_12 * d_tether_12_1;
-  const T F_tether_12_2 = f_tether_12 * d_tether_12_2;
-  const T F_tether_12_3 = f_tether_12 * d_tether_12_3;
-  // omegadot12 = E12 omegadot5: angular acceleration, body axes [rad/s^2]
-  const T t12_15 = T(0.7071067811865476) * omegadot5_3;
-  const T t12_16 = T(0.7071067811865476) * omegadot5_1;
-  const T omegadot12_2 = t12_15 - t12_16;
-  const T omegadot12_3 = t12_16 + t12_15;
-  // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
-  //   axes [1/s^2]
-  const T t12_17 = omega12_2 * omega5b_2;
-  const T U12_12 = t12_17 - omegadot12_3;
-  const T U12_21 = t12_17 + omegadot12_3;
-  const T minus_U12_22 = omega12_3 * omega12_3 + t5_8;
-  const T U12_31 = omega12_3 * omega5b_2 - omegadot12_2;
-  const T U12_32 = omega12_3 * omega12_2 + omegadot5b_2;
-  // Pddot12 = E12 (U5 q12 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot12_1 = U5_21 * T(0.1) + Pddot5b_2;
-  const T t12_18 = T(0.7071067811865476) * (U5_31 * T(0.1) + Pddot5_3);
-  const T t12_19 = T(0.7071067811865476) * (Pddot5_1 - minus_U5_11 * T(0.1));
-  const T Pddot12_2 = t12_18 - t12_19;
-  const T Pddot12_3 = t12_19 + t12_18;
+  // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
+  //   [m/s]
+  const T t12_3 = thetadot9 * T(0.1);
+  const T t12_4 = omega5b_2 * T(0.07071067811865477);
+  const T t12_5 = t12_4 - omega5_3 * T(0.02);
+  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_7 = omega5_1 * T(0.02) + t12_4;
+  const T line_rate_tether_12_1 = sdot9_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7 - Pdot12_1;
+  const T line_rate_tether_12_2 = E9_11 * t12_3 - R5_12 * t12_5 + R5b_22 * t12_6 - R5_32 * t12_7 + sdot9_2 - Pdot12_2;
+  const T minus_line_rate_tether_12_3 = R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7 + Pdot12_3;
+  // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
+  //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
+  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
+      + line_tether_12_2 * line_rate_tether_12_2 - line_tether_12_3 * minus_line_rate_tether_12_3) * (T(1) /
+      ll_tether_12);
+  // F_tether_12 = f_tether_12 line_tether_12: on the first end, inertial axes [N]
+  const T F_tether_12_1 = f_tether_12 * line_tether_12_1;
+  const T F_tether_12_2 = f_tether_12 * line_tether_12_2;
+  const T F_tether_12_3 = f_tether_12 * line_tether_12_3;
+  // Pddot12 = U5 q12 + Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot12_1 = Pddot5_1 - minus_U5_11 * T(0.1);
+  const T Pddot12_2 = U5_21 * T(0.1) + Pddot5b_2;
+  const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
   // G9 = E9 F_tether_12 + m9 a9: force balance, body axes [N]
-  const T t12_20 = E9_11 * F_tether_12_1 + E9_12 * F_tether_12_2;
-  const T G9_1 = t12_20 + T(2) * a9_1;
-  const T t12_21 = E9_11 * F_tether_12_2 - E9_12 * F_tether_12_1;
-  const T G9_2 = t12_21 + T(2) * a9_2;
+  const T t12_8 = E9_11 * F_tether_12_1 + E9_12 * F_tether_12_2;
+  const T G9_1 = t12_8 + T(2) * a9_1;
+  const T t12_9 = E9_11 * F_tether_12_2 - E9_12 * F_tether_12_1;
+  const T G9_2 = t12_9 + T(2) * a9_2;
   const T G9_3 = F_tether_12_3 + T(19.62);
   reaction[48] = G9_1;
   reaction[49] = G9_2;
   reaction[50] = G9_3;
   // N9 = axial(U9 (tr(I9)/2 - I9)) + lever9~ E9 F_tether_12: moment balance about the mass centre, body axes [N m]
-  const T minus_N9_1 = T(0.1) * t12_21;
-  const T N9_2 = T(0.1) * t12_20;
+  const T minus_N9_1 = T(0.1) * t12_9;
+  const T N9_2 = T(0.1) * t12_8;
   const T N9_3 = T(0.08) * thetaddot9;
   reaction[51] = -minus_N9_1;
-  // a12 = U12 r12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = U12_12 * T(0.05) + Pddot12_1;
-  const T a12_2 = Pddot12_2 - minus_U12_22 * T(0.05);
-  const T a12_3 = U12_32 * T(0.05) + Pddot12_3;
-  // G12 = -R12 F_tether_12 + m12 a12: force balance, body axes [N]
-  const T t12_22 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
-  const T G12_1 = c.p.m_plate * a12_1 - t12_22;
-  const T t12_23 = R12_21 * F_tether_12_1 + R12_22 * F_tether_12_2 + R12_23 * F_tether_12_3;
-  const T G12_2 = c.p.m_plate * a12_2 - t12_23;
-  const T t12_24 = R12_31 * F_tether_12_1 + R12_32 * F_tether_12_2 + R12_33 * F_tether_12_3;
-  const T G12_3 = c.p.m_plate * a12_3 - t12_24;
-  reaction[66] = G12_1;
-  reaction[67] = G12_2;
-  reaction[68] = G12_3;
-  // N12 = axial(U12 (tr(I12)/2 - I12)) - lever12~ R12 F_tether_12: moment balance about the mass centre, body axes [N
-  //   m]
-  const T N12_1 = T(0.004) * U12_32 - T(0.05) * t12_24;
-  const T N12_2 = T(0.02) * t12_24 - T(0.002) * U12_31;
-  const T N12_3 = T(0.002) * U12_21 - T(0.004) * U12_12 - T(0.02) * t12_23 + T(0.05) * t12_22;
-  reaction[70] = N12_2;
+  // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
+  const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
+  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
+  // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
+  const T t12_10 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
+  const T G12_1 = c.p.m_plate * a12_1 - t12_10;
+  const T t12_11 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
+  const T G12_2 = c.p.m_plate * a12_2 - t12_11;
+  const T t12_12 = R5_31 * F_tether_12_1 + R5_32 * F_tether_12_2 + R5_33 * F_tether_12_3;
+  const T G12_3 = c.p.m_plate * a12_3 - t12_12;
+  reaction[66] = G12_2;
+  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: moment balance about the mass centre, body
+  //   axes [N m]
+  const T t12_13 = T(0.03535533905932738) * t12_11;
+  const T N12_1 = T(0.0020000000000000005) * U5_32 - T(0.002) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
+      t12_12 + t12_13;
+  const T N12_2 = T(0.002) * U5_13 - T(0.002) * U5_31 - T(0.0020000000000000005) * (minus_U5_33 - minus_U5_11) -
+      T(0.03535533905932738) * t12_10 - T(0.03535533905932738) * t12_12;
+  const T N12_3 = T(0.002) * U5_21 - T(0.0020000000000000005) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_13 +
+      T(0.02) * t12_10;
 
   // ---- body 13 (ballast) on the inertial frame
   const T sddot13_1 = ydot[26], sddot13_2 = ydot[27], sddot13_3 = ydot[28];
@@ -9971,18 +9809,19 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[73] = G13_2;
 
   // ---- body 12 (plate) and what it carries
-  // rho12 = r12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho12_1 = T(0.05) * G12_3 + N12_1;
-  const T rho12_3 = N12_3 - T(0.05) * G12_1;
-  reaction[69] = rho12_1;
-  reaction[71] = rho12_3;
+  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b12_1 = T(0.03535533905932738) * G12_2;
+  const T rho12_1 = N12_1 - b12_1;
+  const T rho12_2 = T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3 + N12_2;
+  const T rho12_3 = N12_3 - b12_1;
+  reaction[69] = rho12_2;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho11_2 = N11_2 - G11_3 * T(0.01);
-  const T rho11_3 = T(0.01) * G11_2 + N11_3;
-  reaction[64] = rho11_2;
-  reaction[65] = rho11_3;
+  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho11_1 = N11_1 - G11_2 * T(0.01);
+  const T rho11_2 = T(0.01) * G11_1 + N11_2;
+  reaction[64] = -rho11_1;
+  reaction[65] = -rho11_2;
 
   // ---- body 10 (runner) and what it carries
   // r_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
@@ -10005,22 +9844,22 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
 
   // ---- body 8 (piston) and what it carries
   // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_11 * G11_1 - E11_12 * G11_2;
+  const T b8_1 = E11_11 * G11_1 - E11_13 * G11_3;
   const T S8_1 = b8_1 + G8_1;
-  const T b8_2 = E11_12 * G11_1 + E11_11 * G11_2;
-  const T S8_2 = b8_2 + G8_2;
-  const T S8_3 = G11_3 + G8_3;
-  reaction[42] = S8_1;
-  reaction[43] = S8_2;
-  reaction[44] = S8_3;
-  // rho8 = E11^T rho11 + r8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
+  const T S8_2 = G11_2 + G8_2;
+  const T b8_2 = E11_13 * G11_1 + E11_11 * G11_3;
+  const T S8_3 = b8_2 + G8_3;
+  reaction[43] = -S8_1;
+  reaction[44] = -S8_2;
+  reaction[42] = S8_3;
+  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * N11_1 - E11_12 * rho11_2 + T(0.01) * G8_3 - T(0.1) * G8_2 - d11_3 * b8_2 + N8_1;
-  const T rho8_2 = E11_12 * N11_1 + E11_11 * rho11_2 + T(0.1) * G8_1 - T(0.02) * G8_3 + d11_3 * b8_1 + N8_2;
-  const T rho8_3 = rho11_3 + T(0.02) * G8_2 - T(0.01) * G8_1 + N8_3;
-  reaction[45] = rho8_1;
-  reaction[46] = rho8_2;
-  reaction[47] = rho8_3;
+  const T rho8_1 = E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2 + N8_1;
+  const T rho8_2 = rho11_2 + T(0.02) * G8_1 + T(0.01) * G8_3 + N8_2;
+  const T rho8_3 = E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1 + N8_3;
+  reaction[46] = -rho8_1;
+  reaction[47] = -rho8_2;
+  reaction[45] = rho8_3;
 
   // ---- body 7 (gantry) and what it carries
   // rho7 = r7~ G7: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -10037,32 +9876,27 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[35] = rho6_3;
 
   // ---- body 5 (camera) and what it carries
-  // S5 = E12^T G12 + G5: sum of the force balances of the subtree, body axes [N]
-  const T b5_1 = T(0.7071067811865476) * G12_3;
-  const T b5_2 = T(0.7071067811865476) * G12_2;
-  const T S5_1 = b5_1 - b5_2 + G5_1;
-  const T S5_2 = G12_1 + G5_2;
-  const T b5_3 = b5_2 + b5_1;
-  const T S5_3 = b5_3 + G5_3;
+  // S5 = G5 + G12: sum of the force balances of the subtree, body axes [N]
+  const T S5_1 = G5_1 + G12_1;
+  const T S5_2 = G5_2 + G12_2;
+  const T S5_3 = G5_3 + G12_3;
   reaction[24] = S5_1;
   reaction[25] = S5_2;
   reaction[26] = S5_3;
-  // rho5 = q12~ E12^T G12 + E12^T rho12 + r5~ G5 + N5: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T b5_4 = T(0.7071067811865476) * rho12_3;
-  const T b5_5 = T(0.7071067811865476) * N12_2;
-  const T rho5_1 = b5_4 - b5_5 + N5_1;
-  const T rho5_2 = rho12_1 - T(0.1) * b5_3 - T(0.05) * G5_3 + N5_2;
-  const T rho5_3 = T(0.1) * G12_1 + b5_5 + b5_4 + T(0.05) * G5_2 + N5_3;
+  // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = N5_1 + rho12_1;
+  const T rho5_2 = N5_2 - T(0.1) * G12_3 - T(0.05) * G5_3 + rho12_2;
+  const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
   reaction[27] = rho5_1;
   reaction[28] = rho5_2;
   reaction[29] = rho5_3;
   // S5b = E5^T S5: sum of the force balances of the subtree, body axes [N]
-  const T S5b_1 = c.c5_5 * S5_1 + c.c5_4 * S5_3;
-  const T S5b_3 = c.c5_5 * S5_3 - c.c5_4 * S5_1;
+  const T S5b_1 = c.E5_11 * S5_1 + c.E5_31 * S5_3;
+  const T S5b_3 = c.E5_11 * S5_3 - c.E5_31 * S5_1;
   // rho5b = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5b_1 = c.c5_5 * rho5_1 + c.c5_4 * rho5_3;
-  const T rho5b_3 = c.c5_5 * rho5_3 - c.c5_4 * rho5_1;
+  const T rho5b_1 = c.E5_11 * rho5_1 + c.E5_31 * rho5_3;
+  const T rho5b_3 = c.E5_11 * rho5_3 - c.E5_31 * rho5_1;
   // S5a = E5b^T S5b: sum of the force balances of the subtree, body axes [N]
   const T S5a_2 = E5b_22 * S5_2 - E5b_23 * S5b_3;
   const T S5a_3 = E5b_23 * S5_2 + E5b_22 * S5b_3;
@@ -10124,19 +9958,19 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T b1_3 = E3_11 * S3_1 + E3_21 * S3_2 + E3_31 * S3_3;
   const T b1_4 = E4a_11 * S4a_1 + minus_E4a_12 * S4a_2 + minus_E4a_13 * S4a_3;
   const T b1_5 = E5a_11 * S5b_1 - E5a_12 * S5a_2;
-  const T b1_6 = minus_E8_11 * S8_1 + E8_13 * S8_2;
-  const T S1_1 = b1_1 + b1_2 + b1_3 + b1_4 + b1_5 - b1_6 + G1_1;
+  const T b1_6 = E8_11 * S8_1 - E8_13 * S8_3;
+  const T S1_1 = b1_1 + b1_2 + b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = R1_21 * G2_1 + R1_22 * G2_2 + R1_23 * G2_3;
   const T b1_8 = R1_21 * G10_1 + R1_22 * G10_2 + R1_23 * G10_3;
   const T b1_9 = E3_12 * S3_1 + E3_22 * S3_2 + E3_32 * S3_3;
   const T b1_10 = E4a_22 * S4a_2 - minus_E4a_12 * S4a_1 + E4a_23 * S4a_3;
   const T b1_11 = E5a_12 * S5b_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 + b1_8 + b1_9 + b1_10 + b1_11 - S8_3 + G1_2;
+  const T S1_2 = b1_7 + b1_8 + b1_9 + b1_10 + b1_11 + S8_2 + G1_2;
   const T b1_12 = R1_31 * G2_1 + R1_32 * G2_2 + R1_33 * G2_3;
   const T b1_13 = R1_31 * G10_1 + R1_32 * G10_2 + R1_33 * G10_3;
   const T b1_14 = E3_23 * S3_2 - minus_E3_13 * S3_1 + E3_33 * S3_3;
   const T b1_15 = E4a_23 * S4a_2 - minus_E4a_13 * S4a_1 + E4a_33 * S4a_3;
-  const T b1_16 = E8_13 * S8_1 - minus_E8_11 * S8_2;
+  const T b1_16 = E8_13 * S8_1 + E8_11 * S8_3;
   const T S1_3 = b1_12 + b1_13 + b1_14 + b1_15 + S5a_3 + b1_16 + G1_3;
   reaction[0] = S1_1;
   reaction[1] = S1_2;
@@ -10146,16 +9980,16 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T b1_17 = T(0.2) * b1_7;
   const T r_omega1_1 = b1_17 + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
       T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 - T(0.3) *
-      S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 - minus_E8_11 * rho8_1 - E8_13 * rho8_2 - T(0.03) * G1_2 - T(0.01) *
-      G1_3 + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
+      S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3
+      + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
   const T r_omega1_2 = T(0.1) * b1_3 - T(0.3) * b1_14 - T(0.2) * b1_1 - T(0.2) * b1_12 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
-      * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 - rho8_3 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
+      * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
       * b1_13 + N1_2;
   const T r_omega1_3 = b1_17 - T(0.1) * b1_1 + T(0.3) * b1_9 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
       - T(0.2) * b1_10 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3 + T(0.3) * b1_5
-      + rho5a_3 + E8_13 * rho8_1 - minus_E8_11 * rho8_2 + T(0.02) * G1_2 + T(0.01) * G1_1 + d8_2 * b1_6 + T(0.1) *
-      b1_8 - s10 * b1_2 + N1_3;
+      + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) * b1_8 -
+      s10 * b1_2 + N1_3;
   reaction[3] = r_omega1_1;
   reaction[4] = r_omega1_2;
   reaction[5] = r_omega1_3;
@@ -10173,13 +10007,21 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[54] = b10_3;
   reaction[55] = b10_1;
   reaction[56] = b10_2;
+  const T t1 = T(0.7071067811865476) * G12_3;
+  const T t2 = T(0.7071067811865476) * G12_1;
+  reaction[67] = t1 - t2;
+  reaction[68] = t2 + t1;
+  const T t3 = T(0.7071067811865476) * rho12_3;
+  const T t4 = T(0.7071067811865476) * rho12_1;
+  reaction[70] = t3 - t4;
+  reaction[71] = t4 + t3;
   reaction[72] = T(0.28) * G13_1 - T(0.96) * G13_3;
   reaction[74] = T(0.96) * G13_1 + T(0.28) * G13_3;
 }
 
 // probe_position: position of probe, inertial axes.
 // (3) [m]
-// 47 add, 69 multiply, 5 sine or cosine
+// 38 add, 53 multiply, 5 sine or cosine
 template <class T>
 void probe_position(const Prepared<T>& c, T t, const T* x, T* position) noexcept {
   using std::cos, std::sin;
@@ -10224,37 +10066,30 @@ void probe_position(const Prepared<T>& c, T t, const T* x, T* position) noexcept
   const T R5a_23 = R1_23 * E5a_11 - R1_13 * E5a_12;
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_2 + R1_31 * t5_1;
-  const T R5_22 = R5a_22 * t5_2 + R1_32 * t5_1;
-  const T R5_23 = R5a_23 * t5_2 + R1_33 * t5_1;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = s1_1 + R1_31 * T(0.1) - R1_21 * T(0.3);
   const T P5a_2 = s1_2 + R1_32 * T(0.1) - R1_22 * T(0.3);
   const T P5a_3 = s1_3 + R1_33 * T(0.1) - R1_23 * T(0.3);
 
   // ---- results
-  position[0] = R5_21 * T(0.02) + T(0.029289321881345243) * R5_11 + R5_31 * T(0.07071067811865477) + P5a_1;
-  position[1] = R5_22 * T(0.02) + T(0.029289321881345243) * R5_12 + R5_32 * T(0.07071067811865477) + P5a_2;
-  position[2] = R5_23 * T(0.02) + T(0.029289321881345243) * R5_13 + R5_33 * T(0.07071067811865477) + P5a_3;
+  position[0] = R5_21 * T(0.02) + T(0.03620228586010676) * R5a_11 + T(0.06743336618301184) * R5_31 + P5a_1;
+  position[1] = R5_22 * T(0.02) + T(0.03620228586010676) * R5a_12 + T(0.06743336618301184) * R5_32 + P5a_2;
+  position[2] = R5_23 * T(0.02) + T(0.03620228586010676) * R5a_13 + T(0.06743336618301184) * R5_33 + P5a_3;
 }
 
 // probe_velocity: velocity of probe, inertial axes.
 // (3) [m/s]
-// 70 add, 105 multiply, 6 sine or cosine
+// 61 add, 89 multiply, 6 sine or cosine
 template <class T>
 void probe_velocity(const Prepared<T>& c, T t, const T* x, const T* y, T* velocity) noexcept {
   using std::cos, std::sin;
@@ -10308,52 +10143,43 @@ void probe_velocity(const Prepared<T>& c, T t, const T* x, const T* y, T* veloci
   const T theta5_2 = c.p.amplitude * sin(t5_1);
   // thetadot5_2 = d/dt expression 1: prescribed
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_2 = sin(theta5_2);
-  const T E5_12 = t5_2 * T(0.09983341664682815);
-  const T t5_3 = cos(theta5_2);
-  const T minus_E5_13 = t5_3 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_2 * T(0.9950041652780258);
-  const T E5_33 = t5_3 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_3 + R1_31 * t5_2;
-  const T R5_22 = R5a_22 * t5_3 + R1_32 * t5_2;
-  const T R5_23 = R5a_23 * t5_3 + R1_33 * t5_2;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 -
-      minus_E5_13 * omega5a_3;
-  const T omega5_2 = t5_3 * omega5a_2 + t5_2 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + T(0.09983341664682815) * omega5a_1 - minus_E5_32 *
-      omega5a_2 + E5_33 * omega5a_3;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_4 = omega1_3 * T(0.3) + omega1_2 * T(0.1);
-  const T t5_5 = omega1_1 * T(0.1);
-  const T t5_6 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t5_5 - R1_31 * t5_6;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t5_5 - R1_32 * t5_6;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t5_5 - R1_33 * t5_6;
+  const T t5_2 = omega1_3 * T(0.3) + omega1_2 * T(0.1);
+  const T t5_3 = omega1_1 * T(0.1);
+  const T t5_4 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_2 - R1_21 * t5_3 - R1_31 * t5_4;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_2 - R1_22 * t5_3 - R1_32 * t5_4;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_2 - R1_23 * t5_3 - R1_33 * t5_4;
 
   // ---- results
-  const T t1 = omega5_2 * T(0.07071067811865477);
-  const T t2 = t1 - omega5_3 * T(0.02);
-  const T t3 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t4 = omega5_1 * T(0.02) + t1;
-  const T t5 = omega5_3 * T(0.1);
-  const T t6 = omega5_2 * T(0.1);
-  velocity[0] = R5_11 * t2 - R5_21 * t3 + R5_31 * t4 + R5_21 * t5 - R5_31 * t6 + Pdot5a_1;
-  velocity[1] = R5_12 * t2 - R5_22 * t3 + R5_32 * t4 + R5_22 * t5 - R5_32 * t6 + Pdot5a_2;
-  velocity[2] = R5_13 * t2 - R5_23 * t3 + R5_33 * t4 + R5_23 * t5 - R5_33 * t6 + Pdot5a_3;
+  const T t1 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t2 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t3 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t4 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t5 = omega5_2 * T(0.009983341664682815);
+  const T t6 = omega5_2 * T(0.09950041652780259);
+  velocity[0] = R5a_11 * t1 - R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5a_11 * t5 - R5_31 * t6 + Pdot5a_1;
+  velocity[1] = R5a_12 * t1 - R5_22 * t2 + R5_32 * t3 + R5_22 * t4 - R5a_12 * t5 - R5_32 * t6 + Pdot5a_2;
+  velocity[2] = R5a_13 * t1 - R5_23 * t2 + R5_33 * t3 + R5_23 * t4 - R5a_13 * t5 - R5_33 * t6 + Pdot5a_3;
 }
 
 // probe_acceleration: acceleration of probe, inertial axes.
 // (3) [m/s^2]
-// 124 add, 174 multiply, 6 sine or cosine
+// 105 add, 140 multiply, 6 sine or cosine
 template <class T>
 void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, T* acceleration) noexcept {
   using std::cos, std::sin;
@@ -10427,88 +10253,75 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
   // thetaddot5_2 = d^2/dt^2 expression 1: prescribed
   const T minus_thetaddot5_2 = t5_2 * T(3) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_3 = sin(theta5_2);
-  const T E5_12 = t5_3 * T(0.09983341664682815);
-  const T t5_4 = cos(theta5_2);
-  const T minus_E5_13 = t5_4 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_3 * T(0.9950041652780258);
-  const T E5_33 = t5_4 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_4 + R1_31 * t5_3;
-  const T R5_22 = R5a_22 * t5_4 + R1_32 * t5_3;
-  const T R5_23 = R5a_23 * t5_4 + R1_33 * t5_3;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T t5_5 = T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 - minus_E5_13 * omega5a_3;
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + t5_5;
-  const T omega5_2 = t5_4 * omega5a_2 + t5_3 * omega5a_3;
-  const T t5_6 = T(0.09983341664682815) * omega5a_1 - minus_E5_32 * omega5a_2 + E5_33 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + t5_6;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1 + thetaddot5_1 b5_1 + E5a omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2 + E5a_11 * omegadot1_1 + E5a_12 * omegadot1_2;
   const T omegadot5a_2 = E5a_11 * omegadot1_2 - E5a_12 * omegadot1_1 - thetadot5_1 * omega5a_1;
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U1_13 * T(0.1) - U1_12 * T(0.3) + Pddot1_1;
-  const T t5_8 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
-  const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
-  const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
+  const T t5_3 = U1_13 * T(0.1) - U1_12 * T(0.3) + Pddot1_1;
+  const T t5_4 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
+  const T Pddot5a_1 = E5a_11 * t5_3 + E5a_12 * t5_4;
+  const T Pddot5a_2 = E5a_11 * t5_4 - E5a_12 * t5_3;
   const T Pddot5a_3 = Pddot1_3 - U1_32 * T(0.3) - minus_U1_33 * T(0.1);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot5_1 = T(0.09983341664682815) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.9950041652780258) +
-      T(0.9950041652780258) * omegadot5a_1 + E5_12 * omegadot5a_2 - minus_E5_13 * omegadot5a_3;
-  const T omegadot5_2 = t5_4 * omegadot5a_2 + t5_3 * omegadot5a_3 - thetadot5_2 * (T(0.09983341664682815) * t5_5 -
-      T(0.9950041652780258) * t5_6);
-  const T omegadot5_3 = T(0.09983341664682815) * omegadot5a_1 - minus_E5_32 * omegadot5a_2 + E5_33 * omegadot5a_3 -
-      T(0.9950041652780258) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.09983341664682815);
+  const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
+  const T omegadot5_2 = thetadot5_2 * omega5_3 + E5_22 * omegadot5a_2 + E5_23 * omegadot5a_3;
+  const T omegadot5_3 = E5_22 * omegadot5a_3 - E5_23 * omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_9 = omega5_3 * omega5_3;
-  const T t5_10 = omega5_2 * omega5_2;
-  const T minus_U5_11 = t5_9 + t5_10;
-  const T t5_11 = omega5_2 * omega5_1;
-  const T U5_12 = t5_11 - omegadot5_3;
-  const T t5_12 = omega5_3 * omega5_1;
-  const T U5_13 = t5_12 + omegadot5_2;
-  const T U5_21 = t5_11 + omegadot5_3;
-  const T t5_13 = omega5_1 * omega5_1;
-  const T minus_U5_22 = t5_9 + t5_13;
-  const T t5_14 = omega5_3 * omega5_2;
-  const T U5_23 = t5_14 - omegadot5_1;
-  const T U5_31 = t5_12 - omegadot5_2;
-  const T U5_32 = t5_14 + omegadot5_1;
-  const T minus_U5_33 = t5_10 + t5_13;
+  const T t5_5 = omega5_3 * omega5_3;
+  const T t5_6 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_5 + t5_6;
+  const T t5_7 = omega5_2 * omega5_1;
+  const T U5_12 = t5_7 - omegadot5_3;
+  const T t5_8 = omega5_3 * omega5_1;
+  const T U5_13 = t5_8 + omegadot5_2;
+  const T U5_21 = t5_7 + omegadot5_3;
+  const T t5_9 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_5 + t5_9;
+  const T t5_10 = omega5_3 * omega5_2;
+  const T U5_23 = t5_10 - omegadot5_1;
+  const T U5_31 = t5_8 - omegadot5_2;
+  const T U5_32 = t5_10 + omegadot5_1;
+  const T minus_U5_33 = t5_6 + t5_9;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = T(0.9950041652780258) * Pddot5a_1 + E5_12 * Pddot5a_2 - minus_E5_13 * Pddot5a_3;
-  const T Pddot5_2 = t5_4 * Pddot5a_2 + t5_3 * Pddot5a_3;
-  const T Pddot5_3 = T(0.09983341664682815) * Pddot5a_1 - minus_E5_32 * Pddot5a_2 + E5_33 * Pddot5a_3;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 + E5_23 * Pddot5a_3;
+  const T Pddot5_3 = E5_22 * Pddot5a_3 - E5_23 * Pddot5a_2;
 
   // ---- results
-  const T t1 = minus_U5_11 * T(0.07071067811865477) + U5_12 * T(0.02) + U5_13 * T(0.07071067811865477);
-  const T t2 = U5_23 * T(0.07071067811865477) - U5_21 * T(0.07071067811865477) - minus_U5_22 * T(0.02);
-  const T t3 = U5_32 * T(0.02) - U5_31 * T(0.07071067811865477) - minus_U5_33 * T(0.07071067811865477);
-  const T t4 = U5_21 * T(0.1);
-  const T t5 = minus_U5_11 * T(0.1);
-  const T t6 = U5_31 * T(0.1);
-  acceleration[0] = R5_11 * t1 + R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5_11 * t5 + R5_31 * t6 + R5_11 * Pddot5_1 +
-      R5_21 * Pddot5_2 + R5_31 * Pddot5_3;
-  acceleration[1] = R5_12 * t1 + R5_22 * t2 + R5_32 * t3 + R5_22 * t4 - R5_12 * t5 + R5_32 * t6 + R5_12 * Pddot5_1 +
-      R5_22 * Pddot5_2 + R5_32 * Pddot5_3;
-  acceleration[2] = R5_13 * t1 + R5_23 * t2 + R5_33 * t3 - T(9.81) + R5_23 * t4 - R5_13 * t5 + R5_33 * t6 + R5_13 *
-      Pddot5_1 + R5_23 * Pddot5_2 + R5_33 * Pddot5_3;
+  const T t1 = minus_U5_11 * T(0.06329813066769584) + U5_12 * T(0.02) + U5_13 * T(0.07741670784769467);
+  const T t2 = U5_23 * T(0.07741670784769467) - U5_21 * T(0.06329813066769584) - minus_U5_22 * T(0.02);
+  const T t3 = U5_32 * T(0.02) - U5_31 * T(0.06329813066769584) - minus_U5_33 * T(0.07741670784769467);
+  const T t4 = U5_21 * T(0.09950041652780259) - U5_23 * T(0.009983341664682815);
+  const T t5 = minus_U5_11 * T(0.09950041652780259) + U5_13 * T(0.009983341664682815);
+  const T t6 = U5_31 * T(0.09950041652780259) + minus_U5_33 * T(0.009983341664682815);
+  acceleration[0] = R5a_11 * t1 + R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5a_11 * t5 + R5_31 * t6 + R5a_11 * Pddot5a_1
+      + R5_21 * Pddot5_2 + R5_31 * Pddot5_3;
+  acceleration[1] = R5a_12 * t1 + R5_22 * t2 + R5_32 * t3 + R5_22 * t4 - R5a_12 * t5 + R5_32 * t6 + R5a_12 * Pddot5a_1
+      + R5_22 * Pddot5_2 + R5_32 * Pddot5_3;
+  acceleration[2] = R5a_13 * t1 + R5_23 * t2 + R5_33 * t3 - T(9.81) + R5_23 * t4 - R5a_13 * t5 + R5_33 * t6 + R5a_13 *
+      Pddot5a_1 + R5_23 * Pddot5_2 + R5_33 * Pddot5_3;
 }
 
 // probe_jacobian: partial velocities of probe, inertial axes.
 // (3 x ny)
-// 75 add, 121 multiply, 5 sine or cosine
+// 60 add, 97 multiply, 5 sine or cosine
 template <class T>
 void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept {
   using std::cos, std::sin;
@@ -10553,23 +10366,16 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
   const T R5a_23 = R1_23 * E5a_11 - R1_13 * E5a_12;
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_1 = sin(theta5_2);
-  const T E5_12 = t5_1 * T(0.09983341664682815);
-  const T t5_2 = cos(theta5_2);
-  const T minus_E5_13 = t5_2 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_1 * T(0.9950041652780258);
-  const T E5_33 = t5_2 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_2 + R1_31 * t5_1;
-  const T R5_22 = R5a_22 * t5_2 + R1_32 * t5_1;
-  const T R5_23 = R5a_23 * t5_2 + R1_33 * t5_1;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // P_omega1_5a = -R1^T q5a~: partial velocity of the body origin, inertial axes
   const T minus_P_omega1_5a_11 = R1_21 * T(0.1) + R1_31 * T(0.3);
   const T P_omega1_5a_12 = R1_11 * T(0.1);
@@ -10581,39 +10387,37 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
   const T P_omega1_5a_32 = R1_13 * T(0.1);
   const T P_omega1_5a_33 = R1_13 * T(0.3);
   // omega_omega1_5 = E5 E5a: partial angular velocity, body axes
-  const T omega_omega1_5_11 = T(0.9950041652780258) * E5a_11 - E5_12 * E5a_12;
-  const T omega_omega1_5_12 = T(0.9950041652780258) * E5a_12 + E5_12 * E5a_11;
-  const T minus_omega_omega1_5_21 = t5_2 * E5a_12;
-  const T omega_omega1_5_22 = t5_2 * E5a_11;
-  const T omega_omega1_5_31 = T(0.09983341664682815) * E5a_11 + minus_E5_32 * E5a_12;
-  const T omega_omega1_5_32 = T(0.09983341664682815) * E5a_12 - minus_E5_32 * E5a_11;
+  const T minus_omega_omega1_5_21 = E5_22 * E5a_12;
+  const T omega_omega1_5_22 = E5_22 * E5a_11;
+  const T omega_omega1_5_31 = E5_23 * E5a_12;
+  const T minus_omega_omega1_5_32 = E5_23 * E5a_11;
 
   // ---- results
-  const T t1 = T(0.07071067811865477) * minus_omega_omega1_5_21 + T(0.02) * omega_omega1_5_31;
-  const T t2 = T(0.07071067811865477) * omega_omega1_5_11 - T(0.029289321881345243) * omega_omega1_5_31;
-  const T t3 = T(0.029289321881345243) * minus_omega_omega1_5_21 + T(0.02) * omega_omega1_5_11;
-  jacobian[0] = -(R5_11 * t1 + R5_21 * t2 - R5_31 * t3 + minus_P_omega1_5a_11);
-  const T t4 = T(0.02) * omega_omega1_5_32 - T(0.07071067811865477) * omega_omega1_5_22;
-  const T t5 = T(0.07071067811865477) * omega_omega1_5_12 - T(0.029289321881345243) * omega_omega1_5_32;
-  const T t6 = T(0.029289321881345243) * omega_omega1_5_22 - T(0.02) * omega_omega1_5_12;
-  jacobian[1] = -(R5_11 * t4 + R5_21 * t5 + R5_31 * t6 - P_omega1_5a_12);
-  const T t7 = T(0.02) * E5_33 - T(0.07071067811865477) * t5_1;
-  const T t8 = T(0.07071067811865477) * minus_E5_13 + T(0.029289321881345243) * E5_33;
-  const T t9 = T(0.029289321881345243) * t5_1 + T(0.02) * minus_E5_13;
-  const T t10 = R5_11 * t7 - R5_21 * t8 + R5_31 * t9;
+  const T t1 = T(0.06743336618301184) * minus_omega_omega1_5_21 + T(0.02) * omega_omega1_5_31;
+  const T t2 = T(0.06743336618301184) * E5a_11 - T(0.03620228586010676) * omega_omega1_5_31;
+  const T t3 = T(0.03620228586010676) * minus_omega_omega1_5_21 + T(0.02) * E5a_11;
+  jacobian[0] = -(R5a_11 * t1 + R5_21 * t2 - R5_31 * t3 + minus_P_omega1_5a_11);
+  const T t4 = T(0.06743336618301184) * E5a_12 + T(0.03620228586010676) * minus_omega_omega1_5_32;
+  const T t5 = T(0.06743336618301184) * omega_omega1_5_22 + T(0.02) * minus_omega_omega1_5_32;
+  const T t6 = T(0.03620228586010676) * omega_omega1_5_22 - T(0.02) * E5a_12;
+  jacobian[1] = -(R5_21 * t4 - R5a_11 * t5 + R5_31 * t6 - P_omega1_5a_12);
+  const T t7 = T(0.02) * E5_22 - T(0.06743336618301184) * E5_23;
+  const T t8 = T(0.03620228586010676) * E5_22;
+  const T t9 = T(0.03620228586010676) * E5_23;
+  const T t10 = R5a_11 * t7 - R5_21 * t8 + R5_31 * t9;
   jacobian[2] = -(t10 - P_omega1_5a_13);
   jacobian[9] = -t10;
   jacobian[16] = T(1);
   jacobian[46] = T(1);
   jacobian[76] = T(1);
-  jacobian[29] = -(R5_12 * t1 + R5_22 * t2 - R5_32 * t3 + minus_P_omega1_5a_21);
-  jacobian[30] = -(R5_12 * t4 + R5_22 * t5 + R5_32 * t6 - P_omega1_5a_22);
-  const T t11 = R5_12 * t7 - R5_22 * t8 + R5_32 * t9;
+  jacobian[29] = -(R5a_12 * t1 + R5_22 * t2 - R5_32 * t3 + minus_P_omega1_5a_21);
+  jacobian[30] = -(R5_22 * t4 - R5a_12 * t5 + R5_32 * t6 - P_omega1_5a_22);
+  const T t11 = R5a_12 * t7 - R5_22 * t8 + R5_32 * t9;
   jacobian[31] = -(t11 - P_omega1_5a_23);
   jacobian[38] = -t11;
-  jacobian[58] = -(R5_13 * t1 + R5_23 * t2 - R5_33 * t3 + minus_P_omega1_5a_31);
-  jacobian[59] = -(R5_13 * t4 + R5_23 * t5 + R5_33 * t6 - P_omega1_5a_32);
-  const T t12 = R5_13 * t7 - R5_23 * t8 + R5_33 * t9;
+  jacobian[58] = -(R5a_13 * t1 + R5_23 * t2 - R5_33 * t3 + minus_P_omega1_5a_31);
+  jacobian[59] = -(R5_23 * t4 - R5a_13 * t5 + R5_33 * t6 - P_omega1_5a_32);
+  const T t12 = R5a_13 * t7 - R5_23 * t8 + R5_33 * t9;
   jacobian[60] = -(t12 - P_omega1_5a_33);
   jacobian[67] = -t12;
 }
@@ -10621,7 +10425,7 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
 // kinematics_and_accelerations: xdot, the kinematical equations; ydot from A ydot = f.
 // xdot: rates of x (nx) [1/s], [rad/s], [m/s]
 // ydot: rates of y (ny) [rad/s^2], [m/s^2]
-// 1757 add, 2246 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// 1723 add, 2195 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* xdot, T*
     ydot) noexcept {
@@ -10956,78 +10760,65 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T thetadot5_2 = cos(t5_1) * T(3) * c.p.amplitude;
   // thetaddot5_2 = d^2/dt^2 expression 1: prescribed
   const T minus_thetaddot5_2 = t5_2 * T(3) * T(3) * c.p.amplitude;
-  // E5^T = Rot(a5, theta5_2) Z5^T: E takes components in the lower body to those in the body
-  const T t5_3 = sin(theta5_2);
-  const T E5_12 = t5_3 * T(0.09983341664682815);
-  const T t5_4 = cos(theta5_2);
-  const T minus_E5_13 = t5_4 * T(0.09983341664682815);
-  const T minus_E5_32 = t5_3 * T(0.9950041652780258);
-  const T E5_33 = t5_4 * T(0.9950041652780258);
+  // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
+  const T E5_22 = cos(theta5_2);
+  const T E5_23 = sin(theta5_2);
   // R5^T = R5a^T E5^T: R takes inertial components to body components
-  const T R5_11 = R5a_11 * T(0.9950041652780258) + R5a_21 * E5_12 - R1_31 * minus_E5_13;
-  const T R5_12 = R5a_12 * T(0.9950041652780258) + R5a_22 * E5_12 - R1_32 * minus_E5_13;
-  const T R5_13 = R5a_13 * T(0.9950041652780258) + R5a_23 * E5_12 - R1_33 * minus_E5_13;
-  const T R5_21 = R5a_21 * t5_4 + R1_31 * t5_3;
-  const T R5_22 = R5a_22 * t5_4 + R1_32 * t5_3;
-  const T R5_23 = R5a_23 * t5_4 + R1_33 * t5_3;
-  const T R5_31 = R5a_11 * T(0.09983341664682815) - R5a_21 * minus_E5_32 + R1_31 * E5_33;
-  const T R5_32 = R5a_12 * T(0.09983341664682815) - R5a_22 * minus_E5_32 + R1_32 * E5_33;
-  const T R5_33 = R5a_13 * T(0.09983341664682815) - R5a_23 * minus_E5_32 + R1_33 * E5_33;
+  const T R5_21 = R5a_21 * E5_22 + R1_31 * E5_23;
+  const T R5_22 = R5a_22 * E5_22 + R1_32 * E5_23;
+  const T R5_23 = R5a_23 * E5_22 + R1_33 * E5_23;
+  const T R5_31 = R1_31 * E5_22 - R5a_21 * E5_23;
+  const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
+  const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T t5_5 = T(0.9950041652780258) * omega5a_1 + E5_12 * omega5a_2 - minus_E5_13 * omega5a_3;
-  const T omega5_1 = thetadot5_2 * T(0.9950041652780258) + t5_5;
-  const T omega5_2 = t5_4 * omega5a_2 + t5_3 * omega5a_3;
-  const T t5_6 = T(0.09983341664682815) * omega5a_1 - minus_E5_32 * omega5a_2 + E5_33 * omega5a_3;
-  const T omega5_3 = thetadot5_2 * T(0.09983341664682815) + t5_6;
+  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
+  const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
   const T P5a_1 = t3_21 - R1_21 * T(0.3);
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_7 = t3_33 + t3_30;
-  const T t5_8 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_7 - R1_21 * t2_13 - R1_31 * t5_8;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_7 - R1_22 * t2_13 - R1_32 * t5_8;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_7 - R1_23 * t2_13 - R1_33 * t5_8;
+  const T t5_3 = t3_33 + t3_30;
+  const T t5_4 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a omega1~ omega1~ q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_9 = omega1_3 * t2_13 - omega1_2 * t5_8;
-  const T t5_10 = omega1_3 * t5_7 + omega1_1 * t5_8;
-  const T Pddot5a_1 = E5a_11 * t5_9 + E5a_12 * t5_10;
-  const T Pddot5a_2 = E5a_11 * t5_10 - E5a_12 * t5_9;
-  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_7;
+  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4;
+  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4;
+  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
+  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
+  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_3;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot5_1 = T(0.09983341664682815) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.9950041652780258) +
-      T(0.9950041652780258) * omegadot5a_1 - E5_12 * minus_omegadot5a_2;
-  const T minus_omegadot5_2 = thetadot5_2 * (T(0.09983341664682815) * t5_5 - T(0.9950041652780258) * t5_6) + t5_4 *
-      minus_omegadot5a_2;
-  const T omegadot5_3 = T(0.09983341664682815) * omegadot5a_1 + minus_E5_32 * minus_omegadot5a_2 -
-      T(0.9950041652780258) * omega5_2 * thetadot5_2 - minus_thetaddot5_2 * T(0.09983341664682815);
+  const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
+  const T omegadot5_2 = thetadot5_2 * omega5_3 - E5_22 * minus_omegadot5a_2;
+  const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_11 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_11;
-  const T t5_12 = omega5_2 * omega5_1;
-  const T U5_12 = t5_12 - omegadot5_3;
-  const T t5_13 = omega5_3 * omega5_1;
-  const T U5_13 = t5_13 - minus_omegadot5_2;
-  const T U5_21 = t5_12 + omegadot5_3;
-  const T t5_14 = omega5_3 * omega5_2;
-  const T U5_23 = t5_14 - omegadot5_1;
-  const T U5_31 = t5_13 + minus_omegadot5_2;
-  const T U5_32 = t5_14 + omegadot5_1;
-  const T minus_U5_33 = t5_11 + omega5_1 * omega5_1;
+  const T t5_7 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
+  const T t5_8 = omega5_2 * omega5_1;
+  const T U5_12 = t5_8 - omegadot5_3;
+  const T t5_9 = omega5_3 * omega5_1;
+  const T U5_13 = t5_9 + omegadot5_2;
+  const T U5_21 = t5_8 + omegadot5_3;
+  const T t5_10 = omega5_3 * omega5_2;
+  const T U5_23 = t5_10 - omegadot5_1;
+  const T U5_31 = t5_9 - omegadot5_2;
+  const T U5_32 = t5_10 + omegadot5_1;
+  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = T(0.9950041652780258) * Pddot5a_1 + E5_12 * Pddot5a_2 + minus_E5_13 * minus_Pddot5a_3;
-  const T Pddot5_2 = t5_4 * Pddot5a_2 - t5_3 * minus_Pddot5a_3;
-  const T Pddot5_3 = T(0.09983341664682815) * Pddot5a_1 - minus_E5_32 * Pddot5a_2 - E5_33 * minus_Pddot5a_3;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
+  const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5_1;
+  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -11045,7 +10836,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
-  // arm2 = R2 R3^T r_point - R2 P2 + R2 P6
+  // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
   const T t6_4 = R3_13 * T(0.2);
@@ -11083,54 +10874,54 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
-  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T minus_E8_11 = sin(theta8);
-  const T E8_13 = cos(theta8);
+  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T E8_11 = cos(theta8);
+  const T E8_13 = sin(theta8);
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_13 * omega1_3 - minus_E8_11 * omega1_1;
-  const T minus_omega8_2 = E8_13 * omega1_1 + minus_E8_11 * omega1_3;
-  const T omega8_3 = thetadot8 - omega1_2;
+  const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
+  const T omega8_2 = omega1_2 - thetadot8;
+  const T omega8_3 = E8_11 * omega1_3 - E8_13 * omega1_1;
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
   // omegadot8 = -thetadot8 b8~ E8 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot8_1 = thetadot8 * minus_omega8_2;
-  const T minus_omegadot8_2 = thetadot8 * omega8_1;
+  const T omegadot8_1 = thetadot8 * omega8_3;
+  const T minus_omegadot8_3 = thetadot8 * omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_3 * omega8_3;
-  const T t8_2 = minus_omega8_2 * minus_omega8_2;
+  const T t8_2 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_1 + t8_2;
-  const T minus_U8_12 = minus_omega8_2 * omega8_1;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 - minus_omegadot8_2;
+  const T t8_3 = omega8_2 * omega8_1;
+  const T U8_12 = t8_3 + minus_omegadot8_3;
+  const T U8_13 = omega8_3 * omega8_1;
+  const T U8_21 = t8_3 - minus_omegadot8_3;
   const T t8_4 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_1 + t8_4;
-  const T t8_5 = omega8_3 * minus_omega8_2;
-  const T U8_23 = minus_omegadot8_1 - t8_5;
-  const T U8_31 = t8_3 + minus_omegadot8_2;
-  const T minus_U8_32 = t8_5 + minus_omegadot8_1;
+  const T t8_5 = omega8_3 * omega8_2;
+  const T U8_23 = t8_5 - omegadot8_1;
+  const T U8_32 = t8_5 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_4;
   // Pddot8 = E8 omega1~ (omega1~ d8 + 2 sdot8 u8): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_6 = omega1_3 * d8_2;
-  const T t8_7 = T(2) * sdot8;
-  const T t8_8 = omega1_2 * t8_6 - omega1_1 * t8_7;
-  const T t8_9 = omega1_1 * d8_2;
-  const T t8_10 = omega1_3 * t8_7 + omega1_2 * t8_9;
-  const T Pddot8_1 = E8_13 * t8_8 - minus_E8_11 * t8_10;
-  const T minus_Pddot8_2 = E8_13 * t8_10 + minus_E8_11 * t8_8;
-  const T Pddot8_3 = omega1_3 * t8_6 + omega1_1 * t8_9;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_13 * T(0.1) - minus_U8_11 * T(0.02) - minus_U8_12 * T(0.01) + Pddot8_1;
-  const T a8_2 = U8_23 * T(0.1) - minus_U8_12 * T(0.02) - minus_U8_22 * T(0.01) - minus_Pddot8_2;
-  const T a8_3 = U8_31 * T(0.02) - minus_U8_32 * T(0.01) - minus_U8_33 * T(0.1) + Pddot8_3;
+  const T t8_6 = T(2) * sdot8;
+  const T t8_7 = omega1_1 * d8_2;
+  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7;
+  const T t8_9 = omega1_3 * d8_2;
+  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6;
+  const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
+  const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
+  const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
+  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
+  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I8)/2 - I8)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N8_1 = T(0.0015) * minus_U8_32 + T(0.0025) * U8_23;
-  const T minus_N8_2 = T(0.0025) * U8_13 - T(5e-04) * U8_31;
-  const T minus_N8_3 = T(0.001) * minus_U8_12;
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
+  const T N8_2 = T(0.001) * U8_13;
+  const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
   const T theta9 = x[13];
@@ -11142,43 +10933,45 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
-  // d_tether_9 = -R5^T C12^T r_point - R5^T o12 + E9^T r_point - P5a + d9: from one end of the spring to the other,
-  //   inertial axes [m]
-  const T d_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.029289321881345243) * R5_11 - R5_31 *
-      T(0.07071067811865477) - P5a_1 + s9_1;
-  const T d_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.029289321881345243) * R5_12 - R5_32 *
-      T(0.07071067811865477) - P5a_2 + d9_2;
-  const T d_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.029289321881345243) * R5_13 - R5_33 * T(0.07071067811865477) -
-      P5a_3;
-  // ll_tether_9 = 1e-36 + d_tether_9 . d_tether_9: length squared [m^2]
-  const T ll_tether_9 = T(1e-36) + d_tether_9_1 * d_tether_9_1 + d_tether_9_2 * d_tether_9_2 + d_tether_9_3 *
-      d_tether_9_3;
+  // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
+  //   the other, inertial axes [m]
+  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
+  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
+  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
+      R5_33 - P5a_3;
+  // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
+  const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
+      line_tether_9_3 * line_tether_9_3;
   // length_tether_9 = ll_tether_9^1/2: length [m]
   const T length_tether_9 = sqrt(ll_tether_9);
-  // ddot_tether_9 = -R5^T omega5~ C12^T r_point - R5^T omega5~ o12 + E9^T omega9~ r_point - Pdot5a + Pdot9: its rate
-  //   [m/s]
+  // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
+  //   Pdot9: its rate [m/s]
   const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07071067811865477);
-  const T t9_3 = t9_2 - omega5_3 * T(0.02);
-  const T t9_4 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t9_5 = omega5_1 * T(0.02) + t9_2;
-  const T t9_6 = omega5_3 * T(0.1);
-  const T t9_7 = omega5_2 * T(0.1);
-  const T ddot_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5_11 * t9_3 + R5_21 * t9_4 - R5_31 * t9_5 - R5_21 * t9_6 + R5_31
-      * t9_7 - Pdot5a_1;
-  const T ddot_tether_9_2 = E9_11 * t9_1 - R5_12 * t9_3 + R5_22 * t9_4 - R5_32 * t9_5 - R5_22 * t9_6 + R5_32 * t9_7 -
-      Pdot5a_2 + sdot9_2;
-  const T minus_ddot_tether_9_3 = R5_13 * t9_3 - R5_23 * t9_4 + R5_33 * t9_5 + R5_23 * t9_6 - R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + d_tether_9 . ddot_tether_9 ll_tether_9^-1
-  //   c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (d_tether_9_1 *
-      ddot_tether_9_1 + d_tether_9_2 * ddot_tether_9_2 - d_tether_9_3 * minus_ddot_tether_9_3) * T(0.4);
-  // F_tether_9 = f_tether_9 d_tether_9: on the first end, inertial axes [N]
-  const T F_tether_9_1 = f_tether_9 * d_tether_9_1;
-  const T F_tether_9_2 = f_tether_9 * d_tether_9_2;
-  const T F_tether_9_3 = f_tether_9 * d_tether_9_3;
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
+  const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
+  const T t9_6 = omega5_2 * T(0.009983341664682815);
+  const T t9_7 = omega5_2 * T(0.09950041652780259);
+  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
+      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
+  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
+      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+      R5_33 * t9_7 + Pdot5a_3;
+  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
+      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
+      T(0.4);
+  // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
+  const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
+  const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
+  const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
   // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T t9_8 = R5_11 * F_tether_9_1 + R5_12 * F_tether_9_2 + R5_13 * F_tether_9_3;
+  const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
@@ -11228,7 +11021,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Pddot10 = R1^T omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, inertial axes
   //   [m/s^2]
   const T t10_13 = omega1_1 * s10 - t3_30;
-  const T t10_14 = t2_19 - t5_8 + T(2) * sdot10;
+  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
   const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14;
   const T t10_16 = t3_31 - omega1_3 * s10;
   const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13;
@@ -11270,57 +11063,58 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
   const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
+  const T E11_13 = sin(theta11);
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
-  const T omega11_1 = E11_11 * omega8_1 - E11_12 * minus_omega8_2;
-  const T minus_omega11_2 = E11_12 * omega8_1 + E11_11 * minus_omega8_2;
-  const T omega11_3 = thetadot11 + omega8_3;
+  const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
+  const T omega11_2 = omega8_2 - thetadot11;
+  const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
-  const T d11_3 = T(0.1) + theta11 * T(0.01);
+  const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + E11 omegadot8: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot11_1 = thetadot11 * minus_omega11_2 + E11_11 * minus_omegadot8_1 + E11_12 * minus_omegadot8_2;
-  const T omegadot11_2 = E11_12 * minus_omegadot8_1 - E11_11 * minus_omegadot8_2 - thetadot11 * omega11_1;
+  const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 - E11_13 * minus_omegadot8_3;
+  const T minus_omegadot11_3 = thetadot11 * omega11_1 + E11_13 * omegadot8_1 + E11_11 * minus_omegadot8_3;
   // U11 = omega11~ omega11~ + omegadot11~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T minus_U11_11 = omega11_3 * omega11_3 + minus_omega11_2 * minus_omega11_2;
-  const T minus_U11_12 = minus_omega11_2 * omega11_1;
-  const T t11_1 = omega11_3 * omega11_1;
-  const T U11_13 = t11_1 + omegadot11_2;
-  const T t11_2 = omega11_3 * minus_omega11_2;
-  const T U11_23 = minus_omegadot11_1 - t11_2;
-  const T U11_31 = t11_1 - omegadot11_2;
-  const T minus_U11_32 = t11_2 + minus_omegadot11_1;
+  const T t11_1 = omega11_2 * omega11_1;
+  const T U11_12 = t11_1 + minus_omegadot11_3;
+  const T U11_13 = omega11_3 * omega11_1;
+  const T U11_21 = t11_1 - minus_omegadot11_3;
+  const T t11_2 = omega11_3 * omega11_2;
+  const T U11_23 = t11_2 - omegadot11_1;
+  const T U11_32 = t11_2 + omegadot11_1;
+  const T minus_U11_33 = omega11_2 * omega11_2 + omega11_1 * omega11_1;
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = U8_13 * d11_3 - t11_3 * minus_omega8_2 + Pddot8_1;
-  const T t11_5 = U8_23 * d11_3 - t11_3 * omega8_1 - minus_Pddot8_2;
-  const T Pddot11_1 = E11_11 * t11_4 + E11_12 * t11_5;
-  const T Pddot11_2 = E11_11 * t11_5 - E11_12 * t11_4;
-  const T Pddot11_3 = Pddot8_3 - minus_U8_33 * d11_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = Pddot11_1 - minus_U11_11 * T(0.01);
-  const T a11_2 = Pddot11_2 - minus_U11_12 * T(0.01);
-  const T a11_3 = U11_31 * T(0.01) + Pddot11_3;
+  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
+  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
+  const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
+  // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
+  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = M_coupling_ - axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N11_1 = T(3e-04) * minus_U11_32 + T(0.00010000000000000005) * U11_23;
-  const T minus_N11_2 = T(0.00010000000000000005) * U11_13 - T(3e-04) * U11_31;
-  const T N11_3 = T(0.02) * u.motor;
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
+  //   axes [N m]
+  const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
+  const T minus_N11_2 = T(0.02) * u.motor;
+  const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T b11_1 = minus_G11_3 * T(0.01);
-  const T rho11_2 = b11_1 - minus_N11_2;
-  const T rho11_3 = N11_3 - T(0.01) * minus_G11_2;
+  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T b11_1 = minus_G11_2 * T(0.01);
+  const T rho11_1 = b11_1 - minus_N11_1;
+  const T minus_rho11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc11_1 = E11_11 * T(0.003);
-  const T hc11_2 = E11_12 * T(0.003);
+  const T minus_hc11_1 = E11_13 * T(0.003);
+  const T hc11_3 = E11_11 * T(0.003);
 
   // ---- body 10 (runner) and what it carries
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
@@ -11357,42 +11151,41 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
 
   // ---- body 8 (piston) and what it carries
   // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_12 * minus_G11_2 - E11_11 * minus_G11_1;
+  const T b8_1 = E11_13 * minus_G11_3 - E11_11 * minus_G11_1;
   const T S8_1 = b8_1 - minus_G8_1;
-  const T b8_2 = E11_12 * minus_G11_1 + E11_11 * minus_G11_2;
-  const T minus_S8_2 = b8_2 + minus_G8_2;
-  const T minus_S8_3 = minus_G11_3 + minus_G8_3;
-  // rho8 = E11^T rho11 + r8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
+  const T minus_S8_2 = minus_G11_2 + minus_G8_2;
+  const T b8_2 = E11_13 * minus_G11_1 + E11_11 * minus_G11_3;
+  const T minus_S8_3 = b8_2 + minus_G8_3;
+  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * N11_1 - E11_12 * rho11_2 + T(0.1) * minus_G8_2 - T(0.01) * minus_G8_3 + d11_3 * b8_2 +
-      N8_1;
-  const T rho8_2 = E11_12 * N11_1 + E11_11 * rho11_2 + T(0.02) * minus_G8_3 - T(0.1) * minus_G8_1 + d11_3 * b8_1 -
-      minus_N8_2;
-  const T rho8_3 = rho11_3 + T(0.01) * minus_G8_1 - T(0.02) * minus_G8_2 - minus_N8_3;
-  // h8 = m8 r8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h8_1 = T(0.013999999999999999) + hc11_1;
-  const T h8_2 = T(0.006999999999999999) + hc11_2;
-  const T b8_3 = T(0.3) * d11_3;
-  const T h8_3 = T(0.06999999999999999) + b8_3;
-  // J8 = E11^T J11 E11 - m8 r8~ r8~ + I8 + (-m11 d11~ - hc11~) d11~ - d11~ hc11~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b8_4 = E11_11 * T(4e-04);
-  const T b8_5 = E11_12 * T(0.00043000000000000004);
-  const T b8_6 = b8_3 * d11_3;
-  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_12 + T(0.01107) + b8_6;
-  const T J8_12 = b8_4 * E11_12 - b8_5 * E11_11 - T(0.00014);
-  const T b8_7 = d11_3 * hc11_1;
-  const T minus_J8_13 = T(0.0014) + b8_7;
-  const T J8_22 = E11_12 * T(4e-04) * E11_12 + E11_11 * T(0.00043000000000000004) * E11_11 + T(0.010280000000000001) +
-      b8_6;
-  const T b8_8 = d11_3 * hc11_2;
-  const T minus_J8_23 = T(7e-04) + b8_8;
+  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
+      * b8_2 - minus_N8_1;
+  const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
+  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
+      * b8_1 - minus_N8_3;
+  // h8 = m8 r_link8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h8_1 = T(0.006999999999999999) + minus_hc11_1;
+  const T b8_3 = T(0.3) * minus_d11_2;
+  const T minus_h8_2 = T(0.06999999999999999) + b8_3;
+  const T h8_3 = T(0.013999999999999999) + hc11_3;
+  // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
+  //   about the body origin, body axes [kg m^2]
+  const T b8_4 = E11_11 * T(0.00043000000000000004);
+  const T b8_5 = E11_13 * T(4e-04);
+  const T b8_6 = b8_3 * minus_d11_2;
+  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_13 + T(0.010280000000000001) + b8_6;
+  const T b8_7 = minus_d11_2 * minus_hc11_1;
+  const T minus_J8_12 = T(7e-04) + b8_7;
+  const T J8_13 = b8_4 * E11_13 - b8_5 * E11_11 + T(0.00014);
+  const T b8_8 = minus_d11_2 * hc11_3;
+  const T J8_23 = T(0.0014) + b8_8;
+  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_6;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = E8_13 * h8_2 + minus_E8_11 * h8_1;
-  const T minus_hc8_3 = minus_E8_11 * h8_2 - E8_13 * h8_1;
+  const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
+  const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
   // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_12 * T(3e-05) - b8_7;
-  const T minus_K_thetadot11_8_2 = E11_11 * T(3e-05) + b8_8;
+  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_7;
+  const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_8;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -11406,29 +11199,25 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
   const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_1 = T(0.9950041652780258) * G5_1 + T(0.09983341664682815) * G5_3;
-  const T S5a_2 = E5_12 * G5_1 + t5_4 * G5_2 - minus_E5_32 * G5_3;
-  const T S5a_3 = t5_3 * G5_2 - minus_E5_13 * G5_1 + E5_33 * G5_3;
+  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
   // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_1 = T(0.9950041652780258) * rho5_1 + T(0.09983341664682815) * rho5_3;
-  const T rho5a_2 = E5_12 * rho5_1 + t5_4 * rho5_2 - minus_E5_32 * rho5_3;
-  const T rho5a_3 = t5_3 * rho5_2 - minus_E5_13 * rho5_1 + E5_33 * rho5_3;
+  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
+  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_2 = E5_12 * c.h5_1 - minus_E5_32 * c.h5_3;
-  const T hc5_3 = E5_33 * c.h5_3 - minus_E5_13 * c.h5_1;
+  const T minus_hc5_2 = E5_23 * c.h5_3;
+  const T hc5_3 = E5_22 * c.h5_3;
   // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T J5a_12 = c.c5_2 * E5_12 - c.c5_3 * minus_E5_32;
-  const T J5a_13 = c.c5_3 * E5_33 - c.c5_2 * minus_E5_13;
-  const T b5_1 = E5_12 * c.J5_11 - minus_E5_32 * c.J5_13;
-  const T b5_2 = t5_4 * c.J5_22;
-  const T b5_3 = E5_12 * c.J5_13 - minus_E5_32 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_12 + b5_2 * t5_4 - b5_3 * minus_E5_32;
-  const T J5a_23 = b5_2 * t5_3 - b5_1 * minus_E5_13 + b5_3 * E5_33;
-  const T J5a_33 = t5_3 * c.J5_22 * t5_3 - (E5_33 * c.J5_13 - minus_E5_13 * c.J5_11) * minus_E5_13 + (E5_33 * c.J5_33
-      - minus_E5_13 * c.J5_13) * E5_33;
+  const T minus_J5a_12 = E5_23 * c.J5_13;
+  const T J5a_13 = E5_22 * c.J5_13;
+  const T b5_1 = E5_22 * c.J5_22;
+  const T b5_2 = E5_23 * c.J5_33;
+  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
+  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
+  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
   // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_11 * c.hc5_1 - E5a_12 * hc5_2;
-  const T hc5a_2 = E5a_11 * hc5_2 + E5a_12 * c.hc5_1;
+  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
+  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
 
   // ---- body 4 (cross) and what it carries
   // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -11527,42 +11316,42 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_2 = R1_11 * minus_G2_1 + R1_12 * minus_G2_2 + R1_13 * minus_G2_3;
   const T b1_3 = R1_11 * minus_G10_1 + R1_12 * minus_G10_2 + R1_13 * minus_G10_3;
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * S5a_1 - E5a_12 * S5a_2;
-  const T b1_6 = E8_13 * minus_S8_2 - minus_E8_11 * S8_1;
+  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
+  const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
   const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
   const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
   const T b1_10 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
-  const T b1_11 = E5a_12 * S5a_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 + minus_S8_3 + G1_2;
+  const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
+  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 - minus_S8_2 + G1_2;
   const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
   const T b1_15 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
-  const T b1_16 = E8_13 * S8_1 + minus_E8_11 * minus_S8_2;
+  const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
   const T S1_3 = b1_12 - b1_13 - b1_14 + b1_15 + S5a_3 + b1_16 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_8;
   const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_17 - T(0.1) * b1_13 - T(0.1) * b1_7 +
       T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
-      T(0.3) * S5a_3 + E5a_11 * rho5a_1 - E5a_12 * rho5a_2 - minus_E8_11 * rho8_1 - E8_13 * rho8_2 - T(0.03) * G1_2 -
-      T(0.01) * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
+      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
+      * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
   const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_13 + T(0.1) * b1_1 - T(0.3) * b1_12 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5a_1 + E5a_11 * rho5a_2 - rho8_3 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) * b1_14
-      - T(0.3) * b1_3 + N1_2;
+      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
+      b1_14 - T(0.3) * b1_3 + N1_2;
   const T f_omega1_3 = T(0.1) * b1_2 - b1_17 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
       - T(0.2) * b1_10 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 - minus_E8_11 * rho8_2 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 *
-      b1_3 - T(0.1) * b1_9 - minus_N1_3;
+      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
+      T(0.1) * b1_9 - minus_N1_3;
   // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
   //   moment of mass carried, about the body origin, body axes [kg m]
   const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_18 = hc5a_2 - c.c1_2;
-  const T b1_19 = h8_3 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 + b1_18 - b1_19 + hc3_2 + hc4a_2;
+  const T b1_18 = minus_hc5a_2 + c.c1_2;
+  const T b1_19 = minus_h8_2 - T(1) * d8_2;
+  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_18 - b1_19 + hc3_2 + hc4a_2;
   const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
   // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
   //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
@@ -11571,30 +11360,30 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_21 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
   const T b1_22 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
   const T b1_23 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + ((hc5_3 + c.c1_1) * T(0.1) + (hc3_3 + T(0.2)) * T(0.1));
-  const T b1_24 = b1_18 * T(0.3) + d8_2 * h8_3 + (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) + hc4a_2)
-      * T(0.1)));
+  const T b1_24 = b1_18 * T(0.3) - d8_2 * minus_h8_2 - (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) +
+      hc4a_2) * T(0.1)));
   const T b1_25 = minus_E4a_12 * J4a_12;
   const T b1_26 = minus_E4a_13 * J4a_13;
   const T b1_27 = E4a_11 * J4a_11 + b1_25 + b1_26;
   const T b1_28 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
   const T b1_29 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_30 = T(0.3) * hc5a_2;
-  const T b1_31 = E5a_12 * J5a_12;
-  const T b1_32 = E5a_11 * c.J5a_11 - b1_31;
-  const T b1_33 = E5a_11 * J5a_12;
-  const T b1_34 = b1_33 - E5a_12 * J5a_22;
-  const T b1_35 = E8_13 * J8_12;
-  const T b1_36 = minus_E8_11 * J8_11 + b1_35;
-  const T b1_37 = minus_E8_11 * J8_12;
-  const T b1_38 = b1_37 + E8_13 * J8_22;
+  const T b1_30 = T(0.3) * minus_hc5a_2;
+  const T b1_31 = E5a_12 * minus_J5a_12;
+  const T b1_32 = E5a_11 * c.J5_11 + b1_31;
+  const T b1_33 = E5a_11 * minus_J5a_12;
+  const T b1_34 = b1_33 + E5a_12 * J5a_22;
+  const T b1_35 = E8_13 * J8_13;
+  const T b1_36 = E8_11 * J8_11 - b1_35;
+  const T b1_37 = E8_11 * J8_13;
+  const T b1_38 = b1_37 - E8_13 * J8_33;
   const T b1_39 = s10 * s10;
-  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 - b1_24 + b1_27 * E4a_11 + b1_28 *
-      minus_E4a_12 + b1_29 * minus_E4a_13 - b1_30 + b1_32 * E5a_11 - b1_34 * E5a_12 + b1_36 * minus_E8_11 + b1_38 *
-      E8_13 + T(0.648) + T(0.4) * (T(0.09) + b1_39);
-  const T b1_40 = minus_E8_11 * minus_J8_13 + E8_13 * minus_J8_23 - d8_2 * minus_hc8_1;
+  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 + b1_24 + b1_27 * E4a_11 + b1_28 *
+      minus_E4a_12 + b1_29 * minus_E4a_13 + b1_30 + b1_32 * E5a_11 + b1_34 * E5a_12 + b1_36 * E8_11 - b1_38 * E8_13 +
+      T(0.648) + T(0.4) * (T(0.09) + b1_39);
+  const T b1_40 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
   const T b1_41 = hc4a_1 - T(0.18000000000000002);
   const T J1_21 = b1_20 * E3_12 + b1_21 * E3_22 + b1_22 * E3_32 - T(0.3) * hc3_2 + T(0.2) * hc4a_2 + b1_28 * E4a_22 -
-      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 + b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
+      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 - b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
       b1_41 * T(0.1) - s10 * T(0.1) * T(0.4) + T(0.3) * hc5a_1;
   const T b1_42 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
   const T b1_43 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
@@ -11606,32 +11395,30 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_49 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
   const T b1_50 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
   const T J1_22 = b1_42 * E3_12 + b1_43 * E3_22 + b1_44 * E3_32 + b1_23 + b1_46 + b1_48 * E4a_22 - b1_49 *
-      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5a_11 + b1_33) * E5a_12 + (b1_31 + E5a_11 * J5a_22) * E5a_11 +
+      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5_11 - b1_33) * E5a_12 + (E5a_11 * J5a_22 - b1_31) * E5a_11 +
       T(0.61738);
   const T b1_51 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
   const T J1_31 = b1_21 * E3_23 - b1_20 * minus_E3_13 + b1_22 * E3_33 - T(0.3) * hc3_3 + T(0.2) * hc4a_3 + b1_28 *
-      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_38 * minus_E8_11 - b1_36 * E8_13 +
-      T(0.005200000000000004) - b1_45 * T(0.1);
+      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_36 * E8_13 + b1_38 * E8_11 + T(0.005200000000000004)
+      - b1_45 * T(0.1);
   const T b1_52 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_53 = minus_E8_11 * minus_J8_23 - E8_13 * minus_J8_13 - d8_2 * minus_hc8_3;
+  const T b1_53 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
   const T J1_32 = b1_43 * E3_23 - b1_42 * minus_E3_13 + b1_44 * E3_33 - T(0.1) * hc4a_3 + b1_48 * E4a_23 - b1_49 *
-      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) - b1_18 *
+      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
       T(0.1) - T(0.1) * hc3_2;
-  const T b1_54 = J5a_33 - b1_30;
+  const T b1_54 = J5a_33 + b1_30;
   const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
       T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_46 - b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
+      + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
       minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
-      (E8_13 * J8_11 - b1_37) * E8_13 - (b1_35 - minus_E8_11 * J8_22) * minus_E8_11 + T(0.744) + T(0.4) * (b1_39 +
+      (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
       T(0.010000000000000002));
   // B_thetadot11_1 = E8^T B_thetadot11_8
-  const T B_thetadot11_1_1 = minus_E8_11 * hc11_2 - E8_13 * hc11_1;
-  const T minus_B_thetadot11_1_3 = E8_13 * hc11_2 + minus_E8_11 * hc11_1;
+  const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
+  const T minus_B_thetadot11_1_3 = E8_13 * hc11_3 + E8_11 * minus_hc11_1;
   // K_thetadot11_1 = E8^T K_thetadot11_8 + d8~ E8^T B_thetadot11_8
-  const T K_thetadot11_1_1 = E8_13 * minus_K_thetadot11_8_2 - minus_E8_11 * K_thetadot11_8_1 - d8_2 *
-      minus_B_thetadot11_1_3;
-  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + minus_E8_11 * minus_K_thetadot11_8_2 - d8_2 *
-      B_thetadot11_1_1;
+  const T K_thetadot11_1_1 = E8_11 * K_thetadot11_8_1 - E8_13 * K_thetadot11_8_3 - d8_2 * minus_B_thetadot11_1_3;
+  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_3 - d8_2 * B_thetadot11_1_1;
   // B_sdot6_1 = E3^T B_sdot6_3
   const T B_sdot6_1_1 = E3_11 * T(0.5);
   const T B_sdot6_1_2 = E3_12 * T(0.5);
@@ -11641,7 +11428,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T K_sdot6_1_2 = T(0.1) * B_sdot6_1_1 + T(0.3) * minus_B_sdot6_1_3 + E3_22 * T(0.005);
   const T K_sdot6_1_3 = T(0.3) * B_sdot6_1_2 + E3_23 * T(0.005);
   // K_thetadot5_1_1 = q5a~ E5a^T B_thetadot5_1_5a + E5a^T K_thetadot5_1_5a
-  const T K_thetadot5_1_1_2 = b1_52 - T(0.1) * hc5a_2;
+  const T K_thetadot5_1_1_2 = T(0.1) * minus_hc5a_2 + b1_52;
   // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
   const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
       B_thetadot4_2_4a_3;
@@ -11816,7 +11603,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_167 = b1_166 * T(0.0028636363636363638) - b1_156 * T(0.003);
   const T b1_168 = b1_167 * T(1.0173808227700445);
   const T b1_169 = B_sdot6_1_1 * T(2);
-  const T b1_170 = hc5a_2 * b1_73;
+  const T b1_170 = minus_hc5a_2 * b1_73;
   const T b1_171 = B_thetadot4_2_1_1 * T(59.4883997620464);
   const T b1_172 = B_thetadot4_1_1_1 * b1_76;
   const T b1_173 = B_thetadot3_1_1 - b1_169 * T(0.002218939466028826);
@@ -11826,22 +11613,22 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_177 = b1_176 * T(0.0032000000000000006) - b1_119;
   const T b1_178 = b1_177 * T(244.9863263445761);
   const T b1_179 = b1_157 * b1_57 - b1_156 * K_thetadot11_1_1 + b1_159 * b1_60 + b1_161 * b1_63 + b1_163 * b1_65 -
-      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 - b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
+      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 + b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
       K_thetadot4_1_1_1 - b1_174 * b1_78 - b1_175 * b1_84 - b1_176 * b1_89 - b1_178 * b1_94;
   const T b1_180 = b1_179 * b1_123;
   const T b1_181 = h1_3 + b1_164 + b1_157 * b1_97 + b1_159 * b1_100 + b1_161 * b1_103 + b1_163 * b1_105 + b1_166 *
-      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 + b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
+      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 - b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
       b1_172 * K_thetadot4_1_1_2 - b1_174 * b1_111 + b1_175 * b1_114 + b1_176 * b1_117 - b1_178 * b1_120 - b1_180 *
       b1_122;
   const T b1_182 = b1_181 * b1_154;
   const T b1_183 = h1_2 + b1_156 * K_thetadot11_1_3 - b1_157 * b1_126 - b1_159 * b1_128 - b1_161 * b1_130 - b1_163 *
-      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 - b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
+      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 + b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
       + b1_172 * K_thetadot4_1_1_3 + b1_174 * b1_143 - b1_175 * b1_145 + b1_176 * b1_147 + b1_178 * b1_149 + b1_180 *
       b1_151 + b1_182 * b1_153;
   const T b1_184 = T(1) / D_omegadot1_3;
   const T b1_185 = b1_183 * b1_184;
   const T D_Pddot1_1 = c.m_sub1 - b1_156 * B_thetadot11_1_1 - b1_157 * b1_96 - b1_159 * b1_158 - b1_161 * b1_160 -
-      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * hc5a_2 - b1_171 *
+      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * minus_hc5a_2 - b1_171 *
       B_thetadot4_2_1_1 - b1_172 * B_thetadot4_1_1_1 - b1_174 * b1_173 - b1_175 * b1_113 - b1_176 * b1_116 - b1_178 *
       b1_177 - b1_180 * b1_179 - b1_182 * b1_181 - b1_185 * b1_183;
   const T b1_186 = D_sddot10 * b1_66;
@@ -11870,7 +11657,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       b1_149 + b1_198 * b1_151 - b1_200 * b1_153;
   const T b1_202 = b1_201 * b1_184;
   const T b1_203 = T(4.545454545454546) * B_thetadot11_1_1 - b10_6 * b1_96 - b10_9 * b1_158 - b10_11 * b1_160 + b1_186
-      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 + b1_188 * hc5a_2 - b1_189 *
+      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 - b1_188 * minus_hc5a_2 - b1_189 *
       B_thetadot4_2_1_1 + b1_190 * B_thetadot4_1_1_1 - b1_192 * b1_173 - b1_193 * b1_113 - b1_194 * b1_116 - b1_196 *
       b1_177 + b1_198 * b1_179 - b1_200 * b1_181 + b1_202 * b1_183;
   const T b1_204 = T(1) / D_Pddot1_1;
@@ -11930,38 +11717,38 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
 
   // ---- body 1 (hull), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = rho11_3 - b11_1 - minus_effort_nut_11;
+  const T z1_1 = b11_1 + minus_rho11_2 - minus_effort_nut_11;
   const T z1_2 = f_omega10_2 + T(0.03333333333333333) * f_omega10_1;
   const T z1_3 = f_omega10_3 - T(0.1) * f_omega10_1 - T(0.03639120545868082) * z1_2;
   const T z1_4 = b10_11 * z1_3 - (b10_6 * f_omega10_1 + b10_9 * z1_2);
   const T z1_5 = b1_9 - z1_4;
   const T z1_6 = T(0.9545454545454546) * z1_1;
-  const T z1_7 = rho8_3 - z1_6;
+  const T z1_7 = minus_rho8_2 - z1_6;
   const T z1_8 = T(4.545454545454546) * z1_1 - T(1.2038983374737244) * z1_7;
-  const T z1_9 = z1_8 + minus_S8_3;
+  const T z1_9 = minus_S8_2 - z1_8;
   const T z1_10 = G6_1 - minus_effort_telescope_6;
   const T z1_11 = T(0.28) * rho4a_2 - T(0.96) * rho4a_3;
   const T z1_12 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3 +
       effort_boom_3 - T(0.004437878932057652) * z1_10;
   const T z1_13 = f_omega2_3 - T(0.07441860465116279) * f_omega2_2;
   const T z1_14 = f_omega1_1 - b1_55 * z1_1 + b1_58 * f_omega10_1 + b1_61 * z1_2 - b1_64 * z1_3 + b1_67 * z1_5 - b1_69
-      * z1_7 + b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
+      * z1_7 - b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
       * minus_f_omega2_1 + b1_90 * f_omega2_2 - b1_95 * z1_13;
   const T z1_15 = f_omega1_2 + z1_6 + b1_98 * f_omega10_1 + b1_101 * z1_2 - b1_104 * z1_3 + b1_106 * z1_5 + z1_7 -
       b1_107 * z1_10 - b1_108 * rho5a_3 - b1_109 * rho4_2 - b1_110 * z1_11 - b1_112 * z1_12 - b1_115 *
       minus_f_omega2_1 - b1_118 * f_omega2_2 - b1_121 * z1_13 - b1_124 * z1_14;
   const T z1_16 = f_omega1_3 - b1_125 * z1_1 + b1_127 * f_omega10_1 + b1_129 * z1_2 - b1_131 * z1_3 + b1_133 * z1_5 -
-      b1_136 * z1_7 + b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
+      b1_136 * z1_7 - b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
       z1_12 - b1_146 * minus_f_omega2_1 + b1_148 * f_omega2_2 - b1_150 * z1_13 - b1_152 * z1_14 - b1_155 * z1_15;
   const T z1_17 = S1_1 - b1_156 * z1_1 - b1_157 * f_omega10_1 - b1_159 * z1_2 + b1_161 * z1_3 - b1_163 * z1_5 - b1_166
-      * z1_7 + b1_168 * z1_9 - b1_169 * z1_10 + b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
+      * z1_7 - b1_168 * z1_9 - b1_169 * z1_10 - b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
       b1_175 * minus_f_omega2_1 + b1_176 * f_omega2_2 - b1_178 * z1_13 - b1_180 * z1_14 - b1_182 * z1_15 + b1_185 *
       z1_16;
-  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 - z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
+  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 + z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
       b1_190 * z1_11 - b1_192 * z1_12 + b1_193 * minus_f_omega2_1 + b1_194 * f_omega2_2 - b1_196 * z1_13 + b1_198 *
       z1_14 - b1_200 * z1_15 - b1_202 * z1_16 - b1_205 * z1_17;
   const T z1_19 = T(1) / D_Pddot1_3 * (S1_3 + b1_206 * z1_1 - b1_207 * f_omega10_1 - b1_209 * z1_2 + b1_211 * z1_3 -
-      b1_213 * z1_5 - b1_216 * z1_7 + b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
+      b1_213 * z1_5 - b1_216 * z1_7 - b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
       z1_12 + b1_224 * minus_f_omega2_1 + b1_225 * f_omega2_2 - b1_227 * z1_13 - b1_229 * z1_14 + b1_231 * z1_15 -
       b1_233 * z1_16 - b1_235 * z1_17 - b1_238 * z1_18);
   const T z1_20 = z1_18 * b1_237 - b1_238 * z1_19;
@@ -12012,7 +11799,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
 
   // ---- body 5 (camera), solved
   // thetaddot5_1: from A ydot = f by elimination
-  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 + b1_170 * Pddot1_1 -
+  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 - b1_170 * Pddot1_1 -
       b1_188 * z1_20;
   ydot[9] = thetaddot5_1;
 
@@ -12024,7 +11811,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
 
   // ---- body 8 (piston), solved
   // sddot8: from A ydot = f by elimination
-  const T sddot8 = z1_20 - (z1_9 * T(1.0173808227700445) + b1_71 * omegadot1_1 + b1_138 * z1_21 + b1_168 * Pddot1_1) -
+  const T sddot8 = z1_9 * T(1.0173808227700445) - b1_71 * omegadot1_1 - b1_138 * z1_21 - b1_168 * Pddot1_1 + z1_20 -
       b1_218 * z1_19;
   ydot[22] = sddot8;
   // thetaddot8: from A ydot = f by elimination

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model dd6baa3d3e74f74d of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model a9f56e73381382c2 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -48,7 +48,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "dd6baa3d3e74f74d";
+inline constexpr char model_hash[] = "a9f56e73381382c2";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -695,7 +695,7 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
   const T thetadot4 = y[5];
   const T sdot1_1 = y[6], sdot1_2 = y[7], sdot1_3 = y[8];
-  // power = (R1^T F_thruster_) . (sdot1 + R1^T omega1~ r_point) + thetadot2 damping_left_panel_2 + thetadot3
+  // power = (R1^T F_thruster_) . (sdot1 + R1^T omega1~ r_thruster_) + thetadot2 damping_left_panel_2 + thetadot3
   //   damping_right_panel_3 + thetadot4 tau_wheel_: power of the applied loads [W]
   const T b0_1 = T(0.1) * omega1_1 + T(0.5) * omega1_2;
   const T b0_2 = T(0.1) * omega1_3;
@@ -739,7 +739,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_point~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
+  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
   const T t1_13 = omega1_2 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T t1_15 = omega1_3 * omega1_3;
@@ -1124,7 +1124,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T G1_1 = T(120) * Pddot1_1 - u.thrust;
   const T G1_2 = T(120) * Pddot1_2;
   const T G1_3 = T(120) * Pddot1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)) - r_point~ F_thruster_: moment balance about the mass centre, body axes [N m]
+  // N1 = -r_thruster_~ F_thruster_ + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
   const T N1_1 = T(10) * U1_32 - T(6) * U1_23 - T(0.3) * (minus_U1_22 - minus_U1_33) - T(0.2) * U1_31 - T(0.1) *
       U1_21;
   const T N1_2 = T(6) * U1_13 - T(8) * U1_31 + T(0.1) * (minus_U1_33 - minus_U1_11) - T(0.3) * U1_12 + T(0.2) * U1_32;
@@ -1551,7 +1551,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_point~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
+  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
   const T t1_13 = omega1_2 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T t1_15 = omega1_3 * omega1_3;
@@ -1935,7 +1935,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_point~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
+  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
   const T t1_13 = omega1_2 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T t1_15 = omega1_3 * omega1_3;

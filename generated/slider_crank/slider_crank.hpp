@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model c4b05d099915fa5c of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model 2c2d3cc9302a3c97 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "c4b05d099915fa5c";
+inline constexpr char model_hash[] = "2c2d3cc9302a3c97";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -221,11 +221,12 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T sdot3 = y[1];
   // T3 = 1/2 m3 Pdot3 . Pdot3: kinetic energy [J]
   const T T3 = sdot3 * sdot3 * T(0.2);
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
 
   // ---- whole system
   // kinetic = T1 + T2 + T3: kinetic energy of the system [J]
@@ -273,23 +274,24 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, T* out) noexcept {
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   const T sdot3 = y[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_damping_joint_pin_3 = d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_: attraction by the length
-  //   [N/m]
-  const T t3_2 = d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3 * ddot_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_damping_joint_pin_3 = line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_: attraction by
+  //   the length [N/m]
+  const T t3_2 = line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 * line_rate_joint_pin_3_3;
   const T f_damping_joint_pin_3 = T(1) / ll_joint_pin_3 * t3_2 * c.p.c_pin;
 
   // ---- whole system
-  // power = sdot3 tau_slider_ - d_joint_pin_3 . ddot_joint_pin_3 f_damping_joint_pin_3: power of the applied loads
-  //   [W]
+  // power = sdot3 tau_slider_ - line_joint_pin_3 . line_rate_joint_pin_3 f_damping_joint_pin_3: power of the applied
+  //   loads [W]
   const T minus_power = t3_2 * f_damping_joint_pin_3 + c.p.friction * tanh(sdot3 * T(100)) * sdot3;
   out[0] = -minus_power;
 }
@@ -334,22 +336,23 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   const T sdot3 = y[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_: attraction by the
-  //   length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3
-      * ddot_joint_pin_3_3) * c.p.c_pin;
-  // F_joint_pin_3 = f_joint_pin_3 d_joint_pin_3: on the first end, inertial axes [N]
-  const T F_joint_pin_3_1 = f_joint_pin_3 * d_joint_pin_3_1;
-  const T F_joint_pin_3_3 = f_joint_pin_3 * d_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_joint_pin_3 = k_joint_pin_ + line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_:
+  //   attraction by the length [N/m]
+  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 +
+      line_joint_pin_3_3 * line_rate_joint_pin_3_3) * c.p.c_pin;
+  // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
+  const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
+  const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
   // G2 = R2 F_joint_pin_3 - m2 a2: applied less inertia force at ydot = 0, body axes [N]
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
   const T G2_3 = t3_2 - T(0.3) * Pddot2_3;
@@ -416,22 +419,23 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T s3 = x[1];
   const T sdot3 = y[1];
   const T sddot3 = ydot[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_: attraction by the
-  //   length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3
-      * ddot_joint_pin_3_3) * c.p.c_pin;
-  // F_joint_pin_3 = f_joint_pin_3 d_joint_pin_3: on the first end, inertial axes [N]
-  const T F_joint_pin_3_1 = f_joint_pin_3 * d_joint_pin_3_1;
-  const T F_joint_pin_3_3 = f_joint_pin_3 * d_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_joint_pin_3 = k_joint_pin_ + line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_:
+  //   attraction by the length [N/m]
+  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 +
+      line_joint_pin_3_3 * line_rate_joint_pin_3_3) * c.p.c_pin;
+  // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
+  const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
+  const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
   // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
   const T G2_3 = T(0.3) * a2_3 - t3_2;
@@ -515,22 +519,23 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   const T sdot3 = y[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1: attraction by the
-  //   length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3 *
-      ddot_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
-  // F_joint_pin_3 = f_joint_pin_3 d_joint_pin_3: on the first end, inertial axes [N]
-  const T F_joint_pin_3_1 = f_joint_pin_3 * d_joint_pin_3_1;
-  const T F_joint_pin_3_3 = f_joint_pin_3 * d_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1:
+  //   attraction by the length [N/m]
+  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_rate_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
+  // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
+  const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
+  const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
   // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
   const T minus_G2_1 = T(0.3) * minus_a2_1 + R2_11 * F_joint_pin_3_1 - minus_R2_13 * F_joint_pin_3_3;
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
@@ -587,22 +592,23 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, T* power) no
 
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_: attraction by the
-  //   length [N/m]
-  const T t3_2 = d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3 * ddot_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_joint_pin_3 = k_joint_pin_ + line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_:
+  //   attraction by the length [N/m]
+  const T t3_2 = line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 * line_rate_joint_pin_3_3;
   const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * t3_2 * c.p.c_pin;
 
   // ---- whole system
-  // W2_ = -d_joint_pin_3 . ddot_joint_pin_3 f_joint_pin_3
+  // W2_ = -line_joint_pin_3 . line_rate_joint_pin_3 f_joint_pin_3
   const T minus_W2 = t3_2 * f_joint_pin_3;
   power[1] = -minus_W2;
 }
@@ -663,22 +669,23 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T s3 = x[1];
   const T sdot3 = y[1];
   const T sddot3 = ydot[1];
-  // d_joint_pin_3 = -R2^T r_point - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T d_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
-  const T d_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
-  // ll_joint_pin_3 = 1e-36 + d_joint_pin_3 . d_joint_pin_3: length squared [m^2]
-  const T ll_joint_pin_3 = T(1e-36) + d_joint_pin_3_1 * d_joint_pin_3_1 + d_joint_pin_3_3 * d_joint_pin_3_3;
-  // ddot_joint_pin_3 = -R2^T omega2~ r_point - Pdot2 + Pdot3: its rate [m/s]
+  // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
+  const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_joint_pin_3_3;
+  // line_rate_joint_pin_3 = -R2^T omega2~ r_joint_pin_ - Pdot2 + Pdot3: its rate [m/s]
   const T t3_1 = omega2_2 * T(0.2);
-  const T ddot_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
-  const T ddot_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ d_joint_pin_3 . ddot_joint_pin_3 ll_joint_pin_3^-1: attraction by the
-  //   length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (d_joint_pin_3_1 * ddot_joint_pin_3_1 + d_joint_pin_3_3 *
-      ddot_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
-  // F_joint_pin_3 = f_joint_pin_3 d_joint_pin_3: on the first end, inertial axes [N]
-  const T F_joint_pin_3_1 = f_joint_pin_3 * d_joint_pin_3_1;
-  const T F_joint_pin_3_3 = f_joint_pin_3 * d_joint_pin_3_3;
+  const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
+  const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
+  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1:
+  //   attraction by the length [N/m]
+  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_rate_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
+  // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
+  const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
+  const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
   // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
   const T minus_G2_1 = T(0.3) * minus_a2_1 + R2_11 * F_joint_pin_3_1 - minus_R2_13 * F_joint_pin_3_3;
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 5a12fb745d71cda1 of spring_chain/scene.toml; the usual functions
+// model 31aa3fe8dd02f883 of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "5a12fb745d71cda1";
+inline constexpr char model_hash[] = "31aa3fe8dd02f883";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -272,10 +272,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T Pdot5_1 = sdot5 + Pdot4_1;
   // T5 = 1/2 m5 Pdot5 . Pdot5: kinetic energy [J]
   const T T5 = Pdot5_1 * Pdot5_1 * c.c1_1;
-  // d_last_spring_5 = -P5 + r_point: from one end of the spring to the other, inertial axes [m]
-  const T d_last_spring_5_1 = T(6) - P5_1;
-  // ll_last_spring_5 = 1e-36 + d_last_spring_5 . d_last_spring_5: length squared [m^2]
-  const T ll_last_spring_5 = T(1e-36) + d_last_spring_5_1 * d_last_spring_5_1;
+  // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
+  const T line_last_spring_5_1 = T(6) - P5_1;
+  // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
+  const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
   // stretch_last_spring_5 = length_last_spring_5 - l_last_spring_: stretch of the spring
@@ -400,10 +400,10 @@ void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
-  // d_last_spring_5 = -P5 + r_point: from one end of the spring to the other, inertial axes [m]
-  const T d_last_spring_5_1 = T(6) - P5_1;
-  // ll_last_spring_5 = 1e-36 + d_last_spring_5 . d_last_spring_5: length squared [m^2]
-  const T ll_last_spring_5 = T(1e-36) + d_last_spring_5_1 * d_last_spring_5_1;
+  // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
+  const T line_last_spring_5_1 = T(6) - P5_1;
+  // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
+  const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
   // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
@@ -411,8 +411,8 @@ void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y
   // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
-  // F_last_spring_5 = f_last_spring_5 d_last_spring_5: on the first end, inertial axes [N]
-  const T F_last_spring_5_1 = f_last_spring_5 * d_last_spring_5_1;
+  // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
+  const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
 
   // ---- body 1 (mass_1), solved
   // sddot1: from A ydot = f by elimination
@@ -513,10 +513,10 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
-  // d_last_spring_5 = -P5 + r_point: from one end of the spring to the other, inertial axes [m]
-  const T d_last_spring_5_1 = T(6) - P5_1;
-  // ll_last_spring_5 = 1e-36 + d_last_spring_5 . d_last_spring_5: length squared [m^2]
-  const T ll_last_spring_5 = T(1e-36) + d_last_spring_5_1 * d_last_spring_5_1;
+  // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
+  const T line_last_spring_5_1 = T(6) - P5_1;
+  // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
+  const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
   // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
@@ -524,8 +524,8 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
-  // F_last_spring_5 = f_last_spring_5 d_last_spring_5: on the first end, inertial axes [N]
-  const T F_last_spring_5_1 = f_last_spring_5 * d_last_spring_5_1;
+  // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
+  const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
   // Pddot5 = sddot5 u5 + Pddot4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot5_1 = sddot5 + Pddot4_1;
   // G5 = m5 Pddot5 - F_last_spring_5: force balance, inertial axes [N]
@@ -612,10 +612,10 @@ void forcing(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, T* f
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
-  // d_last_spring_5 = -P5 + r_point: from one end of the spring to the other, inertial axes [m]
-  const T d_last_spring_5_1 = T(6) - P5_1;
-  // ll_last_spring_5 = 1e-36 + d_last_spring_5 . d_last_spring_5: length squared [m^2]
-  const T ll_last_spring_5 = T(1e-36) + d_last_spring_5_1 * d_last_spring_5_1;
+  // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
+  const T line_last_spring_5_1 = T(6) - P5_1;
+  // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
+  const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
   // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
@@ -623,8 +623,8 @@ void forcing(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, T* f
   // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
-  // F_last_spring_5 = f_last_spring_5 d_last_spring_5: on the first end, inertial axes [N]
-  const T F_last_spring_5_1 = f_last_spring_5 * d_last_spring_5_1;
+  // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
+  const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
 
   // ---- body 5 (mass_5) and what it carries
   // f_sdot5 = u5 . F_last_spring_5 + effort_mass_5_5: Kane's equation of sdot [N]

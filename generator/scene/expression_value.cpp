@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace kanec::scene {
 namespace {
@@ -75,6 +76,22 @@ bool is_constant(const Expression& expression) {
     return node.kind == Kind::time || node.kind == Kind::coordinate || node.kind == Kind::speed ||
            node.kind == Kind::parameter || node.kind == Kind::input;
   });
+}
+
+bool has_finite_constants(const Expression& expression) {
+  std::vector<std::optional<long double>> values;
+  const auto known = [&values](int index) { return index < 0 || values[static_cast<std::size_t>(index)].has_value(); };
+  const auto operand = [&values](int index) { return index < 0 ? 0.0L : *values[static_cast<std::size_t>(index)]; };
+  for (const ExpressionNode& node : expression.nodes) {
+    std::optional<long double> result;
+    if (node.kind == Kind::number)
+      result = number(node.value);
+    else if (node.a >= 0 && known(node.a) && known(node.b))
+      result = combined(node, operand(node.a), operand(node.b));
+    if (result && !std::isfinite(*result)) return false;
+    values.push_back(result);
+  }
+  return true;
 }
 
 long double value(const Expression& expression, const std::vector<Named>& parameters, long double t) {

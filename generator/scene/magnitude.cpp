@@ -19,13 +19,12 @@ Number Magnitudes::number(const Node& node) {
   if (const auto named = symbols_.find(text)) return *named;
   Expression expression = parse_expression(text, node.place(), names_);
   symbols_.mark_used(expression);
+  if (!has_finite_constants(expression)) fail(node.place(), in_quotes(text) + ", which is not finite", allowed);
   if (!is_constant(expression)) {
     scene_.expressions.push_back(std::move(expression));
     return Number::expression(static_cast<int>(scene_.expressions.size()) - 1);
   }
-  const auto constant = static_cast<double>(value(expression, {}));
-  if (!std::isfinite(constant)) fail(node.place(), in_quotes(text) + ", which is not finite", allowed);
-  return Number::constant(constant);
+  return Number::constant(static_cast<double>(value(expression, {})));
 }
 
 Vector Magnitudes::vector(const Node& node) {

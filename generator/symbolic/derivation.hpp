@@ -66,7 +66,7 @@ class Derivation {
 // Letters of all links and bodies, rotations and angular velocities.
 void define_letters(Derivation& derivation);
 
-// The stages of the derivation, in order; each file of that name holds one.
+// What every function needs.
 void derive_positions(Derivation& derivation);
 void derive_velocities(Derivation& derivation);
 

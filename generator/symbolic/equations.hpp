@@ -77,7 +77,7 @@ struct Tables {
   std::vector<GiNaC::ex> origin_rate, velocity;         // Ṗ, v
   std::vector<Blocks> omega_y, v_y;                     // partial angular velocities, partial velocities
   std::vector<Blocks> omega_y_dot, v_y_dot;             // their time derivatives
-  std::vector<Blocks> origin_y, origin_y_dot;           // of the link origins
+  std::vector<Blocks> origin_y;                         // of the link origins
 };
 
 // A coordinate of a joint in letters; 0 where it is constant.

@@ -1,4 +1,4 @@
-// Algebra that lowers the cost of a block expression and keeps its value. Not here: sums over bodies (partials.hpp).
+// Algebra that lowers the cost of a block expression and keeps its value. Not here: sums over bodies (inward_sums.hpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -157,12 +157,13 @@ void derive_reactions(Derivation& derivation) {
   const Residual r = residual(derivation);
   Function& function = derivation.function("reactions");
   for (int k = 1; k <= derivation.n_bodies(); ++k) {
-    const int link = derivation.body(k).link;
+    const BodyFrame& body = derivation.body(k);
+    const int link = body.link;
     // through all frames of the joint the force is the same, and so is the moment about their common origin
     const ex sum = r.sums.force(link) + r.loads.through_joint[static_cast<std::size_t>(link)];
     const ex force = derivation.in_axes(sum, derivation.home(link), link);
-    function.outputs.push_back({force, 6 * (k - 1), 1, false});
-    function.outputs.push_back({r.sums.moment(link), 6 * (k - 1) + 3, 1, false});
+    function.outputs.push_back({body.orientation_transposed * force, 6 * (k - 1), 1, false});
+    function.outputs.push_back({body.orientation_transposed * r.sums.moment(link), 6 * (k - 1) + 3, 1, false});
   }
 }
 

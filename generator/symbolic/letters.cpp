@@ -210,8 +210,6 @@ class Definition {
     if (link.turning == Link::Turning::turn) {
       add_turn(j);
       spin = l.coordinates.front().speed * l.coordinates.front().axis;
-    } else if (!is_identity(link.zero)) {
-      constant_rotation(link.zero, "E", "E", link.suffix, l.to_lower, l.from_lower);
     }
     if (l.to_lower.is_equal(1)) {  // axes of the lower link
       l.to_inertial = lower.to_inertial;
@@ -309,10 +307,21 @@ class Definition {
     std::vector<const BodyFrame*> heavy;
     for (const int k : equations_.mechanism.carried(j))
       if (!derivation_.body(k).mass.is_zero() || !derivation_.body(k).inertia.is_zero()) heavy.push_back(&derivation_.body(k));
-    if (heavy.size() == 1 && heavy[0]->orientation.is_equal(1) && heavy[0]->offset.is_zero()) {
+    const auto inertia_of = [](const BodyFrame& body) {
+      const bool is_turned = !body.orientation.is_equal(1) && !body.inertia.is_zero();
+      return is_turned ? congruence(body.orientation, body.inertia) : body.inertia;
+    };
+    const auto define_inertia = [&](const ex& value) {
+      return derivation_.define("I_link", "I", j, Pass::outward, value,
+                                "inertia of the link about its mass centre, link axes [kg m^2]", true);
+    };
+    const auto define_centre = [&](const ex& value) {
+      return derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(value)), "mass centre of the link, link axes [m]");
+    };
+    if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
-      l.r = heavy[0]->r;
-      l.inertia = heavy[0]->inertia;
+      l.r = define_centre(heavy[0]->offset + heavy[0]->orientation * heavy[0]->r);
+      l.inertia = define_inertia(inertia_of(*heavy[0]));
       return;
     }
     ex mass = 0, moment = 0, inertia = 0;
@@ -321,14 +330,12 @@ class Definition {
       moment += body->mass * (body->offset + body->orientation * body->r);
     }
     l.mass = derivation_.define("m_link", "m", j, Pass::outward, mass, "mass of the link [kg]");
-    if (!l.mass.is_zero())
-      l.r = derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(moment / l.mass)), "mass centre of the link, link axes [m]");
+    if (!l.mass.is_zero()) l.r = define_centre(moment / l.mass);
     for (const BodyFrame* body : heavy) {
       const ex arm = derivation_.define("arm", "c", j, Pass::outward, sum(expanded(body->offset + body->orientation * body->r - l.r)), "");
-      const bool is_turned = !body->orientation.is_equal(1) && !body->inertia.is_zero();
-      inertia += (is_turned ? congruence(body->orientation, body->inertia) : body->inertia) - body->mass * (skew(arm) * skew(arm));
+      inertia += inertia_of(*body) - body->mass * (skew(arm) * skew(arm));
     }
-    l.inertia = derivation_.define("I_link", "I", j, Pass::outward, inertia, "inertia of the link about its mass centre, link axes [kg m^2]", true);
+    l.inertia = define_inertia(inertia);
   }
 
   void number_columns() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/links.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kanec::symbolic {
 
@@ -19,6 +21,8 @@ double snapped(long double value) {
     if (std::fabs(value - exact) < noise) return exact;
   return static_cast<double>(value);
 }
+
+bool is_along_axis(const Axis& a) { return (a[0] != 0) + (a[1] != 0) + (a[2] != 0) == 1; }
 
 scene::Vector constants(const Axis& axis, double factor) {
   return {scene::Number::constant(axis[0] * factor), scene::Number::constant(axis[1] * factor),
@@ -114,7 +118,9 @@ class Builder {
     add_chain(link, std::move(slides), turns, joint, constant);
   }
 
-  // One link a turn; the first slides, the last has the body's axes.
+  // One link a turn; the first slides. Where its axis is one of the lower link's, a link has axes parallel to these at zero
+  // angle: the joint is then a plane rotation, and what is constant turns the numbers of the body once. Else the last
+  // link has the body's axes.
   void add_chain(Link link, std::vector<Freedom> slides, const std::vector<Freedom>& turns, const Joint& joint,
                  const Rotation& constant) {
     const std::string suffix = std::to_string(link.body);
@@ -127,15 +133,16 @@ class Builder {
       if (n > 0) link.freedoms.push_back(turns[i]);
       link.freedoms.insert(link.freedoms.end(), slides.begin(), slides.end());
       link.pitch = n > 0 && turns[i].coordinate == 0 ? joint.pitch : 0.0;
-      link.zero = is_last ? constant : scene::no_rotation;
       slides.clear();
-      if (!is_last) {
-        mechanism_.links.push_back(link);
-        link.lower = mechanism_.size();
-        link.offset.clear();
-      }
+      if (is_last) continue;
+      mechanism_.links.push_back(link);
+      link.lower = mechanism_.size();
+      link.offset.clear();
     }
     push(link, scene::no_rotation);
+    const bool is_plane = link.turning == Link::Turning::fixed || is_along_axis(link.freedoms.front().axis);
+    if (!is_plane) mechanism_.links.back().zero = constant;
+    mechanism_.bodies.back().orientation = is_plane ? constant : scene::no_rotation;
   }
 
   void push(const Link& link, const Rotation& orientation) {

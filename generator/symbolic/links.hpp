@@ -37,7 +37,7 @@ struct Link {
   std::string suffix;  // of its letters: "3", or "3a", "3b" of the frames between the turns of a joint
   Turning turning = Turning::fixed;
   std::vector<Freedom> freedoms;               // rotation first
-  scene::Rotation zero = scene::no_rotation;   // link to lower link components at zero angle
+  scene::Rotation zero = scene::no_rotation;   // link to lower link components at zero angle; of a held ball to inertial ones
   Offset offset;                               // of its origin from the lower link's, without slides; lower link's axes
   double pitch = 0.0;                          // of its turn [m/rad]
 };

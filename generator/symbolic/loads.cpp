@@ -57,7 +57,7 @@ class Loads {
     const bool is_force = load.kind == Load::Kind::force;
     if (scene::is_zero(load.vector)) return {};
     const auto [value, frame] = in_its_axes(load);
-    const Place at = place(load.point);
+    const Place at = place(load.point, load.name);
     std::vector<Action> actions = {{at, is_force ? value : ex(0), is_force ? ex(0) : value, frame}};
     if (load.reaction > 0) {
       const int other = derivation_.body(load.reaction).link;
@@ -187,10 +187,10 @@ class Loads {
     return {body.link, sum(expanded(body.offset + body.orientation * body.r))};
   }
 
-  Place place(const scene::Point& point) {
+  Place place(const scene::Point& point, const std::string& name) {
     const BodyFrame& body = derivation_.body(point.body);
     if (scene::is_zero(point.r)) return {body.link, body.offset};
-    const ex r = derivation_.equations.table.add_numbers("r_point", "r", "", {point.r[0], point.r[1], point.r[2]});
+    const ex r = vector("r_", name + "_", point.r);
     return {body.link, sum(expanded(body.offset + body.orientation * r))};
   }
 
@@ -221,10 +221,10 @@ class Loads {
   // --- springs between points
 
   ex line(const Load& load) {
-    return define("d_", load, position(place(load.other)) - position(place(load.point)), "from one end of the spring to the other, inertial axes [m]");
+    return define("line_", load, position(place(load.other, load.name + "_other")) - position(place(load.point, load.name)), "from one end of the spring to the other, inertial axes [m]");
   }
   ex line_rate(const Load& load) {
-    return define("ddot_", load, velocity(place(load.other)) - velocity(place(load.point)), "its rate [m/s]");
+    return define("line_rate_", load, velocity(place(load.other, load.name + "_other")) - velocity(place(load.point, load.name)), "its rate [m/s]");
   }
   ex square(const Load& load) { return define("ll_", load, dot(line(load), line(load)) + least_square(), "length squared [m^2]"); }
   ex length(const Load& load) { return define("length_", load, GiNaC::sqrt(square(load)), "length [m]"); }
@@ -236,7 +236,6 @@ class Loads {
     ex value = k;
     if (!rest.is_zero() && !k.is_zero()) value -= k * rest / length(load);
     if (!c.is_zero()) value += c * dot(line(load), line_rate(load)) / square(load);
-    if (!load.effort.is_zero()) value += scalar("tau_", load, load.effort) / length(load);
     return value;
   }
 
@@ -245,7 +244,7 @@ class Loads {
     if (value.is_zero()) return {};
     const ex factor = define("f_", load, value, "attraction by the length [N/m]");
     const ex force = define("F_", load, factor * line(load), "on the first end, inertial axes [N]");
-    return {{place(load.point), force, 0, 0}, {place(load.other), -force, 0, 0}};
+    return {{place(load.point, load.name), force, 0, 0}, {place(load.other, load.name + "_other"), -force, 0, 0}};
   }
 
   ex spring_power(const Load& load, bool conservative) {

@@ -54,7 +54,6 @@ class Partials {
       add_through_omega(centre, t.velocity[at], link.omega, t.omega_y.back());
       t.v_y.push_back(centre);
       t.omega_y_dot.push_back(rates_of(t.omega_y.back()));
-      t.origin_y_dot.push_back(rates_of(t.origin_y.back()));
       t.v_y_dot.push_back(rates_of(centre));
     }
   }

@@ -74,11 +74,9 @@ std::optional<Errors> errors(const scene::Scene& scene, const CompiledModel& mod
   if (!all_finite(found)) return Errors{infinity, infinity, infinity, 0.0};
   const std::vector<Precise> exact = precise(model.generated.program, function, state);
   const auto in_double = expected<double>(scene, parts, state);
-  const auto as = [&]<class Real>(Real) {
-    return comparable(scene, parts, state.x, std::vector<Real>(found.begin(), found.end()));
-  };
-  return Errors{difference(found, exact), difference(as(0.0L), *generic),
-                in_double ? difference(as(0.0), *in_double) : infinity, largest(exact)};
+  const auto wide = [](const std::vector<double>& values) { return std::vector<long double>(values.begin(), values.end()); };
+  return Errors{difference(found, exact), difference(comparable(scene, parts, state.x, wide(found)), *generic),
+                in_double ? difference(wide(*in_double), *generic) : infinity, largest(exact)};
 }
 
 double median(std::vector<double> values) {
@@ -99,6 +97,15 @@ double usual_size(const std::vector<Errors>& by_state) {
   return sizes.empty() ? 0.0 : median(std::move(sizes));
 }
 
+// What errors are measured by. A result that is zero but for roundings, as the generic path in double shows, is measured by
+// what was rounded.
+double judged_size(const Errors& error, double usual) {
+  constexpr double digits = 0x1p52;
+  const double size = std::max(error.size, usual);
+  const bool is_noise = std::isfinite(error.generic_double) && size < 1e3 * error.generic_double;
+  return is_noise ? error.generic_double * digits : size;
+}
+
 // Of the states with these numbers, which have a result.
 Agreement summary(const std::string& function, const std::vector<Errors>& errors, const std::vector<int>& states) {
   Agreement agreement{function};
@@ -106,7 +113,7 @@ Agreement summary(const std::string& function, const std::vector<Errors>& errors
   const double usual = usual_size(errors);
   std::vector<double> ulps;
   for (const Errors& error : errors) {
-    const double size = std::max(error.size, usual);
+    const double size = judged_size(error, usual);
     ulps.push_back(in_ulps(error.precise, size));
     agreement.generic = std::max(agreement.generic, quotient(error.generic, size));
     agreement.generic_double = std::max(agreement.generic_double, quotient(error.generic_double, size));

@@ -51,8 +51,9 @@ struct Dual {
     return {quotient, (a.rate - quotient * b.rate) / b.value};
   }
 
-  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
-  friend bool operator!=(const Dual& a, const Dual& b) { return a.value != b.value; }
+  // A value of zero that changes is not zero: solvers skip what is.
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value && a.rate == b.rate; }
+  friend bool operator!=(const Dual& a, const Dual& b) { return !(a == b); }
   friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
   friend bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }

@@ -1,6 +1,6 @@
 // What a scene's loads do in a state: forces and moments on bodies, efforts along coordinates, their power, the
-// potential of those that have one. Not: inertia, and gravity only in the potential. SPDX-License-Identifier:
-// BSD-3-Clause
+// potential of those that have one. Not: inertia, and gravity only in the potential.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <cmath>

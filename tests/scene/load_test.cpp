@@ -130,6 +130,14 @@ TEST(Load, magnitude_of_numbers_alone_is_a_constant) {
                 "parameter or input, or an expression in quotes");
 }
 
+// Not only whole expressions: what is infinite or no number stays so whatever the rest is.
+TEST(Load, part_of_numbers_alone_that_is_not_finite_is_refused) {
+  for (const std::string text : {"0/0 + t", "0*(1/0) + t", "t*log(0)", "max(sqrt(-1), t)"})
+    EXPECT_THAT(refusal("kind = 'force'\nbody = 'arm'\nvector = ['" + text + "', 0, 0]"),
+                HasSubstr("found \"" + text + "\", which is not finite; ")) << text;
+  EXPECT_EQ(load("kind = 'force'\nbody = 'arm'\nvector = ['0/2 + t', 0, 0]").vector[0].kind, Number::Kind::expression);
+}
+
 TEST(Load, of_an_unknown_kind_or_without_one_is_refused) {
   EXPECT_EQ(
       refusal("kind = 'forse'"),
