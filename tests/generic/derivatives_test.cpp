@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "generator/scene/read.hpp"
 #include "tests/generic/sample.hpp"
 
 namespace kanec::generic {
@@ -163,6 +164,34 @@ TEST(InputMatrix, is_the_derivative_of_the_accelerations_below_zeros) {
     EXPECT_TRUE(B.topRows(n).isZero(0));
     EXPECT_EQ(Matrix(B.bottomRows(n)), s.matrix("accelerations_u", n));
   }
+}
+
+// Two hinges at rest: the forcing is zero, and its derivative is not. Accelerations are then linear in the input.
+TEST(Derivatives, at_rest_are_those_of_what_is_zero_there) {
+  const scene::Scene scene = scene::parse(R"(name = "hinges"
+connection = [0, 1]
+[inputs]
+u = 0.0
+[[body]]
+joint = "revolute"
+axis = "z"
+mass = 1
+inertia = [1, 1, 1]
+effort = "u"
+[[body]]
+joint = "revolute"
+axis = "z"
+mass = 1
+inertia = [1, 1, 1]
+q = [0.5, 0, 0]
+r = [0.5, 0, 0]
+)", "hinges.toml");
+  const System<Real> system(scene, {});
+  const std::vector<Real> x = {0, 0.7L}, y = {0, 0}, none = {0}, unit = {1};
+  const auto by_u = evaluate<Real>(system, "accelerations_u", {0, x, y, {}, none});
+  const auto of_unit = evaluate<Real>(system, "accelerations", {0, x, y, {}, unit});
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(double(by_u[i]), double(of_unit[i]), 1e-15);
+  EXPECT_GT(std::abs(double(of_unit[1])), 0.1);
 }
 
 }  // namespace
