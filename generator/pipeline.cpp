@@ -34,7 +34,8 @@ std::string without(std::string text, const std::string& what) {
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   check_regular(scene);
   const program::Program program = program::optimized(program_of(scene, requested_functions(scene, options.functions)));
-  // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their places
+  // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
+  // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
   const emit::Model model{&scene, version(), mark, options_text(scene, options), source};

@@ -17,8 +17,8 @@ void append(std::string& list, const std::string& item) { list += (list.empty() 
 
 bool is_massless(const scene::Body& body) {
   const scene::Symmetric& m = body.inertia;
-  return body.mass.is_zero() && m.xx.is_zero() && m.yy.is_zero() && m.zz.is_zero() && m.xy.is_zero() && m.xz.is_zero() &&
-         m.yz.is_zero();
+  return body.mass.is_zero() && m.xx.is_zero() && m.yy.is_zero() && m.zz.is_zero() && m.xy.is_zero() &&
+         m.xz.is_zero() && m.yz.is_zero();
 }
 
 // A scene in which numbers that were constants are parameters of the same value.
@@ -78,7 +78,10 @@ class Loosened {
 class Reducing {
  public:
   Reducing(const scene::Scene& scene, const std::vector<std::string>& functions)
-      : scene_(scene), names_(requested_functions(scene, functions)), program_(optimized(scene, {})), cost_(cost(program_)) {}
+      : scene_(scene),
+        names_(requested_functions(scene, functions)),
+        program_(optimized(scene, {})),
+        cost_(cost(program_)) {}
 
   std::vector<Reduction> all() {
     add("welded bodies", welds(), scene_, {.merge_welds = false});
@@ -103,7 +106,8 @@ class Reducing {
     return sum;
   }
 
-  void add(const std::string& name, const std::string& what, const scene::Scene& undone, const symbolic::Reductions& reductions) {
+  void add(const std::string& name, const std::string& what, const scene::Scene& undone,
+           const symbolic::Reductions& reductions) {
     if (!what.empty()) result_.push_back({name, what, cost(optimized(undone, reductions)) - cost_});
   }
 
@@ -114,7 +118,9 @@ class Reducing {
       const int link = mechanism.body(k).link;
       if (link > 0 && mechanism.link(link).body == k) continue;
       const std::string& body = scene_.bodies[static_cast<std::size_t>(k - 1)].name;
-      append(text, body + " is part of " + (link == 0 ? "the ground" : scene_.bodies[static_cast<std::size_t>(mechanism.link(link).body - 1)].name));
+      append(text, body + " is part of " +
+                       (link == 0 ? "the ground"
+                                  : scene_.bodies[static_cast<std::size_t>(mechanism.link(link).body - 1)].name));
     }
     return text;
   }
@@ -149,7 +155,8 @@ class Reducing {
     const std::vector<bool> used = program::reachable(program_, program::all_outputs(program_));
     std::vector<std::vector<bool>> read(5);
     const auto& names = program_.names;
-    const std::vector<const std::vector<std::string>*> lists = {&names.parameters, &names.x, &names.y, &names.ydot, &names.inputs};
+    const std::vector<const std::vector<std::string>*> lists = {&names.parameters, &names.x, &names.y, &names.ydot,
+                                                                &names.inputs};
     for (std::size_t group = 0; group < lists.size(); ++group) read[group].resize(lists[group]->size());
     for (std::size_t i = 0; i < used.size(); ++i)
       if (const auto* variable = std::get_if<program::Variable>(&program_.nodes[i]))
@@ -161,9 +168,9 @@ class Reducing {
         if (!read[group][i]) append(text, list[i]);
       return text;
     };
-    for (const auto& [name, text] : {std::pair{"parameters not read", unread(0, *lists[0])},
-                                     std::pair{"inputs not read", unread(4, *lists[4])},
-                                     std::pair{"coordinates not read", unread(1, coordinate_names(scene_))}})
+    for (const auto& [name, text] :
+         {std::pair{"parameters not read", unread(0, *lists[0])}, std::pair{"inputs not read", unread(4, *lists[4])},
+          std::pair{"coordinates not read", unread(1, coordinate_names(scene_))}})
       if (!text.empty()) result_.push_back({name, text, 0});
   }
 

@@ -48,7 +48,9 @@ bool has_free_joints_only(const scene::Scene& scene) {
 // Number of the body that a speed belongs to, from 1.
 int body_of(const scene::Scene& scene, int row) {
   const scene::Layout layout(scene);
-  const auto has = [row](const std::vector<int>& list) { return std::find(list.begin(), list.end(), row) != list.end(); };
+  const auto has = [row](const std::vector<int>& list) {
+    return std::find(list.begin(), list.end(), row) != list.end();
+  };
   for (std::size_t k = 0; k < layout.bodies.size(); ++k) {
     const scene::BodyLayout& body = layout.bodies[k];
     const bool of_ball = body.omega >= 0 && row >= body.omega && row < body.omega + 3;
@@ -66,10 +68,12 @@ void check_regular(const scene::Scene& scene) {
   const int row = singular_row(mass_matrix(scene), n);
   if (row < 0) return;
   const int k = body_of(scene, row);
-  throw InputError("scene " + scene.name + ": body " + std::to_string(k) + " (" + scene.bodies[static_cast<std::size_t>(k - 1)].name +
-                   "): the acceleration of " + speed_names(scene)[static_cast<std::size_t>(row)] +
-                   " is undetermined in the initial state (A is singular): no mass resists it, or other coordinates make the same "
-                   "motion; allowed: mass or inertia that it moves, axes that are not aligned, or the coordinate locked");
+  throw InputError(
+      "scene " + scene.name + ": body " + std::to_string(k) + " (" +
+      scene.bodies[static_cast<std::size_t>(k - 1)].name + "): the acceleration of " +
+      speed_names(scene)[static_cast<std::size_t>(row)] +
+      " is undetermined in the initial state (A is singular): no mass resists it, or other coordinates make the same "
+      "motion; allowed: mass or inertia that it moves, axes that are not aligned, or the coordinate locked");
 }
 
 }  // namespace kanec

@@ -69,7 +69,8 @@ void keep(program::Program& program, const std::vector<std::string>& names) {
       kept.push_back(program::combined(program, of));
       continue;
     }
-    const auto found = std::find_if(program.functions.begin(), program.functions.end(), [&](const auto& f) { return f.name == name; });
+    const auto found =
+        std::find_if(program.functions.begin(), program.functions.end(), [&](const auto& f) { return f.name == name; });
     if (found == program.functions.end()) throw InternalError("no function " + name + " in the program");
     kept.push_back(*found);
   }
@@ -93,7 +94,8 @@ std::vector<std::string> requested_functions(const scene::Scene& scene, const st
   for (const Available& function : available) known.push_back(function.name);
   for (const std::string& name : names.empty() ? scene.functions : names) {
     for (const std::string& part : parts(name))
-      if (!contains(known, part)) throw InputError("no function '" + part + "' in this model; it has: " + listed(known));
+      if (!contains(known, part))
+        throw InputError("no function '" + part + "' in this model; it has: " + listed(known));
     insert(result, name);
   }
   if (result.empty())

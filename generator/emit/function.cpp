@@ -37,8 +37,14 @@ class Emission {
 
   std::string text() {
     const bool placed = !function_.placements.empty();
-    Shape shape{function_.name, arguments_.parameters(), arguments_.piece_parameters(), arguments_.values("c", "u"),
-                "", "", "", usings(program_, reachable(program_, function_.outputs), stages_, Stage::state)};
+    Shape shape{function_.name,
+                arguments_.parameters(),
+                arguments_.piece_parameters(),
+                arguments_.values("c", "u"),
+                "",
+                "",
+                "",
+                usings(program_, reachable(program_, function_.outputs), stages_, Stage::state)};
     if (placed) {
       block_ = shape.out_local = "block";
       shape.begin = "  T block[" + std::to_string(function_.outputs.size()) + "];\n";
@@ -103,10 +109,13 @@ class Emission {
       end_section();
       pass_and_body_ = section;
       section_.heading = heading();
-      const std::string letter = quantity.pass == program::Pass::outward ? "t" : quantity.pass == program::Pass::inward ? "b" : "z";
+      const std::string letter = quantity.pass == program::Pass::outward  ? "t"
+                                 : quantity.pass == program::Pass::inward ? "b"
+                                                                          : "z";
       statements_.number_temporaries(letter + std::to_string(quantity.body) + "_");
     }
-    for (std::size_t i = 0; i < quantity.entries.size(); ++i) statements_.define(quantity.labels[i], quantity.entries[i]);
+    for (std::size_t i = 0; i < quantity.entries.size(); ++i)
+      statements_.define(quantity.labels[i], quantity.entries[i]);
     const std::vector<std::string> lines = statements_.take_lines();
     if (!lines.empty()) {
       const std::string meaning = quantity.meaning.empty() ? "" : ": " + quantity.meaning;
@@ -167,15 +176,16 @@ class Emission {
 
   // The same block stands at many places: copied by a table.
   std::string placements(const std::string& out) const {
-    std::string table = "\n  // {block, place of its first entry}; the same block stands where bodies share it, 0 elsewhere\n"
-                        "  static constexpr int places[][2] = {\n";
+    std::string table =
+        "\n  // {block, place of its first entry}; the same block stands where bodies share it, 0 elsewhere\n"
+        "  static constexpr int places[][2] = {\n";
     std::string row = "     ";
     for (const program::Placement& place : function_.placements)
       row += " {" + std::to_string(place.block) + "," + std::to_string(place.offset) + "},";
     for (const std::string& line : wrapped(row, "      ")) table += line + "\n";
     table += "  };\n  for (int i = 0; i < " + std::to_string(function_.n_out) + "; ++i) " + out + "[i] = T(0);\n";
-    table += "  for (const auto& place : places)\n    for (int i = 0; i < 3; ++i)\n      for (int j = 0; j < 3; ++j) " + out +
-             "[place[1] + i * " + std::to_string(function_.stride) + " + j] = block[9 * place[0] + 3 * i + j];\n";
+    table += "  for (const auto& place : places)\n    for (int i = 0; i < 3; ++i)\n      for (int j = 0; j < 3; ++j) " +
+             out + "[place[1] + i * " + std::to_string(function_.stride) + " + j] = block[9 * place[0] + 3 * i + j];\n";
     return table;
   }
 

@@ -31,7 +31,8 @@ class Constants {
  public:
   void add(const std::string& name, std::size_t index) {
     if (name.empty() || !names_.insert(name).second) return;
-    list_ += (list_.empty() ? "inline constexpr int " : ", ") + name + no_break + "=" + no_break + std::to_string(index);
+    list_ +=
+        (list_.empty() ? "inline constexpr int " : ", ") + name + no_break + "=" + no_break + std::to_string(index);
   }
 
   std::string take_lines() {
@@ -61,7 +62,8 @@ std::string state_constants(const scene::Scene& scene) {
     for (std::size_t i = 0; i < names.size(); ++i) constants.add(by_body(scene, names[i]), i);
     text += constants.take_lines();
   }
-  return "// Where each coordinate stands in x and each speed in y.\nnamespace at {\n" + text + "}  // namespace at\n\n";
+  return "// Where each coordinate stands in x and each speed in y.\nnamespace at {\n" + text +
+         "}  // namespace at\n\n";
 }
 
 }  // namespace kanec::emit

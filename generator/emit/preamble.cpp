@@ -14,7 +14,8 @@ using scene::Coordinate;
 
 // One line of printable ASCII, as paths and expressions need not be.
 std::string plain(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return text;
 }
 
@@ -83,9 +84,12 @@ std::vector<std::string> not_free(const scene::Scene& scene, Coordinate::Motion 
 
 // What the letters mean that this model has.
 std::string letters(const std::string& names) {
-  const auto has = [&](const std::string& letter) { return (", " + names).find(", " + letter + "_") != std::string::npos; };
+  const auto has = [&](const std::string& letter) {
+    return (", " + names).find(", " + letter + "_") != std::string::npos;
+  };
   std::string text;
-  if (has("eps")) text += "//   eps       Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)\n";
+  if (has("eps"))
+    text += "//   eps       Euler parameters relative to the inertial frame, scalar last, of unit norm (4 a body)\n";
   if (has("theta")) text += "//   theta     angle of a joint about its axis [rad]\n";
   if (has("s")) text += "//   s         translation from the joint point, axes of the lower body [m]\n";
   if (has("omega")) text += "//   omega     absolute angular velocity, body axes [rad/s] (3)\n";
@@ -109,7 +113,8 @@ std::string state(const scene::Scene& scene) {
 std::string left_out(const Used& used) {
   std::vector<std::string> names;
   for (const scene::Named& named : used.left_out) names.push_back(named.name);
-  return names.empty() ? "" : comment("Parameters and inputs that nothing here reads are left out: " + joined(names) + ".");
+  return names.empty() ? ""
+                       : comment("Parameters and inputs that nothing here reads are left out: " + joined(names) + ".");
 }
 
 std::string conventions(const program::Program& program) {
@@ -117,16 +122,16 @@ std::string conventions(const program::Program& program) {
     return std::holds_alternative<program::Select>(node);
   });
   const std::vector<std::string> calls = functions_called(program);
-  const bool compares = selects || std::any_of(calls.begin(), calls.end(), [](const std::string& name) {
-                          return name == "min" || name == "max";
-                        });
+  const bool compares = selects || std::any_of(calls.begin(), calls.end(),
+                                               [](const std::string& name) { return name == "min" || name == "max"; });
   std::string scalar =
       "T is the scalar: float, double, long double, or any type with + - * /, unary -, a constructor from double and a "
       "default one";
   if (compares) scalar += ", <";
   if (!calls.empty()) scalar += ", and of its own or by conversion " + joined(calls);
   return "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n" +
-         comment(std::string("No function allocates, throws, branches") + (selects ? " (it may choose between two values)" : "") +
+         comment(std::string("No function allocates, throws, branches") +
+                 (selects ? " (it may choose between two values)" : "") +
                  " or keeps a state; results must not overlap arguments. " + scalar + ".");
 }
 

@@ -96,16 +96,17 @@ Preparation emit_prepare(const Used& used, const program::Program& program, cons
   for (const Ref field : wanted) {
     const auto label = known.find(field.node);
     const int body = owners.of(field.node);
-    const std::string name = label != known.end()
-                                 ? label->second
-                                 : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]);
+    const std::string name =
+        label != known.end() ? label->second : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]);
     statements.define(name, field);
     members += "  T " + name + ";\n";
     stores += "  c." + name + " = " + name + ";\n";
     result.named.prepared[field.node] = {"c." + name, false};
   }
-  result.text += "// What depends on parameters only, computed once for many calls.\ntemplate <class T>\nstruct Prepared {\n"
-                 "  Parameters<T> p;\n" + members + "};\n\n";
+  result.text +=
+      "// What depends on parameters only, computed once for many calls.\ntemplate <class T>\nstruct Prepared {\n"
+      "  Parameters<T> p;\n" +
+      members + "};\n\n";
   result.text += "// prepare: " + program::text(program::prepare_ledger(program)) +
                  "\ntemplate <class T>\nPrepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {\n" +
                  usings(program, reachable(program, wanted), stages, Stage::parameter) +

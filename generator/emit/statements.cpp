@@ -23,7 +23,8 @@ constexpr std::size_t width = 118;
 }  // namespace
 
 std::string literal(double value) {
-  if (!std::isfinite(value)) throw InputError("a constant of the model is not finite: its numbers are too large or too small");
+  if (!std::isfinite(value))
+    throw InputError("a constant of the model is not finite: its numbers are too large or too small");
   const std::string digits = shortest(value);
   const bool is_whole = digits.find_first_of(".e") == std::string::npos;
   return is_whole && digits.size() > 9 ? digits + ".0" : digits;
@@ -32,12 +33,18 @@ std::string literal(double value) {
 std::string variable_name(const program::Program& program, const program::Variable& variable, Stage stage) {
   const auto i = static_cast<std::size_t>(variable.index);
   switch (variable.group) {
-    case Group::parameter: return (stage == Stage::parameter ? "p." : "c.p.") + program.names.parameters[i];
-    case Group::input: return "u." + program.names.inputs[i];
-    case Group::x: return program.names.x[i];
-    case Group::y: return program.names.y[i];
-    case Group::ydot: return program.names.ydot[i];
-    case Group::time: return "t";
+    case Group::parameter:
+      return (stage == Stage::parameter ? "p." : "c.p.") + program.names.parameters[i];
+    case Group::input:
+      return "u." + program.names.inputs[i];
+    case Group::x:
+      return program.names.x[i];
+    case Group::y:
+      return program.names.y[i];
+    case Group::ydot:
+      return program.names.ydot[i];
+    case Group::time:
+      return "t";
   }
   throw InternalError("emit: a variable of no group");
 }
@@ -106,38 +113,41 @@ Statements::Text Statements::expression(Index node) {
 }
 
 Statements::Text Statements::operation(const Node& node) {
-  return std::visit(
-      program::Overloaded{
-          [&](const program::Constant& op) -> Text { return {"T(" + literal(op.value.rounded()) + ")", 2, false}; },
-          [&](const program::Variable& op) -> Text {
-            variables_.push_back(op);
-            return {variable_name(program_, op, stage_), 2, false};
-          },
-          [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
-          [&](const program::Subtract& op) {
-            Text b = expression(op.b);
-            b.negative = !b.negative;
-            return sum(expression(op.a), std::move(b));
-          },
-          [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
-          [&](const program::Divide& op) -> Text {
-            const Text a = expression(op.a);
-            const Text b = expression(op.b);
-            const std::string over = a.level < 1 ? "(" + a.text + ")" : a.text;
-            const std::string under = b.level < 2 ? "(" + b.text + ")" : b.text;
-            return {over + " / " + under, 1, a.negative != b.negative};
-          },
-          [&](const program::SquareRoot& op) -> Text { return {"sqrt(" + argument(op.a) + ")", 2, false}; },
-          [&](const program::Sine& op) { return odd("sin", op.a); },
-          [&](const program::Cosine& op) { return even("cos", op.a); },
-          [&](const program::UnaryCall& op) { return call(op); },
-          [&](const program::BinaryCall& op) -> Text {
-            const std::string first = argument(op.a);
-            return {program::name(op.function) + ("(" + first) + ", " + argument(op.b) + ")", 2, false};
-          },
-          [&](const program::Select& op) { return selection(op); },
-      },
-      node);
+  return std::visit(program::Overloaded{
+                        [&](const program::Constant& op) -> Text {
+                          return {"T(" + literal(op.value.rounded()) + ")", 2, false};
+                        },
+                        [&](const program::Variable& op) -> Text {
+                          variables_.push_back(op);
+                          return {variable_name(program_, op, stage_), 2, false};
+                        },
+                        [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
+                        [&](const program::Subtract& op) {
+                          Text b = expression(op.b);
+                          b.negative = !b.negative;
+                          return sum(expression(op.a), std::move(b));
+                        },
+                        [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
+                        [&](const program::Divide& op) -> Text {
+                          const Text a = expression(op.a);
+                          const Text b = expression(op.b);
+                          const std::string over = a.level < 1 ? "(" + a.text + ")" : a.text;
+                          const std::string under = b.level < 2 ? "(" + b.text + ")" : b.text;
+                          return {over + " / " + under, 1, a.negative != b.negative};
+                        },
+                        [&](const program::SquareRoot& op) -> Text {
+                          return {"sqrt(" + argument(op.a) + ")", 2, false};
+                        },
+                        [&](const program::Sine& op) { return odd("sin", op.a); },
+                        [&](const program::Cosine& op) { return even("cos", op.a); },
+                        [&](const program::UnaryCall& op) { return call(op); },
+                        [&](const program::BinaryCall& op) -> Text {
+                          const std::string first = argument(op.a);
+                          return {program::name(op.function) + ("(" + first) + ", " + argument(op.b) + ")", 2, false};
+                        },
+                        [&](const program::Select& op) { return selection(op); },
+                    },
+                    node);
 }
 
 // Keeps the association of the program: a sum on the right stands in parentheses, unless the two can change places.
@@ -162,11 +172,14 @@ Statements::Text Statements::call(const program::UnaryCall& op) {
   switch (op.function) {
     case program::Unary::tan:
     case program::Unary::asin:
-    case program::Unary::tanh: return odd(name, op.a);
-    case program::Unary::abs: return even(name, op.a);
+    case program::Unary::tanh:
+      return odd(name, op.a);
+    case program::Unary::abs:
+      return even(name, op.a);
     case program::Unary::acos:
     case program::Unary::exp:
-    case program::Unary::log: break;
+    case program::Unary::log:
+      break;
   }
   return {name + ("(" + argument(op.a) + ")"), 2, false};
 }

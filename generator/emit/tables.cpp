@@ -73,13 +73,15 @@ class Tables {
   void for_coordinates(bool rotation, Visit visit) const {
     for (int j = 1; j <= n_; ++j)
       for (const symbolic::Coordinate& c : letters(j).coordinates) {
-        const bool turns = c.freedom.kind == symbolic::Freedom::Kind::attitude || c.freedom.kind == symbolic::Freedom::Kind::turn;
+        const bool turns =
+            c.freedom.kind == symbolic::Freedom::Kind::attitude || c.freedom.kind == symbolic::Freedom::Kind::turn;
         if (c.row >= 0 && turns == rotation) visit(j, c);
       }
   }
 
   std::string coordinate(int j, const symbolic::Coordinate& c) const {
-    return c.freedom.kind == symbolic::Freedom::Kind::attitude ? indexed("\\varepsilon", "eps", suffix(j)) : print(c.value);
+    return c.freedom.kind == symbolic::Freedom::Kind::attitude ? indexed("\\varepsilon", "eps", suffix(j))
+                                                               : print(c.value);
   }
 
   Table state() const {
@@ -114,9 +116,9 @@ class Tables {
   void add_attitude(Table& table, int j) const {
     const symbolic::Letters& link = letters(j);
     const std::string e = print(link.e), eps4 = print(link.eps4), omega = print(link.omega), index = suffix(j);
-    table.rows.push_back({pick("\\dot e_{" + index + "}", "edot" + index),
-                          pick("\\tfrac12(", "1/2 (") + eps4 + " " + omega + " + " +
-                              print(symbolic::skew(link.e) * link.omega) + ")"});
+    table.rows.push_back(
+        {pick("\\dot e_{" + index + "}", "edot" + index),
+         pick("\\tfrac12(", "1/2 (") + eps4 + " " + omega + " + " + print(symbolic::skew(link.e) * link.omega) + ")"});
     table.rows.push_back({pick("\\dot\\varepsilon_{4}^{(" + index + ")}", "eps4dot" + index),
                           pick("-\\tfrac12 ", "-1/2 ") + print(symbolic::dot(link.e, link.omega))});
   }
@@ -156,7 +158,9 @@ class Tables {
              {"r", pick("A\\dot y - f", "A ydot - f")}}};
   }
 
-  std::string column_name(int column) const { return print(equations_.speeds[static_cast<std::size_t>(column)].letter); }
+  std::string column_name(int column) const {
+    return print(equations_.speeds[static_cast<std::size_t>(column)].letter);
+  }
 
   bool all_wide() const {
     for (const symbolic::Speed& speed : equations_.speeds)
@@ -207,7 +211,8 @@ class Tables {
     GiNaC::exset used;
     for (const symbolic::Output& output : function(name).outputs) collect(output.block, used);
     for (const symbolic::Quantity& quantity : equations_.quantities)
-      if (used.count(quantity.symbol) > 0 && equations_.table.of(quantity.symbol).name != "Rt" && equations_.table.of(quantity.symbol).name != "Et")
+      if (used.count(quantity.symbol) > 0 && equations_.table.of(quantity.symbol).name != "Rt" &&
+          equations_.table.of(quantity.symbol).name != "Et")
         table.rows.push_back({print(quantity.symbol), print(quantity.value)});
   }
 
@@ -287,13 +292,16 @@ std::string latex_document(const symbolic::Equations& equations) {
   for (const char c : equations.scene.name) name += c == '_' ? "\\_" : std::string(1, c);
   std::string text =
       "\\documentclass{article}\n\\usepackage{amsmath}\n\\usepackage[landscape,margin=15mm]{geometry}\n"
-      "\\allowdisplaybreaks\n\\begin{document}\n\\section*{" + name + ": " + std::to_string(size(equations.scene)) +
-      (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" + joints(equations.scene) + "\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
+      "\\allowdisplaybreaks\n\\begin{document}\n\\section*{" +
+      name + ": " + std::to_string(size(equations.scene)) + (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" +
+      joints(equations.scene) +
+      "\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
       "$K$.\n";
   for (const Table& table : tables(equations, Style::latex)) {
     text += "\\subsection*{" + table.title + "}\n\\begin{align*}\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      text += table.rows[i].first + " &= " + broken(table.rows[i].second) + (i + 1 < table.rows.size() ? " \\\\\n" : "\n");
+      text +=
+          table.rows[i].first + " &= " + broken(table.rows[i].second) + (i + 1 < table.rows.size() ? " \\\\\n" : "\n");
     text += "\\end{align*}\n";
   }
   return text + "\\end{document}\n";

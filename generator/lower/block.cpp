@@ -81,7 +81,8 @@ Block turn(Builder& builder, const Block& axis, Ref angle) {
   const Block square = multiply(builder, cross, cross);
   // 1 + (1 - cos) ã ã = (1 + ã ã) - cos ã ã: for a coordinate axis every entry is 0, 1 or the cosine
   const Block fixed = add(builder, scalar(builder.constant(1.0)), square);
-  return add(builder, add(builder, multiply(builder, scalar(sine), cross), multiply(builder, scalar(-cosine), square)), fixed);
+  return add(builder, add(builder, multiply(builder, scalar(sine), cross), multiply(builder, scalar(-cosine), square)),
+             fixed);
 }
 
 Block congruence(Builder& builder, const Block& C, const Block& J) {
@@ -104,9 +105,11 @@ Block rotation(Builder& builder, const Block& e, Ref eps4) {
   const Ref wx = product(0, eps4), wy = product(1, eps4), wz = product(2, eps4);
   const auto one_less = [&](Ref a, Ref b) { return builder.subtract(builder.subtract(builder.constant(1.0), a), b); };
   const auto sum = [&](Ref a, Ref b) { return builder.add(a, b); };
-  return {3, 3, {one_less(yy, zz), sum(xy, -wz), sum(xz, wy),    //
-                 sum(xy, wz), one_less(xx, zz), sum(yz, -wx),    //
-                 sum(xz, -wy), sum(yz, wx), one_less(xx, yy)}};
+  return {3,
+          3,
+          {one_less(yy, zz), sum(xy, -wz), sum(xz, wy),  //
+           sum(xy, wz), one_less(xx, zz), sum(yz, -wx),  //
+           sum(xz, -wy), sum(yz, wx), one_less(xx, yy)}};
 }
 
 Block inverse(Builder& builder, const Block& symmetric) {

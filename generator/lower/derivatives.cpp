@@ -43,12 +43,14 @@ class Columns {
     std::vector<Column> columns(static_cast<std::size_t>(layout_.ny));
     const auto set = [&](const std::vector<int>& at, const std::vector<int>& rate_at) {
       for (std::size_t i = 0; i < at.size(); ++i)
-        if (at[i] >= 0) columns[static_cast<std::size_t>(rate_at[i])] = {{Variable{Group::x, at[i]}, builder_.constant(1.0)}};
+        if (at[i] >= 0)
+          columns[static_cast<std::size_t>(rate_at[i])] = {{Variable{Group::x, at[i]}, builder_.constant(1.0)}};
     };
     for (const scene::BodyLayout& body : layout_.bodies) {
       set(body.theta, body.thetadot);
       set(body.s, body.sdot);
-      for (int i = 0; body.eps >= 0 && i < 3; ++i) columns[static_cast<std::size_t>(body.omega + i)] = turn(body.eps, i);
+      for (int i = 0; body.eps >= 0 && i < 3; ++i)
+        columns[static_cast<std::size_t>(body.omega + i)] = turn(body.eps, i);
     }
     return columns;
   }
@@ -83,7 +85,8 @@ std::vector<Column> columns_by(Program& program, const scene::Scene& scene, cons
   return columns;
 }
 
-program::Function derivative(Program& program, const scene::Scene& scene, const std::string& of, const std::string& what) {
+program::Function derivative(Program& program, const scene::Scene& scene, const std::string& of,
+                             const std::string& what) {
   const std::vector<Column> columns = columns_by(program, scene, what);
   const program::Function function = find(program, of);
   return program::jacobian(program, function, columns);
@@ -144,13 +147,16 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
       {"residual_x", "derivative of r by x", "residual", ny, nx, signature("r_x", true, "ny x nx", nx)},
       {"residual_y", "derivative of r by y", "residual", ny, ny, signature("r_y", true, "ny x ny", ny)},
       {"residual_ydot", "derivative of r by ydot", "residual", ny, ny, signature("r_ydot", true, "ny x ny", ny)},
-      {"residual_xi", "derivative of r by the tangent of x", "residual", ny, ny, signature("r_xi", true, "ny x ny", ny)},
-      {"accelerations_x", "derivative of ydot by x", "accelerations", ny, nx, signature("ydot_x", false, "ny x nx", nx)},
-      {"accelerations_y", "derivative of ydot by y", "accelerations", ny, ny, signature("ydot_y", false, "ny x ny", ny)},
+      {"residual_xi", "derivative of r by the tangent of x", "residual", ny, ny,
+       signature("r_xi", true, "ny x ny", ny)},
+      {"accelerations_x", "derivative of ydot by x", "accelerations", ny, nx,
+       signature("ydot_x", false, "ny x nx", nx)},
+      {"accelerations_y", "derivative of ydot by y", "accelerations", ny, ny,
+       signature("ydot_y", false, "ny x ny", ny)},
       {"accelerations_xi", "derivative of ydot by the tangent of x", "accelerations", ny, ny,
        signature("ydot_xi", false, "ny x ny", ny)},
-      {"state_matrix", "S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y", "accelerations", 2 * ny,
-       2 * ny, signature("S", false, "2 ny x 2 ny", 2 * ny)}};
+      {"state_matrix", "S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y", "accelerations",
+       2 * ny, 2 * ny, signature("S", false, "2 ny x 2 ny", 2 * ny)}};
   if (nu > 0) {
     list.push_back({"accelerations_u", "derivative of ydot by the inputs", "accelerations", ny, nu,
                     signature("ydot_u", false, "ny x n_inputs", nu)});

@@ -1,6 +1,5 @@
-// Derivatives of emitted functions with respect to the state, by coordinates as they are or by the tangent of rotations.
-// Not: how operations are differentiated (program/derivative.hpp).
-// SPDX-License-Identifier: GPL-2.0-or-later
+// Derivatives of emitted functions with respect to the state, by coordinates as they are or by the tangent of
+// rotations. Not: how operations are differentiated (program/derivative.hpp). SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
@@ -13,9 +12,9 @@ namespace kanec::lower {
 
 // A function that is made of others by differentiation.
 struct Derived {
-  std::string name;     // "accelerations_x"
+  std::string name;  // "accelerations_x"
   std::string meaning;
-  std::string of;       // "accelerations"
+  std::string of;  // "accelerations"
   int rows = 0, columns = 0;
   program::Signature signature;
 };

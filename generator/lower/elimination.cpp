@@ -50,7 +50,8 @@ Elimination eliminate(Builder& builder, Entries matrix, std::vector<Ref> right) 
     const auto at = static_cast<std::size_t>(row);
     Ref value = builder.multiply(right[at], inverse[at]);
     for (const int above : rows_of(result.factors, row, n))
-      value = builder.subtract(value, builder.multiply(result.factors.at({above, row}), result.solution[static_cast<std::size_t>(above)]));
+      value = builder.subtract(
+          value, builder.multiply(result.factors.at({above, row}), result.solution[static_cast<std::size_t>(above)]));
     result.solution[at] = value;
   }
   return result;

@@ -76,7 +76,8 @@ Section Sections::section_of(const ex& e, std::map<int, Section>& known) const {
   const auto found = known.find(index(letter));
   if (found != known.end()) return found->second;
   result = own_section(letter);
-  if (const symbolic::Quantity* quantity = definition(letter)) result = later(result, section_of(quantity->value, known));
+  if (const symbolic::Quantity* quantity = definition(letter))
+    result = later(result, section_of(quantity->value, known));
   known.emplace(index(letter), result);
   return result;
 }

@@ -1,6 +1,6 @@
-// In which section of a function each named quantity stands: outward by ascending bodies, inward by descending ones, outward
-// again with what was solved, the whole system last; never before what it is written in. Not: values (lower.cpp).
-// SPDX-License-Identifier: GPL-2.0-or-later
+// In which section of a function each named quantity stands: outward by ascending bodies, inward by descending ones,
+// outward again with what was solved, the whole system last; never before what it is written in. Not: values
+// (lower.cpp). SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <map>
@@ -52,7 +52,7 @@ class Sections {
   Section own_section(const GiNaC::ex& letter) const;
 
   const symbolic::Equations& equations_;
-  std::vector<const symbolic::Quantity*> definitions_;   // by table index
+  std::vector<const symbolic::Quantity*> definitions_;              // by table index
   std::map<int, std::pair<const symbolic::Solve*, int>> unknowns_;  // likewise: system and its body
 };
 

@@ -10,8 +10,8 @@
 namespace kanec::program {
 namespace {
 
-// Vertices are results, and before and behind them the columns and the outputs. An edge's weight is the derivative of its
-// head with respect to its tail.
+// Vertices are results, and before and behind them the columns and the outputs. An edge's weight is the derivative of
+// its head with respect to its tail.
 class Elimination {
  public:
   Elimination(Builder& builder, const std::vector<Ref>& outputs, const std::vector<Column>& columns)

@@ -7,7 +7,8 @@ namespace kanec::scene {
 namespace {
 
 // Assigns the next index to each coordinate that is part of the state.
-void place(const std::vector<Coordinate>& coordinates, std::vector<int>& at, std::vector<int>& rate_at, Layout& layout) {
+void place(const std::vector<Coordinate>& coordinates, std::vector<int>& at, std::vector<int>& rate_at,
+           Layout& layout) {
   for (const Coordinate& coordinate : coordinates) {
     const bool in_state = coordinate.motion == Coordinate::Motion::free;
     at.push_back(in_state ? layout.nx++ : -1);
@@ -32,7 +33,8 @@ std::vector<std::string> names(const Scene& scene, const Letters& letters) {
     const Joint& joint = scene.bodies[static_cast<std::size_t>(k - 1)].joint;
     const std::string body = "_" + std::to_string(k);
     if (joint.ball && !joint.held)
-      for (int i = 1; i <= letters.ball_components; ++i) result.push_back(letters.ball + body + "_" + std::to_string(i));
+      for (int i = 1; i <= letters.ball_components; ++i)
+        result.push_back(letters.ball + body + "_" + std::to_string(i));
     if (!joint.ball) append(joint.turns, letters.turn + body);
   }
   for (int k = 1; k <= size(scene); ++k)
@@ -54,7 +56,8 @@ Layout::Layout(const Scene& scene) : bodies(scene.bodies.size()) {
       ny += 3;
     }
   }
-  for (std::size_t k = 0; k < bodies.size(); ++k) place(scene.bodies[k].joint.slides, bodies[k].s, bodies[k].sdot, *this);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    place(scene.bodies[k].joint.slides, bodies[k].s, bodies[k].sdot, *this);
 }
 
 std::vector<std::string> coordinate_names(const Scene& scene) { return names(scene, {"eps", "theta", "s", 4}); }

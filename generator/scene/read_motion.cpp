@@ -73,7 +73,8 @@ void hold(const Node& node, Body& body) {
 // A motion that does not change: of a number, or of an expression of numbers alone.
 std::optional<double> constant(const Node& node, const std::optional<Expression>& expression) {
   if (!expression) return node.real(motion_entry);
-  if (!has_finite_constants(*expression)) fail(node.place(), in_quotes(expression->text) + ", which is not finite", motion_entry);
+  if (!has_finite_constants(*expression))
+    fail(node.place(), in_quotes(expression->text) + ", which is not finite", motion_entry);
   if (!is_constant(*expression)) return std::nullopt;
   return static_cast<double>(value(*expression, {}));
 }

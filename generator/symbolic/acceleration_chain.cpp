@@ -25,10 +25,12 @@ void AccelerationChain::add_spin(int k) {
     return;
   }
   if (link.turns_with_lower && GiNaC::is_a<Atom>(link.omega))
-    rates_.set(link.omega, derivation_.define("omegadot", "\\dot\\omega", k, Pass::outward, factored(rates_.of(link.omega_value)),
-                                              "angular acceleration, body axes [rad/s^2]"));
-  spin_.push_back(derivation_.define("U", "U", k, Pass::outward, spin_value(rates_, link.omega),
-                                     "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]"));
+    rates_.set(link.omega,
+               derivation_.define("omegadot", "\\dot\\omega", k, Pass::outward, factored(rates_.of(link.omega_value)),
+                                  "angular acceleration, body axes [rad/s^2]"));
+  spin_.push_back(
+      derivation_.define("U", "U", k, Pass::outward, spin_value(rates_, link.omega),
+                         "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]"));
 }
 
 ex AccelerationChain::with_spin(const ex& acceleration, int k) const {
@@ -41,8 +43,7 @@ ex AccelerationChain::with_spin(const ex& acceleration, int k) const {
 
 void AccelerationChain::add_origin(int k, const ex* known) {
   const int below = derivation_.lower(k);
-  const ex value = known ? *known
-                                : with_spin(derivation_.in_axes(joint_point(k), below, derivation_.home(k)), below);
+  const ex value = known ? *known : with_spin(derivation_.in_axes(joint_point(k), below, derivation_.home(k)), below);
   origin_.push_back(derivation_.define("Pddot", "\\ddot P", k, Pass::outward, value,
                                        derivation_.home(k) == 0
                                            ? "acceleration of the body origin, less gravity, inertial axes [m/s^2]"
@@ -65,8 +66,9 @@ ex AccelerationChain::about_origin(int k) const {
 
 ex AccelerationChain::centre(int k) {
   return derivation_.define("a", "a", k, Pass::outward, origin(k) + about_origin(k),
-                            derivation_.home(k) == 0 ? "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"
-                                                     : "acceleration of the mass centre, less gravity, body axes [m/s^2]");
+                            derivation_.home(k) == 0
+                                ? "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"
+                                : "acceleration of the mass centre, less gravity, body axes [m/s^2]");
 }
 
 ex AccelerationChain::of_point(int k, const ex& place) const {

@@ -8,8 +8,8 @@
 
 namespace kanec::symbolic {
 
-// Accelerations less gravity, by link; gravity enters as an acceleration −g of the inertial frame, exact since every v_K
-// then changes by the same g t. In home axes.
+// Accelerations less gravity, by link; gravity enters as an acceleration −g of the inertial frame, exact since every
+// v_K then changes by the same g t. In home axes.
 class AccelerationChain {
  public:
   // `rates` gives the rates of the speeds.

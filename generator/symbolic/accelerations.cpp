@@ -1,9 +1,8 @@
-// A ẏ = f solved with as little of A as the joints allow. A = Vᵀ 𝓜 V with V the stacked partial velocities. A free joint
-// passes nothing on: with ω̇ and P̈ of its body as unknowns in place of ω̇ and s̈, V is block diagonal there, so that the
-// tree falls into clusters that each begin with a free body (or with the inertial frame), and s̈ follows from the
-// accelerations of the two bodies. A cluster of one body is its own balance, m a = F and I ω̇ + ω̃ I ω = M; the others are
-// solved by elimination from the leaves inward, which fills in nothing.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// A ẏ = f solved with as little of A as the joints allow. A = Vᵀ 𝓜 V with V the stacked partial velocities. A free
+// joint passes nothing on: with ω̇ and P̈ of its body as unknowns in place of ω̇ and s̈, V is block diagonal there, so that
+// the tree falls into clusters that each begin with a free body (or with the inertial frame), and s̈ follows from the
+// accelerations of the two bodies. A cluster of one body is its own balance, m a = F and I ω̇ + ω̃ I ω = M; the others
+// are solved by elimination from the leaves inward, which fills in nothing. SPDX-License-Identifier: GPL-2.0-or-later
 #include <map>
 
 #include "generator/symbolic/composites.hpp"
@@ -72,7 +71,8 @@ class Solution {
         const Coordinate& c = coordinates(k)[i];
         if (c.row < 0) continue;
         const bool is_cut_translation = is_cut(k) && c.freedom.kind == Freedom::Kind::translation;
-        const ex right = (is_cut_translation ? sums.force(k) : sums.row(k, c)) + loads.effort[static_cast<std::size_t>(k)][i];
+        const ex right =
+            (is_cut_translation ? sums.force(k) : sums.row(k, c)) + loads.effort[static_cast<std::size_t>(k)][i];
         unknown[{k, i}] = static_cast<int>(solve.unknowns.size());
         const ex letter = unknown_letter(c, is_cut_translation);
         solve.unknowns.push_back({letter, right, k});
@@ -133,7 +133,8 @@ class Solution {
   void add_alone(AccelerationChain& chain, const AppliedLoads& loads, int k) {
     const Letters& link = derivation_.letters(k);
     const auto at = static_cast<std::size_t>(k);
-    const auto define = [&](const char* name, const char* latex, const ex& value, const char* meaning, bool symmetric = false) {
+    const auto define = [&](const char* name, const char* latex, const ex& value, const char* meaning,
+                            bool symmetric = false) {
       return derivation_.define(name, latex, k, Pass::outward, value, meaning, symmetric);
     };
     const ex moment = define("N", "N", loads.moment[at] - gyroscopic(link.inertia, link.omega),
@@ -143,7 +144,8 @@ class Solution {
     chain.rates().set(link.omega, omegadot);
     chain.add_spin(k);
     const ex force = define("F", "F", loads.force[at], "applied force, inertial axes [N]");
-    const ex centre = define("a", "a", force / link.mass, "acceleration of the mass centre, less gravity, inertial axes [m/s^2]");
+    const ex centre =
+        define("a", "a", force / link.mass, "acceleration of the mass centre, less gravity, inertial axes [m/s^2]");
     const ex Pddot = centre - chain.about_origin(k);
     chain.add_origin(k, &Pddot);
     output(omegadot, coordinates(k)[0]);

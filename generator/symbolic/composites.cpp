@@ -34,8 +34,8 @@ Composites::Composites(Derivation& derivation, std::vector<bool> starts_anew)
   for (int k = derivation.size(); k >= 1; --k) add(k);
 }
 
-// m* = m + Σ m*_c, h = m r + Σ (m*_c d_c + h_c), J = I − m r̃ r̃ + Σ (J_c − m*_c d̃ d̃ − d̃ h̃_c − h̃_c d̃), where h_c and J_c of
-// links that turn with this one only, in its axes: a ball's ω is its own.
+// m* = m + Σ m*_c, h = m r + Σ (m*_c d_c + h_c), J = I − m r̃ r̃ + Σ (J_c − m*_c d̃ d̃ − d̃ h̃_c − h̃_c d̃), where h_c and J_c
+// of links that turn with this one only, in its axes: a ball's ω is its own.
 void Composites::add(int k) {
   const auto at = static_cast<std::size_t>(k);
   const Letters& link = derivation_.letters(k);
@@ -51,7 +51,8 @@ void Composites::add(int k) {
     moment += mass_[above] * d;
     inertia -= mass_[above] * (skew(d) * skew(d));
     if (!passes_moment(c)) continue;
-    const ex h = define("hc", "h", c, E_T * moment_[above], "first moment carried, about the body origin, lower body's axes [kg m]");
+    const ex h = define("hc", "h", c, E_T * moment_[above],
+                        "first moment carried, about the body origin, lower body's axes [kg m]");
     moment += h;
     inertia -= skew(d) * skew(h) + skew(h) * skew(d);
     if (!inertia_[above].is_zero()) inertia += E_T.is_equal(1) ? inertia_[above] : congruence(E_T, inertia_[above]);
@@ -63,7 +64,8 @@ void Composites::add(int k) {
                                     "inertia carried, about the body origin, body axes [kg m^2]", true);
 }
 
-ex Composites::define(const std::string& name, const std::string& latex, int link, const ex& value, const std::string& meaning) {
+ex Composites::define(const std::string& name, const std::string& latex, int link, const ex& value,
+                      const std::string& meaning) {
   return derivation_.define(name, latex, link, Pass::inward, sum(expanded(value)), meaning);
 }
 
@@ -76,11 +78,15 @@ Composites::Wrench Composites::unit(int k, const Coordinate& c) {
       return {derivation_.in_axes(-skew(moment_[at]), k, derivation_.home(k)), derivation_.home(k), inertia_[at]};
     case Freedom::Kind::translation: {
       const Frame frame = is_cut(k) ? derivation_.home(k) : below;
-      return {mass_[at], frame, derivation_.in_axes(ex(1), frame, k).is_equal(1) ? skew(moment_[at]) : skew(moment_[at]) * derivation_.in_axes(ex(1), frame, k)};
+      return {mass_[at], frame,
+              derivation_.in_axes(ex(1), frame, k).is_equal(1)
+                  ? skew(moment_[at])
+                  : skew(moment_[at]) * derivation_.in_axes(ex(1), frame, k)};
     }
     case Freedom::Kind::slide:
       return {mass_[at] * c.axis, below, skew(moment_[at]) * derivation_.in_axes(c.axis, below, k)};
-    case Freedom::Kind::turn: break;
+    case Freedom::Kind::turn:
+      break;
   }
   const std::string name = column_name(derivation_, c);
   const double pitch = derivation_.mechanism().link(k).pitch;
@@ -121,10 +127,14 @@ ex Composites::row(const Wrench& wrench, int k, const Coordinate& c, bool column
   };
   transposed = column_is_wide && !is_wide(c);
   switch (c.freedom.kind) {
-    case Freedom::Kind::attitude: return wrench.moment;
-    case Freedom::Kind::translation: return derivation_.in_axes(wrench.force, wrench.frame, frame);
-    case Freedom::Kind::slide: return along(c.axis, derivation_.in_axes(wrench.force, wrench.frame, frame));
-    case Freedom::Kind::turn: break;
+    case Freedom::Kind::attitude:
+      return wrench.moment;
+    case Freedom::Kind::translation:
+      return derivation_.in_axes(wrench.force, wrench.frame, frame);
+    case Freedom::Kind::slide:
+      return along(c.axis, derivation_.in_axes(wrench.force, wrench.frame, frame));
+    case Freedom::Kind::turn:
+      break;
   }
   const double pitch = derivation_.mechanism().link(k).pitch;
   ex value = along(c.axis, wrench.moment);
@@ -163,7 +173,8 @@ std::vector<MatrixBlock> Composites::columns(int link) {
 // Relative rotations R_J R_Kᵀ by name; what is left is factored.
 ex Composites::with_names(const ex& value) {
   if (shape_of(value) != Shape::matrix) return value;
-  std::vector<Term> terms = expanded(with_relative_rotations(value, derivation_.equations.table, derivation_.equations.joint_rotations));
+  std::vector<Term> terms =
+      expanded(with_relative_rotations(value, derivation_.equations.table, derivation_.equations.joint_rotations));
   for (Term& term : terms)
     for (std::size_t i = 0; i + 1 < term.factors.size(); ++i)
       if (is_attitude(term.factors[i]) && is_attitude(term.factors[i + 1])) {

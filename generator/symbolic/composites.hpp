@@ -1,5 +1,5 @@
-// What a joint carries, as one rigid body frozen in its present shape: mass, first moment, inertia. And the columns of A:
-// forces and moments that one unit of a speed's rate takes. Not: A itself (mass_matrix.cpp, accelerations.cpp).
+// What a joint carries, as one rigid body frozen in its present shape: mass, first moment, inertia. And the columns of
+// A: forces and moments that one unit of a speed's rate takes. Not: A itself (mass_matrix.cpp, accelerations.cpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -21,11 +21,12 @@ struct MatrixBlock {
 
 class Composites {
  public:
-  // Links for which `starts_anew` pass nothing on to their lower link; their translation is then that of the link in home
-  // axes, not along the lower link's.
+  // Links for which `starts_anew` pass nothing on to their lower link; their translation is then that of the link in
+  // home axes, not along the lower link's.
   Composites(Derivation& derivation, std::vector<bool> starts_anew);
 
-  // Blocks of the columns of all coordinates of a link in the state; every pair of coordinates once. Zero blocks are left out.
+  // Blocks of the columns of all coordinates of a link in the state; every pair of coordinates once. Zero blocks are
+  // left out.
   std::vector<MatrixBlock> columns(int link);
 
  private:
@@ -45,7 +46,8 @@ class Composites {
   GiNaC::ex with_names(const GiNaC::ex& value);
   GiNaC::ex relative(const GiNaC::ex& R_J, const GiNaC::ex& Rt_K);
   bool is_attitude(const GiNaC::ex& factor) const;
-  GiNaC::ex define(const std::string& name, const std::string& latex, int link, const GiNaC::ex& value, const std::string& meaning);
+  GiNaC::ex define(const std::string& name, const std::string& latex, int link, const GiNaC::ex& value,
+                   const std::string& meaning);
 
   Derivation& derivation_;
   std::vector<bool> starts_anew_;

@@ -9,8 +9,8 @@
 
 namespace kanec::symbolic {
 
-// What is the time derivative of each letter. The derivation makes several: with the rates of the speeds as letters, with
-// them zero (bias), with them found (accelerations).
+// What is the time derivative of each letter. The derivation makes several: with the rates of the speeds as letters,
+// with them zero (bias), with them found (accelerations).
 class Rates {
  public:
   void set(const GiNaC::ex& atom, const GiNaC::ex& rate);
@@ -29,8 +29,8 @@ class Derivation {
  public:
   Derivation(const scene::Scene& scene, const Reductions& reductions);
 
-  // Appends the quantity name_j = value and returns its letter; a value that is 0 or a letter already is returned as it is.
-  // A matrix gets a letter for its transpose as well, unless it is symmetric.
+  // Appends the quantity name_j = value and returns its letter; a value that is 0 or a letter already is returned as it
+  // is. A matrix gets a letter for its transpose as well, unless it is symmetric.
   GiNaC::ex define(const std::string& name, const std::string& latex, int link, Pass pass, const GiNaC::ex& value,
                    const std::string& meaning, bool is_symmetric = false);
 
@@ -42,10 +42,11 @@ class Derivation {
   int n_bodies() const { return scene::size(equations.scene); }
   // A free joint with all six of its coordinates in the state.
   bool is_free(int link) const;
-  // The axes that accelerations and forces of a link are written in: its own where a link above turns with it, else inertial.
+  // The axes that accelerations and forces of a link are written in: its own where a link above turns with it, else
+  // inertial.
   Frame home(int link) const { return home_[static_cast<std::size_t>(link)]; }
-  // The same vector (or the columns of a matrix) in other axes; rotations that undo each other vanish, and R_J R_Lᵀ along
-  // a joint is E.
+  // The same vector (or the columns of a matrix) in other axes; rotations that undo each other vanish, and R_J R_Lᵀ
+  // along a joint is E.
   GiNaC::ex in_axes(const GiNaC::ex& e, Frame from, Frame to) const;
 
   GiNaC::ex transposed(const GiNaC::ex& e) const { return equations.table.transposed(e); }
@@ -53,10 +54,10 @@ class Derivation {
   Function& function(const std::string& name);
 
   Equations equations;
-  Rates partial_rates;                           // of `rates` and of the names of partial velocities
-  Rates rates;                                   // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
-  std::vector<GiNaC::ex> joint_offsets;          // d, by link
-  std::vector<GiNaC::ex> origins, centres;       // P, p, by link; [0] is zero
+  Rates partial_rates;  // of `rates` and of the names of partial velocities
+  Rates rates;          // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
+  std::vector<GiNaC::ex> joint_offsets;             // d, by link
+  std::vector<GiNaC::ex> origins, centres;          // P, p, by link; [0] is zero
   std::vector<GiNaC::ex> origin_rates, velocities;  // Ṗ, v
 
  private:

@@ -56,7 +56,9 @@ std::vector<Function> chosen(std::vector<Function> all, const std::vector<std::s
 
 }  // namespace
 
-bool needs_whole_mechanism(const std::string& function) { return function == "driving_loads" || function == "reactions"; }
+bool needs_whole_mechanism(const std::string& function) {
+  return function == "driving_loads" || function == "reactions";
+}
 
 Equations derive(const scene::Scene& scene, const std::vector<std::string>& names, const Reductions& reductions) {
   Derivation derivation(scene, reductions);

@@ -29,11 +29,11 @@ struct Quantity {
 // A symmetric positive definite system of equations, solved entry by entry without fill-in: leaves before roots.
 struct Solve {
   struct Unknown {
-    GiNaC::ex letter;   // a scalar or a vector, defined by the solution
-    GiNaC::ex right;    // right-hand side of its rows
+    GiNaC::ex letter;  // a scalar or a vector, defined by the solution
+    GiNaC::ex right;   // right-hand side of its rows
     int link = 0;
   };
-  struct Entry {        // of the matrix, its rows not before its columns in elimination order
+  struct Entry {              // of the matrix, its rows not before its columns in elimination order
     int row = 0, column = 0;  // unknowns
     GiNaC::ex block;
     bool transposed = false;  // `block` is the transpose of the entry
@@ -59,13 +59,13 @@ struct Function {
   int n_out = 0;
   bool repeated = false;  // the same blocks stand at many places (partial velocities)
   program::Signature signature = {};
-  bool usual = true;     // emitted unless functions are named
+  bool usual = true;  // emitted unless functions are named
 };
 
 // A column of the state y: ω_K and a translation along all axes are 3 entries, an angle or a slide is one.
 struct Speed {
   GiNaC::ex letter;
-  int row = 0;    // of its first entry in y
+  int row = 0;  // of its first entry in y
   int link = 0;
 };
 
@@ -73,11 +73,11 @@ using Blocks = std::map<int, GiNaC::ex>;  // column -> block, as many columns wi
 
 // The source's tables, a row a link (index j-1), inertial axes; of partial angular velocities link axes.
 struct Tables {
-  std::vector<GiNaC::ex> origin, centre;                // P, p, names left in
-  std::vector<GiNaC::ex> origin_rate, velocity;         // Ṗ, v
-  std::vector<Blocks> omega_y, v_y;                     // partial angular velocities, partial velocities
-  std::vector<Blocks> omega_y_dot, v_y_dot;             // their time derivatives
-  std::vector<Blocks> origin_y;                         // of the link origins
+  std::vector<GiNaC::ex> origin, centre;         // P, p, names left in
+  std::vector<GiNaC::ex> origin_rate, velocity;  // Ṗ, v
+  std::vector<Blocks> omega_y, v_y;              // partial angular velocities, partial velocities
+  std::vector<Blocks> omega_y_dot, v_y_dot;      // their time derivatives
+  std::vector<Blocks> origin_y;                  // of the link origins
 };
 
 // A coordinate of a joint in letters; 0 where it is constant.
@@ -91,25 +91,25 @@ struct Coordinate {
 
 // Letters of one link; [0] is the inertial frame.
 struct Letters {
-  GiNaC::ex to_inertial = 1, to_body = 1;   // Rᵀ, R
-  GiNaC::ex to_lower = 1, from_lower = 1;   // Eᵀ, E: link to lower link components, where it turns with its lower link
-  bool turns_with_lower = true;             // false: Euler parameters relative to the inertial frame
-  GiNaC::ex e, eps4;                        // of a ball
-  GiNaC::ex omega;                          // absolute, link axes; 0 where it cannot turn
-  GiNaC::ex omega_value;                    // of a link that turns with its lower link: ω written with the lower one's
-  GiNaC::ex s, sdot;                        // translation and its rate, lower link's axes
-  GiNaC::ex offset;                         // q, and what locked coordinates add
-  GiNaC::ex mass, r, inertia;               // of all bodies on the link, link axes; 0 where there is none
-  std::vector<Coordinate> coordinates;      // rotation first
+  GiNaC::ex to_inertial = 1, to_body = 1;  // Rᵀ, R
+  GiNaC::ex to_lower = 1, from_lower = 1;  // Eᵀ, E: link to lower link components, where it turns with its lower link
+  bool turns_with_lower = true;            // false: Euler parameters relative to the inertial frame
+  GiNaC::ex e, eps4;                       // of a ball
+  GiNaC::ex omega;                         // absolute, link axes; 0 where it cannot turn
+  GiNaC::ex omega_value;                   // of a link that turns with its lower link: ω written with the lower one's
+  GiNaC::ex s, sdot;                       // translation and its rate, lower link's axes
+  GiNaC::ex offset;                        // q, and what locked coordinates add
+  GiNaC::ex mass, r, inertia;              // of all bodies on the link, link axes; 0 where there is none
+  std::vector<Coordinate> coordinates;     // rotation first
 };
 
 // Where a body of the scene is on its link.
 struct BodyFrame {
   int link = 0;
-  GiNaC::ex orientation = 1;           // C: body to link components
+  GiNaC::ex orientation = 1;  // C: body to link components
   GiNaC::ex orientation_transposed = 1;
-  GiNaC::ex offset;                    // of its origin from the link's, link axes
-  GiNaC::ex mass, r, inertia;          // body axes
+  GiNaC::ex offset;            // of its origin from the link's, link axes
+  GiNaC::ex mass, r, inertia;  // body axes
 };
 
 struct Equations {
@@ -118,10 +118,10 @@ struct Equations {
   SymbolTable table;
   Mechanism mechanism;
   scene::Layout layout;
-  GiNaC::ex gravity;  // 0 where the scene has none
-  std::vector<Letters> letters;    // by link
-  std::vector<BodyFrame> bodies;   // by body, from 1
-  std::vector<Speed> speeds;       // the columns of y, in order
+  GiNaC::ex gravity;              // 0 where the scene has none
+  std::vector<Letters> letters;   // by link
+  std::vector<BodyFrame> bodies;  // by body, from 1
+  std::vector<Speed> speeds;      // the columns of y, in order
   JointRotations joint_rotations;
   std::map<std::string, GiNaC::ex> load_letters;  // of loads, by name
   std::vector<Quantity> quantities;

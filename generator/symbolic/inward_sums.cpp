@@ -18,7 +18,9 @@ InwardSums::InwardSums(Derivation& derivation, const Balance& balance, std::stri
   for (int k = derivation.size(); k >= 1; --k) add(k, balance);
 }
 
-bool InwardSums::passes_on(int link) const { return starts_anew_.empty() || !starts_anew_[static_cast<std::size_t>(link)]; }
+bool InwardSums::passes_on(int link) const {
+  return starts_anew_.empty() || !starts_anew_[static_cast<std::size_t>(link)];
+}
 
 // S = G + Σ S_c and ρ = N + r̃ G + Σ (d̃_c S_c + E_cᵀ ρ_c), the last where c turns with the link.
 void InwardSums::add(int k, const Balance& balance) {
@@ -33,14 +35,16 @@ void InwardSums::add(int k, const Balance& balance) {
     moment += skew(derivation_.joint_offsets[static_cast<std::size_t>(c)]) * force_in_lower_axes(c);
     if (above.turns_with_lower) moment += above.to_lower * this->moment(c);
   }
-  const bool is_attitude = !link.coordinates.empty() && link.coordinates.front().freedom.kind == Freedom::Kind::attitude;
+  const bool is_attitude =
+      !link.coordinates.empty() && link.coordinates.front().freedom.kind == Freedom::Kind::attitude;
   force_[at] = derivation_.define("S", "S", k, Pass::inward, force,
                                   std::string("sum of the force balances of the subtree, ") +
                                       (derivation_.home(k) == 0 ? "inertial axes [N]" : "body axes [N]"));
   moment_[at] = is_attitude ? derivation_.define(name_ + "_omega", name_ + "_{\\omega}", k, Pass::inward, moment,
                                                  "Kane's equation of omega [N m]")
-                            : derivation_.define("rho", "\\rho", k, Pass::inward, moment,
-                                                 "sum of the moment balances of the subtree about the body origin, body axes [N m]");
+                            : derivation_.define(
+                                  "rho", "\\rho", k, Pass::inward, moment,
+                                  "sum of the moment balances of the subtree about the body origin, body axes [N m]");
 }
 
 ex InwardSums::force_in_lower_axes(int k) const {
@@ -49,10 +53,14 @@ ex InwardSums::force_in_lower_axes(int k) const {
 
 ex InwardSums::row(int k, const Coordinate& c) const {
   switch (c.freedom.kind) {
-    case Freedom::Kind::attitude: return moment(k);
-    case Freedom::Kind::translation: return force_in_lower_axes(k);
-    case Freedom::Kind::slide: return dot(c.axis, force_in_lower_axes(k));
-    case Freedom::Kind::turn: break;
+    case Freedom::Kind::attitude:
+      return moment(k);
+    case Freedom::Kind::translation:
+      return force_in_lower_axes(k);
+    case Freedom::Kind::slide:
+      return dot(c.axis, force_in_lower_axes(k));
+    case Freedom::Kind::turn:
+      break;
   }
   // the axis is the same in the axes of both bodies that it joins
   const double pitch = derivation_.mechanism().link(k).pitch;

@@ -1,5 +1,5 @@
-// Forces and moments of all that a joint carries, summed from the leaves inward, and Kane's equations of its coordinates:
-// the transposed partial velocities applied without forming them. Not: what the balances of the links are.
+// Forces and moments of all that a joint carries, summed from the leaves inward, and Kane's equations of its
+// coordinates: the transposed partial velocities applied without forming them. Not: what the balances of the links are.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

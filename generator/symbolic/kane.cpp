@@ -27,7 +27,8 @@ Balance inertia_less_applied(Derivation& derivation, AccelerationChain& chain, c
         "G", "G", k, Pass::outward, link.mass * centre - loads.force[at],
         derivation.home(k) == 0 ? "force balance, inertial axes [N]" : "force balance, body axes [N]"));
     // I ω̇ + ω̃ I ω, of which U_K holds all products
-    const ex inertia = link.inertia.is_zero() || chain.spin(k).is_zero() ? ex(0) : inertia_moment(chain.spin(k), link.inertia);
+    const ex inertia =
+        link.inertia.is_zero() || chain.spin(k).is_zero() ? ex(0) : inertia_moment(chain.spin(k), link.inertia);
     balance.moment.push_back(derivation.define("N", "N", k, Pass::outward, inertia - loads.moment[at],
                                                "moment balance about the mass centre, body axes [N m]"));
   }
@@ -50,9 +51,12 @@ Residual residual(Derivation& derivation) {
 
 std::string row_name(const std::string& letter, const Coordinate& c) {
   switch (c.freedom.kind) {
-    case Freedom::Kind::attitude: return letter + "_omega";
-    case Freedom::Kind::turn: return letter + "_theta";
-    default: return letter + "_sdot";
+    case Freedom::Kind::attitude:
+      return letter + "_omega";
+    case Freedom::Kind::turn:
+      return letter + "_theta";
+    default:
+      return letter + "_sdot";
   }
 }
 
@@ -60,23 +64,29 @@ namespace {
 
 std::string row_latex(const std::string& letter, const Coordinate& c) {
   switch (c.freedom.kind) {
-    case Freedom::Kind::attitude: return letter + "_{\\omega}";
-    case Freedom::Kind::turn: return letter + "_{\\theta}";
-    default: return letter + "_{\\dot s}";
+    case Freedom::Kind::attitude:
+      return letter + "_{\\omega}";
+    case Freedom::Kind::turn:
+      return letter + "_{\\theta}";
+    default:
+      return letter + "_{\\dot s}";
   }
 }
 
 std::string row_meaning(const Coordinate& c) {
   switch (c.freedom.kind) {
-    case Freedom::Kind::attitude: return "Kane's equation of omega [N m]";
-    case Freedom::Kind::turn: return "Kane's equation of the angle [N m]";
-    default: return "Kane's equation of sdot [N]";
+    case Freedom::Kind::attitude:
+      return "Kane's equation of omega [N m]";
+    case Freedom::Kind::turn:
+      return "Kane's equation of the angle [N m]";
+    default:
+      return "Kane's equation of sdot [N]";
   }
 }
 
 // r = row − effort, f = row + effort, for each coordinate of the state.
-void fill(Derivation& derivation, const InwardSums& sums, const AppliedLoads& loads, const std::string& letter, int sign,
-          Function& function) {
+void fill(Derivation& derivation, const InwardSums& sums, const AppliedLoads& loads, const std::string& letter,
+          int sign, Function& function) {
   for (int k = derivation.size(); k >= 1; --k) {
     const std::vector<Coordinate>& coordinates = derivation.letters(k).coordinates;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
@@ -84,8 +94,8 @@ void fill(Derivation& derivation, const InwardSums& sums, const AppliedLoads& lo
       if (c.row < 0) continue;
       const ex value = sums.row(k, c) + sign * loads.effort[static_cast<std::size_t>(k)][i];
       const bool is_one_of_many = c.freedom.kind == Freedom::Kind::slide && coordinates.size() > 1;
-      const ex symbol = derivation.define(row_name(letter, c) + (is_one_of_many ? component(c) : ""), row_latex(letter, c), k,
-                                          Pass::inward, value, row_meaning(c));
+      const ex symbol = derivation.define(row_name(letter, c) + (is_one_of_many ? component(c) : ""),
+                                          row_latex(letter, c), k, Pass::inward, value, row_meaning(c));
       function.outputs.push_back({symbol, c.row, 1, false});
     }
   }
@@ -113,14 +123,15 @@ Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain) {
     const Letters& link = derivation.letters(k);
     const auto at = static_cast<std::size_t>(k);
     const ex centre = link.mass.is_zero() ? ex(0) : chain.centre(k);
-    balance.force.push_back(derivation.define(
-        "G", "G", k, Pass::outward, loads.force[at] - link.mass * centre,
-        derivation.home(k) == 0 ? "applied less inertia force at ydot = 0, inertial axes [N]"
-                                : "applied less inertia force at ydot = 0, body axes [N]"));
+    balance.force.push_back(derivation.define("G", "G", k, Pass::outward, loads.force[at] - link.mass * centre,
+                                              derivation.home(k) == 0
+                                                  ? "applied less inertia force at ydot = 0, inertial axes [N]"
+                                                  : "applied less inertia force at ydot = 0, body axes [N]"));
     // of a ball ω̇ = 0 here, of others it is what the speeds leave
     ex inertia = 0;
     if (!link.inertia.is_zero() && !link.omega.is_zero())
-      inertia = link.turns_with_lower ? inertia_moment(chain.spin(k), link.inertia) : gyroscopic(link.inertia, link.omega);
+      inertia =
+          link.turns_with_lower ? inertia_moment(chain.spin(k), link.inertia) : gyroscopic(link.inertia, link.omega);
     balance.moment.push_back(derivation.define("N", "N", k, Pass::outward, loads.moment[at] - inertia,
                                                "applied less inertia moment at ydot = 0, body axes [N m]"));
   }

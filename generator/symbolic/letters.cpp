@@ -37,8 +37,9 @@ class Definition {
       : derivation_(derivation), equations_(derivation.equations), table_(equations_.table) {}
 
   void all() {
-    equations_.gravity =
-        scene::is_zero(equations_.scene.gravity) ? ex(0) : table_.add_numbers("g", "g", "", entries(equations_.scene.gravity));
+    equations_.gravity = scene::is_zero(equations_.scene.gravity)
+                             ? ex(0)
+                             : table_.add_numbers("g", "g", "", entries(equations_.scene.gravity));
     equations_.letters.emplace_back();
     for (int j = 1; j <= equations_.mechanism.size(); ++j) add_link(j);
     number_columns();
@@ -57,9 +58,14 @@ class Definition {
     letters(j).offset = offset_of(link.offset, "q", link.suffix, j);
     add_slides(j);
     switch (link.turning) {
-      case Link::Turning::ball: add_ball(j); break;
-      case Link::Turning::held: add_held(j); break;
-      default: add_turning(j);
+      case Link::Turning::ball:
+        add_ball(j);
+        break;
+      case Link::Turning::held:
+        add_held(j);
+        break;
+      default:
+        add_turning(j);
     }
     if (link.pitch != 0) add_advance(j);
   }
@@ -67,12 +73,20 @@ class Definition {
   // --- letters of coordinates
 
   // A scalar coordinate in the state has three letters, a prescribed one three expressions, a locked one a number.
-  Coordinate scalar(const Freedom& freedom, int j, const scene::Coordinate& of, int at_x, int at_y, const std::string& letter,
-                    const std::string& latex, const std::string& component) {
+  Coordinate scalar(const Freedom& freedom, int j, const scene::Coordinate& of, int at_x, int at_y,
+                    const std::string& letter, const std::string& latex, const std::string& component) {
     const std::string suffix = equations_.mechanism.link(j).suffix;
     const std::string number = std::to_string(equations_.mechanism.link(j).body) + component;
     const std::string dot = "\\dot " + latex, ddot = "\\ddot " + latex;
-    Coordinate result{freedom, 0, 0, 0, table_.add_numbers(freedom.kind == Freedom::Kind::turn ? "b" : "u", freedom.kind == Freedom::Kind::turn ? "b" : "u", number, entries(freedom.axis)), -1, -1};
+    Coordinate result{
+        freedom,
+        0,
+        0,
+        0,
+        table_.add_numbers(freedom.kind == Freedom::Kind::turn ? "b" : "u",
+                           freedom.kind == Freedom::Kind::turn ? "b" : "u", number, entries(freedom.axis)),
+        -1,
+        -1};
     if (of.motion == scene::Coordinate::Motion::locked) {
       result.value = table_.add_numbers(letter, latex, number, {Number::constant(of.value)});
     } else if (of.motion == scene::Coordinate::Motion::prescribed) {
@@ -99,10 +113,10 @@ class Definition {
     derivation_.rates.set(c.speed, c.acceleration);
   }
 
-  ex define_scalar(const std::string& name, const std::string& latex, const std::string& suffix, int j, const ex& value) {
+  ex define_scalar(const std::string& name, const std::string& latex, const std::string& suffix, int j,
+                   const ex& value) {
     const ex symbol = table_.add(Role::quantity, name, latex, suffix, Shape::scalar);
-    equations_.quantities.push_back(
-        {symbol, value, equations_.mechanism.link(j).body, Pass::outward, "prescribed"});
+    equations_.quantities.push_back({symbol, value, equations_.mechanism.link(j).body, Pass::outward, "prescribed"});
     return symbol;
   }
 
@@ -118,8 +132,8 @@ class Definition {
       if (freedom.kind == Freedom::Kind::translation) {
         add_translation(l, freedom, link.suffix, at.s[0], at.sdot[0]);
       } else if (freedom.kind == Freedom::Kind::slide) {
-        l.coordinates.push_back(
-            scalar(freedom, j, joint.slides[i], at.s[i], at.sdot[i], "s", "s", component(joint.slides.size(), freedom.coordinate)));
+        l.coordinates.push_back(scalar(freedom, j, joint.slides[i], at.s[i], at.sdot[i], "s", "s",
+                                       component(joint.slides.size(), freedom.coordinate)));
         const Coordinate& slide = l.coordinates.back();
         l.s += slide.value * slide.axis;
         l.sdot += slide.speed * slide.axis;
@@ -191,8 +205,8 @@ class Definition {
   }
 
   // Letters of a constant rotation and of its transpose.
-  void constant_rotation(const scene::Rotation& a, const std::string& name, const std::string& latex, const std::string& suffix,
-                         ex& itself, ex& transpose) {
+  void constant_rotation(const scene::Rotation& a, const std::string& name, const std::string& latex,
+                         const std::string& suffix, ex& itself, ex& transpose) {
     scene::Rotation other;
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t c = 0; c < 3; ++c) other[c][r] = a[r][c];
@@ -238,8 +252,8 @@ class Definition {
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t c = 0; c < 3; ++c) back[c][r] = link.zero[r][c];
     own.axis = turned(back, freedom.axis);
-    l.coordinates.insert(l.coordinates.begin(), scalar(own, j, joint.turns[i], at.theta[i], at.thetadot[i], "theta", "\\theta",
-                                                       component(joint.turns.size(), freedom.coordinate)));
+    l.coordinates.insert(l.coordinates.begin(), scalar(own, j, joint.turns[i], at.theta[i], at.thetadot[i], "theta",
+                                                       "\\theta", component(joint.turns.size(), freedom.coordinate)));
     const Coordinate& c = l.coordinates.front();
     pair_of_attitude(j, "E", "E", l.to_lower, l.from_lower);
     ex value = turn(c.axis, c.value);
@@ -273,7 +287,8 @@ class Definition {
   ex offset_of(const Offset& offset, const std::string& name, const std::string& suffix, int j) {
     ex value = 0;
     for (const OffsetTerm& term : offset) {
-      const std::string index = offset.size() == 1 ? suffix : suffix + "_" + std::to_string(&term - offset.data() + 1) + "_";
+      const std::string index =
+          offset.size() == 1 ? suffix : suffix + "_" + std::to_string(&term - offset.data() + 1) + "_";
       const ex vector = table_.add_numbers(name, name, index, entries(term.numbers));
       if (is_identity(term.orientation)) {
         value += vector;
@@ -306,7 +321,8 @@ class Definition {
     Letters& l = letters(j);
     std::vector<const BodyFrame*> heavy;
     for (const int k : equations_.mechanism.carried(j))
-      if (!derivation_.body(k).mass.is_zero() || !derivation_.body(k).inertia.is_zero()) heavy.push_back(&derivation_.body(k));
+      if (!derivation_.body(k).mass.is_zero() || !derivation_.body(k).inertia.is_zero())
+        heavy.push_back(&derivation_.body(k));
     const auto inertia_of = [](const BodyFrame& body) {
       const bool is_turned = !body.orientation.is_equal(1) && !body.inertia.is_zero();
       return is_turned ? congruence(body.orientation, body.inertia) : body.inertia;
@@ -316,7 +332,8 @@ class Definition {
                                 "inertia of the link about its mass centre, link axes [kg m^2]", true);
     };
     const auto define_centre = [&](const ex& value) {
-      return derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(value)), "mass centre of the link, link axes [m]");
+      return derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(value)),
+                                "mass centre of the link, link axes [m]");
     };
     if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
@@ -332,7 +349,8 @@ class Definition {
     l.mass = derivation_.define("m_link", "m", j, Pass::outward, mass, "mass of the link [kg]");
     if (!l.mass.is_zero()) l.r = define_centre(moment / l.mass);
     for (const BodyFrame* body : heavy) {
-      const ex arm = derivation_.define("arm", "c", j, Pass::outward, sum(expanded(body->offset + body->orientation * body->r - l.r)), "");
+      const ex arm = derivation_.define("arm", "c", j, Pass::outward,
+                                        sum(expanded(body->offset + body->orientation * body->r - l.r)), "");
       inertia += inertia_of(*body) - body->mass * (skew(arm) * skew(arm));
     }
     l.inertia = define_inertia(inertia);

@@ -110,7 +110,8 @@ class Builder {
         continue;
       }
       constant = product(constant, rotation_about(turn.axis, turn.value));
-      if (i == 0 && joint.pitch != 0) add_term(link.offset, scene::no_rotation, constants(axis, joint.pitch * turn.value));
+      if (i == 0 && joint.pitch != 0)
+        add_term(link.offset, scene::no_rotation, constants(axis, joint.pitch * turn.value));
     }
     constant = product(constant, joint.zero);
     const bool is_weld = turns.empty() && slides.empty();
@@ -118,9 +119,9 @@ class Builder {
     add_chain(link, std::move(slides), turns, joint, constant);
   }
 
-  // One link a turn; the first slides. Where its axis is one of the lower link's, a link has axes parallel to these at zero
-  // angle: the joint is then a plane rotation, and what is constant turns the numbers of the body once. Else the last
-  // link has the body's axes.
+  // One link a turn; the first slides. Where its axis is one of the lower link's, a link has axes parallel to these at
+  // zero angle: the joint is then a plane rotation, and what is constant turns the numbers of the body once. Else the
+  // last link has the body's axes.
   void add_chain(Link link, std::vector<Freedom> slides, const std::vector<Freedom>& turns, const Joint& joint,
                  const Rotation& constant) {
     const std::string suffix = std::to_string(link.body);
@@ -194,9 +195,10 @@ Rotation rotation_about(const Axis& axis, double angle) {
   const long double half = std::sin(static_cast<long double>(angle) / 2);
   const long double versine = 2 * half * half;
   const long double x = axis[0], y = axis[1], z = axis[2];
-  return {{{snapped(1 - versine * (y * y + z * z)), snapped(versine * x * y - s * z), snapped(versine * x * z + s * y)},
-           {snapped(versine * x * y + s * z), snapped(1 - versine * (x * x + z * z)), snapped(versine * y * z - s * x)},
-           {snapped(versine * x * z - s * y), snapped(versine * y * z + s * x), snapped(1 - versine * (x * x + y * y))}}};
+  return {
+      {{snapped(1 - versine * (y * y + z * z)), snapped(versine * x * y - s * z), snapped(versine * x * z + s * y)},
+       {snapped(versine * x * y + s * z), snapped(1 - versine * (x * x + z * z)), snapped(versine * y * z - s * x)},
+       {snapped(versine * x * z - s * y), snapped(versine * y * z + s * x), snapped(1 - versine * (x * x + y * y))}}};
 }
 
 std::vector<int> Mechanism::children(int at) const {

@@ -11,8 +11,8 @@ namespace kanec::symbolic {
 
 // What is left out before anything is derived. Each is exact; switching one off costs operations and changes no result.
 struct Reductions {
-  bool merge_welds = true;     // bodies that do not move against each other become one link
-  bool drop_locks = true;      // a locked coordinate is a constant of the geometry, not a coordinate with a constant value
+  bool merge_welds = true;  // bodies that do not move against each other become one link
+  bool drop_locks = true;   // a locked coordinate is a constant of the geometry, not a coordinate with a constant value
 };
 
 // A constant vector: Σ orientation · numbers.
@@ -26,8 +26,8 @@ using Offset = std::vector<OffsetTerm>;
 struct Freedom {
   enum class Kind { attitude, turn, translation, slide };
   Kind kind = Kind::turn;
-  int coordinate = 0;      // of the joint's turns or slides, from 0
-  scene::Axis axis = {};   // of a turn: in the lower link's axes at zero angle; of a slide: in the lower link's axes
+  int coordinate = 0;     // of the joint's turns or slides, from 0
+  scene::Axis axis = {};  // of a turn: in the lower link's axes at zero angle; of a slide: in the lower link's axes
 };
 
 struct Link {
@@ -36,10 +36,11 @@ struct Link {
   int lower = 0;       // link; 0 = inertial frame
   std::string suffix;  // of its letters: "3", or "3a", "3b" of the frames between the turns of a joint
   Turning turning = Turning::fixed;
-  std::vector<Freedom> freedoms;               // rotation first
-  scene::Rotation zero = scene::no_rotation;   // link to lower link components at zero angle; of a held ball to inertial ones
-  Offset offset;                               // of its origin from the lower link's, without slides; lower link's axes
-  double pitch = 0.0;                          // of its turn [m/rad]
+  std::vector<Freedom> freedoms;  // rotation first
+  scene::Rotation zero =
+      scene::no_rotation;  // link to lower link components at zero angle; of a held ball to inertial ones
+  Offset offset;           // of its origin from the lower link's, without slides; lower link's axes
+  double pitch = 0.0;      // of its turn [m/rad]
 };
 
 // Where a body of the scene is on its link.
@@ -56,8 +57,8 @@ struct Mechanism {
   int size() const { return static_cast<int>(links.size()); }
   const Link& link(int j) const { return links[static_cast<std::size_t>(j - 1)]; }
   const BodyPlace& body(int k) const { return bodies[static_cast<std::size_t>(k - 1)]; }
-  std::vector<int> children(int link) const;         // links on it, ascending; 0: on the inertial frame
-  std::vector<int> carried(int link) const;          // bodies on it, ascending
+  std::vector<int> children(int link) const;  // links on it, ascending; 0: on the inertial frame
+  std::vector<int> carried(int link) const;   // bodies on it, ascending
 };
 
 Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions);

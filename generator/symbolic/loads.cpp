@@ -32,7 +32,9 @@ struct Action {
   Frame frame = 0;
 };
 
-bool is_fixed(const Number& number) { return number.kind == Number::Kind::constant || number.kind == Number::Kind::parameter; }
+bool is_fixed(const Number& number) {
+  return number.kind == Number::Kind::constant || number.kind == Number::Kind::parameter;
+}
 
 class Loads {
  public:
@@ -44,8 +46,7 @@ class Loads {
     const BodyFrame& frame = derivation_.body(k);
     const std::string suffix = std::to_string(k);
     std::vector<Action> actions;
-    if (!scene::is_zero(body.force))
-      actions.push_back({centre_of(k), vector("F", suffix, body.force), 0, 0});
+    if (!scene::is_zero(body.force)) actions.push_back({centre_of(k), vector("F", suffix, body.force), 0, 0});
     if (!scene::is_zero(body.moment))
       actions.push_back({{frame.link, 0}, 0, frame.orientation * vector("M", suffix, body.moment), frame.link});
     return actions;
@@ -61,13 +62,14 @@ class Loads {
     std::vector<Action> actions = {{at, is_force ? value : ex(0), is_force ? ex(0) : value, frame}};
     if (load.reaction > 0) {
       const int other = derivation_.body(load.reaction).link;
-      actions.push_back({is_force ? same_place(at, other) : Place{other, 0}, -actions[0].force, -actions[0].moment, frame});
+      actions.push_back(
+          {is_force ? same_place(at, other) : Place{other, 0}, -actions[0].force, -actions[0].moment, frame});
     }
     return actions;
   }
 
-  // Effort along a scalar coordinate; without its spring where that is conservative and not wanted. By name: GiNaC may turn
-  // the sign of a sum that stands in a product, and not in every run the same way.
+  // Effort along a scalar coordinate; without its spring where that is conservative and not wanted. By name: GiNaC may
+  // turn the sign of a sum that stands in a product, and not in every run the same way.
   ex effort(const Load& load, const ex& value, const ex& speed, bool with_spring) {
     ex result = scalar("tau_", load, load.effort) - scalar("c_", load, load.damping) * speed;
     const bool has_spring = with_spring || !is_conservative(load);
@@ -105,7 +107,8 @@ class Loads {
     if (at.link == 0 || shape_of(at.direction) == Shape::scalar) return {};
     const int below = derivation_.lower(at.link);
     const ex force = effort(load, at.value, at.speed, true) * at.direction;
-    return {{{at.link, 0}, force, 0, below}, {{below, derivation_.joint_offsets[static_cast<std::size_t>(at.link)]}, -force, 0, below}};
+    return {{{at.link, 0}, force, 0, below},
+            {{below, derivation_.joint_offsets[static_cast<std::size_t>(at.link)]}, -force, 0, below}};
   }
 
   // One of the three components of a translation.
@@ -130,9 +133,11 @@ class Loads {
     for (const Action& action : actions) {
       const int link = action.place.link;
       if (link == 0) continue;
-      if (!action.force.is_zero()) result += dot(derivation_.in_axes(action.force, action.frame, 0), velocity(action.place));
+      if (!action.force.is_zero())
+        result += dot(derivation_.in_axes(action.force, action.frame, 0), velocity(action.place));
       const ex& omega = derivation_.letters(link).omega;
-      if (!action.moment.is_zero() && !omega.is_zero()) result += dot(derivation_.in_axes(action.moment, action.frame, link), omega);
+      if (!action.moment.is_zero() && !omega.is_zero())
+        result += dot(derivation_.in_axes(action.moment, action.frame, link), omega);
     }
     return result;
   }
@@ -156,17 +161,23 @@ class Loads {
   }
 
   ex vector(const std::string& name, const std::string& suffix, const scene::Vector& v) {
-    return remembered(name + suffix, [&] { return derivation_.equations.table.add_numbers(name, name, suffix, {v[0], v[1], v[2]}); });
+    return remembered(name + suffix, [&] {
+      return derivation_.equations.table.add_numbers(name, name, suffix, {v[0], v[1], v[2]});
+    });
   }
 
   ex scalar(const std::string& name, const Load& load, const Number& number) {
     if (number.is_zero()) return 0;
-    return remembered(name + load.name + "_",
-                      [&] { return derivation_.equations.table.add_numbers(name + load.name + "_", "\\mathrm{" + name.substr(0, name.size() - 1) + "}", "", {number}); });
+    return remembered(name + load.name + "_", [&] {
+      return derivation_.equations.table.add_numbers(name + load.name + "_",
+                                                     "\\mathrm{" + name.substr(0, name.size() - 1) + "}", "", {number});
+    });
   }
 
   ex constant(const std::string& name, double value) {
-    return value == 0 ? ex(0) : remembered(name, [&] { return derivation_.equations.table.add_numbers(name, name, "", {Number::constant(value)}); });
+    return value == 0 ? ex(0) : remembered(name, [&] {
+      return derivation_.equations.table.add_numbers(name, name, "", {Number::constant(value)});
+    });
   }
 
   template <class Make>
@@ -179,7 +190,10 @@ class Loads {
   ex define(const std::string& name, const Load& load, const ex& value, const std::string& meaning) {
     const int first = std::min(1, derivation_.size());  // 0 where nothing moves
     const int link = std::max({first, derivation_.body(load.point.body).link, derivation_.body(load.other.body).link});
-    return remembered(name + load.name + "_", [&] { return derivation_.define(name + load.name + "_", name.substr(0, name.size() - 1), link, Pass::outward, value, meaning); });
+    return remembered(name + load.name + "_", [&] {
+      return derivation_.define(name + load.name + "_", name.substr(0, name.size() - 1), link, Pass::outward, value,
+                                meaning);
+    });
   }
 
   Place centre_of(int k) const {
@@ -197,15 +211,18 @@ class Loads {
   // The same point in space from another link's origin.
   Place same_place(const Place& at, int link) {
     if (link == 0 || link == at.link) return {link, at.at};
-    const ex between = derivation_.origins[static_cast<std::size_t>(at.link)] - derivation_.origins[static_cast<std::size_t>(link)];
-    return {link, derivation_.define("arm", "c", link, Pass::outward,
-                                     derivation_.in_axes(between, 0, link) + derivation_.in_axes(at.at, at.link, link), "")};
+    const ex between =
+        derivation_.origins[static_cast<std::size_t>(at.link)] - derivation_.origins[static_cast<std::size_t>(link)];
+    return {link,
+            derivation_.define("arm", "c", link, Pass::outward,
+                               derivation_.in_axes(between, 0, link) + derivation_.in_axes(at.at, at.link, link), "")};
   }
 
   std::pair<ex, Frame> in_its_axes(const Load& load) {
     const ex value = vector((load.kind == Load::Kind::force ? "F_" : "M_") + load.name + "_", "", load.vector);
     if (load.axes == scene::Axes::inertial) return {value, 0};
-    const int k = load.axes == scene::Axes::body ? load.point.body : scene_.lower[static_cast<std::size_t>(load.point.body - 1)];
+    const int k =
+        load.axes == scene::Axes::body ? load.point.body : scene_.lower[static_cast<std::size_t>(load.point.body - 1)];
     return {derivation_.body(k).orientation * value, derivation_.body(k).link};
   }
 
@@ -215,18 +232,25 @@ class Loads {
 
   ex velocity(const Place& at) const {
     const ex& omega = derivation_.letters(at.link).omega;
-    return derivation_.origin_rates[static_cast<std::size_t>(at.link)] + derivation_.in_axes(skew(omega) * at.at, at.link, 0);
+    return derivation_.origin_rates[static_cast<std::size_t>(at.link)] +
+           derivation_.in_axes(skew(omega) * at.at, at.link, 0);
   }
 
   // --- springs between points
 
   ex line(const Load& load) {
-    return define("line_", load, position(place(load.other, load.name + "_other")) - position(place(load.point, load.name)), "from one end of the spring to the other, inertial axes [m]");
+    return define("line_", load,
+                  position(place(load.other, load.name + "_other")) - position(place(load.point, load.name)),
+                  "from one end of the spring to the other, inertial axes [m]");
   }
   ex line_rate(const Load& load) {
-    return define("line_rate_", load, velocity(place(load.other, load.name + "_other")) - velocity(place(load.point, load.name)), "its rate [m/s]");
+    return define("line_rate_", load,
+                  velocity(place(load.other, load.name + "_other")) - velocity(place(load.point, load.name)),
+                  "its rate [m/s]");
   }
-  ex square(const Load& load) { return define("ll_", load, dot(line(load), line(load)) + least_square(), "length squared [m^2]"); }
+  ex square(const Load& load) {
+    return define("ll_", load, dot(line(load), line(load)) + least_square(), "length squared [m^2]");
+  }
   ex length(const Load& load) { return define("length_", load, GiNaC::sqrt(square(load)), "length [m]"); }
 
   // Attraction by the length: k (1 - rest / l) + c (d . ddot) / l².
@@ -249,7 +273,8 @@ class Loads {
 
   ex spring_power(const Load& load, bool conservative) {
     const bool with_spring = conservative || !is_conservative(load);
-    const ex value = define(with_spring ? "f_" : "f_damping_", load, attraction(load, with_spring), "attraction by the length [N/m]");
+    const ex value = define(with_spring ? "f_" : "f_damping_", load, attraction(load, with_spring),
+                            "attraction by the length [N/m]");
     if (value.is_zero()) return 0;
     return -value * dot(line(load), line_rate(load));
   }
@@ -267,8 +292,9 @@ void apply(Derivation& derivation, const Action& action, AppliedLoads& sums) {
   if (!action.moment.is_zero()) sums.moment[at] += derivation.in_axes(action.moment, action.frame, link);
   if (action.force.is_zero()) return;
   sums.force[at] += derivation.in_axes(action.force, action.frame, derivation.home(link));
-  const ex lever = derivation.define("lever", "c", link, Pass::outward, sum(expanded(action.place.at - derivation.letters(link).r)),
-                                     "from the mass centre to where a force acts, link axes [m]");
+  const ex lever =
+      derivation.define("lever", "c", link, Pass::outward, sum(expanded(action.place.at - derivation.letters(link).r)),
+                        "from the mass centre to where a force acts, link axes [m]");
   if (!lever.is_zero()) sums.moment[at] += skew(lever) * derivation.in_axes(action.force, action.frame, link);
 }
 

@@ -10,15 +10,17 @@ namespace kanec::symbolic {
 
 // Sums over the loads.
 struct AppliedLoads {
-  std::vector<GiNaC::ex> force;    // on each link, home axes [N]
-  std::vector<GiNaC::ex> moment;   // about its mass centre, link axes [N m]
+  std::vector<GiNaC::ex> force;                // on each link, home axes [N]
+  std::vector<GiNaC::ex> moment;               // about its mass centre, link axes [N m]
   std::vector<std::vector<GiNaC::ex>> effort;  // along each coordinate of each link [N], [N m]
-  std::vector<GiNaC::ex> through_joint;  // part of `force`: of each link's own joint along a translation by three, home axes [N]
+  std::vector<GiNaC::ex>
+      through_joint;  // part of `force`: of each link's own joint along a translation by three, home axes [N]
 };
 
 AppliedLoads applied_loads(Derivation& derivation);
 
-// Power of each load, in the order of load_powers [W]; `conservative`: with what springs of constant stiffness give back.
+// Power of each load, in the order of load_powers [W]; `conservative`: with what springs of constant stiffness give
+// back.
 std::vector<GiNaC::ex> load_powers(Derivation& derivation, bool conservative);
 
 // Energy stored in springs whose stiffness and rest are constants or parameters [J].

@@ -15,7 +15,8 @@ void derive_mass_matrix(Derivation& derivation) {
       const int row = row_of(block.row_link, block.row);
       const int column = row_of(block.column_link, block.column);
       function.outputs.push_back({block.block, row * ny + column, ny, block.transposed, block.wide});
-      if (row != column) function.outputs.push_back({block.block, column * ny + row, ny, !block.transposed, block.wide});
+      if (row != column)
+        function.outputs.push_back({block.block, column * ny + row, ny, !block.transposed, block.wide});
     }
 }
 

@@ -1,5 +1,5 @@
-// What one watches besides the motion: kinematical equations, poses, energy, momentum, power of the applied loads, points.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// What one watches besides the motion: kinematical equations, poses, energy, momentum, power of the applied loads,
+// points. SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/acceleration_chain.hpp"
 #include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/loads.hpp"
@@ -23,7 +23,8 @@ void derive_kinematics(Derivation& derivation) {
         continue;
       }
       const int at = derivation.equations.table.of(link.e).at;
-      const ex half = derivation.define("w", "w", k, Pass::outward, link.omega / 2, "half the angular velocity [rad/s]");
+      const ex half =
+          derivation.define("w", "w", k, Pass::outward, link.omega / 2, "half the angular velocity [rad/s]");
       const ex edot = derivation.define("edot", "\\dot e", k, Pass::outward, link.eps4 * half + skew(link.e) * half,
                                         "rates of eps_1, eps_2, eps_3 [1/s]");
       const ex eps4dot = derivation.define("eps4dot", "\\dot\\varepsilon_{4}", k, Pass::outward, -dot(link.e, half),
@@ -69,14 +70,16 @@ void derive_energy(Derivation& derivation) {
     kinetic += derivation.define("T", "T", k, Pass::outward, value, "kinetic energy [J]");
     moment += link.mass * derivation.centres[static_cast<std::size_t>(k)];
   }
-  for (const int k : derivation.mechanism().carried(0)) moment += derivation.body(k).mass * mass_centre(derivation.body(k));
+  for (const int k : derivation.mechanism().carried(0))
+    moment += derivation.body(k).mass * mass_centre(derivation.body(k));
   kinetic = derivation.define("kinetic", "T", 0, Pass::inward, kinetic, "kinetic energy of the system [J]");
   ex potential = spring_energy(derivation);
   if (!derivation.equations.gravity.is_zero()) {
     const ex h = derivation.define("mp", "mp", 0, Pass::inward, moment, "first moment of mass, inertial axes [kg m]");
     if (!h.is_zero()) potential -= dot(derivation.equations.gravity, h);
   }
-  potential = derivation.define("potential", "V", 0, Pass::inward, potential, "potential energy of gravity and springs [J]");
+  potential =
+      derivation.define("potential", "V", 0, Pass::inward, potential, "potential energy of gravity and springs [J]");
   Function& function = derivation.function("energy");
   function.outputs = {{kinetic, 0, 1, false}, {potential, 1, 1, false}};
 }
@@ -111,7 +114,8 @@ void derive_load_powers(Derivation& derivation) {
   Function& function = derivation.function("load_powers");
   for (const ex& power : load_powers(derivation, true)) {
     const int at = static_cast<int>(function.outputs.size());
-    function.outputs.push_back({derivation.define("W" + std::to_string(at + 1) + "_", "W", 0, Pass::inward, power, ""), at, 1, false});
+    function.outputs.push_back(
+        {derivation.define("W" + std::to_string(at + 1) + "_", "W", 0, Pass::inward, power, ""), at, 1, false});
   }
 }
 
@@ -120,7 +124,8 @@ namespace {
 ex place_of(Derivation& derivation, const scene::Point& point) {
   const BodyFrame& body = derivation.body(point.body);
   if (scene::is_zero(point.r)) return body.offset;
-  const ex r = derivation.equations.table.add_numbers("r_" + point.name + "_", "r", "", {point.r[0], point.r[1], point.r[2]});
+  const ex r =
+      derivation.equations.table.add_numbers("r_" + point.name + "_", "r", "", {point.r[0], point.r[1], point.r[2]});
   return sum(expanded(body.offset + body.orientation * r));
 }
 
@@ -149,7 +154,8 @@ void derive_point_function(Derivation& derivation, const std::string& name) {
       function.outputs.push_back({derivation.origin_rates[static_cast<std::size_t>(link)] + turning, 0, 1, false});
     } else if (what == "acceleration" && link > 0) {
       const AccelerationChain chain = derive_acceleration_chain(derivation, derivation.rates);
-      const ex value = derivation.in_axes(chain.of_point(link, place), derivation.home(link), 0) + derivation.equations.gravity;
+      const ex value =
+          derivation.in_axes(chain.of_point(link, place), derivation.home(link), 0) + derivation.equations.gravity;
       function.outputs.push_back({value, 0, 1, false});
     } else if (what == "jacobian" && link > 0) {
       derive_point_jacobian(derivation, link, place, function);

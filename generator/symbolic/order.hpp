@@ -8,8 +8,8 @@
 
 namespace kanec::symbolic {
 
-// The operands of a sum or a commutative product, by the table indices of their letters from left to right, numbers first;
-// in a product the scalars before the block.
+// The operands of a sum or a commutative product, by the table indices of their letters from left to right, numbers
+// first; in a product the scalars before the block.
 std::vector<GiNaC::ex> ordered(const GiNaC::ex& e);
 
 // True where a comes before b in that order.

@@ -30,7 +30,8 @@ void add_through_omega(Blocks& blocks, const ex& value, const ex& omega, const B
 
 class Partials {
  public:
-  explicit Partials(Derivation& derivation) : derivation_(derivation), rates_(derivation.partial_rates = derivation.rates) {}
+  explicit Partials(Derivation& derivation)
+      : derivation_(derivation), rates_(derivation.partial_rates = derivation.rates) {}
 
   void all() {
     Tables& t = derivation_.equations.tables;
@@ -38,10 +39,12 @@ class Partials {
       const auto at = static_cast<std::size_t>(k - 1);
       const int below = derivation_.lower(k);
       const Letters& link = derivation_.letters(k);
-      Blocks omega = below > 0 && link.turns_with_lower ? turned(t.omega_y[static_cast<std::size_t>(below - 1)], link) : Blocks{};
+      Blocks omega =
+          below > 0 && link.turns_with_lower ? turned(t.omega_y[static_cast<std::size_t>(below - 1)], link) : Blocks{};
       Blocks origin = below > 0 ? t.origin_y[static_cast<std::size_t>(below - 1)] : Blocks{};
       if (below > 0)
-        add_through_omega(origin, t.origin_rate[at], derivation_.letters(below).omega, t.omega_y[static_cast<std::size_t>(below - 1)]);
+        add_through_omega(origin, t.origin_rate[at], derivation_.letters(below).omega,
+                          t.omega_y[static_cast<std::size_t>(below - 1)]);
       for (const Coordinate& c : link.coordinates) {
         if (c.column < 0) continue;
         add(origin, c.column, partial(t.origin_rate[at], c.speed));
@@ -67,7 +70,8 @@ class Partials {
 
   // Blocks of three columns keep their closed form, which bodies share; those of one column are written with the lower
   // link's by name, and so are blocks of a ball whose rotation is passed on.
-  Blocks named(const Blocks& blocks, int k, const std::string& name, const std::string& latex, const std::string& meaning) {
+  Blocks named(const Blocks& blocks, int k, const std::string& name, const std::string& latex,
+               const std::string& meaning) {
     Blocks result;
     for (const auto& [column, block] : blocks) {
       const Speed& speed = derivation_.equations.speeds[static_cast<std::size_t>(column)];
@@ -79,9 +83,11 @@ class Partials {
       }
       const Symbol letter = derivation_.equations.table.of(speed.letter);  // a copy: define() moves the table
       const ex value = factored(block);
-      const ex symbol = derivation_.define(name + letter.name + letter.suffix + "_", latex, k, Pass::outward, value, meaning);
-      if (!symbol.is_equal(value)) rates_.set(symbol, derivation_.define(name + "dot_" + letter.name + letter.suffix + "_", "\\dot " + latex, k,
-                                                      Pass::outward, factored(rates_.of(value)), "its rate"));
+      const ex symbol =
+          derivation_.define(name + letter.name + letter.suffix + "_", latex, k, Pass::outward, value, meaning);
+      if (!symbol.is_equal(value))
+        rates_.set(symbol, derivation_.define(name + "dot_" + letter.name + letter.suffix + "_", "\\dot " + latex, k,
+                                              Pass::outward, factored(rates_.of(value)), "its rate"));
       result[column] = symbol;
     }
     return result;
@@ -121,7 +127,8 @@ Blocks partials_of_point(const Derivation& derivation, int link, const ex& place
   const Letters& l = derivation.letters(link);
   Blocks result = t.origin_y[static_cast<std::size_t>(link - 1)];
   if (GiNaC::is_a<Atom>(l.omega))
-    add_through_omega(result, l.to_inertial * (skew(l.omega) * place), l.omega, t.omega_y[static_cast<std::size_t>(link - 1)]);
+    add_through_omega(result, l.to_inertial * (skew(l.omega) * place), l.omega,
+                      t.omega_y[static_cast<std::size_t>(link - 1)]);
   return result;
 }
 

@@ -20,7 +20,8 @@ void derive_positions(Derivation& derivation) {
     derivation.joint_offsets.push_back(d);
     const ex origin = derivation.origins[below] + to_inertial * d;
     derivation.equations.tables.origin.push_back(origin);
-    const ex P = derivation.define("P", "P", k, Pass::outward, origin, "position of the body origin, inertial axes [m]");
+    const ex P =
+        derivation.define("P", "P", k, Pass::outward, origin, "position of the body origin, inertial axes [m]");
     const ex centre = P + link.to_inertial * link.r;
     derivation.equations.tables.centre.push_back(centre);
     derivation.origins.push_back(P);

@@ -7,7 +7,8 @@ namespace kanec::symbolic {
 
 using GiNaC::ex;
 
-ex SymbolTable::add(Role role, const std::string& name, const std::string& latex, const std::string& suffix, Shape shape) {
+ex SymbolTable::add(Role role, const std::string& name, const std::string& latex, const std::string& suffix,
+                    Shape shape) {
   const ex atom = Atom(name + suffix, latex, shape, static_cast<int>(symbols_.size()));
   symbols_.push_back({atom, name, latex, role, suffix, 0, {}, atom, false});
   return atom;

@@ -16,11 +16,11 @@ enum class Role { x, y, ydot, numbers, quantity };
 
 struct Symbol {
   GiNaC::ex atom;
-  std::string name;    // "omega", as in the code; the suffix follows
-  std::string latex;   // "\omega"
+  std::string name;   // "omega", as in the code; the suffix follows
+  std::string latex;  // "\omega"
   Role role;
-  std::string suffix;  // of the link or body: "3", "3a"; empty where none
-  int at = 0;          // x, y, ydot: index of the first entry
+  std::string suffix;                  // of the link or body: "3", "3a"; empty where none
+  int at = 0;                          // x, y, ydot: index of the first entry
   std::vector<scene::Number> numbers;  // row-major
   GiNaC::ex transpose;                 // of a matrix letter
   bool is_transpose = false;           // named by the entries of `transpose`
@@ -30,8 +30,8 @@ class SymbolTable {
  public:
   // A new letter. A matrix is its own transpose until pair() says otherwise.
   GiNaC::ex add(Role role, const std::string& name, const std::string& latex, const std::string& suffix, Shape shape);
-  GiNaC::ex add_state(Role role, const std::string& name, const std::string& latex, const std::string& suffix, Shape shape,
-                      int at);
+  GiNaC::ex add_state(Role role, const std::string& name, const std::string& latex, const std::string& suffix,
+                      Shape shape, int at);
   GiNaC::ex add_numbers(const std::string& name, const std::string& latex, const std::string& suffix,
                         std::vector<scene::Number> numbers);  // 1, 3 or 9
   // Declares b the transpose of a, printed as aᵀ.
@@ -44,9 +44,7 @@ class SymbolTable {
   GiNaC::ex transposed(const GiNaC::ex& e) const;
 
  private:
-  static std::size_t index(const GiNaC::ex& atom) {
-    return static_cast<std::size_t>(GiNaC::ex_to<Atom>(atom).index());
-  }
+  static std::size_t index(const GiNaC::ex& atom) { return static_cast<std::size_t>(GiNaC::ex_to<Atom>(atom).index()); }
   std::vector<Symbol> symbols_;
 };
 
