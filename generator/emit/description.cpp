@@ -32,7 +32,8 @@ std::string named_lists(const std::string& what, const std::vector<scene::Named>
   return name_list(what, names) + values + "0};\n";
 }
 
-// Bodies whose Euler parameters are in the state.
+}  // namespace
+
 std::vector<scene::BodyLayout> attitudes(const scene::Scene& scene) {
   std::vector<scene::BodyLayout> list = scene::Layout(scene).bodies;
   std::erase_if(list, [](const scene::BodyLayout& at) { return at.eps < 0; });
@@ -45,6 +46,8 @@ std::string attitude_list(const scene::Scene& scene) {
     text += "{" + std::to_string(at.eps) + ", " + std::to_string(at.omega) + "}, ";
   return text + "{0, 0}};\n";
 }
+
+namespace {
 
 std::string description(const Model& model, std::size_t n_functions, bool callable) {
   const scene::Scene& scene = *model.scene;

@@ -120,6 +120,20 @@ void BatchSolver<Real>::evaluate_part(int function, const BatchStates<Real>& sta
 }
 
 template <class Real>
+const void* BatchSolver<Real>::prepared(std::int64_t group) const {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(prepared_.data());
+  return n_prepared_ == 0 ? bytes : bytes + static_cast<std::size_t>(group) * batch_->prepared_size;
+}
+
+template <class Real>
+void BatchSolver<Real>::evaluate_group(int function, std::int64_t group, Real t, const Real* x, const Real* y, Real* out,
+                                       int worker) const {
+  const kanec_states states{0,       lanes(), lanes(), prepared(group), &t, x, y, nullptr, inputs_.data(), 1,
+                            1,       1,       scratch_[static_cast<std::size_t>(worker)].get()};
+  batch_->evaluate[function](&states, out);
+}
+
+template <class Real>
 void BatchSolver<Real>::evaluate(int function, const BatchStates<Real>& states, Real* out) {
   check(states);
   const std::int64_t pieces = (states.count + piece_states - 1) / piece_states;

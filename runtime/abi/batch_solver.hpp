@@ -61,6 +61,12 @@ class BatchSolver {
   // threads with different workers.
   void evaluate_part(int function, const BatchStates<Real>& states, Real* out, std::int64_t begin, std::int64_t end,
                      int worker) const;
+  // One function for one full group of lanes, the `group`th of those with parameters of their own; x, y and out are
+  // blocks (lanes() numbers an entry). Safe as evaluate_part.
+  void evaluate_group(int function, std::int64_t group, Real t, const Real* x, const Real* y, Real* out,
+                      int worker) const;
+  // The prepared parameters of that group.
+  const void* prepared(std::int64_t group) const;
   Workers& workers() const { return *workers_; }
 
  private:
