@@ -94,26 +94,23 @@ class Engine {
 };
 
 // All scenarios, some at a time, in order.
-EnsembleSummary run_all(const EnsembleJob& job, const ScenarioTable& table, Engine& engine, EndsFile& ends,
-                        const Interrupts& interrupts) {
+EnsembleSummary run_all(const EnsembleJob& job, const ScenarioTable& table, const Scenarios& scenarios, Engine& engine,
+                        EndsFile& ends, const Interrupts& interrupts) {
   const auto begin = std::chrono::steady_clock::now();
   EnsembleSummary summary(job.scene, job.run);
-  const Scenarios scenarios(job.scene, table, engine.model());
   ProgressBar bar(job.scene.name);
   for (std::size_t first = 0; first < table.rows();) {
     interrupts.poll();
     bar.show(static_cast<double>(first) / static_cast<double>(table.rows()));
     std::vector<Scenario> turn;
     while (turn.size() < engine.scenarios_a_turn() && first + turn.size() < table.rows())
-      turn.push_back(scenarios.at(first + turn.size()));
+      turn.push_back(scenarios.at(first + turn.size(), engine.model()));
     for (const Outcome& outcome : engine.run(turn)) {
       ends.add(first, outcome);
       summary.add(outcome, table.place(first));
       ++first;
     }
   }
-  if (scenarios.normalised() > 0)
-    remark("note: Euler parameters of " + std::to_string(scenarios.normalised()) + " scenarios were normalised");
   summary.lanes = engine.lanes();
   summary.threads = engine.threads();
   summary.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -151,9 +148,12 @@ void add_ensemble(CLI::App& command, EnsembleArguments& arguments) {
 int simulate_ensemble(const EnsembleJob& job) {
   const Interrupts interrupts;
   const ScenarioTable table = table_of(job);
+  const Scenarios scenarios(job.scene, table);
+  if (scenarios.normalised() > 0)
+    remark("note: Euler parameters of " + std::to_string(scenarios.normalised()) + " scenarios were normalised");
   EndsFile ends(job.csv, job.scene);
   Engine engine(job);
-  const EnsembleSummary summary = run_all(job, table, engine, ends, interrupts);
+  const EnsembleSummary summary = run_all(job, table, scenarios, engine, ends, interrupts);
   if (summary.finished == 0)
     throw IntegrationError("every scenario stopped; the first: " + summary.first_stop());
   ends.finish();

@@ -120,16 +120,13 @@ std::string csv_text(const ScenarioTable& table) {
   return text;
 }
 
-Scenarios::Scenarios(const scene::Scene& scene, const ScenarioTable& table, const kanec_model& model)
-    : scene_(scene),
-      table_(table),
-      model_(model),
-      layout_(scene),
-      x_(initial_coordinates(scene)),
-      y_(initial_speeds(scene)) {
-  for (const std::string& name : table.names) {
-    columns_.push_back(column_of(name));
-    has_parameters_ |= columns_.back().part == Part::parameter;
+Scenarios::Scenarios(const scene::Scene& scene, const ScenarioTable& table)
+    : scene_(scene), table_(table), layout_(scene), x_(initial_coordinates(scene)), y_(initial_speeds(scene)) {
+  for (const std::string& name : table.names) columns_.push_back(column_of(name));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (has(Part::parameter)) check_parameters(row);
+    std::vector<double> x = with(Part::x, x_, row);
+    normalised_ += normalise(x, row);
   }
 }
 
@@ -145,11 +142,26 @@ Scenarios::Column Scenarios::column_of(const std::string& name) const {
   throw InternalError("a scenario's column without a place: " + name);
 }
 
-void Scenarios::check_parameters(const scene::Scene& changed, std::size_t row) const {
-  if (has_parameters_) check_defaults(changed, table_.place(row));
+bool Scenarios::has(Part part) const {
+  return std::any_of(columns_.begin(), columns_.end(), [part](const Column& column) { return column.part == part; });
 }
 
-void Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
+std::vector<double> Scenarios::with(Part part, std::vector<double> values, std::size_t row) const {
+  const std::span<const double> given = table_.row(row);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (columns_[i].part == part) values[columns_[i].index] = given[i];
+  return values;
+}
+
+void Scenarios::check_parameters(std::size_t row) const {
+  scene::Scene changed = scene_;
+  const std::vector<double> values = with(Part::parameter, default_parameters(scene_), row);
+  for (std::size_t i = 0; i < values.size(); ++i) changed.parameters[i].value = values[i];
+  check_defaults(changed, table_.place(row));
+}
+
+// Whether any attitude was far from unit norm.
+bool Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
   bool was_off = false;
   for (std::size_t k = 0; k < layout_.bodies.size(); ++k) {
     if (layout_.bodies[k].eps < 0) continue;
@@ -162,27 +174,15 @@ void Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
     was_off |= std::fabs(norm - 1.0) > worth_a_note;
     for (int i = 0; i < 4; ++i) eps[i] /= norm;
   }
-  normalised_ += was_off;
+  return was_off;
 }
 
-integrate::Scenario Scenarios::at(std::size_t row) const {
-  integrate::Scenario scenario{x_, y_, {}, {}};
-  scene::Scene changed;  // parameters and inputs alone, or the whole where it is checked
-  if (has_parameters_) changed = scene_;
-  changed.parameters = scene_.parameters;
-  changed.inputs = scene_.inputs;
-  const std::span<const double> values = table_.row(row);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto [part, index] = columns_[i];
-    if (part == Part::x) scenario.x[index] = values[i];
-    if (part == Part::y) scenario.y[index] = values[i];
-    if (part == Part::parameter) changed.parameters[index].value = values[i];
-    if (part == Part::input) changed.inputs[index].value = values[i];
-  }
-  check_parameters(changed, row);
+integrate::Scenario Scenarios::at(std::size_t row, const kanec_model& model) const {
+  integrate::Scenario scenario{with(Part::x, x_, row), with(Part::y, y_, row), {}, {}};
   normalise(scenario.x, row);
-  scenario.parameters = read_parameters(model_, scene_, default_parameters(changed));
-  scenario.inputs = read_inputs(model_, scene_, default_inputs(changed));
+  scenario.parameters =
+      read_parameters(model, scene_, with(Part::parameter, default_parameters(scene_), row));
+  scenario.inputs = read_inputs(model, scene_, with(Part::input, default_inputs(scene_), row));
   return scenario;
 }
 

@@ -41,11 +41,13 @@ std::string csv_text(const ScenarioTable& table);
 // Rows to what the integrators take: what has no column is as the scene has it, Euler parameters are normalised.
 class Scenarios {
  public:
-  Scenarios(const scene::Scene& scene, const ScenarioTable& table, const kanec_model& model);
+  // Checks every row. Throws InputError and SceneError that name place and column: Euler parameters that are all zero,
+  // parameters that no body can have.
+  Scenarios(const scene::Scene& scene, const ScenarioTable& table);
 
-  // Throws InputError that names place and column: Euler parameters that are all zero, parameters that no body can have.
-  integrate::Scenario at(std::size_t row) const;
-  // How many of the rows had Euler parameters further than 1e-6 from unit norm, of those asked for.
+  // For a compiled model of the scene.
+  integrate::Scenario at(std::size_t row, const kanec_model& model) const;
+  // How many rows had Euler parameters further than 1e-6 from unit norm.
   std::size_t normalised() const { return normalised_; }
 
  private:
@@ -56,17 +58,17 @@ class Scenarios {
   };
 
   Column column_of(const std::string& name) const;
-  void check_parameters(const scene::Scene& changed, std::size_t row) const;
-  void normalise(std::vector<double>& x, std::size_t row) const;
+  bool has(Part part) const;
+  std::vector<double> with(Part part, std::vector<double> values, std::size_t row) const;
+  void check_parameters(std::size_t row) const;
+  bool normalise(std::vector<double>& x, std::size_t row) const;
 
   const scene::Scene& scene_;
   const ScenarioTable& table_;
-  const kanec_model& model_;
   scene::Layout layout_;
   std::vector<double> x_, y_;
   std::vector<Column> columns_;
-  bool has_parameters_ = false;
-  mutable std::size_t normalised_ = 0;
+  std::size_t normalised_ = 0;
 };
 
 }  // namespace kanec::cli

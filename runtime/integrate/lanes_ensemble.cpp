@@ -91,6 +91,7 @@ class Group {
   void take(double t, std::int64_t row, bool is_last) {
     if (energy_)
       solver_.evaluate_group(*energy_, group_, t, z_.data(), z_.entry(model_.nx), energies_.data(), worker_);
+    const bool wanted = is_last || (options_.keep_every > 0 && row % options_.keep_every == 0);
     for (int lane = 0; lane < count_; ++lane) {
       const auto i = static_cast<std::size_t>(lane);
       if (!running_[i]) continue;
@@ -99,28 +100,35 @@ class Group {
                     " s: the state or its rate is not finite");
         continue;
       }
-      last_[i] = row_of(t, lane);
-      if (last_[i].energy) watches_[i].add(*last_[i].energy, last_[i].work);
-      const bool wanted = options_.keep_every > 0 && row % options_.keep_every == 0;
-      if (wanted || is_last) outcomes_[i].rows.push_back(last_[i]);
+      if (energy_) watches_[i].add(energy_at(energies_, lane), work_at(z_, lane));
+      if (wanted) outcomes_[i].rows.push_back(row_of(t, z_, energies_, lane));
       if (steps_ > options_.run.max_steps)
         stop(i, "integration stopped at t = " + shortest(t) + " s: the limit of " +
                     std::to_string(options_.run.max_steps) + " steps is reached");
     }
+    last_time_ = t;
+    last_z_ = z_;
+    last_energies_ = energies_;
   }
 
-  KeptRow row_of(double t, int lane) const {
-    KeptRow row{t, z_.column(0, model_.nx, lane), z_.column(model_.nx, model_.ny, lane), {}, 0.0};
-    if (rk4_.size > model_.nx + model_.ny) row.work = z_.at(model_.nx + model_.ny, lane);
-    if (energy_) row.energy = Energy{energies_.at(0, lane), energies_.at(1, lane)};
+  Energy energy_at(const Block& energies, int lane) const { return {energies.at(0, lane), energies.at(1, lane)}; }
+  double work_at(const Block& z, int lane) const {
+    const int n = model_.nx + model_.ny;
+    return rk4_.size > n ? z.at(n, lane) : 0.0;
+  }
+  KeptRow row_of(double t, const Block& z, const Block& energies, int lane) const {
+    KeptRow row{t, z.column(0, model_.nx, lane), z.column(model_.nx, model_.ny, lane), {}, work_at(z, lane)};
+    if (energy_) row.energy = energy_at(energies, lane);
     return row;
   }
 
+  // The last row that was finite is the end.
   void stop(std::size_t lane, std::string why) {
     running_[lane] = false;
     outcomes_[lane].stopped = std::move(why);
     std::vector<KeptRow>& rows = outcomes_[lane].rows;
-    if (rows.empty() || rows.back().t < last_[lane].t) rows.push_back(last_[lane]);
+    if (rows.empty() || rows.back().t < last_time_)
+      rows.push_back(row_of(last_time_, last_z_, last_energies_, static_cast<int>(lane)));
   }
 
   void finish(std::size_t lane) {
@@ -142,7 +150,8 @@ class Group {
   std::vector<Outcome> outcomes_;
   std::vector<EnergyWatch> watches_;
   std::vector<bool> running_;
-  std::vector<KeptRow> last_ = std::vector<KeptRow>(outcomes_.size());
+  double last_time_ = 0.0;  // of the row before
+  Block last_z_ = z_, last_energies_ = energies_;
   std::int64_t steps_ = 0;
 };
 

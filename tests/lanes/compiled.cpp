@@ -13,7 +13,8 @@ compile::Options options() {
   compile::Options options;
   options.flags = {"-O0", "-march=native", "-fno-math-errno", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"};
   options.flags_given = true;
-  options.use_cache = false;
+  // one cache for all tests of this build: each model is compiled once
+  options.cache = std::string(KANEC_BINARY_DIR) + "/tests/lanes_cache";
   return options;
 }
 
