@@ -61,9 +61,9 @@ std::string emit_batch(const Model& model, const program::Program& program) {
   text += "#if !defined(KANEC_SCALAR)\n#define KANEC_SCALAR double\n#endif\n#if !defined(KANEC_LANES)\n"
           "#define KANEC_LANES kanec::native_lanes<KANEC_SCALAR>\n#endif\n"
           "using Lane = kanec::Lanes<KANEC_SCALAR, KANEC_LANES>;\nusing Prepared = model::Prepared<Lane>;\n\n"
-          "struct Sizes {\n  static constexpr int nx = model::nx, ny = model::ny, n_inputs = model::n_inputs,\n"
+          "struct Sizes {\n  [[maybe_unused]] static constexpr int nx = model::nx, ny = model::ny, n_inputs = model::n_inputs,\n"
           "      n_parameters = model::n_parameters, n_attitudes = " +
-          std::to_string(attitudes(*model.scene).size()) + ";\n  static constexpr " +
+          std::to_string(attitudes(*model.scene).size()) + ";\n  [[maybe_unused]] static constexpr " +
           attitude_list(*model.scene) + "};\n\n"
           "struct Preparation {\n  static Prepared call([[maybe_unused]] const Lane* p) noexcept {\n    return "
           "model::prepare(model::Parameters<Lane>" + spread("p", read.parameters.size()) + ");\n  }\n};\n\n";

@@ -11,6 +11,7 @@
 #include "runtime/base/text.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/settings.hpp"
+#include "runtime/cli/sound_parameters.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -154,8 +155,9 @@ std::vector<double> Scenarios::with(Part part, std::vector<double> values, std::
 }
 
 void Scenarios::check_parameters(std::size_t row) const {
-  scene::Scene changed = scene_;
   const std::vector<double> values = with(Part::parameter, default_parameters(scene_), row);
+  if (surely_sound(scene_, values)) return;
+  scene::Scene changed = scene_;
   for (std::size_t i = 0; i < values.size(); ++i) changed.parameters[i].value = values[i];
   check_defaults(changed, table_.place(row));
 }
