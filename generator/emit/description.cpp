@@ -9,8 +9,7 @@ namespace {
 
 std::string record(const program::Function& function, const program::Ledger& cost, const std::string& evaluate) {
   std::string text = "    {\"" + function.name + "\", " + std::to_string(function.n_out);
-  for (const int n :
-       {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric, cost.functions})
+  for (const int n : {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric, cost.functions})
     text += ", " + std::to_string(n);
   return text + ", " + evaluate + "},\n";
 }
@@ -55,7 +54,8 @@ std::string description(const Model& model, std::size_t n_functions, bool callab
          model.hash + "\", model::n_bodies, model::nx, model::ny,\n    model::n_parameters, model::n_inputs, " +
          std::to_string(n_functions) +
          ", parameter_names, parameter_defaults, input_names,\n    input_defaults, sizeof(Prepared), " +
-         (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " + std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
+         (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " +
+         std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ std::string begin(const scene::Scene& scene, const std::string& what, const std:
 }
 
 std::string entry(const std::string& type, const std::string& name, const std::string& value) {
-  return "extern \"C\" __attribute__((visibility(\"default\"))) const " + type + "* " + name +
-         "(void) { return " + value + "; }\n";
+  return "extern \"C\" __attribute__((visibility(\"default\"))) const " + type + "* " + name + "(void) { return " +
+         value + "; }\n";
 }
 
 }  // namespace kanec::emit

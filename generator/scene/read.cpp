@@ -124,9 +124,8 @@ Simulation read_simulation(const Table& root) {
 }
 
 Scene read_scene(const Table& root) {
-  root.only(
-      {"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate",
-       "ensemble"});
+  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate",
+             "ensemble"});
   Scene scene;
   Symbols symbols;
   scene.name = read_scene_name(root.at("name", "the name of the scene"));

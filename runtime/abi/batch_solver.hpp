@@ -16,9 +16,9 @@
 namespace kanec {
 
 // Where the states of a batch stand. Of an argument with n entries, entry i of state j is
-// a[(j / stride * n + i) * stride + j % stride]: with stride = count, which 0 stands for, a[i * count + j]; with stride =
-// lanes() blocks that need no copying, where a is aligned to a block's row: the fastest. Other strides are multiples of
-// lanes(). A stride of a large power of two is slow: rows fall on each other in the cache.
+// a[(j / stride * n + i) * stride + j % stride]: with stride = count, which 0 stands for, a[i * count + j]; with stride
+// = lanes() blocks that need no copying, where a is aligned to a block's row: the fastest. Other strides are multiples
+// of lanes(). A stride of a large power of two is slow: rows fall on each other in the cache.
 template <class Real>
 struct BatchStates {
   std::int64_t count = 0;
@@ -80,8 +80,8 @@ class BatchSolver {
   const kanec_batch* batch_;
   std::unique_ptr<Workers> workers_;
   std::vector<Real> inputs_;
-  std::vector<Line> prepared_;  // one group for all, or one a group of lanes
-  std::int64_t n_prepared_ = 0;  // states with parameters of their own; 0: one set for all
+  std::vector<Line> prepared_;                    // one group for all, or one a group of lanes
+  std::int64_t n_prepared_ = 0;                   // states with parameters of their own; 0: one set for all
   std::vector<std::unique_ptr<Line[]>> scratch_;  // of each worker
 };
 

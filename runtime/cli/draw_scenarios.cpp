@@ -33,9 +33,10 @@ class Random {
 
 ScenarioTable draw_scenarios(const scene::Scene& scene, int count, std::uint64_t seed) {
   if (scene.ensemble.draws.empty())
-    throw InputError("--ensemble scene: scene " + scene.name +
-                     " draws nothing; allowed: a scene whose [ensemble] names what is drawn, as theta_1 = {uniform = [0, "
-                     "1]}, or a CSV file");
+    throw InputError(
+        "--ensemble scene: scene " + scene.name +
+        " draws nothing; allowed: a scene whose [ensemble] names what is drawn, as theta_1 = {uniform = [0, "
+        "1]}, or a CSV file");
   ScenarioTable table{"scene " + scene.name, {}, {}, {}};
   for (const scene::Draw& draw : scene.ensemble.draws) table.names.push_back(draw.name);
   Random random(seed);

@@ -127,8 +127,10 @@ void EnsembleArguments::refuse_without_ensemble() const {
 void add_ensemble(CLI::App& command, EnsembleArguments& arguments) {
   const std::string group = "Ensemble";
   const auto whole = [&](const std::string& name, auto& value, const std::string& what, std::int64_t least) {
-    command.add_option(name, value, what)->option_text("N")->group(group)->check(
-        CLI::Range(least, std::int64_t{10'000'000}));
+    command.add_option(name, value, what)
+        ->option_text("N")
+        ->group(group)
+        ->check(CLI::Range(least, std::int64_t{10'000'000}));
   };
   command
       .add_option("--ensemble", arguments.from,
@@ -154,8 +156,7 @@ int simulate_ensemble(const EnsembleJob& job) {
   EndsFile ends(job.csv, job.scene);
   Engine engine(job);
   const EnsembleSummary summary = run_all(job, table, scenarios, engine, ends, interrupts);
-  if (summary.finished == 0)
-    throw IntegrationError("every scenario stopped; the first: " + summary.first_stop());
+  if (summary.finished == 0) throw IntegrationError("every scenario stopped; the first: " + summary.first_stop());
   ends.finish();
   if (!job.ensemble.drawn.empty()) write_file(job.ensemble.drawn, csv_text(table));
   if (job.json) {

@@ -16,19 +16,26 @@ namespace {
 
 constexpr std::size_t shown_names = 24;
 
-std::string line(const std::string& label, const std::string& text) { return fmt::format("  {:<30} {}\n", label, text); }
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("  {:<30} {}\n", label, text);
+}
 
 std::string method_text(const integrate::Options& run, int lanes) {
   const std::string name = integrate::name_of(run.method);
-  if (lanes > 0) return fmt::format("{}, steps of at most {} s, {} scenarios side by side", name, shortest(run.step), lanes);
+  if (lanes > 0)
+    return fmt::format("{}, steps of at most {} s, {} scenarios side by side", name, shortest(run.step), lanes);
   return name + ", one scenario at a time" +
-         (run.method == integrate::Method::rk4 ? "" : fmt::format(", tolerances {} relative, {} absolute",
-                                                                 shortest(run.relative_tolerance),
-                                                                 shortest(run.absolute_tolerance)));
+         (run.method == integrate::Method::rk4
+              ? ""
+              : fmt::format(", tolerances {} relative, {} absolute", shortest(run.relative_tolerance),
+                            shortest(run.absolute_tolerance)));
 }
 
 Json spread_json(const Spread& spread) {
-  return {{"mean", spread.mean()}, {"deviation", spread.deviation()}, {"least", spread.least()}, {"largest", spread.largest()}};
+  return {{"mean", spread.mean()},
+          {"deviation", spread.deviation()},
+          {"least", spread.least()},
+          {"largest", spread.largest()}};
 }
 
 }  // namespace
@@ -83,8 +90,7 @@ std::string EnsembleSummary::text() const {
     rows.push_back({"  " + names_[i], brief(ends_[i].mean()), brief(ends_[i].deviation()), brief(ends_[i].least()),
                     brief(ends_[i].largest())});
   text += "\n" + text_table(rows);
-  if (names_.size() > shown_names)
-    text += fmt::format("  and {} more: --json has all\n", names_.size() - shown_names);
+  if (names_.size() > shown_names) text += fmt::format("  and {} more: --json has all\n", names_.size() - shown_names);
   return text;
 }
 

@@ -182,8 +182,7 @@ bool Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
 integrate::Scenario Scenarios::at(std::size_t row, const kanec_model& model) const {
   integrate::Scenario scenario{with(Part::x, x_, row), with(Part::y, y_, row), {}, {}};
   normalise(scenario.x, row);
-  scenario.parameters =
-      read_parameters(model, scene_, with(Part::parameter, default_parameters(scene_), row));
+  scenario.parameters = read_parameters(model, scene_, with(Part::parameter, default_parameters(scene_), row));
   scenario.inputs = read_inputs(model, scene_, with(Part::input, default_inputs(scene_), row));
   return scenario;
 }

@@ -1,5 +1,5 @@
-// Scenarios of an ensemble as a table: values by name, one row a scenario, from a CSV file or drawn as the scene says. Not:
-// their integration. SPDX-License-Identifier: GPL-2.0-or-later
+// Scenarios of an ensemble as a table: values by name, one row a scenario, from a CSV file or drawn as the scene says.
+// Not: their integration. SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,9 @@ struct ScenarioTable {
 // begin with # count for nothing. Throws InputError that names file, line and column.
 ScenarioTable read_scenarios(std::string_view text, const std::string& file, const scene::Scene& scene);
 
-// As the scene's [ensemble] says: mt19937_64 of that seed, scenario by scenario, name by name, so that further scenarios
-// leave the first ones alone. Uniform: the upper 53 bits; normal: Box and Muller's cosine, of two such numbers. Throws
-// InputError where the scene draws nothing.
+// As the scene's [ensemble] says: mt19937_64 of that seed, scenario by scenario, name by name, so that further
+// scenarios leave the first ones alone. Uniform: the upper 53 bits; normal: Box and Muller's cosine, of two such
+// numbers. Throws InputError where the scene draws nothing.
 ScenarioTable draw_scenarios(const scene::Scene& scene, int count, std::uint64_t seed);
 
 // That table as a CSV file that reads back as the same.

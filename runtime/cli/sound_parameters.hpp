@@ -8,8 +8,8 @@
 
 namespace kanec::cli {
 
-// True: check_defaults() would find nothing, as every body that has parameters among its mass and inertia gets a positive
-// mass and moments clearly above zero with these values. False says nothing.
+// True: check_defaults() would find nothing, as every body that has parameters among its mass and inertia gets a
+// positive mass and moments clearly above zero with these values. False says nothing.
 bool surely_sound(const scene::Scene& scene, std::span<const double> parameters);
 
 }  // namespace kanec::cli

@@ -45,9 +45,9 @@ struct EnsembleOptions {
   std::int64_t keep_every = 0;  // rows of the run; 0: the last one alone
 };
 
-// By the classical Runge-Kutta method in lanes, for any number of scenarios; results do not depend on that number, nor on
-// threads, nor on which scenarios stand side by side. Throws InputError as simulate() does, and where the batch has no
-// rates in one function. Sets the solver's parameters.
+// By the classical Runge-Kutta method in lanes, for any number of scenarios; results do not depend on that number, nor
+// on threads, nor on which scenarios stand side by side. Throws InputError as simulate() does, and where the batch has
+// no rates in one function. Sets the solver's parameters.
 std::vector<Outcome> run_in_lanes(BatchSolver<double>& solver, std::span<const Scenario> scenarios,
                                   const EnsembleOptions& options);
 

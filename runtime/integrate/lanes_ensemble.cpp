@@ -15,7 +15,8 @@ constexpr std::size_t alignment = 64;
 // Numbers of one group: entry i of lane l at [i * lanes + l], aligned as lanes want it.
 class Block {
  public:
-  Block(int entries, int lanes) : lanes_(lanes), lines_(static_cast<std::size_t>(std::max(entries, 1) * lanes) / 8 + 1) {}
+  Block(int entries, int lanes)
+      : lanes_(lanes), lines_(static_cast<std::size_t>(std::max(entries, 1) * lanes) / 8 + 1) {}
   double* data() { return lines_.front().numbers; }
   double* entry(int i) { return data() + static_cast<std::ptrdiff_t>(i) * lanes_; }
   double at(int i, int lane) const { return lines_.front().numbers[static_cast<std::ptrdiff_t>(i) * lanes_ + lane]; }
@@ -82,15 +83,14 @@ class Group {
   void advance(double begin, double end) {
     const auto n = static_cast<std::int64_t>(std::max(1.0, std::ceil((end - begin) / options_.run.step - 1e-9)));
     for (int lane = 0; lane < solver_.lanes(); ++lane) finite_until_.set(0, lane, begin);
-    const kanec_group group{begin,     end,       n, solver_.prepared(group_), u_.data(), z_.data(), norm_error_.data(),
-                            finite_until_.data()};
+    const kanec_group group{
+        begin, end, n, solver_.prepared(group_), u_.data(), z_.data(), norm_error_.data(), finite_until_.data()};
     rk4_.steps(&group);
     steps_ += n;
   }
 
   void take(double t, std::int64_t row, bool is_last) {
-    if (energy_)
-      solver_.evaluate_group(*energy_, group_, t, z_.data(), z_.entry(model_.nx), energies_.data(), worker_);
+    if (energy_) solver_.evaluate_group(*energy_, group_, t, z_.data(), z_.entry(model_.nx), energies_.data(), worker_);
     const bool wanted = is_last || (options_.keep_every > 0 && row % options_.keep_every == 0);
     for (int lane = 0; lane < count_; ++lane) {
       const auto i = static_cast<std::size_t>(lane);

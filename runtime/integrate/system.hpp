@@ -65,8 +65,8 @@ class System {
   std::optional<Fault> fault_;
 };
 
-// (x, y) of a model at the start. Euler parameters are brought to unit norm to the last bit. Throws InputError for wrong
-// sizes, numbers that are not finite, and Euler parameters further than 1e-6 from unit norm.
+// (x, y) of a model at the start. Euler parameters are brought to unit norm to the last bit. Throws InputError for
+// wrong sizes, numbers that are not finite, and Euler parameters further than 1e-6 from unit norm.
 std::vector<double> state_at_start(const kanec_model& model, std::span<const double> x, std::span<const double> y);
 
 // The first entry that is NaN or infinite, or -1.

@@ -8,7 +8,7 @@
 #include "abi.h"
 #include "lane_functions.hpp"
 
-namespace kanec::batch {
+namespace kanec::lanes::batch {
 
 // Where the states j .. j + lanes - 1 of an argument with n entries stand, and how many of them there are.
 template <class Lane>
@@ -19,7 +19,8 @@ struct Group {
 
   std::int64_t place(int n, int i) const noexcept { return (first / stride * n + i) * stride + first % stride; }
   bool is_direct(const void* argument) const noexcept {
-    return stride == Lane::size && count == Lane::size && reinterpret_cast<std::uintptr_t>(argument) % alignof(Lane) == 0;
+    return stride == Lane::size && count == Lane::size &&
+           reinterpret_cast<std::uintptr_t>(argument) % alignof(Lane) == 0;
   }
 
   // Lanes without a state take the last one's numbers: no exception is raised that no state would raise.
@@ -109,7 +110,8 @@ void evaluate(const kanec_states* states, void* out) noexcept {
 
 // Function: call() makes a group of prepared parameters.
 template <class Lane, class Prepared, class Sizes, class Function>
-void prepare(std::int64_t begin, std::int64_t end, std::int64_t stride, const void* parameters, void* prepared) noexcept {
+void prepare(std::int64_t begin, std::int64_t end, std::int64_t stride, const void* parameters,
+             void* prepared) noexcept {
   Argument<Lane, Sizes::n_parameters, true> p(parameters);
   for (std::int64_t j = begin; j < end; j += Lane::size) {
     const Group<Lane> group = group_at<Lane>(j, end, stride);
@@ -117,4 +119,4 @@ void prepare(std::int64_t begin, std::int64_t end, std::int64_t stride, const vo
   }
 }
 
-}  // namespace kanec::batch
+}  // namespace kanec::lanes::batch

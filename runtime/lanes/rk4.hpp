@@ -5,9 +5,10 @@
 
 #include "batch.hpp"
 
-namespace kanec::batch {
+namespace kanec::lanes::batch {
 
-// Each set of Euler parameters of z to unit norm; returns the worst | |eps| - 1 | before, or `worst` where that is worse.
+// Each set of Euler parameters of z to unit norm; returns the worst | |eps| - 1 | before, or `worst` where that is
+// worse.
 template <class Lane, class Model>
 Lane normalise(Lane* z, Lane worst) noexcept {
   for (int k = 0; k < Model::n_attitudes; ++k) {
@@ -85,4 +86,4 @@ class Rk4 {
   Lane stage_[n > 0 ? n : 1], rate_[n > 0 ? n : 1], sum_[n > 0 ? n : 1];
 };
 
-}  // namespace kanec::batch
+}  // namespace kanec::lanes::batch

@@ -93,7 +93,8 @@ TEST_F(EnsembleCommand, is_the_same_whatever_the_threads_and_as_drawn) {
 }
 
 TEST_F(EnsembleCommand, draws_as_the_scene_says) {
-  kanec({"simulate", "scene.toml", "--ensemble", "scene", "--count", "4000", "--drawn", "drawn.csv", "--duration", "0.01"});
+  kanec({"simulate", "scene.toml", "--ensemble", "scene", "--count", "4000", "--drawn", "drawn.csv", "--duration",
+         "0.01"});
   const std::vector<std::string> drawn = lines(read_file(work() / "drawn.csv"));
   ASSERT_EQ(drawn.size(), 4001u);
   EXPECT_EQ(drawn[0], "theta_1,thetadot_1,m");
@@ -122,8 +123,8 @@ TEST_F(EnsembleCommand, keeps_rows_on_request) {
 TEST_F(EnsembleCommand, tells_the_spread_and_the_energy_in_text) {
   const Answer answer = kanec({"simulate", "scene.toml", "--ensemble", "scene", "--threads", "2"});
   EXPECT_EQ(answer.status, 0) << answer.err;
-  for (const char* part : {"11 finished, 0 stopped", "side by side", "2 threads", "energy change minus work", "deviation",
-                           "\n  theta_1 "})
+  for (const char* part :
+       {"11 finished, 0 stopped", "side by side", "2 threads", "energy change minus work", "deviation", "\n  theta_1 "})
     EXPECT_THAT(answer.out, HasSubstr(part));
 }
 
@@ -134,9 +135,10 @@ TEST_F(EnsembleCommand, says_where_a_scenario_is_wrong) {
   };
   refused("", "runs.csv: found nothing; allowed: a header line of names and a line a scenario");
   refused("theta_1\n", "runs.csv: found a header alone;");
-  refused("theta_1,tehta_1\n1,2\n",
-          "runs.csv:1: column 2: found \"tehta_1\"; allowed: a coordinate, speed, parameter or input of drawn_pendulum: "
-          "theta_1, thetadot_1, m (did you mean theta_1?)");
+  refused(
+      "theta_1,tehta_1\n1,2\n",
+      "runs.csv:1: column 2: found \"tehta_1\"; allowed: a coordinate, speed, parameter or input of drawn_pendulum: "
+      "theta_1, thetadot_1, m (did you mean theta_1?)");
   refused("m,m\n1,2\n", "runs.csv:1: column 2: found \"m\" twice; allowed: each name once");
   refused("m,theta_1\n1,2\n# x\n3\n", "runs.csv:4: found 1 numbers; allowed: 2, one a column of the header");
   refused("m,theta_1\n1,2\n3,x\n", "runs.csv:3: theta_1: found \"x\"; allowed: a finite number");
@@ -151,7 +153,8 @@ TEST_F(EnsembleCommand, refuses_options_that_do_not_go_together) {
   refuses({"simulate", "scene.toml", "--ensemble", "scene", "--plot", "a.svg"}, "--plot, --final: found beside", files);
   refuses({"simulate", "scene.toml", "--ensemble", "none.csv"}, "none.csv", files);
   refuses({"simulate", "scene.toml", "--ensemble", "x.csv", "--seed", "2"}, "allowed: with --ensemble scene", files);
-  refuses({"simulate", model("pendulum"), "--ensemble", "scene"}, "draws nothing; allowed: a scene whose [ensemble]", files);
+  refuses({"simulate", model("pendulum"), "--ensemble", "scene"}, "draws nothing; allowed: a scene whose [ensemble]",
+          files);
 }
 
 TEST_F(EnsembleCommand, normalises_attitudes_and_says_so) {

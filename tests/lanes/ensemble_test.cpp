@@ -1,5 +1,7 @@
 // Ensembles in lanes and in threads. Oracle: simulate(), one scenario at a time.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/integrate/ensemble.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/integrate/ensemble.hpp"
 #include "runtime/integrate/simulate.hpp"
 #include "tests/lanes/compiled.hpp"
 
@@ -21,8 +22,7 @@ using testing::HasSubstr;
 
 class Ensemble : public testing::TestWithParam<const char*> {
  protected:
-  const scene::Scene scene =
-      scene::read(std::string(KANEC_SOURCE_DIR "/models/") + GetParam() + "/scene.toml");
+  const scene::Scene scene = scene::read(std::string(KANEC_SOURCE_DIR "/models/") + GetParam() + "/scene.toml");
   const Generated generated = generate(scene, {functions()});
   const compile::Model scalar = compiled(generated, scene);
   const compile::Model lanes = compiled_in_lanes(generated, scene, {"double", 4});
@@ -38,8 +38,8 @@ class Ensemble : public testing::TestWithParam<const char*> {
     std::vector<Scenario> list;
     for (int j = 0; j < count; ++j) {
       const Sample sample = sample_of(scene, random);
-      list.push_back({sample.state.x, sample.state.y, read_parameters(sample, scalar.abi()),
-                      read_inputs(sample, scalar.abi())});
+      list.push_back(
+          {sample.state.x, sample.state.y, read_parameters(sample, scalar.abi()), read_inputs(sample, scalar.abi())});
     }
     return list;
   }

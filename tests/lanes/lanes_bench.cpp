@@ -111,8 +111,8 @@ int run(const std::vector<std::string>& scenes) {
       batches.push_back(cli::build_batch(model.scene, {function}, {}, {variant.scalar, variant.lanes}));
       const kanec_batch& batch = batches.back().library.batch();
       for (const bool blocked : {false, true}) {
-        const std::string full = name + ", " + std::to_string(variant.lanes) + " " + variant.scalar +
-                                 (blocked ? ", blocks" : ", arrays");
+        const std::string full =
+            name + ", " + std::to_string(variant.lanes) + " " + variant.scalar + (blocked ? ", blocks" : ", arrays");
         const bool is_double = batch.scalar_size == sizeof(double);
         benchmark::RegisterBenchmark(full.c_str(), [&model, &batch, blocked, is_double](benchmark::State& loop) {
           is_double ? time_lanes<double>(loop, model, batch, blocked) : time_lanes<float>(loop, model, batch, blocked);

@@ -13,10 +13,11 @@ std::string ensemble(const std::string& lines) { return with_table("[ensemble]\n
 TEST(EnsembleTable, is_none_where_it_is_not_written) { EXPECT_EQ(parse(with_table(""), "f").ensemble.count, 0); }
 
 TEST(EnsembleTable, keeps_names_in_the_order_of_the_file) {
-  const Ensemble found = parse("name = 'n'\nconnection = [0]\n[parameters]\nm = 2\n[inputs]\npush = 1\n[[body]]\nmass = "
-                               "'m'\ninertia = [1, 1, 1]\nforce = ['push', 0, 0]\n[ensemble]\nseed = 5\npush = {normal = "
-                               "[0, 2]}\nm = {uniform = [1, 3]}\ncount = 7\ns_1_2 = {uniform = [-1, -1]}\n",
-                               "f")
+  const Ensemble found = parse(
+                             "name = 'n'\nconnection = [0]\n[parameters]\nm = 2\n[inputs]\npush = 1\n[[body]]\nmass = "
+                             "'m'\ninertia = [1, 1, 1]\nforce = ['push', 0, 0]\n[ensemble]\nseed = 5\npush = {normal = "
+                             "[0, 2]}\nm = {uniform = [1, 3]}\ncount = 7\ns_1_2 = {uniform = [-1, -1]}\n",
+                             "f")
                              .ensemble;
   EXPECT_EQ(found.count, 7);
   EXPECT_EQ(found.seed, 5);
@@ -34,8 +35,7 @@ TEST(EnsembleTable, refuses_what_no_scenario_can_have) {
   EXPECT_THAT(message(ensemble("s_1_4 = {uniform = [0, 1]}")),
               HasSubstr("f:7: ensemble.s_1_4: found an unknown name; allowed: count, seed, or a coordinate, speed, "
                         "parameter or input: eps_1_1, "));
-  EXPECT_EQ(message(ensemble("count = 0")),
-            "f:7: ensemble.count: found 0; allowed: a whole number from 1 to 10000000");
+  EXPECT_EQ(message(ensemble("count = 0")), "f:7: ensemble.count: found 0; allowed: a whole number from 1 to 10000000");
   EXPECT_EQ(message(ensemble("count = 2.5")),
             "f:7: ensemble.count: found 2.5; allowed: a whole number from 1 to 10000000");
   EXPECT_EQ(message(ensemble("seed = -1")),
