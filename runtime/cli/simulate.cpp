@@ -34,7 +34,14 @@ step; the summary says how far they were off before. Energy change minus work, a
 momenta too, would be zero if there were no errors. Prescribed coordinates do work that no function of the model adds
 up: with them that difference is their work, and energy is no check. The CSV has a column a coordinate, speed and energy,
 with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
-error. --final leaves the last state as `kanec eval --input` takes it.)";
+error. --final leaves the last state as `kanec eval --input` takes it.
+
+Many runs at once: --ensemble takes a CSV file whose columns are named as coordinates, speeds, parameters or inputs (others
+stay as the scene has them), a line a scenario; or draws them as the scene's [ensemble] says
+  kanec simulate models/cart_pole --ensemble runs.csv --integrator rk4 --csv ends.csv
+With rk4 the scenarios run side by side in the processor's vector registers, which is the fastest by far; with every other
+integrator one in each thread. Results do not depend on the number of threads. --csv then has a line a scenario, its end
+or with --keep-every its rows; a scenario that stops early has its last finite row there, and the summary tells of it.)";
 
 struct Options {
   SceneArgument scene;
