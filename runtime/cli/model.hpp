@@ -35,6 +35,15 @@ struct CompiledModel {
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments);
 
+// The same for lanes (runtime/abi/batch_solver.hpp), a library of its own: its `library.batch()` is for BatchSolver.
+// scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
+struct LaneArguments {
+  std::string scalar = "double";
+  int lanes = 0;
+};
+CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
+                          const BuildArguments& arguments, const LaneArguments& lanes = {});
+
 // --functions a,b+c
 // --algorithm of accelerations.
 void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm);
