@@ -52,10 +52,9 @@ compile::Options compile_options(const BuildArguments& arguments) {
   return {arguments.compiler, words(arguments.flags), arguments.flags_given, arguments.cache, !arguments.no_cache};
 }
 
-CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildArguments& arguments) {
+CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, {functions});
+  Generated generated = generate(scene, options);
   interrupts.poll();
   compile::Model library = [&] {
     try {
@@ -69,7 +68,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
   for (const std::string& note : library.notes()) remark("note: " + note);
   remark(library.from_cache() ? scene.name + ": from the cache"
                               : fmt::format("{}: compiled in {:.2g} s", scene.name, library.compile_seconds()));
-  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
+  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {

@@ -29,9 +29,8 @@ struct CompiledModel {
   std::vector<std::string> requests;  // its functions, as they were asked for
 };
 
-// What the scene asks for, or the usual functions, where `functions` is empty. Throws InputError, BuildError, LoadError, Interrupted.
-CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildArguments& arguments);
+// Throws InputError, BuildError, LoadError, Interrupted.
+CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments);
 
 // --functions a,b+c
 void add_functions(CLI::App& command, std::vector<std::string>& functions);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/bench/entrants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/base/error.hpp"
+#include "runtime/cli/agreement.hpp"
+#include "runtime/cli/bench/code_size.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/paths.hpp"
+#include "runtime/cli/samples.hpp"
+#include "runtime/generic/evaluate.hpp"
+
+namespace kanec::cli {
+namespace {
+
+constexpr int pool_size = 256;
+constexpr std::uint64_t seed = 1;
+constexpr int compared_states = 4;        // of emitted code, in 50 digits as well
+constexpr std::size_t peer_states = 16;   // compared
+constexpr double peer_difference = 1e-9;  // engines in double reach 1e-13 to 1e-10; a wrong term is 1e-3 and more
+
+// States with the parameters that peers and the timed calls have, the defaults.
+std::vector<State> pool(const scene::Scene& scene) {
+  std::vector<State> states = samples(scene, pool_size, seed);
+  for (State& state : states) state.parameters = default_parameters(scene);
+  return states;
+}
+
+// Calls with the states of the pool in turn.
+template <class Call>
+void run(benchmark::State& loop, std::size_t n_states, Call call) {
+  std::size_t at = 0;
+  for (auto _ : loop) {
+    call(at);
+    at = at + 1 == n_states ? 0 : at + 1;
+    benchmark::ClobberMemory();
+  }
+}
+
+std::vector<double> differences(const scene::Scene& scene, const CompiledModel& model) {
+  const Bounds bounds;
+  std::vector<double> list;
+  for (const Agreement& a : agreements(scene, model, samples(scene, compared_states, seed), [](double) {})) {
+    if (!bounds.hold(a))
+      throw InputError(
+          fmt::format("{}: emitted and generic differ by {:.2g}, rounding is {:.4g} ulps: not timed; "
+                      "kanec check tells more",
+                      a.function, a.generic, a.largest_ulps));
+    list.push_back(a.generic);
+  }
+  return list;
+}
+
+double difference(const std::vector<double>& found, const std::vector<double>& expected) {
+  double error = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (!std::isfinite(found[i])) return INFINITY;
+    error = std::max(error, std::fabs(found[i] - expected[i]));
+    size = std::max(size, std::fabs(expected[i]));
+  }
+  return error == 0.0 ? 0.0 : error / size;
+}
+
+State accelerated(const scene::Scene& scene, State state) {
+  const std::vector<long double> ydot = generic_path<long double>(scene, {"accelerations"}, state);
+  std::transform(ydot.begin(), ydot.end(), state.ydot.begin(), [](long double rate) { return static_cast<double>(rate); });
+  return state;
+}
+
+}  // namespace
+
+Entrants::Entrants(const scene::Scene& scene, const ContestOptions& options)
+    : scene_(scene), pool_(pool(scene)), generic_(scene, default_parameters(scene)) {
+  for (const Variant& variant : options.variants) build(variant);
+  const Generated& generated = built_.front().model.generated;
+  contest.model = scene.name;
+  contest.hash = generated.hash;
+  for (const program::Function& function : generated.program.functions) add_function(function, options);
+}
+
+void Entrants::build(const Variant& variant) {
+  CompiledModel model = cli::build(scene_, variant.generate, variant.build);
+  const Solver solver(model.library.abi());
+  std::vector<double> difference = differences(scene_, model);
+  built_.push_back({std::move(model), solver, std::move(difference)});
+}
+
+void Entrants::add_function(const program::Function& function, const ContestOptions& options) {
+  for (std::size_t i = 0; i < options.variants.size(); ++i)
+    add_emitted(options.variants[i], built_[i], function.name);
+  add_generic(function.name);
+  if (function.name != "accelerations") return;
+  for (const Peer& peer : options.peers) add_peer(peer);
+}
+
+void Entrants::add_emitted(const Variant& variant, const Built& built, const std::string& function) {
+  const std::vector<program::Function>& list = built.model.generated.program.functions;
+  const auto same = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == function; });
+  if (same == list.end()) throw InternalError("variant " + variant.name + " without " + function);
+  const kanec_function& call = *built.solver.find(function);
+  Entry entry{function, variant.name};
+  entry.cost = program::ledger(built.model.generated.program, *same);
+  entry.code_bytes = code_bytes(built.model.library, function);
+  if (!built.model.library.from_cache()) entry.compile_seconds = built.model.library.compile_seconds();
+  entry.difference = built.difference[static_cast<std::size_t>(same - list.begin())];
+  add(std::move(entry), [this, &solver = built.solver, &call](benchmark::State& loop) {
+    std::vector<double> out(static_cast<std::size_t>(call.n_out));
+    run(loop, pool_.size(), [&](std::size_t at) {
+      const State& state = pool_[at];
+      solver.evaluate(call, state.t, state.x.data(), state.y.data(), state.ydot.data(), out.data());
+    });
+  });
+}
+
+void Entrants::add_generic(const std::string& function) {
+  const std::vector<std::string> parts = parts_of_emitted(function, built_.front().model.requests);
+  add({function, "generic"}, [this, parts, inputs = default_inputs(scene_)](benchmark::State& loop) {
+    run(loop, pool_.size(), [&](std::size_t at) {
+      const State& state = pool_[at];
+      const generic::Arguments<double> arguments{state.t, state.x, state.y, state.ydot, inputs};
+      for (const std::string& part : parts) benchmark::DoNotOptimize(generic::evaluate(generic_, part, arguments).data());
+    });
+  });
+}
+
+void Entrants::add_peer(const Peer& peer) {
+  Entry entry{"accelerations", peer.name()};
+  try {
+    prepare_peers();
+    PeerSimulation& simulation = simulations_.emplace_back(peer, *relative_, relative_pool_);
+    entry.note = peer.note();
+    entry.difference = largest_difference(simulation);
+    if (*entry.difference < peer_difference)
+      return add(std::move(entry), [this, &simulation](benchmark::State& loop) {
+        run(loop, pool_.size(), [&](std::size_t at) { simulation.accelerate(at); });
+      });
+    entry.note = fmt::format("differs by {:.2g}: not timed", *entry.difference);
+  } catch (const NotModelled& error) {
+    entry.note = std::string("not modelled: ") + error.what();
+  }
+  contest.entries.push_back(std::move(entry));
+}
+
+void Entrants::prepare_peers() {
+  if (relative_) return;
+  RelativeModel model = relative_model(scene_);
+  relative_ = std::move(model);
+  const RelativeStates states(scene_, *relative_);
+  for (const State& state : pool_) relative_pool_.push_back(states.of(state));
+  for (std::size_t i = 0; i < peer_states; ++i) expected_.push_back(states.rates(accelerated(scene_, pool_[i])));
+}
+
+double Entrants::largest_difference(PeerSimulation& simulation) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < expected_.size(); ++i)
+    largest = std::max(largest, difference(simulation.result(i), expected_[i]));
+  return largest;
+}
+
+void Entrants::add(Entry entry, Loop loop) {
+  loop_of.push_back(contest.entries.size());
+  contest.entries.push_back(std::move(entry));
+  loops.push_back(std::move(loop));
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/bench/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include "runtime/base/error.hpp"
+
+namespace kanec::cli {
+namespace {
+
+constexpr int repetitions = 5;
+
+// Keeps the time of every part, by the benchmark's name.
+class Times : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration) times_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+  }
+  Time of(const std::string& name) {
+    std::vector<double>& list = times_[name];
+    if (list.empty()) throw InternalError("no time was taken of loop " + name);
+    std::sort(list.begin(), list.end());
+    return {list[list.size() / 2], list.front()};
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times_;
+};
+
+// Google Benchmark takes its settings as a command line.
+void initialise(double min_time) {
+  std::array<std::string, 4> words = {"kanec", fmt::format("--benchmark_min_time={}", min_time / repetitions),
+                                      fmt::format("--benchmark_repetitions={}", repetitions),
+                                      "--benchmark_enable_random_interleaving=true"};
+  std::array<char*, words.size() + 1> arguments{};
+  std::transform(words.begin(), words.end(), arguments.begin(), [](std::string& word) { return word.data(); });
+  int count = static_cast<int>(words.size());
+  benchmark::Initialize(&count, arguments.data());
+}
+
+}  // namespace
+
+std::vector<Time> timed(const std::vector<Loop>& loops, double min_time) {
+  initialise(min_time);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    benchmark::RegisterBenchmark(std::to_string(i).c_str(), [&loop = loops[i]](benchmark::State& state) { loop(state); });
+  Times times;
+  if (!loops.empty()) benchmark::RunSpecifiedBenchmarks(&times);
+  benchmark::ClearRegisteredBenchmarks();
+  std::vector<Time> list;
+  for (std::size_t i = 0; i < loops.size(); ++i) list.push_back(times.of(std::to_string(i)));
+  return list;
+}
+
+}  // namespace kanec::cli
