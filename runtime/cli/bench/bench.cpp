@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/bench/contest_chart.hpp"
+#include "runtime/cli/bench/contest_page.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
@@ -13,7 +16,8 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Examples: the functions of S6F, emitted beside generic; then the accelerations of many, as a picture
+constexpr auto footer =
+    R"(Example: functions of S6F, emitted beside generic; then the accelerations of many, as a picture
   kanec bench models/bench_s6f --functions accelerations,residual
   taskset -c 1 kanec bench models/bench_* --svg bench.svg
 
@@ -32,6 +36,8 @@ struct Options {
   double min_time = 0.5;
   bool no_peers = false;
   bool json = false;
+  bool markdown = false;
+  std::string output = "-";
   std::string svg;
 };
 
@@ -57,29 +63,56 @@ std::string compiler_text(const BuildArguments& arguments) {
   return fmt::format("{}, {}", version.substr(0, version.find('\n')), fmt::join(flags, " "));
 }
 
-void report(const std::vector<Contest>& list, const Conditions& conditions, bool as_json) {
-  if (as_json) {
-    Json scenes = Json::array();
-    for (const Contest& contest : list) scenes.push_back(json(contest));
-    return print_json({{"kanec", version()},
-                       {"processor", conditions.processor},
-                       {"compiler", conditions.compiler},
-                       {"scenes", scenes}});
-  }
-  print(fmt::format("processor time per evaluation on {}\nemitted code by {}\n", conditions.processor,
-                    conditions.compiler));
-  for (const Contest& contest : list) print("\n" + text(contest));
+std::string as_text(const std::vector<Contest>& list, const Conditions& conditions) {
+  std::string report = fmt::format("processor time per evaluation on {}\nemitted code by {}\n", conditions.processor,
+                                   conditions.compiler);
+  for (const Contest& contest : list) report += "\n" + text(contest);
+  const std::string notes = footnotes(list);
+  return notes.empty() ? report : report + "\n" + notes;
+}
+
+std::string as_json(const std::vector<Contest>& list, const Conditions& conditions) {
+  Json scenes = Json::array();
+  for (const Contest& contest : list) scenes.push_back(json(contest));
+  return json_text({{"kanec", version()},
+                    {"processor", conditions.processor},
+                    {"compiler", conditions.compiler},
+                    {"scenes", scenes}});
+}
+
+// That writes the same report again, bar the times.
+std::string command_of(const Options& options) {
+  std::string command = "kanec bench";
+  for (const std::string& scene : options.scenes) command += " " + scene;
+  if (!options.connection.empty()) command += " --connection " + options.connection;
+  if (!options.functions.empty()) command += fmt::format(" --functions {}", fmt::join(options.functions, ","));
+  return command + (options.no_peers ? " --no-peers" : "") + (options.build.no_cache ? " --no-cache" : "") +
+         " --markdown";
+}
+
+std::string report_of(const std::vector<Contest>& list, const Options& options) {
+  const Conditions conditions{processor_name(), compiler_text(options.build)};
+  if (options.json) return as_json(list, conditions);
+  if (options.markdown) return page(list, conditions, command_of(options), options.svg);
+  return as_text(list, conditions);
 }
 
 int bench(const Options& options) {
+  if (options.json && options.markdown) throw InputError("--json: found it beside --markdown; allowed: one of them");
+  AtomicFile report(options.output);
+  std::optional<AtomicFile> picture;
+  if (!options.svg.empty()) picture.emplace(options.svg);
   const std::vector<scene::Scene> scenes = load(options);
   const ContestOptions contest{{{"emitted", {functions(options, scenes)}, options.build}},
                                options.no_peers ? std::vector<Peer>{} : peers_beside_program(),
                                options.min_time};
   const std::vector<Contest> list = contests(scenes, contest);
-  const Conditions conditions{processor_name(), compiler_text(options.build)};
-  if (!options.svg.empty()) write_file(options.svg, chart(list, conditions));
-  report(list, conditions, options.json);
+  if (picture) {
+    picture->write(chart(list, {processor_name(), compiler_text(options.build)}));
+    picture->commit();
+  }
+  report.write(report_of(list, options));
+  report.commit();
   return 0;
 }
 
@@ -97,6 +130,8 @@ void add_bench(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.001, 3600.0));
   command->add_flag("--no-peers", options->no_peers, "without other engines");
   command->add_flag("--json", options->json, "report for machines");
+  command->add_flag("--markdown", options->markdown, "report as a page (docs/benchmarks.md)");
+  command->add_option("-o,--output", options->output, "the report's file, or - (-)")->option_text("FILE");
   command->add_option("--svg", options->svg, "a picture as well: bars on a logarithmic axis")->option_text("FILE");
   add_build(*command, options->build);
 }

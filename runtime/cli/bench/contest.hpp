@@ -25,11 +25,11 @@ struct Variant {
 // One way to one function.
 struct Entry {
   std::string function, name;
-  std::optional<program::Ledger> cost = {};     // of emitted code
-  std::optional<std::size_t> code_bytes = {};   // of emitted code, where its symbols tell
-  std::optional<double> compile_seconds = {};   // of its library, which holds all functions; none from the cache
-  std::optional<double> difference = {};        // from the generic path, largest of a component beside the largest
-  std::string note = {};                        // why there is no time, or what has to be known beside it
+  std::optional<program::Ledger> cost = {};    // of emitted code
+  std::optional<std::size_t> code_bytes = {};  // of emitted code, where its symbols tell
+  std::optional<double> compile_seconds = {};  // of its library, which holds all functions; none from the cache
+  std::optional<double> difference = {};       // from the generic path, largest of a component beside the largest
+  std::string note = {};                       // why there is no time, or what has to be known beside it
   std::optional<Time> time = {};
 };
 

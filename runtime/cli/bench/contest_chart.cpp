@@ -18,11 +18,16 @@ constexpr std::array<const char*, 6> colours = {"#1b6ca8", "#9aa5b1", "#d1495b",
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    if (c == '&') safe += "&amp;";
-    else if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (static_cast<unsigned char>(c) < ' ') safe += ' ';
-    else safe += c;
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (static_cast<unsigned char>(c) < ' ')
+      safe += ' ';
+    else
+      safe += c;
   }
   return safe;
 }
@@ -33,7 +38,7 @@ std::string time_text(double ns) {
   return ns < 999.5e3 ? fmt::format("{:.3g} µs", ns * 1e-3) : fmt::format("{:.3g} ms", ns * 1e-6);
 }
 
-// Decades that hold all times.
+// Decades that hold all times, the shortest some way into the first.
 struct Axis {
   int first = 1, last = 4;
 
@@ -46,7 +51,7 @@ struct Axis {
           most = std::max(most, entry.time->median);
         }
     if (most <= 0.0) return;
-    first = static_cast<int>(std::floor(std::log10(std::max(least, 1e-3))));
+    first = static_cast<int>(std::floor(std::log10(std::max(least / 2, 1e-3))));
     last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(most))));
   }
   double x(double ns) const {
@@ -78,8 +83,7 @@ std::string bar_of(const Entry& entry, const Entry& first, const Axis& axis, dou
   if (!entry.time) return name + label(left + 4, y + 12, "note", entry.note);
   const double end = axis.x(entry.time->median);
   std::string value = time_text(entry.time->median);
-  if (&entry != &first && first.time)
-    value += fmt::format(", {:.3g} times", entry.time->median / first.time->median);
+  if (&entry != &first && first.time) value += fmt::format(", {:.3g} times", entry.time->median / first.time->median);
   return name +
          fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n", left, y,
                      std::max(end - left, 1.0), bar, colour) +
@@ -90,7 +94,8 @@ std::string grid(const Axis& axis, double height) {
   std::string text;
   for (int decade = axis.first; decade <= axis.last; ++decade) {
     const double x = axis.x(std::pow(10.0, decade));
-    text += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/>\n", x, top - 8, height - bottom);
+    text +=
+        fmt::format("<line x1=\"{0:.1f}\" y1=\"{1}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/>\n", x, top - 8, height - bottom);
     text += label(x, height - bottom + 16, "tick", time_text(std::pow(10.0, decade)));
   }
   return text + label((left + width - right) / 2, height - 8, "tick", "processor time per evaluation, logarithmic");
@@ -131,9 +136,10 @@ std::string chart(const std::vector<Contest>& contests, const Conditions& condit
   double y = top;
   const std::string drawn = bars(contests, axis, y);
   const double height = y + bottom;
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
-                     "viewBox=\"0 0 {0} {1:.0f}\">\n",
-                     width, height) +
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
+             "viewBox=\"0 0 {0} {1:.0f}\">\n",
+             width, height) +
          style + "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
          label(16, 26, "heading", "Time per evaluation: emitted code beside other ways") +
          label(16, 44, "note", conditions.processor) + label(16, 60, "note", "emitted code by " + conditions.compiler) +

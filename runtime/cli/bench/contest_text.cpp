@@ -2,7 +2,9 @@
 #include "runtime/cli/bench/contest_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "runtime/cli/dump.hpp"
@@ -21,10 +23,10 @@ std::string ratio_text(const Entry& entry, const Entry& first) {
   return entry.time && first.time ? fmt::format("{:.2f}", entry.time->median / first.time->median) : "";
 }
 
-// Why there is no time, or what it is made of.
+// What the operations are, or why there is no time.
 std::string remarks(const Entry& entry) {
-  if (!entry.note.empty()) return entry.note;
-  return entry.cost ? program::text(*entry.cost) : "";
+  if (entry.cost) return program::text(*entry.cost);
+  return entry.time ? "" : entry.note;
 }
 
 TextRow row(const Entry& entry, const Entry& first) {
@@ -66,9 +68,19 @@ std::string processor_name() {
   return "";
 }
 
+std::string footnotes(const std::vector<Contest>& contests) {
+  std::vector<std::string> lines;
+  for (const Contest& contest : contests)
+    for (const Entry& entry : contest.entries)
+      if (entry.time && !entry.note.empty()) lines.push_back(entry.name + ": " + entry.note + "\n");
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return fmt::format("{}", fmt::join(lines, ""));
+}
+
 std::string text(const Contest& contest) {
   std::vector<TextRow> rows = {
-      {"function", "path", "time", "ratio", "operations", "code bytes", "compiled in", "difference", "of which"}};
+      {"function", "path", "time", "ratio", "operations", "code bytes", "compiled in", "difference", ""}};
   for (const Entry& entry : contest.entries) rows.push_back(row(entry, contest.first(entry.function)));
   return contest.model + "\n" + text_table(rows, "llrrrrrrl");
 }

@@ -15,4 +15,7 @@ std::string processor_name();
 std::string text(const Contest& contest);
 Json json(const Contest& contest);
 
+// What has to be known beside times of other engines, a line each; none where nothing has.
+std::string footnotes(const std::vector<Contest>& contests);
+
 }  // namespace kanec::cli

@@ -67,7 +67,8 @@ double difference(const std::vector<double>& found, const std::vector<double>& e
 
 State accelerated(const scene::Scene& scene, State state) {
   const std::vector<long double> ydot = generic_path<long double>(scene, {"accelerations"}, state);
-  std::transform(ydot.begin(), ydot.end(), state.ydot.begin(), [](long double rate) { return static_cast<double>(rate); });
+  std::transform(ydot.begin(), ydot.end(), state.ydot.begin(),
+                 [](long double rate) { return static_cast<double>(rate); });
   return state;
 }
 
@@ -90,8 +91,7 @@ void Entrants::build(const Variant& variant) {
 }
 
 void Entrants::add_function(const program::Function& function, const ContestOptions& options) {
-  for (std::size_t i = 0; i < options.variants.size(); ++i)
-    add_emitted(options.variants[i], built_[i], function.name);
+  for (std::size_t i = 0; i < options.variants.size(); ++i) add_emitted(options.variants[i], built_[i], function.name);
   add_generic(function.name);
   if (function.name != "accelerations") return;
   for (const Peer& peer : options.peers) add_peer(peer);
@@ -122,7 +122,8 @@ void Entrants::add_generic(const std::string& function) {
     run(loop, pool_.size(), [&](std::size_t at) {
       const State& state = pool_[at];
       const generic::Arguments<double> arguments{state.t, state.x, state.y, state.ydot, inputs};
-      for (const std::string& part : parts) benchmark::DoNotOptimize(generic::evaluate(generic_, part, arguments).data());
+      for (const std::string& part : parts)
+        benchmark::DoNotOptimize(generic::evaluate(generic_, part, arguments).data());
     });
   });
 }

@@ -40,7 +40,7 @@ class Entrants {
   scene::Scene scene_;
   std::vector<State> pool_;
   generic::System<double> generic_;
-  std::deque<Built> built_;               // stays where it is, as loops refer to it
+  std::deque<Built> built_;                // stays where it is, as loops refer to it
   std::optional<RelativeModel> relative_;  // for peers, where they can have it
   std::vector<RelativeState> relative_pool_;
   std::deque<PeerSimulation> simulations_;

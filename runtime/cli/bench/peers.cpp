@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
   throw LoadError(library.string() + ": " + (cause != nullptr ? cause : "cause unknown"));
 }
 
-std::unique_ptr<void, void (*)(void*)> created(const kanec_peer& peer, const kanec_peer_model& model, std::size_t n_slots) {
+std::unique_ptr<void, void (*)(void*)> created(const kanec_peer& peer, const kanec_peer_model& model,
+                                               std::size_t n_slots) {
   std::array<char, 500> message{};
   void* simulation = peer.create(&model, static_cast<int32_t>(n_slots), message.data(), message.size());
   if (simulation == nullptr) throw NotModelled(message.data());
@@ -29,7 +30,9 @@ std::unique_ptr<void, void (*)(void*)> created(const kanec_peer& peer, const kan
 }  // namespace
 
 Peer::Peer(const fs::path& library)
-    : handle_(::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* handle) { if (handle != nullptr) ::dlclose(handle); }) {
+    : handle_(::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* handle) {
+        if (handle != nullptr) ::dlclose(handle);
+      }) {
   if (!handle_) fail(library);
   const auto entry = reinterpret_cast<kanec_peer_entry_function>(::dlsym(handle_.get(), KANEC_PEER_ENTRY));
   if (entry == nullptr) fail(library);

@@ -16,13 +16,15 @@ using Motion = scene::Coordinate::Motion;
 
 // Where a body of the scene stands on the one that carries it: itself, or what it is welded to.
 struct Place {
-  int carrier = 0;                      // of the relative model, from 1; 0: the inertial frame
-  Vector3d p = Vector3d::Zero();        // its origin, carrier's axes
-  Matrix3d A = Matrix3d::Identity();    // its components to the carrier's
+  int carrier = 0;                    // of the relative model, from 1; 0: the inertial frame
+  Vector3d p = Vector3d::Zero();      // its origin, carrier's axes
+  Matrix3d A = Matrix3d::Identity();  // its components to the carrier's
 };
 
 void store(const Vector3d& from, double* to) { Eigen::Map<Vector3d>{to} = from; }
-void store_matrix(const Matrix3d& from, double* to) { Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{to} = from; }
+void store_matrix(const Matrix3d& from, double* to) {
+  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{to} = from;
+}
 
 Matrix3d symmetric(const kanec_peer_body& body) { return Eigen::Map<const Matrix3d>{body.inertia}; }
 
@@ -62,8 +64,8 @@ void weld(const Body& body, const Place& at, kanec_peer_body& carrier) {
   const double m = carrier.mass + body.m;
   const Vector3d centre = m == 0.0 ? before : Vector3d((carrier.mass * before + body.m * r) / m);
   store_matrix(symmetric(carrier) + about(carrier.mass, before - centre) + at.A * body.I * at.A.transpose() +
-            about(body.m, r - centre),
-        carrier.inertia);
+                   about(body.m, r - centre),
+               carrier.inertia);
   store(centre, carrier.r);
   carrier.mass = m;
 }

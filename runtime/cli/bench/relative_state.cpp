@@ -27,8 +27,7 @@ const double* entries(const std::vector<double>& list, int at) { return list.dat
 Turning turned(const Turning& turning, const Vector3d& a, double theta, double rate, double second_rate) {
   const Quaterniond step(Eigen::AngleAxisd(theta, a));
   const Vector3d omega = step.inverse() * turning.omega, along = a * rate;
-  return {turning.Q * step, omega + along,
-          step.inverse() * turning.omega_rate + omega.cross(along) + a * second_rate};
+  return {turning.Q * step, omega + along, step.inverse() * turning.omega_rate + omega.cross(along) + a * second_rate};
 }
 
 Turning turned(const Turning& turning, const Matrix3d& zero) {

@@ -50,7 +50,8 @@ void initialise(double min_time) {
 std::vector<Time> timed(const std::vector<Loop>& loops, double min_time) {
   initialise(min_time);
   for (std::size_t i = 0; i < loops.size(); ++i)
-    benchmark::RegisterBenchmark(std::to_string(i).c_str(), [&loop = loops[i]](benchmark::State& state) { loop(state); });
+    benchmark::RegisterBenchmark(std::to_string(i).c_str(),
+                                 [&loop = loops[i]](benchmark::State& state) { loop(state); });
   Times times;
   if (!loops.empty()) benchmark::RunSpecifiedBenchmarks(&times);
   benchmark::ClearRegisteredBenchmarks();

@@ -17,8 +17,8 @@ btVector3 bt(const Vector3d& from) { return {from[0], from[1], from[2]}; }
 btQuaternion bt(const Quaterniond& from) { return {from.x(), from.y(), from.z(), from.w()}; }
 Vector3d vector(const btVector3& from) { return {from.x(), from.y(), from.z()}; }
 
-// Bullet's bodies have their mass centre as origin and principal axes. A joint of several axes is several links, all but
-// the last without mass.
+// Bullet's bodies have their mass centre as origin and principal axes. A joint of several axes is several links, all
+// but the last without mass.
 struct Link {
   Body body;
   Principal about;  // its own
@@ -57,8 +57,10 @@ class Engine {
     int next = 0;
     for (const Body& body : bodies_of(model)) {
       Link link{body, principal(body.data), next, next + links_of(body) - 1};
-      if (moves_ && body.k == 1) link.last = -1;
-      else next = link.last + 1;
+      if (moves_ && body.k == 1)
+        link.last = -1;
+      else
+        next = link.last + 1;
       if (link.last >= 0) hang(link);
       links_.push_back(link);
     }
@@ -71,8 +73,10 @@ class Engine {
   void set(int slot, const double* q, const double* u, const double* force) {
     State state;
     for (const Link& link : links_) {
-      if (link.last < 0) set_base(link, q, u, force, state);
-      else set_link(link, q + link.body.q, u + link.body.u, force + link.body.u, state);
+      if (link.last < 0)
+        set_base(link, q, u, force, state);
+      else
+        set_link(link, q + link.body.q, u + link.body.u, force + link.body.u, state);
     }
     states_[static_cast<std::size_t>(slot)] = std::move(state);
   }
@@ -140,14 +144,21 @@ class Engine {
       const bool is_last = i == link.last, slides = i - link.first < body->n_slides;
       const Quaterniond zero{Eigen::Matrix3d(matrix(body->zero))};
       const Quaterniond turn = is_last ? (below.inverse() * zero * link.about.axes).inverse() : Quaterniond::Identity();
-      const double* axes = slides ? body->slides + 3 * (i - link.first) : body->turns + 3 * (i - link.first - body->n_slides);
-      const btVector3 axis = bt(body->is_ball && !slides ? Vector3d(0, 0, 1) : Vector3d(turn * (below.inverse() * kanec::peers::vector(axes))));
-      const btVector3 centre = is_last ? bt(link.about.axes.inverse() * kanec::peers::vector(body->r)) : btVector3(0, 0, 0);
+      const double* axes =
+          slides ? body->slides + 3 * (i - link.first) : body->turns + 3 * (i - link.first - body->n_slides);
+      const btVector3 axis =
+          bt(body->is_ball && !slides ? Vector3d(0, 0, 1)
+                                      : Vector3d(turn * (below.inverse() * kanec::peers::vector(axes))));
+      const btVector3 centre =
+          is_last ? bt(link.about.axes.inverse() * kanec::peers::vector(body->r)) : btVector3(0, 0, 0);
       const btVector3 inertia = is_last ? bt(link.about.moments) : btVector3(0, 0, 0);
       const double mass = is_last ? body->mass : 0.0;
-      if (slides) tree_->setupPrismatic(i, mass, inertia, parent, bt(turn), axis, bt(offset), centre, true);
-      else if (body->is_ball) tree_->setupSpherical(i, mass, inertia, parent, bt(turn), bt(offset), centre, true);
-      else tree_->setupRevolute(i, mass, inertia, parent, bt(turn), axis, bt(offset), centre, true);
+      if (slides)
+        tree_->setupPrismatic(i, mass, inertia, parent, bt(turn), axis, bt(offset), centre, true);
+      else if (body->is_ball)
+        tree_->setupSpherical(i, mass, inertia, parent, bt(turn), bt(offset), centre, true);
+      else
+        tree_->setupRevolute(i, mass, inertia, parent, bt(turn), axis, bt(offset), centre, true);
       parent = i;
       offset.setZero();
     }
@@ -192,8 +203,9 @@ class Engine {
 
   // From the mass centre's acceleration to the origin's.
   void base_result(const Link& link, const State& state, double* to) const {
-    const Quaterniond R = Quaterniond(state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z()).inverse() *
-                          link.about.axes.inverse();
+    const Quaterniond R =
+        Quaterniond(state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z()).inverse() *
+        link.about.axes.inverse();
     const Vector3d omega = vector(state.omega), omega_rate = vector(tree_->getBaseOmega()) - omega;
     const Vector3d r = R * kanec::peers::vector(link.body->r);
     const Vector3d centre = vector(tree_->getBaseVel()) - vector(state.velocity);

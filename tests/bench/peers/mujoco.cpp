@@ -92,13 +92,15 @@ class Engine {
         data_(mj_makeData(model_.get()), mj_deleteData),
         states_(static_cast<std::size_t>(n_slots)) {
     append_depth_first(bodies_of(model), 0, bodies_);
-    if (model_->nq != model.n_q || model_->nv != model.n_u) throw std::runtime_error("other coordinates than the scene's");
+    if (model_->nq != model.n_q || model_->nv != model.n_u)
+      throw std::runtime_error("other coordinates than the scene's");
     for (std::size_t i = 0; i < bodies_.size(); ++i) set_inertia(i);
   }
 
   void set(int slot, const double* q, const double* u, const double* force) {
     const auto n = static_cast<std::size_t>(model_->nv);
-    State state{std::vector<double>(static_cast<std::size_t>(model_->nq)), std::vector<double>(n), std::vector<double>(n)};
+    State state{std::vector<double>(static_cast<std::size_t>(model_->nq)), std::vector<double>(n),
+                std::vector<double>(n)};
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       set_position(i, q + bodies_[i].q, state.q.data() + first_q(i));
       std::copy_n(u + bodies_[i].u, bodies_[i].n_u, state.u.data() + first_u(i));

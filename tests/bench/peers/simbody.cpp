@@ -2,7 +2,6 @@
 #include <Simbody.h>
 
 #include <Eigen/Geometry>
-
 #include <memory>
 #include <vector>
 
@@ -53,7 +52,9 @@ sim::MobilizedBody mobilizer(sim::MobilizedBody& lower, const kanec_peer_body& b
 class Engine {
  public:
   Engine(const kanec_peer_model& model, int n_slots)
-      : bodies_(bodies_of(model)), matter_(system_), gravity_(vec(vector(model.gravity))),
+      : bodies_(bodies_of(model)),
+        matter_(system_),
+        gravity_(vec(vector(model.gravity))),
         states_(static_cast<std::size_t>(n_slots)) {
     for (const Body& body : bodies_) {
       sim::MobilizedBody lower = body->lower == 0 ? sim::MobilizedBody(matter_.Ground()) : mobilized_[lower_of(body)];
@@ -112,7 +113,8 @@ class Engine {
 
   static std::size_t lower_of(const Body& body) { return static_cast<std::size_t>(body->lower) - 1; }
 
-  // A ball's quaternion is scalar first, its speeds the relative angular velocity in L(K)'s axes; both before the slides.
+  // A ball's quaternion is scalar first, its speeds the relative angular velocity in L(K)'s axes; both before the
+  // slides.
   void set_body(std::size_t i, const double* q, const double* u, const double* force, State& state) const {
     const Body& body = bodies_[i];
     const int at_q = mobilized_[i].getFirstQIndex(at_), at_u = mobilized_[i].getFirstUIndex(at_);
