@@ -41,11 +41,13 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const emit::Model model{&scene, version(), mark, options_text(scene, options), source};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
+  std::string batch = emit::emit_batch(model, program);
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
   if (!source.empty()) replace_all(header, source, scene.source);
   replace_all(abi, mark, hash);
-  return {program, scene.name, hash, std::move(header), std::move(abi)};
+  replace_all(batch, mark, hash);
+  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch)};
 }
 
 std::string version() { return KANEC_VERSION; }

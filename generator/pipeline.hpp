@@ -22,6 +22,7 @@ struct Generated {
   std::string hash;    // of the emitted text: scene, generator and options
   std::string header;  // <name>.hpp
   std::string abi;     // <name>_abi.cpp
+  std::string batch;   // <name>_batch.cpp
 };
 
 // Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.

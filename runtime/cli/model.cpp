@@ -8,6 +8,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
+#include "runtime/lanes/files.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -27,6 +28,39 @@ compile::Source source_of(const Generated& generated, const scene::Scene& scene)
           n_speeds(scene),
           {{generated.name + ".hpp", generated.header}, {main, generated.abi}},
           main};
+}
+
+compile::Source batch_source_of(const Generated& generated, const scene::Scene& scene, const LaneArguments& lanes) {
+  compile::Source source = source_of(generated, scene);
+  source.main = generated.name + "_batch.cpp";
+  source.files = lane_files();
+  source.files.push_back({generated.name + ".hpp", generated.header});
+  source.files.push_back({source.main, generated.batch});
+  source.flags = lane_flags(lanes.scalar, lanes.lanes);
+  source.is_batch = true;
+  return source;
+}
+
+// `source` makes what is to be compiled of what was generated.
+template <class SourceOf>
+CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+                    const std::string& what, SourceOf source) {
+  const Interrupts interrupts;
+  Generated generated = generate(scene, options);
+  interrupts.poll();
+  compile::Model library = [&] {
+    try {
+      return compile::build(source(generated), compile_options(arguments));
+    } catch (const BuildError&) {
+      interrupts.poll();  // a compiler that the same Ctrl-C ended
+      throw;
+    }
+  }();
+  interrupts.poll();
+  for (const std::string& note : library.notes()) remark("note: " + note);
+  remark(library.from_cache() ? what + ": from the cache"
+                              : fmt::format("{}: compiled in {:.2g} s", what, library.compile_seconds()));
+  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
 }
 
 }  // namespace
@@ -53,22 +87,14 @@ compile::Options compile_options(const BuildArguments& arguments) {
 }
 
 CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments) {
-  const Interrupts interrupts;
-  Generated generated = generate(scene, options);
-  interrupts.poll();
-  compile::Model library = [&] {
-    try {
-      return compile::build(source_of(generated, scene), compile_options(arguments));
-    } catch (const BuildError&) {
-      interrupts.poll();  // a compiler that the same Ctrl-C ended
-      throw;
-    }
-  }();
-  interrupts.poll();
-  for (const std::string& note : library.notes()) remark("note: " + note);
-  remark(library.from_cache() ? scene.name + ": from the cache"
-                              : fmt::format("{}: compiled in {:.2g} s", scene.name, library.compile_seconds()));
-  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
+  return build(scene, options, arguments, scene.name,
+               [&](const Generated& generated) { return source_of(generated, scene); });
+}
+
+CompiledModel build_batch(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+                          const LaneArguments& lanes) {
+  return build(scene, options, arguments, scene.name + " in lanes",
+               [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {

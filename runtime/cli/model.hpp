@@ -32,6 +32,15 @@ struct CompiledModel {
 // Throws InputError, BuildError, LoadError, Interrupted.
 CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments);
 
+// The same for lanes (runtime/abi/batch_solver.hpp), a library of its own: its `library.batch()` is for BatchSolver.
+// scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
+struct LaneArguments {
+  std::string scalar = "double";
+  int lanes = 0;
+};
+CompiledModel build_batch(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+                          const LaneArguments& lanes = {});
+
 // --functions a,b+c
 void add_functions(CLI::App& command, std::vector<std::string>& functions);
 

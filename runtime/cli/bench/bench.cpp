@@ -9,6 +9,7 @@
 #include "runtime/cli/bench/contest_chart.hpp"
 #include "runtime/cli/bench/contest_page.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
+#include "runtime/cli/bench/variants.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/scene_argument.hpp"
@@ -33,6 +34,7 @@ struct Options {
   std::string connection;
   BuildArguments build;
   std::vector<std::string> functions;
+  std::vector<std::string> variants;
   double min_time = 0.5;
   bool no_peers = false;
   bool json = false;
@@ -86,6 +88,7 @@ std::string command_of(const Options& options) {
   for (const std::string& scene : options.scenes) command += " " + scene;
   if (!options.connection.empty()) command += " --connection " + options.connection;
   if (!options.functions.empty()) command += fmt::format(" --functions {}", fmt::join(options.functions, ","));
+  if (!options.variants.empty()) command += fmt::format(" --variants {}", fmt::join(options.variants, ","));
   return command + (options.no_peers ? " --no-peers" : "") + (options.build.no_cache ? " --no-cache" : "") +
          " --markdown";
 }
@@ -103,9 +106,8 @@ int bench(const Options& options) {
   std::optional<AtomicFile> picture;
   if (!options.svg.empty()) picture.emplace(options.svg);
   const std::vector<scene::Scene> scenes = load(options);
-  const ContestOptions contest{{{"emitted", {functions(options, scenes)}, options.build}},
-                               options.no_peers ? std::vector<Peer>{} : peers_beside_program(),
-                               options.min_time};
+  const ContestOptions contest{variants(options.variants, functions(options, scenes), options.build),
+                               options.no_peers ? std::vector<Peer>{} : peers_beside_program(), options.min_time};
   const std::vector<Contest> list = contests(scenes, contest);
   if (picture) {
     picture->write(chart(list, {processor_name(), compiler_text(options.build)}));
@@ -114,6 +116,13 @@ int bench(const Options& options) {
   report.write(report_of(list, options));
   report.commit();
   return 0;
+}
+
+std::string variants_help() {
+  std::string text = "other ways to emit and compile, beside the default:";
+  for (const NamedVariant& one : variants_known()) text += " " + one.name + " (" + one.meaning + ");";
+  text.back() = ' ';
+  return text + "or all";
 }
 
 }  // namespace
@@ -125,6 +134,11 @@ void add_bench(CLI::App& app, Action& action) {
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");
   add_functions(*command, options->functions);
+  command->add_option("--variants", options->variants, variants_help())
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->option_text("all|a,b,...");
   command->add_option("--min-time", options->min_time, "for each function and path (0.5) [s]")
       ->option_text("SECONDS")
       ->check(CLI::Range(0.001, 3600.0));

@@ -18,8 +18,9 @@ namespace kanec::cli {
 // One way of emitting and compiling. Another one is an entry more in the list that the contest is given.
 struct Variant {
   std::string name;  // "emitted"
-  GenerateOptions generate;
-  BuildArguments build;
+  GenerateOptions generate = {};
+  BuildArguments build = {};
+  std::optional<LaneArguments> lanes = {};  // none: one state a call
 };
 
 // One way to one function.
@@ -43,7 +44,7 @@ struct Contest {
 };
 
 struct ContestOptions {
-  std::vector<Variant> variants;  // at least one
+  std::vector<Variant> variants;  // at least one, the first without lanes
   std::vector<Peer> peers;
   double min_time = 0.5;  // of each entry [s]
 };

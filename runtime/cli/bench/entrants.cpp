@@ -12,6 +12,7 @@
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/samples.hpp"
+#include "runtime/cli/tangent.hpp"
 #include "runtime/generic/evaluate.hpp"
 
 namespace kanec::cli {
@@ -55,14 +56,15 @@ std::vector<double> differences(const scene::Scene& scene, const CompiledModel& 
   return list;
 }
 
-double difference(const std::vector<double>& found, const std::vector<double>& expected) {
-  double error = 0.0, size = 0.0;
+template <class Real>
+double difference(const std::vector<Real>& found, const std::vector<Real>& expected) {
+  Real error = 0, size = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (!std::isfinite(found[i])) return INFINITY;
     error = std::max(error, std::fabs(found[i] - expected[i]));
     size = std::max(size, std::fabs(expected[i]));
   }
-  return error == 0.0 ? 0.0 : error / size;
+  return error == 0 ? 0.0 : static_cast<double>(error / size);
 }
 
 State accelerated(const scene::Scene& scene, State state) {
@@ -84,48 +86,94 @@ Entrants::Entrants(const scene::Scene& scene, const ContestOptions& options)
 }
 
 void Entrants::build(const Variant& variant) {
+  if (variant.lanes) {
+    CompiledModel model = build_batch(scene_, variant.generate, variant.build, *variant.lanes);
+    std::unique_ptr<BatchRun> batch = batch_run(model.library.batch(), pool_);
+    built_.push_back({variant.name, std::move(model), nullptr, std::move(batch)});
+    return;
+  }
   CompiledModel model = cli::build(scene_, variant.generate, variant.build);
-  const Solver solver(model.library.abi());
   std::vector<double> difference = differences(scene_, model);
-  built_.push_back({std::move(model), solver, std::move(difference)});
+  auto solver = std::make_unique<Solver>(model.library.abi());
+  built_.push_back({variant.name, std::move(model), std::move(solver), nullptr, std::move(difference)});
 }
 
 void Entrants::add_function(const program::Function& function, const ContestOptions& options) {
-  for (std::size_t i = 0; i < options.variants.size(); ++i) add_emitted(options.variants[i], built_[i], function.name);
+  for (const Built& built : built_) add_emitted(built, function.name);
   add_generic(function.name);
   if (function.name != "accelerations") return;
   for (const Peer& peer : options.peers) add_peer(peer);
 }
 
-void Entrants::add_emitted(const Variant& variant, const Built& built, const std::string& function) {
-  const std::vector<program::Function>& list = built.model.generated.program.functions;
-  const auto same = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == function; });
-  if (same == list.end()) throw InternalError("variant " + variant.name + " without " + function);
-  const kanec_function& call = *built.solver.find(function);
-  Entry entry{function, variant.name};
-  entry.cost = program::ledger(built.model.generated.program, *same);
-  entry.code_bytes = code_bytes(built.model.library, function);
-  if (!built.model.library.from_cache()) entry.compile_seconds = built.model.library.compile_seconds();
-  entry.difference = built.difference[static_cast<std::size_t>(same - list.begin())];
-  add(std::move(entry), [this, &solver = built.solver, &call](benchmark::State& loop) {
+Loop Entrants::single(const Solver& solver, const std::string& function) const {
+  const kanec_function& call = *solver.find(function);
+  return {[this, &solver, &call](benchmark::State& loop) {
     std::vector<double> out(static_cast<std::size_t>(call.n_out));
     run(loop, pool_.size(), [&](std::size_t at) {
       const State& state = pool_[at];
       solver.evaluate(call, state.t, state.x.data(), state.y.data(), state.ydot.data(), out.data());
     });
-  });
+  }};
+}
+
+// All states of the pool in one turn.
+Loop in_lanes(BatchRun& batch, const std::string& function) {
+  return {[&batch, call = batch.find(function)](benchmark::State& loop) {
+            for (auto _ : loop) {
+              batch.evaluate(call);
+              benchmark::ClobberMemory();
+            }
+          },
+          pool_size};
+}
+
+void Entrants::add_emitted(const Built& built, const std::string& function) {
+  const program::Program& program = built.model.generated.program;
+  const auto is_it = [&](const program::Function& one) { return one.name == function; };
+  const auto same = std::find_if(program.functions.begin(), program.functions.end(), is_it);
+  if (same == program.functions.end()) throw InternalError("variant " + built.name + " without " + function);
+  Entry entry{function, built.name};
+  entry.cost = program::ledger(program, *same);
+  entry.code_bytes = code_bytes(built.model.library, function);
+  if (!built.model.library.from_cache()) entry.compile_seconds = built.model.library.compile_seconds();
+  const auto number = static_cast<std::size_t>(same - program.functions.begin());
+  if (!built.batch) {
+    entry.difference = built.difference[number];
+    return add(std::move(entry), single(*built.solver, function));
+  }
+  entry.difference = lanes_difference(*built.batch, function);
+  // what the function costs in digits, one state at a time, in roundings of this scalar
+  const double allowed =
+      std::max(1e-12, 100.0 * built_.front().difference[number]) * (built.batch->rounding() / 0x1p-53);
+  if (*entry.difference <= allowed) return add(std::move(entry), in_lanes(*built.batch, function));
+  entry.note = fmt::format("differs by {:.2g}: not timed", *entry.difference);
+  contest.entries.push_back(std::move(entry));
+}
+
+double Entrants::lanes_difference(BatchRun& batch, const std::string& function) const {
+  const std::vector<std::string> parts = parts_of_emitted(function, built_.front().model.requests);
+  const int call = batch.find(function);
+  batch.evaluate(call);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < peer_states; ++i) {
+    State state = pool_[i];
+    state.inputs = default_inputs(scene_);  // as the batch has them
+    const auto expected = comparable(scene_, parts, state.x, generic_path<long double>(scene_, parts, state));
+    largest = std::max(largest, difference(comparable(scene_, parts, state.x, batch.result(call, i)), expected));
+  }
+  return largest;
 }
 
 void Entrants::add_generic(const std::string& function) {
   const std::vector<std::string> parts = parts_of_emitted(function, built_.front().model.requests);
-  add({function, "generic"}, [this, parts, inputs = default_inputs(scene_)](benchmark::State& loop) {
-    run(loop, pool_.size(), [&](std::size_t at) {
-      const State& state = pool_[at];
-      const generic::Arguments<double> arguments{state.t, state.x, state.y, state.ydot, inputs};
-      for (const std::string& part : parts)
-        benchmark::DoNotOptimize(generic::evaluate(generic_, part, arguments).data());
-    });
-  });
+  add({function, "generic"}, {[this, parts, inputs = default_inputs(scene_)](benchmark::State& loop) {
+        run(loop, pool_.size(), [&](std::size_t at) {
+          const State& state = pool_[at];
+          const generic::Arguments<double> arguments{state.t, state.x, state.y, state.ydot, inputs};
+          for (const std::string& part : parts)
+            benchmark::DoNotOptimize(generic::evaluate(generic_, part, arguments).data());
+        });
+      }});
 }
 
 void Entrants::add_peer(const Peer& peer) {
@@ -136,9 +184,9 @@ void Entrants::add_peer(const Peer& peer) {
     entry.note = peer.note();
     entry.difference = largest_difference(simulation);
     if (*entry.difference < peer_difference)
-      return add(std::move(entry), [this, &simulation](benchmark::State& loop) {
-        run(loop, pool_.size(), [&](std::size_t at) { simulation.accelerate(at); });
-      });
+      return add(std::move(entry), {[this, &simulation](benchmark::State& loop) {
+                   run(loop, pool_.size(), [&](std::size_t at) { simulation.accelerate(at); });
+                 }});
     entry.note = fmt::format("differs by {:.2g}: not timed", *entry.difference);
   } catch (const NotModelled& error) {
     entry.note = std::string("not modelled: ") + error.what();

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "runtime/abi/solver.hpp"
+#include "runtime/cli/bench/batch_run.hpp"
 #include "runtime/cli/bench/contest.hpp"
 #include "runtime/generic/system.hpp"
 
@@ -23,14 +24,18 @@ class Entrants {
 
  private:
   struct Built {
+    std::string name;
     CompiledModel model;
-    Solver solver;
-    std::vector<double> difference;  // one a function
+    std::unique_ptr<Solver> solver = {};   // unless in lanes
+    std::unique_ptr<BatchRun> batch = {};  // in lanes
+    std::vector<double> difference = {};   // one a function
   };
 
   void build(const Variant& variant);
   void add_function(const program::Function& function, const ContestOptions& options);
-  void add_emitted(const Variant& variant, const Built& built, const std::string& function);
+  void add_emitted(const Built& built, const std::string& function);
+  Loop single(const Solver& solver, const std::string& function) const;
+  double lanes_difference(BatchRun& batch, const std::string& function) const;
   void add_generic(const std::string& function);
   void add_peer(const Peer& peer);
   void prepare_peers();  // throws NotModelled

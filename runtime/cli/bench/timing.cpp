@@ -51,12 +51,15 @@ std::vector<Time> timed(const std::vector<Loop>& loops, double min_time) {
   initialise(min_time);
   for (std::size_t i = 0; i < loops.size(); ++i)
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
-                                 [&loop = loops[i]](benchmark::State& state) { loop(state); });
+                                 [&loop = loops[i]](benchmark::State& state) { loop.run(state); });
   Times times;
   if (!loops.empty()) benchmark::RunSpecifiedBenchmarks(&times);
   benchmark::ClearRegisteredBenchmarks();
   std::vector<Time> list;
-  for (std::size_t i = 0; i < loops.size(); ++i) list.push_back(times.of(std::to_string(i)));
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const Time time = times.of(std::to_string(i));
+    list.push_back({time.median / loops[i].evaluations, time.least / loops[i].evaluations});
+  }
   return list;
 }
 

@@ -9,8 +9,10 @@
 
 namespace kanec::cli {
 
-// for (auto _ : loop) one evaluation;
-using Loop = std::function<void(benchmark::State& loop)>;
+struct Loop {
+  std::function<void(benchmark::State& loop)> run;  // for (auto _ : loop) ...
+  double evaluations = 1.0;                         // in each turn
+};
 
 // Processor time per evaluation [ns].
 struct Time {
