@@ -101,6 +101,32 @@ TEST_F(Bench, what_another_engine_cannot_have_is_said) {
   EXPECT_THAT(answer.out, HasSubstr("not modelled: a "));
 }
 
+// Without optimisation, so that nothing is known of their speed. Oracle: the generic path, within float's 6e-8 and
+// double's rounding times some ten.
+TEST_F(Bench, lanes_are_compared_and_timed_a_state) {
+  const json report = json_of(quick(
+      {model("pendulum"), "--functions", "accelerations", "--variants", "float_lanes,lanes", "--no-peers", "--json"}));
+  const json lanes = entries(report.at("scenes").at(0), "lanes").at(0),
+             narrow = entries(report.at("scenes").at(0), "float_lanes").at(0);
+  EXPECT_GT(lanes.at("ns"), 0.0);
+  EXPECT_LT(lanes.at("difference"), 1e-15);
+  EXPECT_GT(narrow.at("ns"), 0.0);
+  EXPECT_LT(narrow.at("difference"), 1e-6);
+  EXPECT_GT(narrow.at("difference"), 0.0);
+  refuses({"bench", model("pendulum"), "--variants", "lane"}, "did you mean lanes?");
+}
+
+TEST_F(Bench, page_names_the_command_that_writes_it) {
+  const Answer answer =
+      kanec(quick({model("pendulum"), model("free_body"), "--no-peers", "--markdown", "-o", "page.md"}));
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, IsEmpty());
+  const std::string page = read_file(work() / "page.md");
+  EXPECT_THAT(page,
+              HasSubstr("kanec bench " + model("pendulum") + " " + model("free_body") + " --no-peers --markdown"));
+  EXPECT_THAT(page, HasSubstr("| pendulum | accelerations | 6 | "));
+}
+
 TEST_F(Bench, least_time_is_bounded) { refuses({"bench", model("free_body"), "--min-time", "0"}, "--min-time"); }
 
 TEST_F(Bench, a_function_that_one_scene_does_not_have_is_refused) {

@@ -27,7 +27,9 @@ order of which the median counts, nothing allocated around the emitted call. Gen
 compiled as kanec was; the emitted code is compiled with --flags. Other engines (MuJoCo, Simbody, Bullet, as installed
 when kanec was built; docs/benchmarks.md) go their shortest way from a state to accelerations, loads and states put
 into their coordinates beforehand. First all are compared with the generic path, emitted code within the bounds of
-`kanec check`: what is wrong is not timed. Ratios are to emitted code. Operations are exact counts, not time.)";
+`kanec check`: what is wrong is not timed. Ratios are to emitted code. Operations are exact counts, not time.
+
+Variants:)";
 
 struct Options {
   std::vector<std::string> scenes;
@@ -119,17 +121,18 @@ int bench(const Options& options) {
 }
 
 std::string variants_help() {
-  std::string text = "other ways to emit and compile, beside the default:";
-  for (const NamedVariant& one : variants_known()) text += " " + one.name + " (" + one.meaning + ");";
-  text.back() = ' ';
-  return text + "or all";
+  std::string names;
+  for (const NamedVariant& one : variants_known()) names += one.name + ", ";
+  return "other ways to emit and compile, beside the default (all, " + names.substr(0, names.size() - 2) + ")";
 }
 
 }  // namespace
 
 void add_bench(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(
-      app, action, "bench", "time per evaluation, emitted beside generic and other engines", footer, &bench);
+  std::string more = footer;
+  for (const NamedVariant& one : variants_known()) more += fmt::format("\n  {:<12} {}", one.name, one.meaning);
+  const auto [command, options] =
+      add_command(app, action, "bench", "time per evaluation, emitted beside generic and other engines", more, &bench);
   command->add_option("SCENE", options->scenes, "scene.toml files, or folders that hold one")->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");

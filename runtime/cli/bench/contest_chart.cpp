@@ -13,7 +13,8 @@ namespace {
 // Lengths in pixels.
 constexpr double width = 960, left = 190, right = 190, top = 74, bottom = 40, bar = 16, row = 20, title = 26;
 
-constexpr std::array<const char*, 6> colours = {"#1b6ca8", "#9aa5b1", "#d1495b", "#edae49", "#66a182", "#8d6a9f"};
+constexpr std::array<const char*, 10> colours = {"#1b6ca8", "#5fa8d3", "#a9d6e5", "#3d5a80", "#9aa5b1",
+                                                 "#d1495b", "#edae49", "#66a182", "#8d6a9f", "#b08968"};
 
 std::string escaped(const std::string& text) {
   std::string safe;

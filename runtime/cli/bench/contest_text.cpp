@@ -23,10 +23,11 @@ std::string ratio_text(const Entry& entry, const Entry& first) {
   return entry.time && first.time ? fmt::format("{:.2f}", entry.time->median / first.time->median) : "";
 }
 
-// What the operations are, or why there is no time.
-std::string remarks(const Entry& entry) {
-  if (entry.cost) return program::text(*entry.cost);
-  return entry.time ? "" : entry.note;
+// Why there is no time, or what the operations are where the first entry has others.
+std::string remarks(const Entry& entry, const Entry& first) {
+  if (!entry.time) return entry.note;
+  const bool is_told = &entry != &first && entry.cost == first.cost;
+  return entry.cost && !is_told ? program::text(*entry.cost) : "";
 }
 
 TextRow row(const Entry& entry, const Entry& first) {
@@ -38,7 +39,7 @@ TextRow row(const Entry& entry, const Entry& first) {
           entry.code_bytes ? std::to_string(*entry.code_bytes) : "",
           entry.compile_seconds ? fmt::format("{:.2f} s", *entry.compile_seconds) : "",
           difference_text(entry.difference),
-          remarks(entry)};
+          remarks(entry, first)};
 }
 
 Json optional_json(const auto& value) { return value ? Json(*value) : Json(nullptr); }

@@ -56,16 +56,33 @@ std::vector<double> differences(const scene::Scene& scene, const CompiledModel& 
   return list;
 }
 
-template <class Real>
-double difference(const std::vector<Real>& found, const std::vector<Real>& expected) {
-  Real error = 0, size = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (!std::isfinite(found[i])) return INFINITY;
-    error = std::max(error, std::fabs(found[i] - expected[i]));
-    size = std::max(size, std::fabs(expected[i]));
+// The largest error of a component over some states, beside the largest component there or its median over the states
+// where that is more: a result that happens to cancel is judged by its usual size.
+class Deviation {
+ public:
+  template <class Real>
+  void add(const std::vector<Real>& found, const std::vector<Real>& expected) {
+    Real error = 0, size = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      error = std::isfinite(found[i]) ? std::max(error, std::fabs(found[i] - expected[i])) : Real(INFINITY);
+      size = std::max(size, std::fabs(expected[i]));
+    }
+    errors_.push_back(static_cast<double>(error));
+    sizes_.push_back(static_cast<double>(size));
   }
-  return error == 0 ? 0.0 : static_cast<double>(error / size);
-}
+
+  double largest() const {
+    std::vector<double> sorted = sizes_;
+    std::sort(sorted.begin(), sorted.end());
+    double most = 0.0;
+    for (std::size_t i = 0; i < errors_.size(); ++i)
+      if (errors_[i] != 0.0) most = std::max(most, errors_[i] / std::max(sizes_[i], sorted[sorted.size() / 2]));
+    return most;
+  }
+
+ private:
+  std::vector<double> errors_, sizes_;
+};
 
 State accelerated(const scene::Scene& scene, State state) {
   const std::vector<long double> ydot = generic_path<long double>(scene, {"accelerations"}, state);
@@ -154,14 +171,14 @@ double Entrants::lanes_difference(BatchRun& batch, const std::string& function) 
   const std::vector<std::string> parts = parts_of_emitted(function, built_.front().model.requests);
   const int call = batch.find(function);
   batch.evaluate(call);
-  double largest = 0.0;
+  Deviation deviation;
   for (std::size_t i = 0; i < peer_states; ++i) {
     State state = pool_[i];
     state.inputs = default_inputs(scene_);  // as the batch has them
     const auto expected = comparable(scene_, parts, state.x, generic_path<long double>(scene_, parts, state));
-    largest = std::max(largest, difference(comparable(scene_, parts, state.x, batch.result(call, i)), expected));
+    deviation.add(comparable(scene_, parts, state.x, batch.result(call, i)), expected);
   }
-  return largest;
+  return deviation.largest();
 }
 
 void Entrants::add_generic(const std::string& function) {
@@ -204,10 +221,9 @@ void Entrants::prepare_peers() {
 }
 
 double Entrants::largest_difference(PeerSimulation& simulation) const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < expected_.size(); ++i)
-    largest = std::max(largest, difference(simulation.result(i), expected_[i]));
-  return largest;
+  Deviation deviation;
+  for (std::size_t i = 0; i < expected_.size(); ++i) deviation.add(simulation.result(i), expected_[i]);
+  return deviation.largest();
 }
 
 void Entrants::add(Entry entry, Loop loop) {
