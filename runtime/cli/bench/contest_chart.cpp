@@ -39,6 +39,11 @@ std::string time_text(double ns) {
   return ns < 999.5e3 ? fmt::format("{:.3g} µs", ns * 1e-3) : fmt::format("{:.3g} ms", ns * 1e-6);
 }
 
+// Of a time to that of the first entry: "7.1 times", "4 times faster".
+std::string ratio_text(double ratio) {
+  return ratio < 1.0 ? fmt::format("{:.2g} times faster", 1.0 / ratio) : fmt::format("{:.3g} times", ratio);
+}
+
 // Decades that hold all times, the shortest some way into the first.
 struct Axis {
   int first = 1, last = 4;
@@ -84,7 +89,7 @@ std::string bar_of(const Entry& entry, const Entry& first, const Axis& axis, dou
   if (!entry.time) return name + label(left + 4, y + 12, "note", entry.note);
   const double end = axis.x(entry.time->median);
   std::string value = time_text(entry.time->median);
-  if (&entry != &first && first.time) value += fmt::format(", {:.3g} times", entry.time->median / first.time->median);
+  if (&entry != &first && first.time) value += ", " + ratio_text(entry.time->median / first.time->median);
   return name +
          fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n", left, y,
                      std::max(end - left, 1.0), bar, colour) +
@@ -109,7 +114,7 @@ std::string bars(const std::vector<Contest>& contests, const Axis& axis, double&
     for (const Entry& entry : contest.entries) {
       const std::string heading = contest.model + ": " + entry.function;
       if (heading != group) {
-        text += label(left - 8, y + 18, "group", heading);
+        text += label(16, y + 18, "group", heading);
         y += title;
         group = heading;
       }
@@ -122,7 +127,7 @@ std::string bars(const std::vector<Contest>& contests, const Axis& axis, double&
 constexpr auto style = R"(<style>
 text { font: 12px sans-serif; fill: #222; }
 .heading { font-size: 16px; font-weight: bold; }
-.group { font-weight: bold; text-anchor: start; transform: translateX(-174px); }
+.group { font-weight: bold; }
 .name { text-anchor: end; }
 .tick { text-anchor: middle; fill: #555; }
 .note { fill: #777; font-style: italic; }

@@ -69,7 +69,7 @@ using Cell = std::string (*)(const Entry& entry, const Entry& first);
 std::string time_cell(const Entry& entry, const Entry& first) {
   if (!entry.time) return "–";
   if (&entry == &first || !first.time) return time_text(*entry.time);
-  return fmt::format("{} ({:.1f})", time_text(*entry.time), entry.time->median / first.time->median);
+  return fmt::format("{} ({:.2g})", time_text(*entry.time), entry.time->median / first.time->median);
 }
 
 std::string difference_cell(const Entry& entry, const Entry&) {

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <map>
 #include <string>
 
 #include "runtime/base/error.hpp"
+#include "runtime/cli/progress.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -45,13 +47,34 @@ void initialise(double min_time) {
   benchmark::Initialize(&count, arguments.data());
 }
 
+// What of all parts is done, as a bar.
+class Course {
+ public:
+  Course(std::size_t n_loops, double min_time)
+      : total_(static_cast<double>(n_loops) * repetitions), part_(min_time / repetitions) {}
+
+  // Google Benchmark tries a few turns first, which take less time than a part.
+  void run(const Loop& loop, benchmark::State& state) {
+    const auto start = std::chrono::steady_clock::now();
+    loop.run(state);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() > 0.5 * part_) done_ += 1.0;
+    bar_.show(std::min(done_ / total_, 1.0));
+  }
+
+ private:
+  double total_, part_, done_ = 0.0;
+  ProgressBar bar_{"timing"};
+};
+
 }  // namespace
 
 std::vector<Time> timed(const std::vector<Loop>& loops, double min_time) {
   initialise(min_time);
+  Course course(loops.size(), min_time);
   for (std::size_t i = 0; i < loops.size(); ++i)
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
-                                 [&loop = loops[i]](benchmark::State& state) { loop.run(state); });
+                                 [&course, &loop = loops[i]](benchmark::State& state) { course.run(loop, state); });
   Times times;
   if (!loops.empty()) benchmark::RunSpecifiedBenchmarks(&times);
   benchmark::ClearRegisteredBenchmarks();
