@@ -101,7 +101,7 @@ int check(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const Functions functions(scene);
   const CompiledModel model =
-      build(scene, {options.all ? functions.names() : functions.chosen(options.functions)}, options.build);
+      build(scene, options.all ? functions.names() : functions.chosen(options.functions), options.build);
   const std::vector<Agreement> list = compare(scene, options, model);
   const std::string failure = verdict(list, options.bounds);
   if (options.json)

@@ -59,7 +59,7 @@ std::vector<double> evaluate(const Options& options, const scene::Scene& scene, 
     return {values.begin(), values.end()};
   }
   if (options.path == "precise") return rounded(precise(generate(scene, {{options.function}}).program, name, state));
-  return emitted(build(scene, {{options.function}}, options.build).library.abi(), scene, name, state);
+  return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
 }
 
 // The values of --set go before those of the file.

@@ -43,10 +43,10 @@ compile::Source batch_source_of(const Generated& generated, const scene::Scene& 
 
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
-CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
-                    const std::string& what, SourceOf source) {
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
+                    const BuildArguments& arguments, const std::string& what, SourceOf source) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, options);
+  Generated generated = generate(scene, {functions});
   interrupts.poll();
   compile::Model library = [&] {
     try {
@@ -60,7 +60,7 @@ CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, c
   for (const std::string& note : library.notes()) remark("note: " + note);
   remark(library.from_cache() ? what + ": from the cache"
                               : fmt::format("{}: compiled in {:.2g} s", what, library.compile_seconds()));
-  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
+  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
 }
 
 }  // namespace
@@ -86,14 +86,15 @@ compile::Options compile_options(const BuildArguments& arguments) {
   return {arguments.compiler, words(arguments.flags), arguments.flags_given, arguments.cache, !arguments.no_cache};
 }
 
-CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments) {
-  return build(scene, options, arguments, scene.name,
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
+                    const BuildArguments& arguments) {
+  return build(scene, functions, arguments, scene.name,
                [&](const Generated& generated) { return source_of(generated, scene); });
 }
 
-CompiledModel build_batch(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
-                          const LaneArguments& lanes) {
-  return build(scene, options, arguments, scene.name + " in lanes",
+CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
+                          const BuildArguments& arguments, const LaneArguments& lanes) {
+  return build(scene, functions, arguments, scene.name + " in lanes",
                [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
 }
 

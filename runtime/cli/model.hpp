@@ -29,8 +29,9 @@ struct CompiledModel {
   std::vector<std::string> requests;  // its functions, as they were asked for
 };
 
-// Throws InputError, BuildError, LoadError, Interrupted.
-CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments);
+// What the scene asks for, or the usual functions, where `functions` is empty. Throws InputError, BuildError, LoadError, Interrupted.
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
+                    const BuildArguments& arguments);
 
 // The same for lanes (runtime/abi/batch_solver.hpp), a library of its own: its `library.batch()` is for BatchSolver.
 // scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
@@ -38,8 +39,8 @@ struct LaneArguments {
   std::string scalar = "double";
   int lanes = 0;
 };
-CompiledModel build_batch(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
-                          const LaneArguments& lanes = {});
+CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
+                          const BuildArguments& arguments, const LaneArguments& lanes = {});
 
 // --functions a,b+c
 void add_functions(CLI::App& command, std::vector<std::string>& functions);

@@ -152,7 +152,7 @@ int simulate_scene(const Options& options) {
   const integrate::Options run = integration(simulation_of(scene, options));
   const Interrupts interrupts;
   Products products(options, scene);
-  const CompiledModel model = build(scene, {needed_functions(scene)}, options.build);
+  const CompiledModel model = build(scene, needed_functions(scene), options.build);
   const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
   const Json last = state_json(set, final_state(set, summary, run.duration));

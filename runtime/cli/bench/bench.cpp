@@ -108,7 +108,7 @@ int bench(const Options& options) {
   std::optional<AtomicFile> picture;
   if (!options.svg.empty()) picture.emplace(options.svg);
   const std::vector<scene::Scene> scenes = load(options);
-  const ContestOptions contest{variants(options.variants, functions(options, scenes), options.build),
+  const ContestOptions contest{functions(options, scenes), variants(options.variants, options.build),
                                options.no_peers ? std::vector<Peer>{} : peers_beside_program(), options.min_time};
   const std::vector<Contest> list = contests(scenes, contest);
   if (picture) {

@@ -18,7 +18,6 @@ namespace kanec::cli {
 // One way of emitting and compiling. Another one is an entry more in the list that the contest is given.
 struct Variant {
   std::string name;  // "emitted"
-  GenerateOptions generate = {};
   BuildArguments build = {};
   std::optional<LaneArguments> lanes = {};  // none: one state a call
 };
@@ -44,7 +43,8 @@ struct Contest {
 };
 
 struct ContestOptions {
-  std::vector<Variant> variants;  // at least one, the first without lanes
+  std::vector<std::string> functions;  // empty: those of the scene, or the usual ones
+  std::vector<Variant> variants;       // at least one, the first without lanes
   std::vector<Peer> peers;
   double min_time = 0.5;  // of each entry [s]
 };

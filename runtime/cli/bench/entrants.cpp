@@ -94,7 +94,7 @@ State accelerated(const scene::Scene& scene, State state) {
 }  // namespace
 
 Entrants::Entrants(const scene::Scene& scene, const ContestOptions& options)
-    : scene_(scene), pool_(pool(scene)), generic_(scene, default_parameters(scene)) {
+    : scene_(scene), functions_(options.functions), pool_(pool(scene)), generic_(scene, default_parameters(scene)) {
   for (const Variant& variant : options.variants) build(variant);
   const Generated& generated = built_.front().model.generated;
   contest.model = scene.name;
@@ -104,12 +104,12 @@ Entrants::Entrants(const scene::Scene& scene, const ContestOptions& options)
 
 void Entrants::build(const Variant& variant) {
   if (variant.lanes) {
-    CompiledModel model = build_batch(scene_, variant.generate, variant.build, *variant.lanes);
+    CompiledModel model = build_batch(scene_, functions_, variant.build, *variant.lanes);
     std::unique_ptr<BatchRun> batch = batch_run(model.library.batch(), pool_);
     built_.push_back({variant.name, std::move(model), nullptr, std::move(batch)});
     return;
   }
-  CompiledModel model = cli::build(scene_, variant.generate, variant.build);
+  CompiledModel model = cli::build(scene_, functions_, variant.build);
   std::vector<double> difference = differences(scene_, model);
   auto solver = std::make_unique<Solver>(model.library.abi());
   built_.push_back({variant.name, std::move(model), std::move(solver), nullptr, std::move(difference)});

@@ -43,6 +43,7 @@ class Entrants {
   void add(Entry entry, Loop loop);
 
   scene::Scene scene_;
+  std::vector<std::string> functions_;
   std::vector<State> pool_;
   generic::System<double> generic_;
   std::deque<Built> built_;                // stays where it is, as loops refer to it

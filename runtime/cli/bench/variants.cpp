@@ -47,14 +47,13 @@ std::vector<NamedVariant> variants_known() {
   return list;
 }
 
-std::vector<Variant> variants(const std::vector<std::string>& names, const std::vector<std::string>& functions,
-                              const BuildArguments& build) {
+std::vector<Variant> variants(const std::vector<std::string>& names, const BuildArguments& build) {
   for (const std::string& name : names)
     if (name != "all") find(name);
-  std::vector<Variant> list = {{"emitted", {functions}, build}};
+  std::vector<Variant> list = {{"emitted", build}};
   for (const Known& one : known) {
     if (!has(names, "all") && !has(names, one.name)) continue;
-    list.push_back({one.name, {functions}, build});
+    list.push_back({one.name, build});
     one.change(list.back());
   }
   return list;

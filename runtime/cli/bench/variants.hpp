@@ -16,7 +16,6 @@ struct NamedVariant {
 std::vector<NamedVariant> variants_known();
 
 // "emitted" first, then those named, each once; "all" names all. Throws InputError for another name.
-std::vector<Variant> variants(const std::vector<std::string>& names, const std::vector<std::string>& functions,
-                              const BuildArguments& build);
+std::vector<Variant> variants(const std::vector<std::string>& names, const BuildArguments& build);
 
 }  // namespace kanec::cli
