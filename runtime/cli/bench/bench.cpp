@@ -91,8 +91,10 @@ std::string command_of(const Options& options) {
   if (!options.connection.empty()) command += " --connection " + options.connection;
   if (!options.functions.empty()) command += fmt::format(" --functions {}", fmt::join(options.functions, ","));
   if (!options.variants.empty()) command += fmt::format(" --variants {}", fmt::join(options.variants, ","));
-  return command + (options.no_peers ? " --no-peers" : "") + (options.build.no_cache ? " --no-cache" : "") +
-         " --markdown";
+  command += options.no_peers ? " --no-peers" : "";
+  command += options.build.no_cache ? " --no-cache" : "";
+  command += is_standard_output(options.output) ? " --markdown" : " --markdown -o " + options.output;
+  return options.svg.empty() ? command : command + " --svg " + options.svg;
 }
 
 std::string report_of(const std::vector<Contest>& list, const Options& options) {

@@ -1,5 +1,5 @@
-// Bytes of machine code of an emitted function, from its library's symbols. Not: constants, tables, or what it calls in
-// other libraries. SPDX-License-Identifier: GPL-2.0-or-later
+// Bytes of machine code and tables of an emitted function, from its library's symbols. Not: constants that stand in no
+// table, or what it calls in other libraries. SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace kanec::cli {
 
-// With the pieces that a long function is cut into; nothing where the library has no symbols of its own (compiled with
+// With the pieces that a long function is cut into, or the sections that it loops over; nothing where the library has no symbols of its own (compiled with
 // -s).
 std::optional<std::size_t> code_bytes(const compile::Model& model, const std::string& function);
 

@@ -64,12 +64,15 @@ std::vector<std::string> paths(const std::vector<Contest>& contests) {
   return list;
 }
 
+// In two or three digits.
+std::string ratio_text(double ratio) { return fmt::format("{:.{}f}", ratio, ratio < 1.0 ? 2 : ratio < 10.0 ? 1 : 0); }
+
 using Cell = std::string (*)(const Entry& entry, const Entry& first);
 
 std::string time_cell(const Entry& entry, const Entry& first) {
   if (!entry.time) return "–";
   if (&entry == &first || !first.time) return time_text(*entry.time);
-  return fmt::format("{} ({:.2g})", time_text(*entry.time), entry.time->median / first.time->median);
+  return fmt::format("{} ({})", time_text(*entry.time), ratio_text(entry.time->median / first.time->median));
 }
 
 std::string difference_cell(const Entry& entry, const Entry&) {
