@@ -9,8 +9,7 @@ namespace {
 
 std::string record(const program::Function& function, const program::Ledger& cost, const std::string& evaluate) {
   std::string text = "    {\"" + function.name + "\", " + std::to_string(function.n_out);
-  for (const int n :
-       {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric, cost.functions})
+  for (const int n : {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric, cost.functions})
     text += ", " + std::to_string(n);
   return text + ", " + evaluate + "},\n";
 }
@@ -32,7 +31,8 @@ std::string named_lists(const std::string& what, const std::vector<scene::Named>
   return name_list(what, names) + values + "0};\n";
 }
 
-// Bodies whose Euler parameters are in the state.
+}  // namespace
+
 std::vector<scene::BodyLayout> attitudes(const scene::Scene& scene) {
   std::vector<scene::BodyLayout> list = scene::Layout(scene).bodies;
   std::erase_if(list, [](const scene::BodyLayout& at) { return at.eps < 0; });
@@ -46,13 +46,16 @@ std::string attitude_list(const scene::Scene& scene) {
   return text + "{0, 0}};\n";
 }
 
+namespace {
+
 std::string description(const Model& model, std::size_t n_functions, bool callable) {
   const scene::Scene& scene = *model.scene;
   return "const kanec_model description = {\n    KANEC_ABI_VERSION, sizeof(kanec_model), \"" + scene.name + "\", \"" +
          model.hash + "\", model::n_bodies, model::nx, model::ny,\n    model::n_parameters, model::n_inputs, " +
          std::to_string(n_functions) +
          ", parameter_names, parameter_defaults, input_names,\n    input_defaults, sizeof(Prepared), " +
-         (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " + std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
+         (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " +
+         std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
 }
 
 }  // namespace
@@ -80,8 +83,8 @@ std::string begin(const scene::Scene& scene, const std::string& what, const std:
 }
 
 std::string entry(const std::string& type, const std::string& name, const std::string& value) {
-  return "extern \"C\" __attribute__((visibility(\"default\"))) const " + type + "* " + name +
-         "(void) { return " + value + "; }\n";
+  return "extern \"C\" __attribute__((visibility(\"default\"))) const " + type + "* " + name + "(void) { return " +
+         value + "; }\n";
 }
 
 }  // namespace kanec::emit

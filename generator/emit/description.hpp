@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/emit/model.hpp"
 #include "generator/emit/used.hpp"
@@ -15,6 +16,10 @@ std::string spread(const std::string& array, std::size_t count);
 
 // The file's first lines, up to the anonymous namespace in which `model` is the header's; `what`: "in double".
 std::string begin(const scene::Scene& scene, const std::string& what, const std::string& includes);
+
+// Bodies whose Euler parameters are in the state, and their places as an array with one entry more.
+std::vector<scene::BodyLayout> attitudes(const scene::Scene& scene);
+std::string attitude_list(const scene::Scene& scene);
 
 // The kanec_model `description` with its tables; unless callable without functions, for which null stands.
 std::string described(const Model& model, const program::Program& program, const Used& read, bool callable);

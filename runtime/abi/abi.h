@@ -74,6 +74,24 @@ typedef struct kanec_states {
 /* kanec_evaluate for each of these states; out as x, states before begin and from end on not written. */
 typedef void (*kanec_evaluate_batch)(const kanec_states* states, void* out);
 
+/* One group of scenarios, as many as there are lanes, each from its own state with its own parameters and inputs. All
+   arrays are of the batch's scalar, entry i of lane l at [i * lanes + l], aligned. */
+typedef struct kanec_group {
+  double begin, end;    /* time [s], in `steps` equal steps */
+  int64_t steps;        /* at least 1 */
+  const void* prepared; /* of this group */
+  const void* u;        /* (n_inputs) */
+  void* z;              /* (size): x, y, and the work of the loads where the rates have their power; replaced */
+  void* norm_error;     /* (1): worst | |eps| - 1 | of a step's end before projection; raised */
+  void* finite_until;   /* (1): end of the last step after which all of z was finite; replaced where one was */
+} kanec_group;
+
+/* The classical Runge-Kutta method on a group; Euler parameters are projected to unit norm after every step. */
+typedef struct kanec_rk4 {
+  int32_t size; /* nx + ny, or one more */
+  void (*steps)(const kanec_group* group);
+} kanec_rk4;
+
 /* The same functions compiled for lanes: a library of its own. */
 typedef struct kanec_batch {
   uint32_t abi_version;     /* KANEC_ABI_VERSION */
@@ -88,6 +106,7 @@ typedef struct kanec_batch {
      so a single state, has its last state's in all further lanes. */
   void (*prepare)(int64_t begin, int64_t end, int64_t stride, const void* parameters, void* prepared);
   const kanec_evaluate_batch* evaluate; /* (model->n_functions), in their order */
+  const kanec_rk4* rk4; /* null where the model was emitted without kinematics+accelerations(+power), in this order */
 } kanec_batch;
 
 typedef const kanec_batch* (*kanec_batch_entry)(void);

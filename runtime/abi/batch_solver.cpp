@@ -88,8 +88,8 @@ std::optional<int> BatchSolver<Real>::find(std::string_view name) const {
 
 template <class Real>
 void BatchSolver<Real>::check(const BatchStates<Real>& states) const {
-  const bool fits = states.stride == 0 || states.stride >= states.count ||
-                    (states.stride > 0 && states.stride % lanes() == 0);
+  const bool fits =
+      states.stride == 0 || states.stride >= states.count || (states.stride > 0 && states.stride % lanes() == 0);
   if (states.count < 0 || !fits)
     throw InputError("a batch of " + std::to_string(states.count) + " states with a stride of " +
                      std::to_string(states.stride) + "; allowed: 0, a multiple of the " + std::to_string(lanes()) +
@@ -117,6 +117,31 @@ void BatchSolver<Real>::evaluate_part(int function, const BatchStates<Real>& sta
                           one_inputs,
                           scratch_[static_cast<std::size_t>(worker)].get()};
   batch_->evaluate[function](&part, out);
+}
+
+template <class Real>
+const void* BatchSolver<Real>::prepared(std::int64_t group) const {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(prepared_.data());
+  return n_prepared_ == 0 ? bytes : bytes + static_cast<std::size_t>(group) * batch_->prepared_size;
+}
+
+template <class Real>
+void BatchSolver<Real>::evaluate_group(int function, std::int64_t group, Real t, const Real* x, const Real* y,
+                                       Real* out, int worker) const {
+  const kanec_states states{0,
+                            lanes(),
+                            lanes(),
+                            prepared(group),
+                            &t,
+                            x,
+                            y,
+                            nullptr,
+                            inputs_.data(),
+                            1,
+                            1,
+                            1,
+                            scratch_[static_cast<std::size_t>(worker)].get()};
+  batch_->evaluate[function](&states, out);
 }
 
 template <class Real>

@@ -16,9 +16,9 @@
 namespace kanec {
 
 // Where the states of a batch stand. Of an argument with n entries, entry i of state j is
-// a[(j / stride * n + i) * stride + j % stride]: with stride = count, which 0 stands for, a[i * count + j]; with stride =
-// lanes() blocks that need no copying, where a is aligned to a block's row: the fastest. Other strides are multiples of
-// lanes(). A stride of a large power of two is slow: rows fall on each other in the cache.
+// a[(j / stride * n + i) * stride + j % stride]: with stride = count, which 0 stands for, a[i * count + j]; with stride
+// = lanes() blocks that need no copying, where a is aligned to a block's row: the fastest. Other strides are multiples
+// of lanes(). A stride of a large power of two is slow: rows fall on each other in the cache.
 template <class Real>
 struct BatchStates {
   std::int64_t count = 0;
@@ -61,6 +61,12 @@ class BatchSolver {
   // threads with different workers.
   void evaluate_part(int function, const BatchStates<Real>& states, Real* out, std::int64_t begin, std::int64_t end,
                      int worker) const;
+  // One function for one full group of lanes, the `group`th of those with parameters of their own; x, y and out are
+  // blocks (lanes() numbers an entry). Safe as evaluate_part.
+  void evaluate_group(int function, std::int64_t group, Real t, const Real* x, const Real* y, Real* out,
+                      int worker) const;
+  // The prepared parameters of that group.
+  const void* prepared(std::int64_t group) const;
   Workers& workers() const { return *workers_; }
 
  private:
@@ -74,8 +80,8 @@ class BatchSolver {
   const kanec_batch* batch_;
   std::unique_ptr<Workers> workers_;
   std::vector<Real> inputs_;
-  std::vector<Line> prepared_;  // one group for all, or one a group of lanes
-  std::int64_t n_prepared_ = 0;  // states with parameters of their own; 0: one set for all
+  std::vector<Line> prepared_;                    // one group for all, or one a group of lanes
+  std::int64_t n_prepared_ = 0;                   // states with parameters of their own; 0: one set for all
   std::vector<std::unique_ptr<Line[]>> scratch_;  // of each worker
 };
 

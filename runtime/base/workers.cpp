@@ -8,8 +8,7 @@ namespace kanec {
 
 Workers::Workers(int threads) {
   const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  for (int worker = 1; worker < wanted; ++worker)
-    threads_.emplace_back([this, worker] { wait_for_work(worker); });
+  for (int worker = 1; worker < wanted; ++worker) threads_.emplace_back([this, worker] { wait_for_work(worker); });
 }
 
 Workers::~Workers() {

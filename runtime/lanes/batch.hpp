@@ -8,7 +8,7 @@
 #include "abi.h"
 #include "lane_functions.hpp"
 
-namespace kanec::batch {
+namespace kanec::lanes::batch {
 
 // Where the states j .. j + lanes - 1 of an argument with n entries stand, and how many of them there are.
 template <class Lane>
@@ -19,7 +19,8 @@ struct Group {
 
   std::int64_t place(int n, int i) const noexcept { return (first / stride * n + i) * stride + first % stride; }
   bool is_direct(const void* argument) const noexcept {
-    return stride == Lane::size && count == Lane::size && reinterpret_cast<std::uintptr_t>(argument) % alignof(Lane) == 0;
+    return stride == Lane::size && count == Lane::size &&
+           reinterpret_cast<std::uintptr_t>(argument) % alignof(Lane) == 0;
   }
 
   // Lanes without a state take the last one's numbers: no exception is raised that no state would raise.
@@ -40,19 +41,22 @@ template <class Lane, int N, bool IsRead>
 class Argument {
  public:
   using Scalar = typename Lane::Scalar;
-  Argument(const Group<Lane>& group, const void* argument, bool one_for_all) noexcept {
-    if constexpr (IsRead) {
-      const auto* from = static_cast<const Scalar*>(argument);
-      const bool direct = !one_for_all && group.is_direct(argument);
-      at_ = direct ? reinterpret_cast<const Lane*>(from + group.place(N, 0)) : copy_;
-      for (int i = 0; i < N && !direct; ++i)
-        copy_[i] = one_for_all ? Lane(static_cast<double>(from[i])) : group.load(from + group.place(N, i));
-    }
+  explicit Argument(const void* argument, bool one_for_all = false) noexcept
+      : from_(static_cast<const Scalar*>(argument)), one_for_all_(one_for_all) {
+    for (int i = 0; IsRead && one_for_all && i < N; ++i) copy_[i] = Lane(static_cast<double>(from_[i]));
   }
-  const Lane* get() const noexcept { return at_; }
+
+  const Lane* at(const Group<Lane>& group) noexcept {
+    if (!IsRead) return nullptr;
+    if (one_for_all_) return copy_;
+    if (group.is_direct(from_)) return reinterpret_cast<const Lane*>(from_ + group.place(N, 0));
+    for (int i = 0; i < N; ++i) copy_[i] = group.load(from_ + group.place(N, i));
+    return copy_;
+  }
 
  private:
-  const Lane* at_ = nullptr;
+  const Scalar* from_;
+  bool one_for_all_;
   Lane copy_[IsRead && N > 0 ? N : 1];
 };
 
@@ -86,32 +90,33 @@ Group<Lane> group_at(std::int64_t first, std::int64_t end, std::int64_t stride) 
 // Sizes: nx, ny, n_inputs, n_parameters. Function: which arguments it reads, n_out, and call().
 template <class Lane, class Prepared, class Sizes, class Function>
 void evaluate(const kanec_states* states, void* out) noexcept {
+  Argument<Lane, Sizes::nx, Function::reads_x> x(states->x);
+  Argument<Lane, Sizes::ny, Function::reads_y> y(states->y);
+  Argument<Lane, Sizes::ny, Function::reads_ydot> ydot(states->ydot);
+  Argument<Lane, Sizes::n_inputs, Function::reads_inputs> u(states->u, states->one_inputs != 0);
   for (std::int64_t j = states->begin; j < states->end; j += Lane::size) {
     const Group<Lane> group = group_at<Lane>(j, states->end, states->stride);
     const auto* time = static_cast<const typename Lane::Scalar*>(states->t);
     Lane t(0);
     if constexpr (Function::reads_time)
       t = states->one_time != 0 ? Lane(static_cast<double>(*time)) : group.load(time + j);
-    const Argument<Lane, Sizes::nx, Function::reads_x> x(group, states->x, false);
-    const Argument<Lane, Sizes::ny, Function::reads_y> y(group, states->y, false);
-    const Argument<Lane, Sizes::ny, Function::reads_ydot> ydot(group, states->ydot, false);
-    const Argument<Lane, Sizes::n_inputs, Function::reads_inputs> u(group, states->u, states->one_inputs != 0);
     const auto* prepared = static_cast<const Prepared*>(states->prepared);
     Results<Lane, Function::n_out> results(group, out, states->scratch);
-    Function::call(prepared[states->one_parameters != 0 ? 0 : j / Lane::size], t, x.get(), y.get(), ydot.get(), u.get(),
-                   results.get());
+    Function::call(prepared[states->one_parameters != 0 ? 0 : j / Lane::size], t, x.at(group), y.at(group),
+                   ydot.at(group), u.at(group), results.get());
     results.finish();
   }
 }
 
 // Function: call() makes a group of prepared parameters.
 template <class Lane, class Prepared, class Sizes, class Function>
-void prepare(std::int64_t begin, std::int64_t end, std::int64_t stride, const void* parameters, void* prepared) noexcept {
+void prepare(std::int64_t begin, std::int64_t end, std::int64_t stride, const void* parameters,
+             void* prepared) noexcept {
+  Argument<Lane, Sizes::n_parameters, true> p(parameters);
   for (std::int64_t j = begin; j < end; j += Lane::size) {
     const Group<Lane> group = group_at<Lane>(j, end, stride);
-    const Argument<Lane, Sizes::n_parameters, true> p(group, parameters, false);
-    ::new (static_cast<void*>(static_cast<Prepared*>(prepared) + j / Lane::size)) Prepared(Function::call(p.get()));
+    ::new (static_cast<void*>(static_cast<Prepared*>(prepared) + j / Lane::size)) Prepared(Function::call(p.at(group)));
   }
 }
 
-}  // namespace kanec::batch
+}  // namespace kanec::lanes::batch

@@ -6,7 +6,10 @@
 namespace kanec {
 
 std::vector<std::pair<std::string, std::string>> lane_files() {
-  return {{"lanes.hpp", lanes_text}, {"lane_functions.hpp", lane_functions_text}, {"batch.hpp", batch_text}};
+  return {{"lanes.hpp", lanes_text},
+          {"lane_functions.hpp", lane_functions_text},
+          {"batch.hpp", batch_text},
+          {"rk4.hpp", rk4_text}};
 }
 
 std::vector<std::string> lane_flags(const std::string& scalar, int lanes) {

@@ -16,8 +16,8 @@
 #define KANEC_HAS_BUILTIN(builtin) 0
 #endif
 
-namespace kanec {
-namespace lanes {
+namespace kanec::lanes {
+namespace detail {
 
 // Every lane by the scalar function.
 template <class F, class T, int N, class... More>
@@ -98,10 +98,10 @@ inline Float16 sqrt(Float16 a) noexcept {
 
 // libmvec names a function by the target (b: SSE, d: AVX2, e: AVX-512), lanes and arguments: _ZGVeN8v_sin.
 #if defined(KANEC_LIBMVEC)
-#define KANEC_LIBMVEC_1(vector, symbol, name)                      \
+#define KANEC_LIBMVEC_1(vector, symbol, name)                       \
   extern "C" vector symbol(vector) noexcept __attribute__((const)); \
   inline vector name(vector a) noexcept { return symbol(a); }
-#define KANEC_LIBMVEC_2(vector, symbol, name)                              \
+#define KANEC_LIBMVEC_2(vector, symbol, name)                               \
   extern "C" vector symbol(vector, vector) noexcept __attribute__((const)); \
   inline vector name(vector a, vector b) noexcept { return symbol(a, b); }
 #if defined(__AVX512F__)
@@ -141,29 +141,29 @@ KANEC_LIBMVEC_ALL(2, vv, atan2)
 #endif
 
 }  // namespace in_register
-}  // namespace lanes
+}  // namespace detail
 
-#define KANEC_IN_REGISTER_1(name)                                                          \
-  template <class T, int N>                                                                \
-  Lanes<T, N> name(const Lanes<T, N>& a) noexcept {                                        \
-    return lanes::by_register([](auto v) noexcept { return lanes::in_register::name(v); }, \
-                              [](T x) noexcept { return std::name(x); }, a);               \
+#define KANEC_IN_REGISTER_1(name)                                                            \
+  template <class T, int N>                                                                  \
+  Lanes<T, N> name(const Lanes<T, N>& a) noexcept {                                          \
+    return detail::by_register([](auto v) noexcept { return detail::in_register::name(v); }, \
+                               [](T x) noexcept { return std::name(x); }, a);                \
   }
-#define KANEC_IN_REGISTER_2(name)                                                                     \
-  template <class T, int N>                                                                           \
-  Lanes<T, N> name(const Lanes<T, N>& a, const Lanes<T, N>& b) noexcept {                             \
-    return lanes::by_register([](auto v, auto w) noexcept { return lanes::in_register::name(v, w); }, \
-                              [](T x, T y) noexcept { return std::name(x, y); }, a, b);               \
+#define KANEC_IN_REGISTER_2(name)                                                                       \
+  template <class T, int N>                                                                             \
+  Lanes<T, N> name(const Lanes<T, N>& a, const Lanes<T, N>& b) noexcept {                               \
+    return detail::by_register([](auto v, auto w) noexcept { return detail::in_register::name(v, w); }, \
+                               [](T x, T y) noexcept { return std::name(x, y); }, a, b);                \
   }
-#define KANEC_LANE_BY_LANE_1(name)                                            \
-  template <class T, int N>                                                   \
-  Lanes<T, N> name(const Lanes<T, N>& a) noexcept {                           \
-    return lanes::each([](T x) noexcept { return std::name(x); }, a);         \
+#define KANEC_LANE_BY_LANE_1(name)                                     \
+  template <class T, int N>                                            \
+  Lanes<T, N> name(const Lanes<T, N>& a) noexcept {                    \
+    return detail::each([](T x) noexcept { return std::name(x); }, a); \
   }
-#define KANEC_LANE_BY_LANE_2(name)                                            \
-  template <class T, int N>                                                   \
-  Lanes<T, N> name(const Lanes<T, N>& a, const Lanes<T, N>& b) noexcept {     \
-    return lanes::each([](T x, T y) noexcept { return std::name(x, y); }, a, b); \
+#define KANEC_LANE_BY_LANE_2(name)                                                \
+  template <class T, int N>                                                       \
+  Lanes<T, N> name(const Lanes<T, N>& a, const Lanes<T, N>& b) noexcept {         \
+    return detail::each([](T x, T y) noexcept { return std::name(x, y); }, a, b); \
   }
 
 #if defined(KANEC_LANE_SQRT)
@@ -202,4 +202,4 @@ KANEC_LANE_BY_LANE_2(atan2)
 #undef KANEC_LANE_BY_LANE_1
 #undef KANEC_LANE_BY_LANE_2
 
-}  // namespace kanec
+}  // namespace kanec::lanes

@@ -1,5 +1,6 @@
 // Several numbers that are computed with at once: a scalar for emitted code. Not: functions beyond arithmetic
-// (lane_functions.hpp), nor any loop over states (batch.hpp).
+// (lane_functions.hpp), nor any loop over states (batch.hpp). All of it stands in kanec::lanes, where
+// argument-dependent lookup finds it and no scene's namespace stands; kanec::Lanes is another name of the type.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -14,7 +15,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace kanec {
+namespace kanec::lanes {
 
 // Lanes that the target computes with in one instruction.
 #if defined(__AVX512F__)
@@ -103,4 +104,8 @@ struct Lanes {
   }
 };
 
-}  // namespace kanec
+}  // namespace kanec::lanes
+
+namespace kanec {
+using lanes::Lanes;
+}

@@ -11,16 +11,22 @@ namespace {
 
 compile::Options options() {
   compile::Options options;
-  options.flags = {"-O0", "-march=native", "-fno-math-errno", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"};
+  options.flags = {"-O0",     "-march=native", "-fno-math-errno", "-Wall",
+                   "-Wextra", "-Wconversion",  "-Wshadow",        "-Werror"};
   options.flags_given = true;
-  options.use_cache = false;
+  // one cache for all tests of this build: each model is compiled once
+  options.cache = std::string(KANEC_BINARY_DIR) + "/tests/lanes_cache";
   return options;
 }
 
 compile::Source source(const Generated& generated, const scene::Scene& scene, const std::string& main,
                        const std::string& text) {
-  return {generated.name, generated.hash, n_coordinates(scene), n_speeds(scene),
-          {{generated.name + ".hpp", generated.header}, {main, text}}, main};
+  return {generated.name,
+          generated.hash,
+          n_coordinates(scene),
+          n_speeds(scene),
+          {{generated.name + ".hpp", generated.header}, {main, text}},
+          main};
 }
 
 // Those of `all`, values in that order, that the model names.

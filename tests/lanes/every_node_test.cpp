@@ -1,8 +1,9 @@
 // Every kind of node in lanes, choices between values and parameters that only prepare() sees among them. Oracle: the
 // program evaluated operation by operation. SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/emit/every_node.hpp"
+
 #include <gtest/gtest.h>
 
-#include "tests/emit/every_node.hpp"
 #include "tests/lanes/compiled.hpp"
 
 namespace kanec::test {
@@ -41,8 +42,8 @@ class EveryNodeInLanes : public testing::TestWithParam<LaneChoice> {
       for (std::int64_t j = 0; j < data.count; ++j) {
         const Sample& s = list[static_cast<std::size_t>(j)];
         const program::Arguments<long double> at{as<long double>(s.parameters), as<long double>(s.state.x),
-                                                 as<long double>(s.state.y), as<long double>(s.state.ydot),
-                                                 as<long double>(s.inputs), s.t};
+                                                 as<long double>(s.state.y),    as<long double>(s.state.ydot),
+                                                 as<long double>(s.inputs),     s.t};
         const auto wanted = evaluate(generated.program, function, at);
         for (int i = 0; i < n; ++i) {
           const auto right = static_cast<double>(wanted[static_cast<std::size_t>(i)]);

@@ -17,7 +17,9 @@ struct Case {
   std::vector<std::string> functions = {};
 };
 
-void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name << " " << c.choice.scalar << " " << c.choice.lanes; }
+void PrintTo(const Case& c, std::ostream* stream) {
+  *stream << c.name << " " << c.choice.scalar << " " << c.choice.lanes;
+}
 
 class Batch : public testing::TestWithParam<Case> {
  protected:
@@ -71,7 +73,8 @@ class Batch : public testing::TestWithParam<Case> {
   }
 };
 
-// 1e-12 of a result's largest entry: some thousand roundings, each of some 1e-16, amplified by the solution of a system.
+// 1e-12 of a result's largest entry: some thousand roundings, each of some 1e-16, amplified by the solution of a
+// system.
 TEST_P(Batch, equals_one_state_at_a_time_and_the_generic_path_whatever_count_and_layout) {
   const bool is_float = std::string(GetParam().choice.scalar) == "float";
   const int width = lanes.batch().lanes;
@@ -90,12 +93,12 @@ TEST_P(Batch, equals_one_state_at_a_time_and_the_generic_path_whatever_count_and
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, Batch,
-    testing::Values(Case{"every_joint", {}}, Case{"six_body", {"double", 2}}, Case{"bench_cr7", {"double", 4}},
-                    Case{"bench_s6b", {"double", 8}, {"accelerations", "residual", "energy"}},
-                    Case{"cart_pole", {"float", 0}},
-                    Case{"bench_cr7", {"float", 8}, {"kinematics+accelerations", "residual"}}));
+INSTANTIATE_TEST_SUITE_P(Scenes, Batch,
+                         testing::Values(Case{"every_joint", {}}, Case{"six_body", {"double", 2}},
+                                         Case{"bench_cr7", {"double", 4}},
+                                         Case{"bench_s6b", {"double", 8}, {"accelerations", "residual", "energy"}},
+                                         Case{"cart_pole", {"float", 0}},
+                                         Case{"bench_cr7", {"float", 8}, {"kinematics+accelerations", "residual"}}));
 
 }  // namespace
 }  // namespace kanec::test

@@ -58,8 +58,9 @@ TYPED_TEST_SUITE(LaneFunctions, Types);
 using Long = long double;
 
 TYPED_TEST(LaneFunctions, square_root_is_correctly_rounded) {
-  this->expect_ulps("sqrt", 0, 1e4, [](const auto& a, const auto&) { return sqrt(a); }, [](Long a, Long) { return std::sqrt(a); },
-                    0.5000001);
+  this->expect_ulps(
+      "sqrt", 0, 1e4, [](const auto& a, const auto&) { return sqrt(a); }, [](Long a, Long) { return std::sqrt(a); },
+      0.5000001);
 }
 
 constexpr double promised = 4.0;  // by libmvec, in ulps
@@ -67,30 +68,40 @@ constexpr double promised = 4.0;  // by libmvec, in ulps
 // Found with glibc 2.36: 3.5 ulps in double, 1.9 in float.
 TYPED_TEST(LaneFunctions, sine_and_cosine_err_by_few_ulps) {
   for (const double range : {1.0, 7.0, 1000.0}) {
-    this->expect_ulps("sin", -range, range, [](const auto& a, const auto&) { return sin(a); },
-                      [](Long a, Long) { return std::sin(a); }, promised);
-    this->expect_ulps("cos", -range, range, [](const auto& a, const auto&) { return cos(a); },
-                      [](Long a, Long) { return std::cos(a); }, promised);
+    this->expect_ulps(
+        "sin", -range, range, [](const auto& a, const auto&) { return sin(a); },
+        [](Long a, Long) { return std::sin(a); }, promised);
+    this->expect_ulps(
+        "cos", -range, range, [](const auto& a, const auto&) { return cos(a); },
+        [](Long a, Long) { return std::cos(a); }, promised);
   }
 }
 
 TYPED_TEST(LaneFunctions, others_err_by_few_ulps) {
-  this->expect_ulps("tan", -1.5, 1.5, [](const auto& a, const auto&) { return tan(a); }, [](Long a, Long) { return std::tan(a); },
-                    promised);
-  this->expect_ulps("asin", -1, 1, [](const auto& a, const auto&) { return asin(a); }, [](Long a, Long) { return std::asin(a); },
-                    promised);
-  this->expect_ulps("acos", -1, 1, [](const auto& a, const auto&) { return acos(a); }, [](Long a, Long) { return std::acos(a); },
-                    promised);
-  this->expect_ulps("exp", -20, 20, [](const auto& a, const auto&) { return exp(a); }, [](Long a, Long) { return std::exp(a); },
-                    promised);
-  this->expect_ulps("log", 1e-3, 1e3, [](const auto& a, const auto&) { return log(a); }, [](Long a, Long) { return std::log(a); },
-                    promised);
-  this->expect_ulps("tanh", -5, 5, [](const auto& a, const auto&) { return tanh(a); }, [](Long a, Long) { return std::tanh(a); },
-                    promised);
-  this->expect_ulps("atan2", -2, 2, [](const auto& a, const auto& b) { return atan2(a, b); },
-                    [](Long a, Long b) { return std::atan2(a, b); }, promised);
-  this->expect_ulps("pow", 0.1, 5, [](const auto& a, const auto& b) { return pow(a, b); },
-                    [](Long a, Long b) { return std::pow(a, b); }, promised);
+  this->expect_ulps(
+      "tan", -1.5, 1.5, [](const auto& a, const auto&) { return tan(a); }, [](Long a, Long) { return std::tan(a); },
+      promised);
+  this->expect_ulps(
+      "asin", -1, 1, [](const auto& a, const auto&) { return asin(a); }, [](Long a, Long) { return std::asin(a); },
+      promised);
+  this->expect_ulps(
+      "acos", -1, 1, [](const auto& a, const auto&) { return acos(a); }, [](Long a, Long) { return std::acos(a); },
+      promised);
+  this->expect_ulps(
+      "exp", -20, 20, [](const auto& a, const auto&) { return exp(a); }, [](Long a, Long) { return std::exp(a); },
+      promised);
+  this->expect_ulps(
+      "log", 1e-3, 1e3, [](const auto& a, const auto&) { return log(a); }, [](Long a, Long) { return std::log(a); },
+      promised);
+  this->expect_ulps(
+      "tanh", -5, 5, [](const auto& a, const auto&) { return tanh(a); }, [](Long a, Long) { return std::tanh(a); },
+      promised);
+  this->expect_ulps(
+      "atan2", -2, 2, [](const auto& a, const auto& b) { return atan2(a, b); },
+      [](Long a, Long b) { return std::atan2(a, b); }, promised);
+  this->expect_ulps(
+      "pow", 0.1, 5, [](const auto& a, const auto& b) { return pow(a, b); },
+      [](Long a, Long b) { return std::pow(a, b); }, promised);
 }
 
 // What one lane holds does not change another: a state's results must not depend on its neighbours.

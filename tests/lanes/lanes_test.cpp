@@ -21,7 +21,8 @@ class LaneType : public testing::Test {
 
   // Ordinary numbers, zeros of both signs, equal ones, infinities, and what is no number.
   Number number() {
-    constexpr Number special[] = {0, -Number(0), 1, 1, std::numeric_limits<Number>::infinity(), std::numeric_limits<Number>::quiet_NaN()};
+    constexpr Number special[] = {
+        0, -Number(0), 1, 1, std::numeric_limits<Number>::infinity(), std::numeric_limits<Number>::quiet_NaN()};
     const int i = random_.below(16);
     return i < 6 ? special[i] : static_cast<Number>(random_.uniform(-2, 2));
   }
@@ -30,7 +31,9 @@ class LaneType : public testing::Test {
     for (int i = 0; i < L::size; ++i) result.set(i, number());
     return result;
   }
-  static bool same(Number a, Number b) { return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b); }
+  static bool same(Number a, Number b) {
+    return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
+  }
 
   template <class OfLanes, class OfOne>
   void expect_each(OfLanes of_lanes, OfOne of_one) {
@@ -57,11 +60,12 @@ TYPED_TEST(LaneType, computes_as_its_scalar_does) {
   this->expect_each([](const auto& a, const auto& b) { return a * b; }, [&](T a, T b) { return t(a * b); });
   this->expect_each([](const auto& a, const auto& b) { return a / b; }, [&](T a, T b) { return t(a / b); });
   this->expect_each([](const auto& a, const auto&) { return -a; }, [&](T a, T) { return t(-a); });
-  this->expect_each([](const auto& a, const auto& b) {
-                      auto c = a;
-                      return c += b, c -= c, c *= b, c /= b;
-                    },
-                    [&](T a, T b) { return a = t(a + b), a = t(a - a), a = t(a * b), t(a / b); });
+  this->expect_each(
+      [](const auto& a, const auto& b) {
+        auto c = a;
+        return c += b, c -= a, c *= b, c /= b;
+      },
+      [&](T a, T b) { return t(t(t(t(a + b) - a) * b) / b); });
 }
 
 TYPED_TEST(LaneType, chooses_as_its_scalar_does) {
@@ -69,12 +73,18 @@ TYPED_TEST(LaneType, chooses_as_its_scalar_does) {
   this->expect_each([](const auto& a, const auto& b) { return min(a, b); }, [](T a, T b) { return std::min(a, b); });
   this->expect_each([](const auto& a, const auto& b) { return max(a, b); }, [](T a, T b) { return std::max(a, b); });
   this->expect_each([](const auto& a, const auto&) { return abs(a); }, [](T a, T) { return std::abs(a); });
-  this->expect_each([](const auto& a, const auto& b) { return select(a < b, a, -b); }, [](T a, T b) { return a < b ? a : -b; });
-  this->expect_each([](const auto& a, const auto& b) { return select(a > b, a, -b); }, [](T a, T b) { return a > b ? a : -b; });
-  this->expect_each([](const auto& a, const auto& b) { return select(a <= b, a, -b); }, [](T a, T b) { return a <= b ? a : -b; });
-  this->expect_each([](const auto& a, const auto& b) { return select(a >= b, a, -b); }, [](T a, T b) { return a >= b ? a : -b; });
-  this->expect_each([](const auto& a, const auto& b) { return select(a == b, a, -b); }, [](T a, T b) { return a == b ? a : -b; });
-  this->expect_each([](const auto& a, const auto& b) { return select(a != b, a, -b); }, [](T a, T b) { return a != b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a < b, a, -b); },
+                    [](T a, T b) { return a < b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a > b, a, -b); },
+                    [](T a, T b) { return a > b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a <= b, a, -b); },
+                    [](T a, T b) { return a <= b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a >= b, a, -b); },
+                    [](T a, T b) { return a >= b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a == b, a, -b); },
+                    [](T a, T b) { return a == b ? a : -b; });
+  this->expect_each([](const auto& a, const auto& b) { return select(a != b, a, -b); },
+                    [](T a, T b) { return a != b ? a : -b; });
 }
 
 TYPED_TEST(LaneType, mask_tells_lane_by_lane) {
