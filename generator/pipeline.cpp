@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "generator/candidates.hpp"
 #include "generator/emit/header.hpp"
-#include "generator/program/passes.hpp"
 #include "generator/regular.hpp"
 #include "runtime/base/hash.hpp"
 
@@ -13,10 +13,9 @@ namespace {
 
 std::string options_text(const scene::Scene& scene, const GenerateOptions& options) {
   const std::vector<std::string>& named = options.functions.empty() ? scene.functions : options.functions;
-  if (named.empty()) return "the usual functions";
-  std::string text = "functions";
+  std::string text = named.empty() ? "the usual functions" : "functions";
   for (const std::string& function : named) text += " " + function;
-  return text;
+  return options.algorithm ? text + "; algorithm " + name(*options.algorithm) : text;
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -33,7 +32,8 @@ std::string without(std::string text, const std::string& what) {
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   check_regular(scene);
-  const program::Program program = program::optimized(program_of(scene, requested_functions(scene, options.functions)));
+  const program::Program program = 
+      cheapest_program(scene, requested_functions(scene, options.functions), options.algorithm);
   // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
   // places
   const std::string mark = "@model-hash-mark";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace kanec {
 
 struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
+  std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
 };
 
 struct Generated {

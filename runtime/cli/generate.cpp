@@ -42,6 +42,7 @@ written as well. --dump prints one stage of the pipeline instead: scene, equatio
 struct Options {
   SceneArgument scene;
   std::vector<std::string> functions;
+  std::optional<symbolic::Algorithm> algorithm;
   std::string output;
   std::string stage;
   bool abi = false;
@@ -160,7 +161,7 @@ int generate_files(const Options& options) {
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions});
+  const Generated generated = generate(scene, {functions, options.algorithm});
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -177,6 +178,7 @@ void add_generate(CLI::App& app, Action& action) {
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
+  add_algorithm(*command, options->algorithm);
   command->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");

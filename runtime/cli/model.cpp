@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "generator/candidates.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
@@ -46,7 +47,7 @@ template <class SourceOf>
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments, const std::string& what, SourceOf source) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, {functions});
+  Generated generated = generate(scene, {functions, arguments.algorithm});
   interrupts.poll();
   compile::Model library = [&] {
     try {
@@ -67,6 +68,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
 
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
+  add_algorithm(command, arguments.algorithm);
   command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, c++, g++ or clang++")
       ->option_text("PROGRAM")
       ->group(group);
@@ -96,6 +98,21 @@ CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::stri
                           const BuildArguments& arguments, const LaneArguments& lanes) {
   return build(scene, functions, arguments, scene.name + " in lanes",
                [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
+}
+
+void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm) {
+  using symbolic::Algorithm;
+  const auto set = [&algorithm](const std::string& text) {
+    algorithm.reset();
+    for (const Algorithm known : {Algorithm::composite, Algorithm::articulated})
+      if (text == name(known)) algorithm = known;
+  };
+  command
+      .add_option_function<std::string>("--algorithm", set,
+                                        "of accelerations: A by composite bodies and L D L^T, or joint by joint (auto: "
+                                        "whichever takes fewer operations)")
+      ->check(CLI::IsMember(std::vector<std::string>{"auto", name(Algorithm::composite), name(Algorithm::articulated)}))
+      ->option_text("auto|composite|articulated");
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {

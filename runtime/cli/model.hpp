@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace kanec::cli {
 
 struct BuildArguments {
+  std::optional<symbolic::Algorithm> algorithm;  // none: the cheapest
   std::string compiler;
   std::string flags;
   bool flags_given = false;
@@ -43,6 +45,8 @@ CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::stri
                           const BuildArguments& arguments, const LaneArguments& lanes = {});
 
 // --functions a,b+c
+// --algorithm of accelerations.
+void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm);
 void add_functions(CLI::App& command, std::vector<std::string>& functions);
 
 }  // namespace kanec::cli

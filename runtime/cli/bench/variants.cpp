@@ -17,6 +17,10 @@ struct Known {
 };
 
 const Known known[] = {
+    {"composite", "accelerations from A by composite bodies",
+     [](Variant& v) { v.build.algorithm = symbolic::Algorithm::composite; }},
+    {"articulated", "accelerations joint by joint",
+     [](Variant& v) { v.build.algorithm = symbolic::Algorithm::articulated; }},
     {"lanes", "double, as many states at once as the processor has lanes",
      [](Variant& v) { v.lanes = LaneArguments{}; }},
     {"float_lanes", "the same in float",
