@@ -38,7 +38,8 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene, version(), mark, options_text(scene, options), source};
+  const emit::Model model{&scene, version(), mark, options_text(scene, options), source,
+                          std::getenv("ROLL") ? emit::Form::rolled : emit::Form::straight};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);

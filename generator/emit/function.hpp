@@ -22,6 +22,9 @@ struct Named {
   bool has_inputs = false;  // the model has a struct Inputs
 };
 
+// What a function calls a result of parameters: "c.Iinv2_11", "c.p.m_1".
+std::string prepared_name(const program::Program& program, const Named& named, program::Index node);
+
 std::string emit_function(const Model& model, const program::Program& program,
                           const std::vector<program::Stage>& stages, const program::Function& function,
                           const program::Ledger& cost, const Named& named);
