@@ -13,8 +13,11 @@ namespace {
 
 std::string options_text(const scene::Scene& scene, const GenerateOptions& options) {
   const std::vector<std::string>& named = options.functions.empty() ? scene.functions : options.functions;
-  if (named.empty()) return "the usual functions";
-  std::string text = "functions";
+  const std::string size = options.optimize == emit::Optimize::size    ? "for size; "
+                           : options.optimize == emit::Optimize::loops ? "as loops; "
+                                                                       : "";
+  if (named.empty()) return size + "the usual functions";
+  std::string text = size + "functions";
   for (const std::string& function : named) text += " " + function;
   return text;
 }
@@ -38,8 +41,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene, version(), mark, options_text(scene, options), source,
-                          std::getenv("ROLL") ? emit::Form::rolled : emit::Form::straight};
+  const emit::Model model{&scene, version(), mark, options_text(scene, options), source, options.optimize};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/model.hpp"
 #include "generator/program/program.hpp"
 #include "generator/reductions.hpp"
 #include "generator/requests.hpp"
@@ -14,6 +15,7 @@ namespace kanec {
 
 struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
+  emit::Optimize optimize = emit::Optimize::speed;
 };
 
 struct Generated {

@@ -2,7 +2,6 @@
 #include "generator/emit/function.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "generator/emit/calls.hpp"
@@ -38,11 +37,8 @@ class Emission {
     stored_.assign(function.outputs.size(), false);
   }
 
-  std::string text(Form form) {
-    if (form == Form::rolled) {
-      const std::optional<program::Rolled> rolled = program::rolled(program_, function_);
-      if (rolled) return comments() + rolled_text(model_, program_, function_, *rolled, named_);
-    }
+  std::string text(const Form& form) {
+    if (form.loops) return comments() + rolled_text(model_, program_, function_, *form.loops, named_);
     const bool placed = !function_.placements.empty();
     Shape shape{function_.name,
                 arguments_.parameters(),
@@ -224,8 +220,8 @@ std::string prepared_name(const program::Program& program, const Named& named, I
 }
 
 std::string emit_function(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-                          const Function& function, const program::Ledger& cost, const Named& named) {
-  return Emission(model, program, stages, function, cost, named).text(model.form);
+                          const Function& function, const program::Ledger& cost, const Named& named, const Form& form) {
+  return Emission(model, program, stages, function, cost, named).text(form);
 }
 
 }  // namespace kanec::emit

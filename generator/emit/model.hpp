@@ -8,8 +8,9 @@
 
 namespace kanec::emit {
 
-// How functions are written: as a straight line, or as loops over bodies.
-enum class Form { straight, rolled };
+// What emitted code is made for: time; or memory for code and constants, as controllers have little of; or, to compare
+// with, loops over bodies whatever they cost.
+enum class Optimize { speed, size, loops };
 
 struct Model {
   const scene::Scene* scene = nullptr;
@@ -17,7 +18,7 @@ struct Model {
   std::string hash;     // of the emitted text
   std::string options;  // as text: "all functions"
   std::string source = {};  // where the scene was read: a path, or empty
-  Form form = Form::straight;
+  Optimize optimize = Optimize::speed;
 };
 
 }  // namespace kanec::emit

@@ -57,7 +57,7 @@ class Loops {
       : arguments_(program, function, named.has_inputs),
         function_(function),
         rolled_(rolled),
-        scope_{&model, &program, &function, &rolled, &named, arguments_.piece_parameters(), field_names(rolled)} {}
+        scope_{&model, &program, &function, &rolled, &named, field_names(rolled)} {}
 
   std::string text() {
     std::map<std::string, int> numbers;
@@ -65,7 +65,7 @@ class Loops {
     for (const program::SectionClass& kind : rolled_.classes) {
       const int number = ++numbers[section_name(kind, 0)];
       const SectionText made = section_text(scope_, kind, number, gathered_);
-      names_.push_back(made.name);
+      calls_.push_back(made.name + "(" + made.arguments + ");");
       tables += made.tables;
       functions += "\n" + made.function;
     }
@@ -91,15 +91,10 @@ class Loops {
            "template <class T>\nusing Number = typename Constants<T>::Number;\n\n";
   }
 
-  std::string call(std::size_t of, const std::string& row) const {
-    const bool has_rows = rolled_.classes[of].bodies.size() > 1;
-    return names_[of] + "(" + arguments_.values("c", "u") + ", frames" + (has_rows ? ", " + row : "") +
-           ", inputs, prepared);";
-  }
 
   // Inputs or results of parameters as an array that tables can point into.
   static std::string array(const std::string& name, std::vector<std::string> entries) {
-    if (entries.empty()) return "  const T* const " + name + " = nullptr;\n";
+    if (entries.empty()) return "";
     std::string list;
     for (const std::string& entry : entries) list += (list.empty() ? "" : ", ") + entry;
     return block("  const T " + name + "[] = {" + list + "};", "      ");
@@ -123,7 +118,7 @@ class Loops {
   std::string main_text(const std::string& space) const {
     std::string text = "template <class T>\n" + block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
     text += "  using namespace " + space + ";\n";
-    text += "  T frames[" + std::to_string(rolled_.n_frames) + " * frame::size + 1];\n" + arrays();
+    text += "  [[maybe_unused]] T frames[" + std::to_string(rolled_.n_frames) + " * frame::size + 1];\n" + arrays();
     const std::vector<Run> all = runs(rolled_);
     constexpr std::size_t most_loops = 12;
     return text + (all.size() <= most_loops ? loops(all) : steps()) + "}\n";
@@ -133,9 +128,9 @@ class Loops {
     std::string text;
     for (const Run& run : all) {
       const std::string end = std::to_string(run.first + run.count);
-      if (run.count > 1)
-        text += "  for (int row = " + std::to_string(run.first) + "; row < " + end + "; ++row)\n";
-      text += block((run.count > 1 ? "    " : "  ") + call(run.of, run.count > 1 ? "row" : std::to_string(run.first)), "        ");
+      const bool has_rows = rolled_.classes[run.of].bodies.size() > 1;
+      if (has_rows) text += "  for (int row = " + std::to_string(run.first) + "; row < " + end + "; ++row)\n";
+      text += block((has_rows ? "    " : "  ") + calls_[run.of], "        ");
     }
     return text;
   }
@@ -151,8 +146,8 @@ class Loops {
                        std::string(largest < 256 ? "unsigned char" : "unsigned short") + " steps[][2] = {\n";
     text += block("      " + list + "};", "      ");
     text += "  for (const auto& step : steps) {\n    [[maybe_unused]] const int row = step[1];\n    switch (step[0]) {\n";
-    for (std::size_t c = 0; c < names_.size(); ++c)
-      text += block("      case " + std::to_string(c) + ": " + call(c, "row") + " break;", "          ");
+    for (std::size_t c = 0; c < calls_.size(); ++c)
+      text += block("      case " + std::to_string(c) + ": " + calls_[c] + " break;", "          ");
     return text + "    }\n  }\n";
   }
 
@@ -161,7 +156,7 @@ class Loops {
   const Rolled& rolled_;
   RolledScope scope_;
   Gathered gathered_;
-  std::vector<std::string> names_;  // of the kinds of section
+  std::vector<std::string> calls_;  // of the kinds of section
 };
 
 }  // namespace

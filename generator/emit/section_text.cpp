@@ -45,6 +45,8 @@ class Text {
   Text(const RolledScope& scope, const SectionClass& kind, int number, Gathered& gathered)
       : scope_(scope), kind_(kind), gathered_(gathered), body_(kind.body) {
     result_.name = section_name(kind, number);
+    taken_ = {"c", "t", "x", "y", "ydot", "u", "inputs", "prepared", "frames", "row", "k", "own", "frame"};
+    for (const program::Result& made : results(*scope.function)) taken_.insert(made.out);
     for (const Index k : kind.bodies) own_.push_back(std::max(k, 0));
     find_frames();
     list_places();
@@ -53,7 +55,8 @@ class Text {
   SectionText result() {
     name_leaves();
     const std::string statements = make_statements();
-    result_.function = heading() + opening() + using_text() + columns_text() + frames_text_ + loads_ + statements + "}\n";
+    const std::string columns = columns_text();
+    result_.function = heading() + opening() + using_text() + columns + frames_text_ + loads_ + statements + "}\n";
     add_tables();
     return std::move(result_);
   }
@@ -130,6 +133,7 @@ class Text {
   }
 
   std::string frame(const std::vector<Index>& places) {
+    parameters_.insert("frames");
     const std::string& letter = letter_of_.at(places);
     const std::string name = places == own_ ? "own" : "of_" + letter;
     if (framed_.insert(name).second) {
@@ -176,7 +180,7 @@ class Text {
       case LeafKind::x: return load_state(i, leaf, program::Group::x);
       case LeafKind::y: return load_state(i, leaf, program::Group::y);
       case LeafKind::ydot: return load_state(i, leaf, program::Group::ydot);
-      case LeafKind::time: body_.names.x[i] = "t"; return;
+      case LeafKind::time: body_.names.x[i] = used("t"); return;
       case LeafKind::input: return name_input(i, leaf);
       case LeafKind::prepared: return name_prepared(i, leaf);
       case LeafKind::frame: return load_frame(i, leaf);
@@ -184,25 +188,25 @@ class Text {
   }
 
   void load_state(std::size_t i, const Leaf& leaf, program::Group group) {
-    const std::string from = array(leaf.kind);
+    const std::string from = used(array(leaf.kind));
     load(i, variable(leaf.places[0], group), from + "[" + columns_.index(from, leaf.places) + "]");
   }
 
   void name_input(std::size_t i, const Leaf& leaf) {
     if (are_equal(leaf.places))
-      body_.names.x[i] = variable_name(program(), {program::Group::input, leaf.places[0]}, Stage::state);
+      body_.names.x[i] = used("u") + "." + program().names.inputs[at(leaf.places[0])];
     else
       load(i, lettered_name(program().names.inputs[at(leaf.places[0])], letters_),
-           "inputs[" + columns_.index("u", gathered(leaf, gathered_.inputs)) + "]");
+           used("inputs") + "[" + columns_.index("u", gathered(leaf, gathered_.inputs)) + "]");
   }
 
   void name_prepared(std::size_t i, const Leaf& leaf) {
     const std::string name = prepared_name(program(), *scope_.named, leaf.places[0]);
     if (are_equal(leaf.places))
-      body_.names.x[i] = name;
+      body_.names.x[i] = used("c") + name.substr(1);
     else
       load(i, lettered_name(name.substr(name.rfind('.') + 1), letters_),
-           "prepared[" + columns_.index("c", gathered(leaf, gathered_.prepared)) + "]");
+           used("prepared") + "[" + columns_.index("c", gathered(leaf, gathered_.prepared)) + "]");
   }
 
   void load_frame(std::size_t i, const Leaf& leaf) {
@@ -241,7 +245,7 @@ class Text {
     for (const program::Output& output : kind_.outputs) {
       const auto [out, places] = place(output);
       const std::string value = statements.value(output.value);
-      statements.line(out + "[" + columns_.index(out, places) + "] = " + value + ";");
+      statements.line(used(out) + "[" + columns_.index(out, places) + "] = " + value + ";");
     }
     for (const program::Kept& kept : kind_.kept) {
       const std::string value = statements.value(kept.value);
@@ -263,10 +267,32 @@ class Text {
                  "//   ");
   }
 
-  std::string opening() const {
-    std::string parameters = scope_.parameters + ", [[maybe_unused]] T* frames";
-    if (kind_.bodies.size() > 1) parameters += ", [[maybe_unused]] int row";
-    parameters += ", [[maybe_unused]] const T* inputs, [[maybe_unused]] const T* prepared";
+  std::string used(const std::string& parameter) {
+    parameters_.insert(parameter);
+    return parameter;
+  }
+
+  // All that a section may take; results are pointers to what is written.
+  std::vector<std::pair<std::string, std::string>> possible_parameters() const {
+    std::vector<std::pair<std::string, std::string>> list = {
+        {"c", "const Prepared<T>& "}, {"t", "T "},         {"x", "const T* "},      {"y", "const T* "},
+        {"ydot", "const T* "},        {"u", "const Inputs<T>& "}, {"inputs", "const T* "}, {"prepared", "const T* "}};
+    for (const program::Result& result : results(*scope_.function)) {
+      std::erase_if(list, [&](const auto& argument) { return argument.first == result.out; });
+      list.push_back({result.out, "T* "});
+    }
+    list.push_back({"frames", "T* "});
+    list.push_back({"row", "int "});
+    return list;
+  }
+
+  std::string opening() {
+    std::string parameters;
+    for (const auto& [name, type] : possible_parameters()) {
+      if (parameters_.count(name) == 0) continue;
+      parameters += (parameters.empty() ? "" : ", ") + type + name;
+      result_.arguments += (result_.arguments.empty() ? "" : ", ") + name;
+    }
     return "template <class T>\n" + block("[[gnu::noinline]] void " + result_.name + "(" + parameters + ") noexcept {", "    ");
   }
 
@@ -281,7 +307,8 @@ class Text {
     return all;
   }
 
-  std::string columns_text() const {
+  std::string columns_text() {
+    if (!numbers_.empty() || !all_columns().empty()) parameters_.insert("row");
     std::string names;
     for (const auto& [name, places] : all_columns()) names += (names.empty() ? "" : ", ") + name;
     std::string text;
@@ -331,7 +358,7 @@ class Text {
   Columns columns_;
   std::vector<std::pair<std::string, Columns::Places>> body_columns_;
   std::vector<const std::vector<program::Number>*> numbers_;
-  std::set<std::string> framed_, taken_;
+  std::set<std::string> framed_, taken_, parameters_;
   std::string frames_text_, loads_;
   SectionText result_;
 };

@@ -19,7 +19,6 @@ struct RolledScope {
   const program::Function* function = nullptr;
   const program::Rolled* rolled = nullptr;
   const Named* named = nullptr;
-  std::string parameters;           // of the function, as a piece takes them
   std::vector<std::string> fields;  // names of the frame's
 };
 
@@ -32,6 +31,7 @@ struct SectionText {
   std::string name;      // "outward_3"
   std::string tables;    // constexpr arrays, empty where all bodies are alike
   std::string function;
+  std::string arguments;  // of a call: "x, frames, row", each the name of what is meant
 };
 
 // number: among the kinds of this pass, from 1.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/program/section.hpp"
+#include "generator/program/signs.hpp"
 
 namespace kanec::program {
 
@@ -17,13 +18,13 @@ struct Canonical {
   std::vector<std::int64_t> key;   // equal for sections that do the same
   std::vector<Index> operations;   // nodes in order, operands before users
   std::vector<std::vector<std::size_t>> order;  // of the operands of each
-  std::vector<Index> leaves;       // nodes read, once for every place where one is read, in order
+  std::vector<Ref> leaves;         // nodes read, once for every place where one is read, in order; constants with signs
 };
 
 LeafKind leaf_kind(const Node& node, Stage stage);
 
 // number: of the section in the list.
 Canonical canonical(const Program& program, const Sections& sections, std::size_t number,
-                    const std::vector<Stage>& stages);
+                    const std::vector<Stage>& stages, const Signs& signs);
 
 }  // namespace kanec::program

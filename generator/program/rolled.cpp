@@ -23,6 +23,7 @@ class Rolling {
         function_(function),
         stages_(stages(program)),
         sections_(sections(program, function, stages_)),
+        signs_(program, function, stages_),
         crosses_(program.nodes.size(), false),
         place_(program.nodes.size(), -1) {}
 
@@ -43,7 +44,7 @@ class Rolling {
     std::map<std::pair<Pass, int>, int> runs;  // sections before, by pass and body
     for (std::size_t i = 0; i < sections_.list.size(); ++i) {
       const Section& section = sections_.list[i];
-      forms_.push_back(canonical(program_, sections_, i, stages_));
+      forms_.push_back(canonical(program_, sections_, i, stages_, signs_));
       class_of_.push_back(0);
       Canonical& form = forms_.back();
       ordinal_.push_back(runs[{section.pass, section.body}]++);
@@ -59,8 +60,8 @@ class Rolling {
       members_[found->second].push_back(i);
       class_of_.back() = found->second;
       for (std::size_t p = 0; p < form.operations.size(); ++p) place_[at(form.operations[p])] = static_cast<Index>(p);
-      for (const Index leaf : form.leaves)
-        if (sections_.home[at(leaf)] >= 0) crosses_[at(leaf)] = true;
+      for (const Ref leaf : form.leaves)
+        if (sections_.home[at(leaf.node)] >= 0) crosses_[at(leaf.node)] = true;
     }
   }
 
@@ -78,8 +79,8 @@ class Rolling {
   const Section& section(std::size_t i) const { return sections_.list[i]; }
 
   // Of the node's value, which may be the negative of the entry.
-  static Stem signed_stem(const Quantity& quantity, std::size_t e) {
-    return stem((quantity.entries[e].negative ? "minus_" : "") + quantity.labels[e], quantity.body);
+  Stem signed_stem(const Quantity& quantity, std::size_t e) const {
+    return stem((signs_.now(quantity.entries[e]).negative ? "minus_" : "") + quantity.labels[e], quantity.body);
   }
 
   // Stems of the entries made in a section, by place.
@@ -127,13 +128,13 @@ class Rolling {
   // What stands at one place of the members' lists of leaves.
   Leaf leaf(const Members& members, std::size_t l) const {
     Leaf result;
-    const Index first = forms_[members[0]].leaves[l];
+    const Index first = forms_[members[0]].leaves[l].node;
     result.kind = leaf_kind(program_.nodes[at(first)], stages_[at(first)]);
     for (const std::size_t m : members) {
-      const Index node = forms_[m].leaves[l];
+      const auto [node, negative] = forms_[m].leaves[l];
       if (const auto* constant = std::get_if<Constant>(&program_.nodes[at(node)])) {
-        result.numbers.push_back(constant->value);
-        result.places.push_back(node);
+        result.numbers.push_back(negative ? -constant->value : constant->value);
+        result.places.push_back(negative ? -1 - node : node);
       } else if (result.kind == LeafKind::frame) {
         const Index home = sections_.home[at(node)];
         result.places.push_back(std::max(section(at(home)).body, 0));
@@ -179,7 +180,7 @@ class Rolling {
     const auto value = [&](Ref ref) {
       const bool is_here = sections_.home[at(ref.node)] == static_cast<Index>(first);
       const Ref now = is_here ? body.done[at(place_[at(ref.node)])] : read(body, result, members);
-      return ref.negative ? -now : now;
+      return signs_.now(ref).negative ? -now : now;
     };
     // in the order in which the leaves were listed
     const auto make = [&](Ref root) { make_to(body, result, members, root.node); };
@@ -213,7 +214,8 @@ class Rolling {
       for (const std::size_t i : form.order[p]) {
         const Index operand = operands(operation).at[i];
         const bool is_here = sections_.home[at(operand)] == static_cast<Index>(first);
-        now[i] = is_here ? body.done[at(place_[at(operand)])] : read(body, made, members);
+        const Ref made_before = is_here ? body.done[at(place_[at(operand)])] : read(body, made, members);
+        now[i] = signs_.negative(form.operations[p], static_cast<int>(i)) ? -made_before : made_before;
       }
       body.done.push_back(same_again(body.builder, operation, now));
     }
@@ -229,7 +231,7 @@ class Rolling {
         const Ref entry = quantity.entries[e];
         if (sections_.home[at(entry.node)] != static_cast<Index>(first)) continue;
         const Ref now = body.done[at(place_[at(entry.node)])];
-        own.entries.push_back(entry.negative ? -now : now);
+        own.entries.push_back(signs_.now(entry).negative ? -now : now);
         own.labels.push_back(quantity.labels[e]);
         made.names.push_back(stem(quantity.labels[e], quantity.body));
       }
@@ -241,6 +243,7 @@ class Rolling {
   const Function& function_;
   std::vector<Stage> stages_;
   Sections sections_;
+  Signs signs_;
   std::vector<Canonical> forms_;  // of the sections
   std::vector<int> ordinal_;      // of a section among those of its pass and body
   std::vector<Members> members_;  // of the classes
