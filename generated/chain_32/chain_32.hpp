@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // chain_32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2de91d5a07bd3bd9 of chain_32/scene.toml; functions kinematics poses energy power accelerations residual
+// model b9452705d5979174 of chain_32/scene.toml; functions kinematics poses energy power accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -69,7 +69,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "2de91d5a07bd3bd9";
+inline constexpr char model_hash[] = "b9452705d5979174";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -3432,7 +3432,7 @@ template <class T>
   // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
       T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
+  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
       U2_32;
   const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
 
@@ -5432,7 +5432,7 @@ template <class T>
       minus_G31_2 - T(0.2) * minus_G31_3 - minus_N31_1;
   const T rho31_2 = T(0.1) * b31_1 + T(0.3) * minus_G32_3 + E32_12 * rho32_1 + E32_11 * rho32_2 + T(0.1) * minus_G31_3
       - T(0.05) * minus_G31_1 - minus_N31_2;
-  const T rho31_3 = rho32_3 - T(0.3) * b31_2 - T(1.6) * b31_1 + T(0.2) * minus_G31_1 - T(0.1) * minus_G31_2 -
+  const T rho31_3 = rho32_3 - (T(0.3) * b31_2 + T(1.6) * b31_1) + T(0.2) * minus_G31_1 - T(0.1) * minus_G31_2 -
       minus_N31_3;
   // h31 = m31 r31 + m32 q32 + hc32: first moment of mass carried, about the body origin, body axes [kg m]
   const T h31_1 = T(1.67) + hc32_1;
@@ -5486,7 +5486,7 @@ template <class T>
       minus_G30_2 - T(0.2) * minus_G30_3 - minus_N30_1;
   const T rho30_2 = T(0.1) * b30_1 + T(0.3) * b30_2 + rho31_2 + T(0.1) * minus_G30_3 - T(0.05) * minus_G30_1 -
       minus_N30_2;
-  const T rho30_3 = E31_11 * rho31_3 - minus_E31_13 * rho31_1 - T(0.3) * minus_S31_2 - T(1.55) * b30_1 + T(0.2) *
+  const T rho30_3 = E31_11 * rho31_3 - (T(0.3) * minus_S31_2 + T(1.55) * b30_1) - minus_E31_13 * rho31_1 + T(0.2) *
       minus_G30_1 - T(0.1) * minus_G30_2 - minus_N30_3;
   // h30 = m30 r30 + m_sub31 q31 + hc31: first moment of mass carried, about the body origin, body axes [kg m]
   const T h30_1 = T(2.8899999999999997) + hc31_1;
@@ -5549,7 +5549,7 @@ template <class T>
   const T minus_S29_3 = b29_2 + minus_G29_3;
   // rho29 = q30~ E30^T S30 + E30^T rho30 + r29~ G29 + N29: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho29_1 = rho30_1 - T(0.1) * b29_1 - T(1.5) * b29_2 + T(0.05) * minus_G29_2 - T(0.2) * minus_G29_3 -
+  const T rho29_1 = rho30_1 - (T(0.1) * b29_1 + T(1.5) * b29_2) + T(0.05) * minus_G29_2 - T(0.2) * minus_G29_3 -
       minus_N29_1;
   const T rho29_2 = T(0.1) * S30_1 + T(0.3) * b29_2 + E30_22 * rho30_2 - E30_23 * rho30_3 + T(0.1) * minus_G29_3 -
       T(0.05) * minus_G29_1 - minus_N29_2;
@@ -5598,7 +5598,7 @@ template <class T>
   const T B_thetadot31_29_2 = E30_23 * hc31_1;
   const T minus_B_thetadot31_29_3 = E30_22 * hc31_1;
   // K_thetadot31_29 = q30~ E30^T B_thetadot31_30 + E30^T K_thetadot31_30
-  const T K_thetadot31_29_1 = b30_11 - T(0.1) * B_thetadot31_29_2 - T(1.5) * minus_B_thetadot31_29_3;
+  const T K_thetadot31_29_1 = b30_11 - (T(0.1) * B_thetadot31_29_2 + T(1.5) * minus_B_thetadot31_29_3);
   const T b29_17 = T(0.3) * minus_B_thetadot31_29_3;
   const T K_thetadot31_29_2 = b30_5 + b29_17 + E30_22 * b30_15 + E30_23 * minus_K_thetadot31_30_3;
   const T K_thetadot31_29_3 = T(0.3) * B_thetadot31_29_2 - T(1.5) * hc31_3 + E30_23 * b30_15 - E30_22 *
@@ -5624,7 +5624,7 @@ template <class T>
   const T minus_S28_3 = minus_S29_3 + minus_G28_3;
   // rho28 = q29~ E29^T S29 + E29^T rho29 + r28~ G28 + N28: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho28_1 = E29_11 * rho29_1 - E29_12 * rho29_2 - T(0.1) * b28_2 - T(1.45) * minus_S29_3 + T(0.05) *
+  const T rho28_1 = E29_11 * rho29_1 - (T(0.1) * b28_2 + T(1.45) * minus_S29_3) - E29_12 * rho29_2 + T(0.05) *
       minus_G28_2 - T(0.2) * minus_G28_3 - minus_N28_1;
   const T rho28_2 = T(0.1) * b28_1 + T(0.3) * minus_S29_3 + E29_12 * rho29_1 + E29_11 * rho29_2 + T(0.1) * minus_G28_3
       - T(0.05) * minus_G28_1 - minus_N28_2;
@@ -5673,8 +5673,8 @@ template <class T>
   const T b28_20 = T(0.1) * B_thetadot32_28_2;
   const T K_thetadot32_28_1 = T(1.45) * B_thetadot32_29_3 - b28_20 + E29_11 * K_thetadot32_29_1 + E29_12 *
       minus_K_thetadot32_29_2;
-  const T K_thetadot32_28_2 = E29_12 * K_thetadot32_29_1 - E29_11 * minus_K_thetadot32_29_2 - T(0.1) *
-      minus_B_thetadot32_28_1 - b29_16;
+  const T K_thetadot32_28_2 = E29_12 * K_thetadot32_29_1 - (T(0.1) * minus_B_thetadot32_28_1 + b29_16) - E29_11 *
+      minus_K_thetadot32_29_2;
   const T b28_21 = T(0.3) * B_thetadot32_28_2;
   const T K_thetadot32_28_3 = b28_21 + T(1.45) * minus_B_thetadot32_28_1 + K_thetadot32_29_3;
   // B_thetadot31_28 = E29^T B_thetadot31_29
@@ -5682,8 +5682,8 @@ template <class T>
   const T B_thetadot31_28_2 = E29_12 * hc31_3 + E29_11 * B_thetadot31_29_2;
   // K_thetadot31_28 = q29~ E29^T B_thetadot31_29 + E29^T K_thetadot31_29
   const T b28_22 = T(0.1) * B_thetadot31_28_2;
-  const T K_thetadot31_28_1 = E29_11 * K_thetadot31_29_1 - E29_12 * K_thetadot31_29_2 - b28_22 - T(1.45) *
-      minus_B_thetadot31_29_3;
+  const T K_thetadot31_28_1 = E29_11 * K_thetadot31_29_1 - (b28_22 + T(1.45) * minus_B_thetadot31_29_3) - E29_12 *
+      K_thetadot31_29_2;
   const T K_thetadot31_28_2 = T(0.1) * B_thetadot31_28_1 + b29_17 + E29_12 * K_thetadot31_29_1 + E29_11 *
       K_thetadot31_29_2;
   const T b28_23 = T(0.3) * B_thetadot31_28_2;
@@ -5696,7 +5696,7 @@ template <class T>
   const T K_thetadot30_28_1 = b28_24 + T(1.45) * hc30_2 + E29_11 * b29_5 - E29_12 * K_thetadot30_29_2;
   const T K_thetadot30_28_2 = T(0.1) * B_thetadot30_28_1 - b29_11 + E29_12 * b29_5 + E29_11 * K_thetadot30_29_2;
   const T b28_25 = T(0.3) * minus_B_thetadot30_28_2;
-  const T K_thetadot30_28_3 = K_thetadot30_29_3 - b28_25 - T(1.45) * B_thetadot30_28_1;
+  const T K_thetadot30_28_3 = K_thetadot30_29_3 - (b28_25 + T(1.45) * B_thetadot30_28_1);
   // D_thetaddot28: pivots of L D L^T
   const T b28_26 = K_thetadot32_28_2 * T(1.8315018315018314);
   const T b28_27 = K_thetadot31_28_2 + b28_26 * b31_18;
@@ -5717,7 +5717,7 @@ template <class T>
   const T minus_S27_3 = b27_2 + minus_G27_3;
   // rho27 = q28~ E28^T S28 + E28^T rho28 + r27~ G27 + N27: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho27_1 = E28_11 * rho28_1 + minus_E28_13 * rho28_3 - T(0.1) * S28_2 - T(1.4) * b27_2 + T(0.05) *
+  const T rho27_1 = E28_11 * rho28_1 - (T(0.1) * S28_2 + T(1.4) * b27_2) + minus_E28_13 * rho28_3 + T(0.05) *
       minus_G27_2 - T(0.2) * minus_G27_3 - minus_N27_1;
   const T rho27_2 = T(0.1) * b27_1 + T(0.3) * b27_2 + rho28_2 + T(0.1) * minus_G27_3 - T(0.05) * minus_G27_1 -
       minus_N27_2;
@@ -5772,8 +5772,8 @@ template <class T>
   const T B_thetadot31_27_1 = E28_11 * B_thetadot31_28_1 - minus_E28_13 * minus_B_thetadot31_29_3;
   const T minus_B_thetadot31_27_3 = minus_E28_13 * B_thetadot31_28_1 + E28_11 * minus_B_thetadot31_29_3;
   // K_thetadot31_27 = q28~ E28^T B_thetadot31_28 + E28^T K_thetadot31_28
-  const T K_thetadot31_27_1 = E28_11 * K_thetadot31_28_1 + minus_E28_13 * K_thetadot31_28_3 - b28_22 - T(1.4) *
-      minus_B_thetadot31_27_3;
+  const T K_thetadot31_27_1 = E28_11 * K_thetadot31_28_1 - (b28_22 + T(1.4) * minus_B_thetadot31_27_3) + minus_E28_13
+      * K_thetadot31_28_3;
   const T b27_20 = T(0.1) * B_thetadot31_27_1;
   const T K_thetadot31_27_2 = b27_20 + T(0.3) * minus_B_thetadot31_27_3 + K_thetadot31_28_2;
   const T K_thetadot31_27_3 = b28_23 - T(1.4) * B_thetadot31_27_1 + E28_11 * K_thetadot31_28_3 - minus_E28_13 *
@@ -5786,15 +5786,15 @@ template <class T>
       K_thetadot30_28_3;
   const T b27_21 = T(0.1) * B_thetadot30_27_1;
   const T K_thetadot30_27_2 = b27_21 - T(0.3) * B_thetadot30_27_3 + K_thetadot30_28_2;
-  const T K_thetadot30_27_3 = E28_11 * K_thetadot30_28_3 - minus_E28_13 * K_thetadot30_28_1 - b28_25 - T(1.4) *
-      B_thetadot30_27_1;
+  const T K_thetadot30_27_3 = E28_11 * K_thetadot30_28_3 - (b28_25 + T(1.4) * B_thetadot30_27_1) - minus_E28_13 *
+      K_thetadot30_28_1;
   // B_thetadot29_27 = E28^T B_thetadot29_28
   const T minus_B_thetadot29_27_1 = E28_11 * hc29_2;
   const T B_thetadot29_27_3 = minus_E28_13 * hc29_2;
   // K_thetadot29_27 = q28~ E28^T B_thetadot29_28 + E28^T K_thetadot29_28
   const T K_thetadot29_27_1 = T(1.4) * B_thetadot29_27_3 - b28_12 + E28_11 * b28_13 + minus_E28_13 * b28_19;
   const T b27_22 = T(0.1) * minus_B_thetadot29_27_1;
-  const T K_thetadot29_27_2 = b28_18 - b27_22 - T(0.3) * B_thetadot29_27_3;
+  const T K_thetadot29_27_2 = b28_18 - (b27_22 + T(0.3) * B_thetadot29_27_3);
   const T K_thetadot29_27_3 = b28_15 + T(1.4) * minus_B_thetadot29_27_1 + E28_11 * b28_19 - minus_E28_13 * b28_13;
   // K_thetadot28_27 = q28~ E28^T B_thetadot28_28 + E28^T K_thetadot28_28
   const T K_thetadot28_27_3 = E28_11 * J28_32 - minus_E28_13 * J28_12 - b27_18;
@@ -6077,22 +6077,22 @@ template <class T>
   const T K_thetadot30_26_1 = T(0.1) * minus_B_thetadot30_26_2 + T(1.35) * B_thetadot30_26_3 + K_thetadot30_27_1;
   const T b26_18 = T(0.3) * B_thetadot30_26_3;
   const T K_thetadot30_26_2 = b27_21 - b26_18 + E27_22 * K_thetadot30_27_2 - E27_23 * K_thetadot30_27_3;
-  const T K_thetadot30_26_3 = E27_23 * K_thetadot30_27_2 + E27_22 * K_thetadot30_27_3 - T(0.3) *
-      minus_B_thetadot30_26_2 - T(1.35) * B_thetadot30_27_1;
+  const T K_thetadot30_26_3 = E27_23 * K_thetadot30_27_2 - (T(0.3) * minus_B_thetadot30_26_2 + T(1.35) *
+      B_thetadot30_27_1) + E27_22 * K_thetadot30_27_3;
   // B_thetadot29_26 = E27^T B_thetadot29_27
   const T B_thetadot29_26_2 = E27_22 * hc29_1 - E27_23 * B_thetadot29_27_3;
   const T B_thetadot29_26_3 = E27_23 * hc29_1 + E27_22 * B_thetadot29_27_3;
   // K_thetadot29_26 = q27~ E27^T B_thetadot29_27 + E27^T K_thetadot29_27
   const T K_thetadot29_26_1 = T(1.35) * B_thetadot29_26_3 - T(0.1) * B_thetadot29_26_2 + K_thetadot29_27_1;
   const T b26_19 = T(0.3) * B_thetadot29_26_3;
-  const T K_thetadot29_26_2 = E27_22 * K_thetadot29_27_2 - E27_23 * K_thetadot29_27_3 - b27_22 - b26_19;
+  const T K_thetadot29_26_2 = E27_22 * K_thetadot29_27_2 - (b27_22 + b26_19) - E27_23 * K_thetadot29_27_3;
   const T K_thetadot29_26_3 = T(0.3) * B_thetadot29_26_2 + T(1.35) * minus_B_thetadot29_27_1 + E27_23 *
       K_thetadot29_27_2 + E27_22 * K_thetadot29_27_3;
   // B_thetadot28_26 = E27^T B_thetadot28_27
   const T B_thetadot28_26_2 = E27_23 * hc28_1;
   const T minus_B_thetadot28_26_3 = E27_22 * hc28_1;
   // K_thetadot28_26 = q27~ E27^T B_thetadot28_27 + E27^T K_thetadot28_27
-  const T K_thetadot28_26_1 = b27_11 - T(0.1) * B_thetadot28_26_2 - T(1.35) * minus_B_thetadot28_26_3;
+  const T K_thetadot28_26_1 = b27_11 - (T(0.1) * B_thetadot28_26_2 + T(1.35) * minus_B_thetadot28_26_3);
   const T b26_20 = T(0.3) * minus_B_thetadot28_26_3;
   const T K_thetadot28_26_2 = b27_5 + b26_20 + E27_22 * b27_15 - E27_23 * K_thetadot28_27_3;
   const T K_thetadot28_26_3 = T(0.3) * B_thetadot28_26_2 - T(1.35) * hc28_3 + E27_23 * b27_15 + E27_22 *
@@ -6209,8 +6209,8 @@ template <class T>
   const T b25_26 = T(0.1) * B_thetadot29_25_2;
   const T K_thetadot29_25_1 = T(1.3) * B_thetadot29_26_3 - b25_26 + E26_11 * K_thetadot29_26_1 - E26_12 *
       K_thetadot29_26_2;
-  const T K_thetadot29_25_2 = E26_12 * K_thetadot29_26_1 + E26_11 * K_thetadot29_26_2 - T(0.1) *
-      minus_B_thetadot29_25_1 - b26_19;
+  const T K_thetadot29_25_2 = E26_12 * K_thetadot29_26_1 - (T(0.1) * minus_B_thetadot29_25_1 + b26_19) + E26_11 *
+      K_thetadot29_26_2;
   const T b25_27 = T(0.3) * B_thetadot29_25_2;
   const T K_thetadot29_25_3 = b25_27 + T(1.3) * minus_B_thetadot29_25_1 + K_thetadot29_26_3;
   // B_thetadot28_25 = E26^T B_thetadot28_26
@@ -6218,8 +6218,8 @@ template <class T>
   const T B_thetadot28_25_2 = E26_12 * hc28_3 + E26_11 * B_thetadot28_26_2;
   // K_thetadot28_25 = q26~ E26^T B_thetadot28_26 + E26^T K_thetadot28_26
   const T b25_28 = T(0.1) * B_thetadot28_25_2;
-  const T K_thetadot28_25_1 = E26_11 * K_thetadot28_26_1 - E26_12 * K_thetadot28_26_2 - b25_28 - T(1.3) *
-      minus_B_thetadot28_26_3;
+  const T K_thetadot28_25_1 = E26_11 * K_thetadot28_26_1 - (b25_28 + T(1.3) * minus_B_thetadot28_26_3) - E26_12 *
+      K_thetadot28_26_2;
   const T K_thetadot28_25_2 = T(0.1) * B_thetadot28_25_1 + b26_20 + E26_12 * K_thetadot28_26_1 + E26_11 *
       K_thetadot28_26_2;
   const T b25_29 = T(0.3) * B_thetadot28_25_2;
@@ -6232,7 +6232,7 @@ template <class T>
   const T K_thetadot27_25_1 = b25_30 + T(1.3) * hc27_2 + E26_11 * b26_5 - E26_12 * K_thetadot27_26_2;
   const T K_thetadot27_25_2 = T(0.1) * B_thetadot27_25_1 - b26_11 + E26_12 * b26_5 + E26_11 * K_thetadot27_26_2;
   const T b25_31 = T(0.3) * minus_B_thetadot27_25_2;
-  const T K_thetadot27_25_3 = K_thetadot27_26_3 - b25_31 - T(1.3) * B_thetadot27_25_1;
+  const T K_thetadot27_25_3 = K_thetadot27_26_3 - (b25_31 + T(1.3) * B_thetadot27_25_1);
   // D_thetaddot25: pivots of L D L^T
   const T b25_32 = K_thetadot32_25_2 * T(1.8315018315018314);
   const T b25_33 = K_thetadot31_25_2 + b25_32 * b31_18;
@@ -6348,8 +6348,8 @@ template <class T>
   const T B_thetadot28_24_1 = E25_11 * B_thetadot28_25_1 - minus_E25_13 * minus_B_thetadot28_26_3;
   const T minus_B_thetadot28_24_3 = minus_E25_13 * B_thetadot28_25_1 + E25_11 * minus_B_thetadot28_26_3;
   // K_thetadot28_24 = q25~ E25^T B_thetadot28_25 + E25^T K_thetadot28_25
-  const T K_thetadot28_24_1 = E25_11 * K_thetadot28_25_1 + minus_E25_13 * K_thetadot28_25_3 - b25_28 - T(1.25) *
-      minus_B_thetadot28_24_3;
+  const T K_thetadot28_24_1 = E25_11 * K_thetadot28_25_1 - (b25_28 + T(1.25) * minus_B_thetadot28_24_3) + minus_E25_13
+      * K_thetadot28_25_3;
   const T b24_23 = T(0.1) * B_thetadot28_24_1;
   const T K_thetadot28_24_2 = b24_23 + T(0.3) * minus_B_thetadot28_24_3 + K_thetadot28_25_2;
   const T K_thetadot28_24_3 = b25_29 - T(1.25) * B_thetadot28_24_1 + E25_11 * K_thetadot28_25_3 - minus_E25_13 *
@@ -6362,15 +6362,15 @@ template <class T>
       K_thetadot27_25_3;
   const T b24_24 = T(0.1) * B_thetadot27_24_1;
   const T K_thetadot27_24_2 = b24_24 - T(0.3) * B_thetadot27_24_3 + K_thetadot27_25_2;
-  const T K_thetadot27_24_3 = E25_11 * K_thetadot27_25_3 - minus_E25_13 * K_thetadot27_25_1 - b25_31 - T(1.25) *
-      B_thetadot27_24_1;
+  const T K_thetadot27_24_3 = E25_11 * K_thetadot27_25_3 - (b25_31 + T(1.25) * B_thetadot27_24_1) - minus_E25_13 *
+      K_thetadot27_25_1;
   // B_thetadot26_24 = E25^T B_thetadot26_25
   const T minus_B_thetadot26_24_1 = E25_11 * hc26_2;
   const T B_thetadot26_24_3 = minus_E25_13 * hc26_2;
   // K_thetadot26_24 = q25~ E25^T B_thetadot26_25 + E25^T K_thetadot26_25
   const T K_thetadot26_24_1 = T(1.25) * B_thetadot26_24_3 - b25_12 + E25_11 * b25_13 + minus_E25_13 * b25_19;
   const T b24_25 = T(0.1) * minus_B_thetadot26_24_1;
-  const T K_thetadot26_24_2 = b25_18 - b24_25 - T(0.3) * B_thetadot26_24_3;
+  const T K_thetadot26_24_2 = b25_18 - (b24_25 + T(0.3) * B_thetadot26_24_3);
   const T K_thetadot26_24_3 = b25_15 + T(1.25) * minus_B_thetadot26_24_1 + E25_11 * b25_19 - minus_E25_13 * b25_13;
   // K_thetadot25_24 = q25~ E25^T B_thetadot25_25 + E25^T K_thetadot25_25
   const T K_thetadot25_24_3 = E25_11 * J25_32 - minus_E25_13 * J25_12 - b24_18;
@@ -6756,22 +6756,22 @@ template <class T>
   const T K_thetadot27_23_1 = T(0.1) * minus_B_thetadot27_23_2 + T(1.2) * B_thetadot27_23_3 + K_thetadot27_24_1;
   const T b23_21 = T(0.3) * B_thetadot27_23_3;
   const T K_thetadot27_23_2 = b24_24 - b23_21 + E24_22 * K_thetadot27_24_2 - E24_23 * K_thetadot27_24_3;
-  const T K_thetadot27_23_3 = E24_23 * K_thetadot27_24_2 + E24_22 * K_thetadot27_24_3 - T(0.3) *
-      minus_B_thetadot27_23_2 - T(1.2) * B_thetadot27_24_1;
+  const T K_thetadot27_23_3 = E24_23 * K_thetadot27_24_2 - (T(0.3) * minus_B_thetadot27_23_2 + T(1.2) *
+      B_thetadot27_24_1) + E24_22 * K_thetadot27_24_3;
   // B_thetadot26_23 = E24^T B_thetadot26_24
   const T B_thetadot26_23_2 = E24_22 * hc26_1 - E24_23 * B_thetadot26_24_3;
   const T B_thetadot26_23_3 = E24_23 * hc26_1 + E24_22 * B_thetadot26_24_3;
   // K_thetadot26_23 = q24~ E24^T B_thetadot26_24 + E24^T K_thetadot26_24
   const T K_thetadot26_23_1 = T(1.2) * B_thetadot26_23_3 - T(0.1) * B_thetadot26_23_2 + K_thetadot26_24_1;
   const T b23_22 = T(0.3) * B_thetadot26_23_3;
-  const T K_thetadot26_23_2 = E24_22 * K_thetadot26_24_2 - E24_23 * K_thetadot26_24_3 - b24_25 - b23_22;
+  const T K_thetadot26_23_2 = E24_22 * K_thetadot26_24_2 - (b24_25 + b23_22) - E24_23 * K_thetadot26_24_3;
   const T K_thetadot26_23_3 = T(0.3) * B_thetadot26_23_2 + T(1.2) * minus_B_thetadot26_24_1 + E24_23 *
       K_thetadot26_24_2 + E24_22 * K_thetadot26_24_3;
   // B_thetadot25_23 = E24^T B_thetadot25_24
   const T B_thetadot25_23_2 = E24_23 * hc25_1;
   const T minus_B_thetadot25_23_3 = E24_22 * hc25_1;
   // K_thetadot25_23 = q24~ E24^T B_thetadot25_24 + E24^T K_thetadot25_24
-  const T K_thetadot25_23_1 = b24_11 - T(0.1) * B_thetadot25_23_2 - T(1.2) * minus_B_thetadot25_23_3;
+  const T K_thetadot25_23_1 = b24_11 - (T(0.1) * B_thetadot25_23_2 + T(1.2) * minus_B_thetadot25_23_3);
   const T b23_23 = T(0.3) * minus_B_thetadot25_23_3;
   const T K_thetadot25_23_2 = b24_5 + b23_23 + E24_22 * b24_15 - E24_23 * K_thetadot25_24_3;
   const T K_thetadot25_23_3 = T(0.3) * B_thetadot25_23_2 - T(1.2) * hc25_3 + E24_23 * b24_15 + E24_22 *
@@ -6930,8 +6930,8 @@ template <class T>
   const T b22_32 = T(0.1) * B_thetadot26_22_2;
   const T K_thetadot26_22_1 = T(1.15) * B_thetadot26_23_3 - b22_32 + E23_11 * K_thetadot26_23_1 - E23_12 *
       K_thetadot26_23_2;
-  const T K_thetadot26_22_2 = E23_12 * K_thetadot26_23_1 + E23_11 * K_thetadot26_23_2 - T(0.1) *
-      minus_B_thetadot26_22_1 - b23_22;
+  const T K_thetadot26_22_2 = E23_12 * K_thetadot26_23_1 - (T(0.1) * minus_B_thetadot26_22_1 + b23_22) + E23_11 *
+      K_thetadot26_23_2;
   const T b22_33 = T(0.3) * B_thetadot26_22_2;
   const T K_thetadot26_22_3 = b22_33 + T(1.15) * minus_B_thetadot26_22_1 + K_thetadot26_23_3;
   // B_thetadot25_22 = E23^T B_thetadot25_23
@@ -6939,8 +6939,8 @@ template <class T>
   const T B_thetadot25_22_2 = E23_12 * hc25_3 + E23_11 * B_thetadot25_23_2;
   // K_thetadot25_22 = q23~ E23^T B_thetadot25_23 + E23^T K_thetadot25_23
   const T b22_34 = T(0.1) * B_thetadot25_22_2;
-  const T K_thetadot25_22_1 = E23_11 * K_thetadot25_23_1 - E23_12 * K_thetadot25_23_2 - b22_34 - T(1.15) *
-      minus_B_thetadot25_23_3;
+  const T K_thetadot25_22_1 = E23_11 * K_thetadot25_23_1 - (b22_34 + T(1.15) * minus_B_thetadot25_23_3) - E23_12 *
+      K_thetadot25_23_2;
   const T K_thetadot25_22_2 = T(0.1) * B_thetadot25_22_1 + b23_23 + E23_12 * K_thetadot25_23_1 + E23_11 *
       K_thetadot25_23_2;
   const T b22_35 = T(0.3) * B_thetadot25_22_2;
@@ -6953,7 +6953,7 @@ template <class T>
   const T K_thetadot24_22_1 = b22_36 + T(1.15) * hc24_2 + E23_11 * b23_5 - E23_12 * K_thetadot24_23_2;
   const T K_thetadot24_22_2 = T(0.1) * B_thetadot24_22_1 - b23_11 + E23_12 * b23_5 + E23_11 * K_thetadot24_23_2;
   const T b22_37 = T(0.3) * minus_B_thetadot24_22_2;
-  const T K_thetadot24_22_3 = K_thetadot24_23_3 - b22_37 - T(1.15) * B_thetadot24_22_1;
+  const T K_thetadot24_22_3 = K_thetadot24_23_3 - (b22_37 + T(1.15) * B_thetadot24_22_1);
   // D_thetaddot22: pivots of L D L^T
   const T b22_38 = K_thetadot32_22_2 * T(1.8315018315018314);
   const T b22_39 = K_thetadot31_22_2 + b22_38 * b31_18;
@@ -7431,8 +7431,8 @@ template <class T>
   const T B_thetadot25_21_1 = E22_11 * B_thetadot25_22_1 - minus_E22_13 * minus_B_thetadot25_23_3;
   const T minus_B_thetadot25_21_3 = minus_E22_13 * B_thetadot25_22_1 + E22_11 * minus_B_thetadot25_23_3;
   // K_thetadot25_21 = q22~ E22^T B_thetadot25_22 + E22^T K_thetadot25_22
-  const T K_thetadot25_21_1 = E22_11 * K_thetadot25_22_1 + minus_E22_13 * K_thetadot25_22_3 - b22_34 - T(1.1) *
-      minus_B_thetadot25_21_3;
+  const T K_thetadot25_21_1 = E22_11 * K_thetadot25_22_1 - (b22_34 + T(1.1) * minus_B_thetadot25_21_3) + minus_E22_13
+      * K_thetadot25_22_3;
   const T b21_26 = T(0.1) * B_thetadot25_21_1;
   const T K_thetadot25_21_2 = b21_26 + T(0.3) * minus_B_thetadot25_21_3 + K_thetadot25_22_2;
   const T K_thetadot25_21_3 = b22_35 - T(1.1) * B_thetadot25_21_1 + E22_11 * K_thetadot25_22_3 - minus_E22_13 *
@@ -7445,15 +7445,15 @@ template <class T>
       K_thetadot24_22_3;
   const T b21_27 = T(0.1) * B_thetadot24_21_1;
   const T K_thetadot24_21_2 = b21_27 - T(0.3) * B_thetadot24_21_3 + K_thetadot24_22_2;
-  const T K_thetadot24_21_3 = E22_11 * K_thetadot24_22_3 - minus_E22_13 * K_thetadot24_22_1 - b22_37 - T(1.1) *
-      B_thetadot24_21_1;
+  const T K_thetadot24_21_3 = E22_11 * K_thetadot24_22_3 - (b22_37 + T(1.1) * B_thetadot24_21_1) - minus_E22_13 *
+      K_thetadot24_22_1;
   // B_thetadot23_21 = E22^T B_thetadot23_22
   const T minus_B_thetadot23_21_1 = E22_11 * hc23_2;
   const T B_thetadot23_21_3 = minus_E22_13 * hc23_2;
   // K_thetadot23_21 = q22~ E22^T B_thetadot23_22 + E22^T K_thetadot23_22
   const T K_thetadot23_21_1 = T(1.1) * B_thetadot23_21_3 - b22_12 + E22_11 * b22_13 + minus_E22_13 * b22_19;
   const T b21_28 = T(0.1) * minus_B_thetadot23_21_1;
-  const T K_thetadot23_21_2 = b22_18 - b21_28 - T(0.3) * B_thetadot23_21_3;
+  const T K_thetadot23_21_2 = b22_18 - (b21_28 + T(0.3) * B_thetadot23_21_3);
   const T K_thetadot23_21_3 = b22_15 + T(1.1) * minus_B_thetadot23_21_1 + E22_11 * b22_19 - minus_E22_13 * b22_13;
   // K_thetadot22_21 = q22~ E22^T B_thetadot22_22 + E22^T K_thetadot22_22
   const T K_thetadot22_21_3 = E22_11 * J22_32 - minus_E22_13 * J22_12 - b21_18;
@@ -7615,22 +7615,22 @@ template <class T>
   const T K_thetadot24_20_1 = T(0.1) * minus_B_thetadot24_20_2 + T(1.05) * B_thetadot24_20_3 + K_thetadot24_21_1;
   const T b20_24 = T(0.3) * B_thetadot24_20_3;
   const T K_thetadot24_20_2 = b21_27 - b20_24 + E21_22 * K_thetadot24_21_2 - E21_23 * K_thetadot24_21_3;
-  const T K_thetadot24_20_3 = E21_23 * K_thetadot24_21_2 + E21_22 * K_thetadot24_21_3 - T(0.3) *
-      minus_B_thetadot24_20_2 - T(1.05) * B_thetadot24_21_1;
+  const T K_thetadot24_20_3 = E21_23 * K_thetadot24_21_2 - (T(0.3) * minus_B_thetadot24_20_2 + T(1.05) *
+      B_thetadot24_21_1) + E21_22 * K_thetadot24_21_3;
   // B_thetadot23_20 = E21^T B_thetadot23_21
   const T B_thetadot23_20_2 = E21_22 * hc23_1 - E21_23 * B_thetadot23_21_3;
   const T B_thetadot23_20_3 = E21_23 * hc23_1 + E21_22 * B_thetadot23_21_3;
   // K_thetadot23_20 = q21~ E21^T B_thetadot23_21 + E21^T K_thetadot23_21
   const T K_thetadot23_20_1 = T(1.05) * B_thetadot23_20_3 - T(0.1) * B_thetadot23_20_2 + K_thetadot23_21_1;
   const T b20_25 = T(0.3) * B_thetadot23_20_3;
-  const T K_thetadot23_20_2 = E21_22 * K_thetadot23_21_2 - E21_23 * K_thetadot23_21_3 - b21_28 - b20_25;
+  const T K_thetadot23_20_2 = E21_22 * K_thetadot23_21_2 - (b21_28 + b20_25) - E21_23 * K_thetadot23_21_3;
   const T K_thetadot23_20_3 = T(0.3) * B_thetadot23_20_2 + T(1.05) * minus_B_thetadot23_21_1 + E21_23 *
       K_thetadot23_21_2 + E21_22 * K_thetadot23_21_3;
   // B_thetadot22_20 = E21^T B_thetadot22_21
   const T B_thetadot22_20_2 = E21_23 * hc22_1;
   const T minus_B_thetadot22_20_3 = E21_22 * hc22_1;
   // K_thetadot22_20 = q21~ E21^T B_thetadot22_21 + E21^T K_thetadot22_21
-  const T K_thetadot22_20_1 = b21_11 - T(0.1) * B_thetadot22_20_2 - T(1.05) * minus_B_thetadot22_20_3;
+  const T K_thetadot22_20_1 = b21_11 - (T(0.1) * B_thetadot22_20_2 + T(1.05) * minus_B_thetadot22_20_3);
   const T b20_26 = T(0.3) * minus_B_thetadot22_20_3;
   const T K_thetadot22_20_2 = b21_5 + b20_26 + E21_22 * b21_15 - E21_23 * K_thetadot22_21_3;
   const T K_thetadot22_20_3 = T(0.3) * B_thetadot22_20_2 - T(1.05) * hc22_3 + E21_23 * b21_15 + E21_22 *
@@ -8181,8 +8181,8 @@ template <class T>
   // K_thetadot23_19 = q20~ E20^T B_thetadot23_20 + E20^T K_thetadot23_20
   const T b19_36 = T(0.1) * B_thetadot23_19_2;
   const T K_thetadot23_19_1 = B_thetadot23_20_3 - b19_36 + E20_11 * K_thetadot23_20_1 - E20_12 * K_thetadot23_20_2;
-  const T K_thetadot23_19_2 = E20_12 * K_thetadot23_20_1 + E20_11 * K_thetadot23_20_2 - T(0.1) *
-      minus_B_thetadot23_19_1 - b20_25;
+  const T K_thetadot23_19_2 = E20_12 * K_thetadot23_20_1 - (T(0.1) * minus_B_thetadot23_19_1 + b20_25) + E20_11 *
+      K_thetadot23_20_2;
   const T b19_37 = T(0.3) * B_thetadot23_19_2;
   const T K_thetadot23_19_3 = b19_37 + minus_B_thetadot23_19_1 + K_thetadot23_20_3;
   // B_thetadot22_19 = E20^T B_thetadot22_20
@@ -8190,8 +8190,8 @@ template <class T>
   const T B_thetadot22_19_2 = E20_12 * hc22_3 + E20_11 * B_thetadot22_20_2;
   // K_thetadot22_19 = q20~ E20^T B_thetadot22_20 + E20^T K_thetadot22_20
   const T b19_38 = T(0.1) * B_thetadot22_19_2;
-  const T K_thetadot22_19_1 = E20_11 * K_thetadot22_20_1 - E20_12 * K_thetadot22_20_2 - b19_38 -
-      minus_B_thetadot22_20_3;
+  const T K_thetadot22_19_1 = E20_11 * K_thetadot22_20_1 - (b19_38 + minus_B_thetadot22_20_3) - E20_12 *
+      K_thetadot22_20_2;
   const T K_thetadot22_19_2 = T(0.1) * B_thetadot22_19_1 + b20_26 + E20_12 * K_thetadot22_20_1 + E20_11 *
       K_thetadot22_20_2;
   const T b19_39 = T(0.3) * B_thetadot22_19_2;
@@ -8204,7 +8204,7 @@ template <class T>
   const T K_thetadot21_19_1 = b19_40 + hc21_2 + E20_11 * b20_5 - E20_12 * K_thetadot21_20_2;
   const T K_thetadot21_19_2 = T(0.1) * B_thetadot21_19_1 - b20_11 + E20_12 * b20_5 + E20_11 * K_thetadot21_20_2;
   const T b19_41 = T(0.3) * minus_B_thetadot21_19_2;
-  const T K_thetadot21_19_3 = K_thetadot21_20_3 - b19_41 - B_thetadot21_19_1;
+  const T K_thetadot21_19_3 = K_thetadot21_20_3 - (b19_41 + B_thetadot21_19_1);
   // D_thetaddot19: pivots of L D L^T
   const T b19_42 = K_thetadot32_19_2 * T(1.8315018315018314);
   const T b19_43 = K_thetadot31_19_2 + b19_42 * b31_18;
@@ -8402,8 +8402,8 @@ template <class T>
   const T B_thetadot22_18_1 = E19_11 * B_thetadot22_19_1 - minus_E19_13 * minus_B_thetadot22_20_3;
   const T minus_B_thetadot22_18_3 = minus_E19_13 * B_thetadot22_19_1 + E19_11 * minus_B_thetadot22_20_3;
   // K_thetadot22_18 = q19~ E19^T B_thetadot22_19 + E19^T K_thetadot22_19
-  const T K_thetadot22_18_1 = E19_11 * K_thetadot22_19_1 + minus_E19_13 * K_thetadot22_19_3 - b19_38 - T(0.95) *
-      minus_B_thetadot22_18_3;
+  const T K_thetadot22_18_1 = E19_11 * K_thetadot22_19_1 - (b19_38 + T(0.95) * minus_B_thetadot22_18_3) + minus_E19_13
+      * K_thetadot22_19_3;
   const T b18_29 = T(0.1) * B_thetadot22_18_1;
   const T K_thetadot22_18_2 = b18_29 + T(0.3) * minus_B_thetadot22_18_3 + K_thetadot22_19_2;
   const T K_thetadot22_18_3 = b19_39 - T(0.95) * B_thetadot22_18_1 + E19_11 * K_thetadot22_19_3 - minus_E19_13 *
@@ -8416,15 +8416,15 @@ template <class T>
       K_thetadot21_19_3;
   const T b18_30 = T(0.1) * B_thetadot21_18_1;
   const T K_thetadot21_18_2 = b18_30 - T(0.3) * B_thetadot21_18_3 + K_thetadot21_19_2;
-  const T K_thetadot21_18_3 = E19_11 * K_thetadot21_19_3 - minus_E19_13 * K_thetadot21_19_1 - b19_41 - T(0.95) *
-      B_thetadot21_18_1;
+  const T K_thetadot21_18_3 = E19_11 * K_thetadot21_19_3 - (b19_41 + T(0.95) * B_thetadot21_18_1) - minus_E19_13 *
+      K_thetadot21_19_1;
   // B_thetadot20_18 = E19^T B_thetadot20_19
   const T minus_B_thetadot20_18_1 = E19_11 * hc20_2;
   const T B_thetadot20_18_3 = minus_E19_13 * hc20_2;
   // K_thetadot20_18 = q19~ E19^T B_thetadot20_19 + E19^T K_thetadot20_19
   const T K_thetadot20_18_1 = T(0.95) * B_thetadot20_18_3 - b19_10 + E19_11 * b19_11 + minus_E19_13 * b19_17;
   const T b18_31 = T(0.1) * minus_B_thetadot20_18_1;
-  const T K_thetadot20_18_2 = b19_16 - b18_31 - T(0.3) * B_thetadot20_18_3;
+  const T K_thetadot20_18_2 = b19_16 - (b18_31 + T(0.3) * B_thetadot20_18_3);
   const T K_thetadot20_18_3 = b19_13 + T(0.95) * minus_B_thetadot20_18_1 + E19_11 * b19_17 - minus_E19_13 * b19_11;
   // K_thetadot19_18 = q19~ E19^T B_thetadot19_19 + E19^T K_thetadot19_19
   const T K_thetadot19_18_3 = E19_11 * J19_32 - minus_E19_13 * J19_12 - b18_18;
@@ -9055,22 +9055,22 @@ template <class T>
   const T K_thetadot21_17_1 = T(0.1) * minus_B_thetadot21_17_2 + T(0.9) * B_thetadot21_17_3 + K_thetadot21_18_1;
   const T b17_27 = T(0.3) * B_thetadot21_17_3;
   const T K_thetadot21_17_2 = b18_30 - b17_27 + E18_22 * K_thetadot21_18_2 - E18_23 * K_thetadot21_18_3;
-  const T K_thetadot21_17_3 = E18_23 * K_thetadot21_18_2 + E18_22 * K_thetadot21_18_3 - T(0.3) *
-      minus_B_thetadot21_17_2 - T(0.9) * B_thetadot21_18_1;
+  const T K_thetadot21_17_3 = E18_23 * K_thetadot21_18_2 - (T(0.3) * minus_B_thetadot21_17_2 + T(0.9) *
+      B_thetadot21_18_1) + E18_22 * K_thetadot21_18_3;
   // B_thetadot20_17 = E18^T B_thetadot20_18
   const T B_thetadot20_17_2 = E18_22 * hc20_1 - E18_23 * B_thetadot20_18_3;
   const T B_thetadot20_17_3 = E18_23 * hc20_1 + E18_22 * B_thetadot20_18_3;
   // K_thetadot20_17 = q18~ E18^T B_thetadot20_18 + E18^T K_thetadot20_18
   const T K_thetadot20_17_1 = T(0.9) * B_thetadot20_17_3 - T(0.1) * B_thetadot20_17_2 + K_thetadot20_18_1;
   const T b17_28 = T(0.3) * B_thetadot20_17_3;
-  const T K_thetadot20_17_2 = E18_22 * K_thetadot20_18_2 - E18_23 * K_thetadot20_18_3 - b18_31 - b17_28;
+  const T K_thetadot20_17_2 = E18_22 * K_thetadot20_18_2 - (b18_31 + b17_28) - E18_23 * K_thetadot20_18_3;
   const T K_thetadot20_17_3 = T(0.3) * B_thetadot20_17_2 + T(0.9) * minus_B_thetadot20_18_1 + E18_23 *
       K_thetadot20_18_2 + E18_22 * K_thetadot20_18_3;
   // B_thetadot19_17 = E18^T B_thetadot19_18
   const T B_thetadot19_17_2 = E18_23 * hc19_1;
   const T minus_B_thetadot19_17_3 = E18_22 * hc19_1;
   // K_thetadot19_17 = q18~ E18^T B_thetadot19_18 + E18^T K_thetadot19_18
-  const T K_thetadot19_17_1 = b18_11 - T(0.1) * B_thetadot19_17_2 - T(0.9) * minus_B_thetadot19_17_3;
+  const T K_thetadot19_17_1 = b18_11 - (T(0.1) * B_thetadot19_17_2 + T(0.9) * minus_B_thetadot19_17_3);
   const T b17_29 = T(0.3) * minus_B_thetadot19_17_3;
   const T K_thetadot19_17_2 = b18_5 + b17_29 + E18_22 * b18_15 - E18_23 * K_thetadot19_18_3;
   const T K_thetadot19_17_3 = T(0.3) * B_thetadot19_17_2 - T(0.9) * hc19_3 + E18_23 * b18_15 + E18_22 *
@@ -9319,8 +9319,8 @@ template <class T>
   const T b16_44 = T(0.1) * B_thetadot20_16_2;
   const T K_thetadot20_16_1 = T(0.85) * B_thetadot20_17_3 - b16_44 + E17_11 * K_thetadot20_17_1 - E17_12 *
       K_thetadot20_17_2;
-  const T K_thetadot20_16_2 = E17_12 * K_thetadot20_17_1 + E17_11 * K_thetadot20_17_2 - T(0.1) *
-      minus_B_thetadot20_16_1 - b17_28;
+  const T K_thetadot20_16_2 = E17_12 * K_thetadot20_17_1 - (T(0.1) * minus_B_thetadot20_16_1 + b17_28) + E17_11 *
+      K_thetadot20_17_2;
   const T b16_45 = T(0.3) * B_thetadot20_16_2;
   const T K_thetadot20_16_3 = b16_45 + T(0.85) * minus_B_thetadot20_16_1 + K_thetadot20_17_3;
   // B_thetadot19_16 = E17^T B_thetadot19_17
@@ -9328,8 +9328,8 @@ template <class T>
   const T B_thetadot19_16_2 = E17_12 * hc19_3 + E17_11 * B_thetadot19_17_2;
   // K_thetadot19_16 = q17~ E17^T B_thetadot19_17 + E17^T K_thetadot19_17
   const T b16_46 = T(0.1) * B_thetadot19_16_2;
-  const T K_thetadot19_16_1 = E17_11 * K_thetadot19_17_1 - E17_12 * K_thetadot19_17_2 - b16_46 - T(0.85) *
-      minus_B_thetadot19_17_3;
+  const T K_thetadot19_16_1 = E17_11 * K_thetadot19_17_1 - (b16_46 + T(0.85) * minus_B_thetadot19_17_3) - E17_12 *
+      K_thetadot19_17_2;
   const T K_thetadot19_16_2 = T(0.1) * B_thetadot19_16_1 + b17_29 + E17_12 * K_thetadot19_17_1 + E17_11 *
       K_thetadot19_17_2;
   const T b16_47 = T(0.3) * B_thetadot19_16_2;
@@ -9342,7 +9342,7 @@ template <class T>
   const T K_thetadot18_16_1 = b16_48 + T(0.85) * hc18_2 + E17_11 * b17_5 - E17_12 * K_thetadot18_17_2;
   const T K_thetadot18_16_2 = T(0.1) * B_thetadot18_16_1 - b17_11 + E17_12 * b17_5 + E17_11 * K_thetadot18_17_2;
   const T b16_49 = T(0.3) * minus_B_thetadot18_16_2;
-  const T K_thetadot18_16_3 = K_thetadot18_17_3 - b16_49 - T(0.85) * B_thetadot18_16_1;
+  const T K_thetadot18_16_3 = K_thetadot18_17_3 - (b16_49 + T(0.85) * B_thetadot18_16_1);
   // D_thetaddot16: pivots of L D L^T
   const T b16_50 = K_thetadot32_16_2 * T(1.8315018315018314);
   const T b16_51 = K_thetadot31_16_2 + b16_50 * b31_18;
@@ -10088,8 +10088,8 @@ template <class T>
   const T B_thetadot19_15_1 = E16_11 * B_thetadot19_16_1 - minus_E16_13 * minus_B_thetadot19_17_3;
   const T minus_B_thetadot19_15_3 = minus_E16_13 * B_thetadot19_16_1 + E16_11 * minus_B_thetadot19_17_3;
   // K_thetadot19_15 = q16~ E16^T B_thetadot19_16 + E16^T K_thetadot19_16
-  const T K_thetadot19_15_1 = E16_11 * K_thetadot19_16_1 + minus_E16_13 * K_thetadot19_16_3 - b16_46 - T(0.8) *
-      minus_B_thetadot19_15_3;
+  const T K_thetadot19_15_1 = E16_11 * K_thetadot19_16_1 - (b16_46 + T(0.8) * minus_B_thetadot19_15_3) + minus_E16_13
+      * K_thetadot19_16_3;
   const T b15_32 = T(0.1) * B_thetadot19_15_1;
   const T K_thetadot19_15_2 = b15_32 + T(0.3) * minus_B_thetadot19_15_3 + K_thetadot19_16_2;
   const T K_thetadot19_15_3 = b16_47 - T(0.8) * B_thetadot19_15_1 + E16_11 * K_thetadot19_16_3 - minus_E16_13 *
@@ -10102,15 +10102,15 @@ template <class T>
       K_thetadot18_16_3;
   const T b15_33 = T(0.1) * B_thetadot18_15_1;
   const T K_thetadot18_15_2 = b15_33 - T(0.3) * B_thetadot18_15_3 + K_thetadot18_16_2;
-  const T K_thetadot18_15_3 = E16_11 * K_thetadot18_16_3 - minus_E16_13 * K_thetadot18_16_1 - b16_49 - T(0.8) *
-      B_thetadot18_15_1;
+  const T K_thetadot18_15_3 = E16_11 * K_thetadot18_16_3 - (b16_49 + T(0.8) * B_thetadot18_15_1) - minus_E16_13 *
+      K_thetadot18_16_1;
   // B_thetadot17_15 = E16^T B_thetadot17_16
   const T minus_B_thetadot17_15_1 = E16_11 * hc17_2;
   const T B_thetadot17_15_3 = minus_E16_13 * hc17_2;
   // K_thetadot17_15 = q16~ E16^T B_thetadot17_16 + E16^T K_thetadot17_16
   const T K_thetadot17_15_1 = T(0.8) * B_thetadot17_15_3 - b16_12 + E16_11 * b16_13 + minus_E16_13 * b16_19;
   const T b15_34 = T(0.1) * minus_B_thetadot17_15_1;
-  const T K_thetadot17_15_2 = b16_18 - b15_34 - T(0.3) * B_thetadot17_15_3;
+  const T K_thetadot17_15_2 = b16_18 - (b15_34 + T(0.3) * B_thetadot17_15_3);
   const T K_thetadot17_15_3 = b16_15 + T(0.8) * minus_B_thetadot17_15_1 + E16_11 * b16_19 - minus_E16_13 * b16_13;
   // K_thetadot16_15 = q16~ E16^T B_thetadot16_16 + E16^T K_thetadot16_16
   const T K_thetadot16_15_3 = E16_11 * J16_32 - minus_E16_13 * J16_12 - b15_18;
@@ -10827,22 +10827,22 @@ template <class T>
   const T K_thetadot18_14_1 = T(0.1) * minus_B_thetadot18_14_2 + T(0.75) * B_thetadot18_14_3 + K_thetadot18_15_1;
   const T b14_30 = T(0.3) * B_thetadot18_14_3;
   const T K_thetadot18_14_2 = b15_33 - b14_30 + E15_22 * K_thetadot18_15_2 - E15_23 * K_thetadot18_15_3;
-  const T K_thetadot18_14_3 = E15_23 * K_thetadot18_15_2 + E15_22 * K_thetadot18_15_3 - T(0.3) *
-      minus_B_thetadot18_14_2 - T(0.75) * B_thetadot18_15_1;
+  const T K_thetadot18_14_3 = E15_23 * K_thetadot18_15_2 - (T(0.3) * minus_B_thetadot18_14_2 + T(0.75) *
+      B_thetadot18_15_1) + E15_22 * K_thetadot18_15_3;
   // B_thetadot17_14 = E15^T B_thetadot17_15
   const T B_thetadot17_14_2 = E15_22 * hc17_1 - E15_23 * B_thetadot17_15_3;
   const T B_thetadot17_14_3 = E15_23 * hc17_1 + E15_22 * B_thetadot17_15_3;
   // K_thetadot17_14 = q15~ E15^T B_thetadot17_15 + E15^T K_thetadot17_15
   const T K_thetadot17_14_1 = T(0.75) * B_thetadot17_14_3 - T(0.1) * B_thetadot17_14_2 + K_thetadot17_15_1;
   const T b14_31 = T(0.3) * B_thetadot17_14_3;
-  const T K_thetadot17_14_2 = E15_22 * K_thetadot17_15_2 - E15_23 * K_thetadot17_15_3 - b15_34 - b14_31;
+  const T K_thetadot17_14_2 = E15_22 * K_thetadot17_15_2 - (b15_34 + b14_31) - E15_23 * K_thetadot17_15_3;
   const T K_thetadot17_14_3 = T(0.3) * B_thetadot17_14_2 + T(0.75) * minus_B_thetadot17_15_1 + E15_23 *
       K_thetadot17_15_2 + E15_22 * K_thetadot17_15_3;
   // B_thetadot16_14 = E15^T B_thetadot16_15
   const T B_thetadot16_14_2 = E15_23 * hc16_1;
   const T minus_B_thetadot16_14_3 = E15_22 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T K_thetadot16_14_1 = b15_11 - T(0.1) * B_thetadot16_14_2 - T(0.75) * minus_B_thetadot16_14_3;
+  const T K_thetadot16_14_1 = b15_11 - (T(0.1) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3);
   const T b14_32 = T(0.3) * minus_B_thetadot16_14_3;
   const T K_thetadot16_14_2 = b15_5 + b14_32 + E15_22 * b15_15 - E15_23 * K_thetadot16_15_3;
   const T K_thetadot16_14_3 = T(0.3) * B_thetadot16_14_2 - T(0.75) * hc16_3 + E15_23 * b15_15 + E15_22 *
@@ -11644,8 +11644,8 @@ template <class T>
   const T b13_50 = T(0.1) * B_thetadot17_13_2;
   const T K_thetadot17_13_1 = T(0.7) * B_thetadot17_14_3 - b13_50 + E14_11 * K_thetadot17_14_1 - E14_12 *
       K_thetadot17_14_2;
-  const T K_thetadot17_13_2 = E14_12 * K_thetadot17_14_1 + E14_11 * K_thetadot17_14_2 - T(0.1) *
-      minus_B_thetadot17_13_1 - b14_31;
+  const T K_thetadot17_13_2 = E14_12 * K_thetadot17_14_1 - (T(0.1) * minus_B_thetadot17_13_1 + b14_31) + E14_11 *
+      K_thetadot17_14_2;
   const T b13_51 = T(0.3) * B_thetadot17_13_2;
   const T K_thetadot17_13_3 = b13_51 + T(0.7) * minus_B_thetadot17_13_1 + K_thetadot17_14_3;
   // B_thetadot16_13 = E14^T B_thetadot16_14
@@ -11653,8 +11653,8 @@ template <class T>
   const T B_thetadot16_13_2 = E14_12 * hc16_3 + E14_11 * B_thetadot16_14_2;
   // K_thetadot16_13 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
   const T b13_52 = T(0.1) * B_thetadot16_13_2;
-  const T K_thetadot16_13_1 = E14_11 * K_thetadot16_14_1 - E14_12 * K_thetadot16_14_2 - b13_52 - T(0.7) *
-      minus_B_thetadot16_14_3;
+  const T K_thetadot16_13_1 = E14_11 * K_thetadot16_14_1 - (b13_52 + T(0.7) * minus_B_thetadot16_14_3) - E14_12 *
+      K_thetadot16_14_2;
   const T K_thetadot16_13_2 = T(0.1) * B_thetadot16_13_1 + b14_32 + E14_12 * K_thetadot16_14_1 + E14_11 *
       K_thetadot16_14_2;
   const T b13_53 = T(0.3) * B_thetadot16_13_2;
@@ -11667,7 +11667,7 @@ template <class T>
   const T K_thetadot15_13_1 = b13_54 + T(0.7) * hc15_2 + E14_11 * b14_5 - E14_12 * K_thetadot15_14_2;
   const T K_thetadot15_13_2 = T(0.1) * B_thetadot15_13_1 - b14_11 + E14_12 * b14_5 + E14_11 * K_thetadot15_14_2;
   const T b13_55 = T(0.3) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_3 = K_thetadot15_14_3 - b13_55 - T(0.7) * B_thetadot15_13_1;
+  const T K_thetadot15_13_3 = K_thetadot15_14_3 - (b13_55 + T(0.7) * B_thetadot15_13_1);
   // D_thetaddot13: pivots of L D L^T
   const T b13_56 = K_thetadot32_13_2 * T(1.8315018315018314);
   const T b13_57 = K_thetadot31_13_2 + b13_56 * b31_18;
@@ -12516,8 +12516,8 @@ template <class T>
   const T B_thetadot16_12_1 = E13_11 * B_thetadot16_13_1 - minus_E13_13 * minus_B_thetadot16_14_3;
   const T minus_B_thetadot16_12_3 = minus_E13_13 * B_thetadot16_13_1 + E13_11 * minus_B_thetadot16_14_3;
   // K_thetadot16_12 = q13~ E13^T B_thetadot16_13 + E13^T K_thetadot16_13
-  const T K_thetadot16_12_1 = E13_11 * K_thetadot16_13_1 + minus_E13_13 * K_thetadot16_13_3 - b13_52 - T(0.65) *
-      minus_B_thetadot16_12_3;
+  const T K_thetadot16_12_1 = E13_11 * K_thetadot16_13_1 - (b13_52 + T(0.65) * minus_B_thetadot16_12_3) + minus_E13_13
+      * K_thetadot16_13_3;
   const T b12_35 = T(0.1) * B_thetadot16_12_1;
   const T K_thetadot16_12_2 = b12_35 + T(0.3) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
   const T K_thetadot16_12_3 = b13_53 - T(0.65) * B_thetadot16_12_1 + E13_11 * K_thetadot16_13_3 - minus_E13_13 *
@@ -12530,15 +12530,15 @@ template <class T>
       K_thetadot15_13_3;
   const T b12_36 = T(0.1) * B_thetadot15_12_1;
   const T K_thetadot15_12_2 = b12_36 - T(0.3) * B_thetadot15_12_3 + K_thetadot15_13_2;
-  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - minus_E13_13 * K_thetadot15_13_1 - b13_55 - T(0.65) *
-      B_thetadot15_12_1;
+  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - (b13_55 + T(0.65) * B_thetadot15_12_1) - minus_E13_13 *
+      K_thetadot15_13_1;
   // B_thetadot14_12 = E13^T B_thetadot14_13
   const T minus_B_thetadot14_12_1 = E13_11 * hc14_2;
   const T B_thetadot14_12_3 = minus_E13_13 * hc14_2;
   // K_thetadot14_12 = q13~ E13^T B_thetadot14_13 + E13^T K_thetadot14_13
   const T K_thetadot14_12_1 = T(0.65) * B_thetadot14_12_3 - b13_12 + E13_11 * b13_13 + minus_E13_13 * b13_19;
   const T b12_37 = T(0.1) * minus_B_thetadot14_12_1;
-  const T K_thetadot14_12_2 = b13_18 - b12_37 - T(0.3) * B_thetadot14_12_3;
+  const T K_thetadot14_12_2 = b13_18 - (b12_37 + T(0.3) * B_thetadot14_12_3);
   const T K_thetadot14_12_3 = b13_15 + T(0.65) * minus_B_thetadot14_12_1 + E13_11 * b13_19 - minus_E13_13 * b13_13;
   // K_thetadot13_12 = q13~ E13^T B_thetadot13_13 + E13^T K_thetadot13_13
   const T K_thetadot13_12_3 = E13_11 * J13_32 - minus_E13_13 * J13_12 - b12_18;
@@ -13403,22 +13403,22 @@ template <class T>
   const T K_thetadot15_11_1 = T(0.1) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
   const T b11_33 = T(0.3) * B_thetadot15_11_3;
   const T K_thetadot15_11_2 = b12_36 - b11_33 + E12_22 * K_thetadot15_12_2 - E12_23 * K_thetadot15_12_3;
-  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 + E12_22 * K_thetadot15_12_3 - T(0.3) *
-      minus_B_thetadot15_11_2 - T(0.6) * B_thetadot15_12_1;
+  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 - (T(0.3) * minus_B_thetadot15_11_2 + T(0.6) *
+      B_thetadot15_12_1) + E12_22 * K_thetadot15_12_3;
   // B_thetadot14_11 = E12^T B_thetadot14_12
   const T B_thetadot14_11_2 = E12_22 * hc14_1 - E12_23 * B_thetadot14_12_3;
   const T B_thetadot14_11_3 = E12_23 * hc14_1 + E12_22 * B_thetadot14_12_3;
   // K_thetadot14_11 = q12~ E12^T B_thetadot14_12 + E12^T K_thetadot14_12
   const T K_thetadot14_11_1 = T(0.6) * B_thetadot14_11_3 - T(0.1) * B_thetadot14_11_2 + K_thetadot14_12_1;
   const T b11_34 = T(0.3) * B_thetadot14_11_3;
-  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - E12_23 * K_thetadot14_12_3 - b12_37 - b11_34;
+  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - (b12_37 + b11_34) - E12_23 * K_thetadot14_12_3;
   const T K_thetadot14_11_3 = T(0.3) * B_thetadot14_11_2 + T(0.6) * minus_B_thetadot14_12_1 + E12_23 *
       K_thetadot14_12_2 + E12_22 * K_thetadot14_12_3;
   // B_thetadot13_11 = E12^T B_thetadot13_12
   const T B_thetadot13_11_2 = E12_23 * hc13_1;
   const T minus_B_thetadot13_11_3 = E12_22 * hc13_1;
   // K_thetadot13_11 = q12~ E12^T B_thetadot13_12 + E12^T K_thetadot13_12
-  const T K_thetadot13_11_1 = b12_11 - T(0.1) * B_thetadot13_11_2 - T(0.6) * minus_B_thetadot13_11_3;
+  const T K_thetadot13_11_1 = b12_11 - (T(0.1) * B_thetadot13_11_2 + T(0.6) * minus_B_thetadot13_11_3);
   const T b11_35 = T(0.3) * minus_B_thetadot13_11_3;
   const T K_thetadot13_11_2 = b12_5 + b11_35 + E12_22 * b12_15 - E12_23 * K_thetadot13_12_3;
   const T K_thetadot13_11_3 = T(0.3) * B_thetadot13_11_2 - T(0.6) * hc13_3 + E12_23 * b12_15 + E12_22 *
@@ -14376,8 +14376,8 @@ template <class T>
   const T b10_56 = T(0.1) * B_thetadot14_10_2;
   const T K_thetadot14_10_1 = T(0.55) * B_thetadot14_11_3 - b10_56 + E11_11 * K_thetadot14_11_1 - E11_12 *
       K_thetadot14_11_2;
-  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 + E11_11 * K_thetadot14_11_2 - T(0.1) *
-      minus_B_thetadot14_10_1 - b11_34;
+  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 - (T(0.1) * minus_B_thetadot14_10_1 + b11_34) + E11_11 *
+      K_thetadot14_11_2;
   const T b10_57 = T(0.3) * B_thetadot14_10_2;
   const T K_thetadot14_10_3 = b10_57 + T(0.55) * minus_B_thetadot14_10_1 + K_thetadot14_11_3;
   // B_thetadot13_10 = E11^T B_thetadot13_11
@@ -14385,8 +14385,8 @@ template <class T>
   const T B_thetadot13_10_2 = E11_12 * hc13_3 + E11_11 * B_thetadot13_11_2;
   // K_thetadot13_10 = q11~ E11^T B_thetadot13_11 + E11^T K_thetadot13_11
   const T b10_58 = T(0.1) * B_thetadot13_10_2;
-  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - E11_12 * K_thetadot13_11_2 - b10_58 - T(0.55) *
-      minus_B_thetadot13_11_3;
+  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - (b10_58 + T(0.55) * minus_B_thetadot13_11_3) - E11_12 *
+      K_thetadot13_11_2;
   const T K_thetadot13_10_2 = T(0.1) * B_thetadot13_10_1 + b11_35 + E11_12 * K_thetadot13_11_1 + E11_11 *
       K_thetadot13_11_2;
   const T b10_59 = T(0.3) * B_thetadot13_10_2;
@@ -14399,7 +14399,7 @@ template <class T>
   const T K_thetadot12_10_1 = b10_60 + T(0.55) * hc12_2 + E11_11 * b11_5 - E11_12 * K_thetadot12_11_2;
   const T K_thetadot12_10_2 = T(0.1) * B_thetadot12_10_1 - b11_11 + E11_12 * b11_5 + E11_11 * K_thetadot12_11_2;
   const T b10_61 = T(0.3) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_3 = K_thetadot12_11_3 - b10_61 - T(0.55) * B_thetadot12_10_1;
+  const T K_thetadot12_10_3 = K_thetadot12_11_3 - (b10_61 + T(0.55) * B_thetadot12_10_1);
   // D_thetaddot10: pivots of L D L^T
   const T b10_62 = K_thetadot32_10_2 * T(1.8315018315018314);
   const T b10_63 = K_thetadot31_10_2 + b10_62 * b31_18;
@@ -15406,8 +15406,8 @@ template <class T>
   const T B_thetadot13_9_1 = E10_11 * B_thetadot13_10_1 - minus_E10_13 * minus_B_thetadot13_11_3;
   const T minus_B_thetadot13_9_3 = minus_E10_13 * B_thetadot13_10_1 + E10_11 * minus_B_thetadot13_11_3;
   // K_thetadot13_9 = q10~ E10^T B_thetadot13_10 + E10^T K_thetadot13_10
-  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 + minus_E10_13 * K_thetadot13_10_3 - b10_58 - T(0.5) *
-      minus_B_thetadot13_9_3;
+  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 - (b10_58 + T(0.5) * minus_B_thetadot13_9_3) + minus_E10_13 *
+      K_thetadot13_10_3;
   const T b9_38 = T(0.1) * B_thetadot13_9_1;
   const T K_thetadot13_9_2 = b9_38 + T(0.3) * minus_B_thetadot13_9_3 + K_thetadot13_10_2;
   const T K_thetadot13_9_3 = b10_59 - T(0.5) * B_thetadot13_9_1 + E10_11 * K_thetadot13_10_3 - minus_E10_13 *
@@ -15420,15 +15420,15 @@ template <class T>
       K_thetadot12_10_3;
   const T b9_39 = T(0.1) * B_thetadot12_9_1;
   const T K_thetadot12_9_2 = b9_39 - T(0.3) * B_thetadot12_9_3 + K_thetadot12_10_2;
-  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - minus_E10_13 * K_thetadot12_10_1 - b10_61 - T(0.5) *
-      B_thetadot12_9_1;
+  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - (b10_61 + T(0.5) * B_thetadot12_9_1) - minus_E10_13 *
+      K_thetadot12_10_1;
   // B_thetadot11_9 = E10^T B_thetadot11_10
   const T minus_B_thetadot11_9_1 = E10_11 * hc11_2;
   const T B_thetadot11_9_3 = minus_E10_13 * hc11_2;
   // K_thetadot11_9 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
   const T K_thetadot11_9_1 = T(0.5) * B_thetadot11_9_3 - b10_12 + E10_11 * b10_13 + minus_E10_13 * b10_19;
   const T b9_40 = T(0.1) * minus_B_thetadot11_9_1;
-  const T K_thetadot11_9_2 = b10_18 - b9_40 - T(0.3) * B_thetadot11_9_3;
+  const T K_thetadot11_9_2 = b10_18 - (b9_40 + T(0.3) * B_thetadot11_9_3);
   const T K_thetadot11_9_3 = b10_15 + T(0.5) * minus_B_thetadot11_9_1 + E10_11 * b10_19 - minus_E10_13 * b10_13;
   // K_thetadot10_9 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
   const T K_thetadot10_9_3 = E10_11 * J10_32 - minus_E10_13 * J10_12 - b9_18;
@@ -16444,22 +16444,22 @@ template <class T>
   const T K_thetadot12_8_1 = T(0.1) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_8_3 + K_thetadot12_9_1;
   const T b8_36 = T(0.3) * B_thetadot12_8_3;
   const T K_thetadot12_8_2 = b9_39 - b8_36 + E9_22 * K_thetadot12_9_2 - E9_23 * K_thetadot12_9_3;
-  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 + E9_22 * K_thetadot12_9_3 - T(0.3) * minus_B_thetadot12_8_2 -
-      T(0.45) * B_thetadot12_9_1;
+  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 - (T(0.3) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_9_1)
+      + E9_22 * K_thetadot12_9_3;
   // B_thetadot11_8 = E9^T B_thetadot11_9
   const T B_thetadot11_8_2 = E9_22 * hc11_1 - E9_23 * B_thetadot11_9_3;
   const T B_thetadot11_8_3 = E9_23 * hc11_1 + E9_22 * B_thetadot11_9_3;
   // K_thetadot11_8 = q9~ E9^T B_thetadot11_9 + E9^T K_thetadot11_9
   const T K_thetadot11_8_1 = T(0.45) * B_thetadot11_8_3 - T(0.1) * B_thetadot11_8_2 + K_thetadot11_9_1;
   const T b8_37 = T(0.3) * B_thetadot11_8_3;
-  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - E9_23 * K_thetadot11_9_3 - b9_40 - b8_37;
+  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - (b9_40 + b8_37) - E9_23 * K_thetadot11_9_3;
   const T K_thetadot11_8_3 = T(0.3) * B_thetadot11_8_2 + T(0.45) * minus_B_thetadot11_9_1 + E9_23 * K_thetadot11_9_2 +
       E9_22 * K_thetadot11_9_3;
   // B_thetadot10_8 = E9^T B_thetadot10_9
   const T B_thetadot10_8_2 = E9_23 * hc10_1;
   const T minus_B_thetadot10_8_3 = E9_22 * hc10_1;
   // K_thetadot10_8 = q9~ E9^T B_thetadot10_9 + E9^T K_thetadot10_9
-  const T K_thetadot10_8_1 = b9_11 - T(0.1) * B_thetadot10_8_2 - T(0.45) * minus_B_thetadot10_8_3;
+  const T K_thetadot10_8_1 = b9_11 - (T(0.1) * B_thetadot10_8_2 + T(0.45) * minus_B_thetadot10_8_3);
   const T b8_38 = T(0.3) * minus_B_thetadot10_8_3;
   const T K_thetadot10_8_2 = b9_5 + b8_38 + E9_22 * b9_15 - E9_23 * K_thetadot10_9_3;
   const T K_thetadot10_8_3 = T(0.3) * B_thetadot10_8_2 - T(0.45) * hc10_3 + E9_23 * b9_15 + E9_22 * K_thetadot10_9_3;
@@ -17533,8 +17533,8 @@ template <class T>
   // K_thetadot11_7 = q8~ E8^T B_thetadot11_8 + E8^T K_thetadot11_8
   const T b7_62 = T(0.1) * B_thetadot11_7_2;
   const T K_thetadot11_7_1 = T(0.4) * B_thetadot11_8_3 - b7_62 + E8_11 * K_thetadot11_8_1 - E8_12 * K_thetadot11_8_2;
-  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_2 - T(0.1) * minus_B_thetadot11_7_1 -
-      b8_37;
+  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 - (T(0.1) * minus_B_thetadot11_7_1 + b8_37) + E8_11 *
+      K_thetadot11_8_2;
   const T b7_63 = T(0.3) * B_thetadot11_7_2;
   const T K_thetadot11_7_3 = b7_63 + T(0.4) * minus_B_thetadot11_7_1 + K_thetadot11_8_3;
   // B_thetadot10_7 = E8^T B_thetadot10_8
@@ -17542,8 +17542,8 @@ template <class T>
   const T B_thetadot10_7_2 = E8_12 * hc10_3 + E8_11 * B_thetadot10_8_2;
   // K_thetadot10_7 = q8~ E8^T B_thetadot10_8 + E8^T K_thetadot10_8
   const T b7_64 = T(0.1) * B_thetadot10_7_2;
-  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - E8_12 * K_thetadot10_8_2 - b7_64 - T(0.4) *
-      minus_B_thetadot10_8_3;
+  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - (b7_64 + T(0.4) * minus_B_thetadot10_8_3) - E8_12 *
+      K_thetadot10_8_2;
   const T K_thetadot10_7_2 = T(0.1) * B_thetadot10_7_1 + b8_38 + E8_12 * K_thetadot10_8_1 + E8_11 * K_thetadot10_8_2;
   const T b7_65 = T(0.3) * B_thetadot10_7_2;
   const T K_thetadot10_7_3 = b7_65 - T(0.4) * B_thetadot10_7_1 + K_thetadot10_8_3;
@@ -17555,7 +17555,7 @@ template <class T>
   const T K_thetadot9_7_1 = b7_66 + T(0.4) * hc9_2 + E8_11 * b8_5 - E8_12 * K_thetadot9_8_2;
   const T K_thetadot9_7_2 = T(0.1) * B_thetadot9_7_1 - b8_11 + E8_12 * b8_5 + E8_11 * K_thetadot9_8_2;
   const T b7_67 = T(0.3) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_3 = K_thetadot9_8_3 - b7_67 - T(0.4) * B_thetadot9_7_1;
+  const T K_thetadot9_7_3 = K_thetadot9_8_3 - (b7_67 + T(0.4) * B_thetadot9_7_1);
   // D_thetaddot7: pivots of L D L^T
   const T b7_68 = K_thetadot32_7_2 * T(1.8315018315018314);
   const T b7_69 = K_thetadot31_7_2 + b7_68 * b31_18;
@@ -18728,8 +18728,8 @@ template <class T>
   const T B_thetadot10_6_1 = E7_11 * B_thetadot10_7_1 - minus_E7_13 * minus_B_thetadot10_8_3;
   const T minus_B_thetadot10_6_3 = minus_E7_13 * B_thetadot10_7_1 + E7_11 * minus_B_thetadot10_8_3;
   // K_thetadot10_6 = q7~ E7^T B_thetadot10_7 + E7^T K_thetadot10_7
-  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 + minus_E7_13 * K_thetadot10_7_3 - b7_64 - T(0.35) *
-      minus_B_thetadot10_6_3;
+  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 - (b7_64 + T(0.35) * minus_B_thetadot10_6_3) + minus_E7_13 *
+      K_thetadot10_7_3;
   const T b6_42 = T(0.1) * B_thetadot10_6_1;
   const T K_thetadot10_6_2 = b6_42 + T(0.3) * minus_B_thetadot10_6_3 + K_thetadot10_7_2;
   const T K_thetadot10_6_3 = b7_65 - T(0.35) * B_thetadot10_6_1 + E7_11 * K_thetadot10_7_3 - minus_E7_13 *
@@ -18742,15 +18742,15 @@ template <class T>
       K_thetadot9_7_3;
   const T b6_43 = T(0.1) * B_thetadot9_6_1;
   const T K_thetadot9_6_2 = b6_43 - T(0.3) * B_thetadot9_6_3 + K_thetadot9_7_2;
-  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - minus_E7_13 * K_thetadot9_7_1 - b7_67 - T(0.35) *
-      B_thetadot9_6_1;
+  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - (b7_67 + T(0.35) * B_thetadot9_6_1) - minus_E7_13 *
+      K_thetadot9_7_1;
   // B_thetadot8_6 = E7^T B_thetadot8_7
   const T minus_B_thetadot8_6_1 = E7_11 * hc8_2;
   const T B_thetadot8_6_3 = minus_E7_13 * hc8_2;
   // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
   const T K_thetadot8_6_1 = T(0.35) * B_thetadot8_6_3 - b7_12 + E7_11 * b7_13 + minus_E7_13 * b7_19;
   const T b6_44 = T(0.1) * minus_B_thetadot8_6_1;
-  const T K_thetadot8_6_2 = b7_18 - b6_44 - T(0.3) * B_thetadot8_6_3;
+  const T K_thetadot8_6_2 = b7_18 - (b6_44 + T(0.3) * B_thetadot8_6_3);
   const T K_thetadot8_6_3 = b7_15 + T(0.35) * minus_B_thetadot8_6_1 + E7_11 * b7_19 - minus_E7_13 * b7_13;
   // K_thetadot7_6 = q7~ E7^T B_thetadot7_7 + E7^T K_thetadot7_7
   const T K_thetadot7_6_3 = E7_11 * J7_32 - minus_E7_13 * J7_12 - b6_19;
@@ -19935,15 +19935,15 @@ template <class T>
   const T b5_41 = T(0.3) * B_thetadot9_5_3;
   const T K_thetadot9_5_1 = T(0.1) * minus_B_thetadot9_5_2 + b5_41 + K_thetadot9_6_1;
   const T K_thetadot9_5_2 = b6_43 - b5_41 + E6_22 * K_thetadot9_6_2 - E6_23 * K_thetadot9_6_3;
-  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 + E6_22 * K_thetadot9_6_3 - T(0.3) * minus_B_thetadot9_5_2 -
-      T(0.3) * B_thetadot9_6_1;
+  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 - (T(0.3) * minus_B_thetadot9_5_2 + T(0.3) * B_thetadot9_6_1) +
+      E6_22 * K_thetadot9_6_3;
   // B_thetadot8_5 = E6^T B_thetadot8_6
   const T B_thetadot8_5_2 = E6_22 * hc8_1 - E6_23 * B_thetadot8_6_3;
   const T B_thetadot8_5_3 = E6_23 * hc8_1 + E6_22 * B_thetadot8_6_3;
   // K_thetadot8_5 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T b5_42 = T(0.3) * B_thetadot8_5_3;
   const T K_thetadot8_5_1 = b5_42 - T(0.1) * B_thetadot8_5_2 + K_thetadot8_6_1;
-  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3 - b6_44 - b5_42;
+  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - (b6_44 + b5_42) - E6_23 * K_thetadot8_6_3;
   const T K_thetadot8_5_3 = T(0.3) * B_thetadot8_5_2 + T(0.3) * minus_B_thetadot8_6_1 + E6_23 * K_thetadot8_6_2 +
       E6_22 * K_thetadot8_6_3;
   // B_thetadot7_5 = E6^T B_thetadot7_6
@@ -19951,7 +19951,7 @@ template <class T>
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
   const T b5_43 = T(0.3) * minus_B_thetadot7_5_3;
-  const T K_thetadot7_5_1 = b6_11 - T(0.1) * B_thetadot7_5_2 - b5_43;
+  const T K_thetadot7_5_1 = b6_11 - (T(0.1) * B_thetadot7_5_2 + b5_43);
   const T K_thetadot7_5_2 = b6_5 + b5_43 + E6_22 * b6_15 - E6_23 * K_thetadot7_6_3;
   const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_18 + E6_23 * b6_15 + E6_22 * K_thetadot7_6_3;
   // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
@@ -21194,8 +21194,8 @@ template <class T>
   // K_thetadot8_4 = q5~ E5^T B_thetadot8_5 + E5^T K_thetadot8_5
   const T b4_68 = T(0.1) * B_thetadot8_4_2;
   const T K_thetadot8_4_1 = T(0.25) * B_thetadot8_5_3 - b4_68 + E5_11 * K_thetadot8_5_1 - E5_12 * K_thetadot8_5_2;
-  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 + E5_11 * K_thetadot8_5_2 - T(0.1) * minus_B_thetadot8_4_1 -
-      b5_42;
+  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 - (T(0.1) * minus_B_thetadot8_4_1 + b5_42) + E5_11 *
+      K_thetadot8_5_2;
   const T b4_69 = T(0.3) * B_thetadot8_4_2;
   const T K_thetadot8_4_3 = b4_69 + T(0.25) * minus_B_thetadot8_4_1 + K_thetadot8_5_3;
   // B_thetadot7_4 = E5^T B_thetadot7_5
@@ -21203,8 +21203,8 @@ template <class T>
   const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
   // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
   const T b4_70 = T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - E5_12 * K_thetadot7_5_2 - b4_70 - T(0.25) *
-      minus_B_thetadot7_5_3;
+  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - (b4_70 + T(0.25) * minus_B_thetadot7_5_3) - E5_12 *
+      K_thetadot7_5_2;
   const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_43 + E5_12 * K_thetadot7_5_1 + E5_11 * K_thetadot7_5_2;
   const T b4_71 = T(0.3) * B_thetadot7_4_2;
   const T K_thetadot7_4_3 = b4_71 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
@@ -21216,7 +21216,7 @@ template <class T>
   const T K_thetadot6_4_1 = b4_72 + T(0.25) * hc6_2 + E5_11 * b5_6 - E5_12 * K_thetadot6_5_2;
   const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 + E5_11 * K_thetadot6_5_2;
   const T b4_73 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_73 - T(0.25) * B_thetadot6_4_1;
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_73 + T(0.25) * B_thetadot6_4_1);
   // D_thetaddot4: pivots of L D L^T
   const T b4_74 = K_thetadot32_4_2 * T(1.8315018315018314);
   const T b4_75 = K_thetadot31_4_2 + b4_74 * b31_18;
@@ -22569,8 +22569,8 @@ template <class T>
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 + minus_E4_13 * K_thetadot7_4_3 - b4_70 - T(0.2) *
-      minus_B_thetadot7_3_3;
+  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 - (b4_70 + T(0.2) * minus_B_thetadot7_3_3) + minus_E4_13 *
+      K_thetadot7_4_3;
   const T b3_44 = T(0.1) * B_thetadot7_3_1;
   const T K_thetadot7_3_2 = b3_44 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
   const T K_thetadot7_3_3 = b4_71 - T(0.2) * B_thetadot7_3_1 + E4_11 * K_thetadot7_4_3 - minus_E4_13 *
@@ -22583,15 +22583,15 @@ template <class T>
       K_thetadot6_4_3;
   const T b3_45 = T(0.1) * B_thetadot6_3_1;
   const T K_thetadot6_3_2 = b3_45 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_73 - T(0.2) *
-      B_thetadot6_3_1;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_73 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
+      K_thetadot6_4_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
   const T b3_46 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_18 - b3_46 - T(0.3) * B_thetadot5_3_3;
+  const T K_thetadot5_3_2 = b4_18 - (b3_46 + T(0.3) * B_thetadot5_3_3);
   const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
   // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
   const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
@@ -23950,22 +23950,22 @@ template <class T>
   const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
   const T b2_42 = T(0.3) * B_thetadot6_2_3;
   const T K_thetadot6_2_2 = b3_45 - b2_42 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
-      T(0.15) * B_thetadot6_3_1;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
+      E3_22 * K_thetadot6_3_3;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
   const T b2_43 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_46 - b2_43;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_46 + b2_43) - E3_23 * K_thetadot5_3_3;
   const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
       E3_22 * K_thetadot5_3_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_11 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
+  const T K_thetadot4_2_1 = b3_11 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
   const T b2_44 = T(0.3) * minus_B_thetadot4_2_3;
   const T K_thetadot4_2_2 = b3_5 + b2_44 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
   const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
@@ -25551,8 +25551,8 @@ template <class T>
   const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_42 + E2_12 *
       K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
-      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_43;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
+      B_thetadot5_2_2) + b2_43) + E2_11 * K_thetadot5_2_2;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
   const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_44 + E2_12 * K_thetadot4_2_1 +
       E2_11 * K_thetadot4_2_2;
@@ -26234,7 +26234,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_1 = minus_U1_11 * T(0.1);
   const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
   const T t1_2 = thetaddot1 * T(0.1);
-  const T a1_3 = Pddot1_3 - t1_2 - minus_U1_11 * T(0.05);
+  const T a1_3 = Pddot1_3 - (t1_2 + minus_U1_11 * T(0.05));
   // G1 = m1 a1: force balance, body axes [N]
   const T G1_1 = T(1.1) * a1_1;
   const T G1_3 = T(1.1) * a1_3;
@@ -26275,7 +26275,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
   const T Pddot2_1 = E2_11 * t2_7;
   const T minus_Pddot2_2 = E2_12 * t2_7;
-  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3) - t1_1;
+  const T Pddot2_3 = Pddot1_3 - (thetaddot1 * T(0.3) + t1_1);
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
   const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
