@@ -13,11 +13,9 @@ namespace {
 
 std::string options_text(const scene::Scene& scene, const GenerateOptions& options) {
   const std::vector<std::string>& named = options.functions.empty() ? scene.functions : options.functions;
-  const std::string size = options.optimize == emit::Optimize::size    ? "for size; "
-                           : options.optimize == emit::Optimize::loops ? "as loops; "
-                                                                       : "";
-  if (named.empty()) return size + "the usual functions";
-  std::string text = size + "functions";
+  constexpr const char* goals[] = {"", "for size; ", "as straight lines; ", "as loops; "};
+  std::string text = goals[static_cast<std::size_t>(options.optimize)];
+  text += named.empty() ? "the usual functions" : "functions";
   for (const std::string& function : named) text += " " + function;
   return text;
 }

@@ -10,6 +10,7 @@ namespace {
 Form form(const program::Program& program, const program::Function& function, const program::Ledger& cost,
           Optimize optimize) {
   Form result;
+  if (optimize == Optimize::line) return result;
   if (optimize == Optimize::speed && cost.operations() <= longest_line) return result;
   std::optional<program::Rolled> loops = program::rolled(program, function);
   if (!loops) return result;

@@ -8,9 +8,9 @@
 
 namespace kanec::emit {
 
-// What emitted code is made for: time; or memory for code and constants, as controllers have little of; or, to compare
-// with, loops over bodies whatever they cost.
-enum class Optimize { speed, size, loops };
+// What emitted code is made for: time; or memory for code and constants, as controllers have little of; or, to compare,
+// straight lines or loops over bodies whatever they cost.
+enum class Optimize { speed, size, line, loops };
 
 struct Model {
   const scene::Scene* scene = nullptr;

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "generator/pipeline.hpp"
@@ -39,12 +40,17 @@ constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
 The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
 written as well. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
+const std::map<std::string, emit::Optimize> goals = {{"speed", emit::Optimize::speed},
+                                                     {"size", emit::Optimize::size},
+                                                     {"line", emit::Optimize::line},
+                                                     {"loops", emit::Optimize::loops}};
+
 struct Options {
   SceneArgument scene;
   std::vector<std::string> functions;
   std::string output;
   std::string stage;
-  std::string optimize = "speed";
+  emit::Optimize optimize = emit::Optimize::speed;
   bool abi = false;
   bool json = false;
 };
@@ -155,17 +161,13 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
   return 0;
 }
 
-emit::Optimize goal(const std::string& name) {
-  return name == "size" ? emit::Optimize::size : name == "loops" ? emit::Optimize::loops : emit::Optimize::speed;
-}
-
 int generate_files(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const std::vector<std::string> functions = Functions(scene).chosen(options.functions);
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions, goal(options.optimize)});
+  const Generated generated = generate(scene, {functions, options.optimize});
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -184,9 +186,9 @@ void add_generate(CLI::App& app, Action& action) {
   add_functions(*command, options->functions);
   command->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
-  command->add_option("--optimize", options->optimize, "for speed; for size: loops over bodies where they take less code; or loops in any case")
-      ->option_text("speed|size|loops")
-      ->check(CLI::IsMember({"speed", "size", "loops"}));
+  command->add_option("--optimize", options->optimize, "loops over bodies where they are no slower (speed), where they take less code (size), never (line), always (loops)")
+      ->option_text("speed|size|line|loops")
+      ->transform(CLI::CheckedTransformer(goals));
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")
