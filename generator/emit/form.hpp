@@ -19,7 +19,7 @@ struct Form {
 
 // For size, loops wherever they take less code. For speed, in functions beyond `longest_line` operations of which most are
 // repeated: code that does not fit the processor's caches is no faster as a straight line, and takes long to compile.
-inline constexpr int longest_line = 20000;
+inline constexpr int longest_line = 8000;
 
 std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs, Optimize optimize);
 

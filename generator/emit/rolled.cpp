@@ -39,7 +39,7 @@ std::vector<Run> runs(const Rolled& rolled) {
 }
 
 std::vector<std::string> field_names(const Rolled& rolled) {
-  std::set<std::string> taken = {"size"};
+  std::set<std::string> taken;
   std::vector<std::string> names;
   for (const program::Stem& field : rolled.fields) {
     std::string name = field.with("");
@@ -79,10 +79,11 @@ class Loops {
   std::string frame_text() const {
     std::string list;
     for (std::size_t i = 0; i < scope_.fields.size(); ++i)
-      list += (i == 0 ? "" : ", ") + scope_.fields[i] + " = " + std::to_string(i);
-    std::string text = "// results of a body's sections that others read, by their place in the body's frame\nnamespace frame {\n";
-    if (!list.empty()) text += block("inline constexpr int " + list + ";", "    ");
-    return text + "inline constexpr int size = " + std::to_string(scope_.fields.size()) + ";\n}  // namespace frame\n\n";
+      list += (i == 0 ? "" : ", ") + scope_.fields[i] + " = " + std::to_string(rolled_.slots[i]);
+    if (list.empty()) return "";
+    return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body has both\n"
+           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n"
+           "namespace frame {\n" + block("inline constexpr int " + list + ";", "    ") + "}  // namespace frame\n\n";
   }
 
   static std::string number_text() {
@@ -118,7 +119,7 @@ class Loops {
   std::string main_text(const std::string& space) const {
     std::string text = "template <class T>\n" + block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
     text += "  using namespace " + space + ";\n";
-    text += "  [[maybe_unused]] T frames[" + std::to_string(rolled_.n_frames) + " * frame::size + 1];\n" + arrays();
+    text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays();
     const std::vector<Run> all = runs(rolled_);
     constexpr std::size_t most_loops = 12;
     return text + (all.size() <= most_loops ? loops(all) : steps()) + "}\n";

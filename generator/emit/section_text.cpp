@@ -98,7 +98,7 @@ class Text {
       if (leaf.kind == LeafKind::prepared && !are_equal(leaf.places))
         columns_.add("c", gathered(leaf, gathered_.prepared));
       if (is_state(leaf.kind)) columns_.add(array(leaf.kind), leaf.places);
-      if (leaf.kind == LeafKind::frame && !are_equal(leaf.fields)) columns_.add("s", leaf.fields);
+      if (leaf.kind == LeafKind::frame && !are_equal(leaf.fields)) columns_.add("s", slots(leaf));
     }
     for (const program::Output& output : kind_.outputs) columns_.add(place(output).first, place(output).second);
   }
@@ -137,15 +137,20 @@ class Text {
     const std::string& letter = letter_of_.at(places);
     const std::string name = places == own_ ? "own" : "of_" + letter;
     if (framed_.insert(name).second) {
-      std::string index = std::to_string(places[0]);
-      if (!are_equal(places)) {
-        index = letter;
-        body_columns_.push_back({letter, places});
-      }
+      Columns::Places begins;
+      for (const Index k : places) begins.push_back(scope_.rolled->begins[at(k)]);
+      const std::string index = are_equal(places) ? std::to_string(begins[0]) : letter;
+      if (!are_equal(places)) body_columns_.push_back({letter, begins});
       const std::string type = places == own_ ? "T* const " : "const T* const ";
-      frames_text_ += "  " + type + name + " = frames + frame::size * " + index + ";\n";
+      frames_text_ += "  " + type + name + " = frames + " + index + ";\n";
     }
     return name;
+  }
+
+  Columns::Places slots(const Leaf& leaf) const {
+    Columns::Places result;
+    for (const Index field : leaf.fields) result.push_back(scope_.rolled->slots[at(field)]);
+    return result;
   }
 
   std::string field(Index i) const { return "frame::" + scope_.fields[at(i)]; }
@@ -212,7 +217,7 @@ class Text {
   void load_frame(std::size_t i, const Leaf& leaf) {
     const std::string from = frame(leaf.places);
     const program::Stem& stem = scope_.rolled->fields[at(leaf.fields[0])];
-    const std::string index = are_equal(leaf.fields) ? field(leaf.fields[0]) : columns_.index("s", leaf.fields);
+    const std::string index = are_equal(leaf.fields) ? field(leaf.fields[0]) : columns_.index("s", slots(leaf));
     load(i, stem.with(letter_of_.at(leaf.places)), from + "[" + index + "]");
   }
 

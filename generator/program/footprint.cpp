@@ -67,7 +67,7 @@ Footprint straight_footprint(const Program& program, const Function& function) {
 }
 
 Footprint rolled_footprint(const Rolled& rolled) {
-  Footprint result{0, bytes_a_number * rolled.fields.size() * static_cast<std::size_t>(rolled.n_frames)};
+  Footprint result{0, bytes_a_number * at(rolled.frames_size)};
   for (const SectionClass& kind : rolled.classes) result.code += section_bytes(kind);
   return result;
 }

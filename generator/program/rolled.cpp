@@ -30,6 +30,7 @@ class Rolling {
   Rolled result() {
     classify();
     for (std::size_t c = 0; c < members_.size(); ++c) name_fields(c);
+    lay_out_frames();
     for (std::size_t c = 0; c < members_.size(); ++c) result_.classes.push_back(made(c));
     for (const Canonical& form : forms_) result_.operations += form.operations.size();
     for (const auto& members : members_) result_.written += forms_[members[0]].operations.size();
@@ -48,7 +49,7 @@ class Rolling {
       class_of_.push_back(0);
       Canonical& form = forms_.back();
       ordinal_.push_back(runs[{section.pass, section.body}]++);
-      result_.n_frames = std::max(result_.n_frames, section.body + 1);
+      n_frames_ = std::max(n_frames_, at(std::max(section.body, 0)) + 1);
       if (form.operations.empty() && section.stores.empty()) continue;
       form.key.push_back(static_cast<std::int64_t>(section.pass));
       form.key.push_back(ordinal_.back());
@@ -116,6 +117,31 @@ class Rolling {
         field_of_.emplace(std::tuple(section(i).pass, ordinal_[i], own), static_cast<Index>(result_.fields.size()));
     if (is_new) result_.fields.push_back(own);
     return found->second;
+  }
+
+  std::size_t frame_of(std::size_t i) const { return at(std::max(section(i).body, 0)); }
+
+  // Each field in the first place that is free in the frames of all bodies that have it.
+  void lay_out_frames() {
+    std::vector<std::vector<std::size_t>> owners(result_.fields.size());
+    for (std::size_t c = 0; c < members_.size(); ++c)
+      for (const auto& [p, field] : fields_[c])
+        for (const std::size_t m : members_[c]) owners[at(field)].push_back(frame_of(m));
+    std::vector<std::vector<bool>> taken(n_frames_);
+    const auto is_taken = [&](std::size_t body, std::size_t slot) { return slot < taken[body].size() && taken[body][slot]; };
+    for (const std::vector<std::size_t>& bodies : owners) {
+      std::size_t slot = 0;
+      while (std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) { return is_taken(b, slot); })) ++slot;
+      for (const std::size_t b : bodies) {
+        if (taken[b].size() <= slot) taken[b].resize(slot + 1, false);
+        taken[b][slot] = true;
+      }
+      result_.slots.push_back(static_cast<Index>(slot));
+    }
+    for (const auto& frame : taken) {
+      result_.begins.push_back(result_.frames_size);
+      result_.frames_size += static_cast<Index>(frame.size());
+    }
   }
 
   std::vector<std::int64_t> values(const Leaf& leaf) const {
@@ -252,6 +278,7 @@ class Rolling {
   std::vector<Index> place_;      // of a node in its section
   std::vector<std::unordered_map<Index, Index>> fields_;  // of the classes: by place
   std::map<std::tuple<Pass, int, Stem>, Index> field_of_;
+  std::size_t n_frames_ = 1;
   Rolled result_;
 };
 

@@ -62,8 +62,10 @@ struct Step {
 struct Rolled {
   std::vector<SectionClass> classes;  // by their first member
   std::vector<Step> steps;            // in order
-  std::vector<Stem> fields;           // of a frame, by pass and name
-  int n_frames = 0;                   // bodies from 0, which is the whole system
+  std::vector<Stem> fields;           // of frames, by pass and name
+  std::vector<Index> slots;           // of the fields: place in a frame; fields that no body has both of may share one
+  std::vector<Index> begins;          // of the frames of the bodies from 0, which is the whole system
+  Index frames_size = 0;              // of all frames
 
   std::size_t operations = 0;  // of one evaluation, all nodes counted
   std::size_t written = 0;     // of all classes

@@ -31,7 +31,7 @@ class Evaluation {
         at_(at),
         values_(all_values(program, at)),
         outputs_(n_outputs, T(0.0)),
-        frames_(rolled.fields.size() * static_cast<std::size_t>(rolled.n_frames), T(0.0)) {
+        frames_(static_cast<std::size_t>(rolled.frames_size), T(0.0)) {
     for (const Step& step : rolled.steps) call(rolled.classes[step.of], step.member);
   }
 
@@ -39,7 +39,8 @@ class Evaluation {
 
  private:
   T& place(Index body, Index field) {
-    return frames_[static_cast<std::size_t>(body) * rolled_.fields.size() + static_cast<std::size_t>(field)];
+    const Index begin = rolled_.begins.at(static_cast<std::size_t>(body));
+    return frames_.at(static_cast<std::size_t>(begin + rolled_.slots.at(static_cast<std::size_t>(field))));
   }
 
   T value(const Leaf& leaf, std::size_t m) {
