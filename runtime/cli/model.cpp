@@ -33,7 +33,7 @@ compile::Source source_of(const Generated& generated, const scene::Scene& scene)
 
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
-  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, c++, g++ or clang++")
+  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++")
       ->option_text("PROGRAM")
       ->group(group);
   command
