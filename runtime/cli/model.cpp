@@ -73,7 +73,9 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {
-  command.add_option("--functions", functions, "these alone; a+b: both in one call (those of the scene, or the usual ones)")
+  command
+      .add_option("--functions", functions,
+                  "these alone; a+b: both in one call (those of the scene, or the usual ones)")
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
