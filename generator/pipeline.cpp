@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "generator/candidates.hpp"
 #include "generator/emit/header.hpp"
-#include "generator/program/passes.hpp"
 #include "generator/regular.hpp"
 #include "runtime/base/hash.hpp"
 
@@ -17,7 +17,7 @@ std::string options_text(const scene::Scene& scene, const GenerateOptions& optio
   std::string text = goals[static_cast<std::size_t>(options.optimize)];
   text += named.empty() ? "the usual functions" : "functions";
   for (const std::string& function : named) text += " " + function;
-  return text;
+  return options.algorithm ? text + "; algorithm " + name(*options.algorithm) : text;
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -34,7 +34,8 @@ std::string without(std::string text, const std::string& what) {
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   check_regular(scene);
-  const program::Program program = program::optimized(program_of(scene, requested_functions(scene, options.functions)));
+  const program::Program program = 
+      cheapest_program(scene, requested_functions(scene, options.functions), options.algorithm);
   // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
   // places
   const std::string mark = "@model-hash-mark";
@@ -42,11 +43,13 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const emit::Model model{&scene, version(), mark, options_text(scene, options), source, options.optimize};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
+  std::string batch = emit::emit_batch(model, program);
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
   if (!source.empty()) replace_all(header, source, scene.source);
   replace_all(abi, mark, hash);
-  return {program, scene.name, hash, std::move(header), std::move(abi)};
+  replace_all(batch, mark, hash);
+  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch)};
 }
 
 std::string version() { return KANEC_VERSION; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace kanec {
 
 struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
+  std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
 };
 
@@ -24,6 +26,7 @@ struct Generated {
   std::string hash;    // of the emitted text: scene, generator and options
   std::string header;  // <name>.hpp
   std::string abi;     // <name>_abi.cpp
+  std::string batch;   // <name>_batch.cpp
 };
 
 // Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "generator/candidates.hpp"
 #include "generator/program/ledger.hpp"
-#include "generator/program/passes.hpp"
 #include "generator/requests.hpp"
 #include "runtime/base/text.hpp"
 
@@ -97,7 +97,7 @@ class Reducing {
 
  private:
   program::Program optimized(const scene::Scene& scene, const symbolic::Reductions& reductions) const {
-    return program::optimized(program_of(scene, names_, reductions));
+    return cheapest_program(scene, names_, {}, reductions);
   }
 
   static long cost(const program::Program& program) {

@@ -15,17 +15,6 @@
 namespace kanec {
 namespace {
 
-// "kinematics+accelerations" in its parts.
-std::vector<std::string> parts(const std::string& name) {
-  std::vector<std::string> result = {""};
-  for (const char c : name)
-    if (c == '+')
-      result.emplace_back();
-    else
-      result.back() += c;
-  return result;
-}
-
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
@@ -79,6 +68,16 @@ void keep(program::Program& program, const std::vector<std::string>& names) {
 
 }  // namespace
 
+std::vector<std::string> parts(const std::string& name) {
+  std::vector<std::string> result = {""};
+  for (const char c : name)
+    if (c == '+')
+      result.emplace_back();
+    else
+      result.back() += c;
+  return result;
+}
+
 std::vector<Available> available_functions(const scene::Scene& scene) {
   std::vector<Available> result;
   for (const symbolic::Function& function : symbolic::functions(scene))
@@ -105,13 +104,12 @@ std::vector<std::string> requested_functions(const scene::Scene& scene, const st
 }
 
 program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& names,
-                            const symbolic::Reductions& reductions) {
+                            const symbolic::Way& way) {
   const Needed needed = needed_for(scene, names);
   program::Program program;
-  if (!needed.reduced.empty()) program = lower::lower(symbolic::derive(scene, needed.reduced, reductions));
+  if (!needed.reduced.empty()) program = lower::lower(symbolic::derive(scene, needed.reduced, way));
   if (!needed.whole.empty()) {
-    symbolic::Reductions none = reductions;
-    none.merge_welds = none.drop_locks = false;
+    const symbolic::Way none{.reductions = {false, false, false, false}};
     const program::Program whole = lower::lower(symbolic::derive(scene, needed.whole, none));
     program = needed.reduced.empty() ? whole : program::joined(std::move(program), whole);
   }

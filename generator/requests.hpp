@@ -7,7 +7,7 @@
 
 #include "generator/program/program.hpp"
 #include "generator/scene/scene.hpp"
-#include "generator/symbolic/links.hpp"
+#include "generator/symbolic/way.hpp"
 
 namespace kanec {
 
@@ -23,12 +23,15 @@ struct Available {
 // All of them, in order; combinations "a+b" are not listed.
 std::vector<Available> available_functions(const scene::Scene& scene);
 
+// "kinematics+accelerations" in its parts.
+std::vector<std::string> parts(const std::string& name);
+
 // The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, with all known
 // names, for one that the scene does not have; each part of a combination counts.
 std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names);
 
-// Derived and lowered, unsimplified.
+// Derived and lowered, unsimplified; in one way (candidates.hpp finds the cheapest).
 program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& names,
-                            const symbolic::Reductions& reductions = {});
+                            const symbolic::Way& way = {});
 
 }  // namespace kanec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/calls.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "generator/emit/statements.hpp"
@@ -45,6 +46,18 @@ std::string usings(const program::Program& program, const std::vector<bool>& wan
 std::vector<std::string> functions_called(const program::Program& program) {
   const std::set<std::string> functions = called_by(program, [](std::size_t) { return true; });
   return {functions.begin(), functions.end()};
+}
+
+bool selects(const program::Program& program) {
+  return std::any_of(program.nodes.begin(), program.nodes.end(),
+                     [](const program::Node& node) { return std::holds_alternative<program::Select>(node); });
+}
+
+std::string selection(const program::Program& program) {
+  if (!selects(program)) return "";
+  return "// a where the condition holds, else b. Scalars whose comparison gives no bool bring a select of their own.\n"
+         "template <class T>\nconstexpr T select(bool condition, const T& a, const T& b) noexcept {\n"
+         "  return condition ? a : b;\n}\n\n";
 }
 
 std::string includes(const program::Program& program) {

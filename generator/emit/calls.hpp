@@ -20,4 +20,10 @@ std::vector<std::string> functions_called(const program::Program& program);
 // "#include <cmath>\n" and the like for these.
 std::string includes(const program::Program& program);
 
+// Whether anything in the program chooses between two values.
+bool selects(const program::Program& program);
+
+// The header's select(condition, a, b) for scalars whose comparison gives a bool; empty where nothing chooses.
+std::string selection(const program::Program& program);
+
 }  // namespace kanec::emit

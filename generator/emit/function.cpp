@@ -71,6 +71,7 @@ class Emission {
     for (const program::Result& result : results_)
       append((results_.size() > 1 ? result.out + ": " : "") + result.layout);
     append(program::text(cost_));
+    if (!function_.choice.empty()) append("by: " + function_.choice);
     return text;
   }
 

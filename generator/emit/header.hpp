@@ -16,4 +16,8 @@ std::string emit_header(const Model& model, const program::Program& program);
 // "<model>_abi.cpp": the header's functions in double behind the descriptor of runtime/abi/abi.h.
 std::string emit_abi(const Model& model, const program::Program& program);
 
+// "<model>_batch.cpp": the same for lanes, many states a call, with runtime/lanes beside it. The macros KANEC_SCALAR
+// (double or float) and KANEC_LANES overrule what it takes otherwise: double, and as many as the target has.
+std::string emit_batch(const Model& model, const program::Program& program);
+
 }  // namespace kanec::emit

@@ -118,20 +118,19 @@ std::string left_out(const Used& used) {
 }
 
 std::string conventions(const program::Program& program) {
-  const bool selects = std::any_of(program.nodes.begin(), program.nodes.end(), [](const program::Node& node) {
-    return std::holds_alternative<program::Select>(node);
-  });
+  const bool chooses = selects(program);
   const std::vector<std::string> calls = functions_called(program);
-  const bool compares = selects || std::any_of(calls.begin(), calls.end(),
+  const bool compares = chooses || std::any_of(calls.begin(), calls.end(),
                                                [](const std::string& name) { return name == "min" || name == "max"; });
   std::string scalar =
       "T is the scalar: float, double, long double, or any type with + - * /, unary -, a constructor from double and a "
       "default one";
   if (compares) scalar += ", <";
+  if (chooses) scalar += " (where that gives no bool, select(condition, a, b) as well)";
   if (!calls.empty()) scalar += ", and of its own or by conversion " + joined(calls);
   return "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n" +
          comment(std::string("No function allocates, throws, branches") +
-                 (selects ? " (it may choose between two values)" : "") +
+                 (chooses ? " (it may choose between two values)" : "") +
                  " or keeps a state; results must not overlap arguments. " + scalar + ".");
 }
 

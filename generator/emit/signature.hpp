@@ -24,6 +24,7 @@ class ArgumentList {
 
   // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]].
   std::string parameters() const { return list(reads_, false); }
+  bool takes_inputs() const { return takes_.inputs; }
   // The same where anything may be unused.
   std::string piece_parameters() const { return list({}, true); }
   // "c, t, x, xdot" with the given expressions; a pointer `out` to all results is given on in parts.

@@ -201,7 +201,7 @@ Statements::Text Statements::selection(const program::Select& op) {
   const std::string value = is_sum ? "(" + sign.text + ")" : sign.text;
   const std::string condition = sign.negative ? "T(0) < " + value : value + " < T(0)";
   const std::string first = argument(op.a);
-  return {"(" + condition + " ? " + first + " : " + argument(op.b) + ")", 2, false};
+  return {"select(" + condition + ", " + first + ", " + argument(op.b) + ")", 2, false};
 }
 
 std::string Statements::text(const Text& t) const {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/lower/block.hpp"
 
+#include <optional>
+
+#include "generator/program/fold.hpp"
 #include "runtime/base/error.hpp"
 
 namespace kanec::lower {
@@ -75,7 +78,31 @@ Block skew(Builder& builder, const Block& a) {
 
 Ref dot(Builder& builder, const Block& a, const Block& b) { return multiply(builder, transposed(a), b).at(0); }
 
+namespace {
+
+// Whether a vector is a coordinate axis or its opposite.
+bool is_along(const Builder& builder, const Block& axis, const Cyclic& at) {
+  using program::fold::is;
+  const bool is_unit = is(builder, axis.at(at.i), 1) || is(builder, axis.at(at.i), -1);
+  return is_unit && is(builder, axis.at(at.j), 0) && is(builder, axis.at(at.k), 0);
+}
+
+}  // namespace
+
 Block turn(Builder& builder, const Block& axis, Ref angle) {
+  for (const Cyclic& at : cyclic) {
+    if (!is_along(builder, axis, at)) continue;
+    const bool is_opposite = program::fold::is(builder, axis.at(at.i), -1);
+    const Ref cosine = builder.cosine(angle), sine = builder.sine(is_opposite ? -angle : angle);
+    const Ref zero = builder.constant(0.0);
+    Block result{3, 3, {}};
+    result.entries.fill(zero);
+    result.at(at.i, at.i) = builder.constant(1.0);
+    result.at(at.j, at.j) = result.at(at.k, at.k) = cosine;
+    result.at(at.k, at.j) = sine;
+    result.at(at.j, at.k) = -sine;
+    return result;
+  }
   const Ref sine = builder.sine(angle), cosine = builder.cosine(angle);
   const Block cross = skew(builder, axis);
   const Block square = multiply(builder, cross, cross);
@@ -85,16 +112,76 @@ Block turn(Builder& builder, const Block& axis, Ref angle) {
              fixed);
 }
 
+namespace {
+
+// C = [1, 0, 0; 0, c, -s; 0, s, c] or the same about another axis.
+struct Plane {
+  Cyclic at;
+  Ref c, s;
+};
+
+std::optional<Plane> plane_of(const Builder& builder, const Block& C) {
+  using program::fold::is;
+  for (const Cyclic& at : cyclic) {
+    const auto [i, j, k] = at;
+    const bool fixes = is(builder, C.at(i, i), 1) && is(builder, C.at(i, j), 0) && is(builder, C.at(i, k), 0) &&
+                       is(builder, C.at(j, i), 0) && is(builder, C.at(k, i), 0);
+    if (fixes && C.at(j, j) == C.at(k, k) && C.at(j, k) == -C.at(k, j)) return Plane{at, C.at(j, j), C.at(k, j)};
+  }
+  return std::nullopt;
+}
+
+// Rows j and k of C A in a plane rotation, of one column.
+void turn_pair(Builder& builder, const Plane& plane, Ref& a, Ref& b) {
+  const auto times = [&](Ref u, Ref v) { return builder.multiply(u, v); };
+  const Ref turned = builder.subtract(times(plane.c, a), times(plane.s, b));
+  b = builder.add(times(plane.s, a), times(plane.c, b));
+  a = turned;
+}
+
+// [a, f; g, b] by the double angle: with w = s (a − b) + c (f + g) it is [a − s w, c w − g; c w − f, b + s w].
+void turn_block(Builder& builder, const Plane& plane, Block& A, bool is_symmetric) {
+  const auto [i, j, k] = plane.at;
+  const Ref a = A.at(j, j), b = A.at(k, k), f = A.at(j, k), g = A.at(k, j);
+  const auto times = [&](Ref u, Ref v) { return builder.multiply(u, v); };
+  const Ref twice = is_symmetric ? times(times(builder.constant(2.0), plane.c), f) : times(plane.c, builder.add(f, g));
+  const Ref w = builder.add(times(plane.s, builder.subtract(a, b)), twice);
+  const Ref sw = times(plane.s, w), cw = times(plane.c, w);
+  A.at(j, j) = builder.subtract(a, sw);
+  A.at(k, k) = builder.add(b, sw);
+  A.at(j, k) = builder.subtract(cw, g);
+  A.at(k, j) = is_symmetric ? A.at(j, k) : builder.subtract(cw, f);
+}
+
+Block plane_congruence(Builder& builder, const Plane& plane, Block A, bool is_symmetric) {
+  const auto [i, j, k] = plane.at;
+  turn_block(builder, plane, A, is_symmetric);
+  turn_pair(builder, plane, A.at(j, i), A.at(k, i));
+  if (!is_symmetric) turn_pair(builder, plane, A.at(i, j), A.at(i, k));
+  if (is_symmetric) A.at(i, j) = A.at(j, i), A.at(i, k) = A.at(k, i);
+  return A;
+}
+
+}  // namespace
+
 Block congruence(Builder& builder, const Block& C, const Block& J) {
+  if (const auto plane = plane_of(builder, C)) return plane_congruence(builder, *plane, J, true);
   const Block left = multiply(builder, C, J);
   Block result{3, 3, {}};
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 2; ++i)
     for (int j = i; j < 3; ++j) {
       Ref entry = builder.multiply(left.at(i, 0), C.at(j, 0));
       for (int k = 1; k < 3; ++k) entry = builder.add(entry, builder.multiply(left.at(i, k), C.at(j, k)));
       result.at(i, j) = result.at(j, i) = entry;
     }
+  const Ref trace = builder.add(builder.add(J.at(0, 0), J.at(1, 1)), J.at(2, 2));
+  result.at(2, 2) = builder.subtract(builder.subtract(trace, result.at(0, 0)), result.at(1, 1));
   return result;
+}
+
+Block similarity(Builder& builder, const Block& C, const Block& A) {
+  if (const auto plane = plane_of(builder, C)) return plane_congruence(builder, *plane, A, false);
+  return multiply(builder, multiply(builder, C, A), transposed(C));
 }
 
 Block rotation(Builder& builder, const Block& e, Ref eps4) {
@@ -111,6 +198,48 @@ Block rotation(Builder& builder, const Block& e, Ref eps4) {
            sum(xy, wz), one_less(xx, zz), sum(yz, -wx),  //
            sum(xz, -wy), sum(yz, wx), one_less(xx, yy)}};
 }
+
+Block ldl(Builder& builder, const Block& symmetric) {
+  const Block& J = symmetric;
+  const auto times = [&](Ref a, Ref b) { return builder.multiply(a, b); };
+  const auto less = [&](Ref a, Ref b) { return builder.subtract(a, b); };
+  const auto inverse_of = [&](Ref a) { return builder.divide(builder.constant(1.0), a); };
+  Block result{3, 3, {}};
+  result.entries.fill(builder.constant(0.0));
+  result.at(0, 0) = inverse_of(J.at(0, 0));
+  result.at(1, 0) = times(result.at(0, 0), J.at(0, 1));
+  result.at(2, 0) = times(result.at(0, 0), J.at(0, 2));
+  result.at(1, 1) = inverse_of(less(J.at(1, 1), times(result.at(1, 0), J.at(0, 1))));
+  const Ref coupling = less(J.at(1, 2), times(result.at(1, 0), J.at(0, 2)));
+  result.at(2, 1) = times(result.at(1, 1), coupling);
+  const Ref last = less(less(J.at(2, 2), times(result.at(2, 0), J.at(0, 2))), times(result.at(2, 1), coupling));
+  result.at(2, 2) = inverse_of(last);
+  return result;
+}
+
+Block forward(Builder& builder, const Block& factors, Block B) {
+  for (int i = 1; i < 3; ++i)
+    for (int j = 0; j < i; ++j)
+      for (int c = 0; c < B.columns; ++c)
+        B.at(i, c) = builder.subtract(B.at(i, c), builder.multiply(factors.at(i, j), B.at(j, c)));
+  return B;
+}
+
+Block scaled(Builder& builder, const Block& factors, Block B) {
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < B.columns; ++c) B.at(i, c) = builder.multiply(factors.at(i, i), B.at(i, c));
+  return B;
+}
+
+Block backward(Builder& builder, const Block& factors, Block B) {
+  for (int i = 1; i >= 0; --i)
+    for (int j = i + 1; j < 3; ++j)
+      for (int c = 0; c < B.columns; ++c)
+        B.at(i, c) = builder.subtract(B.at(i, c), builder.multiply(factors.at(j, i), B.at(j, c)));
+  return B;
+}
+
+Block outer(Builder& builder, const Block& a, const Block& b) { return multiply(builder, a, transposed(b)); }
 
 Block inverse(Builder& builder, const Block& symmetric) {
   const auto& I = symmetric;

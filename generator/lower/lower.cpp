@@ -133,7 +133,7 @@ class Lowering {
     if (GiNaC::is_a<Atom>(e)) return letter(e);
     if (GiNaC::is_a<GiNaC::numeric>(e)) return scalar(number(GiNaC::ex_to<GiNaC::numeric>(e)));
     if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
-    if (GiNaC::is_a<GiNaC::mul>(e)) return scaled(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return multiple(e);
     if (GiNaC::is_a<GiNaC::ncmul>(e)) return chain({e.begin(), e.end()});
     if (GiNaC::is_a<GiNaC::power>(e)) return scalar(power(of(e.op(0)).at(0), GiNaC::ex_to<GiNaC::numeric>(e.op(1))));
     return function(e);
@@ -154,6 +154,12 @@ class Lowering {
     if (is_ex_the_function(e, symbolic::rotation)) return rotation(builder_, of(e.op(0)), of(e.op(1)).at(0));
     if (is_ex_the_function(e, symbolic::turn)) return turn(builder_, of(e.op(0)), of(e.op(1)).at(0));
     if (is_ex_the_function(e, symbolic::congruence)) return congruence(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::similarity)) return similarity(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::outer)) return outer(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::ldl)) return ldl(builder_, of(e.op(0)));
+    if (is_ex_the_function(e, symbolic::forward)) return forward(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::scaled)) return scaled(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::backward)) return backward(builder_, of(e.op(0)), of(e.op(1)));
     if (is_ex_the_function(e, symbolic::expression)) return scalar(data_.expression(whole(e.op(0)), whole(e.op(1))));
     if (is_ex_the_function(e, symbolic::inverse)) return inverse(builder_, of(e.op(0)));
     if (is_ex_the_function(e, symbolic::gyroscopic)) return gyroscopic(builder_, of(e.op(0)), of(e.op(1)));
@@ -176,7 +182,7 @@ class Lowering {
 
   // Scalars first, numbers before letters; a number other than ±1 scales a speed inside a skew matrix where there is
   // one, so that 2 ω̃ is formed once for all that use it.
-  Block scaled(const ex& e) {
+  Block multiple(const ex& e) {
     std::optional<Block> factor;
     std::optional<ex> block;
     for (const ex& operand : symbolic::ordered(e)) {
@@ -226,11 +232,19 @@ class Lowering {
     } else {
       used_[index(atom)] = true;
       if (const symbolic::Quantity* definition = sections_.definition(atom))
-        values_[index(atom)] = of(definition->value);
+        values_[index(atom)] = mirrored(of(definition->value), symbol);
       else
         solve(sections_.solve_of(atom));
     }
     return *values_[index(atom)];
+  }
+
+  // Of a symmetric matrix the upper triangle is computed, the other is the same.
+  static Block mirrored(Block block, const symbolic::Symbol& symbol) {
+    if (block.size() != 9 || !symbol.transpose.is_equal(symbol.atom)) return block;
+    for (int i = 1; i < 3; ++i)
+      for (int j = 0; j < i; ++j) block.at(i, j) = block.at(j, i);
+    return block;
   }
 
   void mark_used(const ex& e) {

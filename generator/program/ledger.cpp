@@ -40,6 +40,12 @@ Ledger prepare_ledger(const Program& program) {
   return counted(program, stages(program), all_outputs(program), Stage::parameter);
 }
 
+long weighted_cost(const Ledger& ledger) {
+  constexpr long divide = 6, square_root = 8, trigonometric = 45, function = 60;
+  return ledger.adds + ledger.multiplies + divide * ledger.divides + square_root * ledger.square_roots +
+         trigonometric * ledger.trigonometric + function * ledger.functions;
+}
+
 std::string text(const Ledger& ledger) {
   std::string result = std::to_string(ledger.adds) + " add, " + std::to_string(ledger.multiplies) + " multiply";
   const auto append = [&result](int n, const char* what) {

@@ -94,6 +94,7 @@ struct Function {
   Index n_out = 0;
   Index stride = 0;  // of the placements
   Signature signature = {};
+  std::string choice = {};  // of an algorithm, where there was one: "articulated; composite would take 1200 add"
 };
 
 // What the function returns: one result, or several one after another.

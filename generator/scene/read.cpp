@@ -10,6 +10,7 @@
 #include "generator/scene/expression_names.hpp"
 #include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
+#include "generator/scene/read_ensemble.hpp"
 #include "generator/scene/read_functions.hpp"
 #include "generator/scene/read_load.hpp"
 #include "generator/scene/read_motion.hpp"
@@ -123,8 +124,8 @@ Simulation read_simulation(const Table& root) {
 }
 
 Scene read_scene(const Table& root) {
-  root.only(
-      {"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate"});
+  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate",
+             "ensemble"});
   Scene scene;
   Symbols symbols;
   scene.name = read_scene_name(root.at("name", "the name of the scene"));
@@ -137,6 +138,7 @@ Scene read_scene(const Table& root) {
   read_tree(root, symbols, scene);
   scene.functions = read_functions(root);
   scene.simulation = read_simulation(root);
+  scene.ensemble = read_ensemble(root, scene);
   for (std::string& warning : symbols.warnings()) scene.warnings.push_back(std::move(warning));
   return scene;
 }

@@ -49,6 +49,20 @@ struct Simulation {
   double absolute_tolerance = 1e-12;
 };
 
+// How `kanec simulate --ensemble scene` draws scenarios: each name's value anew for every scenario, all others as the
+// scene has them.
+struct Draw {
+  enum class Kind { uniform, normal };
+  std::string name;  // of a coordinate, a speed, a parameter or an input
+  Kind kind = Kind::uniform;
+  double a = 0.0, b = 0.0;  // uniform: least and largest; normal: mean and standard deviation
+};
+struct Ensemble {
+  int count = 0;  // 0: the scene has none
+  int seed = 1;
+  std::vector<Draw> draws;  // in the order of the file
+};
+
 // Body K of the text is bodies[K-1]; lower[K-1] is L(K), 0 = inertial frame, L(K) < K.
 struct Scene {
   std::string name;    // a C++ identifier
@@ -63,6 +77,7 @@ struct Scene {
   std::vector<Named> parameters;
   std::vector<Named> inputs;
   Simulation simulation;
+  Ensemble ensemble;
   std::vector<std::string> notes;     // what was changed in reading (normalised Euler parameters)
   std::vector<std::string> warnings;  // what is odd but modelled (violated triangle inequality)
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/acceleration_chain.hpp"
 
+#include <algorithm>
+
 #include "generator/symbolic/factor.hpp"
 
 namespace kanec::symbolic {
@@ -11,6 +13,21 @@ namespace {
 
 // U = ω̇~ + ω̃ω̃: U a is the acceleration that rotation gives a point fixed at a.
 ex spin_value(const Rates& rates, const ex& omega) { return skew(omega) * skew(omega) + skew(rates.of(omega)); }
+
+// ω̃ω̃ by its name U wherever it stands in a product, unless ω̃ alone stands in another: ω̃ (ω̃ d + 2 ṡ) is cheaper then.
+ex with_square(const ex& e, const ex& omega, const ex& U) {
+  const ex cross = skew(omega);
+  std::vector<Term> terms = expanded(e);
+  for (Term& term : terms) {
+    const auto first = std::find_if(term.factors.begin(), term.factors.end(),
+                                    [&cross](const ex& factor) { return factor.is_equal(cross); });
+    if (first == term.factors.end()) continue;
+    if (first + 1 == term.factors.end() || !(first + 1)->is_equal(cross)) return e;
+    *first = U;
+    term.factors.erase(first + 1);
+  }
+  return factored(sum(terms));
+}
 
 }  // namespace
 
@@ -38,6 +55,7 @@ ex AccelerationChain::with_spin(const ex& acceleration, int k) const {
   const ex& omega = derivation_.letters(k).omega;
   if (omega.is_zero()) return simple;
   const ex value = spin_value(rates_, omega);
+  if (rates_.of(omega).is_zero()) return with_square(simple, omega, spin(k));
   return simple.subs(GiNaC::lst{value == spin(k), -value == -spin(k)}, GiNaC::subs_options::no_pattern);
 }
 

@@ -5,6 +5,7 @@
 // are solved by elimination from the leaves inward, which fills in nothing. SPDX-License-Identifier: GPL-2.0-or-later
 #include <map>
 
+#include "generator/symbolic/articulated.hpp"
 #include "generator/symbolic/composites.hpp"
 #include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/kane.hpp"
@@ -17,8 +18,6 @@ using GiNaC::ex;
 
 namespace {
 
-using Place = std::pair<int, std::size_t>;  // of a coordinate: link, index
-
 class Solution {
  public:
   explicit Solution(Derivation& derivation) : derivation_(derivation), free_{false} {
@@ -28,7 +27,7 @@ class Solution {
   void all() {
     bool any_cluster = false;
     for (int k = 1; k <= derivation_.size(); ++k) any_cluster |= !is_alone(k) && has_state(k);
-    if (any_cluster) solve_clusters();
+    if (any_cluster) derivation_.way.algorithm == Algorithm::composite ? solve_clusters() : eliminate_clusters();
     follow();
   }
 
@@ -52,14 +51,27 @@ class Solution {
 
   // --- clusters
 
-  void solve_clusters() {
+  // What is applied less inertia at ẏ = 0, and P̈ = 0 of free joints.
+  Balance balance_at_rest() {
     AccelerationChain chain(derivation_, rates_at_rest(derivation_));
     const ex nothing = 0;
     for (int k = 1; k <= derivation_.size(); ++k) {
       chain.add_spin(k);
       chain.add_origin(k, is_cut(k) ? &nothing : nullptr);
     }
-    const Balance balance = applied_less_inertia(derivation_, chain);
+    return applied_less_inertia(derivation_, chain);
+  }
+
+  void eliminate_clusters() {
+    std::vector<bool> alone = {true};
+    for (int k = 1; k <= derivation_.size(); ++k) alone.push_back(is_alone(k));
+    const Balance balance = balance_at_rest();
+    const AppliedLoads loads = applied_loads(derivation_);
+    found_ = Articulated(derivation_, balance, loads, alone).solution();
+  }
+
+  void solve_clusters() {
+    const Balance balance = balance_at_rest();
     const InwardSums sums(derivation_, balance, "f", free_);
     const AppliedLoads loads = applied_loads(derivation_);
     Composites composites(derivation_, free_);

@@ -27,6 +27,16 @@ ex skew_eval(const ex& a) {
   return result;
 }
 
+// Of functions that are linear in both arguments, or in the second.
+ex dot_eval(const ex& a, const ex& b) { return a.is_zero() || b.is_zero() ? ex(0) : dot(a, b).hold(); }
+ex outer_eval(const ex& a, const ex& b) { return a.is_zero() || b.is_zero() ? ex(0) : outer(a, b).hold(); }
+ex forward_eval(const ex& factors, const ex& b) { return b.is_zero() ? ex(0) : forward(factors, b).hold(); }
+ex scaled_eval(const ex& factors, const ex& b) { return b.is_zero() ? ex(0) : scaled(factors, b).hold(); }
+ex backward_eval(const ex& factors, const ex& b) { return b.is_zero() ? ex(0) : backward(factors, b).hold(); }
+// C 1 Cᵀ where there is no turn.
+ex congruence_eval(const ex& C, const ex& A) { return A.is_zero() || C.is_equal(1) ? A : congruence(C, A).hold(); }
+ex similarity_eval(const ex& C, const ex& A) { return A.is_zero() || C.is_equal(1) ? A : similarity(C, A).hold(); }
+
 }  // namespace
 
 Atom* Atom::duplicate() const {
@@ -36,11 +46,20 @@ Atom* Atom::duplicate() const {
 }
 
 REGISTER_FUNCTION(skew, eval_func(skew_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
-REGISTER_FUNCTION(dot, set_return_type(GiNaC::return_types::commutative))
+REGISTER_FUNCTION(dot, eval_func(dot_eval).set_return_type(GiNaC::return_types::commutative))
 REGISTER_FUNCTION(rotation, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(inverse, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(turn, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
-REGISTER_FUNCTION(congruence, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(congruence,
+                  eval_func(congruence_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(similarity,
+                  eval_func(similarity_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(outer, eval_func(outer_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(ldl, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(forward, eval_func(forward_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(scaled, eval_func(scaled_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(backward,
+                  eval_func(backward_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(expression, set_return_type(GiNaC::return_types::commutative))
 REGISTER_FUNCTION(gyroscopic, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(inertia_moment, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
@@ -84,6 +103,9 @@ Shape shape_of(const ex& e) {
   if (e.return_type() == GiNaC::return_types::commutative) return Shape::scalar;
   if (GiNaC::is_a<GiNaC::ncmul>(e)) return shape_of(e.op(e.nops() - 1));  // of A b and of A B
   if (is_ex_the_function(e, gyroscopic) || is_ex_the_function(e, inertia_moment)) return Shape::vector;
+  const bool is_like_second =
+      is_ex_the_function(e, forward) || is_ex_the_function(e, scaled) || is_ex_the_function(e, backward);
+  if (is_like_second) return shape_of(e.op(1));
   if (GiNaC::is_a<GiNaC::function>(e)) return Shape::matrix;
   for (const ex& operand : e)  // of a sum, of a scalar times a block
     if (shape_of(operand) != Shape::scalar) return shape_of(operand);

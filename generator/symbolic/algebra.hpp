@@ -44,6 +44,16 @@ DECLARE_FUNCTION_1P(inverse)
 DECLARE_FUNCTION_2P(turn)
 // C J Cᵀ of a symmetric J, as (C, J).
 DECLARE_FUNCTION_2P(congruence)
+// C A Cᵀ of any A, as (C, A).
+DECLARE_FUNCTION_2P(similarity)
+// a bᵀ of two vectors.
+DECLARE_FUNCTION_2P(outer)
+// L D Lᵀ of a symmetric matrix, in one: 1/D on the diagonal, L below it.
+DECLARE_FUNCTION_1P(ldl)
+// L⁻¹ B, D⁻¹ B and L⁻ᵀ B as (ldl, B).
+DECLARE_FUNCTION_2P(forward)
+DECLARE_FUNCTION_2P(scaled)
+DECLARE_FUNCTION_2P(backward)
 // An expression of the scene, as (index, order): its time derivative of that order.
 DECLARE_FUNCTION_2P(expression)
 // ω̃ I ω for a symmetric I, as (I, ω): its six products of speeds are shared with ω̃ω̃.

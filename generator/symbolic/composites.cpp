@@ -34,14 +34,12 @@ Composites::Composites(Derivation& derivation, std::vector<bool> starts_anew)
   for (int k = derivation.size(); k >= 1; --k) add(k);
 }
 
-// m* = m + Σ m*_c, h = m r + Σ (m*_c d_c + h_c), J = I − m r̃ r̃ + Σ (J_c − m*_c d̃ d̃ − d̃ h̃_c − h̃_c d̃), where h_c and J_c
+// m* = m + Σ m*_c, h = h_own + Σ (m*_c d_c + h_c), J = J_own + Σ (J_c − m*_c d̃ d̃ − d̃ h̃_c − h̃_c d̃), where h_c and J_c
 // of links that turn with this one only, in its axes: a ball's ω is its own.
 void Composites::add(int k) {
   const auto at = static_cast<std::size_t>(k);
-  const Letters& link = derivation_.letters(k);
-  ex mass = link.mass;
-  ex moment = link.mass * link.r;
-  ex inertia = link.inertia - link.mass * (skew(link.r) * skew(link.r));
+  const Inertia& own = derivation_.inertia(k);
+  ex mass = own.mass, moment = own.moment, inertia = own.inertia;
   for (const int c : derivation_.mechanism().children(k)) {
     if (is_cut(c)) continue;
     const auto above = static_cast<std::size_t>(c);

@@ -21,15 +21,20 @@ ex Rates::operator()(const Atom& atom) const {
   return at < rates_.size() ? rates_[at] : ex(0);
 }
 
-Derivation::Derivation(const scene::Scene& scene, const Reductions& reductions) : equations(scene) {
-  equations.mechanism = symbolic::mechanism(scene, reductions);
+Derivation::Derivation(const scene::Scene& scene, const Way& chosen)
+    : equations(scene), way(chosen) {
+  equations.mechanism = symbolic::mechanism(scene, way.reductions);
   define_letters(*this);
+  derive_inertias(*this);
   home_ = {0};
   for (int j = 1; j <= size(); ++j) {
     const std::vector<int> above = mechanism().children(j);
     const bool carries = std::any_of(above.begin(), above.end(), [&](int c) { return letters(c).turns_with_lower; });
     const bool has_axes = !letters(j).to_body.is_equal(1);
-    home_.push_back(has_axes && (letters(j).turns_with_lower || carries) ? j : 0);
+    const bool is_free_alone =
+        is_free(j) && std::all_of(above.begin(), above.end(), [this](int c) { return is_free(c); });
+    const bool wants_axes = way.axes == Axes::body && !is_free_alone;
+    home_.push_back(has_axes && (letters(j).turns_with_lower || carries || wants_axes) ? j : 0);
   }
 }
 

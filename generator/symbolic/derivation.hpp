@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "generator/symbolic/equations.hpp"
+#include "generator/symbolic/inertias.hpp"
+#include "generator/symbolic/way.hpp"
 
 namespace kanec::symbolic {
 
@@ -27,7 +29,7 @@ using Frame = int;
 
 class Derivation {
  public:
-  Derivation(const scene::Scene& scene, const Reductions& reductions);
+  Derivation(const scene::Scene& scene, const Way& way);
 
   // Appends the quantity name_j = value and returns its letter; a value that is 0 or a letter already is returned as it
   // is. A matrix gets a letter for its transpose as well, unless it is symmetric.
@@ -42,8 +44,8 @@ class Derivation {
   int n_bodies() const { return scene::size(equations.scene); }
   // A free joint with all six of its coordinates in the state.
   bool is_free(int link) const;
-  // The axes that accelerations and forces of a link are written in: its own where a link above turns with it, else
-  // inertial.
+  // The axes that accelerations and forces of a link are written in: its own where a link above turns with it, or where
+  // the way says so; else inertial.
   Frame home(int link) const { return home_[static_cast<std::size_t>(link)]; }
   // The same vector (or the columns of a matrix) in other axes; rotations that undo each other vanish, and R_J R_Lᵀ
   // along a joint is E.
@@ -53,7 +55,11 @@ class Derivation {
   // The function of that name, to be filled.
   Function& function(const std::string& name);
 
+  const Inertia& inertia(int link) const { return inertias[static_cast<std::size_t>(link)]; }
+
   Equations equations;
+  Way way;
+  std::vector<Inertia> inertias;  // by link
   Rates partial_rates;  // of `rates` and of the names of partial velocities
   Rates rates;          // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
   std::vector<GiNaC::ex> joint_offsets;             // d, by link

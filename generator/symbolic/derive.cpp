@@ -60,8 +60,8 @@ bool needs_whole_mechanism(const std::string& function) {
   return function == "driving_loads" || function == "reactions";
 }
 
-Equations derive(const scene::Scene& scene, const std::vector<std::string>& names, const Reductions& reductions) {
-  Derivation derivation(scene, reductions);
+Equations derive(const scene::Scene& scene, const std::vector<std::string>& names, const Way& way) {
+  Derivation derivation(scene, way);
   derivation.equations.functions = chosen(functions(scene), names);
   derive_positions(derivation);
   derive_velocities(derivation);

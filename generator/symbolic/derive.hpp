@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/symbolic/equations.hpp"
+#include "generator/symbolic/way.hpp"
 
 namespace kanec::symbolic {
 
@@ -13,7 +14,7 @@ namespace kanec::symbolic {
 // `driving_loads` are of the whole mechanism: they take no merging of welds nor dropping of locks. Throws InputError
 // for an unknown name. Source of the method: the lecture note named in CONVENTIONS.md.
 Equations derive(const scene::Scene& scene, const std::vector<std::string>& functions = {},
-                 const Reductions& reductions = {});
+                 const Way& way = {});
 
 // Does this function need a mechanism in which nothing is merged or dropped?
 bool needs_whole_mechanism(const std::string& function);

@@ -22,12 +22,13 @@ bool InwardSums::passes_on(int link) const {
   return starts_anew_.empty() || !starts_anew_[static_cast<std::size_t>(link)];
 }
 
-// S = G + Σ S_c and ρ = N + r̃ G + Σ (d̃_c S_c + E_cᵀ ρ_c), the last where c turns with the link.
+// S = G + Σ S_c and ρ = N + r̃ G (r: what N is about) + Σ (d̃_c S_c + E_cᵀ ρ_c), the last where c turns with the link.
 void InwardSums::add(int k, const Balance& balance) {
   const auto at = static_cast<std::size_t>(k);
   const Letters& link = derivation_.letters(k);
   ex force = balance.force[at];
-  ex moment = balance.moment[at] + skew(link.r) * derivation_.in_axes(balance.force[at], derivation_.home(k), k);
+  ex moment = balance.moment[at] + skew(derivation_.inertia(k).reference) *
+                                   derivation_.in_axes(balance.force[at], derivation_.home(k), k);
   for (const int c : derivation_.mechanism().children(k)) {
     if (!passes_on(c)) continue;
     const Letters& above = derivation_.letters(c);

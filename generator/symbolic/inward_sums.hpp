@@ -13,7 +13,7 @@ namespace kanec::symbolic {
 // By link; [0] is not used.
 struct Balance {
   std::vector<GiNaC::ex> force;   // home axes [N]
-  std::vector<GiNaC::ex> moment;  // about the mass centre, link axes [N m]
+  std::vector<GiNaC::ex> moment;  // about the link's reference point, link axes [N m]
 };
 
 class InwardSums {

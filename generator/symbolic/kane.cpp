@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/kane.hpp"
 
+#include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/loads.hpp"
 
 namespace kanec::symbolic {
@@ -16,21 +17,46 @@ std::string component(const Coordinate& c) {
              : "";
 }
 
-// Inertia less applied force and moment of each link.
-Balance inertia_less_applied(Derivation& derivation, AccelerationChain& chain, const AppliedLoads& loads) {
+enum class Motion { as_given, at_rest };  // of ẏ
+
+// m a of a link; of a regrouped one m P̈ + U h. Home axes.
+ex inertia_force(Derivation& derivation, AccelerationChain& chain, int k) {
+  const Inertia& own = derivation.inertia(k);
+  if (!own.regrouped) return own.mass.is_zero() ? ex(0) : own.mass * chain.centre(k);
+  ex force = own.mass * chain.origin(k);
+  if (!own.moment.is_zero()) force += derivation.in_axes(chain.spin(k) * own.moment, k, derivation.home(k));
+  return force;
+}
+
+// I ω̇ + ω̃ I ω, of which U holds all products, about the reference point: of a regrouped link also h × P̈. Link axes. Of
+// a ball at rest ω̇ = 0, of others it is what the speeds leave.
+ex inertia_moment_of(Derivation& derivation, const AccelerationChain& chain, int k, Motion motion) {
+  const Letters& link = derivation.letters(k);
+  const Inertia& own = derivation.inertia(k);
+  const ex& inertia = own.regrouped ? own.inertia : link.inertia;
+  const bool is_steady = motion == Motion::at_rest && !link.turns_with_lower;
+  ex moment = 0;
+  if (!inertia.is_zero() && !chain.spin(k).is_zero())
+    moment = is_steady ? gyroscopic(inertia, link.omega) : inertia_moment(chain.spin(k), inertia);
+  if (own.regrouped && !own.moment.is_zero())
+    moment += skew(own.moment) * derivation.in_axes(chain.origin(k), derivation.home(k), k);
+  return moment;
+}
+
+// Inertia less applied force and moment of each link; by sign −1 applied less inertia.
+Balance balance_of(Derivation& derivation, AccelerationChain& chain, const AppliedLoads& loads, Motion motion) {
   Balance balance{{ex(0)}, {ex(0)}};
+  const int sign = motion == Motion::at_rest ? -1 : 1;
+  const std::string of = motion == Motion::at_rest ? "applied less inertia " : "inertia less applied ";
   for (int k = 1; k <= derivation.size(); ++k) {
-    const Letters& link = derivation.letters(k);
     const auto at = static_cast<std::size_t>(k);
-    const ex centre = link.mass.is_zero() ? ex(0) : chain.centre(k);
-    balance.force.push_back(derivation.define(
-        "G", "G", k, Pass::outward, link.mass * centre - loads.force[at],
-        derivation.home(k) == 0 ? "force balance, inertial axes [N]" : "force balance, body axes [N]"));
-    // I ω̇ + ω̃ I ω, of which U_K holds all products
-    const ex inertia =
-        link.inertia.is_zero() || chain.spin(k).is_zero() ? ex(0) : inertia_moment(chain.spin(k), link.inertia);
-    balance.moment.push_back(derivation.define("N", "N", k, Pass::outward, inertia - loads.moment[at],
-                                               "moment balance about the mass centre, body axes [N m]"));
+    const std::string axes = derivation.home(k) == 0 ? "inertial axes [N]" : "body axes [N]";
+    const std::string about = derivation.inertia(k).regrouped ? "the body origin" : "the mass centre";
+    const ex force = sign * (inertia_force(derivation, chain, k) - loads.force[at]);
+    balance.force.push_back(derivation.define("G", "G", k, Pass::outward, force, of + "force, " + axes));
+    const ex moment = sign * (inertia_moment_of(derivation, chain, k, motion) - loads.moment[at]);
+    balance.moment.push_back(derivation.define("N", "N", k, Pass::outward, factored(moment),
+                                               of + "moment about " + about + ", body axes [N m]"));
   }
   return balance;
 }
@@ -43,7 +69,7 @@ struct Residual {
 Residual residual(Derivation& derivation) {
   AccelerationChain chain = derive_acceleration_chain(derivation, derivation.rates);
   AppliedLoads loads = applied_loads(derivation);
-  const Balance balance = inertia_less_applied(derivation, chain, loads);
+  const Balance balance = balance_of(derivation, chain, loads, Motion::as_given);
   return {InwardSums(derivation, balance, "r"), std::move(loads)};
 }
 
@@ -117,25 +143,7 @@ Rates rates_at_rest(const Derivation& derivation) {
 }
 
 Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain) {
-  const AppliedLoads loads = applied_loads(derivation);
-  Balance balance{{ex(0)}, {ex(0)}};
-  for (int k = 1; k <= derivation.size(); ++k) {
-    const Letters& link = derivation.letters(k);
-    const auto at = static_cast<std::size_t>(k);
-    const ex centre = link.mass.is_zero() ? ex(0) : chain.centre(k);
-    balance.force.push_back(derivation.define("G", "G", k, Pass::outward, loads.force[at] - link.mass * centre,
-                                              derivation.home(k) == 0
-                                                  ? "applied less inertia force at ydot = 0, inertial axes [N]"
-                                                  : "applied less inertia force at ydot = 0, body axes [N]"));
-    // of a ball ω̇ = 0 here, of others it is what the speeds leave
-    ex inertia = 0;
-    if (!link.inertia.is_zero() && !link.omega.is_zero())
-      inertia =
-          link.turns_with_lower ? inertia_moment(chain.spin(k), link.inertia) : gyroscopic(link.inertia, link.omega);
-    balance.moment.push_back(derivation.define("N", "N", k, Pass::outward, loads.moment[at] - inertia,
-                                               "applied less inertia moment at ydot = 0, body axes [N m]"));
-  }
-  return balance;
+  return balance_of(derivation, chain, applied_loads(derivation), Motion::at_rest);
 }
 
 void derive_forcing(Derivation& derivation) {

@@ -188,6 +188,31 @@ class Definition {
     set_rotation_rates(l.to_inertial, l.to_body, l.omega);
     add_quantity(l.to_inertial, rotation(l.e, l.eps4), j,
                  "R takes inertial components to body components; e = (eps_1, eps_2, eps_3)");
+    const bool is_free = link.freedoms.size() == 2 && link.freedoms.back().kind == Freedom::Kind::translation;
+    if (derivation_.way.axes == Axes::body && !is_free && !letters(link.lower).to_body.is_equal(1)) add_relative(j);
+  }
+
+  // C_K = R_K R_Lᵀ of a ball, through the product of the two sets of Euler parameters where the lower body has some: R
+  // itself is then needed by nothing but what acts in inertial axes.
+  void add_relative(int j) {
+    const Letters& lower = letters(equations_.mechanism.link(j).lower);
+    Letters& l = letters(j);
+    ex transposed, plain;
+    pair_of_attitude(j, "C", "C", transposed, plain);
+    ex value = lower.to_body * l.to_inertial;
+    if (!lower.e.is_zero()) {
+      const ex e = derivation_.define("erel", "e'", j, Pass::outward,
+                                      lower.eps4 * l.e - l.eps4 * lower.e - skew(lower.e) * l.e,
+                                      "Euler parameters relative to the lower body");
+      const ex eps4 = derivation_.define("eps4rel", "\\varepsilon_4'", j, Pass::outward,
+                                         lower.eps4 * l.eps4 + dot(lower.e, l.e), "");
+      value = rotation(e, eps4);
+    }
+    add_quantity(transposed, value, j, "C takes components in the lower body to those in the body");
+    derivation_.rates.set(transposed, transposed * skew(l.omega) - skew(lower.omega) * transposed);
+    derivation_.rates.set(plain, plain * skew(lower.omega) - skew(l.omega) * plain);
+    equations_.joint_rotations.add(lower.to_body, l.to_inertial, transposed);
+    equations_.joint_rotations.add(l.to_body, lower.to_inertial, plain);
   }
 
   void set_rotation_rates(const ex& transposed, const ex& plain, const ex& omega) {

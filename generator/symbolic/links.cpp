@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace kanec::symbolic {
@@ -23,6 +24,32 @@ double snapped(long double value) {
 }
 
 bool is_along_axis(const Axis& a) { return (a[0] != 0) + (a[1] != 0) + (a[2] != 0) == 1; }
+
+// Of a rotation that only exchanges axes, and turns them round: which component becomes component i.
+std::optional<std::size_t> source_of(const Rotation& a, std::size_t i) {
+  std::optional<std::size_t> source;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (a[i][j] == 1 || a[i][j] == -1) source = j;
+    if (a[i][j] != 0 && a[i][j] != 1 && a[i][j] != -1) return std::nullopt;
+  }
+  return source;
+}
+
+// Takes what is along a coordinate axis out of an offset.
+Offset taken_along(const Axis& axis, Offset& offset) {
+  Offset along;
+  const std::size_t i = axis[0] != 0 ? 0 : axis[1] != 0 ? 1 : 2;
+  for (OffsetTerm& term : offset) {
+    const auto j = source_of(term.orientation, i);
+    if (!j || term.numbers[*j].is_zero()) continue;
+    OffsetTerm moved{term.orientation, {}};
+    std::swap(moved.numbers[*j], term.numbers[*j]);
+    along.push_back(moved);
+  }
+  offset.erase(std::remove_if(offset.begin(), offset.end(), [](const OffsetTerm& t) { return is_zero(t.numbers); }),
+               offset.end());
+  return along;
+}
 
 scene::Vector constants(const Axis& axis, double factor) {
   return {scene::Number::constant(axis[0] * factor), scene::Number::constant(axis[1] * factor),
@@ -119,6 +146,15 @@ class Builder {
     add_chain(link, std::move(slides), turns, joint, constant);
   }
 
+  // The origin of a link may be anywhere on its axis: where its offset has nothing along it. What follows is then that
+  // much further along.
+  Offset taken_along_axis(Link& link) const {
+    if (!reductions_.place_origins || link.freedoms.empty() || link.freedoms[0].kind != Freedom::Kind::turn) return {};
+    const bool is_by_three = link.freedoms.back().kind == Freedom::Kind::translation;
+    return is_by_three || !is_along_axis(link.freedoms[0].axis) ? Offset{}
+                                                                : taken_along(link.freedoms[0].axis, link.offset);
+  }
+
   // One link a turn; the first slides. Where its axis is one of the lower link's, a link has axes parallel to these at
   // zero angle: the joint is then a plane rotation, and what is constant turns the numbers of the body once. Else the
   // last link has the body's axes.
@@ -126,6 +162,7 @@ class Builder {
                  const Rotation& constant) {
     const std::string suffix = std::to_string(link.body);
     const std::size_t n = turns.size();
+    Offset along;
     for (std::size_t i = 0; i < std::max<std::size_t>(n, 1); ++i) {
       const bool is_last = i + 1 >= n;
       link.suffix = is_last ? suffix : suffix + std::string(1, static_cast<char>('a' + i));
@@ -135,12 +172,14 @@ class Builder {
       link.freedoms.insert(link.freedoms.end(), slides.begin(), slides.end());
       link.pitch = n > 0 && turns[i].coordinate == 0 ? joint.pitch : 0.0;
       slides.clear();
+      along = taken_along_axis(link);
       if (is_last) continue;
       mechanism_.links.push_back(link);
       link.lower = mechanism_.size();
-      link.offset.clear();
+      link.offset = along;
     }
     push(link, scene::no_rotation);
+    mechanism_.bodies.back().offset = along;
     const bool is_plane = link.turning == Link::Turning::fixed || is_along_axis(link.freedoms.front().axis);
     if (!is_plane) mechanism_.links.back().zero = constant;
     mechanism_.bodies.back().orientation = is_plane ? constant : scene::no_rotation;

@@ -13,6 +13,10 @@ namespace kanec::symbolic {
 struct Reductions {
   bool merge_welds = true;  // bodies that do not move against each other become one link
   bool drop_locks = true;   // a locked coordinate is a constant of the geometry, not a coordinate with a constant value
+  bool place_origins = true;  // origins moved along the axes of turns, so that offsets have zeros
+  bool regroup = true;     // what a joint cannot feel of a link's mass and inertia belongs to the lower link
+
+  bool operator==(const Reductions&) const = default;
 };
 
 // A constant vector: Σ orientation · numbers.

@@ -293,8 +293,8 @@ void apply(Derivation& derivation, const Action& action, AppliedLoads& sums) {
   if (action.force.is_zero()) return;
   sums.force[at] += derivation.in_axes(action.force, action.frame, derivation.home(link));
   const ex lever =
-      derivation.define("lever", "c", link, Pass::outward, sum(expanded(action.place.at - derivation.letters(link).r)),
-                        "from the mass centre to where a force acts, link axes [m]");
+      derivation.define("lever", "c", link, Pass::outward, sum(expanded(action.place.at - derivation.inertia(link).reference)),
+                        "from the reference point to where a force acts, link axes [m]");
   if (!lever.is_zero()) sums.moment[at] += skew(lever) * derivation.in_axes(action.force, action.frame, link);
 }
 

@@ -11,7 +11,7 @@ namespace kanec::symbolic {
 // Sums over the loads.
 struct AppliedLoads {
   std::vector<GiNaC::ex> force;                // on each link, home axes [N]
-  std::vector<GiNaC::ex> moment;               // about its mass centre, link axes [N m]
+  std::vector<GiNaC::ex> moment;               // about its reference point, link axes [N m]
   std::vector<std::vector<GiNaC::ex>> effort;  // along each coordinate of each link [N], [N m]
   std::vector<GiNaC::ex>
       through_joint;  // part of `force`: of each link's own joint along a translation by three, home axes [N]

@@ -80,8 +80,13 @@ class Notation {
       return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
     if (is_ex_the_function(e, turn))
       return (latex_ ? "\\mathrm{Rot}(" : "Rot(") + argument(0) + ", " + argument(1) + ")";
-    if (is_ex_the_function(e, congruence))
-      return argument(0) + " " + argument(1) + " " + of(table_.of(e.op(0)).transpose);
+    if (is_ex_the_function(e, congruence) || is_ex_the_function(e, similarity))
+      return argument(0) + " " + grouped(e.op(1)) + " " + of(table_.of(e.op(0)).transpose);
+    if (is_ex_the_function(e, outer)) return grouped(e.op(0)) + " " + argument(1) + "^T";
+    if (is_ex_the_function(e, ldl)) return factors_of(argument(0));
+    if (is_ex_the_function(e, forward)) return solved("L", "-1", e);
+    if (is_ex_the_function(e, scaled)) return solved("D", "-1", e);
+    if (is_ex_the_function(e, backward)) return solved("L", "-T", e);
     if (is_ex_the_function(e, expression)) return expression_of(e);
     if (is_ex_the_function(e, rotation)) {
       // Rᵀ = 1 + 2 ẽ (ε4 + ẽ)
@@ -90,6 +95,17 @@ class Notation {
     // inertia_moment(U, I), J = tr(I)/2 - I
     const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + argument(1) + ")" : "tr(" + argument(1) + ")/2";
     return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " (" + trace + " - " + argument(1) + "))";
+  }
+
+  // "L D L^T of J3"
+  std::string factors_of(const std::string& matrix) const {
+    return latex_ ? "(L, D)(" + matrix + ")" : "L D L^T of " + matrix;
+  }
+
+  // L⁻¹ b with the L that stands in the first argument: "(L of LD3)^-1 b".
+  std::string solved(const std::string& part, const std::string& power, const ex& e) const {
+    const std::string base = part + "(" + of(e.op(0)) + ")";
+    return base + "^" + (latex_ ? "{" + power + "}" : power) + " " + grouped(e.op(1));
   }
 
   static std::string expression_of(const ex& e) {

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-#define KANEC_ABI_VERSION 2u
+#define KANEC_ABI_VERSION 3u
 
 /* One evaluation. Every emitted function has this shape; arguments that it does not read may be null.
    The results of a combined function stand one after another in out.
@@ -54,6 +54,63 @@ typedef struct kanec_model {
 /* The one symbol that a compiled model exports. */
 typedef const kanec_model* (*kanec_entry)(void);
 #define KANEC_ENTRY "kanec_model_entry"
+
+/* Many states at once, in double or in float (kanec_batch: scalar_size). They stand in blocks of `stride` states: of an
+   argument with n entries, entry i of state j is a[(j / stride * n + i) * stride + j % stride]. Two cases of this:
+   stride >= number of states: entry i of state j at a[i * stride + j], one array an entry;
+   stride = lanes: what is computed at once stands together; faster, and copied not at all where aligned to its size.
+   A stride below the number of states is a multiple of the lanes. */
+typedef struct kanec_states {
+  int64_t begin, end; /* states to evaluate: begin <= j < end; begin a multiple of the lanes */
+  int64_t stride;
+  const void* prepared; /* what prepare() filled: one group a `lanes` states, or one for all */
+  const void* t;        /* (number of states), or one for all; whatever the stride */
+  const void *x, *y, *ydot;
+  const void* u;                                  /* as x, or (n_inputs) for all */
+  int32_t one_parameters, one_time, one_inputs; /* not 0: for all states */
+  void* scratch;                                /* scratch_size bytes; each thread its own */
+} kanec_states;
+
+/* kanec_evaluate for each of these states; out as x, states before begin and from end on not written. */
+typedef void (*kanec_evaluate_batch)(const kanec_states* states, void* out);
+
+/* One group of scenarios, as many as there are lanes, each from its own state with its own parameters and inputs. All
+   arrays are of the batch's scalar, entry i of lane l at [i * lanes + l], aligned. */
+typedef struct kanec_group {
+  double begin, end;    /* time [s], in `steps` equal steps */
+  int64_t steps;        /* at least 1 */
+  const void* prepared; /* of this group */
+  const void* u;        /* (n_inputs) */
+  void* z;              /* (size): x, y, and the work of the loads where the rates have their power; replaced */
+  void* norm_error;     /* (1): worst | |eps| - 1 | of a step's end before projection; raised */
+  void* finite_until;   /* (1): end of the last step after which all of z was finite; replaced where one was */
+} kanec_group;
+
+/* The classical Runge-Kutta method on a group; Euler parameters are projected to unit norm after every step. */
+typedef struct kanec_rk4 {
+  int32_t size; /* nx + ny, or one more */
+  void (*steps)(const kanec_group* group);
+} kanec_rk4;
+
+/* The same functions compiled for lanes: a library of its own. */
+typedef struct kanec_batch {
+  uint32_t abi_version;     /* KANEC_ABI_VERSION */
+  uint32_t struct_size;     /* sizeof(kanec_batch) */
+  const kanec_model* model; /* names, sizes, operations; its prepare and evaluate are null */
+  int32_t lanes;            /* states that are computed at once */
+  int32_t scalar_size;      /* sizeof(double) or sizeof(float) */
+  size_t prepared_size;     /* bytes of a group of prepared parameters */
+  size_t alignment;         /* of prepared parameters and scratch */
+  size_t scratch_size; /* bytes, at least 1 */
+  /* Parameters of states begin .. end - 1 as x stands; begin a multiple of the lanes. A last group that is not full, and
+     so a single state, has its last state's in all further lanes. */
+  void (*prepare)(int64_t begin, int64_t end, int64_t stride, const void* parameters, void* prepared);
+  const kanec_evaluate_batch* evaluate; /* (model->n_functions), in their order */
+  const kanec_rk4* rk4; /* null where the model was emitted without kinematics+accelerations(+power), in this order */
+} kanec_batch;
+
+typedef const kanec_batch* (*kanec_batch_entry)(void);
+#define KANEC_BATCH_ENTRY "kanec_model_batch"
 
 #ifdef __cplusplus
 }

@@ -51,6 +51,9 @@ std::string reduction_document(const scene::Scene& scene, const std::vector<std:
   return json ? json_text(reductions_json(scene.name, list)) : reductions_text(scene.name, list);
 }
 
+// The tables of the source: origins where the scene has them.
+constexpr symbolic::Reductions as_typed = {.place_origins = false, .regroup = false};
+
 std::string document(const symbolic::Equations& equations, const std::string& format) {
   if (format == "json") return json_text(tables_json(equations));
   return format == "latex" ? emit::latex_document(equations) : emit::text_document(equations);
@@ -64,7 +67,7 @@ int derive(const Options& options) {
   std::optional<AtomicFile> file;
   if (!options.output.empty()) file.emplace(options.output);
   const std::string text = options.reduction ? reduction_document(scene, options.functions, format == "json")
-                                             : document(symbolic::derive(scene), format);
+                                             : document(symbolic::derive(scene, {}, {as_typed}), format);
   if (file) {
     file->write(text);
     file->commit();

@@ -48,6 +48,7 @@ const std::map<std::string, emit::Optimize> goals = {{"speed", emit::Optimize::s
 struct Options {
   SceneArgument scene;
   std::vector<std::string> functions;
+  std::optional<symbolic::Algorithm> algorithm;
   std::string output;
   std::string stage;
   std::string optimize = "speed";
@@ -168,7 +169,7 @@ int generate_files(const Options& options) {
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions, goals.at(options.optimize)});
+  const Generated generated = generate(scene, {functions, options.algorithm, goals.at(options.optimize)});
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -185,14 +186,14 @@ void add_generate(CLI::App& app, Action& action) {
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
+  add_algorithm(*command, options->algorithm);
   command
       ->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
   command
       ->add_option("--optimize", options->optimize,
-                   "loops over bodies: where they are no slower (speed, the default), where they take less code "
-                   "(size), never (line), "
-                   "always (loops)")
+                   "loops over bodies: where they are no slower (speed, the default), where they take less code (size), "
+                   "never (line), always (loops)")
       ->option_text("speed|size|line|loops")
       ->check(CLI::IsMember({"speed", "size", "line", "loops"}));
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");

@@ -5,9 +5,11 @@
 
 #include <sstream>
 
+#include "generator/candidates.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
+#include "runtime/lanes/files.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -29,10 +31,44 @@ compile::Source source_of(const Generated& generated, const scene::Scene& scene)
           main};
 }
 
+compile::Source batch_source_of(const Generated& generated, const scene::Scene& scene, const LaneArguments& lanes) {
+  compile::Source source = source_of(generated, scene);
+  source.main = generated.name + "_batch.cpp";
+  source.files = lane_files();
+  source.files.push_back({generated.name + ".hpp", generated.header});
+  source.files.push_back({source.main, generated.batch});
+  source.flags = lane_flags(lanes.scalar, lanes.lanes);
+  source.is_batch = true;
+  return source;
+}
+
+// `source` makes what is to be compiled of what was generated.
+template <class SourceOf>
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
+                    const BuildArguments& arguments, const std::string& what, SourceOf source) {
+  const Interrupts interrupts;
+  Generated generated = generate(scene, {functions, arguments.algorithm});
+  interrupts.poll();
+  compile::Model library = [&] {
+    try {
+      return compile::build(source(generated), compile_options(arguments));
+    } catch (const BuildError&) {
+      interrupts.poll();  // a compiler that the same Ctrl-C ended
+      throw;
+    }
+  }();
+  interrupts.poll();
+  for (const std::string& note : library.notes()) remark("note: " + note);
+  remark(library.from_cache() ? what + ": from the cache"
+                              : fmt::format("{}: compiled in {:.2g} s", what, library.compile_seconds()));
+  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
+}
+
 }  // namespace
 
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
+  add_algorithm(command, arguments.algorithm);
   command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++")
       ->option_text("PROGRAM")
       ->group(group);
@@ -54,22 +90,29 @@ compile::Options compile_options(const BuildArguments& arguments) {
 
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments) {
-  const Interrupts interrupts;
-  Generated generated = generate(scene, {functions});
-  interrupts.poll();
-  compile::Model library = [&] {
-    try {
-      return compile::build(source_of(generated, scene), compile_options(arguments));
-    } catch (const BuildError&) {
-      interrupts.poll();  // a compiler that the same Ctrl-C ended
-      throw;
-    }
-  }();
-  interrupts.poll();
-  for (const std::string& note : library.notes()) remark("note: " + note);
-  remark(library.from_cache() ? scene.name + ": from the cache"
-                              : fmt::format("{}: compiled in {:.2g} s", scene.name, library.compile_seconds()));
-  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
+  return build(scene, functions, arguments, scene.name,
+               [&](const Generated& generated) { return source_of(generated, scene); });
+}
+
+CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
+                          const BuildArguments& arguments, const LaneArguments& lanes) {
+  return build(scene, functions, arguments, scene.name + " in lanes",
+               [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
+}
+
+void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm) {
+  using symbolic::Algorithm;
+  const auto set = [&algorithm](const std::string& text) {
+    algorithm.reset();
+    for (const Algorithm known : {Algorithm::composite, Algorithm::articulated})
+      if (text == name(known)) algorithm = known;
+  };
+  command
+      .add_option_function<std::string>("--algorithm", set,
+                                        "of accelerations: A by composite bodies and L D L^T, or joint by joint (auto: "
+                                        "whichever takes fewer operations)")
+      ->check(CLI::IsMember(std::vector<std::string>{"auto", name(Algorithm::composite), name(Algorithm::articulated)}))
+      ->option_text("auto|composite|articulated");
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {

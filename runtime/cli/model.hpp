@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace kanec::cli {
 
 struct BuildArguments {
+  std::optional<symbolic::Algorithm> algorithm;  // none: the cheapest
   std::string compiler;
   std::string flags;
   bool flags_given = false;
@@ -33,7 +35,18 @@ struct CompiledModel {
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments);
 
+// The same for lanes (runtime/abi/batch_solver.hpp), a library of its own: its `library.batch()` is for BatchSolver.
+// scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
+struct LaneArguments {
+  std::string scalar = "double";
+  int lanes = 0;
+};
+CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
+                          const BuildArguments& arguments, const LaneArguments& lanes = {});
+
 // --functions a,b+c
+// --algorithm of accelerations.
+void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm);
 void add_functions(CLI::App& command, std::vector<std::string>& functions);
 
 }  // namespace kanec::cli

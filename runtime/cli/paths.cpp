@@ -35,10 +35,19 @@ const program::Function& find(const program::Program& program, const std::string
 
 }  // namespace
 
+std::vector<double> read_parameters(const kanec_model& model, const scene::Scene& scene,
+                                    const std::vector<double>& values) {
+  return kept(model.parameter_names, model.n_parameters, scene.parameters, values);
+}
+
+std::vector<double> read_inputs(const kanec_model& model, const scene::Scene& scene, const std::vector<double>& values) {
+  return kept(model.input_names, model.n_inputs, scene.inputs, values);
+}
+
 Solver solver_of(const kanec_model& model, const scene::Scene& scene, const State& state) {
   Solver solver(model);
-  solver.set_parameters(kept(model.parameter_names, model.n_parameters, scene.parameters, state.parameters));
-  solver.set_inputs(kept(model.input_names, model.n_inputs, scene.inputs, state.inputs));
+  solver.set_parameters(read_parameters(model, scene, state.parameters));
+  solver.set_inputs(read_inputs(model, scene, state.inputs));
   return solver;
 }
 

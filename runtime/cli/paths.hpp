@@ -13,6 +13,11 @@
 
 namespace kanec::cli {
 
+// Of the scene's parameters and inputs, in the scene's order, those that the compiled code kept, in its order.
+std::vector<double> read_parameters(const kanec_model& model, const scene::Scene& scene,
+                                    const std::vector<double>& values);
+std::vector<double> read_inputs(const kanec_model& model, const scene::Scene& scene, const std::vector<double>& values);
+
 // A solver of the scene's model with these parameters and inputs: those that the compiled code kept, found by name.
 Solver solver_of(const kanec_model& model, const scene::Scene& scene, const State& state);
 

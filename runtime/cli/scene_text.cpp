@@ -27,6 +27,7 @@ class Writer {
     for (const scene::Load& load : scene_.loads) write(load);
     for (const scene::Point& point : scene_.points) write(point);
     write(scene_.simulation);
+    write(scene_.ensemble);
     return text_;
   }
 
@@ -127,6 +128,15 @@ class Writer {
                          toml_real(run.duration), toml_real(run.output_step), run.integrator, toml_real(run.step));
     text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\n", toml_real(run.relative_tolerance),
                          toml_real(run.absolute_tolerance));
+  }
+
+  void write(const scene::Ensemble& ensemble) {
+    if (ensemble.count == 0) return;
+    text_ += fmt::format("\n[ensemble]\ncount = {}\nseed = {}\n", ensemble.count, ensemble.seed);
+    for (const scene::Draw& draw : ensemble.draws)
+      text_ += fmt::format("{} = {{{} = [{}, {}]}}\n", draw.name,
+                           draw.kind == scene::Draw::Kind::uniform ? "uniform" : "normal", toml_real(draw.a),
+                           toml_real(draw.b));
   }
 
   const scene::Scene& scene_;

@@ -9,6 +9,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/conservation.hpp"
+#include "runtime/cli/ensemble.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
@@ -33,7 +34,14 @@ step; the summary says how far they were off before. Energy change minus work, a
 momenta too, would be zero if there were no errors. Prescribed coordinates do work that no function of the model adds
 up: with them that difference is their work, and energy is no check. The CSV has a column a coordinate, speed and energy,
 with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
-error. --final leaves the last state as `kanec eval --input` takes it.)";
+error. --final leaves the last state as `kanec eval --input` takes it.
+
+Many runs at once: --ensemble takes a CSV file whose columns are named as coordinates, speeds, parameters or inputs (others
+stay as the scene has them), a line a scenario; or draws them as the scene's [ensemble] says
+  kanec simulate models/cart_pole --ensemble runs.csv --integrator rk4 --csv ends.csv
+With rk4 the scenarios run side by side in the processor's vector registers, which is the fastest by far; with every other
+integrator one in each thread. Results do not depend on the number of threads. --csv then has a line a scenario, its end
+or with --keep-every its rows; a scenario that stops early has its last finite row there, and the summary tells of it.)";
 
 struct Options {
   SceneArgument scene;
@@ -41,6 +49,7 @@ struct Options {
   std::vector<std::string> settings;
   std::optional<double> duration, output_step, step, relative_tolerance, absolute_tolerance;
   std::optional<std::string> integrator;
+  EnsembleArguments ensemble;
   std::string csv, plot, final_state;
   bool json = false;
 };
@@ -79,17 +88,21 @@ integrate::Options integration(const scene::Simulation& run) {
 }
 
 bool takes_standard_output(const Options& options) {
-  return is_standard_output(options.csv) || is_standard_output(options.plot) || is_standard_output(options.final_state);
+  return is_standard_output(options.csv) || is_standard_output(options.plot) ||
+         is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
 void refuse_same_file(const Options& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
-  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state};
-  for (int i = 0; i < 3; ++i)
+  const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
+  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state, &options.ensemble.drawn,
+                                      &read};
+  for (int i = 0; i < 5; ++i)
     for (int j = 0; j < i; ++j)
       if (!files[i]->empty() && *files[i] == *files[j])
-        throw InputError("--csv, --plot, --final: found '" + *files[i] + "' twice; allowed: a file each");
+        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + *files[i] +
+                         "' twice; allowed: a file each");
 }
 
 // What the run leaves behind; each file is opened before the run and appears after it.
@@ -146,10 +159,19 @@ State final_state(const scene::Scene& scene, const integrate::Summary& summary, 
   return {duration, summary.x, summary.y, {}, default_parameters(scene), default_inputs(scene)};
 }
 
+int simulate_many(const Options& options, const scene::Scene& scene, const integrate::Options& run) {
+  refuse_same_file(options);
+  if (!options.plot.empty() || !options.final_state.empty())
+    throw InputError("--plot, --final: found beside --ensemble; allowed: --csv, which has every scenario's end");
+  return simulate_ensemble({scene, run, options.ensemble, options.build, options.csv, options.json});
+}
+
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
   const integrate::Options run = integration(simulation_of(scene, options));
+  if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
+  options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;
   Products products(options, scene);
   const CompiledModel model = build(scene, needed_functions(scene), options.build);
@@ -195,6 +217,7 @@ void add_simulate(CLI::App& app, Action& action) {
   add_settings(*command, options->settings);
   command->add_flag("--json", options->json, "summary for machines, with the state at the end");
   add_files(*command, *options);
+  add_ensemble(*command, options->ensemble);
   add_build(*command, options->build);
 }
 

@@ -34,6 +34,7 @@ Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 const kanec_model& Model::abi() const { return state_->library.model(); }
+const kanec_batch& Model::batch() const { return state_->library.batch(); }
 bool Model::from_cache() const { return state_->from_cache; }
 double Model::compile_seconds() const { return state_->seconds; }
 const fs::path& Model::library() const { return state_->path; }
@@ -69,7 +70,9 @@ void check_names(const Source& source) {
 
 Job plan(const Source& source, const Options& options) {
   check_names(source);
-  Job job{source, find_compiler(options.compiler), options.flags_given ? options.flags : default_flags(), {}};
+  Job job{source, find_compiler(options.compiler), source.flags, {}};
+  const std::vector<std::string> chosen = options.flags_given ? options.flags : default_flags();
+  job.flags.insert(job.flags.end(), chosen.begin(), chosen.end());
   job.place = Cache::place(source.name, cache_key(source, job.compiler, job.flags));
   return job;
 }

@@ -33,7 +33,8 @@ class Model {
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
 
-  const kanec_model& abi() const;
+  const kanec_model& abi() const;                 // of a batch: names and sizes, no functions
+  const kanec_batch& batch() const;               // InternalError unless the source is a batch
   bool from_cache() const;                        // nothing was compiled
   double compile_seconds() const;                 // wall time of the compiler [s], 0 from the cache
   const std::filesystem::path& library() const;   // a file, as long as this object

@@ -33,7 +33,25 @@ void check(const kanec_model& model, const Source& expected) {
   if (hash != expected.hash) fail(expected, "hash is " + hash + ", expected " + expected.hash);
   require_equal(expected, "nx", model.nx, expected.nx);
   require_equal(expected, "ny", model.ny, expected.ny);
-  if (model.prepare == nullptr || model.functions == nullptr) fail(expected, "descriptor without functions");
+  if (model.functions == nullptr) fail(expected, "descriptor without functions");
+  if (model.prepare == nullptr && !expected.is_batch) fail(expected, "descriptor without functions");
+}
+
+void check(const kanec_batch& batch, const Source& expected) {
+  require_equal(expected, "ABI version", batch.abi_version, KANEC_ABI_VERSION);
+  require_equal(expected, "batch descriptor size", batch.struct_size, static_cast<std::uint32_t>(sizeof(kanec_batch)));
+  if (batch.model == nullptr || batch.prepare == nullptr || batch.evaluate == nullptr)
+    fail(expected, "batch descriptor without functions");
+}
+
+// What the library's one exported function returns.
+template <class Entry>
+auto descriptor(void* library, const char* name, const Source& expected) {
+  const auto entry = reinterpret_cast<Entry>(::dlsym(library, name));
+  if (entry == nullptr) fail(expected, last_error());
+  const auto* found = entry();
+  if (found == nullptr) fail(expected, "no descriptor");
+  return found;
 }
 
 }  // namespace
@@ -41,13 +59,19 @@ void check(const kanec_model& model, const Source& expected) {
 void Library::Close::operator()(void* handle) const { ::dlclose(handle); }
 
 Library::Library(const std::filesystem::path& path, const Source& expected)
-    : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)), model_(nullptr) {
+    : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (!handle_) fail(expected, last_error());
-  const auto entry = reinterpret_cast<kanec_entry>(::dlsym(handle_.get(), KANEC_ENTRY));
-  if (entry == nullptr) fail(expected, last_error());
-  model_ = entry();
-  if (model_ == nullptr) fail(expected, "no descriptor");
+  if (expected.is_batch) {
+    batch_ = descriptor<kanec_batch_entry>(handle_.get(), KANEC_BATCH_ENTRY, expected);
+    check(*batch_, expected);
+  }
+  model_ = batch_ != nullptr ? batch_->model : descriptor<kanec_entry>(handle_.get(), KANEC_ENTRY, expected);
   check(*model_, expected);
+}
+
+const kanec_batch& Library::batch() const {
+  if (batch_ == nullptr) throw InternalError("a compiled model is asked for a batch that its source does not have");
+  return *batch_;
 }
 
 }  // namespace kanec::compile

@@ -12,17 +12,19 @@ namespace kanec::compile {
 
 class Library {
  public:
-  // Loads the file and checks its descriptor: ABI version and size, hash, nx, ny. Throws LoadError. The file must be
+  // Loads the file and checks its descriptors: ABI version and size, hash, nx, ny. Throws LoadError. The file must be
   // whole: a truncated one may kill the process.
   Library(const std::filesystem::path& path, const Source& expected);
   const kanec_model& model() const { return *model_; }
+  const kanec_batch& batch() const;  // InternalError where there is none
 
  private:
   struct Close {
     void operator()(void* handle) const;
   };
   std::unique_ptr<void, Close> handle_;
-  const kanec_model* model_;
+  const kanec_model* model_ = nullptr;
+  const kanec_batch* batch_ = nullptr;
 };
 
 }  // namespace kanec::compile

@@ -16,7 +16,9 @@ struct Source {
   // File name and text: the emitted header, and what instantiates it for double and exports the descriptor. They
   // include each other by bare name; abi.h is put beside them.
   std::vector<std::pair<std::string, std::string>> files;
-  std::string main;  // the file to compile
+  std::string main;                     // the file to compile
+  std::vector<std::string> flags = {};  // before those of Options, which may overrule them
+  bool is_batch = false;                // exports a kanec_batch, else a kanec_model
 };
 
 }  // namespace kanec::compile

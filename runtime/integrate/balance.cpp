@@ -27,7 +27,7 @@ std::optional<Energy> Balance::add(double t, const double* x, const double* y, d
     std::array<double, 2> out{};
     solver_->evaluate(*energy_, t, x, y, nullptr, out.data());
     energy = Energy{out[0], out[1]};
-    add_energy(*energy, work);
+    watch_.add(*energy, work);
   }
   if (momentum_) {
     std::array<double, 6> out{};
@@ -39,10 +39,11 @@ std::optional<Energy> Balance::add(double t, const double* x, const double* y, d
   return energy;
 }
 
-void Balance::add_energy(const Energy& energy, double work) {
+void EnergyWatch::add(const Energy& energy, double work) {
   if (first_) {
     balance_.start = energy;
     lowest_potential_ = highest_potential_ = energy.potential;
+    first_ = false;
   }
   balance_.end = energy;
   balance_.work = work;
@@ -55,7 +56,10 @@ void Balance::add_energy(const Energy& energy, double work) {
 }
 
 std::optional<EnergyBalance> Balance::energy() const {
-  if (!energy_) return std::nullopt;
+  return energy_ ? std::optional(watch_.balance()) : std::nullopt;
+}
+
+EnergyBalance EnergyWatch::balance() const {
   EnergyBalance balance = balance_;
   balance.at_end.scale = largest_kinetic_ + (highest_potential_ - lowest_potential_) + largest_work_;
   balance.worst.scale = balance.at_end.scale;

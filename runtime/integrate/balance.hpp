@@ -38,6 +38,18 @@ struct MomentumChange {
   Deviation worst;   // the same over all rows
 };
 
+// The same for the energies of one run, row by row.
+class EnergyWatch {
+ public:
+  void add(const Energy& energy, double work);
+  EnergyBalance balance() const;
+
+ private:
+  bool first_ = true;
+  EnergyBalance balance_;
+  double largest_kinetic_ = 0.0, largest_work_ = 0.0, lowest_potential_ = 0.0, highest_potential_ = 0.0;
+};
+
 class Balance {
  public:
   explicit Balance(const Solver& solver)
@@ -52,13 +64,10 @@ class Balance {
   std::optional<MomentumChange> angular_momentum() const { return momentum_ ? std::optional(angular_) : std::nullopt; }
 
  private:
-  void add_energy(const Energy& energy, double work);
-
   const Solver* solver_;
   const kanec_function *energy_, *momentum_;
   bool first_ = true;
-  EnergyBalance balance_;
-  double largest_kinetic_ = 0.0, largest_work_ = 0.0, lowest_potential_ = 0.0, highest_potential_ = 0.0;
+  EnergyWatch watch_;
   MomentumChange linear_, angular_;
 };
 

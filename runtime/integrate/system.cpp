@@ -37,6 +37,12 @@ std::vector<int> first_indices(const kanec_model& model) {
   return list;
 }
 
+std::string component_name(const kanec_model& model, int index) {
+  if (index < model.nx) return model.coordinate_names[index];
+  if (index < model.nx + model.ny) return model.speed_names[index - model.nx];
+  return "work of the applied loads";
+}
+
 void require_size(const char* what, std::size_t found, int allowed) {
   if (found != static_cast<std::size_t>(allowed))
     throw InputError(std::string("initial ") + what + ": found " + std::to_string(found) +
@@ -81,29 +87,30 @@ bool System::rates(double t, const double* z, double* zdot) noexcept {
   return false;
 }
 
-std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y) const {
-  require_size("coordinates", x.size(), nx_);
-  require_size("speeds", y.size(), ny_);
+std::vector<double> state_at_start(const kanec_model& model, std::span<const double> x, std::span<const double> y) {
+  require_size("coordinates", x.size(), model.nx);
+  require_size("speeds", y.size(), model.ny);
   std::vector<double> z(x.begin(), x.end());
   z.insert(z.end(), y.begin(), y.end());
-  z.resize(static_cast<std::size_t>(size_), 0.0);
+  const std::vector<int> attitudes = first_indices(model);
   if (const int index = first_not_finite(z); index >= 0)
-    throw InputError("initial state: " + component(index) + ": found " + shortest(z[static_cast<std::size_t>(index)]) +
-                     "; allowed: a finite number");
-  for (const int at : attitudes_)
+    throw InputError("initial state: " + component_name(model, index) + ": found " +
+                     shortest(z[static_cast<std::size_t>(index)]) + "; allowed: a finite number");
+  for (const int at : attitudes)
     if (const double error = std::fabs(norm(&z[static_cast<std::size_t>(at)]) - 1.0); !(error <= 1e-6))
-      throw InputError("initial state: " + component(at) + " to _4: Euler parameters are " + shortest(error) +
-                       " from unit norm; allowed: at most 1e-6");
-  normalise(z.data(), attitudes_);
+      throw InputError("initial state: " + component_name(model, at) + " to _4: Euler parameters are " +
+                       shortest(error) + " from unit norm; allowed: at most 1e-6");
+  normalise(z.data(), attitudes);
   return z;
 }
 
-std::string System::component(int index) const {
-  const kanec_model& model = solver_->model();
-  if (index < nx_) return model.coordinate_names[index];
-  if (index < nx_ + ny_) return model.speed_names[index - nx_];
-  return "work of the applied loads";
+std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y) const {
+  std::vector<double> z = state_at_start(solver_->model(), x, y);
+  z.resize(static_cast<std::size_t>(size_), 0.0);
+  return z;
 }
+
+std::string System::component(int index) const { return component_name(solver_->model(), index); }
 
 void System::throw_fault() const {
   if (!fault_) throw InternalError("no rate was found that is not finite");

@@ -32,8 +32,7 @@ class System {
   bool rates(double t, const double* z, double* zdot) noexcept;
   std::int64_t evaluations() const { return evaluations_; }
 
-  // z at the start: x, y and no work. Euler parameters are brought to unit norm to the last bit. Throws InputError for
-  // wrong sizes, numbers that are not finite, and Euler parameters further than 1e-6 from unit norm.
+  // z at the start: state_at_start() and no work.
   std::vector<double> initial_state(std::span<const double> x, std::span<const double> y) const;
 
   // "omega_3_2" for a component of z.
@@ -65,6 +64,10 @@ class System {
   std::int64_t evaluations_ = 0;
   std::optional<Fault> fault_;
 };
+
+// (x, y) of a model at the start. Euler parameters are brought to unit norm to the last bit. Throws InputError for
+// wrong sizes, numbers that are not finite, and Euler parameters further than 1e-6 from unit norm.
+std::vector<double> state_at_start(const kanec_model& model, std::span<const double> x, std::span<const double> y);
 
 // The first entry that is NaN or infinite, or -1.
 int first_not_finite(std::span<const double> values) noexcept;

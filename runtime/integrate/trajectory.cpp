@@ -14,13 +14,6 @@ std::string column(const std::string& name) {
   return "," + name + (unit.empty() ? "" : "[" + unit + "]");
 }
 
-std::string header(const StateNames& names, bool has_energy) {
-  std::string line = "t[s]";
-  for (const std::string& name : names.coordinates) line += column(name);
-  for (const std::string& name : names.speeds) line += column(name);
-  return line + (has_energy ? ",kinetic[J],potential[J]" : "") + ",work[J]\n";
-}
-
 void append(std::string& line, double value) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -29,19 +22,18 @@ void append(std::string& line, double value) {
 
 }  // namespace
 
-Trajectory::Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy)
-    : file_(path), has_energy_(has_energy), n_state_(names.coordinates.size() + names.speeds.size()) {
-  file_.write(header(names, has_energy));
+std::string csv_header(const StateNames& names, bool has_energy) {
+  std::string line = "t[s]";
+  for (const std::string& name : names.coordinates) line += column(name);
+  for (const std::string& name : names.speeds) line += column(name);
+  return line + (has_energy ? ",kinetic[J],potential[J]" : "") + ",work[J]";
 }
 
-void Trajectory::add(const Row& row) {
-  if (row.energy.has_value() != has_energy_) throw InternalError("a row whose energy does not fit the header");
-  if (row.x.size() + row.y.size() != n_state_) throw InternalError("a row whose state does not fit the header");
-  line_.clear();
-  append(line_, row.t);
-  const auto next = [this](double value) {
-    line_ += ',';
-    append(line_, value);
+void append_csv(std::string& line, const Row& row) {
+  append(line, row.t);
+  const auto next = [&line](double value) {
+    line += ',';
+    append(line, value);
   };
   for (const double value : row.x) next(value);
   for (const double value : row.y) next(value);
@@ -50,6 +42,18 @@ void Trajectory::add(const Row& row) {
     next(row.energy->potential);
   }
   next(row.work);
+}
+
+Trajectory::Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy)
+    : file_(path), has_energy_(has_energy), n_state_(names.coordinates.size() + names.speeds.size()) {
+  file_.write(csv_header(names, has_energy) + "\n");
+}
+
+void Trajectory::add(const Row& row) {
+  if (row.energy.has_value() != has_energy_) throw InternalError("a row whose energy does not fit the header");
+  if (row.x.size() + row.y.size() != n_state_) throw InternalError("a row whose state does not fit the header");
+  line_.clear();
+  append_csv(line_, row);
   line_ += '\n';
   file_.write(line_);
 }

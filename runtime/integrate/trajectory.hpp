@@ -15,6 +15,10 @@
 
 namespace kanec::integrate {
 
+// The header line and a row's line, without their ends.
+std::string csv_header(const StateNames& names, bool has_energy);
+void append_csv(std::string& line, const Row& row);
+
 // The file stands under its name after finish() only; every failure is a FileError and leaves nothing behind.
 class Trajectory {
  public:

@@ -141,6 +141,11 @@ r = [0.0, 0.0, 0.4]
 [simulate]
 duration = 2.5
 integrator = "cvode"
+[ensemble]
+count = 12
+seed = 3
+omega_1_1 = {uniform = [-1.5, 2.5]}
+sdot_1_1 = {normal = [0.5, 0.1]}
 )toml";
 
 void expect_same(const scene::Number& found, const scene::Number& expected, const Scene& a, const Scene& b) {
@@ -228,6 +233,13 @@ TEST(SceneText, reads_back_as_the_same_scene) {
   EXPECT_EQ(found.points[0].name, "tip");
   EXPECT_EQ(found.points[0].r, expected.points[0].r);
   EXPECT_EQ(found.simulation.integrator, "cvode");
+  EXPECT_EQ(found.ensemble.count, 12);
+  EXPECT_EQ(found.ensemble.seed, 3);
+  ASSERT_EQ(found.ensemble.draws.size(), 2u);
+  EXPECT_EQ(found.ensemble.draws[1].name, "sdot_1_1");
+  EXPECT_EQ(found.ensemble.draws[1].kind, scene::Draw::Kind::normal);
+  EXPECT_EQ(found.ensemble.draws[0].a, -1.5);
+  EXPECT_EQ(found.ensemble.draws[0].b, 2.5);
   EXPECT_TRUE(found.notes.empty());
 }
 

@@ -86,7 +86,8 @@ Generated every_node_model(const scene::Scene& scene, int repetitions) {
   program.names = {{"a", "unread", "b"}, coordinate_names(scene), speed_names(scene), speed_rate_names(scene),
                    {"idle", "drive"}};
   const emit::Model model{&scene, "0", "0123456789abcdef", "all functions", "models/every_node.toml"};
-  return {program, scene.name, model.hash, emit::emit_header(model, program), emit::emit_abi(model, program)};
+  return {program, scene.name, model.hash, emit::emit_header(model, program), emit::emit_abi(model, program),
+          emit::emit_batch(model, program)};
 }
 
 }  // namespace kanec::test

@@ -46,10 +46,10 @@ struct Benchmark {
 };
 
 TEST(Counts, of_the_benchmark_trees_of_other_joints) {
-  for (const Benchmark& most : {Benchmark{"s6b", 4278, 1265, 1200, 1080},
-                               {"s6r", 1777, 878, 817, 527},
-                               {"cr7", 1759, 870, 828, 701},
-                               {"cb6", 5400, 1272, 1208, 1605}}) {
+  for (const Benchmark& most : {Benchmark{"s6b", 2385, 1174, 1087, 1004},
+                               {"s6r", 1515, 778, 712, 366},
+                               {"cr7", 1341, 707, 672, 439},
+                               {"cb6", 2354, 1105, 1031, 1227}}) {
     const scene::Scene scene = read_reference(KANEC_SOURCE_DIR "/tests/data/reference_" + std::string(most.name) + ".json").scene;
     const program::Program program = program_of(scene);
     EXPECT_LE(operations(program, "accelerations"), most.accelerations) << most.name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/lower/sample.hpp"
 
-#include "generator/program/passes.hpp"
+#include "generator/candidates.hpp"
 #include "generator/requests.hpp"
 
 namespace kanec::test {
@@ -11,7 +11,7 @@ Sample sample_of(const scene::Scene& scene, Random& random) {
 }
 
 program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& functions) {
-  return program::optimized(kanec::program_of(scene, requested_functions(scene, functions)));
+  return cheapest_program(scene, requested_functions(scene, functions));
 }
 
 std::vector<long double> generic_result(const Sample& s, const std::string& function,

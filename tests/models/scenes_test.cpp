@@ -45,15 +45,16 @@ Sample at_start(const scene::Scene& scene) {
 }
 
 // Some thousand roundings of 1.1e-16 a result, enlarged by sums that cancel along chains and, for the accelerations, by
-// mass matrices with condition numbers of up to 1e5.
+// mass matrices with condition numbers of up to 1e5; of chains of 64 of up to 1e7.
 TEST_P(Shipped, functions_agree_with_the_generic_path) {
   const scene::Scene scene = shipped_scene(GetParam());
   const Model model(scene, functions_of(scene));
+  const double tolerance = scene::size(scene) > 32 ? 1e-9 : 1e-11;
   Random random(31);
   for (const Sample& s : {at_start(scene), sample_of(scene, random), sample_of(scene, random)}) {
     const program::Arguments<double> at = arguments<double>(s);
     for (const program::Function& function : model.program().functions)
-      EXPECT_LT(relative_difference(model(function.name, at), generic_result(s, function.name, widened(at))), 1e-11)
+      EXPECT_LT(relative_difference(model(function.name, at), generic_result(s, function.name, widened(at))), tolerance)
           << function.name;
   }
 }

@@ -53,6 +53,7 @@ TEST(Names, that_the_emitted_code_uses_are_refused) {
 
 TEST(Names, that_are_namespaces_of_kanec_are_refused_for_scenes_alone) {
   EXPECT_EQ(message(scene_named("lower")), "f:1: name: found \"lower\", a namespace of kanec; allowed: another name");
+  EXPECT_EQ(message(scene_named("lanes")), "f:1: name: found \"lanes\", a namespace of kanec; allowed: another name");
   EXPECT_EQ(message(one_body("name = 'lower'")), "no error");
 }
 

@@ -191,9 +191,11 @@ TEST(Tables, blocks_of_a_and_f_of_two_bodies) {
                                                            {"m_sub1", "m1 + m2"}}));
   EXPECT_THAT(all[11].rows, UnorderedElementsAreArray(Rows{{"d2", "q2 + s2"},
                                                            {"Pddot1", "-g"},
-                                                           {"a1", "R1^T omega1~ omega1~ r1 + Pddot1"},
+                                                           {"U1", "omega1~ omega1~"},
+                                                           {"U2", "omega2~ omega2~"},
+                                                           {"a1", "R1^T U1 r1 + Pddot1"},
                                                            {"Pddot2", "R1^T omega1~ (omega1~ d2 + 2 sdot2) + Pddot1"},
-                                                           {"a2", "R2^T omega2~ omega2~ r2 + Pddot2"},
+                                                           {"a2", "R2^T U2 r2 + Pddot2"},
                                                            {"G1", "-m1 a1 + F1"},
                                                            {"N1", "-omega1~ I1 omega1 + M1"},
                                                            {"G2", "-m2 a2 + F2"},

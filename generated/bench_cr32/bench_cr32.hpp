@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// chain_32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
+// bench_cr32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model b9452705d5979174 of chain_32/scene.toml; functions kinematics poses energy power accelerations residual
+// model a33f0b63bab063eb of bench_cr32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -53,23 +53,21 @@
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
-//   poses                   1484 (726 add, 758 multiply, 64 sine or cosine)
 //   energy                  3656 (1589 add, 2067 multiply, 64 sine or cosine)
-//   power                   63 (31 add, 32 multiply)
 //   accelerations           30652 (14546 add, 16075 multiply, 31 divide, 64 sine or cosine)
 //   residual                4641 (2305 add, 2336 multiply, 64 sine or cosine)
 #pragma once
 
 #include <cmath>
 
-namespace kanec::chain_32 {
+namespace kanec::bench_cr32 {
 
 inline constexpr int n_bodies = 32;
 inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "b9452705d5979174";
+inline constexpr char model_hash[] = "a33f0b63bab063eb";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -211,1211 +209,6 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T*
   xdot[29] = thetadot30;
   xdot[30] = thetadot31;
   xdot[31] = thetadot32;
-}
-
-// poses: attitude R and mass centre p of each body.
-// R (3 x 3) and p (3) [m] of body 1, of body 2, ... (n_bodies * 12)
-// 726 add, 758 multiply, 64 sine or cosine
-template <class T>
-void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
-
-  // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
-  // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
-  pose[0] = E1_11;
-  pose[8] = E1_11;
-  pose[20] = E1_11;
-  pose[2] = -minus_E1_13;
-  pose[6] = minus_E1_13;
-  pose[18] = minus_E1_13;
-  // p1 = E1^T r1: position of the mass centre, inertial axes [m]
-  const T t1_1 = E1_11 * T(0.1);
-  const T t1_2 = minus_E1_13 * T(0.05);
-  const T p1_1 = t1_1 + t1_2;
-  const T t1_3 = E1_11 * T(0.05);
-  const T t1_4 = minus_E1_13 * T(0.1);
-  const T p1_3 = t1_3 - t1_4;
-  pose[9] = p1_1;
-  pose[11] = p1_3;
-
-  // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
-  // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
-  pose[16] = E2_11;
-  pose[13] = E2_12;
-  pose[25] = E2_12;
-  // R2^T = E1^T E2^T: R takes inertial components to body components
-  const T R2_11 = E1_11 * E2_11;
-  const T minus_R2_13 = minus_E1_13 * E2_11;
-  const T minus_R2_21 = E1_11 * E2_12;
-  const T R2_23 = minus_E1_13 * E2_12;
-  pose[12] = R2_11;
-  pose[24] = R2_11;
-  pose[14] = -minus_R2_13;
-  pose[26] = -minus_R2_13;
-  pose[15] = -minus_R2_21;
-  pose[17] = R2_23;
-  // P2 = E1^T q2: position of the body origin, inertial axes [m]
-  const T P2_1 = E1_11 * T(0.3) + t1_4;
-  const T P2_3 = t1_1 - minus_E1_13 * T(0.3);
-  // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T t2_1 = R2_11 * T(0.1);
-  const T p2_1 = t2_1 - minus_R2_21 * T(0.2) + t1_2 + P2_1;
-  const T t2_2 = E2_12 * T(0.1);
-  const T p2_2 = t2_2 + E2_11 * T(0.2) + T(0.1);
-  const T t2_3 = minus_R2_13 * T(0.1);
-  const T p2_3 = R2_23 * T(0.2) - t2_3 + t1_3 + P2_3;
-  pose[21] = p2_1;
-  pose[22] = p2_2;
-  pose[23] = p2_3;
-
-  // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
-  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
-  // R3^T = R2^T E3^T: R takes inertial components to body components
-  const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
-  const T R3_22 = E2_11 * E3_22;
-  const T R3_23 = R2_23 * E3_22 + E1_11 * E3_23;
-  const T R3_31 = minus_R2_21 * E3_23 + minus_E1_13 * E3_22;
-  const T minus_R3_32 = E2_11 * E3_23;
-  const T R3_33 = E1_11 * E3_22 - R2_23 * E3_23;
-  pose[27] = R3_21;
-  pose[39] = R3_21;
-  pose[28] = R3_22;
-  pose[40] = R3_22;
-  pose[29] = R3_23;
-  pose[41] = R3_23;
-  pose[30] = R3_31;
-  pose[31] = -minus_R3_32;
-  pose[32] = R3_33;
-  // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T t3_1 = R2_11 * T(0.3);
-  const T P3_1 = t3_1 - minus_R2_21 * T(0.15) + t1_4 + P2_1;
-  const T t3_2 = E2_12 * T(0.3);
-  const T P3_2 = t3_2 + E2_11 * T(0.15) + T(0.1);
-  const T t3_3 = minus_R2_13 * T(0.3);
-  const T P3_3 = R2_23 * T(0.15) - t3_3 + t1_1 + P2_3;
-  // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T t3_4 = R3_21 * T(0.2);
-  const T t3_5 = t3_4 + P3_1;
-  const T p3_1 = t2_1 + t3_5 + R3_31 * T(0.05);
-  const T t3_6 = R3_22 * T(0.2);
-  const T t3_7 = t3_6 + P3_2;
-  const T p3_2 = t2_2 + t3_7 - minus_R3_32 * T(0.05);
-  const T t3_8 = R3_23 * T(0.2);
-  const T t3_9 = t3_8 + P3_3;
-  const T p3_3 = t3_9 - t2_3 + R3_33 * T(0.05);
-  pose[33] = p3_1;
-  pose[34] = p3_2;
-  pose[35] = p3_3;
-
-  // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
-  // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
-  const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
-  const T minus_R4_13 = minus_R2_13 * E4_11 + R3_33 * minus_E4_13;
-  const T R4_31 = R2_11 * minus_E4_13 + R3_31 * E4_11;
-  const T R4_32 = E2_12 * minus_E4_13 - minus_R3_32 * E4_11;
-  const T R4_33 = R3_33 * E4_11 - minus_R2_13 * minus_E4_13;
-  pose[36] = R4_11;
-  pose[37] = R4_12;
-  pose[38] = -minus_R4_13;
-  pose[42] = R4_31;
-  pose[54] = R4_31;
-  pose[43] = R4_32;
-  pose[55] = R4_32;
-  pose[44] = R4_33;
-  pose[56] = R4_33;
-  // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = t3_1 + t3_5 + R3_31 * T(0.1);
-  const T P4_2 = t3_2 + t3_7 - minus_R3_32 * T(0.1);
-  const T P4_3 = t3_9 - t3_3 + R3_33 * T(0.1);
-  // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T t4_1 = R4_31 * T(0.05);
-  const T p4_1 = R4_11 * T(0.1) + t3_4 + t4_1 + P4_1;
-  const T t4_2 = R4_32 * T(0.05);
-  const T p4_2 = R4_12 * T(0.1) + t3_6 + t4_2 + P4_2;
-  const T t4_3 = R4_33 * T(0.05);
-  const T p4_3 = t3_8 - minus_R4_13 * T(0.1) + t4_3 + P4_3;
-  pose[45] = p4_1;
-  pose[46] = p4_2;
-  pose[47] = p4_3;
-
-  // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
-  // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
-  // R5^T = R4^T E5^T: R takes inertial components to body components
-  const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
-  const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
-  const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
-  const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
-  const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
-  pose[48] = R5_11;
-  pose[60] = R5_11;
-  pose[49] = R5_12;
-  pose[61] = R5_12;
-  pose[50] = R5_13;
-  pose[62] = R5_13;
-  pose[51] = R5_21;
-  pose[52] = R5_22;
-  pose[53] = R5_23;
-  // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T t5_1 = R4_31 * T(0.1);
-  const T P5_1 = R4_11 * T(0.3) + R3_21 * T(0.25) + t5_1 + P4_1;
-  const T t5_2 = R4_32 * T(0.1);
-  const T P5_2 = R4_12 * T(0.3) + R3_22 * T(0.25) + t5_2 + P4_2;
-  const T t5_3 = R4_33 * T(0.1);
-  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_3 + P4_3;
-  // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T t5_4 = R5_11 * T(0.1);
-  const T p5_1 = t5_4 + R5_21 * T(0.2) + t4_1 + P5_1;
-  const T t5_5 = R5_12 * T(0.1);
-  const T p5_2 = t5_5 + R5_22 * T(0.2) + t4_2 + P5_2;
-  const T t5_6 = R5_13 * T(0.1);
-  const T p5_3 = t5_6 + R5_23 * T(0.2) + t4_3 + P5_3;
-  pose[57] = p5_1;
-  pose[58] = p5_2;
-  pose[59] = p5_3;
-
-  // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
-  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
-  // R6^T = R5^T E6^T: R takes inertial components to body components
-  const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
-  const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
-  const T R6_23 = R5_23 * E6_22 + R4_33 * E6_23;
-  const T R6_31 = R4_31 * E6_22 - R5_21 * E6_23;
-  const T R6_32 = R4_32 * E6_22 - R5_22 * E6_23;
-  const T R6_33 = R4_33 * E6_22 - R5_23 * E6_23;
-  pose[63] = R6_21;
-  pose[75] = R6_21;
-  pose[64] = R6_22;
-  pose[76] = R6_22;
-  pose[65] = R6_23;
-  pose[77] = R6_23;
-  pose[66] = R6_31;
-  pose[67] = R6_32;
-  pose[68] = R6_33;
-  // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T t6_1 = R5_11 * T(0.3);
-  const T P6_1 = t6_1 + R5_21 * T(0.3) + t5_1 + P5_1;
-  const T t6_2 = R5_12 * T(0.3);
-  const T P6_2 = t6_2 + R5_22 * T(0.3) + t5_2 + P5_2;
-  const T t6_3 = R5_13 * T(0.3);
-  const T P6_3 = t6_3 + R5_23 * T(0.3) + t5_3 + P5_3;
-  // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T t6_4 = R6_21 * T(0.2);
-  const T p6_1 = t5_4 + t6_4 + R6_31 * T(0.05) + P6_1;
-  const T t6_5 = R6_22 * T(0.2);
-  const T p6_2 = t5_5 + t6_5 + R6_32 * T(0.05) + P6_2;
-  const T t6_6 = R6_23 * T(0.2);
-  const T p6_3 = t5_6 + t6_6 + R6_33 * T(0.05) + P6_3;
-  pose[69] = p6_1;
-  pose[70] = p6_2;
-  pose[71] = p6_3;
-
-  // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
-  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
-  // R7^T = R6^T E7^T: R takes inertial components to body components
-  const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
-  const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
-  const T R7_13 = R5_13 * E7_11 - R6_33 * minus_E7_13;
-  const T R7_31 = R5_11 * minus_E7_13 + R6_31 * E7_11;
-  const T R7_32 = R5_12 * minus_E7_13 + R6_32 * E7_11;
-  const T R7_33 = R5_13 * minus_E7_13 + R6_33 * E7_11;
-  pose[72] = R7_11;
-  pose[73] = R7_12;
-  pose[74] = R7_13;
-  pose[78] = R7_31;
-  pose[90] = R7_31;
-  pose[79] = R7_32;
-  pose[91] = R7_32;
-  pose[80] = R7_33;
-  pose[92] = R7_33;
-  // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = t6_1 + R6_21 * T(0.35) + R6_31 * T(0.1) + P6_1;
-  const T P7_2 = t6_2 + R6_22 * T(0.35) + R6_32 * T(0.1) + P6_2;
-  const T P7_3 = t6_3 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
-  // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T t7_1 = R7_31 * T(0.05);
-  const T p7_1 = R7_11 * T(0.1) + t6_4 + t7_1 + P7_1;
-  const T t7_2 = R7_32 * T(0.05);
-  const T p7_2 = R7_12 * T(0.1) + t6_5 + t7_2 + P7_2;
-  const T t7_3 = R7_33 * T(0.05);
-  const T p7_3 = R7_13 * T(0.1) + t6_6 + t7_3 + P7_3;
-  pose[81] = p7_1;
-  pose[82] = p7_2;
-  pose[83] = p7_3;
-
-  // ---- body 8 (body_8) on body 7
-  const T theta8 = x[7];
-  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_12 = sin(theta8);
-  // R8^T = R7^T E8^T: R takes inertial components to body components
-  const T R8_11 = R7_11 * E8_11 + R6_21 * E8_12;
-  const T R8_12 = R7_12 * E8_11 + R6_22 * E8_12;
-  const T R8_13 = R7_13 * E8_11 + R6_23 * E8_12;
-  const T R8_21 = R6_21 * E8_11 - R7_11 * E8_12;
-  const T R8_22 = R6_22 * E8_11 - R7_12 * E8_12;
-  const T R8_23 = R6_23 * E8_11 - R7_13 * E8_12;
-  pose[84] = R8_11;
-  pose[96] = R8_11;
-  pose[85] = R8_12;
-  pose[97] = R8_12;
-  pose[86] = R8_13;
-  pose[98] = R8_13;
-  pose[87] = R8_21;
-  pose[88] = R8_22;
-  pose[89] = R8_23;
-  // P8 = R7^T q8 + P7: position of the body origin, inertial axes [m]
-  const T t8_1 = R7_31 * T(0.1);
-  const T P8_1 = R7_11 * T(0.3) + R6_21 * T(0.4) + t8_1 + P7_1;
-  const T t8_2 = R7_32 * T(0.1);
-  const T P8_2 = R7_12 * T(0.3) + R6_22 * T(0.4) + t8_2 + P7_2;
-  const T t8_3 = R7_33 * T(0.1);
-  const T P8_3 = R7_13 * T(0.3) + R6_23 * T(0.4) + t8_3 + P7_3;
-  // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T t8_4 = R8_11 * T(0.1);
-  const T p8_1 = t8_4 + R8_21 * T(0.2) + t7_1 + P8_1;
-  const T t8_5 = R8_12 * T(0.1);
-  const T p8_2 = t8_5 + R8_22 * T(0.2) + t7_2 + P8_2;
-  const T t8_6 = R8_13 * T(0.1);
-  const T p8_3 = t8_6 + R8_23 * T(0.2) + t7_3 + P8_3;
-  pose[93] = p8_1;
-  pose[94] = p8_2;
-  pose[95] = p8_3;
-
-  // ---- body 9 (body_9) on body 8
-  const T theta9 = x[8];
-  // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_22 = cos(theta9);
-  const T E9_23 = sin(theta9);
-  // R9^T = R8^T E9^T: R takes inertial components to body components
-  const T R9_21 = R8_21 * E9_22 + R7_31 * E9_23;
-  const T R9_22 = R8_22 * E9_22 + R7_32 * E9_23;
-  const T R9_23 = R8_23 * E9_22 + R7_33 * E9_23;
-  const T R9_31 = R7_31 * E9_22 - R8_21 * E9_23;
-  const T R9_32 = R7_32 * E9_22 - R8_22 * E9_23;
-  const T R9_33 = R7_33 * E9_22 - R8_23 * E9_23;
-  pose[99] = R9_21;
-  pose[111] = R9_21;
-  pose[100] = R9_22;
-  pose[112] = R9_22;
-  pose[101] = R9_23;
-  pose[113] = R9_23;
-  pose[102] = R9_31;
-  pose[103] = R9_32;
-  pose[104] = R9_33;
-  // P9 = R8^T q9 + P8: position of the body origin, inertial axes [m]
-  const T t9_1 = R8_11 * T(0.3);
-  const T P9_1 = t9_1 + R8_21 * T(0.45) + t8_1 + P8_1;
-  const T t9_2 = R8_12 * T(0.3);
-  const T P9_2 = t9_2 + R8_22 * T(0.45) + t8_2 + P8_2;
-  const T t9_3 = R8_13 * T(0.3);
-  const T P9_3 = t9_3 + R8_23 * T(0.45) + t8_3 + P8_3;
-  // p9 = R9^T r9 + P9: position of the mass centre, inertial axes [m]
-  const T t9_4 = R9_21 * T(0.2);
-  const T p9_1 = t8_4 + t9_4 + R9_31 * T(0.05) + P9_1;
-  const T t9_5 = R9_22 * T(0.2);
-  const T p9_2 = t8_5 + t9_5 + R9_32 * T(0.05) + P9_2;
-  const T t9_6 = R9_23 * T(0.2);
-  const T p9_3 = t8_6 + t9_6 + R9_33 * T(0.05) + P9_3;
-  pose[105] = p9_1;
-  pose[106] = p9_2;
-  pose[107] = p9_3;
-
-  // ---- body 10 (body_10) on body 9
-  const T theta10 = x[9];
-  // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_11 = cos(theta10);
-  const T minus_E10_13 = sin(theta10);
-  // R10^T = R9^T E10^T: R takes inertial components to body components
-  const T R10_11 = R8_11 * E10_11 - R9_31 * minus_E10_13;
-  const T R10_12 = R8_12 * E10_11 - R9_32 * minus_E10_13;
-  const T R10_13 = R8_13 * E10_11 - R9_33 * minus_E10_13;
-  const T R10_31 = R8_11 * minus_E10_13 + R9_31 * E10_11;
-  const T R10_32 = R8_12 * minus_E10_13 + R9_32 * E10_11;
-  const T R10_33 = R8_13 * minus_E10_13 + R9_33 * E10_11;
-  pose[108] = R10_11;
-  pose[109] = R10_12;
-  pose[110] = R10_13;
-  pose[114] = R10_31;
-  pose[126] = R10_31;
-  pose[115] = R10_32;
-  pose[127] = R10_32;
-  pose[116] = R10_33;
-  pose[128] = R10_33;
-  // P10 = R9^T q10 + P9: position of the body origin, inertial axes [m]
-  const T P10_1 = t9_1 + R9_21 * T(0.5) + R9_31 * T(0.1) + P9_1;
-  const T P10_2 = t9_2 + R9_22 * T(0.5) + R9_32 * T(0.1) + P9_2;
-  const T P10_3 = t9_3 + R9_23 * T(0.5) + R9_33 * T(0.1) + P9_3;
-  // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T t10_1 = R10_31 * T(0.05);
-  const T p10_1 = R10_11 * T(0.1) + t9_4 + t10_1 + P10_1;
-  const T t10_2 = R10_32 * T(0.05);
-  const T p10_2 = R10_12 * T(0.1) + t9_5 + t10_2 + P10_2;
-  const T t10_3 = R10_33 * T(0.05);
-  const T p10_3 = R10_13 * T(0.1) + t9_6 + t10_3 + P10_3;
-  pose[117] = p10_1;
-  pose[118] = p10_2;
-  pose[119] = p10_3;
-
-  // ---- body 11 (body_11) on body 10
-  const T theta11 = x[10];
-  // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_12 = sin(theta11);
-  // R11^T = R10^T E11^T: R takes inertial components to body components
-  const T R11_11 = R10_11 * E11_11 + R9_21 * E11_12;
-  const T R11_12 = R10_12 * E11_11 + R9_22 * E11_12;
-  const T R11_13 = R10_13 * E11_11 + R9_23 * E11_12;
-  const T R11_21 = R9_21 * E11_11 - R10_11 * E11_12;
-  const T R11_22 = R9_22 * E11_11 - R10_12 * E11_12;
-  const T R11_23 = R9_23 * E11_11 - R10_13 * E11_12;
-  pose[120] = R11_11;
-  pose[132] = R11_11;
-  pose[121] = R11_12;
-  pose[133] = R11_12;
-  pose[122] = R11_13;
-  pose[134] = R11_13;
-  pose[123] = R11_21;
-  pose[124] = R11_22;
-  pose[125] = R11_23;
-  // P11 = R10^T q11 + P10: position of the body origin, inertial axes [m]
-  const T t11_1 = R10_31 * T(0.1);
-  const T P11_1 = R10_11 * T(0.3) + R9_21 * T(0.55) + t11_1 + P10_1;
-  const T t11_2 = R10_32 * T(0.1);
-  const T P11_2 = R10_12 * T(0.3) + R9_22 * T(0.55) + t11_2 + P10_2;
-  const T t11_3 = R10_33 * T(0.1);
-  const T P11_3 = R10_13 * T(0.3) + R9_23 * T(0.55) + t11_3 + P10_3;
-  // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T t11_4 = R11_11 * T(0.1);
-  const T p11_1 = t11_4 + R11_21 * T(0.2) + t10_1 + P11_1;
-  const T t11_5 = R11_12 * T(0.1);
-  const T p11_2 = t11_5 + R11_22 * T(0.2) + t10_2 + P11_2;
-  const T t11_6 = R11_13 * T(0.1);
-  const T p11_3 = t11_6 + R11_23 * T(0.2) + t10_3 + P11_3;
-  pose[129] = p11_1;
-  pose[130] = p11_2;
-  pose[131] = p11_3;
-
-  // ---- body 12 (body_12) on body 11
-  const T theta12 = x[11];
-  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_22 = cos(theta12);
-  const T E12_23 = sin(theta12);
-  // R12^T = R11^T E12^T: R takes inertial components to body components
-  const T R12_21 = R11_21 * E12_22 + R10_31 * E12_23;
-  const T R12_22 = R11_22 * E12_22 + R10_32 * E12_23;
-  const T R12_23 = R11_23 * E12_22 + R10_33 * E12_23;
-  const T R12_31 = R10_31 * E12_22 - R11_21 * E12_23;
-  const T R12_32 = R10_32 * E12_22 - R11_22 * E12_23;
-  const T R12_33 = R10_33 * E12_22 - R11_23 * E12_23;
-  pose[135] = R12_21;
-  pose[147] = R12_21;
-  pose[136] = R12_22;
-  pose[148] = R12_22;
-  pose[137] = R12_23;
-  pose[149] = R12_23;
-  pose[138] = R12_31;
-  pose[139] = R12_32;
-  pose[140] = R12_33;
-  // P12 = R11^T q12 + P11: position of the body origin, inertial axes [m]
-  const T t12_1 = R11_11 * T(0.3);
-  const T P12_1 = t12_1 + R11_21 * T(0.6) + t11_1 + P11_1;
-  const T t12_2 = R11_12 * T(0.3);
-  const T P12_2 = t12_2 + R11_22 * T(0.6) + t11_2 + P11_2;
-  const T t12_3 = R11_13 * T(0.3);
-  const T P12_3 = t12_3 + R11_23 * T(0.6) + t11_3 + P11_3;
-  // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T t12_4 = R12_21 * T(0.2);
-  const T p12_1 = t11_4 + t12_4 + R12_31 * T(0.05) + P12_1;
-  const T t12_5 = R12_22 * T(0.2);
-  const T p12_2 = t11_5 + t12_5 + R12_32 * T(0.05) + P12_2;
-  const T t12_6 = R12_23 * T(0.2);
-  const T p12_3 = t11_6 + t12_6 + R12_33 * T(0.05) + P12_3;
-  pose[141] = p12_1;
-  pose[142] = p12_2;
-  pose[143] = p12_3;
-
-  // ---- body 13 (body_13) on body 12
-  const T theta13 = x[12];
-  // E13^T = Rot(b13, theta13): E takes components in the lower body to those in the body
-  const T E13_11 = cos(theta13);
-  const T minus_E13_13 = sin(theta13);
-  // R13^T = R12^T E13^T: R takes inertial components to body components
-  const T R13_11 = R11_11 * E13_11 - R12_31 * minus_E13_13;
-  const T R13_12 = R11_12 * E13_11 - R12_32 * minus_E13_13;
-  const T R13_13 = R11_13 * E13_11 - R12_33 * minus_E13_13;
-  const T R13_31 = R11_11 * minus_E13_13 + R12_31 * E13_11;
-  const T R13_32 = R11_12 * minus_E13_13 + R12_32 * E13_11;
-  const T R13_33 = R11_13 * minus_E13_13 + R12_33 * E13_11;
-  pose[144] = R13_11;
-  pose[145] = R13_12;
-  pose[146] = R13_13;
-  pose[150] = R13_31;
-  pose[162] = R13_31;
-  pose[151] = R13_32;
-  pose[163] = R13_32;
-  pose[152] = R13_33;
-  pose[164] = R13_33;
-  // P13 = R12^T q13 + P12: position of the body origin, inertial axes [m]
-  const T P13_1 = t12_1 + R12_21 * T(0.65) + R12_31 * T(0.1) + P12_1;
-  const T P13_2 = t12_2 + R12_22 * T(0.65) + R12_32 * T(0.1) + P12_2;
-  const T P13_3 = t12_3 + R12_23 * T(0.65) + R12_33 * T(0.1) + P12_3;
-  // p13 = R13^T r13 + P13: position of the mass centre, inertial axes [m]
-  const T t13_1 = R13_31 * T(0.05);
-  const T p13_1 = R13_11 * T(0.1) + t12_4 + t13_1 + P13_1;
-  const T t13_2 = R13_32 * T(0.05);
-  const T p13_2 = R13_12 * T(0.1) + t12_5 + t13_2 + P13_2;
-  const T t13_3 = R13_33 * T(0.05);
-  const T p13_3 = R13_13 * T(0.1) + t12_6 + t13_3 + P13_3;
-  pose[153] = p13_1;
-  pose[154] = p13_2;
-  pose[155] = p13_3;
-
-  // ---- body 14 (body_14) on body 13
-  const T theta14 = x[13];
-  // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_11 = cos(theta14);
-  const T E14_12 = sin(theta14);
-  // R14^T = R13^T E14^T: R takes inertial components to body components
-  const T R14_11 = R13_11 * E14_11 + R12_21 * E14_12;
-  const T R14_12 = R13_12 * E14_11 + R12_22 * E14_12;
-  const T R14_13 = R13_13 * E14_11 + R12_23 * E14_12;
-  const T R14_21 = R12_21 * E14_11 - R13_11 * E14_12;
-  const T R14_22 = R12_22 * E14_11 - R13_12 * E14_12;
-  const T R14_23 = R12_23 * E14_11 - R13_13 * E14_12;
-  pose[156] = R14_11;
-  pose[168] = R14_11;
-  pose[157] = R14_12;
-  pose[169] = R14_12;
-  pose[158] = R14_13;
-  pose[170] = R14_13;
-  pose[159] = R14_21;
-  pose[160] = R14_22;
-  pose[161] = R14_23;
-  // P14 = R13^T q14 + P13: position of the body origin, inertial axes [m]
-  const T t14_1 = R13_31 * T(0.1);
-  const T P14_1 = R13_11 * T(0.3) + R12_21 * T(0.7) + t14_1 + P13_1;
-  const T t14_2 = R13_32 * T(0.1);
-  const T P14_2 = R13_12 * T(0.3) + R12_22 * T(0.7) + t14_2 + P13_2;
-  const T t14_3 = R13_33 * T(0.1);
-  const T P14_3 = R13_13 * T(0.3) + R12_23 * T(0.7) + t14_3 + P13_3;
-  // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
-  const T t14_4 = R14_11 * T(0.1);
-  const T p14_1 = t14_4 + R14_21 * T(0.2) + t13_1 + P14_1;
-  const T t14_5 = R14_12 * T(0.1);
-  const T p14_2 = t14_5 + R14_22 * T(0.2) + t13_2 + P14_2;
-  const T t14_6 = R14_13 * T(0.1);
-  const T p14_3 = t14_6 + R14_23 * T(0.2) + t13_3 + P14_3;
-  pose[165] = p14_1;
-  pose[166] = p14_2;
-  pose[167] = p14_3;
-
-  // ---- body 15 (body_15) on body 14
-  const T theta15 = x[14];
-  // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_22 = cos(theta15);
-  const T E15_23 = sin(theta15);
-  // R15^T = R14^T E15^T: R takes inertial components to body components
-  const T R15_21 = R14_21 * E15_22 + R13_31 * E15_23;
-  const T R15_22 = R14_22 * E15_22 + R13_32 * E15_23;
-  const T R15_23 = R14_23 * E15_22 + R13_33 * E15_23;
-  const T R15_31 = R13_31 * E15_22 - R14_21 * E15_23;
-  const T R15_32 = R13_32 * E15_22 - R14_22 * E15_23;
-  const T R15_33 = R13_33 * E15_22 - R14_23 * E15_23;
-  pose[171] = R15_21;
-  pose[183] = R15_21;
-  pose[172] = R15_22;
-  pose[184] = R15_22;
-  pose[173] = R15_23;
-  pose[185] = R15_23;
-  pose[174] = R15_31;
-  pose[175] = R15_32;
-  pose[176] = R15_33;
-  // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
-  const T t15_1 = R14_11 * T(0.3);
-  const T P15_1 = t15_1 + R14_21 * T(0.75) + t14_1 + P14_1;
-  const T t15_2 = R14_12 * T(0.3);
-  const T P15_2 = t15_2 + R14_22 * T(0.75) + t14_2 + P14_2;
-  const T t15_3 = R14_13 * T(0.3);
-  const T P15_3 = t15_3 + R14_23 * T(0.75) + t14_3 + P14_3;
-  // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T t15_4 = R15_21 * T(0.2);
-  const T p15_1 = t14_4 + t15_4 + R15_31 * T(0.05) + P15_1;
-  const T t15_5 = R15_22 * T(0.2);
-  const T p15_2 = t14_5 + t15_5 + R15_32 * T(0.05) + P15_2;
-  const T t15_6 = R15_23 * T(0.2);
-  const T p15_3 = t14_6 + t15_6 + R15_33 * T(0.05) + P15_3;
-  pose[177] = p15_1;
-  pose[178] = p15_2;
-  pose[179] = p15_3;
-
-  // ---- body 16 (body_16) on body 15
-  const T theta16 = x[15];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
-  // R16^T = R15^T E16^T: R takes inertial components to body components
-  const T R16_11 = R14_11 * E16_11 - R15_31 * minus_E16_13;
-  const T R16_12 = R14_12 * E16_11 - R15_32 * minus_E16_13;
-  const T R16_13 = R14_13 * E16_11 - R15_33 * minus_E16_13;
-  const T R16_31 = R14_11 * minus_E16_13 + R15_31 * E16_11;
-  const T R16_32 = R14_12 * minus_E16_13 + R15_32 * E16_11;
-  const T R16_33 = R14_13 * minus_E16_13 + R15_33 * E16_11;
-  pose[180] = R16_11;
-  pose[181] = R16_12;
-  pose[182] = R16_13;
-  pose[186] = R16_31;
-  pose[198] = R16_31;
-  pose[187] = R16_32;
-  pose[199] = R16_32;
-  pose[188] = R16_33;
-  pose[200] = R16_33;
-  // P16 = R15^T q16 + P15: position of the body origin, inertial axes [m]
-  const T P16_1 = t15_1 + R15_21 * T(0.8) + R15_31 * T(0.1) + P15_1;
-  const T P16_2 = t15_2 + R15_22 * T(0.8) + R15_32 * T(0.1) + P15_2;
-  const T P16_3 = t15_3 + R15_23 * T(0.8) + R15_33 * T(0.1) + P15_3;
-  // p16 = R16^T r16 + P16: position of the mass centre, inertial axes [m]
-  const T t16_1 = R16_31 * T(0.05);
-  const T p16_1 = R16_11 * T(0.1) + t15_4 + t16_1 + P16_1;
-  const T t16_2 = R16_32 * T(0.05);
-  const T p16_2 = R16_12 * T(0.1) + t15_5 + t16_2 + P16_2;
-  const T t16_3 = R16_33 * T(0.05);
-  const T p16_3 = R16_13 * T(0.1) + t15_6 + t16_3 + P16_3;
-  pose[189] = p16_1;
-  pose[190] = p16_2;
-  pose[191] = p16_3;
-
-  // ---- body 17 (body_17) on body 16
-  const T theta17 = x[16];
-  // E17^T = Rot(b17, theta17): E takes components in the lower body to those in the body
-  const T E17_11 = cos(theta17);
-  const T E17_12 = sin(theta17);
-  // R17^T = R16^T E17^T: R takes inertial components to body components
-  const T R17_11 = R16_11 * E17_11 + R15_21 * E17_12;
-  const T R17_12 = R16_12 * E17_11 + R15_22 * E17_12;
-  const T R17_13 = R16_13 * E17_11 + R15_23 * E17_12;
-  const T R17_21 = R15_21 * E17_11 - R16_11 * E17_12;
-  const T R17_22 = R15_22 * E17_11 - R16_12 * E17_12;
-  const T R17_23 = R15_23 * E17_11 - R16_13 * E17_12;
-  pose[192] = R17_11;
-  pose[204] = R17_11;
-  pose[193] = R17_12;
-  pose[205] = R17_12;
-  pose[194] = R17_13;
-  pose[206] = R17_13;
-  pose[195] = R17_21;
-  pose[196] = R17_22;
-  pose[197] = R17_23;
-  // P17 = R16^T q17 + P16: position of the body origin, inertial axes [m]
-  const T t17_1 = R16_31 * T(0.1);
-  const T P17_1 = R16_11 * T(0.3) + R15_21 * T(0.85) + t17_1 + P16_1;
-  const T t17_2 = R16_32 * T(0.1);
-  const T P17_2 = R16_12 * T(0.3) + R15_22 * T(0.85) + t17_2 + P16_2;
-  const T t17_3 = R16_33 * T(0.1);
-  const T P17_3 = R16_13 * T(0.3) + R15_23 * T(0.85) + t17_3 + P16_3;
-  // p17 = R17^T r17 + P17: position of the mass centre, inertial axes [m]
-  const T t17_4 = R17_11 * T(0.1);
-  const T p17_1 = t17_4 + R17_21 * T(0.2) + t16_1 + P17_1;
-  const T t17_5 = R17_12 * T(0.1);
-  const T p17_2 = t17_5 + R17_22 * T(0.2) + t16_2 + P17_2;
-  const T t17_6 = R17_13 * T(0.1);
-  const T p17_3 = t17_6 + R17_23 * T(0.2) + t16_3 + P17_3;
-  pose[201] = p17_1;
-  pose[202] = p17_2;
-  pose[203] = p17_3;
-
-  // ---- body 18 (body_18) on body 17
-  const T theta18 = x[17];
-  // E18^T = Rot(b18, theta18): E takes components in the lower body to those in the body
-  const T E18_22 = cos(theta18);
-  const T E18_23 = sin(theta18);
-  // R18^T = R17^T E18^T: R takes inertial components to body components
-  const T R18_21 = R17_21 * E18_22 + R16_31 * E18_23;
-  const T R18_22 = R17_22 * E18_22 + R16_32 * E18_23;
-  const T R18_23 = R17_23 * E18_22 + R16_33 * E18_23;
-  const T R18_31 = R16_31 * E18_22 - R17_21 * E18_23;
-  const T R18_32 = R16_32 * E18_22 - R17_22 * E18_23;
-  const T R18_33 = R16_33 * E18_22 - R17_23 * E18_23;
-  pose[207] = R18_21;
-  pose[219] = R18_21;
-  pose[208] = R18_22;
-  pose[220] = R18_22;
-  pose[209] = R18_23;
-  pose[221] = R18_23;
-  pose[210] = R18_31;
-  pose[211] = R18_32;
-  pose[212] = R18_33;
-  // P18 = R17^T q18 + P17: position of the body origin, inertial axes [m]
-  const T t18_1 = R17_11 * T(0.3);
-  const T P18_1 = t18_1 + R17_21 * T(0.9) + t17_1 + P17_1;
-  const T t18_2 = R17_12 * T(0.3);
-  const T P18_2 = t18_2 + R17_22 * T(0.9) + t17_2 + P17_2;
-  const T t18_3 = R17_13 * T(0.3);
-  const T P18_3 = t18_3 + R17_23 * T(0.9) + t17_3 + P17_3;
-  // p18 = R18^T r18 + P18: position of the mass centre, inertial axes [m]
-  const T t18_4 = R18_21 * T(0.2);
-  const T p18_1 = t17_4 + t18_4 + R18_31 * T(0.05) + P18_1;
-  const T t18_5 = R18_22 * T(0.2);
-  const T p18_2 = t17_5 + t18_5 + R18_32 * T(0.05) + P18_2;
-  const T t18_6 = R18_23 * T(0.2);
-  const T p18_3 = t17_6 + t18_6 + R18_33 * T(0.05) + P18_3;
-  pose[213] = p18_1;
-  pose[214] = p18_2;
-  pose[215] = p18_3;
-
-  // ---- body 19 (body_19) on body 18
-  const T theta19 = x[18];
-  // E19^T = Rot(b19, theta19): E takes components in the lower body to those in the body
-  const T E19_11 = cos(theta19);
-  const T minus_E19_13 = sin(theta19);
-  // R19^T = R18^T E19^T: R takes inertial components to body components
-  const T R19_11 = R17_11 * E19_11 - R18_31 * minus_E19_13;
-  const T R19_12 = R17_12 * E19_11 - R18_32 * minus_E19_13;
-  const T R19_13 = R17_13 * E19_11 - R18_33 * minus_E19_13;
-  const T R19_31 = R17_11 * minus_E19_13 + R18_31 * E19_11;
-  const T R19_32 = R17_12 * minus_E19_13 + R18_32 * E19_11;
-  const T R19_33 = R17_13 * minus_E19_13 + R18_33 * E19_11;
-  pose[216] = R19_11;
-  pose[217] = R19_12;
-  pose[218] = R19_13;
-  pose[222] = R19_31;
-  pose[234] = R19_31;
-  pose[223] = R19_32;
-  pose[235] = R19_32;
-  pose[224] = R19_33;
-  pose[236] = R19_33;
-  // P19 = R18^T q19 + P18: position of the body origin, inertial axes [m]
-  const T P19_1 = t18_1 + R18_21 * T(0.95) + R18_31 * T(0.1) + P18_1;
-  const T P19_2 = t18_2 + R18_22 * T(0.95) + R18_32 * T(0.1) + P18_2;
-  const T P19_3 = t18_3 + R18_23 * T(0.95) + R18_33 * T(0.1) + P18_3;
-  // p19 = R19^T r19 + P19: position of the mass centre, inertial axes [m]
-  const T t19_1 = R19_31 * T(0.05);
-  const T p19_1 = R19_11 * T(0.1) + t18_4 + t19_1 + P19_1;
-  const T t19_2 = R19_32 * T(0.05);
-  const T p19_2 = R19_12 * T(0.1) + t18_5 + t19_2 + P19_2;
-  const T t19_3 = R19_33 * T(0.05);
-  const T p19_3 = R19_13 * T(0.1) + t18_6 + t19_3 + P19_3;
-  pose[225] = p19_1;
-  pose[226] = p19_2;
-  pose[227] = p19_3;
-
-  // ---- body 20 (body_20) on body 19
-  const T theta20 = x[19];
-  // E20^T = Rot(b20, theta20): E takes components in the lower body to those in the body
-  const T E20_11 = cos(theta20);
-  const T E20_12 = sin(theta20);
-  // R20^T = R19^T E20^T: R takes inertial components to body components
-  const T R20_11 = R19_11 * E20_11 + R18_21 * E20_12;
-  const T R20_12 = R19_12 * E20_11 + R18_22 * E20_12;
-  const T R20_13 = R19_13 * E20_11 + R18_23 * E20_12;
-  const T R20_21 = R18_21 * E20_11 - R19_11 * E20_12;
-  const T R20_22 = R18_22 * E20_11 - R19_12 * E20_12;
-  const T R20_23 = R18_23 * E20_11 - R19_13 * E20_12;
-  pose[228] = R20_11;
-  pose[240] = R20_11;
-  pose[229] = R20_12;
-  pose[241] = R20_12;
-  pose[230] = R20_13;
-  pose[242] = R20_13;
-  pose[231] = R20_21;
-  pose[232] = R20_22;
-  pose[233] = R20_23;
-  // P20 = R19^T q20 + P19: position of the body origin, inertial axes [m]
-  const T t20_1 = R19_31 * T(0.1);
-  const T P20_1 = R19_11 * T(0.3) + R18_21 + t20_1 + P19_1;
-  const T t20_2 = R19_32 * T(0.1);
-  const T P20_2 = R19_12 * T(0.3) + R18_22 + t20_2 + P19_2;
-  const T t20_3 = R19_33 * T(0.1);
-  const T P20_3 = R19_13 * T(0.3) + R18_23 + t20_3 + P19_3;
-  // p20 = R20^T r20 + P20: position of the mass centre, inertial axes [m]
-  const T t20_4 = R20_11 * T(0.1);
-  const T p20_1 = t20_4 + R20_21 * T(0.2) + t19_1 + P20_1;
-  const T t20_5 = R20_12 * T(0.1);
-  const T p20_2 = t20_5 + R20_22 * T(0.2) + t19_2 + P20_2;
-  const T t20_6 = R20_13 * T(0.1);
-  const T p20_3 = t20_6 + R20_23 * T(0.2) + t19_3 + P20_3;
-  pose[237] = p20_1;
-  pose[238] = p20_2;
-  pose[239] = p20_3;
-
-  // ---- body 21 (body_21) on body 20
-  const T theta21 = x[20];
-  // E21^T = Rot(b21, theta21): E takes components in the lower body to those in the body
-  const T E21_22 = cos(theta21);
-  const T E21_23 = sin(theta21);
-  // R21^T = R20^T E21^T: R takes inertial components to body components
-  const T R21_21 = R20_21 * E21_22 + R19_31 * E21_23;
-  const T R21_22 = R20_22 * E21_22 + R19_32 * E21_23;
-  const T R21_23 = R20_23 * E21_22 + R19_33 * E21_23;
-  const T R21_31 = R19_31 * E21_22 - R20_21 * E21_23;
-  const T R21_32 = R19_32 * E21_22 - R20_22 * E21_23;
-  const T R21_33 = R19_33 * E21_22 - R20_23 * E21_23;
-  pose[243] = R21_21;
-  pose[255] = R21_21;
-  pose[244] = R21_22;
-  pose[256] = R21_22;
-  pose[245] = R21_23;
-  pose[257] = R21_23;
-  pose[246] = R21_31;
-  pose[247] = R21_32;
-  pose[248] = R21_33;
-  // P21 = R20^T q21 + P20: position of the body origin, inertial axes [m]
-  const T t21_1 = R20_11 * T(0.3);
-  const T P21_1 = t21_1 + R20_21 * T(1.05) + t20_1 + P20_1;
-  const T t21_2 = R20_12 * T(0.3);
-  const T P21_2 = t21_2 + R20_22 * T(1.05) + t20_2 + P20_2;
-  const T t21_3 = R20_13 * T(0.3);
-  const T P21_3 = t21_3 + R20_23 * T(1.05) + t20_3 + P20_3;
-  // p21 = R21^T r21 + P21: position of the mass centre, inertial axes [m]
-  const T t21_4 = R21_21 * T(0.2);
-  const T p21_1 = t20_4 + t21_4 + R21_31 * T(0.05) + P21_1;
-  const T t21_5 = R21_22 * T(0.2);
-  const T p21_2 = t20_5 + t21_5 + R21_32 * T(0.05) + P21_2;
-  const T t21_6 = R21_23 * T(0.2);
-  const T p21_3 = t20_6 + t21_6 + R21_33 * T(0.05) + P21_3;
-  pose[249] = p21_1;
-  pose[250] = p21_2;
-  pose[251] = p21_3;
-
-  // ---- body 22 (body_22) on body 21
-  const T theta22 = x[21];
-  // E22^T = Rot(b22, theta22): E takes components in the lower body to those in the body
-  const T E22_11 = cos(theta22);
-  const T minus_E22_13 = sin(theta22);
-  // R22^T = R21^T E22^T: R takes inertial components to body components
-  const T R22_11 = R20_11 * E22_11 - R21_31 * minus_E22_13;
-  const T R22_12 = R20_12 * E22_11 - R21_32 * minus_E22_13;
-  const T R22_13 = R20_13 * E22_11 - R21_33 * minus_E22_13;
-  const T R22_31 = R20_11 * minus_E22_13 + R21_31 * E22_11;
-  const T R22_32 = R20_12 * minus_E22_13 + R21_32 * E22_11;
-  const T R22_33 = R20_13 * minus_E22_13 + R21_33 * E22_11;
-  pose[252] = R22_11;
-  pose[253] = R22_12;
-  pose[254] = R22_13;
-  pose[258] = R22_31;
-  pose[270] = R22_31;
-  pose[259] = R22_32;
-  pose[271] = R22_32;
-  pose[260] = R22_33;
-  pose[272] = R22_33;
-  // P22 = R21^T q22 + P21: position of the body origin, inertial axes [m]
-  const T P22_1 = t21_1 + R21_21 * T(1.1) + R21_31 * T(0.1) + P21_1;
-  const T P22_2 = t21_2 + R21_22 * T(1.1) + R21_32 * T(0.1) + P21_2;
-  const T P22_3 = t21_3 + R21_23 * T(1.1) + R21_33 * T(0.1) + P21_3;
-  // p22 = R22^T r22 + P22: position of the mass centre, inertial axes [m]
-  const T t22_1 = R22_31 * T(0.05);
-  const T p22_1 = R22_11 * T(0.1) + t21_4 + t22_1 + P22_1;
-  const T t22_2 = R22_32 * T(0.05);
-  const T p22_2 = R22_12 * T(0.1) + t21_5 + t22_2 + P22_2;
-  const T t22_3 = R22_33 * T(0.05);
-  const T p22_3 = R22_13 * T(0.1) + t21_6 + t22_3 + P22_3;
-  pose[261] = p22_1;
-  pose[262] = p22_2;
-  pose[263] = p22_3;
-
-  // ---- body 23 (body_23) on body 22
-  const T theta23 = x[22];
-  // E23^T = Rot(b23, theta23): E takes components in the lower body to those in the body
-  const T E23_11 = cos(theta23);
-  const T E23_12 = sin(theta23);
-  // R23^T = R22^T E23^T: R takes inertial components to body components
-  const T R23_11 = R22_11 * E23_11 + R21_21 * E23_12;
-  const T R23_12 = R22_12 * E23_11 + R21_22 * E23_12;
-  const T R23_13 = R22_13 * E23_11 + R21_23 * E23_12;
-  const T R23_21 = R21_21 * E23_11 - R22_11 * E23_12;
-  const T R23_22 = R21_22 * E23_11 - R22_12 * E23_12;
-  const T R23_23 = R21_23 * E23_11 - R22_13 * E23_12;
-  pose[264] = R23_11;
-  pose[276] = R23_11;
-  pose[265] = R23_12;
-  pose[277] = R23_12;
-  pose[266] = R23_13;
-  pose[278] = R23_13;
-  pose[267] = R23_21;
-  pose[268] = R23_22;
-  pose[269] = R23_23;
-  // P23 = R22^T q23 + P22: position of the body origin, inertial axes [m]
-  const T t23_1 = R22_31 * T(0.1);
-  const T P23_1 = R22_11 * T(0.3) + R21_21 * T(1.15) + t23_1 + P22_1;
-  const T t23_2 = R22_32 * T(0.1);
-  const T P23_2 = R22_12 * T(0.3) + R21_22 * T(1.15) + t23_2 + P22_2;
-  const T t23_3 = R22_33 * T(0.1);
-  const T P23_3 = R22_13 * T(0.3) + R21_23 * T(1.15) + t23_3 + P22_3;
-  // p23 = R23^T r23 + P23: position of the mass centre, inertial axes [m]
-  const T t23_4 = R23_11 * T(0.1);
-  const T p23_1 = t23_4 + R23_21 * T(0.2) + t22_1 + P23_1;
-  const T t23_5 = R23_12 * T(0.1);
-  const T p23_2 = t23_5 + R23_22 * T(0.2) + t22_2 + P23_2;
-  const T t23_6 = R23_13 * T(0.1);
-  const T p23_3 = t23_6 + R23_23 * T(0.2) + t22_3 + P23_3;
-  pose[273] = p23_1;
-  pose[274] = p23_2;
-  pose[275] = p23_3;
-
-  // ---- body 24 (body_24) on body 23
-  const T theta24 = x[23];
-  // E24^T = Rot(b24, theta24): E takes components in the lower body to those in the body
-  const T E24_22 = cos(theta24);
-  const T E24_23 = sin(theta24);
-  // R24^T = R23^T E24^T: R takes inertial components to body components
-  const T R24_21 = R23_21 * E24_22 + R22_31 * E24_23;
-  const T R24_22 = R23_22 * E24_22 + R22_32 * E24_23;
-  const T R24_23 = R23_23 * E24_22 + R22_33 * E24_23;
-  const T R24_31 = R22_31 * E24_22 - R23_21 * E24_23;
-  const T R24_32 = R22_32 * E24_22 - R23_22 * E24_23;
-  const T R24_33 = R22_33 * E24_22 - R23_23 * E24_23;
-  pose[279] = R24_21;
-  pose[291] = R24_21;
-  pose[280] = R24_22;
-  pose[292] = R24_22;
-  pose[281] = R24_23;
-  pose[293] = R24_23;
-  pose[282] = R24_31;
-  pose[283] = R24_32;
-  pose[284] = R24_33;
-  // P24 = R23^T q24 + P23: position of the body origin, inertial axes [m]
-  const T t24_1 = R23_11 * T(0.3);
-  const T P24_1 = t24_1 + R23_21 * T(1.2) + t23_1 + P23_1;
-  const T t24_2 = R23_12 * T(0.3);
-  const T P24_2 = t24_2 + R23_22 * T(1.2) + t23_2 + P23_2;
-  const T t24_3 = R23_13 * T(0.3);
-  const T P24_3 = t24_3 + R23_23 * T(1.2) + t23_3 + P23_3;
-  // p24 = R24^T r24 + P24: position of the mass centre, inertial axes [m]
-  const T t24_4 = R24_21 * T(0.2);
-  const T p24_1 = t23_4 + t24_4 + R24_31 * T(0.05) + P24_1;
-  const T t24_5 = R24_22 * T(0.2);
-  const T p24_2 = t23_5 + t24_5 + R24_32 * T(0.05) + P24_2;
-  const T t24_6 = R24_23 * T(0.2);
-  const T p24_3 = t23_6 + t24_6 + R24_33 * T(0.05) + P24_3;
-  pose[285] = p24_1;
-  pose[286] = p24_2;
-  pose[287] = p24_3;
-
-  // ---- body 25 (body_25) on body 24
-  const T theta25 = x[24];
-  // E25^T = Rot(b25, theta25): E takes components in the lower body to those in the body
-  const T E25_11 = cos(theta25);
-  const T minus_E25_13 = sin(theta25);
-  // R25^T = R24^T E25^T: R takes inertial components to body components
-  const T R25_11 = R23_11 * E25_11 - R24_31 * minus_E25_13;
-  const T R25_12 = R23_12 * E25_11 - R24_32 * minus_E25_13;
-  const T R25_13 = R23_13 * E25_11 - R24_33 * minus_E25_13;
-  const T R25_31 = R23_11 * minus_E25_13 + R24_31 * E25_11;
-  const T R25_32 = R23_12 * minus_E25_13 + R24_32 * E25_11;
-  const T R25_33 = R23_13 * minus_E25_13 + R24_33 * E25_11;
-  pose[288] = R25_11;
-  pose[289] = R25_12;
-  pose[290] = R25_13;
-  pose[294] = R25_31;
-  pose[306] = R25_31;
-  pose[295] = R25_32;
-  pose[307] = R25_32;
-  pose[296] = R25_33;
-  pose[308] = R25_33;
-  // P25 = R24^T q25 + P24: position of the body origin, inertial axes [m]
-  const T P25_1 = t24_1 + R24_21 * T(1.25) + R24_31 * T(0.1) + P24_1;
-  const T P25_2 = t24_2 + R24_22 * T(1.25) + R24_32 * T(0.1) + P24_2;
-  const T P25_3 = t24_3 + R24_23 * T(1.25) + R24_33 * T(0.1) + P24_3;
-  // p25 = R25^T r25 + P25: position of the mass centre, inertial axes [m]
-  const T t25_1 = R25_31 * T(0.05);
-  const T p25_1 = R25_11 * T(0.1) + t24_4 + t25_1 + P25_1;
-  const T t25_2 = R25_32 * T(0.05);
-  const T p25_2 = R25_12 * T(0.1) + t24_5 + t25_2 + P25_2;
-  const T t25_3 = R25_33 * T(0.05);
-  const T p25_3 = R25_13 * T(0.1) + t24_6 + t25_3 + P25_3;
-  pose[297] = p25_1;
-  pose[298] = p25_2;
-  pose[299] = p25_3;
-
-  // ---- body 26 (body_26) on body 25
-  const T theta26 = x[25];
-  // E26^T = Rot(b26, theta26): E takes components in the lower body to those in the body
-  const T E26_11 = cos(theta26);
-  const T E26_12 = sin(theta26);
-  // R26^T = R25^T E26^T: R takes inertial components to body components
-  const T R26_11 = R25_11 * E26_11 + R24_21 * E26_12;
-  const T R26_12 = R25_12 * E26_11 + R24_22 * E26_12;
-  const T R26_13 = R25_13 * E26_11 + R24_23 * E26_12;
-  const T R26_21 = R24_21 * E26_11 - R25_11 * E26_12;
-  const T R26_22 = R24_22 * E26_11 - R25_12 * E26_12;
-  const T R26_23 = R24_23 * E26_11 - R25_13 * E26_12;
-  pose[300] = R26_11;
-  pose[312] = R26_11;
-  pose[301] = R26_12;
-  pose[313] = R26_12;
-  pose[302] = R26_13;
-  pose[314] = R26_13;
-  pose[303] = R26_21;
-  pose[304] = R26_22;
-  pose[305] = R26_23;
-  // P26 = R25^T q26 + P25: position of the body origin, inertial axes [m]
-  const T t26_1 = R25_31 * T(0.1);
-  const T P26_1 = R25_11 * T(0.3) + R24_21 * T(1.3) + t26_1 + P25_1;
-  const T t26_2 = R25_32 * T(0.1);
-  const T P26_2 = R25_12 * T(0.3) + R24_22 * T(1.3) + t26_2 + P25_2;
-  const T t26_3 = R25_33 * T(0.1);
-  const T P26_3 = R25_13 * T(0.3) + R24_23 * T(1.3) + t26_3 + P25_3;
-  // p26 = R26^T r26 + P26: position of the mass centre, inertial axes [m]
-  const T t26_4 = R26_11 * T(0.1);
-  const T p26_1 = t26_4 + R26_21 * T(0.2) + t25_1 + P26_1;
-  const T t26_5 = R26_12 * T(0.1);
-  const T p26_2 = t26_5 + R26_22 * T(0.2) + t25_2 + P26_2;
-  const T t26_6 = R26_13 * T(0.1);
-  const T p26_3 = t26_6 + R26_23 * T(0.2) + t25_3 + P26_3;
-  pose[309] = p26_1;
-  pose[310] = p26_2;
-  pose[311] = p26_3;
-
-  // ---- body 27 (body_27) on body 26
-  const T theta27 = x[26];
-  // E27^T = Rot(b27, theta27): E takes components in the lower body to those in the body
-  const T E27_22 = cos(theta27);
-  const T E27_23 = sin(theta27);
-  // R27^T = R26^T E27^T: R takes inertial components to body components
-  const T R27_21 = R26_21 * E27_22 + R25_31 * E27_23;
-  const T R27_22 = R26_22 * E27_22 + R25_32 * E27_23;
-  const T R27_23 = R26_23 * E27_22 + R25_33 * E27_23;
-  const T R27_31 = R25_31 * E27_22 - R26_21 * E27_23;
-  const T R27_32 = R25_32 * E27_22 - R26_22 * E27_23;
-  const T R27_33 = R25_33 * E27_22 - R26_23 * E27_23;
-  pose[315] = R27_21;
-  pose[327] = R27_21;
-  pose[316] = R27_22;
-  pose[328] = R27_22;
-  pose[317] = R27_23;
-  pose[329] = R27_23;
-  pose[318] = R27_31;
-  pose[319] = R27_32;
-  pose[320] = R27_33;
-  // P27 = R26^T q27 + P26: position of the body origin, inertial axes [m]
-  const T t27_1 = R26_11 * T(0.3);
-  const T P27_1 = t27_1 + R26_21 * T(1.35) + t26_1 + P26_1;
-  const T t27_2 = R26_12 * T(0.3);
-  const T P27_2 = t27_2 + R26_22 * T(1.35) + t26_2 + P26_2;
-  const T t27_3 = R26_13 * T(0.3);
-  const T P27_3 = t27_3 + R26_23 * T(1.35) + t26_3 + P26_3;
-  // p27 = R27^T r27 + P27: position of the mass centre, inertial axes [m]
-  const T t27_4 = R27_21 * T(0.2);
-  const T p27_1 = t26_4 + t27_4 + R27_31 * T(0.05) + P27_1;
-  const T t27_5 = R27_22 * T(0.2);
-  const T p27_2 = t26_5 + t27_5 + R27_32 * T(0.05) + P27_2;
-  const T t27_6 = R27_23 * T(0.2);
-  const T p27_3 = t26_6 + t27_6 + R27_33 * T(0.05) + P27_3;
-  pose[321] = p27_1;
-  pose[322] = p27_2;
-  pose[323] = p27_3;
-
-  // ---- body 28 (body_28) on body 27
-  const T theta28 = x[27];
-  // E28^T = Rot(b28, theta28): E takes components in the lower body to those in the body
-  const T E28_11 = cos(theta28);
-  const T minus_E28_13 = sin(theta28);
-  // R28^T = R27^T E28^T: R takes inertial components to body components
-  const T R28_11 = R26_11 * E28_11 - R27_31 * minus_E28_13;
-  const T R28_12 = R26_12 * E28_11 - R27_32 * minus_E28_13;
-  const T R28_13 = R26_13 * E28_11 - R27_33 * minus_E28_13;
-  const T R28_31 = R26_11 * minus_E28_13 + R27_31 * E28_11;
-  const T R28_32 = R26_12 * minus_E28_13 + R27_32 * E28_11;
-  const T R28_33 = R26_13 * minus_E28_13 + R27_33 * E28_11;
-  pose[324] = R28_11;
-  pose[325] = R28_12;
-  pose[326] = R28_13;
-  pose[330] = R28_31;
-  pose[342] = R28_31;
-  pose[331] = R28_32;
-  pose[343] = R28_32;
-  pose[332] = R28_33;
-  pose[344] = R28_33;
-  // P28 = R27^T q28 + P27: position of the body origin, inertial axes [m]
-  const T P28_1 = t27_1 + R27_21 * T(1.4) + R27_31 * T(0.1) + P27_1;
-  const T P28_2 = t27_2 + R27_22 * T(1.4) + R27_32 * T(0.1) + P27_2;
-  const T P28_3 = t27_3 + R27_23 * T(1.4) + R27_33 * T(0.1) + P27_3;
-  // p28 = R28^T r28 + P28: position of the mass centre, inertial axes [m]
-  const T t28_1 = R28_31 * T(0.05);
-  const T p28_1 = R28_11 * T(0.1) + t27_4 + t28_1 + P28_1;
-  const T t28_2 = R28_32 * T(0.05);
-  const T p28_2 = R28_12 * T(0.1) + t27_5 + t28_2 + P28_2;
-  const T t28_3 = R28_33 * T(0.05);
-  const T p28_3 = R28_13 * T(0.1) + t27_6 + t28_3 + P28_3;
-  pose[333] = p28_1;
-  pose[334] = p28_2;
-  pose[335] = p28_3;
-
-  // ---- body 29 (body_29) on body 28
-  const T theta29 = x[28];
-  // E29^T = Rot(b29, theta29): E takes components in the lower body to those in the body
-  const T E29_11 = cos(theta29);
-  const T E29_12 = sin(theta29);
-  // R29^T = R28^T E29^T: R takes inertial components to body components
-  const T R29_11 = R28_11 * E29_11 + R27_21 * E29_12;
-  const T R29_12 = R28_12 * E29_11 + R27_22 * E29_12;
-  const T R29_13 = R28_13 * E29_11 + R27_23 * E29_12;
-  const T R29_21 = R27_21 * E29_11 - R28_11 * E29_12;
-  const T R29_22 = R27_22 * E29_11 - R28_12 * E29_12;
-  const T R29_23 = R27_23 * E29_11 - R28_13 * E29_12;
-  pose[336] = R29_11;
-  pose[348] = R29_11;
-  pose[337] = R29_12;
-  pose[349] = R29_12;
-  pose[338] = R29_13;
-  pose[350] = R29_13;
-  pose[339] = R29_21;
-  pose[340] = R29_22;
-  pose[341] = R29_23;
-  // P29 = R28^T q29 + P28: position of the body origin, inertial axes [m]
-  const T t29_1 = R28_31 * T(0.1);
-  const T P29_1 = R28_11 * T(0.3) + R27_21 * T(1.45) + t29_1 + P28_1;
-  const T t29_2 = R28_32 * T(0.1);
-  const T P29_2 = R28_12 * T(0.3) + R27_22 * T(1.45) + t29_2 + P28_2;
-  const T t29_3 = R28_33 * T(0.1);
-  const T P29_3 = R28_13 * T(0.3) + R27_23 * T(1.45) + t29_3 + P28_3;
-  // p29 = R29^T r29 + P29: position of the mass centre, inertial axes [m]
-  const T t29_4 = R29_11 * T(0.1);
-  const T p29_1 = t29_4 + R29_21 * T(0.2) + t28_1 + P29_1;
-  const T t29_5 = R29_12 * T(0.1);
-  const T p29_2 = t29_5 + R29_22 * T(0.2) + t28_2 + P29_2;
-  const T t29_6 = R29_13 * T(0.1);
-  const T p29_3 = t29_6 + R29_23 * T(0.2) + t28_3 + P29_3;
-  pose[345] = p29_1;
-  pose[346] = p29_2;
-  pose[347] = p29_3;
-
-  // ---- body 30 (body_30) on body 29
-  const T theta30 = x[29];
-  // E30^T = Rot(b30, theta30): E takes components in the lower body to those in the body
-  const T E30_22 = cos(theta30);
-  const T E30_23 = sin(theta30);
-  // R30^T = R29^T E30^T: R takes inertial components to body components
-  const T R30_21 = R29_21 * E30_22 + R28_31 * E30_23;
-  const T R30_22 = R29_22 * E30_22 + R28_32 * E30_23;
-  const T R30_23 = R29_23 * E30_22 + R28_33 * E30_23;
-  const T R30_31 = R28_31 * E30_22 - R29_21 * E30_23;
-  const T R30_32 = R28_32 * E30_22 - R29_22 * E30_23;
-  const T R30_33 = R28_33 * E30_22 - R29_23 * E30_23;
-  pose[351] = R30_21;
-  pose[363] = R30_21;
-  pose[352] = R30_22;
-  pose[364] = R30_22;
-  pose[353] = R30_23;
-  pose[365] = R30_23;
-  pose[354] = R30_31;
-  pose[355] = R30_32;
-  pose[356] = R30_33;
-  // P30 = R29^T q30 + P29: position of the body origin, inertial axes [m]
-  const T t30_1 = R29_11 * T(0.3);
-  const T P30_1 = t30_1 + R29_21 * T(1.5) + t29_1 + P29_1;
-  const T t30_2 = R29_12 * T(0.3);
-  const T P30_2 = t30_2 + R29_22 * T(1.5) + t29_2 + P29_2;
-  const T t30_3 = R29_13 * T(0.3);
-  const T P30_3 = t30_3 + R29_23 * T(1.5) + t29_3 + P29_3;
-  // p30 = R30^T r30 + P30: position of the mass centre, inertial axes [m]
-  const T t30_4 = R30_21 * T(0.2);
-  const T p30_1 = t29_4 + t30_4 + R30_31 * T(0.05) + P30_1;
-  const T t30_5 = R30_22 * T(0.2);
-  const T p30_2 = t29_5 + t30_5 + R30_32 * T(0.05) + P30_2;
-  const T t30_6 = R30_23 * T(0.2);
-  const T p30_3 = t29_6 + t30_6 + R30_33 * T(0.05) + P30_3;
-  pose[357] = p30_1;
-  pose[358] = p30_2;
-  pose[359] = p30_3;
-
-  // ---- body 31 (body_31) on body 30
-  const T theta31 = x[30];
-  // E31^T = Rot(b31, theta31): E takes components in the lower body to those in the body
-  const T E31_11 = cos(theta31);
-  const T minus_E31_13 = sin(theta31);
-  // R31^T = R30^T E31^T: R takes inertial components to body components
-  const T R31_11 = R29_11 * E31_11 - R30_31 * minus_E31_13;
-  const T R31_12 = R29_12 * E31_11 - R30_32 * minus_E31_13;
-  const T R31_13 = R29_13 * E31_11 - R30_33 * minus_E31_13;
-  const T R31_31 = R29_11 * minus_E31_13 + R30_31 * E31_11;
-  const T R31_32 = R29_12 * minus_E31_13 + R30_32 * E31_11;
-  const T R31_33 = R29_13 * minus_E31_13 + R30_33 * E31_11;
-  pose[360] = R31_11;
-  pose[361] = R31_12;
-  pose[362] = R31_13;
-  pose[366] = R31_31;
-  pose[378] = R31_31;
-  pose[367] = R31_32;
-  pose[379] = R31_32;
-  pose[368] = R31_33;
-  pose[380] = R31_33;
-  // P31 = R30^T q31 + P30: position of the body origin, inertial axes [m]
-  const T P31_1 = t30_1 + R30_21 * T(1.55) + R30_31 * T(0.1) + P30_1;
-  const T P31_2 = t30_2 + R30_22 * T(1.55) + R30_32 * T(0.1) + P30_2;
-  const T P31_3 = t30_3 + R30_23 * T(1.55) + R30_33 * T(0.1) + P30_3;
-  // p31 = R31^T r31 + P31: position of the mass centre, inertial axes [m]
-  const T t31_1 = R31_31 * T(0.05);
-  const T p31_1 = R31_11 * T(0.1) + t30_4 + t31_1 + P31_1;
-  const T t31_2 = R31_32 * T(0.05);
-  const T p31_2 = R31_12 * T(0.1) + t30_5 + t31_2 + P31_2;
-  const T t31_3 = R31_33 * T(0.05);
-  const T p31_3 = R31_13 * T(0.1) + t30_6 + t31_3 + P31_3;
-  pose[369] = p31_1;
-  pose[370] = p31_2;
-  pose[371] = p31_3;
-
-  // ---- body 32 (body_32) on body 31
-  const T theta32 = x[31];
-  // E32^T = Rot(b32, theta32): E takes components in the lower body to those in the body
-  const T E32_11 = cos(theta32);
-  const T E32_12 = sin(theta32);
-  // R32^T = R31^T E32^T: R takes inertial components to body components
-  const T R32_11 = R31_11 * E32_11 + R30_21 * E32_12;
-  const T R32_12 = R31_12 * E32_11 + R30_22 * E32_12;
-  const T R32_13 = R31_13 * E32_11 + R30_23 * E32_12;
-  const T R32_21 = R30_21 * E32_11 - R31_11 * E32_12;
-  const T R32_22 = R30_22 * E32_11 - R31_12 * E32_12;
-  const T R32_23 = R30_23 * E32_11 - R31_13 * E32_12;
-  pose[372] = R32_11;
-  pose[373] = R32_12;
-  pose[374] = R32_13;
-  pose[375] = R32_21;
-  pose[376] = R32_22;
-  pose[377] = R32_23;
-  // P32 = R31^T q32 + P31: position of the body origin, inertial axes [m]
-  const T P32_1 = R31_11 * T(0.3) + R30_21 * T(1.6) + R31_31 * T(0.1) + P31_1;
-  const T P32_2 = R31_12 * T(0.3) + R30_22 * T(1.6) + R31_32 * T(0.1) + P31_2;
-  const T P32_3 = R31_13 * T(0.3) + R30_23 * T(1.6) + R31_33 * T(0.1) + P31_3;
-  // p32 = R32^T r32 + P32: position of the mass centre, inertial axes [m]
-  const T p32_1 = R32_11 * T(0.1) + R32_21 * T(0.2) + t31_1 + P32_1;
-  const T p32_2 = R32_12 * T(0.1) + R32_22 * T(0.2) + t31_2 + P32_2;
-  const T p32_3 = R32_13 * T(0.1) + R32_23 * T(0.2) + t31_3 + P32_3;
-  pose[381] = p32_1;
-  pose[382] = p32_2;
-  pose[383] = p32_3;
-
-  // ---- results
-  pose[1] = T(0);
-  pose[3] = T(0);
-  pose[5] = T(0);
-  pose[7] = T(0);
-  pose[19] = T(0);
-  pose[4] = T(1);
-  pose[10] = T(0.2);
 }
 
 // energy: kinetic and potential energy [J].
@@ -2795,64 +1588,6 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   energy[1] = potential;
 }
 
-// power: power of the applied loads, without gravity and springs that keep their energy [W].
-// power (1) [W]
-// 31 add, 32 multiply
-template <class T>
-void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const Inputs<T>& u, T* out)
-    noexcept {
-
-  // ---- body 1 (body_1) on the inertial frame
-  const T thetadot1 = y[0];
-  const T thetadot2 = y[1];
-  const T thetadot3 = y[2];
-  const T thetadot4 = y[3];
-  const T thetadot5 = y[4];
-  const T thetadot6 = y[5];
-  const T thetadot7 = y[6];
-  const T thetadot8 = y[7];
-  const T thetadot9 = y[8];
-  const T thetadot10 = y[9];
-  const T thetadot11 = y[10];
-  const T thetadot12 = y[11];
-  const T thetadot13 = y[12];
-  const T thetadot14 = y[13];
-  const T thetadot15 = y[14];
-  const T thetadot16 = y[15];
-  const T thetadot17 = y[16];
-  const T thetadot18 = y[17];
-  const T thetadot19 = y[18];
-  const T thetadot20 = y[19];
-  const T thetadot21 = y[20];
-  const T thetadot22 = y[21];
-  const T thetadot23 = y[22];
-  const T thetadot24 = y[23];
-  const T thetadot25 = y[24];
-  const T thetadot26 = y[25];
-  const T thetadot27 = y[26];
-  const T thetadot28 = y[27];
-  const T thetadot29 = y[28];
-  const T thetadot30 = y[29];
-  const T thetadot31 = y[30];
-  const T thetadot32 = y[31];
-  // power = thetadot1 tau_body_1_ + thetadot2 tau_body_2_ + thetadot3 tau_body_3_ + thetadot4 tau_body_4_ + thetadot5
-  //   tau_body_5_ + thetadot6 tau_body_6_ + thetadot7 tau_body_7_ + thetadot8 tau_body_8_ + thetadot9 tau_body_9_ +
-  //   thetadot10 tau_body_10_ + thetadot11 tau_body_11_ + thetadot12 tau_body_12_ + thetadot13 tau_body_13_ +
-  //   thetadot14 tau_body_14_ + thetadot15 tau_body_15_ + thetadot16 tau_body_16_ + thetadot17 tau_body_17_ +
-  //   thetadot18 tau_body_18_ + thetadot19 tau_body_19_ + thetadot20 tau_body_20_ + thetadot21 tau_body_21_ +
-  //   thetadot22 tau_body_22_ + thetadot23 tau_body_23_ + thetadot24 tau_body_24_ + thetadot25 tau_body_25_ +
-  //   thetadot26 tau_body_26_ + thetadot27 tau_body_27_ + thetadot28 tau_body_28_ + thetadot29 tau_body_29_ +
-  //   thetadot30 tau_body_30_ + thetadot31 tau_body_31_ + thetadot32 tau_body_32_: power of the applied loads [W]
-  const T power = thetadot1 * u.tau_1 + thetadot2 * u.tau_2 + thetadot3 * u.tau_3 + thetadot4 * u.tau_4 + thetadot5 *
-      u.tau_5 + thetadot6 * u.tau_6 + thetadot7 * u.tau_7 + thetadot8 * u.tau_8 + thetadot9 * u.tau_9 + thetadot10 *
-      u.tau_10 + thetadot11 * u.tau_11 + thetadot12 * u.tau_12 + thetadot13 * u.tau_13 + thetadot14 * u.tau_14 +
-      thetadot15 * u.tau_15 + thetadot16 * u.tau_16 + thetadot17 * u.tau_17 + thetadot18 * u.tau_18 + thetadot19 *
-      u.tau_19 + thetadot20 * u.tau_20 + thetadot21 * u.tau_21 + thetadot22 * u.tau_22 + thetadot23 * u.tau_23 +
-      thetadot24 * u.tau_24 + thetadot25 * u.tau_25 + thetadot26 * u.tau_26 + thetadot27 * u.tau_27 + thetadot28 *
-      u.tau_28 + thetadot29 * u.tau_29 + thetadot30 * u.tau_30 + thetadot31 * u.tau_31 + thetadot32 * u.tau_32;
-  out[0] = power;
-}
-
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
 // 14546 add, 16075 multiply, 31 divide, 64 sine or cosine
@@ -3432,7 +2167,7 @@ template <class T>
   // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
       T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
+  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
       U2_32;
   const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
 
@@ -5432,7 +4167,7 @@ template <class T>
       minus_G31_2 - T(0.2) * minus_G31_3 - minus_N31_1;
   const T rho31_2 = T(0.1) * b31_1 + T(0.3) * minus_G32_3 + E32_12 * rho32_1 + E32_11 * rho32_2 + T(0.1) * minus_G31_3
       - T(0.05) * minus_G31_1 - minus_N31_2;
-  const T rho31_3 = rho32_3 - (T(0.3) * b31_2 + T(1.6) * b31_1) + T(0.2) * minus_G31_1 - T(0.1) * minus_G31_2 -
+  const T rho31_3 = rho32_3 - T(0.3) * b31_2 - T(1.6) * b31_1 + T(0.2) * minus_G31_1 - T(0.1) * minus_G31_2 -
       minus_N31_3;
   // h31 = m31 r31 + m32 q32 + hc32: first moment of mass carried, about the body origin, body axes [kg m]
   const T h31_1 = T(1.67) + hc32_1;
@@ -5486,7 +4221,7 @@ template <class T>
       minus_G30_2 - T(0.2) * minus_G30_3 - minus_N30_1;
   const T rho30_2 = T(0.1) * b30_1 + T(0.3) * b30_2 + rho31_2 + T(0.1) * minus_G30_3 - T(0.05) * minus_G30_1 -
       minus_N30_2;
-  const T rho30_3 = E31_11 * rho31_3 - (T(0.3) * minus_S31_2 + T(1.55) * b30_1) - minus_E31_13 * rho31_1 + T(0.2) *
+  const T rho30_3 = E31_11 * rho31_3 - minus_E31_13 * rho31_1 - T(0.3) * minus_S31_2 - T(1.55) * b30_1 + T(0.2) *
       minus_G30_1 - T(0.1) * minus_G30_2 - minus_N30_3;
   // h30 = m30 r30 + m_sub31 q31 + hc31: first moment of mass carried, about the body origin, body axes [kg m]
   const T h30_1 = T(2.8899999999999997) + hc31_1;
@@ -5549,7 +4284,7 @@ template <class T>
   const T minus_S29_3 = b29_2 + minus_G29_3;
   // rho29 = q30~ E30^T S30 + E30^T rho30 + r29~ G29 + N29: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho29_1 = rho30_1 - (T(0.1) * b29_1 + T(1.5) * b29_2) + T(0.05) * minus_G29_2 - T(0.2) * minus_G29_3 -
+  const T rho29_1 = rho30_1 - T(0.1) * b29_1 - T(1.5) * b29_2 + T(0.05) * minus_G29_2 - T(0.2) * minus_G29_3 -
       minus_N29_1;
   const T rho29_2 = T(0.1) * S30_1 + T(0.3) * b29_2 + E30_22 * rho30_2 - E30_23 * rho30_3 + T(0.1) * minus_G29_3 -
       T(0.05) * minus_G29_1 - minus_N29_2;
@@ -5598,7 +4333,7 @@ template <class T>
   const T B_thetadot31_29_2 = E30_23 * hc31_1;
   const T minus_B_thetadot31_29_3 = E30_22 * hc31_1;
   // K_thetadot31_29 = q30~ E30^T B_thetadot31_30 + E30^T K_thetadot31_30
-  const T K_thetadot31_29_1 = b30_11 - (T(0.1) * B_thetadot31_29_2 + T(1.5) * minus_B_thetadot31_29_3);
+  const T K_thetadot31_29_1 = b30_11 - T(0.1) * B_thetadot31_29_2 - T(1.5) * minus_B_thetadot31_29_3;
   const T b29_17 = T(0.3) * minus_B_thetadot31_29_3;
   const T K_thetadot31_29_2 = b30_5 + b29_17 + E30_22 * b30_15 + E30_23 * minus_K_thetadot31_30_3;
   const T K_thetadot31_29_3 = T(0.3) * B_thetadot31_29_2 - T(1.5) * hc31_3 + E30_23 * b30_15 - E30_22 *
@@ -5624,7 +4359,7 @@ template <class T>
   const T minus_S28_3 = minus_S29_3 + minus_G28_3;
   // rho28 = q29~ E29^T S29 + E29^T rho29 + r28~ G28 + N28: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho28_1 = E29_11 * rho29_1 - (T(0.1) * b28_2 + T(1.45) * minus_S29_3) - E29_12 * rho29_2 + T(0.05) *
+  const T rho28_1 = E29_11 * rho29_1 - E29_12 * rho29_2 - T(0.1) * b28_2 - T(1.45) * minus_S29_3 + T(0.05) *
       minus_G28_2 - T(0.2) * minus_G28_3 - minus_N28_1;
   const T rho28_2 = T(0.1) * b28_1 + T(0.3) * minus_S29_3 + E29_12 * rho29_1 + E29_11 * rho29_2 + T(0.1) * minus_G28_3
       - T(0.05) * minus_G28_1 - minus_N28_2;
@@ -5673,8 +4408,8 @@ template <class T>
   const T b28_20 = T(0.1) * B_thetadot32_28_2;
   const T K_thetadot32_28_1 = T(1.45) * B_thetadot32_29_3 - b28_20 + E29_11 * K_thetadot32_29_1 + E29_12 *
       minus_K_thetadot32_29_2;
-  const T K_thetadot32_28_2 = E29_12 * K_thetadot32_29_1 - (T(0.1) * minus_B_thetadot32_28_1 + b29_16) - E29_11 *
-      minus_K_thetadot32_29_2;
+  const T K_thetadot32_28_2 = E29_12 * K_thetadot32_29_1 - E29_11 * minus_K_thetadot32_29_2 - T(0.1) *
+      minus_B_thetadot32_28_1 - b29_16;
   const T b28_21 = T(0.3) * B_thetadot32_28_2;
   const T K_thetadot32_28_3 = b28_21 + T(1.45) * minus_B_thetadot32_28_1 + K_thetadot32_29_3;
   // B_thetadot31_28 = E29^T B_thetadot31_29
@@ -5682,8 +4417,8 @@ template <class T>
   const T B_thetadot31_28_2 = E29_12 * hc31_3 + E29_11 * B_thetadot31_29_2;
   // K_thetadot31_28 = q29~ E29^T B_thetadot31_29 + E29^T K_thetadot31_29
   const T b28_22 = T(0.1) * B_thetadot31_28_2;
-  const T K_thetadot31_28_1 = E29_11 * K_thetadot31_29_1 - (b28_22 + T(1.45) * minus_B_thetadot31_29_3) - E29_12 *
-      K_thetadot31_29_2;
+  const T K_thetadot31_28_1 = E29_11 * K_thetadot31_29_1 - E29_12 * K_thetadot31_29_2 - b28_22 - T(1.45) *
+      minus_B_thetadot31_29_3;
   const T K_thetadot31_28_2 = T(0.1) * B_thetadot31_28_1 + b29_17 + E29_12 * K_thetadot31_29_1 + E29_11 *
       K_thetadot31_29_2;
   const T b28_23 = T(0.3) * B_thetadot31_28_2;
@@ -5696,7 +4431,7 @@ template <class T>
   const T K_thetadot30_28_1 = b28_24 + T(1.45) * hc30_2 + E29_11 * b29_5 - E29_12 * K_thetadot30_29_2;
   const T K_thetadot30_28_2 = T(0.1) * B_thetadot30_28_1 - b29_11 + E29_12 * b29_5 + E29_11 * K_thetadot30_29_2;
   const T b28_25 = T(0.3) * minus_B_thetadot30_28_2;
-  const T K_thetadot30_28_3 = K_thetadot30_29_3 - (b28_25 + T(1.45) * B_thetadot30_28_1);
+  const T K_thetadot30_28_3 = K_thetadot30_29_3 - b28_25 - T(1.45) * B_thetadot30_28_1;
   // D_thetaddot28: pivots of L D L^T
   const T b28_26 = K_thetadot32_28_2 * T(1.8315018315018314);
   const T b28_27 = K_thetadot31_28_2 + b28_26 * b31_18;
@@ -5717,7 +4452,7 @@ template <class T>
   const T minus_S27_3 = b27_2 + minus_G27_3;
   // rho27 = q28~ E28^T S28 + E28^T rho28 + r27~ G27 + N27: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho27_1 = E28_11 * rho28_1 - (T(0.1) * S28_2 + T(1.4) * b27_2) + minus_E28_13 * rho28_3 + T(0.05) *
+  const T rho27_1 = E28_11 * rho28_1 + minus_E28_13 * rho28_3 - T(0.1) * S28_2 - T(1.4) * b27_2 + T(0.05) *
       minus_G27_2 - T(0.2) * minus_G27_3 - minus_N27_1;
   const T rho27_2 = T(0.1) * b27_1 + T(0.3) * b27_2 + rho28_2 + T(0.1) * minus_G27_3 - T(0.05) * minus_G27_1 -
       minus_N27_2;
@@ -5772,8 +4507,8 @@ template <class T>
   const T B_thetadot31_27_1 = E28_11 * B_thetadot31_28_1 - minus_E28_13 * minus_B_thetadot31_29_3;
   const T minus_B_thetadot31_27_3 = minus_E28_13 * B_thetadot31_28_1 + E28_11 * minus_B_thetadot31_29_3;
   // K_thetadot31_27 = q28~ E28^T B_thetadot31_28 + E28^T K_thetadot31_28
-  const T K_thetadot31_27_1 = E28_11 * K_thetadot31_28_1 - (b28_22 + T(1.4) * minus_B_thetadot31_27_3) + minus_E28_13
-      * K_thetadot31_28_3;
+  const T K_thetadot31_27_1 = E28_11 * K_thetadot31_28_1 + minus_E28_13 * K_thetadot31_28_3 - b28_22 - T(1.4) *
+      minus_B_thetadot31_27_3;
   const T b27_20 = T(0.1) * B_thetadot31_27_1;
   const T K_thetadot31_27_2 = b27_20 + T(0.3) * minus_B_thetadot31_27_3 + K_thetadot31_28_2;
   const T K_thetadot31_27_3 = b28_23 - T(1.4) * B_thetadot31_27_1 + E28_11 * K_thetadot31_28_3 - minus_E28_13 *
@@ -5786,15 +4521,15 @@ template <class T>
       K_thetadot30_28_3;
   const T b27_21 = T(0.1) * B_thetadot30_27_1;
   const T K_thetadot30_27_2 = b27_21 - T(0.3) * B_thetadot30_27_3 + K_thetadot30_28_2;
-  const T K_thetadot30_27_3 = E28_11 * K_thetadot30_28_3 - (b28_25 + T(1.4) * B_thetadot30_27_1) - minus_E28_13 *
-      K_thetadot30_28_1;
+  const T K_thetadot30_27_3 = E28_11 * K_thetadot30_28_3 - minus_E28_13 * K_thetadot30_28_1 - b28_25 - T(1.4) *
+      B_thetadot30_27_1;
   // B_thetadot29_27 = E28^T B_thetadot29_28
   const T minus_B_thetadot29_27_1 = E28_11 * hc29_2;
   const T B_thetadot29_27_3 = minus_E28_13 * hc29_2;
   // K_thetadot29_27 = q28~ E28^T B_thetadot29_28 + E28^T K_thetadot29_28
   const T K_thetadot29_27_1 = T(1.4) * B_thetadot29_27_3 - b28_12 + E28_11 * b28_13 + minus_E28_13 * b28_19;
   const T b27_22 = T(0.1) * minus_B_thetadot29_27_1;
-  const T K_thetadot29_27_2 = b28_18 - (b27_22 + T(0.3) * B_thetadot29_27_3);
+  const T K_thetadot29_27_2 = b28_18 - b27_22 - T(0.3) * B_thetadot29_27_3;
   const T K_thetadot29_27_3 = b28_15 + T(1.4) * minus_B_thetadot29_27_1 + E28_11 * b28_19 - minus_E28_13 * b28_13;
   // K_thetadot28_27 = q28~ E28^T B_thetadot28_28 + E28^T K_thetadot28_28
   const T K_thetadot28_27_3 = E28_11 * J28_32 - minus_E28_13 * J28_12 - b27_18;
@@ -6077,22 +4812,22 @@ template <class T>
   const T K_thetadot30_26_1 = T(0.1) * minus_B_thetadot30_26_2 + T(1.35) * B_thetadot30_26_3 + K_thetadot30_27_1;
   const T b26_18 = T(0.3) * B_thetadot30_26_3;
   const T K_thetadot30_26_2 = b27_21 - b26_18 + E27_22 * K_thetadot30_27_2 - E27_23 * K_thetadot30_27_3;
-  const T K_thetadot30_26_3 = E27_23 * K_thetadot30_27_2 - (T(0.3) * minus_B_thetadot30_26_2 + T(1.35) *
-      B_thetadot30_27_1) + E27_22 * K_thetadot30_27_3;
+  const T K_thetadot30_26_3 = E27_23 * K_thetadot30_27_2 + E27_22 * K_thetadot30_27_3 - T(0.3) *
+      minus_B_thetadot30_26_2 - T(1.35) * B_thetadot30_27_1;
   // B_thetadot29_26 = E27^T B_thetadot29_27
   const T B_thetadot29_26_2 = E27_22 * hc29_1 - E27_23 * B_thetadot29_27_3;
   const T B_thetadot29_26_3 = E27_23 * hc29_1 + E27_22 * B_thetadot29_27_3;
   // K_thetadot29_26 = q27~ E27^T B_thetadot29_27 + E27^T K_thetadot29_27
   const T K_thetadot29_26_1 = T(1.35) * B_thetadot29_26_3 - T(0.1) * B_thetadot29_26_2 + K_thetadot29_27_1;
   const T b26_19 = T(0.3) * B_thetadot29_26_3;
-  const T K_thetadot29_26_2 = E27_22 * K_thetadot29_27_2 - (b27_22 + b26_19) - E27_23 * K_thetadot29_27_3;
+  const T K_thetadot29_26_2 = E27_22 * K_thetadot29_27_2 - E27_23 * K_thetadot29_27_3 - b27_22 - b26_19;
   const T K_thetadot29_26_3 = T(0.3) * B_thetadot29_26_2 + T(1.35) * minus_B_thetadot29_27_1 + E27_23 *
       K_thetadot29_27_2 + E27_22 * K_thetadot29_27_3;
   // B_thetadot28_26 = E27^T B_thetadot28_27
   const T B_thetadot28_26_2 = E27_23 * hc28_1;
   const T minus_B_thetadot28_26_3 = E27_22 * hc28_1;
   // K_thetadot28_26 = q27~ E27^T B_thetadot28_27 + E27^T K_thetadot28_27
-  const T K_thetadot28_26_1 = b27_11 - (T(0.1) * B_thetadot28_26_2 + T(1.35) * minus_B_thetadot28_26_3);
+  const T K_thetadot28_26_1 = b27_11 - T(0.1) * B_thetadot28_26_2 - T(1.35) * minus_B_thetadot28_26_3;
   const T b26_20 = T(0.3) * minus_B_thetadot28_26_3;
   const T K_thetadot28_26_2 = b27_5 + b26_20 + E27_22 * b27_15 - E27_23 * K_thetadot28_27_3;
   const T K_thetadot28_26_3 = T(0.3) * B_thetadot28_26_2 - T(1.35) * hc28_3 + E27_23 * b27_15 + E27_22 *
@@ -6209,8 +4944,8 @@ template <class T>
   const T b25_26 = T(0.1) * B_thetadot29_25_2;
   const T K_thetadot29_25_1 = T(1.3) * B_thetadot29_26_3 - b25_26 + E26_11 * K_thetadot29_26_1 - E26_12 *
       K_thetadot29_26_2;
-  const T K_thetadot29_25_2 = E26_12 * K_thetadot29_26_1 - (T(0.1) * minus_B_thetadot29_25_1 + b26_19) + E26_11 *
-      K_thetadot29_26_2;
+  const T K_thetadot29_25_2 = E26_12 * K_thetadot29_26_1 + E26_11 * K_thetadot29_26_2 - T(0.1) *
+      minus_B_thetadot29_25_1 - b26_19;
   const T b25_27 = T(0.3) * B_thetadot29_25_2;
   const T K_thetadot29_25_3 = b25_27 + T(1.3) * minus_B_thetadot29_25_1 + K_thetadot29_26_3;
   // B_thetadot28_25 = E26^T B_thetadot28_26
@@ -6218,8 +4953,8 @@ template <class T>
   const T B_thetadot28_25_2 = E26_12 * hc28_3 + E26_11 * B_thetadot28_26_2;
   // K_thetadot28_25 = q26~ E26^T B_thetadot28_26 + E26^T K_thetadot28_26
   const T b25_28 = T(0.1) * B_thetadot28_25_2;
-  const T K_thetadot28_25_1 = E26_11 * K_thetadot28_26_1 - (b25_28 + T(1.3) * minus_B_thetadot28_26_3) - E26_12 *
-      K_thetadot28_26_2;
+  const T K_thetadot28_25_1 = E26_11 * K_thetadot28_26_1 - E26_12 * K_thetadot28_26_2 - b25_28 - T(1.3) *
+      minus_B_thetadot28_26_3;
   const T K_thetadot28_25_2 = T(0.1) * B_thetadot28_25_1 + b26_20 + E26_12 * K_thetadot28_26_1 + E26_11 *
       K_thetadot28_26_2;
   const T b25_29 = T(0.3) * B_thetadot28_25_2;
@@ -6232,7 +4967,7 @@ template <class T>
   const T K_thetadot27_25_1 = b25_30 + T(1.3) * hc27_2 + E26_11 * b26_5 - E26_12 * K_thetadot27_26_2;
   const T K_thetadot27_25_2 = T(0.1) * B_thetadot27_25_1 - b26_11 + E26_12 * b26_5 + E26_11 * K_thetadot27_26_2;
   const T b25_31 = T(0.3) * minus_B_thetadot27_25_2;
-  const T K_thetadot27_25_3 = K_thetadot27_26_3 - (b25_31 + T(1.3) * B_thetadot27_25_1);
+  const T K_thetadot27_25_3 = K_thetadot27_26_3 - b25_31 - T(1.3) * B_thetadot27_25_1;
   // D_thetaddot25: pivots of L D L^T
   const T b25_32 = K_thetadot32_25_2 * T(1.8315018315018314);
   const T b25_33 = K_thetadot31_25_2 + b25_32 * b31_18;
@@ -6348,8 +5083,8 @@ template <class T>
   const T B_thetadot28_24_1 = E25_11 * B_thetadot28_25_1 - minus_E25_13 * minus_B_thetadot28_26_3;
   const T minus_B_thetadot28_24_3 = minus_E25_13 * B_thetadot28_25_1 + E25_11 * minus_B_thetadot28_26_3;
   // K_thetadot28_24 = q25~ E25^T B_thetadot28_25 + E25^T K_thetadot28_25
-  const T K_thetadot28_24_1 = E25_11 * K_thetadot28_25_1 - (b25_28 + T(1.25) * minus_B_thetadot28_24_3) + minus_E25_13
-      * K_thetadot28_25_3;
+  const T K_thetadot28_24_1 = E25_11 * K_thetadot28_25_1 + minus_E25_13 * K_thetadot28_25_3 - b25_28 - T(1.25) *
+      minus_B_thetadot28_24_3;
   const T b24_23 = T(0.1) * B_thetadot28_24_1;
   const T K_thetadot28_24_2 = b24_23 + T(0.3) * minus_B_thetadot28_24_3 + K_thetadot28_25_2;
   const T K_thetadot28_24_3 = b25_29 - T(1.25) * B_thetadot28_24_1 + E25_11 * K_thetadot28_25_3 - minus_E25_13 *
@@ -6362,15 +5097,15 @@ template <class T>
       K_thetadot27_25_3;
   const T b24_24 = T(0.1) * B_thetadot27_24_1;
   const T K_thetadot27_24_2 = b24_24 - T(0.3) * B_thetadot27_24_3 + K_thetadot27_25_2;
-  const T K_thetadot27_24_3 = E25_11 * K_thetadot27_25_3 - (b25_31 + T(1.25) * B_thetadot27_24_1) - minus_E25_13 *
-      K_thetadot27_25_1;
+  const T K_thetadot27_24_3 = E25_11 * K_thetadot27_25_3 - minus_E25_13 * K_thetadot27_25_1 - b25_31 - T(1.25) *
+      B_thetadot27_24_1;
   // B_thetadot26_24 = E25^T B_thetadot26_25
   const T minus_B_thetadot26_24_1 = E25_11 * hc26_2;
   const T B_thetadot26_24_3 = minus_E25_13 * hc26_2;
   // K_thetadot26_24 = q25~ E25^T B_thetadot26_25 + E25^T K_thetadot26_25
   const T K_thetadot26_24_1 = T(1.25) * B_thetadot26_24_3 - b25_12 + E25_11 * b25_13 + minus_E25_13 * b25_19;
   const T b24_25 = T(0.1) * minus_B_thetadot26_24_1;
-  const T K_thetadot26_24_2 = b25_18 - (b24_25 + T(0.3) * B_thetadot26_24_3);
+  const T K_thetadot26_24_2 = b25_18 - b24_25 - T(0.3) * B_thetadot26_24_3;
   const T K_thetadot26_24_3 = b25_15 + T(1.25) * minus_B_thetadot26_24_1 + E25_11 * b25_19 - minus_E25_13 * b25_13;
   // K_thetadot25_24 = q25~ E25^T B_thetadot25_25 + E25^T K_thetadot25_25
   const T K_thetadot25_24_3 = E25_11 * J25_32 - minus_E25_13 * J25_12 - b24_18;
@@ -6756,22 +5491,22 @@ template <class T>
   const T K_thetadot27_23_1 = T(0.1) * minus_B_thetadot27_23_2 + T(1.2) * B_thetadot27_23_3 + K_thetadot27_24_1;
   const T b23_21 = T(0.3) * B_thetadot27_23_3;
   const T K_thetadot27_23_2 = b24_24 - b23_21 + E24_22 * K_thetadot27_24_2 - E24_23 * K_thetadot27_24_3;
-  const T K_thetadot27_23_3 = E24_23 * K_thetadot27_24_2 - (T(0.3) * minus_B_thetadot27_23_2 + T(1.2) *
-      B_thetadot27_24_1) + E24_22 * K_thetadot27_24_3;
+  const T K_thetadot27_23_3 = E24_23 * K_thetadot27_24_2 + E24_22 * K_thetadot27_24_3 - T(0.3) *
+      minus_B_thetadot27_23_2 - T(1.2) * B_thetadot27_24_1;
   // B_thetadot26_23 = E24^T B_thetadot26_24
   const T B_thetadot26_23_2 = E24_22 * hc26_1 - E24_23 * B_thetadot26_24_3;
   const T B_thetadot26_23_3 = E24_23 * hc26_1 + E24_22 * B_thetadot26_24_3;
   // K_thetadot26_23 = q24~ E24^T B_thetadot26_24 + E24^T K_thetadot26_24
   const T K_thetadot26_23_1 = T(1.2) * B_thetadot26_23_3 - T(0.1) * B_thetadot26_23_2 + K_thetadot26_24_1;
   const T b23_22 = T(0.3) * B_thetadot26_23_3;
-  const T K_thetadot26_23_2 = E24_22 * K_thetadot26_24_2 - (b24_25 + b23_22) - E24_23 * K_thetadot26_24_3;
+  const T K_thetadot26_23_2 = E24_22 * K_thetadot26_24_2 - E24_23 * K_thetadot26_24_3 - b24_25 - b23_22;
   const T K_thetadot26_23_3 = T(0.3) * B_thetadot26_23_2 + T(1.2) * minus_B_thetadot26_24_1 + E24_23 *
       K_thetadot26_24_2 + E24_22 * K_thetadot26_24_3;
   // B_thetadot25_23 = E24^T B_thetadot25_24
   const T B_thetadot25_23_2 = E24_23 * hc25_1;
   const T minus_B_thetadot25_23_3 = E24_22 * hc25_1;
   // K_thetadot25_23 = q24~ E24^T B_thetadot25_24 + E24^T K_thetadot25_24
-  const T K_thetadot25_23_1 = b24_11 - (T(0.1) * B_thetadot25_23_2 + T(1.2) * minus_B_thetadot25_23_3);
+  const T K_thetadot25_23_1 = b24_11 - T(0.1) * B_thetadot25_23_2 - T(1.2) * minus_B_thetadot25_23_3;
   const T b23_23 = T(0.3) * minus_B_thetadot25_23_3;
   const T K_thetadot25_23_2 = b24_5 + b23_23 + E24_22 * b24_15 - E24_23 * K_thetadot25_24_3;
   const T K_thetadot25_23_3 = T(0.3) * B_thetadot25_23_2 - T(1.2) * hc25_3 + E24_23 * b24_15 + E24_22 *
@@ -6930,8 +5665,8 @@ template <class T>
   const T b22_32 = T(0.1) * B_thetadot26_22_2;
   const T K_thetadot26_22_1 = T(1.15) * B_thetadot26_23_3 - b22_32 + E23_11 * K_thetadot26_23_1 - E23_12 *
       K_thetadot26_23_2;
-  const T K_thetadot26_22_2 = E23_12 * K_thetadot26_23_1 - (T(0.1) * minus_B_thetadot26_22_1 + b23_22) + E23_11 *
-      K_thetadot26_23_2;
+  const T K_thetadot26_22_2 = E23_12 * K_thetadot26_23_1 + E23_11 * K_thetadot26_23_2 - T(0.1) *
+      minus_B_thetadot26_22_1 - b23_22;
   const T b22_33 = T(0.3) * B_thetadot26_22_2;
   const T K_thetadot26_22_3 = b22_33 + T(1.15) * minus_B_thetadot26_22_1 + K_thetadot26_23_3;
   // B_thetadot25_22 = E23^T B_thetadot25_23
@@ -6939,8 +5674,8 @@ template <class T>
   const T B_thetadot25_22_2 = E23_12 * hc25_3 + E23_11 * B_thetadot25_23_2;
   // K_thetadot25_22 = q23~ E23^T B_thetadot25_23 + E23^T K_thetadot25_23
   const T b22_34 = T(0.1) * B_thetadot25_22_2;
-  const T K_thetadot25_22_1 = E23_11 * K_thetadot25_23_1 - (b22_34 + T(1.15) * minus_B_thetadot25_23_3) - E23_12 *
-      K_thetadot25_23_2;
+  const T K_thetadot25_22_1 = E23_11 * K_thetadot25_23_1 - E23_12 * K_thetadot25_23_2 - b22_34 - T(1.15) *
+      minus_B_thetadot25_23_3;
   const T K_thetadot25_22_2 = T(0.1) * B_thetadot25_22_1 + b23_23 + E23_12 * K_thetadot25_23_1 + E23_11 *
       K_thetadot25_23_2;
   const T b22_35 = T(0.3) * B_thetadot25_22_2;
@@ -6953,7 +5688,7 @@ template <class T>
   const T K_thetadot24_22_1 = b22_36 + T(1.15) * hc24_2 + E23_11 * b23_5 - E23_12 * K_thetadot24_23_2;
   const T K_thetadot24_22_2 = T(0.1) * B_thetadot24_22_1 - b23_11 + E23_12 * b23_5 + E23_11 * K_thetadot24_23_2;
   const T b22_37 = T(0.3) * minus_B_thetadot24_22_2;
-  const T K_thetadot24_22_3 = K_thetadot24_23_3 - (b22_37 + T(1.15) * B_thetadot24_22_1);
+  const T K_thetadot24_22_3 = K_thetadot24_23_3 - b22_37 - T(1.15) * B_thetadot24_22_1;
   // D_thetaddot22: pivots of L D L^T
   const T b22_38 = K_thetadot32_22_2 * T(1.8315018315018314);
   const T b22_39 = K_thetadot31_22_2 + b22_38 * b31_18;
@@ -7431,8 +6166,8 @@ template <class T>
   const T B_thetadot25_21_1 = E22_11 * B_thetadot25_22_1 - minus_E22_13 * minus_B_thetadot25_23_3;
   const T minus_B_thetadot25_21_3 = minus_E22_13 * B_thetadot25_22_1 + E22_11 * minus_B_thetadot25_23_3;
   // K_thetadot25_21 = q22~ E22^T B_thetadot25_22 + E22^T K_thetadot25_22
-  const T K_thetadot25_21_1 = E22_11 * K_thetadot25_22_1 - (b22_34 + T(1.1) * minus_B_thetadot25_21_3) + minus_E22_13
-      * K_thetadot25_22_3;
+  const T K_thetadot25_21_1 = E22_11 * K_thetadot25_22_1 + minus_E22_13 * K_thetadot25_22_3 - b22_34 - T(1.1) *
+      minus_B_thetadot25_21_3;
   const T b21_26 = T(0.1) * B_thetadot25_21_1;
   const T K_thetadot25_21_2 = b21_26 + T(0.3) * minus_B_thetadot25_21_3 + K_thetadot25_22_2;
   const T K_thetadot25_21_3 = b22_35 - T(1.1) * B_thetadot25_21_1 + E22_11 * K_thetadot25_22_3 - minus_E22_13 *
@@ -7445,15 +6180,15 @@ template <class T>
       K_thetadot24_22_3;
   const T b21_27 = T(0.1) * B_thetadot24_21_1;
   const T K_thetadot24_21_2 = b21_27 - T(0.3) * B_thetadot24_21_3 + K_thetadot24_22_2;
-  const T K_thetadot24_21_3 = E22_11 * K_thetadot24_22_3 - (b22_37 + T(1.1) * B_thetadot24_21_1) - minus_E22_13 *
-      K_thetadot24_22_1;
+  const T K_thetadot24_21_3 = E22_11 * K_thetadot24_22_3 - minus_E22_13 * K_thetadot24_22_1 - b22_37 - T(1.1) *
+      B_thetadot24_21_1;
   // B_thetadot23_21 = E22^T B_thetadot23_22
   const T minus_B_thetadot23_21_1 = E22_11 * hc23_2;
   const T B_thetadot23_21_3 = minus_E22_13 * hc23_2;
   // K_thetadot23_21 = q22~ E22^T B_thetadot23_22 + E22^T K_thetadot23_22
   const T K_thetadot23_21_1 = T(1.1) * B_thetadot23_21_3 - b22_12 + E22_11 * b22_13 + minus_E22_13 * b22_19;
   const T b21_28 = T(0.1) * minus_B_thetadot23_21_1;
-  const T K_thetadot23_21_2 = b22_18 - (b21_28 + T(0.3) * B_thetadot23_21_3);
+  const T K_thetadot23_21_2 = b22_18 - b21_28 - T(0.3) * B_thetadot23_21_3;
   const T K_thetadot23_21_3 = b22_15 + T(1.1) * minus_B_thetadot23_21_1 + E22_11 * b22_19 - minus_E22_13 * b22_13;
   // K_thetadot22_21 = q22~ E22^T B_thetadot22_22 + E22^T K_thetadot22_22
   const T K_thetadot22_21_3 = E22_11 * J22_32 - minus_E22_13 * J22_12 - b21_18;
@@ -7615,22 +6350,22 @@ template <class T>
   const T K_thetadot24_20_1 = T(0.1) * minus_B_thetadot24_20_2 + T(1.05) * B_thetadot24_20_3 + K_thetadot24_21_1;
   const T b20_24 = T(0.3) * B_thetadot24_20_3;
   const T K_thetadot24_20_2 = b21_27 - b20_24 + E21_22 * K_thetadot24_21_2 - E21_23 * K_thetadot24_21_3;
-  const T K_thetadot24_20_3 = E21_23 * K_thetadot24_21_2 - (T(0.3) * minus_B_thetadot24_20_2 + T(1.05) *
-      B_thetadot24_21_1) + E21_22 * K_thetadot24_21_3;
+  const T K_thetadot24_20_3 = E21_23 * K_thetadot24_21_2 + E21_22 * K_thetadot24_21_3 - T(0.3) *
+      minus_B_thetadot24_20_2 - T(1.05) * B_thetadot24_21_1;
   // B_thetadot23_20 = E21^T B_thetadot23_21
   const T B_thetadot23_20_2 = E21_22 * hc23_1 - E21_23 * B_thetadot23_21_3;
   const T B_thetadot23_20_3 = E21_23 * hc23_1 + E21_22 * B_thetadot23_21_3;
   // K_thetadot23_20 = q21~ E21^T B_thetadot23_21 + E21^T K_thetadot23_21
   const T K_thetadot23_20_1 = T(1.05) * B_thetadot23_20_3 - T(0.1) * B_thetadot23_20_2 + K_thetadot23_21_1;
   const T b20_25 = T(0.3) * B_thetadot23_20_3;
-  const T K_thetadot23_20_2 = E21_22 * K_thetadot23_21_2 - (b21_28 + b20_25) - E21_23 * K_thetadot23_21_3;
+  const T K_thetadot23_20_2 = E21_22 * K_thetadot23_21_2 - E21_23 * K_thetadot23_21_3 - b21_28 - b20_25;
   const T K_thetadot23_20_3 = T(0.3) * B_thetadot23_20_2 + T(1.05) * minus_B_thetadot23_21_1 + E21_23 *
       K_thetadot23_21_2 + E21_22 * K_thetadot23_21_3;
   // B_thetadot22_20 = E21^T B_thetadot22_21
   const T B_thetadot22_20_2 = E21_23 * hc22_1;
   const T minus_B_thetadot22_20_3 = E21_22 * hc22_1;
   // K_thetadot22_20 = q21~ E21^T B_thetadot22_21 + E21^T K_thetadot22_21
-  const T K_thetadot22_20_1 = b21_11 - (T(0.1) * B_thetadot22_20_2 + T(1.05) * minus_B_thetadot22_20_3);
+  const T K_thetadot22_20_1 = b21_11 - T(0.1) * B_thetadot22_20_2 - T(1.05) * minus_B_thetadot22_20_3;
   const T b20_26 = T(0.3) * minus_B_thetadot22_20_3;
   const T K_thetadot22_20_2 = b21_5 + b20_26 + E21_22 * b21_15 - E21_23 * K_thetadot22_21_3;
   const T K_thetadot22_20_3 = T(0.3) * B_thetadot22_20_2 - T(1.05) * hc22_3 + E21_23 * b21_15 + E21_22 *
@@ -8181,8 +6916,8 @@ template <class T>
   // K_thetadot23_19 = q20~ E20^T B_thetadot23_20 + E20^T K_thetadot23_20
   const T b19_36 = T(0.1) * B_thetadot23_19_2;
   const T K_thetadot23_19_1 = B_thetadot23_20_3 - b19_36 + E20_11 * K_thetadot23_20_1 - E20_12 * K_thetadot23_20_2;
-  const T K_thetadot23_19_2 = E20_12 * K_thetadot23_20_1 - (T(0.1) * minus_B_thetadot23_19_1 + b20_25) + E20_11 *
-      K_thetadot23_20_2;
+  const T K_thetadot23_19_2 = E20_12 * K_thetadot23_20_1 + E20_11 * K_thetadot23_20_2 - T(0.1) *
+      minus_B_thetadot23_19_1 - b20_25;
   const T b19_37 = T(0.3) * B_thetadot23_19_2;
   const T K_thetadot23_19_3 = b19_37 + minus_B_thetadot23_19_1 + K_thetadot23_20_3;
   // B_thetadot22_19 = E20^T B_thetadot22_20
@@ -8190,8 +6925,8 @@ template <class T>
   const T B_thetadot22_19_2 = E20_12 * hc22_3 + E20_11 * B_thetadot22_20_2;
   // K_thetadot22_19 = q20~ E20^T B_thetadot22_20 + E20^T K_thetadot22_20
   const T b19_38 = T(0.1) * B_thetadot22_19_2;
-  const T K_thetadot22_19_1 = E20_11 * K_thetadot22_20_1 - (b19_38 + minus_B_thetadot22_20_3) - E20_12 *
-      K_thetadot22_20_2;
+  const T K_thetadot22_19_1 = E20_11 * K_thetadot22_20_1 - E20_12 * K_thetadot22_20_2 - b19_38 -
+      minus_B_thetadot22_20_3;
   const T K_thetadot22_19_2 = T(0.1) * B_thetadot22_19_1 + b20_26 + E20_12 * K_thetadot22_20_1 + E20_11 *
       K_thetadot22_20_2;
   const T b19_39 = T(0.3) * B_thetadot22_19_2;
@@ -8204,7 +6939,7 @@ template <class T>
   const T K_thetadot21_19_1 = b19_40 + hc21_2 + E20_11 * b20_5 - E20_12 * K_thetadot21_20_2;
   const T K_thetadot21_19_2 = T(0.1) * B_thetadot21_19_1 - b20_11 + E20_12 * b20_5 + E20_11 * K_thetadot21_20_2;
   const T b19_41 = T(0.3) * minus_B_thetadot21_19_2;
-  const T K_thetadot21_19_3 = K_thetadot21_20_3 - (b19_41 + B_thetadot21_19_1);
+  const T K_thetadot21_19_3 = K_thetadot21_20_3 - b19_41 - B_thetadot21_19_1;
   // D_thetaddot19: pivots of L D L^T
   const T b19_42 = K_thetadot32_19_2 * T(1.8315018315018314);
   const T b19_43 = K_thetadot31_19_2 + b19_42 * b31_18;
@@ -8402,8 +7137,8 @@ template <class T>
   const T B_thetadot22_18_1 = E19_11 * B_thetadot22_19_1 - minus_E19_13 * minus_B_thetadot22_20_3;
   const T minus_B_thetadot22_18_3 = minus_E19_13 * B_thetadot22_19_1 + E19_11 * minus_B_thetadot22_20_3;
   // K_thetadot22_18 = q19~ E19^T B_thetadot22_19 + E19^T K_thetadot22_19
-  const T K_thetadot22_18_1 = E19_11 * K_thetadot22_19_1 - (b19_38 + T(0.95) * minus_B_thetadot22_18_3) + minus_E19_13
-      * K_thetadot22_19_3;
+  const T K_thetadot22_18_1 = E19_11 * K_thetadot22_19_1 + minus_E19_13 * K_thetadot22_19_3 - b19_38 - T(0.95) *
+      minus_B_thetadot22_18_3;
   const T b18_29 = T(0.1) * B_thetadot22_18_1;
   const T K_thetadot22_18_2 = b18_29 + T(0.3) * minus_B_thetadot22_18_3 + K_thetadot22_19_2;
   const T K_thetadot22_18_3 = b19_39 - T(0.95) * B_thetadot22_18_1 + E19_11 * K_thetadot22_19_3 - minus_E19_13 *
@@ -8416,15 +7151,15 @@ template <class T>
       K_thetadot21_19_3;
   const T b18_30 = T(0.1) * B_thetadot21_18_1;
   const T K_thetadot21_18_2 = b18_30 - T(0.3) * B_thetadot21_18_3 + K_thetadot21_19_2;
-  const T K_thetadot21_18_3 = E19_11 * K_thetadot21_19_3 - (b19_41 + T(0.95) * B_thetadot21_18_1) - minus_E19_13 *
-      K_thetadot21_19_1;
+  const T K_thetadot21_18_3 = E19_11 * K_thetadot21_19_3 - minus_E19_13 * K_thetadot21_19_1 - b19_41 - T(0.95) *
+      B_thetadot21_18_1;
   // B_thetadot20_18 = E19^T B_thetadot20_19
   const T minus_B_thetadot20_18_1 = E19_11 * hc20_2;
   const T B_thetadot20_18_3 = minus_E19_13 * hc20_2;
   // K_thetadot20_18 = q19~ E19^T B_thetadot20_19 + E19^T K_thetadot20_19
   const T K_thetadot20_18_1 = T(0.95) * B_thetadot20_18_3 - b19_10 + E19_11 * b19_11 + minus_E19_13 * b19_17;
   const T b18_31 = T(0.1) * minus_B_thetadot20_18_1;
-  const T K_thetadot20_18_2 = b19_16 - (b18_31 + T(0.3) * B_thetadot20_18_3);
+  const T K_thetadot20_18_2 = b19_16 - b18_31 - T(0.3) * B_thetadot20_18_3;
   const T K_thetadot20_18_3 = b19_13 + T(0.95) * minus_B_thetadot20_18_1 + E19_11 * b19_17 - minus_E19_13 * b19_11;
   // K_thetadot19_18 = q19~ E19^T B_thetadot19_19 + E19^T K_thetadot19_19
   const T K_thetadot19_18_3 = E19_11 * J19_32 - minus_E19_13 * J19_12 - b18_18;
@@ -9055,22 +7790,22 @@ template <class T>
   const T K_thetadot21_17_1 = T(0.1) * minus_B_thetadot21_17_2 + T(0.9) * B_thetadot21_17_3 + K_thetadot21_18_1;
   const T b17_27 = T(0.3) * B_thetadot21_17_3;
   const T K_thetadot21_17_2 = b18_30 - b17_27 + E18_22 * K_thetadot21_18_2 - E18_23 * K_thetadot21_18_3;
-  const T K_thetadot21_17_3 = E18_23 * K_thetadot21_18_2 - (T(0.3) * minus_B_thetadot21_17_2 + T(0.9) *
-      B_thetadot21_18_1) + E18_22 * K_thetadot21_18_3;
+  const T K_thetadot21_17_3 = E18_23 * K_thetadot21_18_2 + E18_22 * K_thetadot21_18_3 - T(0.3) *
+      minus_B_thetadot21_17_2 - T(0.9) * B_thetadot21_18_1;
   // B_thetadot20_17 = E18^T B_thetadot20_18
   const T B_thetadot20_17_2 = E18_22 * hc20_1 - E18_23 * B_thetadot20_18_3;
   const T B_thetadot20_17_3 = E18_23 * hc20_1 + E18_22 * B_thetadot20_18_3;
   // K_thetadot20_17 = q18~ E18^T B_thetadot20_18 + E18^T K_thetadot20_18
   const T K_thetadot20_17_1 = T(0.9) * B_thetadot20_17_3 - T(0.1) * B_thetadot20_17_2 + K_thetadot20_18_1;
   const T b17_28 = T(0.3) * B_thetadot20_17_3;
-  const T K_thetadot20_17_2 = E18_22 * K_thetadot20_18_2 - (b18_31 + b17_28) - E18_23 * K_thetadot20_18_3;
+  const T K_thetadot20_17_2 = E18_22 * K_thetadot20_18_2 - E18_23 * K_thetadot20_18_3 - b18_31 - b17_28;
   const T K_thetadot20_17_3 = T(0.3) * B_thetadot20_17_2 + T(0.9) * minus_B_thetadot20_18_1 + E18_23 *
       K_thetadot20_18_2 + E18_22 * K_thetadot20_18_3;
   // B_thetadot19_17 = E18^T B_thetadot19_18
   const T B_thetadot19_17_2 = E18_23 * hc19_1;
   const T minus_B_thetadot19_17_3 = E18_22 * hc19_1;
   // K_thetadot19_17 = q18~ E18^T B_thetadot19_18 + E18^T K_thetadot19_18
-  const T K_thetadot19_17_1 = b18_11 - (T(0.1) * B_thetadot19_17_2 + T(0.9) * minus_B_thetadot19_17_3);
+  const T K_thetadot19_17_1 = b18_11 - T(0.1) * B_thetadot19_17_2 - T(0.9) * minus_B_thetadot19_17_3;
   const T b17_29 = T(0.3) * minus_B_thetadot19_17_3;
   const T K_thetadot19_17_2 = b18_5 + b17_29 + E18_22 * b18_15 - E18_23 * K_thetadot19_18_3;
   const T K_thetadot19_17_3 = T(0.3) * B_thetadot19_17_2 - T(0.9) * hc19_3 + E18_23 * b18_15 + E18_22 *
@@ -9319,8 +8054,8 @@ template <class T>
   const T b16_44 = T(0.1) * B_thetadot20_16_2;
   const T K_thetadot20_16_1 = T(0.85) * B_thetadot20_17_3 - b16_44 + E17_11 * K_thetadot20_17_1 - E17_12 *
       K_thetadot20_17_2;
-  const T K_thetadot20_16_2 = E17_12 * K_thetadot20_17_1 - (T(0.1) * minus_B_thetadot20_16_1 + b17_28) + E17_11 *
-      K_thetadot20_17_2;
+  const T K_thetadot20_16_2 = E17_12 * K_thetadot20_17_1 + E17_11 * K_thetadot20_17_2 - T(0.1) *
+      minus_B_thetadot20_16_1 - b17_28;
   const T b16_45 = T(0.3) * B_thetadot20_16_2;
   const T K_thetadot20_16_3 = b16_45 + T(0.85) * minus_B_thetadot20_16_1 + K_thetadot20_17_3;
   // B_thetadot19_16 = E17^T B_thetadot19_17
@@ -9328,8 +8063,8 @@ template <class T>
   const T B_thetadot19_16_2 = E17_12 * hc19_3 + E17_11 * B_thetadot19_17_2;
   // K_thetadot19_16 = q17~ E17^T B_thetadot19_17 + E17^T K_thetadot19_17
   const T b16_46 = T(0.1) * B_thetadot19_16_2;
-  const T K_thetadot19_16_1 = E17_11 * K_thetadot19_17_1 - (b16_46 + T(0.85) * minus_B_thetadot19_17_3) - E17_12 *
-      K_thetadot19_17_2;
+  const T K_thetadot19_16_1 = E17_11 * K_thetadot19_17_1 - E17_12 * K_thetadot19_17_2 - b16_46 - T(0.85) *
+      minus_B_thetadot19_17_3;
   const T K_thetadot19_16_2 = T(0.1) * B_thetadot19_16_1 + b17_29 + E17_12 * K_thetadot19_17_1 + E17_11 *
       K_thetadot19_17_2;
   const T b16_47 = T(0.3) * B_thetadot19_16_2;
@@ -9342,7 +8077,7 @@ template <class T>
   const T K_thetadot18_16_1 = b16_48 + T(0.85) * hc18_2 + E17_11 * b17_5 - E17_12 * K_thetadot18_17_2;
   const T K_thetadot18_16_2 = T(0.1) * B_thetadot18_16_1 - b17_11 + E17_12 * b17_5 + E17_11 * K_thetadot18_17_2;
   const T b16_49 = T(0.3) * minus_B_thetadot18_16_2;
-  const T K_thetadot18_16_3 = K_thetadot18_17_3 - (b16_49 + T(0.85) * B_thetadot18_16_1);
+  const T K_thetadot18_16_3 = K_thetadot18_17_3 - b16_49 - T(0.85) * B_thetadot18_16_1;
   // D_thetaddot16: pivots of L D L^T
   const T b16_50 = K_thetadot32_16_2 * T(1.8315018315018314);
   const T b16_51 = K_thetadot31_16_2 + b16_50 * b31_18;
@@ -10088,8 +8823,8 @@ template <class T>
   const T B_thetadot19_15_1 = E16_11 * B_thetadot19_16_1 - minus_E16_13 * minus_B_thetadot19_17_3;
   const T minus_B_thetadot19_15_3 = minus_E16_13 * B_thetadot19_16_1 + E16_11 * minus_B_thetadot19_17_3;
   // K_thetadot19_15 = q16~ E16^T B_thetadot19_16 + E16^T K_thetadot19_16
-  const T K_thetadot19_15_1 = E16_11 * K_thetadot19_16_1 - (b16_46 + T(0.8) * minus_B_thetadot19_15_3) + minus_E16_13
-      * K_thetadot19_16_3;
+  const T K_thetadot19_15_1 = E16_11 * K_thetadot19_16_1 + minus_E16_13 * K_thetadot19_16_3 - b16_46 - T(0.8) *
+      minus_B_thetadot19_15_3;
   const T b15_32 = T(0.1) * B_thetadot19_15_1;
   const T K_thetadot19_15_2 = b15_32 + T(0.3) * minus_B_thetadot19_15_3 + K_thetadot19_16_2;
   const T K_thetadot19_15_3 = b16_47 - T(0.8) * B_thetadot19_15_1 + E16_11 * K_thetadot19_16_3 - minus_E16_13 *
@@ -10102,15 +8837,15 @@ template <class T>
       K_thetadot18_16_3;
   const T b15_33 = T(0.1) * B_thetadot18_15_1;
   const T K_thetadot18_15_2 = b15_33 - T(0.3) * B_thetadot18_15_3 + K_thetadot18_16_2;
-  const T K_thetadot18_15_3 = E16_11 * K_thetadot18_16_3 - (b16_49 + T(0.8) * B_thetadot18_15_1) - minus_E16_13 *
-      K_thetadot18_16_1;
+  const T K_thetadot18_15_3 = E16_11 * K_thetadot18_16_3 - minus_E16_13 * K_thetadot18_16_1 - b16_49 - T(0.8) *
+      B_thetadot18_15_1;
   // B_thetadot17_15 = E16^T B_thetadot17_16
   const T minus_B_thetadot17_15_1 = E16_11 * hc17_2;
   const T B_thetadot17_15_3 = minus_E16_13 * hc17_2;
   // K_thetadot17_15 = q16~ E16^T B_thetadot17_16 + E16^T K_thetadot17_16
   const T K_thetadot17_15_1 = T(0.8) * B_thetadot17_15_3 - b16_12 + E16_11 * b16_13 + minus_E16_13 * b16_19;
   const T b15_34 = T(0.1) * minus_B_thetadot17_15_1;
-  const T K_thetadot17_15_2 = b16_18 - (b15_34 + T(0.3) * B_thetadot17_15_3);
+  const T K_thetadot17_15_2 = b16_18 - b15_34 - T(0.3) * B_thetadot17_15_3;
   const T K_thetadot17_15_3 = b16_15 + T(0.8) * minus_B_thetadot17_15_1 + E16_11 * b16_19 - minus_E16_13 * b16_13;
   // K_thetadot16_15 = q16~ E16^T B_thetadot16_16 + E16^T K_thetadot16_16
   const T K_thetadot16_15_3 = E16_11 * J16_32 - minus_E16_13 * J16_12 - b15_18;
@@ -10827,22 +9562,22 @@ template <class T>
   const T K_thetadot18_14_1 = T(0.1) * minus_B_thetadot18_14_2 + T(0.75) * B_thetadot18_14_3 + K_thetadot18_15_1;
   const T b14_30 = T(0.3) * B_thetadot18_14_3;
   const T K_thetadot18_14_2 = b15_33 - b14_30 + E15_22 * K_thetadot18_15_2 - E15_23 * K_thetadot18_15_3;
-  const T K_thetadot18_14_3 = E15_23 * K_thetadot18_15_2 - (T(0.3) * minus_B_thetadot18_14_2 + T(0.75) *
-      B_thetadot18_15_1) + E15_22 * K_thetadot18_15_3;
+  const T K_thetadot18_14_3 = E15_23 * K_thetadot18_15_2 + E15_22 * K_thetadot18_15_3 - T(0.3) *
+      minus_B_thetadot18_14_2 - T(0.75) * B_thetadot18_15_1;
   // B_thetadot17_14 = E15^T B_thetadot17_15
   const T B_thetadot17_14_2 = E15_22 * hc17_1 - E15_23 * B_thetadot17_15_3;
   const T B_thetadot17_14_3 = E15_23 * hc17_1 + E15_22 * B_thetadot17_15_3;
   // K_thetadot17_14 = q15~ E15^T B_thetadot17_15 + E15^T K_thetadot17_15
   const T K_thetadot17_14_1 = T(0.75) * B_thetadot17_14_3 - T(0.1) * B_thetadot17_14_2 + K_thetadot17_15_1;
   const T b14_31 = T(0.3) * B_thetadot17_14_3;
-  const T K_thetadot17_14_2 = E15_22 * K_thetadot17_15_2 - (b15_34 + b14_31) - E15_23 * K_thetadot17_15_3;
+  const T K_thetadot17_14_2 = E15_22 * K_thetadot17_15_2 - E15_23 * K_thetadot17_15_3 - b15_34 - b14_31;
   const T K_thetadot17_14_3 = T(0.3) * B_thetadot17_14_2 + T(0.75) * minus_B_thetadot17_15_1 + E15_23 *
       K_thetadot17_15_2 + E15_22 * K_thetadot17_15_3;
   // B_thetadot16_14 = E15^T B_thetadot16_15
   const T B_thetadot16_14_2 = E15_23 * hc16_1;
   const T minus_B_thetadot16_14_3 = E15_22 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T K_thetadot16_14_1 = b15_11 - (T(0.1) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3);
+  const T K_thetadot16_14_1 = b15_11 - T(0.1) * B_thetadot16_14_2 - T(0.75) * minus_B_thetadot16_14_3;
   const T b14_32 = T(0.3) * minus_B_thetadot16_14_3;
   const T K_thetadot16_14_2 = b15_5 + b14_32 + E15_22 * b15_15 - E15_23 * K_thetadot16_15_3;
   const T K_thetadot16_14_3 = T(0.3) * B_thetadot16_14_2 - T(0.75) * hc16_3 + E15_23 * b15_15 + E15_22 *
@@ -11644,8 +10379,8 @@ template <class T>
   const T b13_50 = T(0.1) * B_thetadot17_13_2;
   const T K_thetadot17_13_1 = T(0.7) * B_thetadot17_14_3 - b13_50 + E14_11 * K_thetadot17_14_1 - E14_12 *
       K_thetadot17_14_2;
-  const T K_thetadot17_13_2 = E14_12 * K_thetadot17_14_1 - (T(0.1) * minus_B_thetadot17_13_1 + b14_31) + E14_11 *
-      K_thetadot17_14_2;
+  const T K_thetadot17_13_2 = E14_12 * K_thetadot17_14_1 + E14_11 * K_thetadot17_14_2 - T(0.1) *
+      minus_B_thetadot17_13_1 - b14_31;
   const T b13_51 = T(0.3) * B_thetadot17_13_2;
   const T K_thetadot17_13_3 = b13_51 + T(0.7) * minus_B_thetadot17_13_1 + K_thetadot17_14_3;
   // B_thetadot16_13 = E14^T B_thetadot16_14
@@ -11653,8 +10388,8 @@ template <class T>
   const T B_thetadot16_13_2 = E14_12 * hc16_3 + E14_11 * B_thetadot16_14_2;
   // K_thetadot16_13 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
   const T b13_52 = T(0.1) * B_thetadot16_13_2;
-  const T K_thetadot16_13_1 = E14_11 * K_thetadot16_14_1 - (b13_52 + T(0.7) * minus_B_thetadot16_14_3) - E14_12 *
-      K_thetadot16_14_2;
+  const T K_thetadot16_13_1 = E14_11 * K_thetadot16_14_1 - E14_12 * K_thetadot16_14_2 - b13_52 - T(0.7) *
+      minus_B_thetadot16_14_3;
   const T K_thetadot16_13_2 = T(0.1) * B_thetadot16_13_1 + b14_32 + E14_12 * K_thetadot16_14_1 + E14_11 *
       K_thetadot16_14_2;
   const T b13_53 = T(0.3) * B_thetadot16_13_2;
@@ -11667,7 +10402,7 @@ template <class T>
   const T K_thetadot15_13_1 = b13_54 + T(0.7) * hc15_2 + E14_11 * b14_5 - E14_12 * K_thetadot15_14_2;
   const T K_thetadot15_13_2 = T(0.1) * B_thetadot15_13_1 - b14_11 + E14_12 * b14_5 + E14_11 * K_thetadot15_14_2;
   const T b13_55 = T(0.3) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_3 = K_thetadot15_14_3 - (b13_55 + T(0.7) * B_thetadot15_13_1);
+  const T K_thetadot15_13_3 = K_thetadot15_14_3 - b13_55 - T(0.7) * B_thetadot15_13_1;
   // D_thetaddot13: pivots of L D L^T
   const T b13_56 = K_thetadot32_13_2 * T(1.8315018315018314);
   const T b13_57 = K_thetadot31_13_2 + b13_56 * b31_18;
@@ -12516,8 +11251,8 @@ template <class T>
   const T B_thetadot16_12_1 = E13_11 * B_thetadot16_13_1 - minus_E13_13 * minus_B_thetadot16_14_3;
   const T minus_B_thetadot16_12_3 = minus_E13_13 * B_thetadot16_13_1 + E13_11 * minus_B_thetadot16_14_3;
   // K_thetadot16_12 = q13~ E13^T B_thetadot16_13 + E13^T K_thetadot16_13
-  const T K_thetadot16_12_1 = E13_11 * K_thetadot16_13_1 - (b13_52 + T(0.65) * minus_B_thetadot16_12_3) + minus_E13_13
-      * K_thetadot16_13_3;
+  const T K_thetadot16_12_1 = E13_11 * K_thetadot16_13_1 + minus_E13_13 * K_thetadot16_13_3 - b13_52 - T(0.65) *
+      minus_B_thetadot16_12_3;
   const T b12_35 = T(0.1) * B_thetadot16_12_1;
   const T K_thetadot16_12_2 = b12_35 + T(0.3) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
   const T K_thetadot16_12_3 = b13_53 - T(0.65) * B_thetadot16_12_1 + E13_11 * K_thetadot16_13_3 - minus_E13_13 *
@@ -12530,15 +11265,15 @@ template <class T>
       K_thetadot15_13_3;
   const T b12_36 = T(0.1) * B_thetadot15_12_1;
   const T K_thetadot15_12_2 = b12_36 - T(0.3) * B_thetadot15_12_3 + K_thetadot15_13_2;
-  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - (b13_55 + T(0.65) * B_thetadot15_12_1) - minus_E13_13 *
-      K_thetadot15_13_1;
+  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - minus_E13_13 * K_thetadot15_13_1 - b13_55 - T(0.65) *
+      B_thetadot15_12_1;
   // B_thetadot14_12 = E13^T B_thetadot14_13
   const T minus_B_thetadot14_12_1 = E13_11 * hc14_2;
   const T B_thetadot14_12_3 = minus_E13_13 * hc14_2;
   // K_thetadot14_12 = q13~ E13^T B_thetadot14_13 + E13^T K_thetadot14_13
   const T K_thetadot14_12_1 = T(0.65) * B_thetadot14_12_3 - b13_12 + E13_11 * b13_13 + minus_E13_13 * b13_19;
   const T b12_37 = T(0.1) * minus_B_thetadot14_12_1;
-  const T K_thetadot14_12_2 = b13_18 - (b12_37 + T(0.3) * B_thetadot14_12_3);
+  const T K_thetadot14_12_2 = b13_18 - b12_37 - T(0.3) * B_thetadot14_12_3;
   const T K_thetadot14_12_3 = b13_15 + T(0.65) * minus_B_thetadot14_12_1 + E13_11 * b13_19 - minus_E13_13 * b13_13;
   // K_thetadot13_12 = q13~ E13^T B_thetadot13_13 + E13^T K_thetadot13_13
   const T K_thetadot13_12_3 = E13_11 * J13_32 - minus_E13_13 * J13_12 - b12_18;
@@ -13403,22 +12138,22 @@ template <class T>
   const T K_thetadot15_11_1 = T(0.1) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
   const T b11_33 = T(0.3) * B_thetadot15_11_3;
   const T K_thetadot15_11_2 = b12_36 - b11_33 + E12_22 * K_thetadot15_12_2 - E12_23 * K_thetadot15_12_3;
-  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 - (T(0.3) * minus_B_thetadot15_11_2 + T(0.6) *
-      B_thetadot15_12_1) + E12_22 * K_thetadot15_12_3;
+  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 + E12_22 * K_thetadot15_12_3 - T(0.3) *
+      minus_B_thetadot15_11_2 - T(0.6) * B_thetadot15_12_1;
   // B_thetadot14_11 = E12^T B_thetadot14_12
   const T B_thetadot14_11_2 = E12_22 * hc14_1 - E12_23 * B_thetadot14_12_3;
   const T B_thetadot14_11_3 = E12_23 * hc14_1 + E12_22 * B_thetadot14_12_3;
   // K_thetadot14_11 = q12~ E12^T B_thetadot14_12 + E12^T K_thetadot14_12
   const T K_thetadot14_11_1 = T(0.6) * B_thetadot14_11_3 - T(0.1) * B_thetadot14_11_2 + K_thetadot14_12_1;
   const T b11_34 = T(0.3) * B_thetadot14_11_3;
-  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - (b12_37 + b11_34) - E12_23 * K_thetadot14_12_3;
+  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - E12_23 * K_thetadot14_12_3 - b12_37 - b11_34;
   const T K_thetadot14_11_3 = T(0.3) * B_thetadot14_11_2 + T(0.6) * minus_B_thetadot14_12_1 + E12_23 *
       K_thetadot14_12_2 + E12_22 * K_thetadot14_12_3;
   // B_thetadot13_11 = E12^T B_thetadot13_12
   const T B_thetadot13_11_2 = E12_23 * hc13_1;
   const T minus_B_thetadot13_11_3 = E12_22 * hc13_1;
   // K_thetadot13_11 = q12~ E12^T B_thetadot13_12 + E12^T K_thetadot13_12
-  const T K_thetadot13_11_1 = b12_11 - (T(0.1) * B_thetadot13_11_2 + T(0.6) * minus_B_thetadot13_11_3);
+  const T K_thetadot13_11_1 = b12_11 - T(0.1) * B_thetadot13_11_2 - T(0.6) * minus_B_thetadot13_11_3;
   const T b11_35 = T(0.3) * minus_B_thetadot13_11_3;
   const T K_thetadot13_11_2 = b12_5 + b11_35 + E12_22 * b12_15 - E12_23 * K_thetadot13_12_3;
   const T K_thetadot13_11_3 = T(0.3) * B_thetadot13_11_2 - T(0.6) * hc13_3 + E12_23 * b12_15 + E12_22 *
@@ -14376,8 +13111,8 @@ template <class T>
   const T b10_56 = T(0.1) * B_thetadot14_10_2;
   const T K_thetadot14_10_1 = T(0.55) * B_thetadot14_11_3 - b10_56 + E11_11 * K_thetadot14_11_1 - E11_12 *
       K_thetadot14_11_2;
-  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 - (T(0.1) * minus_B_thetadot14_10_1 + b11_34) + E11_11 *
-      K_thetadot14_11_2;
+  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 + E11_11 * K_thetadot14_11_2 - T(0.1) *
+      minus_B_thetadot14_10_1 - b11_34;
   const T b10_57 = T(0.3) * B_thetadot14_10_2;
   const T K_thetadot14_10_3 = b10_57 + T(0.55) * minus_B_thetadot14_10_1 + K_thetadot14_11_3;
   // B_thetadot13_10 = E11^T B_thetadot13_11
@@ -14385,8 +13120,8 @@ template <class T>
   const T B_thetadot13_10_2 = E11_12 * hc13_3 + E11_11 * B_thetadot13_11_2;
   // K_thetadot13_10 = q11~ E11^T B_thetadot13_11 + E11^T K_thetadot13_11
   const T b10_58 = T(0.1) * B_thetadot13_10_2;
-  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - (b10_58 + T(0.55) * minus_B_thetadot13_11_3) - E11_12 *
-      K_thetadot13_11_2;
+  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - E11_12 * K_thetadot13_11_2 - b10_58 - T(0.55) *
+      minus_B_thetadot13_11_3;
   const T K_thetadot13_10_2 = T(0.1) * B_thetadot13_10_1 + b11_35 + E11_12 * K_thetadot13_11_1 + E11_11 *
       K_thetadot13_11_2;
   const T b10_59 = T(0.3) * B_thetadot13_10_2;
@@ -14399,7 +13134,7 @@ template <class T>
   const T K_thetadot12_10_1 = b10_60 + T(0.55) * hc12_2 + E11_11 * b11_5 - E11_12 * K_thetadot12_11_2;
   const T K_thetadot12_10_2 = T(0.1) * B_thetadot12_10_1 - b11_11 + E11_12 * b11_5 + E11_11 * K_thetadot12_11_2;
   const T b10_61 = T(0.3) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_3 = K_thetadot12_11_3 - (b10_61 + T(0.55) * B_thetadot12_10_1);
+  const T K_thetadot12_10_3 = K_thetadot12_11_3 - b10_61 - T(0.55) * B_thetadot12_10_1;
   // D_thetaddot10: pivots of L D L^T
   const T b10_62 = K_thetadot32_10_2 * T(1.8315018315018314);
   const T b10_63 = K_thetadot31_10_2 + b10_62 * b31_18;
@@ -15406,8 +14141,8 @@ template <class T>
   const T B_thetadot13_9_1 = E10_11 * B_thetadot13_10_1 - minus_E10_13 * minus_B_thetadot13_11_3;
   const T minus_B_thetadot13_9_3 = minus_E10_13 * B_thetadot13_10_1 + E10_11 * minus_B_thetadot13_11_3;
   // K_thetadot13_9 = q10~ E10^T B_thetadot13_10 + E10^T K_thetadot13_10
-  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 - (b10_58 + T(0.5) * minus_B_thetadot13_9_3) + minus_E10_13 *
-      K_thetadot13_10_3;
+  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 + minus_E10_13 * K_thetadot13_10_3 - b10_58 - T(0.5) *
+      minus_B_thetadot13_9_3;
   const T b9_38 = T(0.1) * B_thetadot13_9_1;
   const T K_thetadot13_9_2 = b9_38 + T(0.3) * minus_B_thetadot13_9_3 + K_thetadot13_10_2;
   const T K_thetadot13_9_3 = b10_59 - T(0.5) * B_thetadot13_9_1 + E10_11 * K_thetadot13_10_3 - minus_E10_13 *
@@ -15420,15 +14155,15 @@ template <class T>
       K_thetadot12_10_3;
   const T b9_39 = T(0.1) * B_thetadot12_9_1;
   const T K_thetadot12_9_2 = b9_39 - T(0.3) * B_thetadot12_9_3 + K_thetadot12_10_2;
-  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - (b10_61 + T(0.5) * B_thetadot12_9_1) - minus_E10_13 *
-      K_thetadot12_10_1;
+  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - minus_E10_13 * K_thetadot12_10_1 - b10_61 - T(0.5) *
+      B_thetadot12_9_1;
   // B_thetadot11_9 = E10^T B_thetadot11_10
   const T minus_B_thetadot11_9_1 = E10_11 * hc11_2;
   const T B_thetadot11_9_3 = minus_E10_13 * hc11_2;
   // K_thetadot11_9 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
   const T K_thetadot11_9_1 = T(0.5) * B_thetadot11_9_3 - b10_12 + E10_11 * b10_13 + minus_E10_13 * b10_19;
   const T b9_40 = T(0.1) * minus_B_thetadot11_9_1;
-  const T K_thetadot11_9_2 = b10_18 - (b9_40 + T(0.3) * B_thetadot11_9_3);
+  const T K_thetadot11_9_2 = b10_18 - b9_40 - T(0.3) * B_thetadot11_9_3;
   const T K_thetadot11_9_3 = b10_15 + T(0.5) * minus_B_thetadot11_9_1 + E10_11 * b10_19 - minus_E10_13 * b10_13;
   // K_thetadot10_9 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
   const T K_thetadot10_9_3 = E10_11 * J10_32 - minus_E10_13 * J10_12 - b9_18;
@@ -16444,22 +15179,22 @@ template <class T>
   const T K_thetadot12_8_1 = T(0.1) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_8_3 + K_thetadot12_9_1;
   const T b8_36 = T(0.3) * B_thetadot12_8_3;
   const T K_thetadot12_8_2 = b9_39 - b8_36 + E9_22 * K_thetadot12_9_2 - E9_23 * K_thetadot12_9_3;
-  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 - (T(0.3) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_9_1)
-      + E9_22 * K_thetadot12_9_3;
+  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 + E9_22 * K_thetadot12_9_3 - T(0.3) * minus_B_thetadot12_8_2 -
+      T(0.45) * B_thetadot12_9_1;
   // B_thetadot11_8 = E9^T B_thetadot11_9
   const T B_thetadot11_8_2 = E9_22 * hc11_1 - E9_23 * B_thetadot11_9_3;
   const T B_thetadot11_8_3 = E9_23 * hc11_1 + E9_22 * B_thetadot11_9_3;
   // K_thetadot11_8 = q9~ E9^T B_thetadot11_9 + E9^T K_thetadot11_9
   const T K_thetadot11_8_1 = T(0.45) * B_thetadot11_8_3 - T(0.1) * B_thetadot11_8_2 + K_thetadot11_9_1;
   const T b8_37 = T(0.3) * B_thetadot11_8_3;
-  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - (b9_40 + b8_37) - E9_23 * K_thetadot11_9_3;
+  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - E9_23 * K_thetadot11_9_3 - b9_40 - b8_37;
   const T K_thetadot11_8_3 = T(0.3) * B_thetadot11_8_2 + T(0.45) * minus_B_thetadot11_9_1 + E9_23 * K_thetadot11_9_2 +
       E9_22 * K_thetadot11_9_3;
   // B_thetadot10_8 = E9^T B_thetadot10_9
   const T B_thetadot10_8_2 = E9_23 * hc10_1;
   const T minus_B_thetadot10_8_3 = E9_22 * hc10_1;
   // K_thetadot10_8 = q9~ E9^T B_thetadot10_9 + E9^T K_thetadot10_9
-  const T K_thetadot10_8_1 = b9_11 - (T(0.1) * B_thetadot10_8_2 + T(0.45) * minus_B_thetadot10_8_3);
+  const T K_thetadot10_8_1 = b9_11 - T(0.1) * B_thetadot10_8_2 - T(0.45) * minus_B_thetadot10_8_3;
   const T b8_38 = T(0.3) * minus_B_thetadot10_8_3;
   const T K_thetadot10_8_2 = b9_5 + b8_38 + E9_22 * b9_15 - E9_23 * K_thetadot10_9_3;
   const T K_thetadot10_8_3 = T(0.3) * B_thetadot10_8_2 - T(0.45) * hc10_3 + E9_23 * b9_15 + E9_22 * K_thetadot10_9_3;
@@ -17533,8 +16268,8 @@ template <class T>
   // K_thetadot11_7 = q8~ E8^T B_thetadot11_8 + E8^T K_thetadot11_8
   const T b7_62 = T(0.1) * B_thetadot11_7_2;
   const T K_thetadot11_7_1 = T(0.4) * B_thetadot11_8_3 - b7_62 + E8_11 * K_thetadot11_8_1 - E8_12 * K_thetadot11_8_2;
-  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 - (T(0.1) * minus_B_thetadot11_7_1 + b8_37) + E8_11 *
-      K_thetadot11_8_2;
+  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_2 - T(0.1) * minus_B_thetadot11_7_1 -
+      b8_37;
   const T b7_63 = T(0.3) * B_thetadot11_7_2;
   const T K_thetadot11_7_3 = b7_63 + T(0.4) * minus_B_thetadot11_7_1 + K_thetadot11_8_3;
   // B_thetadot10_7 = E8^T B_thetadot10_8
@@ -17542,8 +16277,8 @@ template <class T>
   const T B_thetadot10_7_2 = E8_12 * hc10_3 + E8_11 * B_thetadot10_8_2;
   // K_thetadot10_7 = q8~ E8^T B_thetadot10_8 + E8^T K_thetadot10_8
   const T b7_64 = T(0.1) * B_thetadot10_7_2;
-  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - (b7_64 + T(0.4) * minus_B_thetadot10_8_3) - E8_12 *
-      K_thetadot10_8_2;
+  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - E8_12 * K_thetadot10_8_2 - b7_64 - T(0.4) *
+      minus_B_thetadot10_8_3;
   const T K_thetadot10_7_2 = T(0.1) * B_thetadot10_7_1 + b8_38 + E8_12 * K_thetadot10_8_1 + E8_11 * K_thetadot10_8_2;
   const T b7_65 = T(0.3) * B_thetadot10_7_2;
   const T K_thetadot10_7_3 = b7_65 - T(0.4) * B_thetadot10_7_1 + K_thetadot10_8_3;
@@ -17555,7 +16290,7 @@ template <class T>
   const T K_thetadot9_7_1 = b7_66 + T(0.4) * hc9_2 + E8_11 * b8_5 - E8_12 * K_thetadot9_8_2;
   const T K_thetadot9_7_2 = T(0.1) * B_thetadot9_7_1 - b8_11 + E8_12 * b8_5 + E8_11 * K_thetadot9_8_2;
   const T b7_67 = T(0.3) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_3 = K_thetadot9_8_3 - (b7_67 + T(0.4) * B_thetadot9_7_1);
+  const T K_thetadot9_7_3 = K_thetadot9_8_3 - b7_67 - T(0.4) * B_thetadot9_7_1;
   // D_thetaddot7: pivots of L D L^T
   const T b7_68 = K_thetadot32_7_2 * T(1.8315018315018314);
   const T b7_69 = K_thetadot31_7_2 + b7_68 * b31_18;
@@ -18728,8 +17463,8 @@ template <class T>
   const T B_thetadot10_6_1 = E7_11 * B_thetadot10_7_1 - minus_E7_13 * minus_B_thetadot10_8_3;
   const T minus_B_thetadot10_6_3 = minus_E7_13 * B_thetadot10_7_1 + E7_11 * minus_B_thetadot10_8_3;
   // K_thetadot10_6 = q7~ E7^T B_thetadot10_7 + E7^T K_thetadot10_7
-  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 - (b7_64 + T(0.35) * minus_B_thetadot10_6_3) + minus_E7_13 *
-      K_thetadot10_7_3;
+  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 + minus_E7_13 * K_thetadot10_7_3 - b7_64 - T(0.35) *
+      minus_B_thetadot10_6_3;
   const T b6_42 = T(0.1) * B_thetadot10_6_1;
   const T K_thetadot10_6_2 = b6_42 + T(0.3) * minus_B_thetadot10_6_3 + K_thetadot10_7_2;
   const T K_thetadot10_6_3 = b7_65 - T(0.35) * B_thetadot10_6_1 + E7_11 * K_thetadot10_7_3 - minus_E7_13 *
@@ -18742,15 +17477,15 @@ template <class T>
       K_thetadot9_7_3;
   const T b6_43 = T(0.1) * B_thetadot9_6_1;
   const T K_thetadot9_6_2 = b6_43 - T(0.3) * B_thetadot9_6_3 + K_thetadot9_7_2;
-  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - (b7_67 + T(0.35) * B_thetadot9_6_1) - minus_E7_13 *
-      K_thetadot9_7_1;
+  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - minus_E7_13 * K_thetadot9_7_1 - b7_67 - T(0.35) *
+      B_thetadot9_6_1;
   // B_thetadot8_6 = E7^T B_thetadot8_7
   const T minus_B_thetadot8_6_1 = E7_11 * hc8_2;
   const T B_thetadot8_6_3 = minus_E7_13 * hc8_2;
   // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
   const T K_thetadot8_6_1 = T(0.35) * B_thetadot8_6_3 - b7_12 + E7_11 * b7_13 + minus_E7_13 * b7_19;
   const T b6_44 = T(0.1) * minus_B_thetadot8_6_1;
-  const T K_thetadot8_6_2 = b7_18 - (b6_44 + T(0.3) * B_thetadot8_6_3);
+  const T K_thetadot8_6_2 = b7_18 - b6_44 - T(0.3) * B_thetadot8_6_3;
   const T K_thetadot8_6_3 = b7_15 + T(0.35) * minus_B_thetadot8_6_1 + E7_11 * b7_19 - minus_E7_13 * b7_13;
   // K_thetadot7_6 = q7~ E7^T B_thetadot7_7 + E7^T K_thetadot7_7
   const T K_thetadot7_6_3 = E7_11 * J7_32 - minus_E7_13 * J7_12 - b6_19;
@@ -19935,15 +18670,15 @@ template <class T>
   const T b5_41 = T(0.3) * B_thetadot9_5_3;
   const T K_thetadot9_5_1 = T(0.1) * minus_B_thetadot9_5_2 + b5_41 + K_thetadot9_6_1;
   const T K_thetadot9_5_2 = b6_43 - b5_41 + E6_22 * K_thetadot9_6_2 - E6_23 * K_thetadot9_6_3;
-  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 - (T(0.3) * minus_B_thetadot9_5_2 + T(0.3) * B_thetadot9_6_1) +
-      E6_22 * K_thetadot9_6_3;
+  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 + E6_22 * K_thetadot9_6_3 - T(0.3) * minus_B_thetadot9_5_2 -
+      T(0.3) * B_thetadot9_6_1;
   // B_thetadot8_5 = E6^T B_thetadot8_6
   const T B_thetadot8_5_2 = E6_22 * hc8_1 - E6_23 * B_thetadot8_6_3;
   const T B_thetadot8_5_3 = E6_23 * hc8_1 + E6_22 * B_thetadot8_6_3;
   // K_thetadot8_5 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T b5_42 = T(0.3) * B_thetadot8_5_3;
   const T K_thetadot8_5_1 = b5_42 - T(0.1) * B_thetadot8_5_2 + K_thetadot8_6_1;
-  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - (b6_44 + b5_42) - E6_23 * K_thetadot8_6_3;
+  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3 - b6_44 - b5_42;
   const T K_thetadot8_5_3 = T(0.3) * B_thetadot8_5_2 + T(0.3) * minus_B_thetadot8_6_1 + E6_23 * K_thetadot8_6_2 +
       E6_22 * K_thetadot8_6_3;
   // B_thetadot7_5 = E6^T B_thetadot7_6
@@ -19951,7 +18686,7 @@ template <class T>
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
   const T b5_43 = T(0.3) * minus_B_thetadot7_5_3;
-  const T K_thetadot7_5_1 = b6_11 - (T(0.1) * B_thetadot7_5_2 + b5_43);
+  const T K_thetadot7_5_1 = b6_11 - T(0.1) * B_thetadot7_5_2 - b5_43;
   const T K_thetadot7_5_2 = b6_5 + b5_43 + E6_22 * b6_15 - E6_23 * K_thetadot7_6_3;
   const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_18 + E6_23 * b6_15 + E6_22 * K_thetadot7_6_3;
   // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
@@ -21194,8 +19929,8 @@ template <class T>
   // K_thetadot8_4 = q5~ E5^T B_thetadot8_5 + E5^T K_thetadot8_5
   const T b4_68 = T(0.1) * B_thetadot8_4_2;
   const T K_thetadot8_4_1 = T(0.25) * B_thetadot8_5_3 - b4_68 + E5_11 * K_thetadot8_5_1 - E5_12 * K_thetadot8_5_2;
-  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 - (T(0.1) * minus_B_thetadot8_4_1 + b5_42) + E5_11 *
-      K_thetadot8_5_2;
+  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 + E5_11 * K_thetadot8_5_2 - T(0.1) * minus_B_thetadot8_4_1 -
+      b5_42;
   const T b4_69 = T(0.3) * B_thetadot8_4_2;
   const T K_thetadot8_4_3 = b4_69 + T(0.25) * minus_B_thetadot8_4_1 + K_thetadot8_5_3;
   // B_thetadot7_4 = E5^T B_thetadot7_5
@@ -21203,8 +19938,8 @@ template <class T>
   const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
   // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
   const T b4_70 = T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - (b4_70 + T(0.25) * minus_B_thetadot7_5_3) - E5_12 *
-      K_thetadot7_5_2;
+  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - E5_12 * K_thetadot7_5_2 - b4_70 - T(0.25) *
+      minus_B_thetadot7_5_3;
   const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_43 + E5_12 * K_thetadot7_5_1 + E5_11 * K_thetadot7_5_2;
   const T b4_71 = T(0.3) * B_thetadot7_4_2;
   const T K_thetadot7_4_3 = b4_71 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
@@ -21216,7 +19951,7 @@ template <class T>
   const T K_thetadot6_4_1 = b4_72 + T(0.25) * hc6_2 + E5_11 * b5_6 - E5_12 * K_thetadot6_5_2;
   const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 + E5_11 * K_thetadot6_5_2;
   const T b4_73 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_73 + T(0.25) * B_thetadot6_4_1);
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_73 - T(0.25) * B_thetadot6_4_1;
   // D_thetaddot4: pivots of L D L^T
   const T b4_74 = K_thetadot32_4_2 * T(1.8315018315018314);
   const T b4_75 = K_thetadot31_4_2 + b4_74 * b31_18;
@@ -22569,8 +21304,8 @@ template <class T>
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 - (b4_70 + T(0.2) * minus_B_thetadot7_3_3) + minus_E4_13 *
-      K_thetadot7_4_3;
+  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 + minus_E4_13 * K_thetadot7_4_3 - b4_70 - T(0.2) *
+      minus_B_thetadot7_3_3;
   const T b3_44 = T(0.1) * B_thetadot7_3_1;
   const T K_thetadot7_3_2 = b3_44 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
   const T K_thetadot7_3_3 = b4_71 - T(0.2) * B_thetadot7_3_1 + E4_11 * K_thetadot7_4_3 - minus_E4_13 *
@@ -22583,15 +21318,15 @@ template <class T>
       K_thetadot6_4_3;
   const T b3_45 = T(0.1) * B_thetadot6_3_1;
   const T K_thetadot6_3_2 = b3_45 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_73 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
-      K_thetadot6_4_1;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_73 - T(0.2) *
+      B_thetadot6_3_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
   const T b3_46 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_18 - (b3_46 + T(0.3) * B_thetadot5_3_3);
+  const T K_thetadot5_3_2 = b4_18 - b3_46 - T(0.3) * B_thetadot5_3_3;
   const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
   // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
   const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
@@ -23950,22 +22685,22 @@ template <class T>
   const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
   const T b2_42 = T(0.3) * B_thetadot6_2_3;
   const T K_thetadot6_2_2 = b3_45 - b2_42 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
-      E3_22 * K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
+      T(0.15) * B_thetadot6_3_1;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
   const T b2_43 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_46 + b2_43) - E3_23 * K_thetadot5_3_3;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_46 - b2_43;
   const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
       E3_22 * K_thetadot5_3_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_11 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
+  const T K_thetadot4_2_1 = b3_11 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
   const T b2_44 = T(0.3) * minus_B_thetadot4_2_3;
   const T K_thetadot4_2_2 = b3_5 + b2_44 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
   const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
@@ -25551,8 +24286,8 @@ template <class T>
   const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_42 + E2_12 *
       K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
-      B_thetadot5_2_2) + b2_43) + E2_11 * K_thetadot5_2_2;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
+      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_43;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
   const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_44 + E2_12 * K_thetadot4_2_1 +
       E2_11 * K_thetadot4_2_2;
@@ -26234,7 +24969,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_1 = minus_U1_11 * T(0.1);
   const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
   const T t1_2 = thetaddot1 * T(0.1);
-  const T a1_3 = Pddot1_3 - (t1_2 + minus_U1_11 * T(0.05));
+  const T a1_3 = Pddot1_3 - t1_2 - minus_U1_11 * T(0.05);
   // G1 = m1 a1: force balance, body axes [N]
   const T G1_1 = T(1.1) * a1_1;
   const T G1_3 = T(1.1) * a1_3;
@@ -26275,7 +25010,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
   const T Pddot2_1 = E2_11 * t2_7;
   const T minus_Pddot2_2 = E2_12 * t2_7;
-  const T Pddot2_3 = Pddot1_3 - (thetaddot1 * T(0.3) + t1_1);
+  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3) - t1_1;
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
   const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
@@ -28497,4 +27232,4 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   r[0] = r_theta1;
 }
 
-}  // namespace kanec::chain_32
+}  // namespace kanec::bench_cr32

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/bench/relative_state.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "runtime/cli/paths.hpp"
+
+namespace kanec::cli {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+// One body: attitude (its components to inertial ones), angular velocity and its rate, body axes.
+struct Turning {
+  Quaterniond Q = Quaterniond::Identity();
+  Vector3d omega = Vector3d::Zero(), omega_rate = Vector3d::Zero();
+};
+
+Vector3d vector(const double* from) { return Eigen::Map<const Vector3d>(from); }
+double entry(const std::vector<double>& list, int at) { return list[static_cast<std::size_t>(at)]; }
+const double* entries(const std::vector<double>& list, int at) { return list.data() + at; }
+
+// What stands on `turning`, turned by theta about the axis a of both.
+Turning turned(const Turning& turning, const Vector3d& a, double theta, double rate, double second_rate) {
+  const Quaterniond step(Eigen::AngleAxisd(theta, a));
+  const Vector3d omega = step.inverse() * turning.omega, along = a * rate;
+  return {turning.Q * step, omega + along, step.inverse() * turning.omega_rate + omega.cross(along) + a * second_rate};
+}
+
+Turning turned(const Turning& turning, const Matrix3d& zero) {
+  return {turning.Q * Quaterniond(zero), zero.transpose() * turning.omega, zero.transpose() * turning.omega_rate};
+}
+
+scene::Scene without_loads(scene::Scene scene) {
+  scene.loads.clear();
+  for (scene::Body& body : scene.bodies) body.force = body.moment = {};
+  return scene;
+}
+
+}  // namespace
+
+// q, u and the rates of u, filled body by body.
+struct RelativeStates::Motion {
+  std::vector<double> q, u, u_rate;
+  std::vector<Turning> bodies = {{}};
+
+  void slide(double value, double rate, double second_rate) {
+    q.push_back(value);
+    u.push_back(rate);
+    u_rate.push_back(second_rate);
+  }
+
+  // A ball's own attitude and angular velocity, both absolute, to what is relative to `lower`.
+  void ball(const Turning& own, const Turning& lower) {
+    const Quaterniond relative = lower.Q.inverse() * own.Q;  // K's components to L(K)'s
+    const Vector3d carried = relative.inverse() * lower.omega, omega = own.omega - carried;
+    const Vector3d rate = own.omega_rate - relative.inverse() * lower.omega_rate + omega.cross(carried);
+    q.insert(q.end(), {relative.x(), relative.y(), relative.z(), relative.w()});
+    u.insert(u.end(), omega.begin(), omega.end());
+    u_rate.insert(u_rate.end(), rate.begin(), rate.end());
+    bodies.push_back(own);
+  }
+};
+
+RelativeStates::RelativeStates(const scene::Scene& scene, const RelativeModel& model)
+    : scene_(scene), unloaded_(without_loads(scene)), model_(model), layout_(scene) {}
+
+RelativeStates::Motion RelativeStates::motion(const State& state) const {
+  Motion motion;
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const kanec_peer_body& body = model_.bodies[i];
+    const scene::BodyLayout& at = layout_.bodies[static_cast<std::size_t>(model_.of[i])];
+    const Turning lower = motion.bodies[static_cast<std::size_t>(body.lower)];
+    for (std::size_t j = 0; j < at.s.size(); ++j)
+      motion.slide(entry(state.x, at.s[j]), entry(state.y, at.sdot[j]), entry(state.ydot, at.sdot[j]));
+    if (body.is_ball) {
+      motion.ball({Quaterniond(Eigen::Map<const Eigen::Vector4d>(entries(state.x, at.eps))),
+                   vector(entries(state.y, at.omega)), vector(entries(state.ydot, at.omega))},
+                  lower);
+      continue;
+    }
+    Turning turning = lower;
+    for (std::size_t j = 0; j < at.theta.size(); ++j) {
+      const double rate = entry(state.y, at.thetadot[j]), second_rate = entry(state.ydot, at.thetadot[j]);
+      motion.slide(entry(state.x, at.theta[j]), rate, second_rate);
+      turning = turned(turning, vector(body.turns + 3 * j), motion.q.back(), rate, second_rate);
+    }
+    motion.bodies.push_back(turned(turning, Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(body.zero)));
+  }
+  return motion;
+}
+
+// u = T y, so that a force Q on y is one of T^-T Q on u.
+RelativeState RelativeStates::of(const State& state) const {
+  const std::vector<double> with = generic_path<double>(scene_, {"forcing"}, state);
+  const std::vector<double> without = generic_path<double>(unloaded_, {"forcing"}, state);
+  const Eigen::Index n = model_.n_u;
+  Eigen::VectorXd Q(n);
+  Eigen::MatrixXd T(n, n);
+  State unit = state;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    Q[i] = with[at] - without[at];
+    unit.y.assign(static_cast<std::size_t>(n), 0.0);
+    unit.y[at] = 1.0;
+    T.col(i) = Eigen::Map<const Eigen::VectorXd>(motion(unit).u.data(), n);
+  }
+  const Motion found = motion(state);
+  const Eigen::VectorXd force = T.transpose().partialPivLu().solve(Q);
+  return {found.q, found.u, {force.begin(), force.end()}};
+}
+
+std::vector<double> RelativeStates::rates(const State& state) const { return motion(state).u_rate; }
+
+}  // namespace kanec::cli

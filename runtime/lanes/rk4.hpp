@@ -1,0 +1,89 @@
+// The classical Runge-Kutta method in lanes: one group of scenarios stepped together, compiled with the model. Not:
+// which scenarios, nor what is kept of them (runtime/integrate/ensemble.hpp).
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "batch.hpp"
+
+namespace kanec::lanes::batch {
+
+// Each set of Euler parameters of z to unit norm; returns the worst | |eps| - 1 | before, or `worst` where that is
+// worse.
+template <class Lane, class Model>
+Lane normalise(Lane* z, Lane worst) noexcept {
+  for (int k = 0; k < Model::n_attitudes; ++k) {
+    Lane* eps = z + Model::attitudes[k].eps;
+    const Lane length = sqrt(eps[0] * eps[0] + eps[1] * eps[1] + eps[2] * eps[2] + eps[3] * eps[3]);
+    worst = max(worst, abs(length - Lane(1)));
+    for (int i = 0; i < 4; ++i) eps[i] = eps[i] / length;
+  }
+  return worst;
+}
+
+// Model: sizes and attitudes. Rates: the function whose n_out results are the rates of z = (x, y), or (x, y, work).
+template <class Lane, class Prepared, class Model, class Rates>
+class Rk4 {
+ public:
+  static constexpr int n = Rates::n_out;
+
+  explicit Rk4(const kanec_group* group) noexcept
+      : prepared_(*static_cast<const Prepared*>(group->prepared)), u_(static_cast<const Lane*>(group->u)) {}
+
+  // kanec_rk4: steps()
+  static void steps(const kanec_group* group) noexcept {
+    Rk4 method(group);
+    Lane* z = static_cast<Lane*>(group->z);
+    Lane worst = *static_cast<const Lane*>(group->norm_error), finite = *static_cast<const Lane*>(group->finite_until);
+    double t = group->begin;
+    for (std::int64_t i = 1; i <= group->steps; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(group->steps);
+      const double end = i == group->steps ? group->end : group->begin + (group->end - group->begin) * part;
+      method.step(z, t, end - t);
+      t = end;
+      worst = normalise<Lane, Model>(z, worst);
+      finite = select(is_finite(z), Lane(t), finite);
+    }
+    *static_cast<Lane*>(group->norm_error) = worst;
+    *static_cast<Lane*>(group->finite_until) = finite;
+  }
+
+ private:
+  // z += h/6 (k1 + 2 k2 + 2 k3 + k4) (Kutta 1901)
+  void step(Lane* z, double t, double h) noexcept {
+    evaluate(t, z, sum_);
+    shift(z, 0.5 * h, sum_);
+    evaluate(t + 0.5 * h, stage_, rate_);
+    add(2);
+    shift(z, 0.5 * h, rate_);
+    evaluate(t + 0.5 * h, stage_, rate_);
+    add(2);
+    shift(z, h, rate_);
+    evaluate(t + h, stage_, rate_);
+    add(1);
+    const Lane sixth(h / 6.0);
+    for (int i = 0; i < n; ++i) z[i] += sixth * sum_[i];
+  }
+  void shift(const Lane* z, double h, const Lane* rate) noexcept {
+    const Lane step(h);
+    for (int i = 0; i < n; ++i) stage_[i] = z[i] + step * rate[i];
+  }
+  void add(int weight) noexcept {
+    const Lane w(weight);
+    for (int i = 0; i < n; ++i) sum_[i] += w * rate_[i];
+  }
+  void evaluate(double t, const Lane* z, Lane* rate) const noexcept {
+    Rates::call(prepared_, Lane(t), z, z + Model::nx, nullptr, u_, rate);
+  }
+  // Zero times what is not finite is no number.
+  static typename Lane::Mask is_finite(const Lane* z) noexcept {
+    Lane zero(0);
+    for (int i = 0; i < n; ++i) zero += z[i] * Lane(0);
+    return zero == Lane(0);
+  }
+
+  const Prepared& prepared_;
+  const Lane* u_;
+  Lane stage_[n > 0 ? n : 1], rate_[n > 0 ? n : 1], sum_[n > 0 ? n : 1];
+};
+
+}  // namespace kanec::lanes::batch
