@@ -21,8 +21,10 @@ Form form(const program::Program& program, const program::Function& function, co
     return result;
   }
   // a tenth less is within what the estimate knows
-  const std::size_t allowed = optimize == Optimize::size ? result.straight.code / 10 * 9 : result.straight.code / 2;
-  if (result.rolled.code < allowed) result.loops = std::move(loops);
+  const bool pays = optimize == Optimize::size
+                        ? result.rolled.code < result.straight.code / 10 * 9
+                        : result.rolled.code < result.straight.code / 2 && result.rolled.stack <= most_stack;
+  if (pays) result.loops = std::move(loops);
   return result;
 }
 

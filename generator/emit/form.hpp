@@ -1,5 +1,5 @@
-// How each function is written, as a straight line or as loops over bodies, and what either takes of memory. Not: the text.
-// SPDX-License-Identifier: BSD-3-Clause
+// How each function is written, as a straight line or as loops over bodies, and what either takes of memory. Not: the
+// text. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <optional>
@@ -17,9 +17,11 @@ struct Form {
   program::Footprint straight, rolled;   // the latter where there are loops
 };
 
-// For size, loops wherever they take less code. For speed, in functions beyond `longest_line` operations of which most are
-// repeated: code that does not fit the processor's caches is no faster as a straight line, and takes long to compile.
+// For size, loops wherever they take less code. For speed, in functions beyond `longest_line` operations of which most
+// are repeated: code that does not fit the processor's caches is no faster as a straight line, and takes long to
+// compile. Frames for speed stay below `most_stack` bytes: a thread may have little more.
 inline constexpr int longest_line = 8000;
+inline constexpr std::size_t most_stack = 1 << 20;
 
 std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs, Optimize optimize);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -121,22 +122,31 @@ class Rolling {
 
   std::size_t frame_of(std::size_t i) const { return at(std::max(section(i).body, 0)); }
 
-  // Each field in the first place that is free in the frames of all bodies that have it.
+  // Each field in the first place that is free in the frames of all bodies that have it; those of most bodies first, so
+  // that a body of many fields of its own makes no other's frame longer.
   void lay_out_frames() {
     std::vector<std::vector<std::size_t>> owners(result_.fields.size());
     for (std::size_t c = 0; c < members_.size(); ++c)
       for (const auto& [p, field] : fields_[c])
         for (const std::size_t m : members_[c]) owners[at(field)].push_back(frame_of(m));
     std::vector<std::vector<bool>> taken(n_frames_);
-    const auto is_taken = [&](std::size_t body, std::size_t slot) { return slot < taken[body].size() && taken[body][slot]; };
-    for (const std::vector<std::size_t>& bodies : owners) {
+    const auto is_taken = [&](std::size_t body, std::size_t slot) {
+      return slot < taken[body].size() && taken[body][slot];
+    };
+    std::vector<std::size_t> order(owners.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return owners[a].size() > owners[b].size(); });
+    result_.slots.resize(owners.size());
+    for (const std::size_t field : order) {
+      const std::vector<std::size_t>& bodies = owners[field];
       std::size_t slot = 0;
       while (std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) { return is_taken(b, slot); })) ++slot;
       for (const std::size_t b : bodies) {
         if (taken[b].size() <= slot) taken[b].resize(slot + 1, false);
         taken[b][slot] = true;
       }
-      result_.slots.push_back(static_cast<Index>(slot));
+      result_.slots[field] = static_cast<Index>(slot);
     }
     for (const auto& frame : taken) {
       result_.begins.push_back(result_.frames_size);
@@ -274,8 +284,8 @@ class Rolling {
   std::vector<int> ordinal_;      // of a section among those of its pass and body
   std::vector<Members> members_;  // of the classes
   std::vector<std::size_t> class_of_;
-  std::vector<bool> crosses_;     // of a node: another section reads it
-  std::vector<Index> place_;      // of a node in its section
+  std::vector<bool> crosses_;                             // of a node: another section reads it
+  std::vector<Index> place_;                              // of a node in its section
   std::vector<std::unordered_map<Index, Index>> fields_;  // of the classes: by place
   std::map<std::tuple<Pass, int, Stem>, Index> field_of_;
   std::size_t n_frames_ = 1;

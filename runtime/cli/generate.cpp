@@ -51,7 +51,7 @@ struct Options {
   std::optional<symbolic::Algorithm> algorithm;
   std::string output;
   std::string stage;
-  emit::Optimize optimize = emit::Optimize::speed;
+  std::string optimize = "speed";
   bool abi = false;
   bool json = false;
 };
@@ -98,7 +98,8 @@ class NewFolder {
 std::deque<Product> open_products(const Options& options, const std::string& name) {
   std::deque<Product> products;
   if (options.json && is_standard_output(options.output))
-    throw InputError("--json: found it beside --output " + options.output + "; allowed: one of them on standard output");
+    throw InputError("--json: found it beside --output " + options.output +
+                     "; allowed: one of them on standard output");
   const bool folder = means_folder(options.output);
   products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
   if (!options.abi) return products;
@@ -168,7 +169,7 @@ int generate_files(const Options& options) {
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions, options.algorithm, options.optimize});
+  const Generated generated = generate(scene, {functions, options.algorithm, goals.at(options.optimize)});
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -186,11 +187,15 @@ void add_generate(CLI::App& app, Action& action) {
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
   add_algorithm(*command, options->algorithm);
-  command->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
+  command
+      ->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
-  command->add_option("--optimize", options->optimize, "loops over bodies where they are no slower (speed), where they take less code (size), never (line), always (loops)")
+  command
+      ->add_option("--optimize", options->optimize,
+                   "loops over bodies: where they are no slower (speed, the default), where they take less code (size), "
+                   "never (line), always (loops)")
       ->option_text("speed|size|line|loops")
-      ->transform(CLI::CheckedTransformer(goals));
+      ->check(CLI::IsMember({"speed", "size", "line", "loops"}));
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")

@@ -116,7 +116,9 @@ void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algori
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {
-  command.add_option("--functions", functions, "these alone; a+b: both in one call (those of the scene, or the usual ones)")
+  command
+      .add_option("--functions", functions,
+                  "these alone; a+b: both in one call (those of the scene, or the usual ones)")
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)

@@ -46,6 +46,19 @@ TEST_F(Generate, standard_output_takes_the_header_and_nothing_else) {
   refuses({"generate", model("free_body"), "-o", "-", "--abi"}, "allowed with --abi: a folder", there);
 }
 
+TEST_F(Generate, code_is_made_for_what_is_asked) {
+  const std::string scene = model("chain_32");
+  EXPECT_EQ(kanec({"generate", scene, "--functions", "residual", "--optimize", "size", "-o", "size.hpp"}).status, 0);
+  const std::string header = read_file(work() / "size.hpp");
+  EXPECT_THAT(header, HasSubstr("; for size; functions residual"));
+  EXPECT_THAT(header,
+              HasSubstr("// functions written as loops over bodies; bytes in double, estimated:\n//   residual: "));
+  EXPECT_THAT(header, HasSubstr("namespace residual_sections {"));
+  EXPECT_EQ(kanec({"generate", scene, "--functions", "residual", "-o", "speed.hpp"}).status, 0);
+  EXPECT_GT(fs::file_size(work() / "speed.hpp"), 1.5 * static_cast<double>(header.size()));
+  refuses({"generate", scene, "--optimize", "weight"}, "--optimize", {"size.hpp", "speed.hpp"});
+}
+
 TEST_F(Generate, report_counts_every_function) {
   const json report = json_of({"generate", model("bench_s6f"), "--json"});
   EXPECT_EQ(report.at("nx"), 42);
