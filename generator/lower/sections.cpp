@@ -29,11 +29,27 @@ Section later(const Section& own, const Section& needed) {
 
 Sections::Sections(const symbolic::Equations& equations)
     : equations_(equations), definitions_(equations.table.all().size(), nullptr) {
-  for (const symbolic::Quantity& quantity : equations.quantities)
-    definitions_[static_cast<std::size_t>(index(quantity.symbol))] = &quantity;
+  for (const symbolic::Quantity& quantity : equations.quantities) {
+    const auto at = static_cast<std::size_t>(index(quantity.symbol));
+    definitions_[at] = &quantity;
+    constant_.resize(definitions_.size());
+    constant_[at] = is_constant(quantity.value);
+  }
   for (const symbolic::Solve& solve : equations.solves)
     for (const symbolic::Solve::Unknown& unknown : solve.unknowns)
       unknowns_[index(unknown.letter)] = {&solve, equations.mechanism.link(unknown.link).body};
+}
+
+// Made of numbers of the scene alone.
+bool Sections::is_constant(const ex& e) const {
+  if (GiNaC::is_a<Atom>(e)) {
+    const symbolic::Symbol& symbol = equations_.table.of(e);
+    if (symbol.role == symbolic::Role::numbers) return true;
+    const auto at = static_cast<std::size_t>(index(definitions_[static_cast<std::size_t>(index(e))] ? e : symbol.transpose));
+    return definitions_[at] != nullptr && constant_[at];
+  }
+  if (is_ex_the_function(e, symbolic::expression)) return false;
+  return std::all_of(e.begin(), e.end(), [this](const ex& operand) { return is_constant(operand); });
 }
 
 bool Sections::is_defined(const ex& letter) const {
@@ -72,7 +88,7 @@ Section Sections::section_of(const ex& e, std::map<int, Section>& known) const {
     return result;
   }
   const ex letter = is_defined(e) ? e : equations_.table.of(e).transpose;
-  if (!is_defined(letter)) return result;
+  if (!is_defined(letter) || is_constant(letter)) return result;
   const auto found = known.find(index(letter));
   if (found != known.end()) return found->second;
   result = own_section(letter);

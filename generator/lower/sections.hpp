@@ -48,11 +48,13 @@ class Sections {
   std::vector<Placed> in_order(const std::vector<bool>& used) const;
 
  private:
+  bool is_constant(const GiNaC::ex& e) const;
   Section section_of(const GiNaC::ex& e, std::map<int, Section>& known) const;
   Section own_section(const GiNaC::ex& letter) const;
 
   const symbolic::Equations& equations_;
   std::vector<const symbolic::Quantity*> definitions_;              // by table index
+  std::vector<bool> constant_;                                      // likewise
   std::map<int, std::pair<const symbolic::Solve*, int>> unknowns_;  // likewise: system and its body
 };
 
