@@ -13,7 +13,9 @@ namespace {
 
 std::string options_text(const scene::Scene& scene, const GenerateOptions& options) {
   const std::vector<std::string>& named = options.functions.empty() ? scene.functions : options.functions;
-  std::string text = named.empty() ? "the usual functions" : "functions";
+  constexpr const char* goals[] = {"", "for size; ", "as straight lines; ", "as loops; "};
+  std::string text = goals[static_cast<std::size_t>(options.optimize)];
+  text += named.empty() ? "the usual functions" : "functions";
   for (const std::string& function : named) text += " " + function;
   return options.algorithm ? text + "; algorithm " + name(*options.algorithm) : text;
 }
@@ -38,7 +40,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene, version(), mark, options_text(scene, options), source};
+  const emit::Model model{&scene, version(), mark, options_text(scene, options), source, options.optimize};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   std::string batch = emit::emit_batch(model, program);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/model.hpp"
 #include "generator/program/program.hpp"
 #include "generator/reductions.hpp"
 #include "generator/requests.hpp"
@@ -16,6 +17,7 @@ namespace kanec {
 struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
+  emit::Optimize optimize = emit::Optimize::speed;
 };
 
 struct Generated {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 01773f27c5f7cec2 of arm_6/scene.toml; the usual functions
+// model e98b80c7d5e1111d of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "01773f27c5f7cec2";
+inline constexpr char model_hash[] = "e98b80c7d5e1111d";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -415,7 +415,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t3_6 = minus_omega3_1 * T(0.014);
   const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
   const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
-  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
+  const T v3_3 = Pdot3_3 - (minus_R3_13 * t3_4 + R3_33 * t3_6);
   // T3 = 1/2 omega3 . (I_link3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(0.066) * minus_omega3_1 * minus_omega3_1 + T(0.066) * omega3_2 * omega3_2 + T(0.0125) *
       omega3_3 * omega3_3) + T(2.4) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
@@ -451,7 +451,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
-  const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
+  const T v4_1 = Pdot4_1 - (R4_11 * t4_4 + minus_R4_21 * t4_5);
   const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
   const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
@@ -570,7 +570,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t2_5 = T(0.524) * omega2_3;
   const T t2_6 = T(0.13) * minus_omega2_1;
   const T t2_7 = T(0.539) * thetadot2;
-  const T H2_1 = R2_31 * t2_5 - R2_11 * t2_6 - E1_12 * t2_7 + minus_p2_3 * l2_2 + p2_2 * l2_3;
+  const T H2_1 = R2_31 * t2_5 - (R2_11 * t2_6 + E1_12 * t2_7) + minus_p2_3 * l2_2 + p2_2 * l2_3;
   const T H2_2 = E1_11 * t2_7 - R2_12 * t2_6 + R2_32 * t2_5 - minus_p2_3 * l2_1 - p2_1 * l2_3;
   const T H2_3 = minus_E2_13 * t2_6 + E2_11 * t2_5 + p2_1 * l2_2 - p2_2 * l2_1;
 
@@ -612,7 +612,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t3_6 = minus_omega3_1 * T(0.014);
   const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
   const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
-  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
+  const T v3_3 = Pdot3_3 - (minus_R3_13 * t3_4 + R3_33 * t3_6);
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(4.8) * v3_1;
   const T l3_2 = T(4.8) * v3_2;
@@ -621,7 +621,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t3_7 = T(0.0125) * omega3_3;
   const T t3_8 = T(0.066) * minus_omega3_1;
   const T t3_9 = T(0.066) * omega3_2;
-  const T H3_1 = R3_31 * t3_7 - R3_11 * t3_8 - E1_12 * t3_9 + p3_2 * l3_3 - p3_3 * l3_2;
+  const T H3_1 = R3_31 * t3_7 - (R3_11 * t3_8 + E1_12 * t3_9) + p3_2 * l3_3 - p3_3 * l3_2;
   const T H3_2 = E1_11 * t3_9 - R3_12 * t3_8 + R3_32 * t3_7 + p3_3 * l3_1 - p3_1 * l3_3;
   const T H3_3 = minus_R3_13 * t3_8 + R3_33 * t3_7 + p3_1 * l3_2 - p3_2 * l3_1;
 
@@ -660,7 +660,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
-  const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
+  const T v4_1 = Pdot4_1 - (R4_11 * t4_4 + minus_R4_21 * t4_5);
   const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
   const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
@@ -1068,7 +1068,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       minus_N3_1;
   const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
       + N3_2;
-  const T rho3_3 = T(0.014) * minus_G3_1 - T(0.0203) * b3_2 - minus_rho4_3 + N3_3;
+  const T rho3_3 = T(0.014) * minus_G3_1 - (T(0.0203) * b3_2 + minus_rho4_3) + N3_3;
   // h3 = m3 r_link3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h3_1 = hc4_1 - c.c3_2;
   const T h3_2 = T(0.0672) + hc4_2;
@@ -1310,7 +1310,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = minus_U2_12 * T(0.016) - minus_U2_11 * T(0.068) - U2_13 * T(0.006) - minus_Pddot2_1;
   const T a2_2 = U2_21 * T(0.068) + minus_U2_22 * T(0.016) - U2_23 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_31 * T(0.068) - U2_32 * T(0.016) + Pddot2_3;
+  const T a2_3 = minus_U2_33 * T(0.006) - (minus_U2_31 * T(0.068) + U2_32 * T(0.016)) + Pddot2_3;
   // G2 = m2 a2: force balance, body axes [N]
   const T G2_1 = T(17.4) * a2_1;
   const T G2_2 = T(17.4) * a2_2;
@@ -1354,7 +1354,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t3_7 = minus_U2_12 * T(0.0934) - minus_U2_11 * T(0.4318) - minus_Pddot2_1;
-  const T t3_8 = Pddot2_3 - minus_U2_31 * T(0.4318) - U2_32 * T(0.0934);
+  const T t3_8 = Pddot2_3 - (minus_U2_31 * T(0.4318) + U2_32 * T(0.0934));
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
   const T Pddot3_2 = U2_21 * T(0.4318) + minus_U2_22 * T(0.0934) - minus_Pddot2_2;
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
@@ -1838,7 +1838,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       minus_N3_1;
   const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
       + N3_2;
-  const T rho3_3 = T(0.014) * minus_G3_1 - T(0.0203) * b3_2 - minus_rho4_3 + N3_3;
+  const T rho3_3 = T(0.014) * minus_G3_1 - (T(0.0203) * b3_2 + minus_rho4_3) + N3_3;
   // f_theta3 = b3 . rho3 + tau_forearm_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + u.tau_3;
   f[2] = f_theta3;
@@ -2111,7 +2111,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t2_1 = T(0.016) * E2_11;
   const T t2_2 = T(0.006) * minus_E2_13 - T(0.068) * E2_11;
   const T t2_3 = T(0.016) * minus_E2_13;
-  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - R2_11 * t2_1 - E1_12 * t2_2 - R2_31 * t2_3;
+  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - (R2_11 * t2_1 + E1_12 * t2_2 + R2_31 * t2_3);
   const T minus_B1_1_2 = E1_11 * t2_2 - R2_12 * t2_1 - R2_32 * t2_3 + minus_P_thetadot1_2_2;
   const T minus_B1_1_3 = minus_E2_13 * t2_1 - E2_11 * t2_3;
   v_y[18] = -minus_B1_1_1;
@@ -2141,7 +2141,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_2 = T(0.0934) * E2_11;
   const T t3_3 = T(0.0934) * minus_E2_13;
   const T minus_P_thetadot1_3_1 = E1_12 * t3_1 - R2_11 * t3_2 - R2_31 * t3_3 + minus_P_thetadot1_2_1;
-  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - R2_12 * t3_2 - E1_11 * t3_1 - R2_32 * t3_3;
+  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - (R2_12 * t3_2 + E1_11 * t3_1 + R2_32 * t3_3);
   const T minus_P_thetadot1_3_3 = minus_E2_13 * t3_2 - E2_11 * t3_3;
   v_y[84] = -minus_P_thetadot1_3_3;
   // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
@@ -2262,7 +2262,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B13_1 = -R6^T r6~ omega_thetadot1_6 + P_thetadot1_4
   const T t6_1 = T(0.032) * R6_23;
   const T t6_2 = T(0.032) * R6_13;
-  const T minus_B13_1_1 = minus_P_thetadot1_4_1 - R6_11 * t6_1 - minus_R6_21 * t6_2;
+  const T minus_B13_1_1 = minus_P_thetadot1_4_1 - (R6_11 * t6_1 + minus_R6_21 * t6_2);
   const T minus_B13_1_2 = R6_22 * t6_2 - R6_12 * t6_1 + minus_P_thetadot1_4_2;
   const T minus_B13_1_3 = R6_23 * t6_2 - R6_13 * t6_1 + minus_P_thetadot1_3_3;
   v_y[90] = -minus_B13_1_1;
@@ -2310,8 +2310,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_13 = T(0.0565) * R6_13;
   const T t6_14 = T(0.05) * R6_23;
   const T t6_15 = T(0.05) * R6_13;
-  const T minus_B19_1_1 = minus_P_thetadot1_4_1 - R6_11 * t6_12 - minus_R6_21 * t6_13 - R6_11 * t6_14 - minus_R6_21 *
-      t6_15;
+  const T minus_B19_1_1 = minus_P_thetadot1_4_1 - (R6_11 * t6_12 + minus_R6_21 * t6_13 + R6_11 * t6_14 + minus_R6_21 *
+      t6_15);
   const T minus_B19_1_2 = R6_22 * t6_13 - R6_12 * t6_12 + R6_22 * t6_15 - R6_12 * t6_14 + minus_P_thetadot1_4_2;
   const T minus_B19_1_3 = R6_23 * t6_13 - R6_13 * t6_12 + R6_23 * t6_15 - R6_13 * t6_14 + minus_P_thetadot1_3_3;
   v_y[108] = -minus_B19_1_1;
@@ -2410,7 +2410,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_10 = T(0.016) * minus_omega_dot_thetadot1_2_1;
   const T minus_B1_1_1 = E1_12 * t2_4 - R2_11 * t2_6 + R2_31 * t2_7 + R2_11 * t2_8 - E1_12 * t2_9 - R2_31 * t2_10 -
       P_dot_thetadot1_2_1;
-  const T minus_B1_1_2 = R2_32 * t2_7 - R2_12 * t2_6 - E1_11 * t2_4 + R2_12 * t2_8 + E1_11 * t2_9 - R2_32 * t2_10 +
+  const T minus_B1_1_2 = R2_32 * t2_7 - (R2_12 * t2_6 + E1_11 * t2_4) + R2_12 * t2_8 + E1_11 * t2_9 - R2_32 * t2_10 +
       minus_P_dot_thetadot1_2_2;
   const T minus_B1_1_3 = minus_E2_13 * t2_6 + E2_11 * t2_7 - minus_E2_13 * t2_8 - E2_11 * t2_10;
   v_y_dot[18] = -minus_B1_1_1;
@@ -2455,7 +2455,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_2 = T(0.0934) * minus_E2_13;
   const T t3_3 = omega2_3 * t3_1 - thetadot2 * t3_2 + T(0.0934) * minus_omega_dot_thetadot1_2_3;
   const T t3_4 = T(0.0934) * E2_11;
-  const T t3_5 = T(0.4318) * minus_omega_dot_thetadot1_2_3 - omega2_3 * t3_4 - minus_omega2_1 * t3_2;
+  const T t3_5 = T(0.4318) * minus_omega_dot_thetadot1_2_3 - (omega2_3 * t3_4 + minus_omega2_1 * t3_2);
   const T t3_6 = minus_omega2_1 * t3_1 + thetadot2 * t3_4 - T(0.0934) * minus_omega_dot_thetadot1_2_1;
   const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - E1_12 * t3_5 + R2_31 * t3_6 - P_dot_thetadot1_2_1;
   const T minus_P_dot_thetadot1_3_2 = R2_12 * t3_3 + E1_11 * t3_5 + R2_32 * t3_6 + minus_P_dot_thetadot1_2_2;
@@ -2530,7 +2530,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_2 = omega3_3 * t4_1;
   const T t4_3 = T(0.4331) * omega_dot_thetadot1_3_1 - T(0.0203) * minus_omega_dot_thetadot1_3_3;
   const T t4_4 = minus_omega3_1 * t4_1;
-  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 - R3_11 * t4_2 - E1_12 * t4_3 - R3_31 * t4_4;
+  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 - (R3_11 * t4_2 + E1_12 * t4_3 + R3_31 * t4_4);
   const T minus_P_dot_thetadot1_4_2 = E1_11 * t4_3 - R3_12 * t4_2 - R3_32 * t4_4 + minus_P_dot_thetadot1_3_2;
   const T minus_P_dot_thetadot1_4_3 = minus_R3_13 * t4_2 - R3_33 * t4_4 + minus_P_dot_thetadot1_3_3;
   v_y_dot[72] = -minus_P_dot_thetadot1_4_1;
@@ -2543,7 +2543,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_7 = omega3_2 * T(0.4331);
   const T t4_8 = E1_12 * t4_5 - R3_11 * t4_6 + R3_31 * t4_7;
   const T minus_P_dot_thetadot2_4_1 = t4_8 + minus_P_dot_thetadot2_3_1;
-  const T t4_9 = R3_32 * t4_7 - R3_12 * t4_6 - E1_11 * t4_5;
+  const T t4_9 = R3_32 * t4_7 - (R3_12 * t4_6 + E1_11 * t4_5);
   const T minus_P_dot_thetadot2_4_2 = t4_9 + minus_P_dot_thetadot2_3_2;
   const T t4_10 = minus_R3_13 * t4_6 + R3_33 * t4_7;
   const T minus_P_dot_thetadot2_4_3 = t4_10 - P_dot_thetadot2_3_3;
@@ -2561,7 +2561,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_15 = omega4_3 * t4_12;
   const T t4_16 = T(0.019) * omega_dot_thetadot1_4_2;
   const T t4_17 = T(0.019) * omega_dot_thetadot1_4_1;
-  const T minus_B6_1_1 = R3_31 * t4_13 - R4_11 * t4_14 - minus_R4_21 * t4_15 + R4_11 * t4_16 + minus_R4_21 * t4_17 +
+  const T minus_B6_1_1 = R3_31 * t4_13 - (R4_11 * t4_14 + minus_R4_21 * t4_15) + R4_11 * t4_16 + minus_R4_21 * t4_17 +
       minus_P_dot_thetadot1_4_1;
   const T minus_B6_1_2 = R4_22 * t4_15 - R4_12 * t4_14 + R3_32 * t4_13 + R4_12 * t4_16 - R4_22 * t4_17 +
       minus_P_dot_thetadot1_4_2;
@@ -2672,9 +2672,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_7 = T(0.032) * omega_dot_thetadot1_6_1;
   const T minus_B13_1_1 = minus_R6_21 * t6_2 - R6_11 * t6_4 + R5_31 * t6_5 - R6_11 * t6_6 - minus_R6_21 * t6_7 +
       minus_P_dot_thetadot1_4_1;
-  const T minus_B13_1_2 = R5_32 * t6_5 - R6_12 * t6_4 - R6_22 * t6_2 + R6_22 * t6_7 - R6_12 * t6_6 +
+  const T minus_B13_1_2 = R5_32 * t6_5 - (R6_12 * t6_4 + R6_22 * t6_2) + R6_22 * t6_7 - R6_12 * t6_6 +
       minus_P_dot_thetadot1_4_2;
-  const T minus_B13_1_3 = R5_33 * t6_5 - R6_13 * t6_4 - R6_23 * t6_2 + R6_23 * t6_7 - R6_13 * t6_6 +
+  const T minus_B13_1_3 = R5_33 * t6_5 - (R6_13 * t6_4 + R6_23 * t6_2) + R6_23 * t6_7 - R6_13 * t6_6 +
       minus_P_dot_thetadot1_4_3;
   v_y_dot[90] = -minus_B13_1_1;
   v_y_dot[96] = -minus_B13_1_2;
@@ -2689,9 +2689,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_14 = T(0.032) * omega_dot_thetadot2_6_1;
   const T t6_15 = minus_R6_21 * t6_9 - R6_11 * t6_11 + R5_31 * t6_12 + R6_11 * t6_13 - minus_R6_21 * t6_14;
   const T minus_B14_2_1 = t6_15 + minus_P_dot_thetadot2_4_1;
-  const T t6_16 = R5_32 * t6_12 - R6_12 * t6_11 - R6_22 * t6_9 + R6_12 * t6_13 + R6_22 * t6_14;
+  const T t6_16 = R5_32 * t6_12 - (R6_12 * t6_11 + R6_22 * t6_9) + R6_12 * t6_13 + R6_22 * t6_14;
   const T minus_B14_2_2 = t6_16 + minus_P_dot_thetadot2_4_2;
-  const T t6_17 = R5_33 * t6_12 - R6_13 * t6_11 - R6_23 * t6_9 + R6_13 * t6_13 + R6_23 * t6_14;
+  const T t6_17 = R5_33 * t6_12 - (R6_13 * t6_11 + R6_23 * t6_9) + R6_13 * t6_13 + R6_23 * t6_14;
   const T minus_B14_2_3 = t6_17 + minus_P_dot_thetadot2_4_3;
   v_y_dot[91] = -minus_B14_2_1;
   v_y_dot[97] = -minus_B14_2_2;
@@ -2726,8 +2726,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_30 = T(0.032) * minus_omega_dot_thetadot5_6_2;
   const T t6_31 = T(0.032) * omega_dot_thetadot5_6_1;
   const T minus_B17_5_1 = minus_R6_21 * t6_26 - R6_11 * t6_28 + R5_31 * t6_29 + R6_11 * t6_30 - minus_R6_21 * t6_31;
-  const T minus_B17_5_2 = R5_32 * t6_29 - R6_12 * t6_28 - R6_22 * t6_26 + R6_12 * t6_30 + R6_22 * t6_31;
-  const T minus_B17_5_3 = R5_33 * t6_29 - R6_13 * t6_28 - R6_23 * t6_26 + R6_13 * t6_30 + R6_23 * t6_31;
+  const T minus_B17_5_2 = R5_32 * t6_29 - (R6_12 * t6_28 + R6_22 * t6_26) + R6_12 * t6_30 + R6_22 * t6_31;
+  const T minus_B17_5_3 = R5_33 * t6_29 - (R6_13 * t6_28 + R6_23 * t6_26) + R6_13 * t6_30 + R6_23 * t6_31;
   v_y_dot[94] = -minus_B17_5_1;
   v_y_dot[100] = -minus_B17_5_2;
   v_y_dot[106] = -minus_B17_5_3;
@@ -2750,10 +2750,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_B19_1_1 = minus_R6_21 * t6_33 - R6_11 * t6_35 + R5_31 * t6_36 + minus_R6_21 * t6_38 - R6_11 * t6_40 +
       R5_31 * t6_41 - R6_11 * t6_42 - minus_R6_21 * t6_43 - R6_11 * t6_44 - minus_R6_21 * t6_45 +
       minus_P_dot_thetadot1_4_1;
-  const T minus_B19_1_2 = R5_32 * t6_36 - R6_12 * t6_35 - R6_22 * t6_33 + R5_32 * t6_41 - R6_12 * t6_40 - R6_22 *
-      t6_38 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44 + minus_P_dot_thetadot1_4_2;
-  const T minus_B19_1_3 = R5_33 * t6_36 - R6_13 * t6_35 - R6_23 * t6_33 + R5_33 * t6_41 - R6_13 * t6_40 - R6_23 *
-      t6_38 + R6_23 * t6_43 - R6_13 * t6_42 + R6_23 * t6_45 - R6_13 * t6_44 + minus_P_dot_thetadot1_4_3;
+  const T minus_B19_1_2 = R5_32 * t6_36 - (R6_12 * t6_35 + R6_22 * t6_33) - R6_12 * t6_40 - R6_22 * t6_38 + R5_32 *
+      t6_41 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44 + minus_P_dot_thetadot1_4_2;
+  const T minus_B19_1_3 = R5_33 * t6_36 - (R6_13 * t6_35 + R6_23 * t6_33) - R6_13 * t6_40 - R6_23 * t6_38 + R5_33 *
+      t6_41 + R6_23 * t6_43 - R6_13 * t6_42 + R6_23 * t6_45 - R6_13 * t6_44 + minus_P_dot_thetadot1_4_3;
   v_y_dot[108] = -minus_B19_1_1;
   v_y_dot[114] = -minus_B19_1_2;
   v_y_dot[120] = -minus_B19_1_3;
@@ -2776,10 +2776,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_60 = minus_R6_21 * t6_47 - R6_11 * t6_49 + R5_31 * t6_50 + minus_R6_21 * t6_52 - R6_11 * t6_54 + R5_31 *
       t6_55 + R6_11 * t6_56 - minus_R6_21 * t6_57 + R6_11 * t6_58 - minus_R6_21 * t6_59;
   const T minus_B20_2_1 = t6_60 + minus_P_dot_thetadot2_4_1;
-  const T t6_61 = R5_32 * t6_50 - R6_12 * t6_49 - R6_22 * t6_47 + R5_32 * t6_55 - R6_12 * t6_54 - R6_22 * t6_52 +
+  const T t6_61 = R5_32 * t6_50 - (R6_12 * t6_49 + R6_22 * t6_47) - R6_12 * t6_54 - R6_22 * t6_52 + R5_32 * t6_55 +
       R6_12 * t6_56 + R6_22 * t6_57 + R6_12 * t6_58 + R6_22 * t6_59;
   const T minus_B20_2_2 = t6_61 + minus_P_dot_thetadot2_4_2;
-  const T t6_62 = R5_33 * t6_50 - R6_13 * t6_49 - R6_23 * t6_47 + R5_33 * t6_55 - R6_13 * t6_54 - R6_23 * t6_52 +
+  const T t6_62 = R5_33 * t6_50 - (R6_13 * t6_49 + R6_23 * t6_47) - R6_13 * t6_54 - R6_23 * t6_52 + R5_33 * t6_55 +
       R6_13 * t6_56 + R6_23 * t6_57 + R6_13 * t6_58 + R6_23 * t6_59;
   const T minus_B20_2_3 = t6_62 + minus_P_dot_thetadot2_4_3;
   v_y_dot[109] = -minus_B20_2_1;
@@ -2836,10 +2836,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_90 = T(0.05) * omega_dot_thetadot5_6_1;
   const T minus_B23_5_1 = minus_R6_21 * t6_78 - R6_11 * t6_80 + R5_31 * t6_81 + minus_R6_21 * t6_83 - R6_11 * t6_85 +
       R5_31 * t6_86 + R6_11 * t6_87 - minus_R6_21 * t6_88 + R6_11 * t6_89 - minus_R6_21 * t6_90;
-  const T minus_B23_5_2 = R5_32 * t6_81 - R6_12 * t6_80 - R6_22 * t6_78 + R5_32 * t6_86 - R6_12 * t6_85 - R6_22 *
-      t6_83 + R6_12 * t6_87 + R6_22 * t6_88 + R6_12 * t6_89 + R6_22 * t6_90;
-  const T minus_B23_5_3 = R5_33 * t6_81 - R6_13 * t6_80 - R6_23 * t6_78 + R5_33 * t6_86 - R6_13 * t6_85 - R6_23 *
-      t6_83 + R6_13 * t6_87 + R6_23 * t6_88 + R6_13 * t6_89 + R6_23 * t6_90;
+  const T minus_B23_5_2 = R5_32 * t6_81 - (R6_12 * t6_80 + R6_22 * t6_78) - R6_12 * t6_85 - R6_22 * t6_83 + R5_32 *
+      t6_86 + R6_12 * t6_87 + R6_22 * t6_88 + R6_12 * t6_89 + R6_22 * t6_90;
+  const T minus_B23_5_3 = R5_33 * t6_81 - (R6_13 * t6_80 + R6_23 * t6_78) - R6_13 * t6_85 - R6_23 * t6_83 + R5_33 *
+      t6_86 + R6_13 * t6_87 + R6_23 * t6_88 + R6_13 * t6_89 + R6_23 * t6_90;
   v_y_dot[112] = -minus_B23_5_1;
   v_y_dot[118] = -minus_B23_5_2;
   v_y_dot[124] = -minus_B23_5_3;

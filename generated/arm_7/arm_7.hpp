@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2c3ea371c447fd37 of arm_7/scene.toml; the usual functions
+// model 0a8a919f558fcd84 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "2c3ea371c447fd37";
+inline constexpr char model_hash[] = "0a8a919f558fcd84";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -308,15 +308,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[20] = T(0);
   pose[8] = T(1);
   pose[11] = T(0.27749999999999997);
-  pose[21] = R2_31 * T(0.059) - R2_11 * T(3e-04) - E1_12 * T(0.042);
+  pose[21] = R2_31 * T(0.059) - (R2_11 * T(3e-04) + E1_12 * T(0.042));
   pose[22] = E1_11 * T(0.042) - R2_12 * T(3e-04) + R2_32 * T(0.059);
   pose[23] = minus_E2_13 * T(3e-04) + E2_11 * T(0.059) + T(0.36);
   pose[45] = minus_R3_21 * T(0.034) + R4_31 * T(0.067) + P4_1;
   pose[46] = R4_32 * T(0.067) - R3_22 * T(0.034) + P4_2;
   pose[47] = R4_33 * T(0.067) - R3_23 * T(0.034) + P4_3;
   pose[57] = minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076) + P5_1;
-  pose[58] = R4_32 * T(0.076) - R5_12 * T(1e-04) - R5_22 * T(0.021) + P5_2;
-  pose[59] = R4_33 * T(0.076) - R5_13 * T(1e-04) - R5_23 * T(0.021) + P5_3;
+  pose[58] = R4_32 * T(0.076) - (R5_12 * T(1e-04) + R5_22 * T(0.021)) + P5_2;
+  pose[59] = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
   pose[69] = R6_31 * T(6e-04) - minus_R5_21 * T(4e-04) + P6_1;
   pose[70] = R5_22 * T(4e-04) + R6_32 * T(6e-04) + P6_2;
   pose[71] = R5_23 * T(4e-04) + R6_33 * T(6e-04) + P6_3;
@@ -402,7 +402,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_5 = omega3_1 * T(0.03);
   const T v3_1 = R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5 + Pdot3_1;
   const T v3_2 = R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5 + Pdot3_2;
-  const T v3_3 = E2_11 * t3_5 - minus_R3_13 * t3_3 - R3_23 * t3_4 - minus_Pdot3_3;
+  const T v3_3 = E2_11 * t3_5 - (minus_R3_13 * t3_3 + R3_23 * t3_4) - minus_Pdot3_3;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(0.025) * omega3_1 * omega3_1 + T(0.0238) * omega3_2 * omega3_2 + T(0.0076) * omega3_3 *
       omega3_3) + T(1.75) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
@@ -465,7 +465,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
   const T P5_3 = R4_33 * T(0.1845) + P4_3;
   // p5 = R5^T r_link5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R4_33 * T(0.076) - R5_13 * T(1e-04) - R5_23 * T(0.021) + P5_3;
+  const T p5_3 = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_1 = omega4_2 * T(0.1845);
   const T t5_2 = omega4_1 * T(0.1845);
@@ -613,7 +613,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
   // p2 = R2^T r_link2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_31 * T(0.059) - R2_11 * T(3e-04) - E1_12 * T(0.042);
+  const T p2_1 = R2_31 * T(0.059) - (R2_11 * T(3e-04) + E1_12 * T(0.042));
   const T p2_2 = E1_11 * T(0.042) - R2_12 * T(3e-04) + R2_32 * T(0.059);
   const T p2_3 = minus_E2_13 * T(3e-04) + E2_11 * T(0.059) + T(0.36);
   // v2 = R2^T omega2~ r_link2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
@@ -631,7 +631,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_4 = T(0.0304) * omega2_3;
   const T t2_5 = T(0.0305) * minus_omega2_1;
   const T t2_6 = T(0.011) * thetadot2;
-  const T H2_1 = R2_31 * t2_4 - R2_11 * t2_5 - E1_12 * t2_6 + p2_2 * l2_3 - p2_3 * l2_2;
+  const T H2_1 = R2_31 * t2_4 - (R2_11 * t2_5 + E1_12 * t2_6) + p2_2 * l2_3 - p2_3 * l2_2;
   const T H2_2 = E1_11 * t2_6 - R2_12 * t2_5 + R2_32 * t2_4 + p2_3 * l2_1 - p2_1 * l2_3;
   const T H2_3 = minus_E2_13 * t2_5 + E2_11 * t2_4 + p2_1 * l2_2 - p2_2 * l2_1;
 
@@ -670,7 +670,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_5 = omega3_1 * T(0.03);
   const T v3_1 = R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5 + Pdot3_1;
   const T v3_2 = R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5 + Pdot3_2;
-  const T v3_3 = E2_11 * t3_5 - minus_R3_13 * t3_3 - R3_23 * t3_4 - minus_Pdot3_3;
+  const T v3_3 = E2_11 * t3_5 - (minus_R3_13 * t3_3 + R3_23 * t3_4) - minus_Pdot3_3;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(3.5) * v3_1;
   const T l3_2 = T(3.5) * v3_2;
@@ -756,8 +756,8 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_3 = R4_33 * T(0.1845) + P4_3;
   // p5 = R5^T r_link5 + P5: position of the mass centre, inertial axes [m]
   const T p5_1 = minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076) + P5_1;
-  const T p5_2 = R4_32 * T(0.076) - R5_12 * T(1e-04) - R5_22 * T(0.021) + P5_2;
-  const T p5_3 = R4_33 * T(0.076) - R5_13 * T(1e-04) - R5_23 * T(0.021) + P5_3;
+  const T p5_2 = R4_32 * T(0.076) - (R5_12 * T(1e-04) + R5_22 * T(0.021)) + P5_2;
+  const T p5_3 = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_1 = omega4_2 * T(0.1845);
   const T t5_2 = omega4_1 * T(0.1845);
@@ -1088,7 +1088,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
   const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - U4_32 * T(0.034) - minus_U4_33 * T(0.067);
+  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
   // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(3.5) * a4_1;
   const T minus_G4_2 = T(3.5) * a4_2;
@@ -1139,7 +1139,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
   const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - U5_31 * T(1e-04) - U5_32 * T(0.021) - minus_U5_33 * T(0.076);
+  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
   // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G5_1 = T(3.5) * a5_1;
   const T minus_G5_2 = T(3.5) * a5_2;
@@ -1618,7 +1618,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot2_3 = E2_11 * T(9.81);
   // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = minus_U2_11 * T(3e-04) - minus_U2_12 * T(0.042) + U2_13 * T(0.059) - minus_Pddot2_1;
-  const T a2_2 = U2_23 * T(0.059) - U2_21 * T(3e-04) - minus_U2_22 * T(0.042);
+  const T a2_2 = U2_23 * T(0.059) - (U2_21 * T(3e-04) + minus_U2_22 * T(0.042));
   const T a2_3 = minus_U2_31 * T(3e-04) + U2_32 * T(0.042) - minus_U2_33 * T(0.059) + Pddot2_3;
   // G2 = m2 a2: force balance, body axes [N]
   const T G2_1 = T(6.35) * a2_1;
@@ -1719,7 +1719,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
   const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - U4_32 * T(0.034) - minus_U4_33 * T(0.067);
+  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
   // G4 = m4 a4: force balance, body axes [N]
   const T G4_1 = T(3.5) * a4_1;
   const T G4_2 = T(3.5) * a4_2;
@@ -1772,7 +1772,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
   const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - U5_31 * T(1e-04) - U5_32 * T(0.021) - minus_U5_33 * T(0.076);
+  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
   // G5 = m5 a5: force balance, body axes [N]
   const T G5_1 = T(3.5) * a5_1;
   const T G5_2 = T(3.5) * a5_2;
@@ -1957,7 +1957,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       T(0.059) * G2_2 + N2_1;
   const T rho2_2 = T(0.2045) * (E3_11 * S3_1 - E3_12 * S3_2) + E3_12 * rho3_1 + E3_11 * rho3_2 + T(0.059) * G2_1 +
       T(3e-04) * G2_3 + N2_2;
-  const T rho2_3 = rho3_3 - T(3e-04) * G2_2 - T(0.042) * G2_1 + N2_3;
+  const T rho2_3 = rho3_3 - (T(3e-04) * G2_2 + T(0.042) * G2_1) + N2_3;
   // r_theta2 = b2 . rho2 - effort_link_2_2: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_2 - effort_link_2_2;
   r[1] = r_theta2;
@@ -2110,7 +2110,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
   const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - U4_32 * T(0.034) - minus_U4_33 * T(0.067);
+  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
   // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(3.5) * a4_1;
   const T minus_G4_2 = T(3.5) * a4_2;
@@ -2161,7 +2161,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
   const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - U5_31 * T(1e-04) - U5_32 * T(0.021) - minus_U5_33 * T(0.076);
+  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
   // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G5_1 = T(3.5) * a5_1;
   const T minus_G5_2 = T(3.5) * a5_2;
@@ -2690,7 +2690,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_4 = T(0.03) * minus_R3_13;
   const T minus_B4_1_1 = R3_11 * t3_2 + minus_R3_21 * t3_3 + R2_31 * t3_4 + minus_P_thetadot1_3_1;
   const T minus_B4_1_2 = R3_12 * t3_2 - R3_22 * t3_3 + R2_32 * t3_4 - P_thetadot1_3_2;
-  const T minus_B4_1_3 = E2_11 * t3_4 - minus_R3_13 * t3_2 - R3_23 * t3_3;
+  const T minus_B4_1_3 = E2_11 * t3_4 - (minus_R3_13 * t3_2 + R3_23 * t3_3);
   v_y[42] = -minus_B4_1_1;
   v_y[49] = -minus_B4_1_2;
   v_y[56] = -minus_B4_1_3;
@@ -2742,7 +2742,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_5 = T(0.034) * R4_13;
   const T t4_6 = T(0.067) * R3_23 + T(0.034) * R4_33;
   const T t4_7 = T(0.067) * R4_13;
-  const T minus_B7_1_1 = R4_31 * t4_5 - R4_11 * t4_6 - minus_R3_21 * t4_7 + minus_P_thetadot1_4_1;
+  const T minus_B7_1_1 = R4_31 * t4_5 - (R4_11 * t4_6 + minus_R3_21 * t4_7) + minus_P_thetadot1_4_1;
   const T minus_B7_1_2 = R3_22 * t4_7 - R4_12 * t4_6 + R4_32 * t4_5 - P_thetadot1_4_2;
   const T minus_B7_1_3 = R3_23 * t4_7 - R4_13 * t4_6 + R4_33 * t4_5 + minus_P_thetadot1_4_3;
   v_y[63] = -minus_B7_1_1;
@@ -2762,7 +2762,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_11 = T(0.034) * E4_13;
   const T t4_12 = T(0.034) * E4_11;
   const T t4_13 = T(0.067) * E4_13;
-  const T minus_B9_3_1 = R4_31 * t4_11 - R4_11 * t4_12 - minus_R3_21 * t4_13;
+  const T minus_B9_3_1 = R4_31 * t4_11 - (R4_11 * t4_12 + minus_R3_21 * t4_13);
   const T minus_B9_3_2 = R3_22 * t4_13 - R4_12 * t4_12 + R4_32 * t4_11;
   const T minus_B9_3_3 = R3_23 * t4_13 - R4_13 * t4_12 + R4_33 * t4_11;
   v_y[65] = -minus_B9_3_1;
@@ -2796,7 +2796,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_5 = -R4^T q5~ omega_thetadot1_4 + P_thetadot1_4: partial velocity of the body origin, inertial axes
   const T t5_1 = T(0.1845) * R3_23;
   const T t5_2 = T(0.1845) * R4_13;
-  const T minus_P_thetadot1_5_1 = minus_P_thetadot1_4_1 - R4_11 * t5_1 - minus_R3_21 * t5_2;
+  const T minus_P_thetadot1_5_1 = minus_P_thetadot1_4_1 - (R4_11 * t5_1 + minus_R3_21 * t5_2);
   const T minus_P_thetadot1_5_2 = R3_22 * t5_2 - R4_12 * t5_1 - P_thetadot1_4_2;
   const T minus_P_thetadot1_5_3 = R3_23 * t5_2 - R4_13 * t5_1 + minus_P_thetadot1_4_3;
   // P_thetadot2_5 = -R4^T q5~ omega_thetadot2_4 + P_thetadot2_4: partial velocity of the body origin, inertial axes
@@ -2817,7 +2817,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_6 = T(0.021) * R5_13 - T(1e-04) * R5_23;
   const T t5_7 = T(0.076) * R5_23 + T(0.021) * R4_33;
   const T t5_8 = T(0.076) * R5_13 + T(1e-04) * R4_33;
-  const T minus_B11_1_1 = R4_31 * t5_6 - R5_11 * t5_7 - minus_R5_21 * t5_8 + minus_P_thetadot1_5_1;
+  const T minus_B11_1_1 = R4_31 * t5_6 - (R5_11 * t5_7 + minus_R5_21 * t5_8) + minus_P_thetadot1_5_1;
   const T minus_B11_1_2 = R5_22 * t5_8 - R5_12 * t5_7 + R4_32 * t5_6 + minus_P_thetadot1_5_2;
   const T minus_B11_1_3 = R5_23 * t5_8 - R5_13 * t5_7 + R4_33 * t5_6 + minus_P_thetadot1_5_3;
   v_y[84] = -minus_B11_1_1;
@@ -2884,7 +2884,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_6 = -R5^T q6~ omega_thetadot1_5 + P_thetadot1_5: partial velocity of the body origin, inertial axes
   const T t6_1 = T(0.2155) * R5_23;
   const T t6_2 = T(0.2155) * R5_13;
-  const T minus_P_thetadot1_6_1 = minus_P_thetadot1_5_1 - R5_11 * t6_1 - minus_R5_21 * t6_2;
+  const T minus_P_thetadot1_6_1 = minus_P_thetadot1_5_1 - (R5_11 * t6_1 + minus_R5_21 * t6_2);
   const T minus_P_thetadot1_6_2 = R5_22 * t6_2 - R5_12 * t6_1 + minus_P_thetadot1_5_2;
   const T minus_P_thetadot1_6_3 = R5_23 * t6_2 - R5_13 * t6_1 + minus_P_thetadot1_5_3;
   // P_thetadot2_6 = -R5^T q6~ omega_thetadot2_5 + P_thetadot2_5: partial velocity of the body origin, inertial axes
@@ -2989,7 +2989,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_7 = -R6^T q7~ omega_thetadot1_6 + P_thetadot1_6: partial velocity of the body origin, inertial axes
   const T t7_1 = T(0.081) * R5_23;
   const T t7_2 = T(0.081) * R6_13;
-  const T minus_P_thetadot1_7_1 = minus_P_thetadot1_6_1 - R6_11 * t7_1 - minus_R5_21 * t7_2;
+  const T minus_P_thetadot1_7_1 = minus_P_thetadot1_6_1 - (R6_11 * t7_1 + minus_R5_21 * t7_2);
   const T minus_P_thetadot1_7_2 = R5_22 * t7_2 - R6_12 * t7_1 + minus_P_thetadot1_6_2;
   const T minus_P_thetadot1_7_3 = R5_23 * t7_2 - R6_13 * t7_1 + minus_P_thetadot1_6_3;
   // P_thetadot2_7 = -R6^T q7~ omega_thetadot2_6 + P_thetadot2_6: partial velocity of the body origin, inertial axes
@@ -3021,7 +3021,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B22_1 = -R7^T r7~ omega_thetadot1_7 + P_thetadot1_7
   const T t7_10 = T(0.02) * R7_23;
   const T t7_11 = T(0.02) * R7_13;
-  const T minus_B22_1_1 = minus_P_thetadot1_7_1 - R7_11 * t7_10 - minus_R7_21 * t7_11;
+  const T minus_B22_1_1 = minus_P_thetadot1_7_1 - (R7_11 * t7_10 + minus_R7_21 * t7_11);
   const T minus_B22_1_2 = R7_22 * t7_11 - R7_12 * t7_10 + minus_P_thetadot1_7_2;
   const T minus_B22_1_3 = R7_23 * t7_11 - R7_13 * t7_10 + minus_P_thetadot1_7_3;
   v_y[126] = -minus_B22_1_1;
@@ -3049,8 +3049,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_16 = T(0.02) * minus_omega_thetadot4_7_1;
   const T t7_17 = T(0.02) * omega_thetadot4_7_2;
   const T minus_B25_4_1 = minus_R7_21 * t7_16 - R7_11 * t7_17 + minus_P_thetadot4_7_1;
-  const T minus_B25_4_2 = minus_P_thetadot4_7_2 - R7_12 * t7_17 - R7_22 * t7_16;
-  const T minus_B25_4_3 = minus_P_thetadot4_7_3 - R7_13 * t7_17 - R7_23 * t7_16;
+  const T minus_B25_4_2 = minus_P_thetadot4_7_2 - (R7_12 * t7_17 + R7_22 * t7_16);
+  const T minus_B25_4_3 = minus_P_thetadot4_7_3 - (R7_13 * t7_17 + R7_23 * t7_16);
   v_y[129] = -minus_B25_4_1;
   v_y[136] = -minus_B25_4_2;
   v_y[143] = -minus_B25_4_3;
@@ -3123,8 +3123,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_8 = T(0.042) * minus_omega_dot_thetadot1_2_3;
   const T t2_9 = T(0.042) * minus_omega_dot_thetadot1_2_1;
   const T minus_B2_1_1 = R2_11 * t2_3 - E1_12 * t2_5 - R2_31 * t2_6 + E1_12 * t2_7 - R2_11 * t2_8 + R2_31 * t2_9;
-  const T minus_B2_1_2 = R2_12 * t2_3 + E1_11 * t2_5 - R2_32 * t2_6 + R2_32 * t2_9 - R2_12 * t2_8 - E1_11 * t2_7;
-  const T minus_B2_1_3 = minus_E2_13 * t2_8 + E2_11 * t2_9 - minus_E2_13 * t2_3 - E2_11 * t2_6;
+  const T minus_B2_1_2 = R2_12 * t2_3 + E1_11 * t2_5 - R2_32 * t2_6 - R2_12 * t2_8 - E1_11 * t2_7 + R2_32 * t2_9;
+  const T minus_B2_1_3 = minus_E2_13 * t2_8 - (minus_E2_13 * t2_3 + E2_11 * t2_6) + E2_11 * t2_9;
   v_y_dot[21] = -minus_B2_1_1;
   v_y_dot[28] = -minus_B2_1_2;
   v_y_dot[35] = -minus_B2_1_3;
@@ -3133,7 +3133,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_11 = thetadot2 * T(3e-04);
   const T t2_12 = thetadot2 * T(0.059);
   const T minus_B3_2_1 = E1_12 * t2_10 - R2_11 * t2_11 + R2_31 * t2_12;
-  const T minus_B3_2_2 = R2_32 * t2_12 - R2_12 * t2_11 - E1_11 * t2_10;
+  const T minus_B3_2_2 = R2_32 * t2_12 - (R2_12 * t2_11 + E1_11 * t2_10);
   const T minus_B3_2_3 = minus_E2_13 * t2_11 + E2_11 * t2_12;
   v_y_dot[22] = -minus_B3_2_1;
   v_y_dot[29] = -minus_B3_2_2;
@@ -3206,7 +3206,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_22 = T(0.13) * minus_omega_dot_thetadot2_3_2;
   const T t3_23 = T(0.13) * omega_dot_thetadot2_3_1;
   const T t3_24 = T(0.03) * omega_dot_thetadot2_3_1;
-  const T minus_B5_2_1 = R2_31 * t3_18 - R3_11 * t3_20 - minus_R3_21 * t3_21 + R3_11 * t3_22 - minus_R3_21 * t3_23 -
+  const T minus_B5_2_1 = R2_31 * t3_18 - (R3_11 * t3_20 + minus_R3_21 * t3_21) + R3_11 * t3_22 - minus_R3_21 * t3_23 -
       R2_31 * t3_24 + minus_P_dot_thetadot2_3_1;
   const T minus_B5_2_2 = R3_22 * t3_21 - R3_12 * t3_20 + R2_32 * t3_18 + R3_12 * t3_22 + R3_22 * t3_23 - R2_32 * t3_24
       + minus_P_dot_thetadot2_3_2;
@@ -3389,7 +3389,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_3 = omega4_1 * t5_1 + omega4_2 * t5_2;
   const T t5_4 = omega4_3 * t5_1 + T(0.1845) * omega_dot_thetadot1_3_2;
   const T t5_5 = T(0.1845) * omega_dot_thetadot1_4_1 - omega4_3 * t5_2;
-  const T minus_P_dot_thetadot1_5_1 = R4_31 * t5_3 - R4_11 * t5_4 - minus_R3_21 * t5_5 + minus_P_dot_thetadot1_4_1;
+  const T minus_P_dot_thetadot1_5_1 = R4_31 * t5_3 - (R4_11 * t5_4 + minus_R3_21 * t5_5) + minus_P_dot_thetadot1_4_1;
   const T minus_P_dot_thetadot1_5_2 = R3_22 * t5_5 - R4_12 * t5_4 + R4_32 * t5_3 + minus_P_dot_thetadot1_4_2;
   const T minus_P_dot_thetadot1_5_3 = R3_23 * t5_5 - R4_13 * t5_4 + R4_33 * t5_3 + minus_P_dot_thetadot1_4_3;
   // P_dot_thetadot2_5 = R4^T (-omega4~ q5~ omega_thetadot2_4 - q5~ omega_dot_thetadot2_4) + P_dot_thetadot2_4: its
@@ -3408,7 +3408,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_12 = omega4_1 * t5_11;
   const T t5_13 = omega4_3 * t5_11;
   const T t5_14 = T(0.1845) * omega_dot_thetadot3_4_1;
-  const T minus_P_dot_thetadot3_5_1 = R4_31 * t5_12 - R4_11 * t5_13 - minus_R3_21 * t5_14;
+  const T minus_P_dot_thetadot3_5_1 = R4_31 * t5_12 - (R4_11 * t5_13 + minus_R3_21 * t5_14);
   const T minus_P_dot_thetadot3_5_2 = R3_22 * t5_14 - R4_12 * t5_13 + R4_32 * t5_12;
   const T minus_P_dot_thetadot3_5_3 = R3_23 * t5_14 - R4_13 * t5_13 + R4_33 * t5_12;
   // P_dot_thetadot4_5 = -R4^T omega4~ q5~ b4: its rate
@@ -3498,8 +3498,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_54 = omega5_3 * T(1e-04);
   const T t5_55 = omega5_1 * T(1e-04) + omega5_2 * T(0.021);
   const T minus_B15_5_1 = minus_R5_21 * t5_53 - R5_11 * t5_54 + R4_31 * t5_55;
-  const T minus_B15_5_2 = R4_32 * t5_55 - R5_12 * t5_54 - R5_22 * t5_53;
-  const T minus_B15_5_3 = R4_33 * t5_55 - R5_13 * t5_54 - R5_23 * t5_53;
+  const T minus_B15_5_2 = R4_32 * t5_55 - (R5_12 * t5_54 + R5_22 * t5_53);
+  const T minus_B15_5_3 = R4_33 * t5_55 - (R5_13 * t5_54 + R5_23 * t5_53);
   v_y_dot[88] = -minus_B15_5_1;
   v_y_dot[95] = -minus_B15_5_2;
   v_y_dot[102] = -minus_B15_5_3;
@@ -3559,7 +3559,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_3 = omega5_1 * t6_1 + omega5_2 * t6_2;
   const T t6_4 = omega5_3 * t6_1 + T(0.2155) * omega_dot_thetadot1_5_2;
   const T t6_5 = T(0.2155) * omega_dot_thetadot1_5_1 - omega5_3 * t6_2;
-  const T minus_P_dot_thetadot1_6_1 = R4_31 * t6_3 - R5_11 * t6_4 - minus_R5_21 * t6_5 + minus_P_dot_thetadot1_5_1;
+  const T minus_P_dot_thetadot1_6_1 = R4_31 * t6_3 - (R5_11 * t6_4 + minus_R5_21 * t6_5) + minus_P_dot_thetadot1_5_1;
   const T minus_P_dot_thetadot1_6_2 = R5_22 * t6_5 - R5_12 * t6_4 + R4_32 * t6_3 + minus_P_dot_thetadot1_5_2;
   const T minus_P_dot_thetadot1_6_3 = R5_23 * t6_5 - R5_13 * t6_4 + R4_33 * t6_3 + minus_P_dot_thetadot1_5_3;
   // P_dot_thetadot2_6 = R5^T (-omega5~ q6~ omega_thetadot2_5 - q6~ omega_dot_thetadot2_5) + P_dot_thetadot2_5: its
@@ -3602,8 +3602,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_27 = T(4e-04) * omega_dot_thetadot1_6_3 - T(6e-04) * omega_dot_thetadot1_5_2;
   const T t6_28 = T(6e-04) * omega_dot_thetadot1_6_1;
   const T t6_29 = T(4e-04) * omega_dot_thetadot1_6_1;
-  const T minus_B16_1_1 = R6_31 * t6_23 - R6_11 * t6_25 - minus_R5_21 * t6_26 + R6_11 * t6_27 - minus_R5_21 * t6_28 -
-      R6_31 * t6_29 + minus_P_dot_thetadot1_6_1;
+  const T minus_B16_1_1 = R6_31 * t6_23 - (R6_11 * t6_25 + minus_R5_21 * t6_26) + R6_11 * t6_27 - minus_R5_21 * t6_28
+      - R6_31 * t6_29 + minus_P_dot_thetadot1_6_1;
   const T minus_B16_1_2 = R5_22 * t6_26 - R6_12 * t6_25 + R6_32 * t6_23 + R6_12 * t6_27 + R5_22 * t6_28 - R6_32 *
       t6_29 + minus_P_dot_thetadot1_6_2;
   const T minus_B16_1_3 = R5_23 * t6_26 - R6_13 * t6_25 + R6_33 * t6_23 + R6_13 * t6_27 + R5_23 * t6_28 - R6_33 *
@@ -3621,8 +3621,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_36 = T(6e-04) * minus_omega_dot_thetadot2_5_2 + T(4e-04) * omega_dot_thetadot2_6_3;
   const T t6_37 = T(6e-04) * omega_dot_thetadot2_6_1;
   const T t6_38 = T(4e-04) * omega_dot_thetadot2_6_1;
-  const T minus_B17_2_1 = R6_31 * t6_32 - R6_11 * t6_34 - minus_R5_21 * t6_35 + R6_11 * t6_36 - minus_R5_21 * t6_37 -
-      R6_31 * t6_38 + minus_P_dot_thetadot2_6_1;
+  const T minus_B17_2_1 = R6_31 * t6_32 - (R6_11 * t6_34 + minus_R5_21 * t6_35) + R6_11 * t6_36 - minus_R5_21 * t6_37
+      - R6_31 * t6_38 + minus_P_dot_thetadot2_6_1;
   const T minus_B17_2_2 = R5_22 * t6_35 - R6_12 * t6_34 + R6_32 * t6_32 + R6_12 * t6_36 + R5_22 * t6_37 - R6_32 *
       t6_38 + minus_P_dot_thetadot2_6_2;
   const T minus_B17_2_3 = R5_23 * t6_35 - R6_13 * t6_34 + R6_33 * t6_32 + R6_13 * t6_36 + R5_23 * t6_37 - R6_33 *
@@ -3640,8 +3640,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_45 = T(6e-04) * minus_omega_dot_thetadot3_5_2 + T(4e-04) * omega_dot_thetadot3_6_3;
   const T t6_46 = T(6e-04) * omega_dot_thetadot3_6_1;
   const T t6_47 = T(4e-04) * omega_dot_thetadot3_6_1;
-  const T minus_B18_3_1 = R6_31 * t6_41 - R6_11 * t6_43 - minus_R5_21 * t6_44 + R6_11 * t6_45 - minus_R5_21 * t6_46 -
-      R6_31 * t6_47 + minus_P_dot_thetadot3_6_1;
+  const T minus_B18_3_1 = R6_31 * t6_41 - (R6_11 * t6_43 + minus_R5_21 * t6_44) + R6_11 * t6_45 - minus_R5_21 * t6_46
+      - R6_31 * t6_47 + minus_P_dot_thetadot3_6_1;
   const T minus_B18_3_2 = R5_22 * t6_44 - R6_12 * t6_43 + R6_32 * t6_41 + R6_12 * t6_45 + R5_22 * t6_46 - R6_32 *
       t6_47 + minus_P_dot_thetadot3_6_2;
   const T minus_B18_3_3 = R5_23 * t6_44 - R6_13 * t6_43 + R6_33 * t6_41 + R6_13 * t6_45 + R5_23 * t6_46 - R6_33 *
@@ -3680,10 +3680,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_65 = T(4e-04) * minus_omega_dot_thetadot5_6_1;
   const T minus_B20_5_1 = R6_11 * t6_59 - minus_R5_21 * t6_61 - R6_31 * t6_62 + minus_R5_21 * t6_63 - R6_11 * t6_64 +
       R6_31 * t6_65;
-  const T minus_B20_5_2 = R6_12 * t6_59 + R5_22 * t6_61 - R6_32 * t6_62 + R6_32 * t6_65 - R6_12 * t6_64 - R5_22 *
-      t6_63;
-  const T minus_B20_5_3 = R6_13 * t6_59 + R5_23 * t6_61 - R6_33 * t6_62 + R6_33 * t6_65 - R6_13 * t6_64 - R5_23 *
-      t6_63;
+  const T minus_B20_5_2 = R6_12 * t6_59 + R5_22 * t6_61 - R6_32 * t6_62 - R6_12 * t6_64 - R5_22 * t6_63 + R6_32 *
+      t6_65;
+  const T minus_B20_5_3 = R6_13 * t6_59 + R5_23 * t6_61 - R6_33 * t6_62 - R6_13 * t6_64 - R5_23 * t6_63 + R6_33 *
+      t6_65;
   v_y_dot[109] = -minus_B20_5_1;
   v_y_dot[116] = -minus_B20_5_2;
   v_y_dot[123] = -minus_B20_5_3;
@@ -3759,7 +3759,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_3 = omega6_1 * t7_1 + omega6_2 * t7_2;
   const T t7_4 = omega6_3 * t7_1 + T(0.081) * omega_dot_thetadot1_5_2;
   const T t7_5 = T(0.081) * omega_dot_thetadot1_6_1 - omega6_3 * t7_2;
-  const T minus_P_dot_thetadot1_7_1 = R6_31 * t7_3 - R6_11 * t7_4 - minus_R5_21 * t7_5 + minus_P_dot_thetadot1_6_1;
+  const T minus_P_dot_thetadot1_7_1 = R6_31 * t7_3 - (R6_11 * t7_4 + minus_R5_21 * t7_5) + minus_P_dot_thetadot1_6_1;
   const T minus_P_dot_thetadot1_7_2 = R5_22 * t7_5 - R6_12 * t7_4 + R6_32 * t7_3 + minus_P_dot_thetadot1_6_2;
   const T minus_P_dot_thetadot1_7_3 = R5_23 * t7_5 - R6_13 * t7_4 + R6_33 * t7_3 + minus_P_dot_thetadot1_6_3;
   // P_dot_thetadot2_7 = R6^T (-omega6~ q7~ omega_thetadot2_6 - q7~ omega_dot_thetadot2_6) + P_dot_thetadot2_6: its
@@ -3817,9 +3817,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_33 = T(0.02) * omega_dot_thetadot1_7_1;
   const T minus_B22_1_1 = minus_R7_21 * t7_28 - R7_11 * t7_30 + R6_31 * t7_31 - R7_11 * t7_32 - minus_R7_21 * t7_33 +
       minus_P_dot_thetadot1_7_1;
-  const T minus_B22_1_2 = R6_32 * t7_31 - R7_12 * t7_30 - R7_22 * t7_28 + R7_22 * t7_33 - R7_12 * t7_32 +
+  const T minus_B22_1_2 = R6_32 * t7_31 - (R7_12 * t7_30 + R7_22 * t7_28) + R7_22 * t7_33 - R7_12 * t7_32 +
       minus_P_dot_thetadot1_7_2;
-  const T minus_B22_1_3 = R6_33 * t7_31 - R7_13 * t7_30 - R7_23 * t7_28 + R7_23 * t7_33 - R7_13 * t7_32 +
+  const T minus_B22_1_3 = R6_33 * t7_31 - (R7_13 * t7_30 + R7_23 * t7_28) + R7_23 * t7_33 - R7_13 * t7_32 +
       minus_P_dot_thetadot1_7_3;
   v_y_dot[126] = -minus_B22_1_1;
   v_y_dot[133] = -minus_B22_1_2;
@@ -3834,9 +3834,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_40 = T(0.02) * omega_dot_thetadot2_7_1;
   const T minus_B23_2_1 = minus_R7_21 * t7_35 - R7_11 * t7_37 + R6_31 * t7_38 + R7_11 * t7_39 - minus_R7_21 * t7_40 +
       minus_P_dot_thetadot2_7_1;
-  const T minus_B23_2_2 = R6_32 * t7_38 - R7_12 * t7_37 - R7_22 * t7_35 + R7_12 * t7_39 + R7_22 * t7_40 +
+  const T minus_B23_2_2 = R6_32 * t7_38 - (R7_12 * t7_37 + R7_22 * t7_35) + R7_12 * t7_39 + R7_22 * t7_40 +
       minus_P_dot_thetadot2_7_2;
-  const T minus_B23_2_3 = R6_33 * t7_38 - R7_13 * t7_37 - R7_23 * t7_35 + R7_13 * t7_39 + R7_23 * t7_40 +
+  const T minus_B23_2_3 = R6_33 * t7_38 - (R7_13 * t7_37 + R7_23 * t7_35) + R7_13 * t7_39 + R7_23 * t7_40 +
       minus_P_dot_thetadot2_7_3;
   v_y_dot[127] = -minus_B23_2_1;
   v_y_dot[134] = -minus_B23_2_2;
@@ -3849,8 +3849,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_45 = omega7_3 * t7_42;
   const T t7_46 = T(0.02) * minus_omega_dot_thetadot3_7_2;
   const T t7_47 = T(0.02) * omega_dot_thetadot3_7_1;
-  const T minus_B24_3_1 = R6_31 * t7_43 - R7_11 * t7_44 - minus_R7_21 * t7_45 + R7_11 * t7_46 - minus_R7_21 * t7_47 +
-      minus_P_dot_thetadot3_7_1;
+  const T minus_B24_3_1 = R6_31 * t7_43 - (R7_11 * t7_44 + minus_R7_21 * t7_45) + R7_11 * t7_46 - minus_R7_21 * t7_47
+      + minus_P_dot_thetadot3_7_1;
   const T minus_B24_3_2 = R7_22 * t7_45 - R7_12 * t7_44 + R6_32 * t7_43 + R7_12 * t7_46 + R7_22 * t7_47 +
       minus_P_dot_thetadot3_7_2;
   const T minus_B24_3_3 = R7_23 * t7_45 - R7_13 * t7_44 + R6_33 * t7_43 + R7_13 * t7_46 + R7_23 * t7_47 +
@@ -3902,9 +3902,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_68 = T(0.02) * omega_dot_thetadot6_7_1;
   const T minus_B27_6_1 = minus_R7_21 * t7_63 - R7_11 * t7_65 + R6_31 * t7_66 + R7_11 * t7_67 - minus_R7_21 * t7_68 +
       minus_P_dot_thetadot6_7_1;
-  const T minus_B27_6_2 = R6_32 * t7_66 - R7_12 * t7_65 - R7_22 * t7_63 + R7_12 * t7_67 + R7_22 * t7_68 +
+  const T minus_B27_6_2 = R6_32 * t7_66 - (R7_12 * t7_65 + R7_22 * t7_63) + R7_12 * t7_67 + R7_22 * t7_68 +
       minus_P_dot_thetadot6_7_2;
-  const T minus_B27_6_3 = R6_33 * t7_66 - R7_13 * t7_65 - R7_23 * t7_63 + R7_13 * t7_67 + R7_23 * t7_68 +
+  const T minus_B27_6_3 = R6_33 * t7_66 - (R7_13 * t7_65 + R7_23 * t7_63) + R7_13 * t7_67 + R7_23 * t7_68 +
       minus_P_dot_thetadot6_7_3;
   v_y_dot[131] = -minus_B27_6_1;
   v_y_dot[138] = -minus_B27_6_2;

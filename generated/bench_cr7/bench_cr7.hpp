@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 304972397e724410 of bench_cr7/scene.toml; the usual functions
+// model 0fda9edd3b9eb375 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "304972397e724410";
+inline constexpr char model_hash[] = "0fda9edd3b9eb375";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1133,7 +1133,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
       T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
+  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
       U2_32;
   const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
 
@@ -1421,7 +1421,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   //   body axes [N m]
   const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
       minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - T(0.1) * b6_1 - T(0.3) * b6_2 + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
+  const T rho6_2 = rho7_2 - (T(0.1) * b6_1 + T(0.3) * b6_2) + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
   const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
       - T(0.1) * minus_G6_2 - minus_N6_3;
   // h6 = m6 r6 + m7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
@@ -1474,7 +1474,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   //   body axes [N m]
   const T b5_3 = T(0.3) * b5_2;
   const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = E6_22 * rho6_2 - E6_23 * rho6_3 - T(0.1) * minus_S6_1 - b5_3 + T(0.1) * minus_G5_3 - T(0.05) *
+  const T rho5_2 = E6_22 * rho6_2 - (T(0.1) * minus_S6_1 + b5_3) - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
       minus_G5_1 - minus_N5_2;
   const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
       T(0.1) * minus_G5_2 - minus_N5_3;
@@ -1540,7 +1540,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       minus_G4_3 - minus_N4_1;
   const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
       minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - T(0.3) * b4_2 - T(0.25) * b4_1 + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
+  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.25) * b4_1) + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
   // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h4_1 = T(1.5799999999999998) + hc5_1;
   const T h4_2 = T(1.48) + hc5_2;
@@ -1596,7 +1596,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T K_thetadot6_4_1 = b4_22 + T(0.25) * hc6_2 + E5_11 * b5_6 + E5_12 * minus_K_thetadot6_5_2;
   const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 - E5_11 * minus_K_thetadot6_5_2;
   const T b4_23 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_23 - T(0.25) * B_thetadot6_4_1;
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_23 + T(0.25) * B_thetadot6_4_1);
   // D_thetaddot4: pivots of L D L^T
   const T b4_24 = K_thetadot7_4_2 * T(4.439511653718092);
   const T b4_25 = K_thetadot6_4_2 + b4_24 * b6_11;
@@ -1618,8 +1618,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
       - T(0.2) * minus_G3_3 - minus_N3_1;
   const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.3) * minus_S4_2 - T(0.2) * b3_1 + T(0.2) * minus_G3_1 -
-      T(0.1) * minus_G3_2 - minus_N3_3;
+  const T rho3_3 = E4_11 * rho4_3 - (T(0.3) * minus_S4_2 + T(0.2) * b3_1) - minus_E4_13 * rho4_1 + T(0.2) * minus_G3_1
+      - T(0.1) * minus_G3_2 - minus_N3_3;
   // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h3_1 = T(1.99) + hc4_1;
   const T h3_2 = T(1.5) + h4_2;
@@ -1659,8 +1659,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - b4_20 - T(0.2) *
-      minus_B_thetadot7_3_3;
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - (b4_20 + T(0.2) * minus_B_thetadot7_3_3) - E4_11 *
+      minus_K_thetadot7_4_1;
   const T b3_19 = T(0.1) * B_thetadot7_3_1;
   const T K_thetadot7_3_2 = b3_19 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
   const T K_thetadot7_3_3 = b4_21 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
@@ -1673,15 +1673,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       K_thetadot6_4_3;
   const T b3_20 = T(0.1) * B_thetadot6_3_1;
   const T K_thetadot6_3_2 = b3_20 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_23 - T(0.2) *
-      B_thetadot6_3_1;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_23 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
+      K_thetadot6_4_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
   const T b3_21 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_18 - b3_21 - T(0.3) * B_thetadot5_3_3;
+  const T K_thetadot5_3_2 = b4_18 - (b3_21 + T(0.3) * B_thetadot5_3_3);
   const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
   // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
   const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
@@ -1708,7 +1708,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
   const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
       minus_G2_1 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.3) * b2_1 - T(0.15) * S3_1 + T(0.2) * minus_G2_1 - T(0.1) *
+  const T rho2_3 = E3_23 * rho3_2 - (T(0.3) * b2_1 + T(0.15) * S3_1) + E3_22 * rho3_3 + T(0.2) * minus_G2_1 - T(0.1) *
       minus_G2_2 - minus_N2_3;
   // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
   const T h2_1 = T(2.37) + h3_1;
@@ -1756,22 +1756,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
   const T b2_17 = T(0.3) * B_thetadot6_2_3;
   const T K_thetadot6_2_2 = b3_20 - b2_17 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
-      T(0.15) * B_thetadot6_3_1;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
+      E3_22 * K_thetadot6_3_3;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
   const T b2_18 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_21 - b2_18;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_21 + b2_18) - E3_23 * K_thetadot5_3_3;
   const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
       E3_22 * K_thetadot5_3_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_11 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
+  const T K_thetadot4_2_1 = b3_11 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
   const T b2_19 = T(0.3) * minus_B_thetadot4_2_3;
   const T K_thetadot4_2_2 = b3_5 + b2_19 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
   const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
@@ -1808,8 +1808,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_17 + E2_12 *
       K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
-      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_18;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
+      B_thetadot5_2_2) + b2_18) + E2_11 * K_thetadot5_2_2;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
   const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_19 + E2_12 * K_thetadot4_2_1 +
       E2_11 * K_thetadot4_2_2;
@@ -1905,7 +1905,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_1 = minus_U1_11 * T(0.1);
   const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
   const T t1_2 = thetaddot1 * T(0.1);
-  const T a1_3 = Pddot1_3 - t1_2 - minus_U1_11 * T(0.05);
+  const T a1_3 = Pddot1_3 - (t1_2 + minus_U1_11 * T(0.05));
   // G1 = m1 a1: force balance, body axes [N]
   const T G1_1 = T(1.1) * a1_1;
   const T G1_3 = T(1.1) * a1_3;
@@ -1946,7 +1946,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
   const T Pddot2_1 = E2_11 * t2_7;
   const T minus_Pddot2_2 = E2_12 * t2_7;
-  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3) - t1_1;
+  const T Pddot2_3 = Pddot1_3 - (thetaddot1 * T(0.3) + t1_1);
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
   const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
@@ -2409,7 +2409,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
   const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
       T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
+  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
       U2_32;
   const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
 
@@ -2697,7 +2697,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   //   body axes [N m]
   const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
       minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - T(0.1) * b6_1 - T(0.3) * b6_2 + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
+  const T rho6_2 = rho7_2 - (T(0.1) * b6_1 + T(0.3) * b6_2) + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
   const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
       - T(0.1) * minus_G6_2 - minus_N6_3;
   // f_theta6 = b6 . rho6 + tau_body_6_: Kane's equation of the angle [N m]
@@ -2715,7 +2715,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   //   body axes [N m]
   const T b5_3 = T(0.3) * b5_2;
   const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = E6_22 * rho6_2 - E6_23 * rho6_3 - T(0.1) * minus_S6_1 - b5_3 + T(0.1) * minus_G5_3 - T(0.05) *
+  const T rho5_2 = E6_22 * rho6_2 - (T(0.1) * minus_S6_1 + b5_3) - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
       minus_G5_1 - minus_N5_2;
   const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
       T(0.1) * minus_G5_2 - minus_N5_3;
@@ -2736,7 +2736,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       minus_G4_3 - minus_N4_1;
   const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
       minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - T(0.3) * b4_2 - T(0.25) * b4_1 + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
+  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.25) * b4_1) + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
   // f_theta4 = b4 . rho4 + tau_body_4_: Kane's equation of the angle [N m]
   const T f_theta4 = rho4_2 + u.tau_4;
   f[3] = f_theta4;
@@ -2753,8 +2753,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
       - T(0.2) * minus_G3_3 - minus_N3_1;
   const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.3) * minus_S4_2 - T(0.2) * b3_1 + T(0.2) * minus_G3_1 -
-      T(0.1) * minus_G3_2 - minus_N3_3;
+  const T rho3_3 = E4_11 * rho4_3 - (T(0.3) * minus_S4_2 + T(0.2) * b3_1) - minus_E4_13 * rho4_1 + T(0.2) * minus_G3_1
+      - T(0.1) * minus_G3_2 - minus_N3_3;
   // f_theta3 = b3 . rho3 + tau_body_3_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_1 + u.tau_3;
   f[2] = f_theta3;
@@ -2771,7 +2771,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
   const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
       minus_G2_1 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.3) * b2_1 - T(0.15) * S3_1 + T(0.2) * minus_G2_1 - T(0.1) *
+  const T rho2_3 = E3_23 * rho3_2 - (T(0.3) * b2_1 + T(0.15) * S3_1) + E3_22 * rho3_3 + T(0.2) * minus_G2_1 - T(0.1) *
       minus_G2_2 - minus_N2_3;
   // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_3 + u.tau_2;
@@ -2983,7 +2983,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T K_thetadot6_4_1 = b4_20 + T(0.25) * hc6_2 + E5_11 * b5_3 + E5_12 * minus_K_thetadot6_5_2;
   const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_2 + E5_12 * b5_3 - E5_11 * minus_K_thetadot6_5_2;
   const T b4_21 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_21 - T(0.25) * B_thetadot6_4_1;
+  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_21 + T(0.25) * B_thetadot6_4_1);
   A[26] = K_thetadot6_4_2;
   A[38] = K_thetadot6_4_2;
   A[25] = b4_16;
@@ -3030,8 +3030,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - b4_18 - T(0.2) *
-      minus_B_thetadot7_3_3;
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - (b4_18 + T(0.2) * minus_B_thetadot7_3_3) - E4_11 *
+      minus_K_thetadot7_4_1;
   const T b3_17 = T(0.1) * B_thetadot7_3_1;
   const T K_thetadot7_3_2 = b3_17 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
   const T K_thetadot7_3_3 = b4_19 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
@@ -3046,8 +3046,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
       K_thetadot6_4_3;
   const T b3_18 = T(0.1) * B_thetadot6_3_1;
   const T K_thetadot6_3_2 = b3_18 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_21 - T(0.2) *
-      B_thetadot6_3_1;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_21 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
+      K_thetadot6_4_1;
   A[19] = K_thetadot6_3_1;
   A[37] = K_thetadot6_3_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
@@ -3056,7 +3056,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_10 + E4_11 * b4_11 + minus_E4_13 * b4_17;
   const T b3_19 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_16 - b3_19 - T(0.3) * B_thetadot5_3_3;
+  const T K_thetadot5_3_2 = b4_16 - (b3_19 + T(0.3) * B_thetadot5_3_3);
   const T K_thetadot5_3_3 = b4_13 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_17 - minus_E4_13 * b4_11;
   A[18] = K_thetadot5_3_1;
   A[30] = K_thetadot5_3_1;
@@ -3115,8 +3115,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
   const T b2_15 = T(0.3) * B_thetadot6_2_3;
   const T K_thetadot6_2_2 = b3_18 - b2_15 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
-      T(0.15) * B_thetadot6_3_1;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
+      E3_22 * K_thetadot6_3_3;
   A[12] = K_thetadot6_2_3;
   A[36] = K_thetadot6_2_3;
   // B_thetadot5_2 = E3^T B_thetadot5_3
@@ -3125,7 +3125,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
   const T b2_16 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_19 - b2_16;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_19 + b2_16) - E3_23 * K_thetadot5_3_3;
   const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
       E3_22 * K_thetadot5_3_3;
   A[11] = K_thetadot5_2_3;
@@ -3134,7 +3134,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_9 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
+  const T K_thetadot4_2_1 = b3_9 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
   const T b2_17 = T(0.3) * minus_B_thetadot4_2_3;
   const T K_thetadot4_2_2 = b3_3 + b2_17 + E3_22 * b3_13 - E3_23 * K_thetadot4_3_3;
   const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_13 + E3_22 * K_thetadot4_3_3;
@@ -3163,8 +3163,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[5] = K_thetadot6_1_2;
   A[35] = K_thetadot6_1_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
-      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_16;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
+      B_thetadot5_2_2) + b2_16) + E2_11 * K_thetadot5_2_2;
   A[4] = K_thetadot5_1_2;
   A[28] = K_thetadot5_1_2;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
@@ -3225,7 +3225,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t2_3 = t2_1 - t2_2;
   const T t2_4 = T(0.05) * E2_11;
   const T t2_5 = T(0.05) * E2_12;
-  const T minus_B2_1_1 = minus_E1_13 * t2_3 - R2_11 * t2_4 - minus_R2_21 * t2_5 - P_thetadot1_2_1;
+  const T minus_B2_1_1 = minus_E1_13 * t2_3 - (R2_11 * t2_4 + minus_R2_21 * t2_5) - P_thetadot1_2_1;
   const T minus_B2_1_2 = E2_11 * t2_5 - E2_12 * t2_4;
   const T minus_B2_1_3 = minus_R2_13 * t2_4 + R2_23 * t2_5 + E1_11 * t2_3 + minus_P_thetadot1_2_3;
   v_y[21] = -minus_B2_1_1;
@@ -3253,7 +3253,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_3 = -R2^T q3~ omega_thetadot1_2 + P_thetadot1_2: partial velocity of the body origin, inertial axes
   const T t3_1 = T(0.3) * E2_11 - T(0.15) * E2_12;
   const T t3_2 = E2_12 * T(0.1);
-  const T minus_P_thetadot1_3_1 = minus_E1_13 * t3_1 - R2_11 * t2_1 - minus_R2_21 * t3_2 - P_thetadot1_2_1;
+  const T minus_P_thetadot1_3_1 = minus_E1_13 * t3_1 - (R2_11 * t2_1 + minus_R2_21 * t3_2) - P_thetadot1_2_1;
   const T minus_P_thetadot1_3_2 = E2_11 * t3_2 - E2_12 * t2_1;
   const T minus_P_thetadot1_3_3 = minus_R2_13 * t2_1 + R2_23 * t3_2 + E1_11 * t3_1 + minus_P_thetadot1_2_3;
   // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
@@ -3280,7 +3280,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_13 = T(0.1) * E3_23;
   const T minus_B5_2_1 = R2_11 * t3_11 - R3_21 * t3_12 + R3_31 * t3_13 + minus_P_thetadot2_3_1;
   const T minus_B5_2_2 = E2_12 * t3_11 - R3_22 * t3_12 - minus_R3_32 * t3_13 - t3_1;
-  const T minus_B5_2_3 = R3_33 * t3_13 - minus_R2_13 * t3_11 - R3_23 * t3_12 - P_thetadot2_3_3;
+  const T minus_B5_2_3 = R3_33 * t3_13 - (minus_R2_13 * t3_11 + R3_23 * t3_12) - P_thetadot2_3_3;
   v_y[43] = -minus_B5_2_1;
   v_y[50] = -minus_B5_2_2;
   v_y[57] = -minus_B5_2_3;
@@ -3322,7 +3322,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_7 = T(0.3) * E3_23;
   const T minus_P_thetadot2_4_1 = R2_11 * t4_5 - R3_21 * t4_6 + R3_31 * t4_7 + minus_P_thetadot2_3_1;
   const T minus_P_thetadot2_4_2 = E2_12 * t4_5 - R3_22 * t4_6 - minus_R3_32 * t4_7 - t3_1;
-  const T minus_P_thetadot2_4_3 = R3_33 * t4_7 - minus_R2_13 * t4_5 - R3_23 * t4_6 - P_thetadot2_3_3;
+  const T minus_P_thetadot2_4_3 = R3_33 * t4_7 - (minus_R2_13 * t4_5 + R3_23 * t4_6) - P_thetadot2_3_3;
   // P_thetadot3_4 = -R3^T q4~ b3: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot3_4_1 = R3_21 * T(0.1) - t3_14;
   const T minus_P_thetadot3_4_3 = R3_23 * T(0.1) - t3_15;
@@ -3346,7 +3346,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_17 = t3_13 + T(0.2) * minus_omega_thetadot2_4_1;
   const T minus_B8_2_1 = R4_11 * t4_14 - R3_21 * t4_16 + R4_31 * t4_17 + minus_P_thetadot2_4_1;
   const T minus_B8_2_2 = R4_12 * t4_14 - R3_22 * t4_16 + R4_32 * t4_17 + minus_P_thetadot2_4_2;
-  const T minus_B8_2_3 = R4_33 * t4_17 - minus_R4_13 * t4_14 - R3_23 * t4_16 + minus_P_thetadot2_4_3;
+  const T minus_B8_2_3 = R4_33 * t4_17 - (minus_R4_13 * t4_14 + R3_23 * t4_16) + minus_P_thetadot2_4_3;
   v_y[64] = -minus_B8_2_1;
   v_y[71] = -minus_B8_2_2;
   v_y[78] = -minus_B8_2_3;
@@ -3401,7 +3401,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_8 = t4_7 + T(0.25) * minus_omega_thetadot2_4_1;
   const T minus_P_thetadot2_5_1 = R4_11 * t5_5 - R3_21 * t5_7 + R4_31 * t5_8 + minus_P_thetadot2_4_1;
   const T minus_P_thetadot2_5_2 = R4_12 * t5_5 - R3_22 * t5_7 + R4_32 * t5_8 + minus_P_thetadot2_4_2;
-  const T minus_P_thetadot2_5_3 = R4_33 * t5_8 - minus_R4_13 * t5_5 - R3_23 * t5_7 + minus_P_thetadot2_4_3;
+  const T minus_P_thetadot2_5_3 = R4_33 * t5_8 - (minus_R4_13 * t5_5 + R3_23 * t5_7) + minus_P_thetadot2_4_3;
   // P_thetadot3_5 = -R4^T q5~ omega_thetadot3_4 + P_thetadot3_4: partial velocity of the body origin, inertial axes
   const T t5_9 = T(0.25) * minus_E4_13;
   const T t5_10 = T(0.3) * minus_E4_13;
@@ -3783,7 +3783,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_B2_1_1 = R2_11 * t2_6 + minus_R2_21 * t2_8 + minus_E1_13 * t2_9 + R2_11 * t2_10 - minus_R2_21 * t2_11
       - minus_E1_13 * t2_14 + minus_P_dot_thetadot1_2_1;
   const T minus_B2_1_2 = E2_12 * t2_6 - E2_11 * t2_8 + E2_12 * t2_10 + E2_11 * t2_11;
-  const T minus_B2_1_3 = E1_11 * t2_9 - minus_R2_13 * t2_6 - R2_23 * t2_8 + R2_23 * t2_11 - minus_R2_13 * t2_10 -
+  const T minus_B2_1_3 = E1_11 * t2_9 - (minus_R2_13 * t2_6 + R2_23 * t2_8) + R2_23 * t2_11 - minus_R2_13 * t2_10 -
       E1_11 * t2_14 + minus_P_dot_thetadot1_2_3;
   v_y_dot[21] = -minus_B2_1_1;
   v_y_dot[28] = -minus_B2_1_2;
@@ -3828,7 +3828,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_2 = E2_12 * T(0.1);
   const T t3_3 = omega2_2 * t3_1 - thetadot2 * t3_2 + t2_12;
   const T t3_4 = T(0.1) * omega_dot_thetadot1_2_1;
-  const T t3_5 = t3_4 - thetadot2 * t2_2 - omega2_1 * t3_1;
+  const T t3_5 = t3_4 - (thetadot2 * t2_2 + omega2_1 * t3_1);
   const T t3_6 = omega2_1 * t3_2 + omega2_2 * t2_2 - T(0.3) * minus_omega_dot_thetadot1_2_2 - T(0.15) *
       omega_dot_thetadot1_2_1;
   const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6 +
@@ -3862,7 +3862,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       + minus_P_dot_thetadot1_3_1;
   const T minus_B4_1_2 = E2_12 * t3_13 - R3_22 * t3_17 - minus_R3_32 * t3_18 + E2_12 * t3_21 + R3_22 * t3_22 +
       minus_R3_32 * t3_24 + minus_P_dot_thetadot1_3_2;
-  const T minus_B4_1_3 = R3_33 * t3_18 - minus_R2_13 * t3_13 - R3_23 * t3_17 + R3_23 * t3_22 - minus_R2_13 * t3_21 -
+  const T minus_B4_1_3 = R3_33 * t3_18 - (minus_R2_13 * t3_13 + R3_23 * t3_17) + R3_23 * t3_22 - minus_R2_13 * t3_21 -
       R3_33 * t3_24 + minus_P_dot_thetadot1_3_3;
   v_y_dot[42] = -minus_B4_1_1;
   v_y_dot[49] = -minus_B4_1_2;
@@ -3944,7 +3944,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_3 = t3_2 + T(0.3) * minus_R3_32;
   const T t4_4 = omega3_2 * t4_2 - omega3_3 * t4_3 + t3_23 + t3_20;
   const T t4_5 = t3_10 + t3_15;
-  const T t4_6 = t3_4 - T(0.3) * omega_dot_thetadot1_3_3 - omega3_3 * t4_5 - omega3_1 * t4_2;
+  const T t4_6 = t3_4 - (omega3_3 * t4_5 + omega3_1 * t4_2) - T(0.3) * omega_dot_thetadot1_3_3;
   const T t4_7 = T(0.3) * minus_omega_dot_thetadot1_3_2;
   const T t4_8 = omega3_1 * t4_3 + omega3_2 * t4_5 - t4_7 - t2_13;
   const T minus_P_dot_thetadot1_4_1 = R2_11 * t4_4 + R3_21 * t4_6 + R3_31 * t4_8 + minus_P_dot_thetadot1_3_1;
@@ -3958,7 +3958,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_12 = t3_28 - t3_26;
   const T t4_13 = omega3_3 * t4_12 - omega3_1 * t4_10 + T(0.3) * minus_omega_dot_thetadot2_3_3;
   const T t4_14 = T(0.3) * omega_dot_thetadot2_3_2;
-  const T t4_15 = t4_14 - omega3_1 * t4_9 - omega3_2 * t4_12;
+  const T t4_15 = t4_14 - (omega3_1 * t4_9 + omega3_2 * t4_12);
   const T minus_P_dot_thetadot2_4_1 = R2_11 * t4_11 + R3_21 * t4_13 + R3_31 * t4_15 + minus_P_dot_thetadot2_3_1;
   const T minus_P_dot_thetadot2_4_2 = E2_12 * t4_11 + R3_22 * t4_13 - minus_R3_32 * t4_15 + minus_P_dot_thetadot2_3_2;
   const T minus_P_dot_thetadot2_4_3 = R3_23 * t4_13 - minus_R2_13 * t4_11 + R3_33 * t4_15 + minus_P_dot_thetadot2_3_3;
@@ -4030,8 +4030,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       + minus_P_dot_thetadot3_4_1;
   const T minus_B9_3_2 = R3_22 * t4_46 - R4_12 * t4_49 + R4_32 * t4_50 + R4_12 * t4_51 - R3_22 * t4_53 + R4_32 * t4_54
       + minus_P_dot_thetadot3_4_2;
-  const T minus_B9_3_3 = minus_R4_13 * t4_49 + R3_23 * t4_46 + R4_33 * t4_50 + R4_33 * t4_54 - minus_R4_13 * t4_51 -
-      R3_23 * t4_53 + minus_P_dot_thetadot3_4_3;
+  const T minus_B9_3_3 = minus_R4_13 * t4_49 + R3_23 * t4_46 + R4_33 * t4_50 - minus_R4_13 * t4_51 - R3_23 * t4_53 +
+      R4_33 * t4_54 + minus_P_dot_thetadot3_4_3;
   v_y_dot[65] = -minus_B9_3_1;
   v_y_dot[72] = -minus_B9_3_2;
   v_y_dot[79] = -minus_B9_3_3;
@@ -4041,7 +4041,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_57 = omega4_2 * T(0.05);
   const T minus_B10_4_1 = R4_11 * t4_55 - R3_21 * t4_56 + R4_31 * t4_57;
   const T minus_B10_4_2 = R4_12 * t4_55 - R3_22 * t4_56 + R4_32 * t4_57;
-  const T minus_B10_4_3 = R4_33 * t4_57 - minus_R4_13 * t4_55 - R3_23 * t4_56;
+  const T minus_B10_4_3 = R4_33 * t4_57 - (minus_R4_13 * t4_55 + R3_23 * t4_56);
   v_y_dot[66] = -minus_B10_4_1;
   v_y_dot[73] = -minus_B10_4_2;
   v_y_dot[80] = -minus_B10_4_3;
@@ -4108,7 +4108,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_13 = T(0.25) * omega_thetadot2_4_3 - t3_26;
   const T t5_14 = T(0.3) * minus_omega_dot_thetadot2_4_3;
   const T t5_15 = omega4_3 * t5_13 - omega4_1 * t5_11 + T(0.1) * omega_dot_thetadot2_4_1 + t5_14;
-  const T t5_16 = t4_14 - T(0.25) * omega_dot_thetadot2_4_1 - omega4_1 * t5_10 - omega4_2 * t5_13;
+  const T t5_16 = t4_14 - (omega4_1 * t5_10 + omega4_2 * t5_13) - T(0.25) * omega_dot_thetadot2_4_1;
   const T minus_P_dot_thetadot2_5_1 = R4_11 * t5_12 + R3_21 * t5_15 + R4_31 * t5_16 + minus_P_dot_thetadot2_4_1;
   const T minus_P_dot_thetadot2_5_2 = R4_12 * t5_12 + R3_22 * t5_15 + R4_32 * t5_16 + minus_P_dot_thetadot2_4_2;
   const T minus_P_dot_thetadot2_5_3 = R3_23 * t5_15 - minus_R4_13 * t5_12 + R4_33 * t5_16 + minus_P_dot_thetadot2_4_3;
@@ -4117,7 +4117,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_17 = T(0.3) * minus_E4_13;
   const T t5_18 = T(0.1) * E4_11 - t5_17;
   const T t5_19 = T(0.25) * E4_11;
-  const T t5_20 = T(0.25) * omega_dot_thetadot3_4_3 - omega4_3 * t5_18 - omega4_2 * t5_19;
+  const T t5_20 = T(0.25) * omega_dot_thetadot3_4_3 - (omega4_3 * t5_18 + omega4_2 * t5_19);
   const T t5_21 = T(0.25) * minus_E4_13;
   const T t5_22 = T(0.3) * omega_dot_thetadot3_4_3;
   const T t5_23 = omega4_3 * t5_21 + omega4_1 * t5_19 - T(0.1) * minus_omega_dot_thetadot3_4_1 - t5_22;
@@ -4130,7 +4130,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_26 = omega4_3 * T(0.1) + omega4_1 * T(0.3);
   const T minus_P_dot_thetadot4_5_1 = R4_11 * t5_25 - R3_21 * t5_26 + R4_31 * t4_55;
   const T minus_P_dot_thetadot4_5_2 = R4_12 * t5_25 - R3_22 * t5_26 + R4_32 * t4_55;
-  const T minus_P_dot_thetadot4_5_3 = R4_33 * t4_55 - minus_R4_13 * t5_25 - R3_23 * t5_26;
+  const T minus_P_dot_thetadot4_5_3 = R4_33 * t4_55 - (minus_R4_13 * t5_25 + R3_23 * t5_26);
   // B11_1 = -R5^T omega5~ r5~ omega_thetadot1_5 - R5^T r5~ omega_dot_thetadot1_5 + P_dot_thetadot1_5
   const T t5_27 = T(0.1) * R5_22;
   const T t5_28 = T(0.2) * R5_12;
@@ -4321,7 +4321,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_17 = T(0.1) * omega_thetadot3_5_1;
   const T t6_18 = t6_17 - t5_17;
   const T t6_19 = T(0.3) * minus_omega_thetadot3_5_2 + T(0.3) * omega_thetadot3_5_1;
-  const T t6_20 = t5_22 - t5_69 - omega5_3 * t6_18 - omega5_2 * t6_19;
+  const T t6_20 = t5_22 - (omega5_3 * t6_18 + omega5_2 * t6_19) - t5_69;
   const T t6_21 = t5_58 + t5_17;
   const T t6_22 = T(0.1) * minus_omega_dot_thetadot3_5_1;
   const T t6_23 = omega5_3 * t6_21 + omega5_1 * t6_19 - t6_22 - t5_22;
@@ -4336,7 +4336,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_26 = T(0.1) * E5_12;
   const T t6_27 = omega5_2 * t6_25 - omega5_3 * t6_26 + t5_82;
   const T t6_28 = T(0.1) * omega_dot_thetadot4_5_1;
-  const T t6_29 = t6_28 - omega5_3 * t5_72 - omega5_1 * t6_25;
+  const T t6_29 = t6_28 - (omega5_3 * t5_72 + omega5_1 * t6_25);
   const T t6_30 = omega5_1 * t6_26 + omega5_2 * t5_72 - T(0.3) * minus_omega_dot_thetadot4_5_2 - T(0.3) *
       omega_dot_thetadot4_5_1;
   const T minus_P_dot_thetadot4_6_1 = R5_11 * t6_27 + R5_21 * t6_29 + R4_31 * t6_30 + minus_P_dot_thetadot4_5_1;
@@ -4570,7 +4570,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_20 = t6_26 + T(0.3) * minus_omega_thetadot4_6_3;
   const T t7_21 = omega6_2 * t7_19 - omega6_3 * t7_20 + t6_83 + T(0.35) * omega_dot_thetadot4_6_3;
   const T t7_22 = t6_72 + T(0.35) * minus_omega_thetadot4_6_3;
-  const T t7_23 = t6_28 - T(0.3) * omega_dot_thetadot4_6_3 - omega6_3 * t7_22 - omega6_1 * t7_19;
+  const T t7_23 = t6_28 - (omega6_3 * t7_22 + omega6_1 * t7_19) - T(0.3) * omega_dot_thetadot4_6_3;
   const T t7_24 = omega6_1 * t7_20 + omega6_2 * t7_22 - T(0.3) * minus_omega_dot_thetadot4_6_2 - T(0.35) *
       omega_dot_thetadot4_5_1;
   const T minus_P_dot_thetadot4_7_1 = R5_11 * t7_21 + R6_21 * t7_23 + R6_31 * t7_24 + minus_P_dot_thetadot4_6_1;
@@ -4583,7 +4583,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_27 = omega6_3 * t7_25 + omega6_2 * t7_26 - t6_95 - T(0.35) * minus_omega_dot_thetadot5_6_3;
   const T t7_28 = T(0.35) * E6_22 - t6_86;
   const T t7_29 = omega6_3 * t7_28 - omega6_1 * t7_26 + T(0.3) * minus_omega_dot_thetadot5_6_3;
-  const T t7_30 = T(0.3) * omega_dot_thetadot5_6_2 - omega6_1 * t7_25 - omega6_2 * t7_28;
+  const T t7_30 = T(0.3) * omega_dot_thetadot5_6_2 - (omega6_1 * t7_25 + omega6_2 * t7_28);
   const T minus_P_dot_thetadot5_7_1 = R5_11 * t7_27 + R6_21 * t7_29 + R6_31 * t7_30 + minus_P_dot_thetadot5_6_1;
   const T minus_P_dot_thetadot5_7_2 = R5_12 * t7_27 + R6_22 * t7_29 + R6_32 * t7_30 + minus_P_dot_thetadot5_6_2;
   const T minus_P_dot_thetadot5_7_3 = R5_13 * t7_27 + R6_23 * t7_29 + R6_33 * t7_30 + minus_P_dot_thetadot5_6_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6b: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 8dbdd54f885cfee7 of bench_s6b/scene.toml; the usual functions
+// model 1a7cc5188e8d9c86 of bench_s6b/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: ball
@@ -44,7 +44,7 @@ inline constexpr int nx = 27;
 inline constexpr int ny = 21;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 21;
-inline constexpr char model_hash[] = "8dbdd54f885cfee7";
+inline constexpr char model_hash[] = "1a7cc5188e8d9c86";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1422,20 +1422,20 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T b0_16 = R6_11 * u.tau_6_1 + R6_21 * u.tau_6_2 + R6_31 * u.tau_6_3;
   const T b0_17 = R6_12 * u.tau_6_1 + R6_22 * u.tau_6_2 + R6_32 * u.tau_6_3;
   const T b0_18 = R6_13 * u.tau_6_1 + R6_23 * u.tau_6_2 + R6_33 * u.tau_6_3;
-  const T power = u.F_1_1 * (sdot1_1 + R1_11 * b0_1 + R1_21 * b0_2 + R1_31 * b0_3) + u.F_1_2 * (sdot1_2 + R1_12 * b0_1
-      + R1_22 * b0_2 + R1_32 * b0_3) + u.F_1_3 * (sdot1_3 + R1_13 * b0_1 + R1_23 * b0_2 + R1_33 * b0_3) - (R1_11 *
-      b0_4 + R1_12 * b0_5 + R1_13 * b0_6) * omega1_1 - (R1_21 * b0_4 + R1_22 * b0_5 + R1_23 * b0_6) * omega1_2 -
-      (R1_31 * b0_4 + R1_32 * b0_5 + R1_33 * b0_6) * omega1_3 - (R1_11 * b0_7 + R1_12 * b0_8 + R1_13 * b0_9) *
-      omega1_1 - (R1_21 * b0_7 + R1_22 * b0_8 + R1_23 * b0_9) * omega1_2 - (R1_31 * b0_7 + R1_32 * b0_8 + R1_33 *
-      b0_9) * omega1_3 - (R2_11 * b0_10 + R2_12 * b0_11 + R2_13 * b0_12) * omega2_1 - (R2_21 * b0_10 + R2_22 * b0_11 +
-      R2_23 * b0_12) * omega2_2 - (R2_31 * b0_10 + R2_32 * b0_11 + R2_33 * b0_12) * omega2_3 - (R2_11 * b0_13 + R2_12
-      * b0_14 + R2_13 * b0_15) * omega2_1 - (R2_21 * b0_13 + R2_22 * b0_14 + R2_23 * b0_15) * omega2_2 - (R2_31 *
-      b0_13 + R2_32 * b0_14 + R2_33 * b0_15) * omega2_3 - (R5_11 * b0_16 + R5_12 * b0_17 + R5_13 * b0_18) * omega5_1 -
-      (R5_21 * b0_16 + R5_22 * b0_17 + R5_23 * b0_18) * omega5_2 - (R5_31 * b0_16 + R5_32 * b0_17 + R5_33 * b0_18) *
-      omega5_3 + u.M_1_1 * omega1_1 + u.M_1_2 * omega1_2 + u.M_1_3 * omega1_3 + u.tau_2_1 * omega2_1 + u.tau_2_2 *
-      omega2_2 + u.tau_2_3 * omega2_3 + u.tau_3_1 * omega3_1 + u.tau_3_2 * omega3_2 + u.tau_3_3 * omega3_3 + u.tau_4_1
-      * omega4_1 + u.tau_4_2 * omega4_2 + u.tau_4_3 * omega4_3 + u.tau_5_1 * omega5_1 + u.tau_5_2 * omega5_2 +
-      u.tau_5_3 * omega5_3 + u.tau_6_1 * omega6_1 + u.tau_6_2 * omega6_2 + u.tau_6_3 * omega6_3;
+  const T power = u.F_1_1 * (sdot1_1 + R1_11 * b0_1 + R1_21 * b0_2 + R1_31 * b0_3) - ((R1_11 * b0_4 + R1_12 * b0_5 +
+      R1_13 * b0_6) * omega1_1 + (R1_21 * b0_4 + R1_22 * b0_5 + R1_23 * b0_6) * omega1_2 + (R1_31 * b0_4 + R1_32 *
+      b0_5 + R1_33 * b0_6) * omega1_3 + (R1_11 * b0_7 + R1_12 * b0_8 + R1_13 * b0_9) * omega1_1 + (R1_21 * b0_7 +
+      R1_22 * b0_8 + R1_23 * b0_9) * omega1_2 + (R1_31 * b0_7 + R1_32 * b0_8 + R1_33 * b0_9) * omega1_3 + (R2_11 *
+      b0_10 + R2_12 * b0_11 + R2_13 * b0_12) * omega2_1 + (R2_21 * b0_10 + R2_22 * b0_11 + R2_23 * b0_12) * omega2_2 +
+      (R2_31 * b0_10 + R2_32 * b0_11 + R2_33 * b0_12) * omega2_3 + (R2_11 * b0_13 + R2_12 * b0_14 + R2_13 * b0_15) *
+      omega2_1 + (R2_21 * b0_13 + R2_22 * b0_14 + R2_23 * b0_15) * omega2_2 + (R2_31 * b0_13 + R2_32 * b0_14 + R2_33 *
+      b0_15) * omega2_3 + (R5_11 * b0_16 + R5_12 * b0_17 + R5_13 * b0_18) * omega5_1 + (R5_21 * b0_16 + R5_22 * b0_17
+      + R5_23 * b0_18) * omega5_2 + (R5_31 * b0_16 + R5_32 * b0_17 + R5_33 * b0_18) * omega5_3) + u.F_1_2 * (sdot1_2 +
+      R1_12 * b0_1 + R1_22 * b0_2 + R1_32 * b0_3) + u.F_1_3 * (sdot1_3 + R1_13 * b0_1 + R1_23 * b0_2 + R1_33 * b0_3) +
+      u.M_1_1 * omega1_1 + u.M_1_2 * omega1_2 + u.M_1_3 * omega1_3 + u.tau_2_1 * omega2_1 + u.tau_2_2 * omega2_2 +
+      u.tau_2_3 * omega2_3 + u.tau_3_1 * omega3_1 + u.tau_3_2 * omega3_2 + u.tau_3_3 * omega3_3 + u.tau_4_1 * omega4_1
+      + u.tau_4_2 * omega4_2 + u.tau_4_3 * omega4_3 + u.tau_5_1 * omega5_1 + u.tau_5_2 * omega5_2 + u.tau_5_3 *
+      omega5_3 + u.tau_6_1 * omega6_1 + u.tau_6_2 * omega6_2 + u.tau_6_3 * omega6_3;
   out[0] = power;
 }
 
@@ -1608,18 +1608,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G3_2 = T(1.3) * a3_2;
   const T minus_G3_3 = T(1.3) * a3_3;
   // N3 = -omega3~ I3 omega3 + M_torque_3_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_2 * omega3_3;
-  const T t3_30 = omega3_2 * omega3_2;
-  const T t3_31 = omega3_3 * omega3_3;
+  const T t3_28 = omega3_2 * omega3_3;
+  const T t3_29 = omega3_2 * omega3_2;
+  const T t3_30 = omega3_3 * omega3_3;
+  const T t3_31 = omega3_1 * omega3_2;
   const T t3_32 = omega3_1 * omega3_3;
-  const T N3_1 = u.tau_3_1 - T(0.0039) * t3_28 + T(0.052000000000000005) * t3_29 + T(0.0052) * (t3_30 - t3_31) +
-      T(0.0065) * t3_32;
+  const T N3_1 = T(0.052000000000000005) * t3_28 + T(0.0052) * (t3_29 - t3_30) - T(0.0039) * t3_31 + T(0.0065) * t3_32
+      + u.tau_3_1;
   const T t3_33 = omega3_1 * omega3_1;
-  const T N3_2 = u.tau_3_2 - T(0.02600000000000001) * t3_32 - T(0.0039) * (t3_31 - t3_33) - T(0.0065) * t3_29 -
-      T(0.0052) * t3_28;
-  const T N3_3 = u.tau_3_3 - T(0.025999999999999995) * t3_28 - T(0.0065) * (t3_33 - t3_30) + T(0.0052) * t3_32 +
-      T(0.0039) * t3_29;
+  const T N3_2 = u.tau_3_2 - (T(0.02600000000000001) * t3_32 + T(0.0039) * (t3_30 - t3_33) + T(0.0065) * t3_28 +
+      T(0.0052) * t3_31);
+  const T N3_3 = T(0.0052) * t3_32 - (T(0.025999999999999995) * t3_31 + T(0.0065) * (t3_33 - t3_29)) + T(0.0039) *
+      t3_28 + u.tau_3_3;
   // C2_3 = R2 R3^T: takes components in the body to those in body 2
   const T C2_3_11 = R2_11 * R3_11 + R2_12 * R3_12 + R2_13 * R3_13;
   const T C2_3_12 = R2_11 * R3_21 + R2_12 * R3_22 + R2_13 * R3_23;
@@ -1677,24 +1677,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot4_3 = R2_13 * t4_14 + R2_23 * t4_16 + R2_33 * t4_17 + Pddot2_3;
   // N2 = -R2 R3^T M_torque_3_ - R2 R4^T M_torque_4_ - omega2~ I2 omega2 + M_torque_2_: applied less inertia moment at
   //   ydot = 0, body axes [N m]
-  const T t4_18 = R3_11 * u.tau_3_1 + R3_21 * u.tau_3_2 + R3_31 * u.tau_3_3;
-  const T t4_19 = R3_12 * u.tau_3_1 + R3_22 * u.tau_3_2 + R3_32 * u.tau_3_3;
-  const T t4_20 = R3_13 * u.tau_3_1 + R3_23 * u.tau_3_2 + R3_33 * u.tau_3_3;
-  const T t4_21 = R4_11 * u.tau_4_1 + R4_21 * u.tau_4_2 + R4_31 * u.tau_4_3;
-  const T t4_22 = R4_12 * u.tau_4_1 + R4_22 * u.tau_4_2 + R4_32 * u.tau_4_3;
-  const T t4_23 = R4_13 * u.tau_4_1 + R4_23 * u.tau_4_2 + R4_33 * u.tau_4_3;
-  const T t4_24 = omega2_1 * omega2_2;
-  const T t4_25 = omega2_2 * omega2_3;
-  const T t4_26 = omega2_2 * omega2_2;
-  const T t4_27 = omega2_3 * omega2_3;
+  const T t4_18 = omega2_2 * omega2_3;
+  const T t4_19 = R3_11 * u.tau_3_1 + R3_21 * u.tau_3_2 + R3_31 * u.tau_3_3;
+  const T t4_20 = R3_12 * u.tau_3_1 + R3_22 * u.tau_3_2 + R3_32 * u.tau_3_3;
+  const T t4_21 = R3_13 * u.tau_3_1 + R3_23 * u.tau_3_2 + R3_33 * u.tau_3_3;
+  const T t4_22 = R4_11 * u.tau_4_1 + R4_21 * u.tau_4_2 + R4_31 * u.tau_4_3;
+  const T t4_23 = R4_12 * u.tau_4_1 + R4_22 * u.tau_4_2 + R4_32 * u.tau_4_3;
+  const T t4_24 = R4_13 * u.tau_4_1 + R4_23 * u.tau_4_2 + R4_33 * u.tau_4_3;
+  const T t4_25 = omega2_2 * omega2_2;
+  const T t4_26 = omega2_3 * omega2_3;
+  const T t4_27 = omega2_1 * omega2_2;
   const T t4_28 = omega2_1 * omega2_3;
-  const T N2_1 = u.tau_2_1 - R2_11 * t4_18 - R2_12 * t4_19 - R2_13 * t4_20 - R2_11 * t4_21 - R2_12 * t4_22 - R2_13 *
-      t4_23 - T(0.0036) * t4_24 + T(0.04799999999999999) * t4_25 + T(0.0048) * (t4_26 - t4_27) + T(0.006) * t4_28;
+  const T N2_1 = T(0.04799999999999999) * t4_18 - (R2_11 * t4_19 + R2_12 * t4_20 + R2_13 * t4_21 + R2_11 * t4_22 +
+      R2_12 * t4_23 + R2_13 * t4_24) + T(0.0048) * (t4_25 - t4_26) - T(0.0036) * t4_27 + T(0.006) * t4_28 + u.tau_2_1;
   const T t4_29 = omega2_1 * omega2_1;
-  const T N2_2 = u.tau_2_2 - R2_21 * t4_18 - R2_22 * t4_19 - R2_23 * t4_20 - R2_21 * t4_21 - R2_22 * t4_22 - R2_23 *
-      t4_23 - T(0.023999999999999994) * t4_28 - T(0.0036) * (t4_27 - t4_29) - T(0.006) * t4_25 - T(0.0048) * t4_24;
-  const T N2_3 = u.tau_2_3 - R2_31 * t4_18 - R2_32 * t4_19 - R2_33 * t4_20 - R2_31 * t4_21 - R2_32 * t4_22 - R2_33 *
-      t4_23 - T(0.023999999999999994) * t4_24 - T(0.006) * (t4_29 - t4_26) + T(0.0048) * t4_28 + T(0.0036) * t4_25;
+  const T N2_2 = u.tau_2_2 - (R2_21 * t4_19 + R2_22 * t4_20 + R2_23 * t4_21 + R2_21 * t4_22 + R2_22 * t4_23 + R2_23 *
+      t4_24 + T(0.023999999999999994) * t4_28 + T(0.0036) * (t4_26 - t4_29) + T(0.006) * t4_18 + T(0.0048) * t4_27);
+  const T N2_3 = T(0.0048) * t4_28 - (R2_31 * t4_19 + R2_32 * t4_20 + R2_33 * t4_21 + R2_31 * t4_22 + R2_32 * t4_23 +
+      R2_33 * t4_24 + T(0.023999999999999994) * t4_27 + T(0.006) * (t4_29 - t4_25)) + T(0.0036) * t4_18 + u.tau_2_3;
   // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_30 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
   const T t4_31 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
@@ -1710,18 +1710,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G4_2 = T(1.4) * a4_2;
   const T minus_G4_3 = T(1.4) * a4_3;
   // N4 = -omega4~ I4 omega4 + M_torque_4_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_36 = omega4_1 * omega4_2;
-  const T t4_37 = omega4_2 * omega4_3;
-  const T t4_38 = omega4_2 * omega4_2;
-  const T t4_39 = omega4_3 * omega4_3;
+  const T t4_36 = omega4_2 * omega4_3;
+  const T t4_37 = omega4_2 * omega4_2;
+  const T t4_38 = omega4_3 * omega4_3;
+  const T t4_39 = omega4_1 * omega4_2;
   const T t4_40 = omega4_1 * omega4_3;
-  const T N4_1 = u.tau_4_1 - T(0.0042) * t4_36 + T(0.05600000000000001) * t4_37 + T(0.0056) * (t4_38 - t4_39) +
-      T(0.007) * t4_40;
+  const T N4_1 = T(0.05600000000000001) * t4_36 + T(0.0056) * (t4_37 - t4_38) - T(0.0042) * t4_39 + T(0.007) * t4_40 +
+      u.tau_4_1;
   const T t4_41 = omega4_1 * omega4_1;
-  const T N4_2 = u.tau_4_2 - T(0.02800000000000001) * t4_40 - T(0.0042) * (t4_39 - t4_41) - T(0.007) * t4_37 -
-      T(0.0056) * t4_36;
-  const T N4_3 = u.tau_4_3 - T(0.027999999999999997) * t4_36 - T(0.007) * (t4_41 - t4_38) + T(0.0056) * t4_40 +
-      T(0.0042) * t4_37;
+  const T N4_2 = u.tau_4_2 - (T(0.02800000000000001) * t4_40 + T(0.0042) * (t4_38 - t4_41) + T(0.007) * t4_36 +
+      T(0.0056) * t4_39);
+  const T N4_3 = T(0.0056) * t4_40 - (T(0.027999999999999997) * t4_39 + T(0.007) * (t4_41 - t4_37)) + T(0.0042) *
+      t4_36 + u.tau_4_3;
   // C2_4 = R2 R4^T: takes components in the body to those in body 2
   const T C2_4_11 = R2_11 * R4_11 + R2_12 * R4_12 + R2_13 * R4_13;
   const T C2_4_12 = R2_11 * R4_21 + R2_12 * R4_22 + R2_13 * R4_23;
@@ -1779,24 +1779,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot5_3 = R1_13 * t5_14 + R1_23 * t5_16 + R1_33 * t5_17;
   // N1 = -R1 R2^T M_torque_2_ - R1 R5^T M_torque_5_ - omega1~ I1 omega1 + M1: applied less inertia moment at ydot =
   //   0, body axes [N m]
-  const T t5_18 = R2_11 * u.tau_2_1 + R2_21 * u.tau_2_2 + R2_31 * u.tau_2_3;
-  const T t5_19 = R2_12 * u.tau_2_1 + R2_22 * u.tau_2_2 + R2_32 * u.tau_2_3;
-  const T t5_20 = R2_13 * u.tau_2_1 + R2_23 * u.tau_2_2 + R2_33 * u.tau_2_3;
-  const T t5_21 = R5_11 * u.tau_5_1 + R5_21 * u.tau_5_2 + R5_31 * u.tau_5_3;
-  const T t5_22 = R5_12 * u.tau_5_1 + R5_22 * u.tau_5_2 + R5_32 * u.tau_5_3;
-  const T t5_23 = R5_13 * u.tau_5_1 + R5_23 * u.tau_5_2 + R5_33 * u.tau_5_3;
-  const T t5_24 = omega1_1 * omega1_2;
-  const T t5_25 = omega1_2 * omega1_3;
-  const T t5_26 = omega1_2 * omega1_2;
-  const T t5_27 = omega1_3 * omega1_3;
+  const T t5_18 = omega1_2 * omega1_3;
+  const T t5_19 = R2_11 * u.tau_2_1 + R2_21 * u.tau_2_2 + R2_31 * u.tau_2_3;
+  const T t5_20 = R2_12 * u.tau_2_1 + R2_22 * u.tau_2_2 + R2_32 * u.tau_2_3;
+  const T t5_21 = R2_13 * u.tau_2_1 + R2_23 * u.tau_2_2 + R2_33 * u.tau_2_3;
+  const T t5_22 = R5_11 * u.tau_5_1 + R5_21 * u.tau_5_2 + R5_31 * u.tau_5_3;
+  const T t5_23 = R5_12 * u.tau_5_1 + R5_22 * u.tau_5_2 + R5_32 * u.tau_5_3;
+  const T t5_24 = R5_13 * u.tau_5_1 + R5_23 * u.tau_5_2 + R5_33 * u.tau_5_3;
+  const T t5_25 = omega1_2 * omega1_2;
+  const T t5_26 = omega1_3 * omega1_3;
+  const T t5_27 = omega1_1 * omega1_2;
   const T t5_28 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - R1_11 * t5_18 - R1_12 * t5_19 - R1_13 * t5_20 - R1_11 * t5_21 - R1_12 * t5_22 - R1_13 *
-      t5_23 - T(0.0033) * t5_24 + T(0.04400000000000001) * t5_25 + T(0.0044) * (t5_26 - t5_27) + T(0.0055) * t5_28;
+  const T N1_1 = T(0.04400000000000001) * t5_18 - (R1_11 * t5_19 + R1_12 * t5_20 + R1_13 * t5_21 + R1_11 * t5_22 +
+      R1_12 * t5_23 + R1_13 * t5_24) + T(0.0044) * (t5_25 - t5_26) - T(0.0033) * t5_27 + T(0.0055) * t5_28 + u.M_1_1;
   const T t5_29 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - R1_21 * t5_18 - R1_22 * t5_19 - R1_23 * t5_20 - R1_21 * t5_21 - R1_22 * t5_22 - R1_23 *
-      t5_23 - T(0.022000000000000006) * t5_28 - T(0.0033) * (t5_27 - t5_29) - T(0.0055) * t5_25 - T(0.0044) * t5_24;
-  const T N1_3 = u.M_1_3 - R1_31 * t5_18 - R1_32 * t5_19 - R1_33 * t5_20 - R1_31 * t5_21 - R1_32 * t5_22 - R1_33 *
-      t5_23 - T(0.022000000000000006) * t5_24 - T(0.0055) * (t5_29 - t5_26) + T(0.0044) * t5_28 + T(0.0033) * t5_25;
+  const T N1_2 = u.M_1_2 - (R1_21 * t5_19 + R1_22 * t5_20 + R1_23 * t5_21 + R1_21 * t5_22 + R1_22 * t5_23 + R1_23 *
+      t5_24 + T(0.022000000000000006) * t5_28 + T(0.0033) * (t5_26 - t5_29) + T(0.0055) * t5_18 + T(0.0044) * t5_27);
+  const T N1_3 = T(0.0044) * t5_28 - (R1_31 * t5_19 + R1_32 * t5_20 + R1_33 * t5_21 + R1_31 * t5_22 + R1_32 * t5_23 +
+      R1_33 * t5_24 + T(0.022000000000000006) * t5_27 + T(0.0055) * (t5_29 - t5_25)) + T(0.0033) * t5_18 + u.M_1_3;
   // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_30 = omega5_2 * T(0.1);
   const T t5_31 = omega5_1 * T(0.2) - t5_30;
@@ -1861,21 +1861,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot6_3 = R5_13 * t6_16 + R5_23 * t6_18 + R5_33 * t6_19 + Pddot5_3;
   // N5 = -R5 R6^T M_torque_6_ - omega5~ I5 omega5 + M_torque_5_: applied less inertia moment at ydot = 0, body axes
   //   [N m]
-  const T t6_20 = R6_11 * u.tau_6_1 + R6_21 * u.tau_6_2 + R6_31 * u.tau_6_3;
-  const T t6_21 = R6_12 * u.tau_6_1 + R6_22 * u.tau_6_2 + R6_32 * u.tau_6_3;
-  const T t6_22 = R6_13 * u.tau_6_1 + R6_23 * u.tau_6_2 + R6_33 * u.tau_6_3;
-  const T t6_23 = omega5_1 * omega5_2;
-  const T t6_24 = omega5_2 * omega5_3;
-  const T t6_25 = omega5_2 * omega5_2;
-  const T t6_26 = omega5_3 * omega5_3;
+  const T t6_20 = omega5_2 * omega5_3;
+  const T t6_21 = R6_11 * u.tau_6_1 + R6_21 * u.tau_6_2 + R6_31 * u.tau_6_3;
+  const T t6_22 = R6_12 * u.tau_6_1 + R6_22 * u.tau_6_2 + R6_32 * u.tau_6_3;
+  const T t6_23 = R6_13 * u.tau_6_1 + R6_23 * u.tau_6_2 + R6_33 * u.tau_6_3;
+  const T t6_24 = omega5_2 * omega5_2;
+  const T t6_25 = omega5_3 * omega5_3;
+  const T t6_26 = omega5_1 * omega5_2;
   const T t6_27 = omega5_1 * omega5_3;
-  const T N5_1 = u.tau_5_1 - R5_11 * t6_20 - R5_12 * t6_21 - R5_13 * t6_22 - T(0.0045) * t6_23 + T(0.06) * t6_24 +
-      T(0.006) * (t6_25 - t6_26) + T(0.0075) * t6_27;
+  const T N5_1 = T(0.06) * t6_20 - (R5_11 * t6_21 + R5_12 * t6_22 + R5_13 * t6_23) + T(0.006) * (t6_24 - t6_25) -
+      T(0.0045) * t6_26 + T(0.0075) * t6_27 + u.tau_5_1;
   const T t6_28 = omega5_1 * omega5_1;
-  const T N5_2 = u.tau_5_2 - R5_21 * t6_20 - R5_22 * t6_21 - R5_23 * t6_22 - T(0.03) * t6_27 - T(0.0045) * (t6_26 -
-      t6_28) - T(0.0075) * t6_24 - T(0.006) * t6_23;
-  const T N5_3 = u.tau_5_3 - R5_31 * t6_20 - R5_32 * t6_21 - R5_33 * t6_22 - T(0.03) * t6_23 - T(0.0075) * (t6_28 -
-      t6_25) + T(0.006) * t6_27 + T(0.0045) * t6_24;
+  const T N5_2 = u.tau_5_2 - (R5_21 * t6_21 + R5_22 * t6_22 + R5_23 * t6_23 + T(0.03) * t6_27 + T(0.0045) * (t6_25 -
+      t6_28) + T(0.0075) * t6_20 + T(0.006) * t6_26);
+  const T N5_3 = T(0.006) * t6_27 - (R5_31 * t6_21 + R5_32 * t6_22 + R5_33 * t6_23 + T(0.03) * t6_26 + T(0.0075) *
+      (t6_28 - t6_24)) + T(0.0045) * t6_20 + u.tau_5_3;
   // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_29 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
   const T t6_30 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
@@ -1891,15 +1891,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G6_2 = T(1.6) * a6_2;
   const T minus_G6_3 = T(1.6) * a6_3;
   // N6 = -omega6~ I6 omega6 + M_torque_6_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_35 = omega6_1 * omega6_2;
-  const T t6_36 = omega6_2 * omega6_3;
-  const T t6_37 = omega6_2 * omega6_2;
-  const T t6_38 = omega6_3 * omega6_3;
+  const T t6_35 = omega6_2 * omega6_3;
+  const T t6_36 = omega6_2 * omega6_2;
+  const T t6_37 = omega6_3 * omega6_3;
+  const T t6_38 = omega6_1 * omega6_2;
   const T t6_39 = omega6_1 * omega6_3;
-  const T N6_1 = u.tau_6_1 - T(0.0048) * t6_35 + T(0.064) * t6_36 + T(0.0064) * (t6_37 - t6_38) + T(0.008) * t6_39;
+  const T N6_1 = T(0.064) * t6_35 + T(0.0064) * (t6_36 - t6_37) - T(0.0048) * t6_38 + T(0.008) * t6_39 + u.tau_6_1;
   const T t6_40 = omega6_1 * omega6_1;
-  const T N6_2 = u.tau_6_2 - T(0.032) * t6_39 - T(0.0048) * (t6_38 - t6_40) - T(0.008) * t6_36 - T(0.0064) * t6_35;
-  const T N6_3 = u.tau_6_3 - T(0.032) * t6_35 - T(0.008) * (t6_40 - t6_37) + T(0.0064) * t6_39 + T(0.0048) * t6_36;
+  const T N6_2 = u.tau_6_2 - (T(0.032) * t6_39 + T(0.0048) * (t6_37 - t6_40) + T(0.008) * t6_35 + T(0.0064) * t6_38);
+  const T N6_3 = T(0.0064) * t6_39 - (T(0.032) * t6_38 + T(0.008) * (t6_40 - t6_36)) + T(0.0048) * t6_35 + u.tau_6_3;
   // C5_6 = R5 R6^T: takes components in the body to those in body 5
   const T C5_6_11 = R5_11 * R6_11 + R5_12 * R6_12 + R5_13 * R6_13;
   const T C5_6_12 = R5_11 * R6_21 + R5_12 * R6_22 + R5_13 * R6_23;
@@ -3316,18 +3316,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G3_2 = T(1.3) * a3_2;
   const T minus_G3_3 = T(1.3) * a3_3;
   // N3 = -omega3~ I3 omega3 + M_torque_3_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_2 * omega3_3;
-  const T t3_30 = omega3_2 * omega3_2;
-  const T t3_31 = omega3_3 * omega3_3;
+  const T t3_28 = omega3_2 * omega3_3;
+  const T t3_29 = omega3_2 * omega3_2;
+  const T t3_30 = omega3_3 * omega3_3;
+  const T t3_31 = omega3_1 * omega3_2;
   const T t3_32 = omega3_1 * omega3_3;
-  const T N3_1 = u.tau_3_1 - T(0.0039) * t3_28 + T(0.052000000000000005) * t3_29 + T(0.0052) * (t3_30 - t3_31) +
-      T(0.0065) * t3_32;
+  const T N3_1 = T(0.052000000000000005) * t3_28 + T(0.0052) * (t3_29 - t3_30) - T(0.0039) * t3_31 + T(0.0065) * t3_32
+      + u.tau_3_1;
   const T t3_33 = omega3_1 * omega3_1;
-  const T N3_2 = u.tau_3_2 - T(0.02600000000000001) * t3_32 - T(0.0039) * (t3_31 - t3_33) - T(0.0065) * t3_29 -
-      T(0.0052) * t3_28;
-  const T N3_3 = u.tau_3_3 - T(0.025999999999999995) * t3_28 - T(0.0065) * (t3_33 - t3_30) + T(0.0052) * t3_32 +
-      T(0.0039) * t3_29;
+  const T N3_2 = u.tau_3_2 - (T(0.02600000000000001) * t3_32 + T(0.0039) * (t3_30 - t3_33) + T(0.0065) * t3_28 +
+      T(0.0052) * t3_31);
+  const T N3_3 = T(0.0052) * t3_32 - (T(0.025999999999999995) * t3_31 + T(0.0065) * (t3_33 - t3_29)) + T(0.0039) *
+      t3_28 + u.tau_3_3;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -3365,24 +3365,24 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot4_3 = R2_13 * t4_14 + R2_23 * t4_16 + R2_33 * t4_17 + Pddot2_3;
   // N2 = -R2 R3^T M_torque_3_ - R2 R4^T M_torque_4_ - omega2~ I2 omega2 + M_torque_2_: applied less inertia moment at
   //   ydot = 0, body axes [N m]
-  const T t4_18 = R3_11 * u.tau_3_1 + R3_21 * u.tau_3_2 + R3_31 * u.tau_3_3;
-  const T t4_19 = R3_12 * u.tau_3_1 + R3_22 * u.tau_3_2 + R3_32 * u.tau_3_3;
-  const T t4_20 = R3_13 * u.tau_3_1 + R3_23 * u.tau_3_2 + R3_33 * u.tau_3_3;
-  const T t4_21 = R4_11 * u.tau_4_1 + R4_21 * u.tau_4_2 + R4_31 * u.tau_4_3;
-  const T t4_22 = R4_12 * u.tau_4_1 + R4_22 * u.tau_4_2 + R4_32 * u.tau_4_3;
-  const T t4_23 = R4_13 * u.tau_4_1 + R4_23 * u.tau_4_2 + R4_33 * u.tau_4_3;
-  const T t4_24 = omega2_1 * omega2_2;
-  const T t4_25 = omega2_2 * omega2_3;
-  const T t4_26 = omega2_2 * omega2_2;
-  const T t4_27 = omega2_3 * omega2_3;
+  const T t4_18 = omega2_2 * omega2_3;
+  const T t4_19 = R3_11 * u.tau_3_1 + R3_21 * u.tau_3_2 + R3_31 * u.tau_3_3;
+  const T t4_20 = R3_12 * u.tau_3_1 + R3_22 * u.tau_3_2 + R3_32 * u.tau_3_3;
+  const T t4_21 = R3_13 * u.tau_3_1 + R3_23 * u.tau_3_2 + R3_33 * u.tau_3_3;
+  const T t4_22 = R4_11 * u.tau_4_1 + R4_21 * u.tau_4_2 + R4_31 * u.tau_4_3;
+  const T t4_23 = R4_12 * u.tau_4_1 + R4_22 * u.tau_4_2 + R4_32 * u.tau_4_3;
+  const T t4_24 = R4_13 * u.tau_4_1 + R4_23 * u.tau_4_2 + R4_33 * u.tau_4_3;
+  const T t4_25 = omega2_2 * omega2_2;
+  const T t4_26 = omega2_3 * omega2_3;
+  const T t4_27 = omega2_1 * omega2_2;
   const T t4_28 = omega2_1 * omega2_3;
-  const T N2_1 = u.tau_2_1 - R2_11 * t4_18 - R2_12 * t4_19 - R2_13 * t4_20 - R2_11 * t4_21 - R2_12 * t4_22 - R2_13 *
-      t4_23 - T(0.0036) * t4_24 + T(0.04799999999999999) * t4_25 + T(0.0048) * (t4_26 - t4_27) + T(0.006) * t4_28;
+  const T N2_1 = T(0.04799999999999999) * t4_18 - (R2_11 * t4_19 + R2_12 * t4_20 + R2_13 * t4_21 + R2_11 * t4_22 +
+      R2_12 * t4_23 + R2_13 * t4_24) + T(0.0048) * (t4_25 - t4_26) - T(0.0036) * t4_27 + T(0.006) * t4_28 + u.tau_2_1;
   const T t4_29 = omega2_1 * omega2_1;
-  const T N2_2 = u.tau_2_2 - R2_21 * t4_18 - R2_22 * t4_19 - R2_23 * t4_20 - R2_21 * t4_21 - R2_22 * t4_22 - R2_23 *
-      t4_23 - T(0.023999999999999994) * t4_28 - T(0.0036) * (t4_27 - t4_29) - T(0.006) * t4_25 - T(0.0048) * t4_24;
-  const T N2_3 = u.tau_2_3 - R2_31 * t4_18 - R2_32 * t4_19 - R2_33 * t4_20 - R2_31 * t4_21 - R2_32 * t4_22 - R2_33 *
-      t4_23 - T(0.023999999999999994) * t4_24 - T(0.006) * (t4_29 - t4_26) + T(0.0048) * t4_28 + T(0.0036) * t4_25;
+  const T N2_2 = u.tau_2_2 - (R2_21 * t4_19 + R2_22 * t4_20 + R2_23 * t4_21 + R2_21 * t4_22 + R2_22 * t4_23 + R2_23 *
+      t4_24 + T(0.023999999999999994) * t4_28 + T(0.0036) * (t4_26 - t4_29) + T(0.006) * t4_18 + T(0.0048) * t4_27);
+  const T N2_3 = T(0.0048) * t4_28 - (R2_31 * t4_19 + R2_32 * t4_20 + R2_33 * t4_21 + R2_31 * t4_22 + R2_32 * t4_23 +
+      R2_33 * t4_24 + T(0.023999999999999994) * t4_27 + T(0.006) * (t4_29 - t4_25)) + T(0.0036) * t4_18 + u.tau_2_3;
   // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_30 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
   const T t4_31 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
@@ -3398,18 +3398,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G4_2 = T(1.4) * a4_2;
   const T minus_G4_3 = T(1.4) * a4_3;
   // N4 = -omega4~ I4 omega4 + M_torque_4_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_36 = omega4_1 * omega4_2;
-  const T t4_37 = omega4_2 * omega4_3;
-  const T t4_38 = omega4_2 * omega4_2;
-  const T t4_39 = omega4_3 * omega4_3;
+  const T t4_36 = omega4_2 * omega4_3;
+  const T t4_37 = omega4_2 * omega4_2;
+  const T t4_38 = omega4_3 * omega4_3;
+  const T t4_39 = omega4_1 * omega4_2;
   const T t4_40 = omega4_1 * omega4_3;
-  const T N4_1 = u.tau_4_1 - T(0.0042) * t4_36 + T(0.05600000000000001) * t4_37 + T(0.0056) * (t4_38 - t4_39) +
-      T(0.007) * t4_40;
+  const T N4_1 = T(0.05600000000000001) * t4_36 + T(0.0056) * (t4_37 - t4_38) - T(0.0042) * t4_39 + T(0.007) * t4_40 +
+      u.tau_4_1;
   const T t4_41 = omega4_1 * omega4_1;
-  const T N4_2 = u.tau_4_2 - T(0.02800000000000001) * t4_40 - T(0.0042) * (t4_39 - t4_41) - T(0.007) * t4_37 -
-      T(0.0056) * t4_36;
-  const T N4_3 = u.tau_4_3 - T(0.027999999999999997) * t4_36 - T(0.007) * (t4_41 - t4_38) + T(0.0056) * t4_40 +
-      T(0.0042) * t4_37;
+  const T N4_2 = u.tau_4_2 - (T(0.02800000000000001) * t4_40 + T(0.0042) * (t4_38 - t4_41) + T(0.007) * t4_36 +
+      T(0.0056) * t4_39);
+  const T N4_3 = T(0.0056) * t4_40 - (T(0.027999999999999997) * t4_39 + T(0.007) * (t4_41 - t4_37)) + T(0.0042) *
+      t4_36 + u.tau_4_3;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3447,24 +3447,24 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot5_3 = R1_13 * t5_14 + R1_23 * t5_16 + R1_33 * t5_17 + T(9.81);
   // N1 = -R1 R2^T M_torque_2_ - R1 R5^T M_torque_5_ - omega1~ I1 omega1 + M1: applied less inertia moment at ydot =
   //   0, body axes [N m]
-  const T t5_18 = R2_11 * u.tau_2_1 + R2_21 * u.tau_2_2 + R2_31 * u.tau_2_3;
-  const T t5_19 = R2_12 * u.tau_2_1 + R2_22 * u.tau_2_2 + R2_32 * u.tau_2_3;
-  const T t5_20 = R2_13 * u.tau_2_1 + R2_23 * u.tau_2_2 + R2_33 * u.tau_2_3;
-  const T t5_21 = R5_11 * u.tau_5_1 + R5_21 * u.tau_5_2 + R5_31 * u.tau_5_3;
-  const T t5_22 = R5_12 * u.tau_5_1 + R5_22 * u.tau_5_2 + R5_32 * u.tau_5_3;
-  const T t5_23 = R5_13 * u.tau_5_1 + R5_23 * u.tau_5_2 + R5_33 * u.tau_5_3;
-  const T t5_24 = omega1_1 * omega1_2;
-  const T t5_25 = omega1_2 * omega1_3;
-  const T t5_26 = omega1_2 * omega1_2;
-  const T t5_27 = omega1_3 * omega1_3;
+  const T t5_18 = omega1_2 * omega1_3;
+  const T t5_19 = R2_11 * u.tau_2_1 + R2_21 * u.tau_2_2 + R2_31 * u.tau_2_3;
+  const T t5_20 = R2_12 * u.tau_2_1 + R2_22 * u.tau_2_2 + R2_32 * u.tau_2_3;
+  const T t5_21 = R2_13 * u.tau_2_1 + R2_23 * u.tau_2_2 + R2_33 * u.tau_2_3;
+  const T t5_22 = R5_11 * u.tau_5_1 + R5_21 * u.tau_5_2 + R5_31 * u.tau_5_3;
+  const T t5_23 = R5_12 * u.tau_5_1 + R5_22 * u.tau_5_2 + R5_32 * u.tau_5_3;
+  const T t5_24 = R5_13 * u.tau_5_1 + R5_23 * u.tau_5_2 + R5_33 * u.tau_5_3;
+  const T t5_25 = omega1_2 * omega1_2;
+  const T t5_26 = omega1_3 * omega1_3;
+  const T t5_27 = omega1_1 * omega1_2;
   const T t5_28 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - R1_11 * t5_18 - R1_12 * t5_19 - R1_13 * t5_20 - R1_11 * t5_21 - R1_12 * t5_22 - R1_13 *
-      t5_23 - T(0.0033) * t5_24 + T(0.04400000000000001) * t5_25 + T(0.0044) * (t5_26 - t5_27) + T(0.0055) * t5_28;
+  const T N1_1 = T(0.04400000000000001) * t5_18 - (R1_11 * t5_19 + R1_12 * t5_20 + R1_13 * t5_21 + R1_11 * t5_22 +
+      R1_12 * t5_23 + R1_13 * t5_24) + T(0.0044) * (t5_25 - t5_26) - T(0.0033) * t5_27 + T(0.0055) * t5_28 + u.M_1_1;
   const T t5_29 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - R1_21 * t5_18 - R1_22 * t5_19 - R1_23 * t5_20 - R1_21 * t5_21 - R1_22 * t5_22 - R1_23 *
-      t5_23 - T(0.022000000000000006) * t5_28 - T(0.0033) * (t5_27 - t5_29) - T(0.0055) * t5_25 - T(0.0044) * t5_24;
-  const T N1_3 = u.M_1_3 - R1_31 * t5_18 - R1_32 * t5_19 - R1_33 * t5_20 - R1_31 * t5_21 - R1_32 * t5_22 - R1_33 *
-      t5_23 - T(0.022000000000000006) * t5_24 - T(0.0055) * (t5_29 - t5_26) + T(0.0044) * t5_28 + T(0.0033) * t5_25;
+  const T N1_2 = u.M_1_2 - (R1_21 * t5_19 + R1_22 * t5_20 + R1_23 * t5_21 + R1_21 * t5_22 + R1_22 * t5_23 + R1_23 *
+      t5_24 + T(0.022000000000000006) * t5_28 + T(0.0033) * (t5_26 - t5_29) + T(0.0055) * t5_18 + T(0.0044) * t5_27);
+  const T N1_3 = T(0.0044) * t5_28 - (R1_31 * t5_19 + R1_32 * t5_20 + R1_33 * t5_21 + R1_31 * t5_22 + R1_32 * t5_23 +
+      R1_33 * t5_24 + T(0.022000000000000006) * t5_27 + T(0.0055) * (t5_29 - t5_25)) + T(0.0033) * t5_18 + u.M_1_3;
   // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_30 = omega5_2 * T(0.1);
   const T t5_31 = omega5_1 * T(0.2) - t5_30;
@@ -3519,21 +3519,21 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot6_3 = R5_13 * t6_16 + R5_23 * t6_18 + R5_33 * t6_19 + Pddot5_3;
   // N5 = -R5 R6^T M_torque_6_ - omega5~ I5 omega5 + M_torque_5_: applied less inertia moment at ydot = 0, body axes
   //   [N m]
-  const T t6_20 = R6_11 * u.tau_6_1 + R6_21 * u.tau_6_2 + R6_31 * u.tau_6_3;
-  const T t6_21 = R6_12 * u.tau_6_1 + R6_22 * u.tau_6_2 + R6_32 * u.tau_6_3;
-  const T t6_22 = R6_13 * u.tau_6_1 + R6_23 * u.tau_6_2 + R6_33 * u.tau_6_3;
-  const T t6_23 = omega5_1 * omega5_2;
-  const T t6_24 = omega5_2 * omega5_3;
-  const T t6_25 = omega5_2 * omega5_2;
-  const T t6_26 = omega5_3 * omega5_3;
+  const T t6_20 = omega5_2 * omega5_3;
+  const T t6_21 = R6_11 * u.tau_6_1 + R6_21 * u.tau_6_2 + R6_31 * u.tau_6_3;
+  const T t6_22 = R6_12 * u.tau_6_1 + R6_22 * u.tau_6_2 + R6_32 * u.tau_6_3;
+  const T t6_23 = R6_13 * u.tau_6_1 + R6_23 * u.tau_6_2 + R6_33 * u.tau_6_3;
+  const T t6_24 = omega5_2 * omega5_2;
+  const T t6_25 = omega5_3 * omega5_3;
+  const T t6_26 = omega5_1 * omega5_2;
   const T t6_27 = omega5_1 * omega5_3;
-  const T N5_1 = u.tau_5_1 - R5_11 * t6_20 - R5_12 * t6_21 - R5_13 * t6_22 - T(0.0045) * t6_23 + T(0.06) * t6_24 +
-      T(0.006) * (t6_25 - t6_26) + T(0.0075) * t6_27;
+  const T N5_1 = T(0.06) * t6_20 - (R5_11 * t6_21 + R5_12 * t6_22 + R5_13 * t6_23) + T(0.006) * (t6_24 - t6_25) -
+      T(0.0045) * t6_26 + T(0.0075) * t6_27 + u.tau_5_1;
   const T t6_28 = omega5_1 * omega5_1;
-  const T N5_2 = u.tau_5_2 - R5_21 * t6_20 - R5_22 * t6_21 - R5_23 * t6_22 - T(0.03) * t6_27 - T(0.0045) * (t6_26 -
-      t6_28) - T(0.0075) * t6_24 - T(0.006) * t6_23;
-  const T N5_3 = u.tau_5_3 - R5_31 * t6_20 - R5_32 * t6_21 - R5_33 * t6_22 - T(0.03) * t6_23 - T(0.0075) * (t6_28 -
-      t6_25) + T(0.006) * t6_27 + T(0.0045) * t6_24;
+  const T N5_2 = u.tau_5_2 - (R5_21 * t6_21 + R5_22 * t6_22 + R5_23 * t6_23 + T(0.03) * t6_27 + T(0.0045) * (t6_25 -
+      t6_28) + T(0.0075) * t6_20 + T(0.006) * t6_26);
+  const T N5_3 = T(0.006) * t6_27 - (R5_31 * t6_21 + R5_32 * t6_22 + R5_33 * t6_23 + T(0.03) * t6_26 + T(0.0075) *
+      (t6_28 - t6_24)) + T(0.0045) * t6_20 + u.tau_5_3;
   // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_29 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
   const T t6_30 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
@@ -3549,15 +3549,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G6_2 = T(1.6) * a6_2;
   const T minus_G6_3 = T(1.6) * a6_3;
   // N6 = -omega6~ I6 omega6 + M_torque_6_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_35 = omega6_1 * omega6_2;
-  const T t6_36 = omega6_2 * omega6_3;
-  const T t6_37 = omega6_2 * omega6_2;
-  const T t6_38 = omega6_3 * omega6_3;
+  const T t6_35 = omega6_2 * omega6_3;
+  const T t6_36 = omega6_2 * omega6_2;
+  const T t6_37 = omega6_3 * omega6_3;
+  const T t6_38 = omega6_1 * omega6_2;
   const T t6_39 = omega6_1 * omega6_3;
-  const T N6_1 = u.tau_6_1 - T(0.0048) * t6_35 + T(0.064) * t6_36 + T(0.0064) * (t6_37 - t6_38) + T(0.008) * t6_39;
+  const T N6_1 = T(0.064) * t6_35 + T(0.0064) * (t6_36 - t6_37) - T(0.0048) * t6_38 + T(0.008) * t6_39 + u.tau_6_1;
   const T t6_40 = omega6_1 * omega6_1;
-  const T N6_2 = u.tau_6_2 - T(0.032) * t6_39 - T(0.0048) * (t6_38 - t6_40) - T(0.008) * t6_36 - T(0.0064) * t6_35;
-  const T N6_3 = u.tau_6_3 - T(0.032) * t6_35 - T(0.008) * (t6_40 - t6_37) + T(0.0064) * t6_39 + T(0.0048) * t6_36;
+  const T N6_2 = u.tau_6_2 - (T(0.032) * t6_39 + T(0.0048) * (t6_37 - t6_40) + T(0.008) * t6_35 + T(0.0064) * t6_38);
+  const T N6_3 = T(0.0064) * t6_39 - (T(0.032) * t6_38 + T(0.008) * (t6_40 - t6_36)) + T(0.0048) * t6_35 + u.tau_6_3;
 
   // ---- body 6 (body_6) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 179ccd089a724406 of bench_s6f/scene.toml; the usual functions
+// model 9a54c24cf0ff4800 of bench_s6f/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "179ccd089a724406";
+inline constexpr char model_hash[] = "9a54c24cf0ff4800";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1642,18 +1642,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
   // N1 = -omega1~ I1 omega1 + M1: applied less gyroscopic moment, body axes [N m]
-  const T t1_13 = omega1_1 * omega1_2;
-  const T t1_14 = omega1_2 * omega1_3;
-  const T t1_15 = omega1_2 * omega1_2;
-  const T t1_16 = omega1_3 * omega1_3;
+  const T t1_13 = omega1_2 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T t1_15 = omega1_3 * omega1_3;
+  const T t1_16 = omega1_1 * omega1_2;
   const T t1_17 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - T(0.0033) * t1_13 + T(0.04400000000000001) * t1_14 + T(0.0044) * (t1_15 - t1_16) +
-      T(0.0055) * t1_17;
+  const T N1_1 = T(0.04400000000000001) * t1_13 + T(0.0044) * (t1_14 - t1_15) - T(0.0033) * t1_16 + T(0.0055) * t1_17
+      + u.M_1_1;
   const T t1_18 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * t1_17 - T(0.0033) * (t1_16 - t1_18) - T(0.0055) * t1_14 -
-      T(0.0044) * t1_13;
-  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * t1_13 - T(0.0055) * (t1_18 - t1_15) + T(0.0044) * t1_17 +
-      T(0.0033) * t1_14;
+  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_17 + T(0.0033) * (t1_15 - t1_18) + T(0.0055) * t1_13 +
+      T(0.0044) * t1_16);
+  const T N1_3 = T(0.0044) * t1_17 - (T(0.022000000000000006) * t1_16 + T(0.0055) * (t1_18 - t1_14)) + T(0.0033) *
+      t1_13 + u.M_1_3;
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
   const T omegadot1_1 = T(9.121364397746307) * N1_1 - T(0.39211207552916094) * N1_2 - T(0.3616567686919446) * N1_3;
   const T omegadot1_2 = T(7.605261154256128) * N1_2 - T(0.39211207552916094) * N1_1 + T(0.39496726054515) * N1_3;
@@ -1663,15 +1663,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[2] = omegadot1_3;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U1_11 = t1_16 + t1_15;
-  const T U1_12 = t1_13 - omegadot1_3;
+  const T minus_U1_11 = t1_15 + t1_14;
+  const T U1_12 = t1_16 - omegadot1_3;
   const T U1_13 = t1_17 + omegadot1_2;
-  const T U1_21 = t1_13 + omegadot1_3;
-  const T minus_U1_22 = t1_16 + t1_18;
-  const T U1_23 = t1_14 - omegadot1_1;
+  const T U1_21 = t1_16 + omegadot1_3;
+  const T minus_U1_22 = t1_15 + t1_18;
+  const T U1_23 = t1_13 - omegadot1_1;
   const T U1_31 = t1_17 - omegadot1_2;
-  const T U1_32 = t1_14 + omegadot1_1;
-  const T minus_U1_33 = t1_15 + t1_18;
+  const T U1_32 = t1_13 + omegadot1_1;
+  const T minus_U1_33 = t1_14 + t1_18;
   // a1 = m1^-1 F1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a1_1 = T(0.9090909090909091) * u.F_1_1;
   const T a1_2 = T(0.9090909090909091) * u.F_1_2;
@@ -1680,9 +1680,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_19 = U1_12 * T(0.2) - minus_U1_11 * T(0.1) + U1_13 * T(0.05);
   const T t1_20 = U1_21 * T(0.1) - minus_U1_22 * T(0.2) + U1_23 * T(0.05);
   const T t1_21 = U1_31 * T(0.1) + U1_32 * T(0.2) - minus_U1_33 * T(0.05);
-  const T Pddot1_1 = a1_1 - R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21;
-  const T Pddot1_2 = a1_2 - R1_12 * t1_19 - R1_22 * t1_20 - R1_32 * t1_21;
-  const T Pddot1_3 = a1_3 - R1_13 * t1_19 - R1_23 * t1_20 - R1_33 * t1_21;
+  const T Pddot1_1 = a1_1 - (R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21);
+  const T Pddot1_2 = a1_2 - (R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21);
+  const T Pddot1_3 = a1_3 - (R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21);
   ydot[18] = Pddot1_1;
   ydot[19] = Pddot1_2;
   // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
@@ -1721,18 +1721,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.1) + s2_3;
   // N2 = -omega2~ I2 omega2 + M2: applied less gyroscopic moment, body axes [N m]
-  const T t2_13 = omega2_1 * omega2_2;
-  const T t2_14 = omega2_2 * omega2_3;
-  const T t2_15 = omega2_2 * omega2_2;
-  const T t2_16 = omega2_3 * omega2_3;
+  const T t2_13 = omega2_2 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T t2_15 = omega2_3 * omega2_3;
+  const T t2_16 = omega2_1 * omega2_2;
   const T t2_17 = omega2_1 * omega2_3;
-  const T N2_1 = u.M_2_1 - T(0.0036) * t2_13 + T(0.04799999999999999) * t2_14 + T(0.0048) * (t2_15 - t2_16) + T(0.006)
-      * t2_17;
+  const T N2_1 = T(0.04799999999999999) * t2_13 + T(0.0048) * (t2_14 - t2_15) - T(0.0036) * t2_16 + T(0.006) * t2_17 +
+      u.M_2_1;
   const T t2_18 = omega2_1 * omega2_1;
-  const T N2_2 = u.M_2_2 - T(0.023999999999999994) * t2_17 - T(0.0036) * (t2_16 - t2_18) - T(0.006) * t2_14 -
-      T(0.0048) * t2_13;
-  const T N2_3 = u.M_2_3 - T(0.023999999999999994) * t2_13 - T(0.006) * (t2_18 - t2_15) + T(0.0048) * t2_17 +
-      T(0.0036) * t2_14;
+  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * t2_17 + T(0.0036) * (t2_15 - t2_18) + T(0.006) * t2_13 +
+      T(0.0048) * t2_16);
+  const T N2_3 = T(0.0048) * t2_17 - (T(0.023999999999999994) * t2_16 + T(0.006) * (t2_18 - t2_14)) + T(0.0036) *
+      t2_13 + u.M_2_3;
   // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
   const T omegadot2_1 = T(8.361250697934116) * N2_1 - T(0.35943606923506427) * N2_2 - T(0.3315187046342825) * N2_3;
   const T omegadot2_2 = T(6.971489391401453) * N2_2 - T(0.35943606923506427) * N2_1 + T(0.36205332216638747) * N2_3;
@@ -1742,15 +1742,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[5] = omegadot2_3;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U2_11 = t2_16 + t2_15;
-  const T U2_12 = t2_13 - omegadot2_3;
+  const T minus_U2_11 = t2_15 + t2_14;
+  const T U2_12 = t2_16 - omegadot2_3;
   const T U2_13 = t2_17 + omegadot2_2;
-  const T U2_21 = t2_13 + omegadot2_3;
-  const T minus_U2_22 = t2_16 + t2_18;
-  const T U2_23 = t2_14 - omegadot2_1;
+  const T U2_21 = t2_16 + omegadot2_3;
+  const T minus_U2_22 = t2_15 + t2_18;
+  const T U2_23 = t2_13 - omegadot2_1;
   const T U2_31 = t2_17 - omegadot2_2;
-  const T U2_32 = t2_14 + omegadot2_1;
-  const T minus_U2_33 = t2_15 + t2_18;
+  const T U2_32 = t2_13 + omegadot2_1;
+  const T minus_U2_33 = t2_14 + t2_18;
   // a2 = m2^-1 F2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a2_1 = T(0.8333333333333334) * u.F_2_1;
   const T a2_2 = T(0.8333333333333334) * u.F_2_2;
@@ -1759,9 +1759,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_19 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
   const T t2_20 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
   const T t2_21 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05);
-  const T Pddot2_1 = a2_1 - R2_11 * t2_19 - R2_21 * t2_20 - R2_31 * t2_21;
-  const T Pddot2_2 = a2_2 - R2_12 * t2_19 - R2_22 * t2_20 - R2_32 * t2_21;
-  const T Pddot2_3 = a2_3 - R2_13 * t2_19 - R2_23 * t2_20 - R2_33 * t2_21;
+  const T Pddot2_1 = a2_1 - (R2_11 * t2_19 + R2_21 * t2_20 + R2_31 * t2_21);
+  const T Pddot2_2 = a2_2 - (R2_12 * t2_19 + R2_22 * t2_20 + R2_32 * t2_21);
+  const T Pddot2_3 = a2_3 - (R2_13 * t2_19 + R2_23 * t2_20 + R2_33 * t2_21);
   // sddot2 = R1 (-Pddot1 + Pddot2) - 2 omega1~ sdot2 - U1 d2: relative acceleration, axes of the lower body [m/s^2]
   const T t2_22 = Pddot2_1 - Pddot1_1;
   const T t2_23 = Pddot2_2 - Pddot1_2;
@@ -1811,18 +1811,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
   // N3 = -omega3~ I3 omega3 + M3: applied less gyroscopic moment, body axes [N m]
-  const T t3_13 = omega3_1 * omega3_2;
-  const T t3_14 = omega3_2 * omega3_3;
-  const T t3_15 = omega3_2 * omega3_2;
-  const T t3_16 = omega3_3 * omega3_3;
+  const T t3_13 = omega3_2 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T t3_15 = omega3_3 * omega3_3;
+  const T t3_16 = omega3_1 * omega3_2;
   const T t3_17 = omega3_1 * omega3_3;
-  const T N3_1 = u.M_3_1 - T(0.0039) * t3_13 + T(0.052000000000000005) * t3_14 + T(0.0052) * (t3_15 - t3_16) +
-      T(0.0065) * t3_17;
+  const T N3_1 = T(0.052000000000000005) * t3_13 + T(0.0052) * (t3_14 - t3_15) - T(0.0039) * t3_16 + T(0.0065) * t3_17
+      + u.M_3_1;
   const T t3_18 = omega3_1 * omega3_1;
-  const T N3_2 = u.M_3_2 - T(0.02600000000000001) * t3_17 - T(0.0039) * (t3_16 - t3_18) - T(0.0065) * t3_14 -
-      T(0.0052) * t3_13;
-  const T N3_3 = u.M_3_3 - T(0.025999999999999995) * t3_13 - T(0.0065) * (t3_18 - t3_15) + T(0.0052) * t3_17 +
-      T(0.0039) * t3_14;
+  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * t3_17 + T(0.0039) * (t3_15 - t3_18) + T(0.0065) * t3_13 +
+      T(0.0052) * t3_16);
+  const T N3_3 = T(0.0052) * t3_17 - (T(0.025999999999999995) * t3_16 + T(0.0065) * (t3_18 - t3_14)) + T(0.0039) *
+      t3_13 + u.M_3_3;
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T omegadot3_1 = T(7.718077567323798) * N3_1 - T(0.33178714083236693) * N3_2 - T(0.30601726581626076) * N3_3;
   const T omegadot3_2 = T(6.435220976678263) * N3_2 - T(0.33178714083236693) * N3_1 + T(0.33420306661512694) * N3_3;
@@ -1832,15 +1832,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[8] = omegadot3_3;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U3_11 = t3_16 + t3_15;
-  const T U3_12 = t3_13 - omegadot3_3;
+  const T minus_U3_11 = t3_15 + t3_14;
+  const T U3_12 = t3_16 - omegadot3_3;
   const T U3_13 = t3_17 + omegadot3_2;
-  const T U3_21 = t3_13 + omegadot3_3;
-  const T minus_U3_22 = t3_16 + t3_18;
-  const T U3_23 = t3_14 - omegadot3_1;
+  const T U3_21 = t3_16 + omegadot3_3;
+  const T minus_U3_22 = t3_15 + t3_18;
+  const T U3_23 = t3_13 - omegadot3_1;
   const T U3_31 = t3_17 - omegadot3_2;
-  const T U3_32 = t3_14 + omegadot3_1;
-  const T minus_U3_33 = t3_15 + t3_18;
+  const T U3_32 = t3_13 + omegadot3_1;
+  const T minus_U3_33 = t3_14 + t3_18;
   // a3 = m3^-1 F3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a3_1 = T(0.7692307692307692) * u.F_3_1;
   const T a3_2 = T(0.7692307692307692) * u.F_3_2;
@@ -1849,9 +1849,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t3_19 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
   const T t3_20 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
   const T t3_21 = U3_31 * T(0.1) + U3_32 * T(0.2) - minus_U3_33 * T(0.05);
-  const T Pddot3_1 = a3_1 - R3_11 * t3_19 - R3_21 * t3_20 - R3_31 * t3_21;
-  const T Pddot3_2 = a3_2 - R3_12 * t3_19 - R3_22 * t3_20 - R3_32 * t3_21;
-  const T Pddot3_3 = a3_3 - R3_13 * t3_19 - R3_23 * t3_20 - R3_33 * t3_21;
+  const T Pddot3_1 = a3_1 - (R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21);
+  const T Pddot3_2 = a3_2 - (R3_12 * t3_19 + R3_22 * t3_20 + R3_32 * t3_21);
+  const T Pddot3_3 = a3_3 - (R3_13 * t3_19 + R3_23 * t3_20 + R3_33 * t3_21);
   // sddot3 = R2 (-Pddot2 + Pddot3) - 2 omega2~ sdot3 - U2 d3: relative acceleration, axes of the lower body [m/s^2]
   const T t3_22 = Pddot3_1 - Pddot2_1;
   const T t3_23 = Pddot3_2 - Pddot2_2;
@@ -1901,18 +1901,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less gyroscopic moment, body axes [N m]
-  const T t4_13 = omega4_1 * omega4_2;
-  const T t4_14 = omega4_2 * omega4_3;
-  const T t4_15 = omega4_2 * omega4_2;
-  const T t4_16 = omega4_3 * omega4_3;
+  const T t4_13 = omega4_2 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T t4_15 = omega4_3 * omega4_3;
+  const T t4_16 = omega4_1 * omega4_2;
   const T t4_17 = omega4_1 * omega4_3;
-  const T N4_1 = u.M_4_1 - T(0.0042) * t4_13 + T(0.05600000000000001) * t4_14 + T(0.0056) * (t4_15 - t4_16) + T(0.007)
-      * t4_17;
+  const T N4_1 = T(0.05600000000000001) * t4_13 + T(0.0056) * (t4_14 - t4_15) - T(0.0042) * t4_16 + T(0.007) * t4_17 +
+      u.M_4_1;
   const T t4_18 = omega4_1 * omega4_1;
-  const T N4_2 = u.M_4_2 - T(0.02800000000000001) * t4_17 - T(0.0042) * (t4_16 - t4_18) - T(0.007) * t4_14 - T(0.0056)
-      * t4_13;
-  const T N4_3 = u.M_4_3 - T(0.027999999999999997) * t4_13 - T(0.007) * (t4_18 - t4_15) + T(0.0056) * t4_17 +
-      T(0.0042) * t4_14;
+  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * t4_17 + T(0.0042) * (t4_15 - t4_18) + T(0.007) * t4_13 +
+      T(0.0056) * t4_16);
+  const T N4_3 = T(0.0056) * t4_17 - (T(0.027999999999999997) * t4_16 + T(0.007) * (t4_18 - t4_14)) + T(0.0042) *
+      t4_13 + u.M_4_3;
   // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
   const T omegadot4_1 = T(7.166786312514955) * N4_1 - T(0.3080880593443407) * N4_2 - T(0.2841588896865278) * N4_3;
   const T omegadot4_2 = T(5.975562335486958) * N4_2 - T(0.3080880593443407) * N4_1 + T(0.3103314189997607) * N4_3;
@@ -1922,15 +1922,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[11] = omegadot4_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U4_11 = t4_16 + t4_15;
-  const T U4_12 = t4_13 - omegadot4_3;
+  const T minus_U4_11 = t4_15 + t4_14;
+  const T U4_12 = t4_16 - omegadot4_3;
   const T U4_13 = t4_17 + omegadot4_2;
-  const T U4_21 = t4_13 + omegadot4_3;
-  const T minus_U4_22 = t4_16 + t4_18;
-  const T U4_23 = t4_14 - omegadot4_1;
+  const T U4_21 = t4_16 + omegadot4_3;
+  const T minus_U4_22 = t4_15 + t4_18;
+  const T U4_23 = t4_13 - omegadot4_1;
   const T U4_31 = t4_17 - omegadot4_2;
-  const T U4_32 = t4_14 + omegadot4_1;
-  const T minus_U4_33 = t4_15 + t4_18;
+  const T U4_32 = t4_13 + omegadot4_1;
+  const T minus_U4_33 = t4_14 + t4_18;
   // a4 = m4^-1 F4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a4_1 = T(0.7142857142857143) * u.F_4_1;
   const T a4_2 = T(0.7142857142857143) * u.F_4_2;
@@ -1939,9 +1939,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t4_19 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
   const T t4_20 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
   const T t4_21 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05);
-  const T Pddot4_1 = a4_1 - R4_11 * t4_19 - R4_21 * t4_20 - R4_31 * t4_21;
-  const T Pddot4_2 = a4_2 - R4_12 * t4_19 - R4_22 * t4_20 - R4_32 * t4_21;
-  const T Pddot4_3 = a4_3 - R4_13 * t4_19 - R4_23 * t4_20 - R4_33 * t4_21;
+  const T Pddot4_1 = a4_1 - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
+  const T Pddot4_2 = a4_2 - (R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21);
+  const T Pddot4_3 = a4_3 - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
   // sddot4 = R2 (-Pddot2 + Pddot4) - 2 omega2~ sdot4 - U2 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot2_1;
   const T t4_23 = Pddot4_2 - Pddot2_2;
@@ -1988,15 +1988,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d5_2 = T(0.25) + s5_2;
   const T d5_3 = T(0.1) + s5_3;
   // N5 = -omega5~ I5 omega5 + M5: applied less gyroscopic moment, body axes [N m]
-  const T t5_13 = omega5_1 * omega5_2;
-  const T t5_14 = omega5_2 * omega5_3;
-  const T t5_15 = omega5_2 * omega5_2;
-  const T t5_16 = omega5_3 * omega5_3;
+  const T t5_13 = omega5_2 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T t5_15 = omega5_3 * omega5_3;
+  const T t5_16 = omega5_1 * omega5_2;
   const T t5_17 = omega5_1 * omega5_3;
-  const T N5_1 = u.M_5_1 - T(0.0045) * t5_13 + T(0.06) * t5_14 + T(0.006) * (t5_15 - t5_16) + T(0.0075) * t5_17;
+  const T N5_1 = T(0.06) * t5_13 + T(0.006) * (t5_14 - t5_15) - T(0.0045) * t5_16 + T(0.0075) * t5_17 + u.M_5_1;
   const T t5_18 = omega5_1 * omega5_1;
-  const T N5_2 = u.M_5_2 - T(0.03) * t5_17 - T(0.0045) * (t5_16 - t5_18) - T(0.0075) * t5_14 - T(0.006) * t5_13;
-  const T N5_3 = u.M_5_3 - T(0.03) * t5_13 - T(0.0075) * (t5_18 - t5_15) + T(0.006) * t5_17 + T(0.0045) * t5_14;
+  const T N5_2 = u.M_5_2 - (T(0.03) * t5_17 + T(0.0045) * (t5_15 - t5_18) + T(0.0075) * t5_13 + T(0.006) * t5_16);
+  const T N5_3 = T(0.006) * t5_17 - (T(0.03) * t5_16 + T(0.0075) * (t5_18 - t5_14)) + T(0.0045) * t5_13 + u.M_5_3;
   // omegadot5 = Iinv5 N5: I omegadot + omega~ I omega = M
   const T omegadot5_1 = T(6.689000558347292) * N5_1 - T(0.28754885538805136) * N5_2 - T(0.26521496370742603) * N5_3;
   const T omegadot5_2 = T(5.577191513121162) * N5_2 - T(0.28754885538805136) * N5_1 + T(0.28964265773311004) * N5_3;
@@ -2006,15 +2006,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[14] = omegadot5_3;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U5_11 = t5_16 + t5_15;
-  const T U5_12 = t5_13 - omegadot5_3;
+  const T minus_U5_11 = t5_15 + t5_14;
+  const T U5_12 = t5_16 - omegadot5_3;
   const T U5_13 = t5_17 + omegadot5_2;
-  const T U5_21 = t5_13 + omegadot5_3;
-  const T minus_U5_22 = t5_16 + t5_18;
-  const T U5_23 = t5_14 - omegadot5_1;
+  const T U5_21 = t5_16 + omegadot5_3;
+  const T minus_U5_22 = t5_15 + t5_18;
+  const T U5_23 = t5_13 - omegadot5_1;
   const T U5_31 = t5_17 - omegadot5_2;
-  const T U5_32 = t5_14 + omegadot5_1;
-  const T minus_U5_33 = t5_15 + t5_18;
+  const T U5_32 = t5_13 + omegadot5_1;
+  const T minus_U5_33 = t5_14 + t5_18;
   // a5 = m5^-1 F5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a5_1 = T(0.6666666666666666) * u.F_5_1;
   const T a5_2 = T(0.6666666666666666) * u.F_5_2;
@@ -2023,9 +2023,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t5_19 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
   const T t5_20 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
   const T t5_21 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05);
-  const T Pddot5_1 = a5_1 - R5_11 * t5_19 - R5_21 * t5_20 - R5_31 * t5_21;
-  const T Pddot5_2 = a5_2 - R5_12 * t5_19 - R5_22 * t5_20 - R5_32 * t5_21;
-  const T Pddot5_3 = a5_3 - R5_13 * t5_19 - R5_23 * t5_20 - R5_33 * t5_21;
+  const T Pddot5_1 = a5_1 - (R5_11 * t5_19 + R5_21 * t5_20 + R5_31 * t5_21);
+  const T Pddot5_2 = a5_2 - (R5_12 * t5_19 + R5_22 * t5_20 + R5_32 * t5_21);
+  const T Pddot5_3 = a5_3 - (R5_13 * t5_19 + R5_23 * t5_20 + R5_33 * t5_21);
   // sddot5 = R1 (-Pddot1 + Pddot5) - 2 omega1~ sdot5 - U1 d5: relative acceleration, axes of the lower body [m/s^2]
   const T t5_22 = Pddot5_1 - Pddot1_1;
   const T t5_23 = Pddot5_2 - Pddot1_2;
@@ -2072,15 +2072,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less gyroscopic moment, body axes [N m]
-  const T t6_13 = omega6_1 * omega6_2;
-  const T t6_14 = omega6_2 * omega6_3;
-  const T t6_15 = omega6_2 * omega6_2;
-  const T t6_16 = omega6_3 * omega6_3;
+  const T t6_13 = omega6_2 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T t6_15 = omega6_3 * omega6_3;
+  const T t6_16 = omega6_1 * omega6_2;
   const T t6_17 = omega6_1 * omega6_3;
-  const T N6_1 = u.M_6_1 - T(0.0048) * t6_13 + T(0.064) * t6_14 + T(0.0064) * (t6_15 - t6_16) + T(0.008) * t6_17;
+  const T N6_1 = T(0.064) * t6_13 + T(0.0064) * (t6_14 - t6_15) - T(0.0048) * t6_16 + T(0.008) * t6_17 + u.M_6_1;
   const T t6_18 = omega6_1 * omega6_1;
-  const T N6_2 = u.M_6_2 - T(0.032) * t6_17 - T(0.0048) * (t6_16 - t6_18) - T(0.008) * t6_14 - T(0.0064) * t6_13;
-  const T N6_3 = u.M_6_3 - T(0.032) * t6_13 - T(0.008) * (t6_18 - t6_15) + T(0.0064) * t6_17 + T(0.0048) * t6_14;
+  const T N6_2 = u.M_6_2 - (T(0.032) * t6_17 + T(0.0048) * (t6_15 - t6_18) + T(0.008) * t6_13 + T(0.0064) * t6_16);
+  const T N6_3 = T(0.0064) * t6_17 - (T(0.032) * t6_16 + T(0.008) * (t6_18 - t6_14)) + T(0.0048) * t6_13 + u.M_6_3;
   // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
   const T omegadot6_1 = T(6.2709380234505865) * N6_1 - T(0.26957705192629816) * N6_2 - T(0.24863902847571187) * N6_3;
   const T omegadot6_2 = T(5.228617043551089) * N6_2 - T(0.26957705192629816) * N6_1 + T(0.27153999162479064) * N6_3;
@@ -2090,15 +2090,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[17] = omegadot6_3;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U6_11 = t6_16 + t6_15;
-  const T U6_12 = t6_13 - omegadot6_3;
+  const T minus_U6_11 = t6_15 + t6_14;
+  const T U6_12 = t6_16 - omegadot6_3;
   const T U6_13 = t6_17 + omegadot6_2;
-  const T U6_21 = t6_13 + omegadot6_3;
-  const T minus_U6_22 = t6_16 + t6_18;
-  const T U6_23 = t6_14 - omegadot6_1;
+  const T U6_21 = t6_16 + omegadot6_3;
+  const T minus_U6_22 = t6_15 + t6_18;
+  const T U6_23 = t6_13 - omegadot6_1;
   const T U6_31 = t6_17 - omegadot6_2;
-  const T U6_32 = t6_14 + omegadot6_1;
-  const T minus_U6_33 = t6_15 + t6_18;
+  const T U6_32 = t6_13 + omegadot6_1;
+  const T minus_U6_33 = t6_14 + t6_18;
   // a6 = m6^-1 F6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a6_1 = T(0.625) * u.F_6_1;
   const T a6_2 = T(0.625) * u.F_6_2;
@@ -2107,9 +2107,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t6_19 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
   const T t6_20 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);
   const T t6_21 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05);
-  const T Pddot6_1 = a6_1 - R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21;
-  const T Pddot6_2 = a6_2 - R6_12 * t6_19 - R6_22 * t6_20 - R6_32 * t6_21;
-  const T Pddot6_3 = a6_3 - R6_13 * t6_19 - R6_23 * t6_20 - R6_33 * t6_21;
+  const T Pddot6_1 = a6_1 - (R6_11 * t6_19 + R6_21 * t6_20 + R6_31 * t6_21);
+  const T Pddot6_2 = a6_2 - (R6_12 * t6_19 + R6_22 * t6_20 + R6_32 * t6_21);
+  const T Pddot6_3 = a6_3 - (R6_13 * t6_19 + R6_23 * t6_20 + R6_33 * t6_21);
   // sddot6 = R5 (-Pddot5 + Pddot6) - 2 omega5~ sdot6 - U5 d6: relative acceleration, axes of the lower body [m/s^2]
   const T t6_22 = Pddot6_1 - Pddot5_1;
   const T t6_23 = Pddot6_2 - Pddot5_2;
@@ -2252,12 +2252,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = R1^T (2 omega1~ sdot2 + sddot2 + U1 d2) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t2_19 = T(2) * omega1_3;
-  const T t2_20 = T(2) * omega1_2;
-  const T t2_21 = sddot2_1 - t2_19 * sdot2_2 + t2_20 * sdot2_3 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_19 = T(2) * omega1_2;
+  const T t2_20 = T(2) * omega1_3;
+  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = sddot2_2 - t2_22 * sdot2_3 + t2_19 * sdot2_1 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = sddot2_3 - t2_20 * sdot2_1 + t2_22 * sdot2_2 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
   const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
   const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
   const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
@@ -2332,12 +2332,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = R2^T (2 omega2~ sdot3 + sddot3 + U2 d3) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t3_19 = T(2) * omega2_3;
-  const T t3_20 = T(2) * omega2_2;
-  const T t3_21 = sddot3_1 - t3_19 * sdot3_2 + t3_20 * sdot3_3 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_19 = T(2) * omega2_2;
+  const T t3_20 = T(2) * omega2_3;
+  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = sddot3_2 - t3_22 * sdot3_3 + t3_19 * sdot3_1 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = sddot3_3 - t3_20 * sdot3_1 + t3_22 * sdot3_2 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
   const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
   const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
   const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
@@ -2412,9 +2412,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = sddot4_1 - t3_19 * sdot4_2 + t3_20 * sdot4_3 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
-  const T t4_20 = sddot4_2 - t3_22 * sdot4_3 + t3_19 * sdot4_1 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
-  const T t4_21 = sddot4_3 - t3_20 * sdot4_1 + t3_22 * sdot4_2 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T t4_19 = t3_19 * sdot4_3 - t3_20 * sdot4_2 + sddot4_1 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = t3_20 * sdot4_1 - t3_22 * sdot4_3 + sddot4_2 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = t3_22 * sdot4_2 - t3_19 * sdot4_1 + sddot4_3 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
   const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
   const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
   const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
@@ -2489,9 +2489,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = R1^T (2 omega1~ sdot5 + sddot5 + U1 d5) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = sddot5_1 - t2_19 * sdot5_2 + t2_20 * sdot5_3 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
-  const T t5_20 = sddot5_2 - t2_22 * sdot5_3 + t2_19 * sdot5_1 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
-  const T t5_21 = sddot5_3 - t2_20 * sdot5_1 + t2_22 * sdot5_2 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T t5_19 = t2_19 * sdot5_3 - t2_20 * sdot5_2 + sddot5_1 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = t2_20 * sdot5_1 - t2_22 * sdot5_3 + sddot5_2 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = t2_22 * sdot5_2 - t2_19 * sdot5_1 + sddot5_3 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
   const T Pddot5_1 = R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21 + sddot1_1;
   const T Pddot5_2 = R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21 + sddot1_2;
   const T Pddot5_3 = R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21 + Pddot1_3;
@@ -2566,12 +2566,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = R5^T (2 omega5~ sdot6 + sddot6 + U5 d6) + Pddot5: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t6_19 = T(2) * omega5_3;
-  const T t6_20 = T(2) * omega5_2;
-  const T t6_21 = sddot6_1 - t6_19 * sdot6_2 + t6_20 * sdot6_3 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_19 = T(2) * omega5_2;
+  const T t6_20 = T(2) * omega5_3;
+  const T t6_21 = t6_19 * sdot6_3 - t6_20 * sdot6_2 + sddot6_1 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
   const T t6_22 = T(2) * omega5_1;
-  const T t6_23 = sddot6_2 - t6_22 * sdot6_3 + t6_19 * sdot6_1 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
-  const T t6_24 = sddot6_3 - t6_20 * sdot6_1 + t6_22 * sdot6_2 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T t6_23 = t6_20 * sdot6_1 - t6_22 * sdot6_3 + sddot6_2 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = t6_22 * sdot6_2 - t6_19 * sdot6_1 + sddot6_3 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
   const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
   const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
   const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
@@ -2769,18 +2769,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G1_2 = u.F_1_2 - T(1.1) * a1_2;
   const T G1_3 = u.F_1_3 - T(1.1) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_1 * omega1_2;
-  const T t1_20 = omega1_2 * omega1_3;
-  const T t1_21 = omega1_2 * omega1_2;
-  const T t1_22 = omega1_3 * omega1_3;
+  const T t1_19 = omega1_2 * omega1_3;
+  const T t1_20 = omega1_2 * omega1_2;
+  const T t1_21 = omega1_3 * omega1_3;
+  const T t1_22 = omega1_1 * omega1_2;
   const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - T(0.0033) * t1_19 + T(0.04400000000000001) * t1_20 + T(0.0044) * (t1_21 - t1_22) +
-      T(0.0055) * t1_23;
+  const T N1_1 = T(0.04400000000000001) * t1_19 + T(0.0044) * (t1_20 - t1_21) - T(0.0033) * t1_22 + T(0.0055) * t1_23
+      + u.M_1_1;
   const T t1_24 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * t1_23 - T(0.0033) * (t1_22 - t1_24) - T(0.0055) * t1_20 -
-      T(0.0044) * t1_19;
-  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * t1_19 - T(0.0055) * (t1_24 - t1_21) + T(0.0044) * t1_23 +
-      T(0.0033) * t1_20;
+  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_23 + T(0.0033) * (t1_21 - t1_24) + T(0.0055) * t1_19 +
+      T(0.0044) * t1_22);
+  const T N1_3 = T(0.0044) * t1_23 - (T(0.022000000000000006) * t1_22 + T(0.0055) * (t1_24 - t1_20)) + T(0.0033) *
+      t1_19 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2839,18 +2839,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G2_2 = u.F_2_2 - T(1.2) * a2_2;
   const T G2_3 = u.F_2_3 - T(1.2) * a2_3;
   // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_1 * omega2_2;
-  const T t2_26 = omega2_2 * omega2_3;
-  const T t2_27 = omega2_2 * omega2_2;
-  const T t2_28 = omega2_3 * omega2_3;
+  const T t2_25 = omega2_2 * omega2_3;
+  const T t2_26 = omega2_2 * omega2_2;
+  const T t2_27 = omega2_3 * omega2_3;
+  const T t2_28 = omega2_1 * omega2_2;
   const T t2_29 = omega2_1 * omega2_3;
-  const T N2_1 = u.M_2_1 - T(0.0036) * t2_25 + T(0.04799999999999999) * t2_26 + T(0.0048) * (t2_27 - t2_28) + T(0.006)
-      * t2_29;
+  const T N2_1 = T(0.04799999999999999) * t2_25 + T(0.0048) * (t2_26 - t2_27) - T(0.0036) * t2_28 + T(0.006) * t2_29 +
+      u.M_2_1;
   const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = u.M_2_2 - T(0.023999999999999994) * t2_29 - T(0.0036) * (t2_28 - t2_30) - T(0.006) * t2_26 -
-      T(0.0048) * t2_25;
-  const T N2_3 = u.M_2_3 - T(0.023999999999999994) * t2_25 - T(0.006) * (t2_30 - t2_27) + T(0.0048) * t2_29 +
-      T(0.0036) * t2_26;
+  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * t2_29 + T(0.0036) * (t2_27 - t2_30) + T(0.006) * t2_25 +
+      T(0.0048) * t2_28);
+  const T N2_3 = T(0.0048) * t2_29 - (T(0.023999999999999994) * t2_28 + T(0.006) * (t2_30 - t2_26)) + T(0.0036) *
+      t2_25 + u.M_2_3;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2909,18 +2909,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G3_2 = u.F_3_2 - T(1.3) * a3_2;
   const T G3_3 = u.F_3_3 - T(1.3) * a3_3;
   // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_1 * omega3_2;
-  const T t3_26 = omega3_2 * omega3_3;
-  const T t3_27 = omega3_2 * omega3_2;
-  const T t3_28 = omega3_3 * omega3_3;
+  const T t3_25 = omega3_2 * omega3_3;
+  const T t3_26 = omega3_2 * omega3_2;
+  const T t3_27 = omega3_3 * omega3_3;
+  const T t3_28 = omega3_1 * omega3_2;
   const T t3_29 = omega3_1 * omega3_3;
-  const T N3_1 = u.M_3_1 - T(0.0039) * t3_25 + T(0.052000000000000005) * t3_26 + T(0.0052) * (t3_27 - t3_28) +
-      T(0.0065) * t3_29;
+  const T N3_1 = T(0.052000000000000005) * t3_25 + T(0.0052) * (t3_26 - t3_27) - T(0.0039) * t3_28 + T(0.0065) * t3_29
+      + u.M_3_1;
   const T t3_30 = omega3_1 * omega3_1;
-  const T N3_2 = u.M_3_2 - T(0.02600000000000001) * t3_29 - T(0.0039) * (t3_28 - t3_30) - T(0.0065) * t3_26 -
-      T(0.0052) * t3_25;
-  const T N3_3 = u.M_3_3 - T(0.025999999999999995) * t3_25 - T(0.0065) * (t3_30 - t3_27) + T(0.0052) * t3_29 +
-      T(0.0039) * t3_26;
+  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * t3_29 + T(0.0039) * (t3_27 - t3_30) + T(0.0065) * t3_25 +
+      T(0.0052) * t3_28);
+  const T N3_3 = T(0.0052) * t3_29 - (T(0.025999999999999995) * t3_28 + T(0.0065) * (t3_30 - t3_26)) + T(0.0039) *
+      t3_25 + u.M_3_3;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2979,18 +2979,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G4_2 = u.F_4_2 - T(1.4) * a4_2;
   const T G4_3 = u.F_4_3 - T(1.4) * a4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_1 * omega4_2;
-  const T t4_26 = omega4_2 * omega4_3;
-  const T t4_27 = omega4_2 * omega4_2;
-  const T t4_28 = omega4_3 * omega4_3;
+  const T t4_25 = omega4_2 * omega4_3;
+  const T t4_26 = omega4_2 * omega4_2;
+  const T t4_27 = omega4_3 * omega4_3;
+  const T t4_28 = omega4_1 * omega4_2;
   const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = u.M_4_1 - T(0.0042) * t4_25 + T(0.05600000000000001) * t4_26 + T(0.0056) * (t4_27 - t4_28) + T(0.007)
-      * t4_29;
+  const T N4_1 = T(0.05600000000000001) * t4_25 + T(0.0056) * (t4_26 - t4_27) - T(0.0042) * t4_28 + T(0.007) * t4_29 +
+      u.M_4_1;
   const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = u.M_4_2 - T(0.02800000000000001) * t4_29 - T(0.0042) * (t4_28 - t4_30) - T(0.007) * t4_26 - T(0.0056)
-      * t4_25;
-  const T N4_3 = u.M_4_3 - T(0.027999999999999997) * t4_25 - T(0.007) * (t4_30 - t4_27) + T(0.0056) * t4_29 +
-      T(0.0042) * t4_26;
+  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * t4_29 + T(0.0042) * (t4_27 - t4_30) + T(0.007) * t4_25 +
+      T(0.0056) * t4_28);
+  const T N4_3 = T(0.0056) * t4_29 - (T(0.027999999999999997) * t4_28 + T(0.007) * (t4_30 - t4_26)) + T(0.0042) *
+      t4_25 + u.M_4_3;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3049,15 +3049,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G5_2 = u.F_5_2 - T(1.5) * a5_2;
   const T G5_3 = u.F_5_3 - T(1.5) * a5_3;
   // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t5_25 = omega5_1 * omega5_2;
-  const T t5_26 = omega5_2 * omega5_3;
-  const T t5_27 = omega5_2 * omega5_2;
-  const T t5_28 = omega5_3 * omega5_3;
+  const T t5_25 = omega5_2 * omega5_3;
+  const T t5_26 = omega5_2 * omega5_2;
+  const T t5_27 = omega5_3 * omega5_3;
+  const T t5_28 = omega5_1 * omega5_2;
   const T t5_29 = omega5_1 * omega5_3;
-  const T N5_1 = u.M_5_1 - T(0.0045) * t5_25 + T(0.06) * t5_26 + T(0.006) * (t5_27 - t5_28) + T(0.0075) * t5_29;
+  const T N5_1 = T(0.06) * t5_25 + T(0.006) * (t5_26 - t5_27) - T(0.0045) * t5_28 + T(0.0075) * t5_29 + u.M_5_1;
   const T t5_30 = omega5_1 * omega5_1;
-  const T N5_2 = u.M_5_2 - T(0.03) * t5_29 - T(0.0045) * (t5_28 - t5_30) - T(0.0075) * t5_26 - T(0.006) * t5_25;
-  const T N5_3 = u.M_5_3 - T(0.03) * t5_25 - T(0.0075) * (t5_30 - t5_27) + T(0.006) * t5_29 + T(0.0045) * t5_26;
+  const T N5_2 = u.M_5_2 - (T(0.03) * t5_29 + T(0.0045) * (t5_27 - t5_30) + T(0.0075) * t5_25 + T(0.006) * t5_28);
+  const T N5_3 = T(0.006) * t5_29 - (T(0.03) * t5_28 + T(0.0075) * (t5_30 - t5_26)) + T(0.0045) * t5_25 + u.M_5_3;
 
   // ---- body 6 (body_6) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -3116,15 +3116,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G6_2 = u.F_6_2 - T(1.6) * a6_2;
   const T G6_3 = u.F_6_3 - T(1.6) * a6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_1 * omega6_2;
-  const T t6_26 = omega6_2 * omega6_3;
-  const T t6_27 = omega6_2 * omega6_2;
-  const T t6_28 = omega6_3 * omega6_3;
+  const T t6_25 = omega6_2 * omega6_3;
+  const T t6_26 = omega6_2 * omega6_2;
+  const T t6_27 = omega6_3 * omega6_3;
+  const T t6_28 = omega6_1 * omega6_2;
   const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = u.M_6_1 - T(0.0048) * t6_25 + T(0.064) * t6_26 + T(0.0064) * (t6_27 - t6_28) + T(0.008) * t6_29;
+  const T N6_1 = T(0.064) * t6_25 + T(0.0064) * (t6_26 - t6_27) - T(0.0048) * t6_28 + T(0.008) * t6_29 + u.M_6_1;
   const T t6_30 = omega6_1 * omega6_1;
-  const T N6_2 = u.M_6_2 - T(0.032) * t6_29 - T(0.0048) * (t6_28 - t6_30) - T(0.008) * t6_26 - T(0.0064) * t6_25;
-  const T N6_3 = u.M_6_3 - T(0.032) * t6_25 - T(0.008) * (t6_30 - t6_27) + T(0.0064) * t6_29 + T(0.0048) * t6_26;
+  const T N6_2 = u.M_6_2 - (T(0.032) * t6_29 + T(0.0048) * (t6_27 - t6_30) + T(0.008) * t6_25 + T(0.0064) * t6_28);
+  const T N6_3 = T(0.0064) * t6_29 - (T(0.032) * t6_28 + T(0.008) * (t6_30 - t6_26)) + T(0.0048) * t6_25 + u.M_6_3;
 
   // ---- body 6 (body_6) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]

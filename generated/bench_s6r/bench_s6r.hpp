@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model e96bd5b0a3f974c0 of bench_s6r/scene.toml; the usual functions
+// model 921ff832e1d0a8fa of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -47,7 +47,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "e96bd5b0a3f974c0";
+inline constexpr char model_hash[] = "921ff832e1d0a8fa";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1129,18 +1129,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T G1_2 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3 - T(1.1) * a1_2;
   const T G1_3 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3 - T(1.1) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_18 = omega1_1 * omega1_2;
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
+  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_19 = omega1_2 * omega1_2;
+  const T t1_20 = omega1_3 * omega1_3;
+  const T t1_21 = omega1_1 * omega1_2;
   const T t1_22 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - T(0.0033) * t1_18 + T(0.04400000000000001) * t1_19 + T(0.0044) * (t1_20 - t1_21) +
-      T(0.0055) * t1_22;
+  const T N1_1 = T(0.04400000000000001) * t1_18 + T(0.0044) * (t1_19 - t1_20) - T(0.0033) * t1_21 + T(0.0055) * t1_22
+      + u.M_1_1;
   const T t1_23 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * t1_22 - T(0.0033) * (t1_21 - t1_23) - T(0.0055) * t1_19 -
-      T(0.0044) * t1_18;
-  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * t1_18 - T(0.0055) * (t1_23 - t1_20) + T(0.0044) * t1_22 +
-      T(0.0033) * t1_19;
+  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_22 + T(0.0033) * (t1_20 - t1_23) + T(0.0055) * t1_18 +
+      T(0.0044) * t1_21);
+  const T N1_3 = T(0.0044) * t1_22 - (T(0.022000000000000006) * t1_21 + T(0.0055) * (t1_23 - t1_19)) + T(0.0033) *
+      t1_18 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -1433,7 +1433,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // rho5 = q6~ E6^T G6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
   //   body axes [N m]
   const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = rho6_1 - T(0.1) * b5_1 - b5_3 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
+  const T rho5_1 = rho6_1 - (T(0.1) * b5_1 + b5_3) + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
   const T rho5_2 = b5_3 - T(0.1) * minus_G6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
       minus_G5_1 - minus_N5_2;
   const T rho5_3 = T(0.3) * b5_1 + T(0.3) * minus_G6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
@@ -1504,7 +1504,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
   // rho2 = q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T rho4 + r2~ G2 + N2: sum of the moment balances of the subtree
   //   about the body origin, body axes [N m]
-  const T rho2_1 = rho3_1 - T(0.1) * b2_2 - T(0.15) * b2_4 + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
+  const T rho2_1 = rho3_1 - (T(0.1) * b2_2 + T(0.15) * b2_4) + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
       rho4_3 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
   const T rho2_2 = T(0.3) * b2_4 - T(0.1) * minus_G3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - T(0.1) * b2_1 - T(0.3) *
       b2_3 + rho4_2 + T(0.1) * minus_G2_3 - T(0.05) * minus_G2_1 - minus_N2_2;
@@ -1573,7 +1573,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // S1 = E2^T S2 + E5^T S5 + G1: sum of the force balances of the subtree, body axes [N]
   const T b1_1 = E2_11 * minus_S2_1 + E2_12 * S2_2;
   const T b1_2 = E5_11 * minus_S5_1 + E5_12 * S5_2;
-  const T S1_1 = G1_1 - b1_1 - b1_2;
+  const T S1_1 = G1_1 - (b1_1 + b1_2);
   const T b1_3 = E2_11 * S2_2 - E2_12 * minus_S2_1;
   const T b1_4 = E5_11 * S5_2 - E5_12 * minus_S5_1;
   const T S1_2 = b1_3 + b1_4 + G1_2;
@@ -1582,8 +1582,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T f_omega1_1 = T(0.1) * S2_3 - T(0.1) * b1_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.1) * b1_4 - T(0.25) *
       minus_S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G1_3 - T(0.05) * G1_2 + N1_1;
   const T b1_5 = T(0.1) * b1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - b1_5 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 - T(0.1) * b1_2 +
-      E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
+  const T f_omega1_2 = E2_12 * rho2_1 - (b1_5 + T(0.3) * S2_3) + E2_11 * rho2_2 + T(0.3) * minus_S5_3 - T(0.1) * b1_2
+      + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
   const T f_omega1_3 = T(0.3) * b1_3 + b1_5 + rho2_3 + T(0.3) * b1_4 + T(0.25) * b1_2 + rho5_3 + T(0.1) * G1_2 -
       T(0.2) * G1_1 + N1_3;
   // h1 = m1 r1 + m_sub5 q5 + m_sub2 q2 + hc2 + hc5: first moment of mass carried, about the body origin, body axes
@@ -1702,10 +1702,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b1_64 = b1_63 * b1_33;
   const T b1_65 = B_thetadot4_1_1 * T(5.390835579514825);
   const T b1_66 = B_thetadot3_1_1 * T(5.398110661268555);
-  const T b1_67 = b1_66 * minus_K_thetadot3_2_3 - hc2_2 - b1_65 * K_thetadot4_2_3;
+  const T b1_67 = b1_66 * minus_K_thetadot3_2_3 - (hc2_2 + b1_65 * K_thetadot4_2_3);
   const T b1_68 = b1_67 * b1_38;
-  const T b1_69 = b1_65 * minus_K_thetadot4_1_1 - b1_62 * K_thetadot6_1_1 - b1_64 * b1_32 - b1_66 * K_thetadot3_1_1 -
-      b1_68 * b1_37;
+  const T b1_69 = b1_65 * minus_K_thetadot4_1_1 - (b1_62 * K_thetadot6_1_1 + b1_64 * b1_32) - b1_66 * K_thetadot3_1_1
+      - b1_68 * b1_37;
   const T b1_70 = b1_69 * b1_48;
   const T b1_71 = h1_3 - b1_62 * K_thetadot6_1_2 - b1_64 * b1_41 - b1_65 * K_thetadot4_1_2 - b1_66 * K_thetadot3_1_2 -
       b1_68 * b1_45 - b1_70 * b1_47;
@@ -1754,8 +1754,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b1_103 = b1_92 * minus_K_thetadot6_1_3 - b1_94 * b1_51 + b1_95 * K_thetadot4_1_3 + b1_96 *
       minus_K_thetadot3_1_3 - b1_98 * b1_55 - b1_100 * b1_57 + b1_102 * b1_59;
   const T b1_104 = b1_103 * b1_74;
-  const T b1_105 = b1_95 * B_thetadot4_1_1 - b1_92 * B_thetadot6_1_1 - b1_94 * b1_63 - b1_96 * B_thetadot3_1_1 - b1_98
-      * b1_67 - b1_100 * b1_69 + b1_102 * b1_71 + b1_104 * b1_73;
+  const T b1_105 = b1_95 * B_thetadot4_1_1 - (b1_92 * B_thetadot6_1_1 + b1_94 * b1_63) - b1_96 * B_thetadot3_1_1 -
+      b1_98 * b1_67 - b1_100 * b1_69 + b1_102 * b1_71 + b1_104 * b1_73;
   const T b1_106 = b1_105 * b1_90;
   const T b1_107 = b1_92 * minus_B_thetadot6_1_2 - b1_94 * b1_77 + b1_95 * B_thetadot4_1_2 + b1_96 *
       minus_B_thetadot3_1_2 - b1_98 * b1_81 + b1_100 * b1_83 + b1_102 * b1_85 - b1_104 * b1_87 - b1_106 * b1_89;
@@ -1892,9 +1892,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a1_2 = U1_21 * T(0.1) - minus_U1_22 * T(0.2) + U1_23 * T(0.05) + Pddot1_2;
   const T a1_3 = U1_31 * T(0.1) + U1_32 * T(0.2) - minus_U1_33 * T(0.05) + Pddot1_3;
   // G1 = -R1 F1 + m1 a1: force balance, body axes [N]
-  const T G1_1 = T(1.1) * a1_1 - R1_11 * u.F_1_1 - R1_12 * u.F_1_2 - R1_13 * u.F_1_3;
-  const T G1_2 = T(1.1) * a1_2 - R1_21 * u.F_1_1 - R1_22 * u.F_1_2 - R1_23 * u.F_1_3;
-  const T G1_3 = T(1.1) * a1_3 - R1_31 * u.F_1_1 - R1_32 * u.F_1_2 - R1_33 * u.F_1_3;
+  const T G1_1 = T(1.1) * a1_1 - (R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3);
+  const T G1_2 = T(1.1) * a1_2 - (R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3);
+  const T G1_3 = T(1.1) * a1_3 - (R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3);
   // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
   const T N1_1 = T(0.032999999999999995) * U1_32 - T(0.07700000000000001) * U1_23 + T(0.0044) * (minus_U1_22 -
       minus_U1_33) - T(0.0055) * U1_31 + T(0.0033) * U1_21 - u.M_1_1;
@@ -2328,18 +2328,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G1_2 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3 - T(1.1) * a1_2;
   const T G1_3 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3 - T(1.1) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_18 = omega1_1 * omega1_2;
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
+  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_19 = omega1_2 * omega1_2;
+  const T t1_20 = omega1_3 * omega1_3;
+  const T t1_21 = omega1_1 * omega1_2;
   const T t1_22 = omega1_1 * omega1_3;
-  const T N1_1 = u.M_1_1 - T(0.0033) * t1_18 + T(0.04400000000000001) * t1_19 + T(0.0044) * (t1_20 - t1_21) +
-      T(0.0055) * t1_22;
+  const T N1_1 = T(0.04400000000000001) * t1_18 + T(0.0044) * (t1_19 - t1_20) - T(0.0033) * t1_21 + T(0.0055) * t1_22
+      + u.M_1_1;
   const T t1_23 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * t1_22 - T(0.0033) * (t1_21 - t1_23) - T(0.0055) * t1_19 -
-      T(0.0044) * t1_18;
-  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * t1_18 - T(0.0055) * (t1_23 - t1_20) + T(0.0044) * t1_22 +
-      T(0.0033) * t1_19;
+  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_22 + T(0.0033) * (t1_20 - t1_23) + T(0.0055) * t1_18 +
+      T(0.0044) * t1_21);
+  const T N1_3 = T(0.0044) * t1_22 - (T(0.022000000000000006) * t1_21 + T(0.0055) * (t1_23 - t1_19)) + T(0.0033) *
+      t1_18 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -2632,7 +2632,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // rho5 = q6~ E6^T G6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
   //   body axes [N m]
   const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = rho6_1 - T(0.1) * b5_1 - b5_3 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
+  const T rho5_1 = rho6_1 - (T(0.1) * b5_1 + b5_3) + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
   const T rho5_2 = b5_3 - T(0.1) * minus_G6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
       minus_G5_1 - minus_N5_2;
   const T rho5_3 = T(0.3) * b5_1 + T(0.3) * minus_G6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
@@ -2671,7 +2671,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
   // rho2 = q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T rho4 + r2~ G2 + N2: sum of the moment balances of the subtree
   //   about the body origin, body axes [N m]
-  const T rho2_1 = rho3_1 - T(0.1) * b2_2 - T(0.15) * b2_4 + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
+  const T rho2_1 = rho3_1 - (T(0.1) * b2_2 + T(0.15) * b2_4) + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
       rho4_3 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
   const T rho2_2 = T(0.3) * b2_4 - T(0.1) * minus_G3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - T(0.1) * b2_1 - T(0.3) *
       b2_3 + rho4_2 + T(0.1) * minus_G2_3 - T(0.05) * minus_G2_1 - minus_N2_2;
@@ -2685,7 +2685,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // S1 = E2^T S2 + E5^T S5 + G1: sum of the force balances of the subtree, body axes [N]
   const T b1_1 = E2_11 * minus_S2_1 + E2_12 * S2_2;
   const T b1_2 = E5_11 * minus_S5_1 + E5_12 * S5_2;
-  const T S1_1 = G1_1 - b1_1 - b1_2;
+  const T S1_1 = G1_1 - (b1_1 + b1_2);
   const T b1_3 = E2_11 * S2_2 - E2_12 * minus_S2_1;
   const T b1_4 = E5_11 * S5_2 - E5_12 * minus_S5_1;
   const T S1_2 = b1_3 + b1_4 + G1_2;
@@ -2694,8 +2694,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T f_omega1_1 = T(0.1) * S2_3 - T(0.1) * b1_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.1) * b1_4 - T(0.25) *
       minus_S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G1_3 - T(0.05) * G1_2 + N1_1;
   const T b1_5 = T(0.1) * b1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - b1_5 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 - T(0.1) * b1_2 +
-      E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
+  const T f_omega1_2 = E2_12 * rho2_1 - (b1_5 + T(0.3) * S2_3) + E2_11 * rho2_2 + T(0.3) * minus_S5_3 - T(0.1) * b1_2
+      + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
   const T f_omega1_3 = T(0.3) * b1_3 + b1_5 + rho2_3 + T(0.3) * b1_4 + T(0.25) * b1_2 + rho5_3 + T(0.1) * G1_2 -
       T(0.2) * G1_1 + N1_3;
   f[0] = f_omega1_1;
@@ -3629,25 +3629,25 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_6 = t1_23 * T(0.3);
   const T minus_P_dot_omega1_2_33 = t2_5 - t2_6;
   // B2_1 = thetadot2 R2^T r2~ b2~ E2 - R2^T omega2~ r2~ E2 + P_dot_omega1_2
-  const T t2_7 = T(0.05) * E2_12;
-  const T t2_8 = T(0.05) * E2_11;
-  const T t2_9 = T(0.1) * E2_11;
-  const T t2_10 = T(0.2) * E2_12;
-  const T t2_11 = t2_9 - t2_10;
-  const T t2_12 = omega2_3 * t2_7;
-  const T t2_13 = T(0.1) * E2_12;
-  const T t2_14 = T(0.2) * E2_11;
-  const T t2_15 = t2_13 + t2_14;
-  const T t2_16 = t2_12 + omega2_1 * t2_15;
-  const T t2_17 = omega2_3 * t2_8;
-  const T t2_18 = t2_17 + omega2_2 * t2_15;
-  const T t2_19 = omega2_1 * t2_8 - omega2_2 * t2_7;
-  const T B2_1_11 = thetadot2 * (R2_21 * t2_7 - R2_11 * t2_8 + R1_31 * t2_11) - R2_21 * t2_16 + R2_11 * t2_18 - R1_31
-      * t2_19 - minus_P_dot_omega1_2_11;
-  const T t2_20 = omega2_2 * t2_11 - t2_12;
-  const T t2_21 = t2_17 + omega2_1 * t2_11;
-  const T t2_22 = omega2_1 * t2_7 + omega2_2 * t2_8;
-  const T minus_B2_1_12 = thetadot2 * (R2_11 * t2_7 + R2_21 * t2_8 - R1_31 * t2_15) + R2_11 * t2_20 - R2_21 * t2_21 +
+  const T t2_7 = T(0.05) * E2_11;
+  const T t2_8 = omega2_3 * t2_7;
+  const T t2_9 = T(0.1) * E2_12;
+  const T t2_10 = T(0.2) * E2_11;
+  const T t2_11 = t2_9 + t2_10;
+  const T t2_12 = t2_8 + omega2_2 * t2_11;
+  const T t2_13 = T(0.05) * E2_12;
+  const T t2_14 = omega2_3 * t2_13;
+  const T t2_15 = t2_14 + omega2_1 * t2_11;
+  const T t2_16 = omega2_1 * t2_7 - omega2_2 * t2_13;
+  const T t2_17 = T(0.1) * E2_11;
+  const T t2_18 = T(0.2) * E2_12;
+  const T t2_19 = t2_17 - t2_18;
+  const T B2_1_11 = R2_11 * t2_12 - R2_21 * t2_15 - R1_31 * t2_16 + thetadot2 * (R2_21 * t2_13 - R2_11 * t2_7 + R1_31
+      * t2_19) - minus_P_dot_omega1_2_11;
+  const T t2_20 = omega2_2 * t2_19 - t2_14;
+  const T t2_21 = t2_8 + omega2_1 * t2_19;
+  const T t2_22 = omega2_1 * t2_13 + omega2_2 * t2_7;
+  const T minus_B2_1_12 = thetadot2 * (R2_11 * t2_13 + R2_21 * t2_7 - R1_31 * t2_11) + R2_11 * t2_20 - R2_21 * t2_21 +
       R1_31 * t2_22 + minus_P_dot_omega1_2_12;
   const T t2_23 = omega2_3 * T(0.1);
   const T t2_24 = omega2_3 * T(0.2);
@@ -3657,16 +3657,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_28 = t2_26 + t2_27;
   const T t2_29 = R2_11 * t2_23 + t2_25 - R1_31 * t2_28;
   const T minus_B2_1_13 = t2_29 + minus_P_dot_omega1_2_13;
-  const T B2_1_21 = thetadot2 * (R2_22 * t2_7 - R2_12 * t2_8 + R1_32 * t2_11) - R2_22 * t2_16 + R2_12 * t2_18 - R1_32
-      * t2_19 - minus_P_dot_omega1_2_21;
-  const T minus_B2_1_22 = thetadot2 * (R2_12 * t2_7 + R2_22 * t2_8 - R1_32 * t2_15) + R2_12 * t2_20 - R2_22 * t2_21 +
+  const T B2_1_21 = R2_12 * t2_12 - R2_22 * t2_15 - R1_32 * t2_16 + thetadot2 * (R2_22 * t2_13 - R2_12 * t2_7 + R1_32
+      * t2_19) - minus_P_dot_omega1_2_21;
+  const T minus_B2_1_22 = thetadot2 * (R2_12 * t2_13 + R2_22 * t2_7 - R1_32 * t2_11) + R2_12 * t2_20 - R2_22 * t2_21 +
       R1_32 * t2_22 + minus_P_dot_omega1_2_22;
   const T t2_30 = R2_22 * t2_24;
   const T t2_31 = R2_12 * t2_23 + t2_30 - R1_32 * t2_28;
   const T minus_B2_1_23 = t2_31 + minus_P_dot_omega1_2_23;
-  const T B2_1_31 = thetadot2 * (R2_23 * t2_7 - R2_13 * t2_8 + R1_33 * t2_11) - R2_23 * t2_16 + R2_13 * t2_18 - R1_33
-      * t2_19 - minus_P_dot_omega1_2_31;
-  const T minus_B2_1_32 = thetadot2 * (R2_13 * t2_7 + R2_23 * t2_8 - R1_33 * t2_15) + R2_13 * t2_20 - R2_23 * t2_21 +
+  const T B2_1_31 = R2_13 * t2_12 - R2_23 * t2_15 - R1_33 * t2_16 + thetadot2 * (R2_23 * t2_13 - R2_13 * t2_7 + R1_33
+      * t2_19) - minus_P_dot_omega1_2_31;
+  const T minus_B2_1_32 = thetadot2 * (R2_13 * t2_13 + R2_23 * t2_7 - R1_33 * t2_11) + R2_13 * t2_20 - R2_23 * t2_21 +
       R1_33 * t2_22 + minus_P_dot_omega1_2_32;
   const T t2_32 = R2_23 * t2_24;
   const T t2_33 = R2_13 * t2_23 + t2_32 - R1_33 * t2_28;
@@ -3746,43 +3746,43 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_27 = omega2_3 * T(0.3);
   const T t3_28 = R2_11 * t3_27;
   const T t3_29 = omega2_3 * T(0.15);
-  const T t3_30 = R1_31 * t3_26 - t3_28 - R2_21 * t3_29;
+  const T t3_30 = R1_31 * t3_26 - (t3_28 + R2_21 * t3_29);
   const T P_dot_omega1_3_13 = t3_30 - minus_P_dot_omega1_2_13;
   const T P_dot_omega1_3_21 = R2_12 * t3_9 - R2_22 * t3_14 + R1_32 * t3_19 - minus_P_dot_omega1_2_21;
   const T P_dot_omega1_3_22 = R2_12 * t3_21 + R2_22 * t3_23 + R1_32 * t3_25 - minus_P_dot_omega1_2_22;
   const T t3_31 = R2_12 * t3_27;
-  const T t3_32 = R1_32 * t3_26 - t3_31 - R2_22 * t3_29;
+  const T t3_32 = R1_32 * t3_26 - (t3_31 + R2_22 * t3_29);
   const T P_dot_omega1_3_23 = t3_32 - minus_P_dot_omega1_2_23;
   const T P_dot_omega1_3_31 = R2_13 * t3_9 - R2_23 * t3_14 + R1_33 * t3_19 - minus_P_dot_omega1_2_31;
   const T P_dot_omega1_3_32 = R2_13 * t3_21 + R2_23 * t3_23 + R1_33 * t3_25 - minus_P_dot_omega1_2_32;
   const T t3_33 = R2_13 * t3_27;
-  const T t3_34 = R1_33 * t3_26 - t3_33 - R2_23 * t3_29;
+  const T t3_34 = R1_33 * t3_26 - (t3_33 + R2_23 * t3_29);
   const T P_dot_omega1_3_33 = t3_34 - minus_P_dot_omega1_2_33;
   // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
-  const T t3_35 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
-  const T t3_36 = T(0.1) * minus_omega_omega1_3_21 + t2_14;
-  const T t3_37 = omega3_3 * t3_35 + omega3_1 * t3_36;
-  const T t3_38 = t2_8 - T(0.1) * omega_omega1_3_31;
-  const T t3_39 = omega3_3 * t3_38 + omega3_2 * t3_36;
-  const T t3_40 = omega3_1 * t3_38 - omega3_2 * t3_35;
+  const T t3_35 = t2_7 - T(0.1) * omega_omega1_3_31;
+  const T t3_36 = T(0.1) * minus_omega_omega1_3_21 + t2_10;
+  const T t3_37 = omega3_3 * t3_35 + omega3_2 * t3_36;
+  const T t3_38 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
+  const T t3_39 = omega3_3 * t3_38 + omega3_1 * t3_36;
+  const T t3_40 = omega3_1 * t3_35 - omega3_2 * t3_38;
   const T t3_41 = T(0.05) * minus_omega_dot_omega1_3_21 + T(0.2) * omega_dot_omega1_3_31;
   const T t3_42 = T(0.05) * minus_omega_dot_omega1_3_11;
   const T t3_43 = T(0.1) * omega_dot_omega1_3_31 + t3_42;
   const T t3_44 = T(0.2) * minus_omega_dot_omega1_3_11 - T(0.1) * minus_omega_dot_omega1_3_21;
-  const T B4_1_11 = P_dot_omega1_3_11 - R3_21 * t3_37 + R2_11 * t3_39 - R3_31 * t3_40 - R2_11 * t3_41 + R3_21 * t3_43
-      - R3_31 * t3_44;
-  const T t3_45 = T(0.1) * omega_omega1_3_22 - t2_10;
-  const T t3_46 = t2_7 + T(0.1) * minus_omega_omega1_3_32;
-  const T t3_47 = omega3_2 * t3_45 - omega3_3 * t3_46;
-  const T t3_48 = T(0.05) * omega_omega1_3_22 + T(0.2) * minus_omega_omega1_3_32;
-  const T t3_49 = omega3_3 * t3_48 + omega3_1 * t3_45;
-  const T t3_50 = omega3_1 * t3_46 + omega3_2 * t3_48;
+  const T B4_1_11 = R2_11 * t3_37 - R3_21 * t3_39 - R3_31 * t3_40 - R2_11 * t3_41 + R3_21 * t3_43 - R3_31 * t3_44 +
+      P_dot_omega1_3_11;
+  const T t3_45 = T(0.05) * omega_omega1_3_22 + T(0.2) * minus_omega_omega1_3_32;
+  const T t3_46 = T(0.1) * omega_omega1_3_22 - t2_18;
+  const T t3_47 = omega3_3 * t3_45 + omega3_1 * t3_46;
+  const T t3_48 = t2_13 + T(0.1) * minus_omega_omega1_3_32;
+  const T t3_49 = omega3_2 * t3_46 - omega3_3 * t3_48;
+  const T t3_50 = omega3_1 * t3_48 + omega3_2 * t3_45;
   const T t3_51 = T(0.05) * minus_omega_dot_omega1_3_22 - T(0.2) * minus_omega_dot_omega1_3_32;
   const T t3_52 = T(0.05) * omega_dot_omega1_3_12;
   const T t3_53 = T(0.1) * minus_omega_dot_omega1_3_32 + t3_52;
   const T t3_54 = T(0.2) * omega_dot_omega1_3_12 + T(0.1) * minus_omega_dot_omega1_3_22;
-  const T B4_1_12 = P_dot_omega1_3_12 - R2_11 * t3_47 + R3_21 * t3_49 - R3_31 * t3_50 - R2_11 * t3_51 - R3_21 * t3_53
-      + R3_31 * t3_54;
+  const T B4_1_12 = R3_21 * t3_47 - R2_11 * t3_49 - R3_31 * t3_50 - R2_11 * t3_51 - R3_21 * t3_53 + R3_31 * t3_54 +
+      P_dot_omega1_3_12;
   const T t3_55 = T(0.1) * E3_22;
   const T t3_56 = T(0.1) * E3_23;
   const T t3_57 = omega3_3 * t3_55 + omega3_2 * t3_56;
@@ -3794,16 +3794,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_63 = T(0.1) * omega_dot_omega1_3_23;
   const T t3_64 = R2_11 * t3_57 + R3_21 * t3_59 - R3_31 * t3_60 + R3_21 * t3_61 - R2_11 * t3_62 + R3_31 * t3_63;
   const T B4_1_13 = P_dot_omega1_3_13 - t3_64;
-  const T B4_1_21 = P_dot_omega1_3_21 - R3_22 * t3_37 + R2_12 * t3_39 - R3_32 * t3_40 - R2_12 * t3_41 + R3_22 * t3_43
-      - R3_32 * t3_44;
-  const T B4_1_22 = P_dot_omega1_3_22 - R2_12 * t3_47 + R3_22 * t3_49 - R3_32 * t3_50 - R2_12 * t3_51 - R3_22 * t3_53
-      + R3_32 * t3_54;
+  const T B4_1_21 = R2_12 * t3_37 - R3_22 * t3_39 - R3_32 * t3_40 - R2_12 * t3_41 + R3_22 * t3_43 - R3_32 * t3_44 +
+      P_dot_omega1_3_21;
+  const T B4_1_22 = R3_22 * t3_47 - R2_12 * t3_49 - R3_32 * t3_50 - R2_12 * t3_51 - R3_22 * t3_53 + R3_32 * t3_54 +
+      P_dot_omega1_3_22;
   const T t3_65 = R2_12 * t3_57 + R3_22 * t3_59 - R3_32 * t3_60 + R3_22 * t3_61 - R2_12 * t3_62 + R3_32 * t3_63;
   const T B4_1_23 = P_dot_omega1_3_23 - t3_65;
-  const T B4_1_31 = P_dot_omega1_3_31 - R3_23 * t3_37 + R2_13 * t3_39 - R3_33 * t3_40 - R2_13 * t3_41 + R3_23 * t3_43
-      - R3_33 * t3_44;
-  const T B4_1_32 = P_dot_omega1_3_32 - R2_13 * t3_47 + R3_23 * t3_49 - R3_33 * t3_50 - R2_13 * t3_51 - R3_23 * t3_53
-      + R3_33 * t3_54;
+  const T B4_1_31 = R2_13 * t3_37 - R3_23 * t3_39 - R3_33 * t3_40 - R2_13 * t3_41 + R3_23 * t3_43 - R3_33 * t3_44 +
+      P_dot_omega1_3_31;
+  const T B4_1_32 = R3_23 * t3_47 - R2_13 * t3_49 - R3_33 * t3_50 - R2_13 * t3_51 - R3_23 * t3_53 + R3_33 * t3_54 +
+      P_dot_omega1_3_32;
   const T t3_66 = R2_13 * t3_57 + R3_23 * t3_59 - R3_33 * t3_60 + R3_23 * t3_61 - R2_13 * t3_62 + R3_33 * t3_63;
   const T B4_1_33 = P_dot_omega1_3_33 - t3_66;
   v_y_dot[66] = B4_1_11;
@@ -3877,39 +3877,39 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_12 = t3_24 + t4_8 * E2_11;
   const T P_dot_omega1_4_12 = R2_11 * t4_10 + R2_21 * t4_11 + R1_31 * t4_12 - minus_P_dot_omega1_2_12;
   const T t4_13 = t2_27 + t3_11;
-  const T t4_14 = R1_31 * t4_13 - t3_28 - t2_25;
+  const T t4_14 = R1_31 * t4_13 - (t3_28 + t2_25);
   const T P_dot_omega1_4_13 = t4_14 - minus_P_dot_omega1_2_13;
   const T P_dot_omega1_4_21 = R2_12 * t4_5 - R2_22 * t4_7 + R1_32 * t4_9 - minus_P_dot_omega1_2_21;
   const T P_dot_omega1_4_22 = R2_12 * t4_10 + R2_22 * t4_11 + R1_32 * t4_12 - minus_P_dot_omega1_2_22;
-  const T t4_15 = R1_32 * t4_13 - t3_31 - t2_30;
+  const T t4_15 = R1_32 * t4_13 - (t3_31 + t2_30);
   const T P_dot_omega1_4_23 = t4_15 - minus_P_dot_omega1_2_23;
   const T P_dot_omega1_4_31 = R2_13 * t4_5 - R2_23 * t4_7 + R1_33 * t4_9 - minus_P_dot_omega1_2_31;
   const T P_dot_omega1_4_32 = R2_13 * t4_10 + R2_23 * t4_11 + R1_33 * t4_12 - minus_P_dot_omega1_2_32;
-  const T t4_16 = R1_33 * t4_13 - t3_33 - t2_32;
+  const T t4_16 = R1_33 * t4_13 - (t3_33 + t2_32);
   const T P_dot_omega1_4_33 = t4_16 - minus_P_dot_omega1_2_33;
   // B7_1 = -R4^T omega4~ r4~ omega_omega1_4 - R4^T r4~ omega_dot_omega1_4 + P_dot_omega1_4
-  const T t4_17 = t2_7 + T(0.2) * omega_omega1_4_31;
-  const T t4_18 = t2_13 + T(0.2) * omega_omega1_4_11;
-  const T t4_19 = omega4_3 * t4_17 + omega4_1 * t4_18;
-  const T t4_20 = T(0.05) * omega_omega1_4_11 - T(0.1) * omega_omega1_4_31;
-  const T t4_21 = omega4_3 * t4_20 + omega4_2 * t4_18;
-  const T t4_22 = omega4_1 * t4_20 - omega4_2 * t4_17;
+  const T t4_17 = T(0.05) * omega_omega1_4_11 - T(0.1) * omega_omega1_4_31;
+  const T t4_18 = t2_9 + T(0.2) * omega_omega1_4_11;
+  const T t4_19 = omega4_3 * t4_17 + omega4_2 * t4_18;
+  const T t4_20 = t2_13 + T(0.2) * omega_omega1_4_31;
+  const T t4_21 = omega4_3 * t4_20 + omega4_1 * t4_18;
+  const T t4_22 = omega4_1 * t4_17 - omega4_2 * t4_20;
   const T t4_23 = t3_52 - T(0.2) * minus_omega_dot_omega1_4_31;
   const T t4_24 = T(0.1) * minus_omega_dot_omega1_4_31 - T(0.05) * minus_omega_dot_omega1_4_11;
   const T t4_25 = T(0.2) * minus_omega_dot_omega1_4_11 - T(0.1) * omega_dot_omega1_3_12;
-  const T B7_1_11 = P_dot_omega1_4_11 - R2_21 * t4_19 + R4_11 * t4_21 - R4_31 * t4_22 - R4_11 * t4_23 - R2_21 * t4_24
-      - R4_31 * t4_25;
-  const T t4_26 = t2_9 - T(0.2) * omega_omega1_4_12;
-  const T t4_27 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
-  const T t4_28 = omega4_2 * t4_26 - omega4_3 * t4_27;
-  const T t4_29 = T(0.2) * omega_omega1_4_32 - t2_8;
-  const T t4_30 = omega4_3 * t4_29 - omega4_1 * t4_26;
-  const T t4_31 = omega4_1 * t4_27 - omega4_2 * t4_29;
-  const T t4_32 = t3_42 + T(0.2) * omega_dot_omega1_4_32;
-  const T t4_33 = T(0.1) * omega_dot_omega1_4_32 + T(0.05) * minus_omega_dot_omega1_4_12;
+  const T B7_1_11 = R4_11 * t4_19 - R2_21 * t4_21 - R4_31 * t4_22 - R4_11 * t4_23 - R2_21 * t4_24 - R4_31 * t4_25 +
+      P_dot_omega1_4_11;
+  const T t4_26 = T(0.1) * omega_dot_omega1_4_32 + T(0.05) * minus_omega_dot_omega1_4_12;
+  const T t4_27 = t2_17 - T(0.2) * omega_omega1_4_12;
+  const T t4_28 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
+  const T t4_29 = omega4_2 * t4_27 - omega4_3 * t4_28;
+  const T t4_30 = T(0.2) * omega_omega1_4_32 - t2_7;
+  const T t4_31 = omega4_3 * t4_30 - omega4_1 * t4_27;
+  const T t4_32 = omega4_1 * t4_28 - omega4_2 * t4_30;
+  const T t4_33 = t3_42 + T(0.2) * omega_dot_omega1_4_32;
   const T t4_34 = T(0.2) * minus_omega_dot_omega1_4_12 - T(0.1) * minus_omega_dot_omega1_3_11;
-  const T B7_1_12 = P_dot_omega1_4_12 - R4_11 * t4_28 - R2_21 * t4_30 - R4_31 * t4_31 - R4_11 * t4_32 + R2_21 * t4_33
-      - R4_31 * t4_34;
+  const T B7_1_12 = R2_21 * t4_26 - (R4_11 * t4_29 + R2_21 * t4_31 + R4_31 * t4_32 + R4_11 * t4_33) - R4_31 * t4_34 +
+      P_dot_omega1_4_12;
   const T t4_35 = T(0.05) * minus_E4_13 + T(0.1) * E4_11;
   const T t4_36 = T(0.2) * minus_E4_13;
   const T t4_37 = omega4_3 * t4_35 + omega4_2 * t4_36;
@@ -3921,16 +3921,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_43 = T(0.2) * minus_omega_dot_omega1_4_13;
   const T t4_44 = R4_11 * t4_37 + R2_21 * t4_39 - R4_31 * t4_40 + R2_21 * t4_41 - R4_11 * t4_42 + R4_31 * t4_43;
   const T B7_1_13 = P_dot_omega1_4_13 - t4_44;
-  const T B7_1_21 = P_dot_omega1_4_21 - R2_22 * t4_19 + R4_12 * t4_21 - R4_32 * t4_22 - R4_12 * t4_23 - R2_22 * t4_24
-      - R4_32 * t4_25;
-  const T B7_1_22 = P_dot_omega1_4_22 - R4_12 * t4_28 - R2_22 * t4_30 - R4_32 * t4_31 - R4_12 * t4_32 + R2_22 * t4_33
-      - R4_32 * t4_34;
+  const T B7_1_21 = R4_12 * t4_19 - R2_22 * t4_21 - R4_32 * t4_22 - R4_12 * t4_23 - R2_22 * t4_24 - R4_32 * t4_25 +
+      P_dot_omega1_4_21;
+  const T B7_1_22 = R2_22 * t4_26 - (R4_12 * t4_29 + R2_22 * t4_31 + R4_32 * t4_32 + R4_12 * t4_33) - R4_32 * t4_34 +
+      P_dot_omega1_4_22;
   const T t4_45 = R4_12 * t4_37 + R2_22 * t4_39 - R4_32 * t4_40 + R2_22 * t4_41 - R4_12 * t4_42 + R4_32 * t4_43;
   const T B7_1_23 = P_dot_omega1_4_23 - t4_45;
-  const T B7_1_31 = P_dot_omega1_4_31 - R2_23 * t4_19 + R4_13 * t4_21 - R4_33 * t4_22 - R4_13 * t4_23 - R2_23 * t4_24
-      - R4_33 * t4_25;
-  const T B7_1_32 = P_dot_omega1_4_32 - R4_13 * t4_28 - R2_23 * t4_30 - R4_33 * t4_31 - R4_13 * t4_32 + R2_23 * t4_33
-      - R4_33 * t4_34;
+  const T B7_1_31 = R4_13 * t4_19 - R2_23 * t4_21 - R4_33 * t4_22 - R4_13 * t4_23 - R2_23 * t4_24 - R4_33 * t4_25 +
+      P_dot_omega1_4_31;
+  const T B7_1_32 = R2_23 * t4_26 - (R4_13 * t4_29 + R2_23 * t4_31 + R4_33 * t4_32 + R4_13 * t4_33) - R4_33 * t4_34 +
+      P_dot_omega1_4_32;
   const T t4_46 = R4_13 * t4_37 + R2_23 * t4_39 - R4_33 * t4_40 + R2_23 * t4_41 - R4_13 * t4_42 + R4_33 * t4_43;
   const T B7_1_33 = P_dot_omega1_4_33 - t4_46;
   v_y_dot[99] = B7_1_11;
@@ -3985,23 +3985,23 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_P_dot_omega1_5_31 = t1_27 - t1_24 * T(0.25);
   const T minus_P_dot_omega1_5_33 = t1_26 * T(0.25) - t2_6;
   // B10_1 = thetadot5 R5^T r5~ b5~ E5 - R5^T omega5~ r5~ E5 + P_dot_omega1_5
-  const T t5_1 = T(0.05) * E5_12;
-  const T t5_2 = T(0.05) * E5_11;
-  const T t5_3 = T(0.2) * E5_12;
-  const T t5_4 = T(0.1) * E5_11 - t5_3;
-  const T t5_5 = omega5_3 * t5_1;
-  const T t5_6 = T(0.2) * E5_11;
-  const T t5_7 = T(0.1) * E5_12 + t5_6;
-  const T t5_8 = t5_5 + omega5_1 * t5_7;
-  const T t5_9 = omega5_3 * t5_2;
-  const T t5_10 = t5_9 + omega5_2 * t5_7;
-  const T t5_11 = omega5_1 * t5_2 - omega5_2 * t5_1;
-  const T B10_1_11 = thetadot5 * (R5_21 * t5_1 - R5_11 * t5_2 + R1_31 * t5_4) - R5_21 * t5_8 + R5_11 * t5_10 - R1_31 *
-      t5_11 - minus_P_dot_omega1_5_11;
-  const T t5_12 = omega5_2 * t5_4 - t5_5;
-  const T t5_13 = t5_9 + omega5_1 * t5_4;
-  const T t5_14 = omega5_1 * t5_1 + omega5_2 * t5_2;
-  const T minus_B10_1_12 = thetadot5 * (R5_11 * t5_1 + R5_21 * t5_2 - R1_31 * t5_7) + R5_11 * t5_12 - R5_21 * t5_13 +
+  const T t5_1 = T(0.05) * E5_11;
+  const T t5_2 = omega5_3 * t5_1;
+  const T t5_3 = T(0.2) * E5_11;
+  const T t5_4 = T(0.1) * E5_12 + t5_3;
+  const T t5_5 = t5_2 + omega5_2 * t5_4;
+  const T t5_6 = T(0.05) * E5_12;
+  const T t5_7 = omega5_3 * t5_6;
+  const T t5_8 = t5_7 + omega5_1 * t5_4;
+  const T t5_9 = omega5_1 * t5_1 - omega5_2 * t5_6;
+  const T t5_10 = T(0.2) * E5_12;
+  const T t5_11 = T(0.1) * E5_11 - t5_10;
+  const T B10_1_11 = R5_11 * t5_5 - R5_21 * t5_8 - R1_31 * t5_9 + thetadot5 * (R5_21 * t5_6 - R5_11 * t5_1 + R1_31 *
+      t5_11) - minus_P_dot_omega1_5_11;
+  const T t5_12 = omega5_2 * t5_11 - t5_7;
+  const T t5_13 = t5_2 + omega5_1 * t5_11;
+  const T t5_14 = omega5_1 * t5_6 + omega5_2 * t5_1;
+  const T minus_B10_1_12 = thetadot5 * (R5_11 * t5_6 + R5_21 * t5_1 - R1_31 * t5_4) + R5_11 * t5_12 - R5_21 * t5_13 +
       R1_31 * t5_14 + minus_P_dot_omega1_2_12;
   const T t5_15 = omega5_3 * T(0.1);
   const T t5_16 = omega5_3 * T(0.2);
@@ -4009,15 +4009,15 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_18 = t5_17 + omega5_2 * T(0.2);
   const T t5_19 = R5_11 * t5_15 + R5_21 * t5_16 - R1_31 * t5_18;
   const T minus_B10_1_13 = t5_19 + minus_P_dot_omega1_5_13;
-  const T B10_1_21 = thetadot5 * (R5_22 * t5_1 - R5_12 * t5_2 + R1_32 * t5_4) - R5_22 * t5_8 + R5_12 * t5_10 - R1_32 *
-      t5_11 - minus_P_dot_omega1_5_21;
-  const T minus_B10_1_22 = thetadot5 * (R5_12 * t5_1 + R5_22 * t5_2 - R1_32 * t5_7) + R5_12 * t5_12 - R5_22 * t5_13 +
+  const T B10_1_21 = R5_12 * t5_5 - R5_22 * t5_8 - R1_32 * t5_9 + thetadot5 * (R5_22 * t5_6 - R5_12 * t5_1 + R1_32 *
+      t5_11) - minus_P_dot_omega1_5_21;
+  const T minus_B10_1_22 = thetadot5 * (R5_12 * t5_6 + R5_22 * t5_1 - R1_32 * t5_4) + R5_12 * t5_12 - R5_22 * t5_13 +
       R1_32 * t5_14 + minus_P_dot_omega1_2_22;
   const T t5_20 = R5_12 * t5_15 + R5_22 * t5_16 - R1_32 * t5_18;
   const T minus_B10_1_23 = t5_20 + minus_P_dot_omega1_5_23;
-  const T B10_1_31 = thetadot5 * (R5_23 * t5_1 - R5_13 * t5_2 + R1_33 * t5_4) - R5_23 * t5_8 + R5_13 * t5_10 - R1_33 *
-      t5_11 - minus_P_dot_omega1_5_31;
-  const T minus_B10_1_32 = thetadot5 * (R5_13 * t5_1 + R5_23 * t5_2 - R1_33 * t5_7) + R5_13 * t5_12 - R5_23 * t5_13 +
+  const T B10_1_31 = R5_13 * t5_5 - R5_23 * t5_8 - R1_33 * t5_9 + thetadot5 * (R5_23 * t5_6 - R5_13 * t5_1 + R1_33 *
+      t5_11) - minus_P_dot_omega1_5_31;
+  const T minus_B10_1_32 = thetadot5 * (R5_13 * t5_6 + R5_23 * t5_1 - R1_33 * t5_4) + R5_13 * t5_12 - R5_23 * t5_13 +
       R1_33 * t5_14 + minus_P_dot_omega1_2_32;
   const T t5_21 = R5_13 * t5_15 + R5_23 * t5_16 - R1_33 * t5_18;
   const T minus_B10_1_33 = t5_21 + minus_P_dot_omega1_5_33;
@@ -4086,39 +4086,39 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T P_dot_omega1_6_12 = R5_11 * t6_15 + R5_21 * t6_16 + R1_31 * t6_17 - minus_P_dot_omega1_2_12;
   const T t6_18 = t6_5 + t6_8;
   const T t6_19 = omega5_3 * T(0.3);
-  const T t6_20 = R1_31 * t6_18 - R5_11 * t6_19 - R5_21 * t6_19;
+  const T t6_20 = R1_31 * t6_18 - (R5_11 * t6_19 + R5_21 * t6_19);
   const T P_dot_omega1_6_13 = t6_20 - minus_P_dot_omega1_5_13;
   const T P_dot_omega1_6_21 = R5_12 * t6_7 - R5_22 * t6_10 + R1_32 * t6_14 - minus_P_dot_omega1_5_21;
   const T P_dot_omega1_6_22 = R5_12 * t6_15 + R5_22 * t6_16 + R1_32 * t6_17 - minus_P_dot_omega1_2_22;
-  const T t6_21 = R1_32 * t6_18 - R5_12 * t6_19 - R5_22 * t6_19;
+  const T t6_21 = R1_32 * t6_18 - (R5_12 * t6_19 + R5_22 * t6_19);
   const T P_dot_omega1_6_23 = t6_21 - minus_P_dot_omega1_5_23;
   const T P_dot_omega1_6_31 = R5_13 * t6_7 - R5_23 * t6_10 + R1_33 * t6_14 - minus_P_dot_omega1_5_31;
   const T P_dot_omega1_6_32 = R5_13 * t6_15 + R5_23 * t6_16 + R1_33 * t6_17 - minus_P_dot_omega1_2_32;
-  const T t6_22 = R1_33 * t6_18 - R5_13 * t6_19 - R5_23 * t6_19;
+  const T t6_22 = R1_33 * t6_18 - (R5_13 * t6_19 + R5_23 * t6_19);
   const T P_dot_omega1_6_33 = t6_22 - minus_P_dot_omega1_5_33;
   // B12_1 = -R6^T omega6~ r6~ omega_omega1_6 - R6^T r6~ omega_dot_omega1_6 + P_dot_omega1_6
-  const T t6_23 = T(0.05) * minus_omega_omega1_6_21 + T(0.2) * omega_omega1_6_31;
-  const T t6_24 = T(0.1) * minus_omega_omega1_6_21 + t5_6;
-  const T t6_25 = omega6_3 * t6_23 + omega6_1 * t6_24;
-  const T t6_26 = t5_2 - T(0.1) * omega_omega1_6_31;
-  const T t6_27 = omega6_3 * t6_26 + omega6_2 * t6_24;
-  const T t6_28 = omega6_1 * t6_26 - omega6_2 * t6_23;
+  const T t6_23 = t5_1 - T(0.1) * omega_omega1_6_31;
+  const T t6_24 = T(0.1) * minus_omega_omega1_6_21 + t5_3;
+  const T t6_25 = omega6_3 * t6_23 + omega6_2 * t6_24;
+  const T t6_26 = T(0.05) * minus_omega_omega1_6_21 + T(0.2) * omega_omega1_6_31;
+  const T t6_27 = omega6_3 * t6_26 + omega6_1 * t6_24;
+  const T t6_28 = omega6_1 * t6_23 - omega6_2 * t6_26;
   const T t6_29 = T(0.05) * minus_omega_dot_omega1_6_21 + T(0.2) * omega_dot_omega1_6_31;
   const T t6_30 = T(0.1) * omega_dot_omega1_6_31 + T(0.05) * minus_omega_dot_omega1_6_11;
   const T t6_31 = T(0.2) * minus_omega_dot_omega1_6_11 - T(0.1) * minus_omega_dot_omega1_6_21;
-  const T B12_1_11 = P_dot_omega1_6_11 - R6_21 * t6_25 + R5_11 * t6_27 - R6_31 * t6_28 - R5_11 * t6_29 + R6_21 * t6_30
-      - R6_31 * t6_31;
-  const T t6_32 = T(0.1) * omega_omega1_6_22 - t5_3;
-  const T t6_33 = t5_1 + T(0.1) * minus_omega_omega1_6_32;
-  const T t6_34 = omega6_2 * t6_32 - omega6_3 * t6_33;
-  const T t6_35 = T(0.05) * omega_omega1_6_22 + T(0.2) * minus_omega_omega1_6_32;
-  const T t6_36 = omega6_3 * t6_35 + omega6_1 * t6_32;
-  const T t6_37 = omega6_1 * t6_33 + omega6_2 * t6_35;
+  const T B12_1_11 = R5_11 * t6_25 - R6_21 * t6_27 - R6_31 * t6_28 - R5_11 * t6_29 + R6_21 * t6_30 - R6_31 * t6_31 +
+      P_dot_omega1_6_11;
+  const T t6_32 = T(0.05) * omega_omega1_6_22 + T(0.2) * minus_omega_omega1_6_32;
+  const T t6_33 = T(0.1) * omega_omega1_6_22 - t5_10;
+  const T t6_34 = omega6_3 * t6_32 + omega6_1 * t6_33;
+  const T t6_35 = t5_6 + T(0.1) * minus_omega_omega1_6_32;
+  const T t6_36 = omega6_2 * t6_33 - omega6_3 * t6_35;
+  const T t6_37 = omega6_1 * t6_35 + omega6_2 * t6_32;
   const T t6_38 = T(0.05) * minus_omega_dot_omega1_6_22 - T(0.2) * minus_omega_dot_omega1_6_32;
   const T t6_39 = T(0.1) * minus_omega_dot_omega1_6_32 + T(0.05) * omega_dot_omega1_6_12;
   const T t6_40 = T(0.2) * omega_dot_omega1_6_12 + T(0.1) * minus_omega_dot_omega1_6_22;
-  const T B12_1_12 = P_dot_omega1_6_12 - R5_11 * t6_34 + R6_21 * t6_36 - R6_31 * t6_37 - R5_11 * t6_38 - R6_21 * t6_39
-      + R6_31 * t6_40;
+  const T B12_1_12 = R6_21 * t6_34 - R5_11 * t6_36 - R6_31 * t6_37 - R5_11 * t6_38 - R6_21 * t6_39 + R6_31 * t6_40 +
+      P_dot_omega1_6_12;
   const T t6_41 = T(0.1) * E6_22;
   const T t6_42 = T(0.1) * E6_23;
   const T t6_43 = omega6_3 * t6_41 + omega6_2 * t6_42;
@@ -4130,16 +4130,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_49 = T(0.1) * omega_dot_omega1_6_23;
   const T t6_50 = R5_11 * t6_43 + R6_21 * t6_45 - R6_31 * t6_46 + R6_21 * t6_47 - R5_11 * t6_48 + R6_31 * t6_49;
   const T B12_1_13 = P_dot_omega1_6_13 - t6_50;
-  const T B12_1_21 = P_dot_omega1_6_21 - R6_22 * t6_25 + R5_12 * t6_27 - R6_32 * t6_28 - R5_12 * t6_29 + R6_22 * t6_30
-      - R6_32 * t6_31;
-  const T B12_1_22 = P_dot_omega1_6_22 - R5_12 * t6_34 + R6_22 * t6_36 - R6_32 * t6_37 - R5_12 * t6_38 - R6_22 * t6_39
-      + R6_32 * t6_40;
+  const T B12_1_21 = R5_12 * t6_25 - R6_22 * t6_27 - R6_32 * t6_28 - R5_12 * t6_29 + R6_22 * t6_30 - R6_32 * t6_31 +
+      P_dot_omega1_6_21;
+  const T B12_1_22 = R6_22 * t6_34 - R5_12 * t6_36 - R6_32 * t6_37 - R5_12 * t6_38 - R6_22 * t6_39 + R6_32 * t6_40 +
+      P_dot_omega1_6_22;
   const T t6_51 = R5_12 * t6_43 + R6_22 * t6_45 - R6_32 * t6_46 + R6_22 * t6_47 - R5_12 * t6_48 + R6_32 * t6_49;
   const T B12_1_23 = P_dot_omega1_6_23 - t6_51;
-  const T B12_1_31 = P_dot_omega1_6_31 - R6_23 * t6_25 + R5_13 * t6_27 - R6_33 * t6_28 - R5_13 * t6_29 + R6_23 * t6_30
-      - R6_33 * t6_31;
-  const T B12_1_32 = P_dot_omega1_6_32 - R5_13 * t6_34 + R6_23 * t6_36 - R6_33 * t6_37 - R5_13 * t6_38 - R6_23 * t6_39
-      + R6_33 * t6_40;
+  const T B12_1_31 = R5_13 * t6_25 - R6_23 * t6_27 - R6_33 * t6_28 - R5_13 * t6_29 + R6_23 * t6_30 - R6_33 * t6_31 +
+      P_dot_omega1_6_31;
+  const T B12_1_32 = R6_23 * t6_34 - R5_13 * t6_36 - R6_33 * t6_37 - R5_13 * t6_38 - R6_23 * t6_39 + R6_33 * t6_40 +
+      P_dot_omega1_6_32;
   const T t6_52 = R5_13 * t6_43 + R6_23 * t6_45 - R6_33 * t6_46 + R6_23 * t6_47 - R5_13 * t6_48 + R6_33 * t6_49;
   const T B12_1_33 = P_dot_omega1_6_33 - t6_52;
   v_y_dot[165] = B12_1_11;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2b5f40d61bcf0b87 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 50d82edf730d6792 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "2b5f40d61bcf0b87";
+inline constexpr char model_hash[] = "50d82edf730d6792";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -285,7 +285,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // S1 = E2^T G2 + G1: sum of the force balances of the subtree, inertial axes [N]
   const T S1_1 = E2_11 * G2_1 + minus_E2_13 * G2_3 + G1_1;
   // r_sdot1 = u1 . S1 - tau_cart_: Kane's equation of sdot [N]
-  const T r_sdot1 = S1_1 - u.push + c.p.mu * tanh(sdot1 * T(100));
+  const T r_sdot1 = S1_1 - (u.push - c.p.mu * tanh(sdot1 * T(100)));
   r[1] = r_sdot1;
 }
 

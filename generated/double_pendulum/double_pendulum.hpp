@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9e91881bf456fac0 of double_pendulum/scene.toml; the usual functions
+// model df5d82b050d09efc of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -38,7 +38,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9e91881bf456fac0";
+inline constexpr char model_hash[] = "df5d82b050d09efc";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -388,7 +388,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // ---- body 1 (upper) and what it carries
   // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
   //   body axes [N m]
-  const T rho1_2 = rho2_2 - minus_E2_13 * G2_3 + E2_11 * minus_G2_1 + T(0.5) * minus_G1_1 + N1_2;
+  const T rho1_2 = E2_11 * minus_G2_1 - minus_E2_13 * G2_3 + rho2_2 + T(0.5) * minus_G1_1 + N1_2;
   r[0] = rho1_2;
 }
 

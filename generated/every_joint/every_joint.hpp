@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 24ba9c5e0f89c5a0 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 02142f3a72a6bde6 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "24ba9c5e0f89c5a0";
+inline constexpr char model_hash[] = "02142f3a72a6bde6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -483,7 +483,7 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -784,9 +784,9 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   pose[104] = T(1);
   pose[148] = T(1);
   pose[83] = T(0.9);
-  pose[93] = R8_31 * T(0.02) - R8_11 * T(0.01) - t2_13 + P8_1;
-  pose[94] = R8_32 * T(0.02) - R8_12 * T(0.01) - t2_16 + P8_2;
-  pose[95] = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_19 + P8_3;
+  pose[93] = R8_31 * T(0.02) - (R8_11 * T(0.01) + t2_13) + P8_1;
+  pose[94] = R8_32 * T(0.02) - (R8_12 * T(0.01) + t2_16) + P8_2;
+  pose[95] = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_19) + P8_3;
   pose[129] = R11_31 * T(0.01) + P11_1;
   pose[130] = R11_32 * T(0.01) + P11_2;
   pose[131] = R11_33 * T(0.01) + P11_3;
@@ -942,7 +942,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -1038,9 +1038,9 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T p4_3 = R4_13 * T(0.03) + R4_33 * T(0.1) + P4a_3;
   // Pdot4a = sdot1 + R1^T omega1~ q4a: velocity of the body origin, inertial axes [m/s]
   const T t4_4 = t2_21 + t2_19;
-  const T Pdot4a_1 = sdot1_1 + R1_31 * t4_4 - R1_11 * t2_18 - R1_21 * t2_16;
-  const T Pdot4a_2 = sdot1_2 + R1_32 * t4_4 - R1_12 * t2_18 - R1_22 * t2_16;
-  const T Pdot4a_3 = sdot1_3 + R1_33 * t4_4 - R1_13 * t2_18 - R1_23 * t2_16;
+  const T Pdot4a_1 = sdot1_1 - R1_11 * t2_18 - R1_21 * t2_16 + R1_31 * t4_4;
+  const T Pdot4a_2 = sdot1_2 - R1_12 * t2_18 - R1_22 * t2_16 + R1_32 * t4_4;
+  const T Pdot4a_3 = sdot1_3 - R1_13 * t2_18 - R1_23 * t2_16 + R1_33 * t4_4;
   // v4 = R4^T omega4~ r4 + Pdot4a: velocity of the mass centre, inertial axes [m/s]
   const T t4_5 = omega4_2 * T(0.1);
   const T t4_6 = omega4_3 * T(0.03) - omega4_1 * T(0.1);
@@ -1168,13 +1168,13 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_3 = s1_3 + R1_23 * d8_2;
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_13 + P8_3;
+  const T p8_3 = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_13) + P8_3;
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
-  const T t8_1 = omega1_1 * d8_2;
-  const T t8_2 = omega1_3 * d8_2;
-  const T Pdot8_1 = sdot1_1 + R1_31 * t8_1 - R1_11 * t8_2 - R1_21 * sdot8;
-  const T Pdot8_2 = sdot1_2 + R1_32 * t8_1 - R1_12 * t8_2 - R1_22 * sdot8;
-  const T Pdot8_3 = sdot1_3 + R1_33 * t8_1 - R1_13 * t8_2 - R1_23 * sdot8;
+  const T t8_1 = omega1_3 * d8_2;
+  const T t8_2 = omega1_1 * d8_2;
+  const T Pdot8_1 = sdot1_1 - R1_11 * t8_1 - R1_21 * sdot8 + R1_31 * t8_2;
+  const T Pdot8_2 = sdot1_2 - R1_12 * t8_1 - R1_22 * sdot8 + R1_32 * t8_2;
+  const T Pdot8_3 = sdot1_3 - R1_13 * t8_1 - R1_23 * sdot8 + R1_33 * t8_2;
   // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
   const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
   const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
@@ -1488,7 +1488,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -1599,9 +1599,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T p4_3 = R4_13 * T(0.03) + R4_33 * T(0.1) + P4a_3;
   // Pdot4a = sdot1 + R1^T omega1~ q4a: velocity of the body origin, inertial axes [m/s]
   const T t4_4 = t2_27 + t2_25;
-  const T Pdot4a_1 = sdot1_1 + R1_31 * t4_4 - R1_11 * t2_24 - R1_21 * t2_22;
-  const T Pdot4a_2 = sdot1_2 + R1_32 * t4_4 - R1_12 * t2_24 - R1_22 * t2_22;
-  const T Pdot4a_3 = sdot1_3 + R1_33 * t4_4 - R1_13 * t2_24 - R1_23 * t2_22;
+  const T Pdot4a_1 = sdot1_1 - R1_11 * t2_24 - R1_21 * t2_22 + R1_31 * t4_4;
+  const T Pdot4a_2 = sdot1_2 - R1_12 * t2_24 - R1_22 * t2_22 + R1_32 * t4_4;
+  const T Pdot4a_3 = sdot1_3 - R1_13 * t2_24 - R1_23 * t2_22 + R1_33 * t4_4;
   // v4 = R4^T omega4~ r4 + Pdot4a: velocity of the mass centre, inertial axes [m/s]
   const T t4_5 = omega4_2 * T(0.1);
   const T t4_6 = omega4_3 * T(0.03) - omega4_1 * T(0.1);
@@ -1768,15 +1768,15 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P8_2 = s1_2 + R1_22 * d8_2;
   const T P8_3 = s1_3 + R1_23 * d8_2;
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = R8_31 * T(0.02) - R8_11 * T(0.01) - t2_13 + P8_1;
-  const T p8_2 = R8_32 * T(0.02) - R8_12 * T(0.01) - t2_16 + P8_2;
-  const T p8_3 = R8_33 * T(0.02) - R8_13 * T(0.01) - t2_19 + P8_3;
+  const T p8_1 = R8_31 * T(0.02) - (R8_11 * T(0.01) + t2_13) + P8_1;
+  const T p8_2 = R8_32 * T(0.02) - (R8_12 * T(0.01) + t2_16) + P8_2;
+  const T p8_3 = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_19) + P8_3;
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
-  const T t8_1 = omega1_1 * d8_2;
-  const T t8_2 = omega1_3 * d8_2;
-  const T Pdot8_1 = sdot1_1 + R1_31 * t8_1 - R1_11 * t8_2 - R1_21 * sdot8;
-  const T Pdot8_2 = sdot1_2 + R1_32 * t8_1 - R1_12 * t8_2 - R1_22 * sdot8;
-  const T Pdot8_3 = sdot1_3 + R1_33 * t8_1 - R1_13 * t8_2 - R1_23 * sdot8;
+  const T t8_1 = omega1_3 * d8_2;
+  const T t8_2 = omega1_1 * d8_2;
+  const T Pdot8_1 = sdot1_1 - R1_11 * t8_1 - R1_21 * sdot8 + R1_31 * t8_2;
+  const T Pdot8_2 = sdot1_2 - R1_12 * t8_1 - R1_22 * sdot8 + R1_32 * t8_2;
+  const T Pdot8_3 = sdot1_3 - R1_13 * t8_1 - R1_23 * sdot8 + R1_33 * t8_2;
   // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
   const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
   const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
@@ -2066,7 +2066,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -2201,18 +2201,18 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
       line_tether_9_3 * line_tether_9_3;
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_damping_tether_9 = line_tether_9 . line_rate_tether_9 ll_tether_9^-1 c_tether_: attraction by the length [N/m]
   const T t9_8 = line_tether_9_1 * line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 *
@@ -2241,9 +2241,9 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T b0_7 = R3_13 * T(0.1) + R3_23 * b0_1;
   const T b0_8 = omega3_3 * T(0.2);
   const T b0_9 = omega3_2 * T(0.2);
-  const T power = thetadot3 * damping_boom_3 - b0_2 * (R2_11 * b0_3 + R2_21 * b0_4 + R2_31 * b0_5 + Pdot2_1) - b0_6 *
-      (R2_12 * b0_3 + R2_22 * b0_4 + R2_32 * b0_5 + Pdot2_2) - b0_7 * (R2_13 * b0_3 + R2_23 * b0_4 + R2_33 * b0_5 +
-      Pdot2_3) + b0_2 * (R3_21 * b0_8 - R3_31 * b0_9 + Pdot6_1) + b0_6 * (R3_22 * b0_8 - R3_32 * b0_9 + Pdot6_2) +
+  const T power = thetadot3 * damping_boom_3 - (b0_2 * (R2_11 * b0_3 + R2_21 * b0_4 + R2_31 * b0_5 + Pdot2_1) + b0_6 *
+      (R2_12 * b0_3 + R2_22 * b0_4 + R2_32 * b0_5 + Pdot2_2) + b0_7 * (R2_13 * b0_3 + R2_23 * b0_4 + R2_33 * b0_5 +
+      Pdot2_3)) + b0_2 * (R3_21 * b0_8 - R3_31 * b0_9 + Pdot6_1) + b0_6 * (R3_22 * b0_8 - R3_32 * b0_9 + Pdot6_2) +
       b0_7 * (R3_23 * b0_8 - R3_33 * b0_9 + Pdot6_3) - sdot6 * minus_effort_telescope_6 - thetadot11 *
       minus_effort_nut_11 - T(0.02) * u.motor * omega11_2 - t9_8 * f_damping_tether_9 + u.thrust * (sdot1_3 + R1_13 *
       (T(0.01) * omega1_3 + T(0.03) * omega1_2) + R1_23 * (omega1_3 * T(0.02) - omega1_1 * T(0.03)) - R1_33 * (T(0.01)
@@ -2295,17 +2295,17 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_2 * omega1_3;
-  const T t1_17 = omega1_2 * omega1_2;
-  const T t1_18 = omega1_3 * omega1_3;
-  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_16 = omega1_1 * omega1_2;
+  const T t1_17 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_2 * omega1_2;
+  const T t1_19 = omega1_3 * omega1_3;
   const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.1) - T(0.19999999999999996) * t1_16 - T(0.03) * (t1_17 - t1_18) + T(0.01) * t1_19 + T(0.02) *
-      t1_20;
+  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
+      T(0.1);
   const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.2) * cos(T(2) * t) - T(0.02) * t1_16 + T(0.09999999999999998) * t1_20 + T(0.01) * (t1_18 - t1_21)
-      + T(0.03) * t1_19;
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_17) - T(0.09999999999999998) * t1_19 + T(0.03) * t1_20 + T(0.01) * t1_16;
+  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+      T(0.2) * cos(T(2) * t);
+  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2401,7 +2401,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -2692,9 +2692,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T G6_2 = t3_37 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
   // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N6_1 = T(0.01) * t3_37 - T(5e-04) * U3_32 + T(5e-04) * U3_23;
+  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
-  const T N6_3 = T(0.1) * t3_37 - T(0.0055) * U3_21 + T(5e-04) * U3_12;
+  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
@@ -2740,7 +2740,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
-  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
+  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -2775,18 +2775,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
@@ -2806,14 +2806,14 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
   // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
   //   axes [N m]
-  const T N5_1 = T(0.02) * t9_10 - c.lever5_3 * t9_9 - c.c9_2 * U5_32 + c.c9_3 * U5_23 - c.I_link5_13 * U5_21;
-  const T N5_2 = c.lever5_3 * t9_8 - c.lever5_1 * t9_10 - c.c9_3 * U5_13 + c.c9_1 * U5_31 + c.I_link5_13 *
-      (minus_U5_33 - minus_U5_11);
-  const T N5_3 = c.lever5_1 * t9_9 - T(0.02) * t9_8 - c.c9_1 * U5_21 + c.c9_2 * U5_12 + c.I_link5_13 * U5_23;
+  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
+      c.lever5_1 * t9_10;
+  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
   // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_1;
+  const T minus_a9_1 = thetadot9 * t9_2;
   // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
-  const T G9_1 = T(2) * minus_a9_1 - E9_11 * F_tether_9_1 - E9_12 * F_tether_9_2;
+  const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
   // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
@@ -2916,7 +2916,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
   const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
@@ -2947,7 +2947,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * minus_G10_1 + R10_22 * minus_G10_2 + R10_23 * minus_G10_3;
   const T b10_2 = R10_31 * minus_G10_1 + R10_32 * minus_G10_2 + R10_33 * minus_G10_3;
-  const T f_omega10_1 = N10_1 - T(0.03) * b10_1 - T(0.01) * b10_2;
+  const T f_omega10_1 = N10_1 - (T(0.03) * b10_1 + T(0.01) * b10_2);
   const T b10_3 = R10_11 * minus_G10_1 + R10_12 * minus_G10_2 + R10_13 * minus_G10_3;
   const T f_omega10_2 = T(0.03) * b10_3 + T(0.02) * b10_2 + N10_2;
   const T f_omega10_3 = T(0.01) * b10_3 - T(0.02) * b10_1 - minus_N10_3;
@@ -3101,7 +3101,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_S3_3 = minus_G3_3 + minus_G6_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = rho6_1 - T(0.02) * minus_G3_3 - minus_N3_1;
+  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
   const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
   const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
   // h3 = m3 r3 + m6 d6 + h6: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3123,7 +3123,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
   const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
   const T K_thetadot3_3_2 = J3_22 * T(0.44378789320576517) - T(0.001255442260626766);
-  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - J3_13 * T(0.3152711589176631) - T(0.0013313636796172955);
+  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - (J3_13 * T(0.3152711589176631) +
+      T(0.0013313636796172955));
   // D_thetaddot3: pivots of L D L^T
   const T D_thetaddot3 = T(0.44378789320576517) * K_thetadot3_3_2 - T(0.3152711589176631) * K_thetadot3_3_1 +
       T(0.8388422987658062) * K_thetadot3_3_3 - T(9.847384707800581e-06);
@@ -3145,23 +3146,23 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
   const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
   const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
-  const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
+  const T S1_1 = b1_1 - (b1_2 + b1_3) + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
   const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
-  const T b1_10 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
+  const T b1_10 = E4a_23 * S4a_3 - (minus_E4a_12 * S4a_1 + E4a_22 * minus_S4a_2);
   const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 - minus_S8_2 + G1_2;
+  const T S1_2 = b1_7 - (b1_8 + b1_9) + b1_10 + b1_11 - minus_S8_2 + G1_2;
   const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
-  const T b1_15 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
+  const T b1_15 = E4a_33 * S4a_3 - (minus_E4a_13 * S4a_1 + E4a_23 * minus_S4a_2);
   const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
-  const T S1_3 = b1_12 - b1_13 - b1_14 + b1_15 + S5a_3 + b1_16 + G1_3;
+  const T S1_3 = b1_12 - (b1_13 + b1_14) + b1_15 + S5a_3 + b1_16 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_17 - T(0.1) * b1_13 - T(0.1) * b1_7 +
+  const T f_omega1_1 = E3_11 * rho3_1 - (b1_17 + T(0.1) * b1_13 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
       T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
       T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
       * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
@@ -3234,10 +3235,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
       T(0.1) - T(0.1) * hc3_2;
   const T b1_54 = J5a_33 + b1_30;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
-      T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
-      minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
+  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
+      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
+      E3_33 + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
+      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
       (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
       T(0.010000000000000002));
   // B_thetadot11_1 = E8^T B_thetadot11_8
@@ -3268,8 +3269,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       T(0.004706800000000001);
   const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
       T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) + E4a_33 * T(0.004706800000000001) - T(0.2) *
-      B_thetadot4_2_1_2 - T(0.1) * B_thetadot4_2_1_1;
+  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
+      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
   // B_thetadot4_1_1 = E4a^T B_thetadot4_1_4a
   const T B_thetadot4_1_1_1 = E4a_11 * B_thetadot4_1_4a_1 - minus_E4a_12 * minus_B_thetadot4_1_4a_2 - minus_E4a_13 *
       minus_B_thetadot4_1_4a_3;
@@ -3305,14 +3306,14 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_60 = b1_58 * T(8e-05) + s10 * b1_59 - T(0.3) * b10_7;
   const T b1_61 = b1_60 * T(284.30629264594387);
   const T b1_62 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T b1_63 = b1_58 * T(0.00024) - s10 * b1_62 + T(0.3) * b10_4 + b1_61 * T(0.000128);
+  const T b1_63 = T(0.3) * b10_4 - s10 * b1_62 + b1_58 * T(0.00024) + b1_61 * T(0.000128);
   const T b1_64 = b1_63 * T(374.3436923513552);
   const T b1_65 = b1_58 * b10_5 - T(0.12) + b1_61 * b10_8 + b1_64 * b10_10;
   const T b1_66 = T(1) / D_sddot10;
   const T b1_67 = b1_65 * b1_66;
   const T b1_68 = b1_40 - b1_55 * T(0.0006299999999999999);
   const T b1_69 = b1_68 * T(420.4089432447927);
-  const T b1_70 = b1_69 * T(0.0028636363636363638) - minus_hc8_3 - b1_55 * T(0.003);
+  const T b1_70 = b1_69 * T(0.0028636363636363638) - (minus_hc8_3 + b1_55 * T(0.003));
   const T b1_71 = b1_70 * T(1.0173808227700445);
   const T b1_72 = K_sdot6_1_1 * T(2);
   const T b1_73 = T(1) / J5a_33;
@@ -3336,7 +3337,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_91 = C1_2_21 * T(0.016);
   const T b1_92 = T(0.2) * b1_91;
   const T b1_93 = C1_2_31 * T(0.016);
-  const T b1_94 = b1_90 * T(0.0032000000000000006) - b1_92 - T(0.1) * b1_93;
+  const T b1_94 = b1_90 * T(0.0032000000000000006) - (b1_92 + T(0.1) * b1_93);
   const T b1_95 = b1_94 * T(244.9863263445761);
   const T D_omegadot1_1 = J1_11 - b1_55 * K_thetadot11_1_1 - b1_58 * b1_57 - b1_61 * b1_60 - b1_64 * b1_63 - b1_67 *
       b1_65 - b1_69 * b1_68 - b1_71 * b1_70 - b1_72 * K_sdot6_1_1 - b1_74 * b1_51 - b1_75 * K_thetadot4_2_1_1 - b1_77
@@ -3348,7 +3349,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_100 = b1_98 * T(8e-05) + T(0.3) * b1_99 - T(0.1) * b1_59;
   const T b1_101 = b1_100 * T(284.30629264594387);
   const T b1_102 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T b1_103 = b1_98 * T(0.00024) - T(0.3) * b1_102 + T(0.1) * b1_62 + b1_101 * T(0.000128);
+  const T b1_103 = T(0.1) * b1_62 - T(0.3) * b1_102 + b1_98 * T(0.00024) + b1_101 * T(0.000128);
   const T b1_104 = b1_103 * T(374.3436923513552);
   const T b1_105 = b1_98 * b10_5 + b1_101 * b10_8 + b1_104 * b10_10;
   const T b1_106 = b1_105 * b1_66;
@@ -3380,7 +3381,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_127 = b1_126 * T(416.6666666666667);
   const T b1_128 = b1_127 * T(8e-05) + T(0.1) * b10_7 - s10 * b1_99;
   const T b1_129 = b1_128 * T(284.30629264594387);
-  const T b1_130 = b1_127 * T(0.00024) - T(0.1) * b10_4 + s10 * b1_102 + b1_129 * T(0.000128);
+  const T b1_130 = s10 * b1_102 - T(0.1) * b10_4 + b1_127 * T(0.00024) + b1_129 * T(0.000128);
   const T b1_131 = b1_130 * T(374.3436923513552);
   const T b1_132 = T(0.04000000000000001) + b1_127 * b10_5 + b1_129 * b10_8 + b1_131 * b10_10;
   const T b1_133 = b1_132 * b1_66;
@@ -3399,7 +3400,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b1_146 = b1_145 * T(23.62948960302457);
   const T b1_147 = b1_87 - T(0.1) * b1_116;
   const T b1_148 = b1_147 * T(23.25581395348837);
-  const T b1_149 = b1_148 * T(0.0032000000000000006) - b1_92 + T(0.1) * b1_119;
+  const T b1_149 = T(0.1) * b1_119 - b1_92 + b1_148 * T(0.0032000000000000006);
   const T b1_150 = b1_149 * T(244.9863263445761);
   const T b1_151 = J1_31 - b1_125 * K_thetadot11_1_1 - b1_127 * b1_57 - b1_129 * b1_60 - b1_131 * b1_63 - b1_133 *
       b1_65 - b1_136 * b1_68 - b1_138 * b1_70 - b1_139 * K_sdot6_1_1 + b1_140 * b1_51 - b1_141 * K_thetadot4_2_1_1 -
@@ -3532,7 +3533,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       B_thetadot4_1_1_1 - b1_223 * b1_173 - b1_224 * b1_113 - b1_225 * b1_116 - b1_227 * b1_177 - b1_229 * b1_179 +
       b1_231 * b1_181 + b1_233 * b1_183;
   const T b1_235 = b1_234 * b1_204;
-  const T b1_236 = b1_218 * T(0.9829161093063252) - b1_217 - b1_212 + b1_213 * D_sddot10 + b1_219 * B_sdot6_1_2 -
+  const T b1_236 = b1_213 * D_sddot10 - (b1_217 + b1_212) + b1_218 * T(0.9829161093063252) + b1_219 * B_sdot6_1_2 -
       b1_220 * B_thetadot4_2_1_2 - b1_221 * minus_B_thetadot4_1_1_2 - b1_223 * b1_191 - b1_224 * b1_81 - b1_225 *
       b1_86 - b1_227 * b1_195 + b1_229 * b1_197 + b1_231 * b1_199 - b1_233 * b1_201 - b1_235 * b1_203;
   const T b1_237 = T(1) / D_Pddot1_2;
@@ -3598,7 +3599,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 
   // ---- body 2 (clapper), solved
   // omegadot2: from A ydot = f by elimination
-  const T omegadot2_1 = b1_115 * z1_22 - minus_f_omega2_1 * T(23.62948960302457) - b1_85 * omegadot1_1 + b1_146 *
+  const T omegadot2_1 = b1_115 * z1_22 - (minus_f_omega2_1 * T(23.62948960302457) + b1_85 * omegadot1_1) + b1_146 *
       z1_21 - b1_175 * Pddot1_1 - b1_193 * z1_20 - b1_224 * z1_19;
   const T z2_1 = z1_13 * T(244.9863263445761) - b1_95 * omegadot1_1 - b1_121 * z1_22 - b1_150 * z1_21 - b1_178 *
       Pddot1_1 - b1_196 * z1_20 - b1_227 * z1_19;
@@ -3748,7 +3749,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_20 = U1_13 * T(0.03);
-  const T a1_1 = t1_20 - minus_U1_11 * T(0.02) - U1_12 * T(0.01) + Pddot1_1;
+  const T a1_1 = t1_20 - (minus_U1_11 * T(0.02) + U1_12 * T(0.01)) + Pddot1_1;
   const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
   const T t1_21 = U1_31 * T(0.02);
   const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
@@ -3864,7 +3865,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -3891,8 +3892,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // effort_boom_3 = -thetadot3 c_boom_ - k_boom_ stretch_boom_3 + tau_boom_: along the coordinate [N m], [N]
   const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
   // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_1 = E3_11 * omegadot1_1 + E3_12 * omegadot1_2 - minus_E3_13 * omegadot1_3 - thetadot3 *
-      (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) * t3_19) - thetaddot3 * T(0.3152711589176631);
+  const T omegadot3_1 = E3_11 * omegadot1_1 - (thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) *
+      t3_19) + thetaddot3 * T(0.3152711589176631)) + E3_12 * omegadot1_2 - minus_E3_13 * omegadot1_3;
   const T omegadot3_2 = thetaddot3 * T(0.44378789320576517) - thetadot3 * (T(0.8388422987658062) * t3_18 +
       T(0.3152711589176631) * t3_20) + E3_21 * omegadot1_1 + E3_22 * omegadot1_2 + E3_23 * omegadot1_3;
   const T omegadot3_3 = thetadot3 * (T(0.3152711589176631) * t3_19 + T(0.44378789320576517) * t3_18) + thetaddot3 *
@@ -4224,12 +4225,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
   const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
-  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
+  const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
+  const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
   // G8 = m8 a8: force balance, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
@@ -4266,18 +4267,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
@@ -4304,10 +4305,10 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T G5_3 = c.m_link5 * a5_3 - t9_10;
   // N5 = axial(U5 (tr(I_link5)/2 - I_link5)) - lever5~ R5 F_tether_9: moment balance about the mass centre, body axes
   //   [N m]
-  const T N5_1 = c.c9_2 * U5_32 - c.c9_3 * U5_23 + c.I_link5_13 * U5_21 - T(0.02) * t9_10 + c.lever5_3 * t9_9;
-  const T N5_2 = c.c9_3 * U5_13 - c.c9_1 * U5_31 - c.I_link5_13 * (minus_U5_33 - minus_U5_11) - c.lever5_3 * t9_8 +
-      c.lever5_1 * t9_10;
-  const T N5_3 = c.c9_1 * U5_21 - c.c9_2 * U5_12 - c.I_link5_13 * U5_23 - c.lever5_1 * t9_9 + T(0.02) * t9_8;
+  const T N5_1 = c.lever5_3 * t9_9 - T(0.02) * t9_10 + c.c9_2 * U5_32 - c.c9_3 * U5_23 + c.I_link5_13 * U5_21;
+  const T N5_2 = c.lever5_1 * t9_10 - c.lever5_3 * t9_8 + c.c9_3 * U5_13 - c.c9_1 * U5_31 - c.I_link5_13 *
+      (minus_U5_33 - minus_U5_11);
+  const T N5_3 = T(0.02) * t9_8 - c.lever5_1 * t9_9 + c.c9_1 * U5_21 - c.c9_2 * U5_12 - c.I_link5_13 * U5_23;
   // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a9_1 = Pddot9_1 - minus_U9_11 * T(0.1);
   const T a9_2 = thetaddot9 * T(0.1) + Pddot9_2;
@@ -4424,7 +4425,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
   const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
+  const T t11_6 = Pddot8_3 - (t11_4 * omega8_1 + U8_32 * minus_d11_2);
   const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
@@ -4460,7 +4461,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T rho11_1 = N11_1 - b11_1;
   const T rho11_2 = T(0.01) * G11_1 + N11_2;
   // r_theta11 = b11 . G11 pitch11 + b11 . rho11 - effort_nut_11: Kane's equation of the angle [N m]
-  const T r_theta11 = minus_effort_nut_11 - b11_1 - rho11_2;
+  const T r_theta11 = minus_effort_nut_11 - (b11_1 + rho11_2);
   r[15] = r_theta11;
 
   // ---- body 10 (runner) and what it carries
@@ -4469,7 +4470,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
   const T r_omega10_1 = T(0.03) * b10_1 + T(0.01) * b10_2 + N10_1;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - T(0.03) * b10_3 - T(0.02) * b10_2;
+  const T r_omega10_2 = N10_2 - (T(0.03) * b10_3 + T(0.02) * b10_2);
   const T r_omega10_3 = T(0.02) * b10_1 - T(0.01) * b10_3 + N10_3;
   r[12] = r_omega10_1;
   r[13] = r_omega10_2;
@@ -4552,7 +4553,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
   const T rho3_1 = T(0.02) * G3_3 + N3_1 + rho6_1;
-  const T rho3_2 = N3_2 - T(0.2) * G3_3 - d6_1 * G6_3 + rho6_2;
+  const T rho3_2 = N3_2 - (T(0.2) * G3_3 + d6_1 * G6_3) + rho6_2;
   const T rho3_3 = T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2 + N3_3 + rho6_3;
   // r_theta3 = b3 . rho3 - effort_boom_3: Kane's equation of the angle [N m]
   const T r_theta3 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3
@@ -4598,7 +4599,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
       T(0.1) * b1_14 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 - T(0.3) *
       S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3 +
       d8_2 * b1_15 + s10 * b1_12 - T(0.3) * r_sdot1_10 + N1_1;
-  const T r_omega1_2 = T(0.1) * b1_3 - T(0.3) * b1_13 - T(0.2) * b1_1 - T(0.2) * b1_11 + E3_12 * rho3_1 + E3_22 *
+  const T r_omega1_2 = T(0.1) * b1_3 - (T(0.2) * b1_1 + T(0.2) * b1_11) - T(0.3) * b1_13 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
       * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
       * b1_12 + N1_2;
@@ -4657,7 +4658,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_13 = omega1_3 * T(0.02) - omega1_1 * T(0.03);
   const T t1_14 = T(0.01) * omega1_1 + T(0.02) * omega1_2;
-  const T a1_1 = Pddot1_1 - omega1_3 * t1_13 - omega1_2 * t1_14;
+  const T a1_1 = Pddot1_1 - (omega1_3 * t1_13 + omega1_2 * t1_14);
   const T t1_15 = T(0.01) * omega1_3 + T(0.03) * omega1_2;
   const T a1_2 = omega1_3 * t1_15 + omega1_1 * t1_14 + Pddot1_2;
   const T a1_3 = omega1_1 * t1_13 - omega1_2 * t1_15 + Pddot1_3;
@@ -4666,17 +4667,17 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_2 * omega1_3;
-  const T t1_17 = omega1_2 * omega1_2;
-  const T t1_18 = omega1_3 * omega1_3;
-  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_16 = omega1_1 * omega1_2;
+  const T t1_17 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_2 * omega1_2;
+  const T t1_19 = omega1_3 * omega1_3;
   const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.1) - T(0.19999999999999996) * t1_16 - T(0.03) * (t1_17 - t1_18) + T(0.01) * t1_19 + T(0.02) *
-      t1_20;
+  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
+      T(0.1);
   const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.2) * cos(T(2) * t) - T(0.02) * t1_16 + T(0.09999999999999998) * t1_20 + T(0.01) * (t1_18 - t1_21)
-      + T(0.03) * t1_19;
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_17) - T(0.09999999999999998) * t1_19 + T(0.03) * t1_20 + T(0.01) * t1_16;
+  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+      T(0.2) * cos(T(2) * t);
+  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -4717,7 +4718,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t2_18 = omega1_2 * t2_15 - omega1_3 * t2_17 + Pddot1_1;
   const T t2_19 = omega1_3 * T(0.1);
   const T t2_20 = t2_19 + t2_14;
-  const T t2_21 = Pddot1_2 - omega1_3 * t2_20 - omega1_1 * t2_15;
+  const T t2_21 = Pddot1_2 - (omega1_3 * t2_20 + omega1_1 * t2_15);
   const T t2_22 = omega1_1 * t2_17 + omega1_2 * t2_20 + Pddot1_3;
   const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_21 + R1_31 * t2_22;
   const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_21 + R1_32 * t2_22;
@@ -4762,7 +4763,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -4813,7 +4814,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t3_30 = omega1_3 * T(0.3);
   const T t3_31 = t3_30 - t2_13;
   const T t3_32 = omega1_2 * T(0.3);
-  const T t3_33 = Pddot1_1 - omega1_3 * t3_31 - omega1_2 * t3_32;
+  const T t3_33 = Pddot1_1 - (omega1_3 * t3_31 + omega1_2 * t3_32);
   const T t3_34 = omega1_2 * T(0.1);
   const T t3_35 = omega1_3 * t3_34 + omega1_1 * t3_32 + Pddot1_2;
   const T t3_36 = omega1_1 * t3_31 - omega1_2 * t3_34 + Pddot1_3;
@@ -4880,7 +4881,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // Pddot4a = E4a (omega1~ omega1~ q4a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_6 = t2_13 + t2_14;
   const T t4_7 = omega1_3 * t2_16 + omega1_2 * t4_6 + Pddot1_1;
-  const T t4_8 = Pddot1_2 - omega1_3 * t2_19 - omega1_1 * t4_6;
+  const T t4_8 = Pddot1_2 - (omega1_3 * t2_19 + omega1_1 * t4_6);
   const T t4_9 = omega1_2 * t2_19 - omega1_1 * t2_16 + Pddot1_3;
   const T Pddot4a_1 = E4a_11 * t4_7 - minus_E4a_12 * t4_8 - minus_E4a_13 * t4_9;
   const T Pddot4a_2 = minus_E4a_12 * t4_7 + E4a_22 * t4_8 + E4a_23 * t4_9;
@@ -4980,7 +4981,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4 + Pddot1_2;
   const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
   const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
-  const T Pddot5a_3 = Pddot1_3 - omega1_1 * t2_13 - omega1_2 * t5_3;
+  const T Pddot5a_3 = Pddot1_3 - (omega1_1 * t2_13 + omega1_2 * t5_3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -5053,9 +5054,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T G6_2 = t3_37 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
   // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N6_1 = T(0.01) * t3_37 - T(5e-04) * U3_32 + T(5e-04) * U3_23;
+  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
-  const T N6_3 = T(0.1) * t3_37 - T(0.0055) * U3_21 + T(5e-04) * U3_12;
+  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
@@ -5097,12 +5098,12 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t8_9 = omega1_3 * d8_2;
   const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
-  const T Pddot8_2 = Pddot1_2 - omega1_3 * t8_9 - omega1_1 * t8_7;
+  const T Pddot8_2 = Pddot1_2 - (omega1_3 * t8_9 + omega1_1 * t8_7);
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
+  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -5137,18 +5138,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
@@ -5168,14 +5169,14 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
   // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
   //   axes [N m]
-  const T N5_1 = T(0.02) * t9_10 - c.lever5_3 * t9_9 - c.c9_2 * U5_32 + c.c9_3 * U5_23 - c.I_link5_13 * U5_21;
-  const T N5_2 = c.lever5_3 * t9_8 - c.lever5_1 * t9_10 - c.c9_3 * U5_13 + c.c9_1 * U5_31 + c.I_link5_13 *
-      (minus_U5_33 - minus_U5_11);
-  const T N5_3 = c.lever5_1 * t9_9 - T(0.02) * t9_8 - c.c9_1 * U5_21 + c.c9_2 * U5_12 + c.I_link5_13 * U5_23;
+  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
+      c.lever5_1 * t9_10;
+  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
   // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_1;
+  const T minus_a9_1 = thetadot9 * t9_2;
   // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
-  const T G9_1 = T(2) * minus_a9_1 - E9_11 * F_tether_9_1 - E9_12 * F_tether_9_2;
+  const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
   // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
@@ -5269,7 +5270,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
   const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 + Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
@@ -5300,7 +5301,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * minus_G10_1 + R10_22 * minus_G10_2 + R10_23 * minus_G10_3;
   const T b10_2 = R10_31 * minus_G10_1 + R10_32 * minus_G10_2 + R10_33 * minus_G10_3;
-  const T f_omega10_1 = N10_1 - T(0.03) * b10_1 - T(0.01) * b10_2;
+  const T f_omega10_1 = N10_1 - (T(0.03) * b10_1 + T(0.01) * b10_2);
   const T b10_3 = R10_11 * minus_G10_1 + R10_12 * minus_G10_2 + R10_13 * minus_G10_3;
   const T f_omega10_2 = T(0.03) * b10_3 + T(0.02) * b10_2 + N10_2;
   const T f_omega10_3 = T(0.01) * b10_3 - T(0.02) * b10_1 - minus_N10_3;
@@ -5383,7 +5384,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_S3_3 = minus_G3_3 + minus_G6_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = rho6_1 - T(0.02) * minus_G3_3 - minus_N3_1;
+  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
   const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
   const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
   // f_theta3 = b3 . rho3 + effort_boom_3: Kane's equation of the angle [N m]
@@ -5411,22 +5412,22 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
   const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
   const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
-  const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
+  const T S1_1 = b1_1 - (b1_2 + b1_3) + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
-  const T b1_9 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
+  const T b1_9 = E4a_23 * S4a_3 - (minus_E4a_12 * S4a_1 + E4a_22 * minus_S4a_2);
   const T b1_10 = E5a_12 * G5_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - minus_f_sdot1_10 + b1_9 + b1_10 - minus_S8_2 + G1_2;
+  const T S1_2 = b1_7 - (b1_8 + minus_f_sdot1_10) + b1_9 + b1_10 - minus_S8_2 + G1_2;
   const T b1_11 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_12 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_13 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
-  const T b1_14 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
+  const T b1_14 = E4a_33 * S4a_3 - (minus_E4a_13 * S4a_1 + E4a_23 * minus_S4a_2);
   const T b1_15 = E8_13 * S8_1 - E8_11 * minus_S8_3;
-  const T S1_3 = b1_11 - b1_12 - b1_13 + b1_14 + S5a_3 + b1_15 + G1_3;
+  const T S1_3 = b1_11 - (b1_12 + b1_13) + b1_14 + S5a_3 + b1_15 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_16 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_16 - T(0.1) * b1_12 - T(0.1) * b1_7 +
+  const T f_omega1_1 = E3_11 * rho3_1 - (b1_16 + T(0.1) * b1_12 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
       T(0.1) * b1_14 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 -
       T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
       * G1_3 + d8_2 * b1_15 + T(0.3) * minus_f_sdot1_10 - s10 * b1_13 + N1_1;
@@ -5553,7 +5554,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
 
   // ---- body 4 (cross) on body 1
   const T theta4_1 = x[9], theta4_2 = x[10];
@@ -5753,7 +5754,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
   const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
   const T K_thetadot3_3_2 = J3_22 * T(0.44378789320576517) - T(0.001255442260626766);
-  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - J3_13 * T(0.3152711589176631) - T(0.0013313636796172955);
+  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - (J3_13 * T(0.3152711589176631) +
+      T(0.0013313636796172955));
 
   // ---- body 1 (hull) and what it carries
   const T s10 = x[28];
@@ -5827,10 +5829,10 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T J1_31 = b1_29 - T(0.3) * hc3_3 - b1_34 * T(0.1);
   const T J1_32 = T(0.3) * hc5_3 - b1_43 + b1_40 + b1_1 * T(0.1);
   const T b1_44 = J5a_33 + b1_16;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
-      T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_35 + b1_10 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
-      minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_36 - b1_12 + E4a_33 * J4a_33) * E4a_33 + b1_44 +
+  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
+      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
+      E3_33 + b1_35 + b1_10 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
+      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_36 - b1_12 + E4a_33 * J4a_33) * E4a_33 + b1_44 +
       (E8_13 * J8_11 + b1_23) * E8_13 + (b1_21 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_25 +
       T(0.010000000000000002));
   A[0] = J1_11;
@@ -5888,8 +5890,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
       T(0.004706800000000001);
   const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
       T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) + E4a_33 * T(0.004706800000000001) - T(0.2) *
-      B_thetadot4_2_1_2 - T(0.1) * B_thetadot4_2_1_1;
+  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
+      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
   A[8] = K_thetadot4_2_1_1;
   A[232] = K_thetadot4_2_1_1;
   A[37] = K_thetadot4_2_1_2;
@@ -5961,11 +5963,11 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t15 = s10 * t13 - T(0.3) * t14;
   A[13] = -t15;
   A[377] = -t15;
-  const T t16 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T t17 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
-  const T t18 = s10 * t16 - T(0.3) * t17;
-  A[14] = -t18;
-  A[406] = -t18;
+  const T t16 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
+  const T t17 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
+  const T t18 = T(0.3) * t16 - s10 * t17;
+  A[14] = t18;
+  A[406] = t18;
   const T t19 = h1_2 * R1_31 - h1_3 * R1_21;
   A[16] = t19;
   A[464] = t19;
@@ -6001,9 +6003,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[42] = -t31;
   A[378] = -t31;
   const T t32 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T t33 = T(0.3) * t32 - T(0.1) * t16;
-  A[43] = -t33;
-  A[407] = -t33;
+  const T t33 = T(0.1) * t17 - T(0.3) * t32;
+  A[43] = t33;
+  A[407] = t33;
   A[44] = -T(0.0006299999999999999);
   A[305] = T(0.0006299999999999999);
   A[436] = -T(0.0006299999999999999);
@@ -6023,18 +6025,18 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t38 = t4 - T(0.1) * t24;
   A[62] = -t38;
   A[118] = -t38;
-  const T t39 = t7 - T(0.1) * t26;
-  A[63] = -t39;
-  A[147] = -t39;
+  const T t39 = T(0.1) * t26 - t7;
+  A[63] = t39;
+  A[147] = t39;
   const T t40 = s10 * t28 - T(0.1) * t10;
   A[70] = -t40;
   A[350] = -t40;
   const T t41 = T(0.1) * t14 - s10 * t30;
   A[71] = -t41;
   A[379] = -t41;
-  const T t42 = T(0.1) * t17 - s10 * t32;
-  A[72] = -t42;
-  A[408] = -t42;
+  const T t42 = s10 * t32 - T(0.1) * t16;
+  A[72] = t42;
+  A[408] = t42;
   const T t43 = h1_1 * R1_21 - h1_2 * R1_11;
   A[74] = t43;
   A[466] = t43;
@@ -6176,8 +6178,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t80 = R10_13 * T(0.004) - R10_23 * T(0.008);
   A[424] = -t80;
   A[536] = -t80;
-  A[431] = -t17;
-  A[739] = -t17;
+  A[431] = -t16;
+  A[739] = -t16;
   A[450] = T(0.00066);
   const T t81 = R1_11 * B_thetadot11_1_1 - R1_21 * T(0.003) - R1_31 * minus_B_thetadot11_1_3;
   A[451] = t81;
@@ -6393,7 +6395,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -6598,7 +6600,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t5_1 = T(0.004991670832341408) * minus_omega_omega1_5_21;
   const T t5_2 = T(0.004991670832341408) * E5a_11 + T(0.049750208263901294) * omega_omega1_5_31;
   const T t5_3 = T(0.049750208263901294) * minus_omega_omega1_5_21;
-  const T minus_B10_1_11 = minus_P_omega1_5a_11 - R5a_11 * t5_1 - R5_21 * t5_2 - R5_31 * t5_3;
+  const T minus_B10_1_11 = minus_P_omega1_5a_11 - (R5a_11 * t5_1 + R5_21 * t5_2 + R5_31 * t5_3);
   const T t5_4 = T(0.004991670832341408) * omega_omega1_5_22;
   const T t5_5 = T(0.049750208263901294) * minus_omega_omega1_5_32 - T(0.004991670832341408) * E5a_12;
   const T t5_6 = T(0.049750208263901294) * omega_omega1_5_22;
@@ -6608,11 +6610,11 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t5_9 = T(0.049750208263901294) * E5_23;
   const T t5_10 = R5a_11 * t5_7 - R5_21 * t5_8 + R5_31 * t5_9;
   const T minus_B10_1_13 = t5_10 - P_omega1_5a_13;
-  const T minus_B10_1_21 = minus_P_omega1_5a_21 - R5a_12 * t5_1 - R5_22 * t5_2 - R5_32 * t5_3;
+  const T minus_B10_1_21 = minus_P_omega1_5a_21 - (R5a_12 * t5_1 + R5_22 * t5_2 + R5_32 * t5_3);
   const T minus_B10_1_22 = R5a_12 * t5_4 + R5_22 * t5_5 + R5_32 * t5_6 - t2_20;
   const T t5_11 = R5a_12 * t5_7 - R5_22 * t5_8 + R5_32 * t5_9;
   const T minus_B10_1_23 = t5_11 - P_omega1_5a_23;
-  const T minus_B10_1_31 = minus_P_omega1_5a_31 - R5a_13 * t5_1 - R5_23 * t5_2 - R5_33 * t5_3;
+  const T minus_B10_1_31 = minus_P_omega1_5a_31 - (R5a_13 * t5_1 + R5_23 * t5_2 + R5_33 * t5_3);
   const T minus_B10_1_32 = R5a_13 * t5_4 + R5_23 * t5_5 + R5_33 * t5_6 - t2_24;
   const T t5_12 = R5a_13 * t5_7 - R5_23 * t5_8 + R5_33 * t5_9;
   const T minus_B10_1_33 = t5_12 - P_omega1_5a_33;
@@ -6716,13 +6718,13 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t6_15 = T(0.1) * E3_23;
   const T t6_16 = T(0.01) * E3_23;
   const T t6_17 = T(0.01) * minus_E3_13 + T(0.1) * E3_33;
-  const T minus_B12_1_13 = R3_31 * t6_15 - R3_11 * t6_16 - R3_21 * t6_17 + minus_P_omega1_6_13;
+  const T minus_B12_1_13 = R3_31 * t6_15 - (R3_11 * t6_16 + R3_21 * t6_17) + minus_P_omega1_6_13;
   const T minus_B12_1_21 = R3_22 * t6_9 - R3_12 * t6_10 + R3_32 * t6_11 + minus_P_omega1_6_21;
   const T minus_B12_1_22 = R3_22 * t6_12 - R3_12 * t6_13 + R3_32 * t6_14 + minus_P_omega1_6_22;
-  const T minus_B12_1_23 = R3_32 * t6_15 - R3_12 * t6_16 - R3_22 * t6_17 + minus_P_omega1_6_23;
+  const T minus_B12_1_23 = R3_32 * t6_15 - (R3_12 * t6_16 + R3_22 * t6_17) + minus_P_omega1_6_23;
   const T minus_B12_1_31 = R3_23 * t6_9 - R3_13 * t6_10 + R3_33 * t6_11 + minus_P_omega1_6_31;
   const T minus_B12_1_32 = R3_23 * t6_12 - R3_13 * t6_13 + R3_33 * t6_14 + minus_P_omega1_6_32;
-  const T minus_B12_1_33 = R3_33 * t6_15 - R3_13 * t6_16 - R3_23 * t6_17 + minus_P_omega1_6_33;
+  const T minus_B12_1_33 = R3_33 * t6_15 - (R3_13 * t6_16 + R3_23 * t6_17) + minus_P_omega1_6_33;
   v_y[435] = -minus_B12_1_11;
   v_y[436] = -minus_B12_1_12;
   v_y[437] = -minus_B12_1_13;
@@ -6733,12 +6735,12 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[494] = -minus_B12_1_32;
   v_y[495] = -minus_B12_1_33;
   // B13_3 = -R3^T r6~ b3 + P_thetadot3_6
-  const T minus_B13_3_1 = R3_31 * T(0.04437878932057652) - R3_11 * T(0.004437878932057652) - R3_21 *
-      T(0.08703694146575726) + minus_P_thetadot3_6_1;
-  const T minus_B13_3_2 = R3_32 * T(0.04437878932057652) - R3_12 * T(0.004437878932057652) - R3_22 *
-      T(0.08703694146575726) + minus_P_thetadot3_6_2;
-  const T minus_B13_3_3 = R3_33 * T(0.04437878932057652) - R3_13 * T(0.004437878932057652) - R3_23 *
-      T(0.08703694146575726) + minus_P_thetadot3_6_3;
+  const T minus_B13_3_1 = R3_31 * T(0.04437878932057652) - (R3_11 * T(0.004437878932057652) + R3_21 *
+      T(0.08703694146575726)) + minus_P_thetadot3_6_1;
+  const T minus_B13_3_2 = R3_32 * T(0.04437878932057652) - (R3_12 * T(0.004437878932057652) + R3_22 *
+      T(0.08703694146575726)) + minus_P_thetadot3_6_2;
+  const T minus_B13_3_3 = R3_33 * T(0.04437878932057652) - (R3_13 * T(0.004437878932057652) + R3_23 *
+      T(0.08703694146575726)) + minus_P_thetadot3_6_3;
   v_y[441] = -minus_B13_3_1;
   v_y[470] = -minus_B13_3_2;
   v_y[499] = -minus_B13_3_3;
@@ -7141,7 +7143,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -7170,60 +7172,60 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T minus_P_dot_omega1_3_32 = t3_20 - t2_24;
   const T P_dot_omega1_3_33 = t1_19 * T(0.3);
   // B4_1 = thetadot3 R3^T r3~ b3~ E3 - R3^T omega3~ r3~ E3 + P_dot_omega1_3
-  const T t3_21 = T(0.3152711589176631) * E3_21 + T(0.44378789320576517) * E3_11;
-  const T t3_22 = T(0.2) * t3_21;
-  const T t3_23 = T(0.02) * t3_21;
-  const T t3_24 = T(0.8388422987658062) * E3_11 + T(0.3152711589176631) * E3_31;
-  const T t3_25 = T(0.44378789320576517) * E3_31 - T(0.8388422987658062) * E3_21;
-  const T t3_26 = T(0.2) * t3_24 - T(0.02) * t3_25;
-  const T t3_27 = T(0.2) * E3_31;
-  const T t3_28 = T(0.2) * E3_21 - T(0.02) * E3_11;
-  const T t3_29 = omega3_3 * t3_27 + omega3_2 * t3_28;
-  const T t3_30 = T(0.02) * E3_31;
-  const T t3_31 = omega3_3 * t3_30 - omega3_1 * t3_28;
-  const T t3_32 = omega3_1 * t3_27 + omega3_2 * t3_30;
-  const T B4_1_11 = thetadot3 * (R3_21 * t3_22 - R3_11 * t3_23 + R3_31 * t3_26) - R3_11 * t3_29 - R3_21 * t3_31 +
-      R3_31 * t3_32 - minus_P_dot_omega1_3_11;
-  const T t3_33 = T(0.3152711589176631) * E3_22 + T(0.44378789320576517) * E3_12;
-  const T t3_34 = T(0.2) * t3_33;
-  const T t3_35 = T(0.02) * t3_33;
-  const T t3_36 = T(0.8388422987658062) * E3_12 + T(0.3152711589176631) * E3_32;
-  const T t3_37 = T(0.44378789320576517) * E3_32 - T(0.8388422987658062) * E3_22;
-  const T t3_38 = T(0.2) * t3_36 - T(0.02) * t3_37;
-  const T t3_39 = T(0.2) * E3_32;
-  const T t3_40 = T(0.2) * E3_22 - T(0.02) * E3_12;
-  const T t3_41 = omega3_3 * t3_39 + omega3_2 * t3_40;
-  const T t3_42 = T(0.02) * E3_32;
-  const T t3_43 = omega3_3 * t3_42 - omega3_1 * t3_40;
-  const T t3_44 = omega3_1 * t3_39 + omega3_2 * t3_42;
-  const T B4_1_12 = thetadot3 * (R3_21 * t3_34 - R3_11 * t3_35 + R3_31 * t3_38) - R3_11 * t3_41 - R3_21 * t3_43 +
-      R3_31 * t3_44 - minus_P_dot_omega1_3_12;
-  const T t3_45 = T(0.44378789320576517) * minus_E3_13 - T(0.3152711589176631) * E3_23;
-  const T t3_46 = T(0.02) * t3_45;
-  const T t3_47 = T(0.2) * t3_45;
-  const T t3_48 = T(0.3152711589176631) * E3_33 - T(0.8388422987658062) * minus_E3_13;
-  const T t3_49 = T(0.44378789320576517) * E3_33 - T(0.8388422987658062) * E3_23;
-  const T t3_50 = T(0.2) * t3_48 - T(0.02) * t3_49;
-  const T t3_51 = T(0.2) * E3_33;
-  const T t3_52 = T(0.2) * E3_23 + T(0.02) * minus_E3_13;
-  const T t3_53 = omega3_3 * t3_51 + omega3_2 * t3_52;
-  const T t3_54 = T(0.02) * E3_33;
-  const T t3_55 = omega3_3 * t3_54 - omega3_1 * t3_52;
-  const T t3_56 = omega3_1 * t3_51 + omega3_2 * t3_54;
-  const T B4_1_13 = thetadot3 * (R3_11 * t3_46 - R3_21 * t3_47 + R3_31 * t3_50) - R3_11 * t3_53 - R3_21 * t3_55 +
-      R3_31 * t3_56 + P_dot_omega1_3_13;
-  const T B4_1_21 = thetadot3 * (R3_22 * t3_22 - R3_12 * t3_23 + R3_32 * t3_26) - R3_12 * t3_29 - R3_22 * t3_31 +
-      R3_32 * t3_32 - minus_P_dot_omega1_3_21;
-  const T B4_1_22 = thetadot3 * (R3_22 * t3_34 - R3_12 * t3_35 + R3_32 * t3_38) - R3_12 * t3_41 - R3_22 * t3_43 +
-      R3_32 * t3_44 - minus_P_dot_omega1_3_22;
-  const T B4_1_23 = thetadot3 * (R3_12 * t3_46 - R3_22 * t3_47 + R3_32 * t3_50) - R3_12 * t3_53 - R3_22 * t3_55 +
-      R3_32 * t3_56 + P_dot_omega1_3_23;
-  const T B4_1_31 = thetadot3 * (R3_23 * t3_22 - R3_13 * t3_23 + R3_33 * t3_26) - R3_13 * t3_29 - R3_23 * t3_31 +
-      R3_33 * t3_32 - minus_P_dot_omega1_3_31;
-  const T B4_1_32 = thetadot3 * (R3_23 * t3_34 - R3_13 * t3_35 + R3_33 * t3_38) - R3_13 * t3_41 - R3_23 * t3_43 +
-      R3_33 * t3_44 - minus_P_dot_omega1_3_32;
-  const T B4_1_33 = thetadot3 * (R3_13 * t3_46 - R3_23 * t3_47 + R3_33 * t3_50) - R3_13 * t3_53 - R3_23 * t3_55 +
-      R3_33 * t3_56 + P_dot_omega1_3_33;
+  const T t3_21 = T(0.2) * E3_31;
+  const T t3_22 = T(0.02) * E3_31;
+  const T t3_23 = omega3_1 * t3_21 + omega3_2 * t3_22;
+  const T t3_24 = T(0.2) * E3_21 - T(0.02) * E3_11;
+  const T t3_25 = omega3_3 * t3_21 + omega3_2 * t3_24;
+  const T t3_26 = omega3_3 * t3_22 - omega3_1 * t3_24;
+  const T t3_27 = T(0.3152711589176631) * E3_21 + T(0.44378789320576517) * E3_11;
+  const T t3_28 = T(0.2) * t3_27;
+  const T t3_29 = T(0.02) * t3_27;
+  const T t3_30 = T(0.8388422987658062) * E3_11 + T(0.3152711589176631) * E3_31;
+  const T t3_31 = T(0.44378789320576517) * E3_31 - T(0.8388422987658062) * E3_21;
+  const T t3_32 = T(0.2) * t3_30 - T(0.02) * t3_31;
+  const T B4_1_11 = R3_31 * t3_23 - (R3_11 * t3_25 + R3_21 * t3_26) + thetadot3 * (R3_21 * t3_28 - R3_11 * t3_29 +
+      R3_31 * t3_32) - minus_P_dot_omega1_3_11;
+  const T t3_33 = T(0.2) * E3_32;
+  const T t3_34 = T(0.02) * E3_32;
+  const T t3_35 = omega3_1 * t3_33 + omega3_2 * t3_34;
+  const T t3_36 = T(0.2) * E3_22 - T(0.02) * E3_12;
+  const T t3_37 = omega3_3 * t3_33 + omega3_2 * t3_36;
+  const T t3_38 = omega3_3 * t3_34 - omega3_1 * t3_36;
+  const T t3_39 = T(0.3152711589176631) * E3_22 + T(0.44378789320576517) * E3_12;
+  const T t3_40 = T(0.2) * t3_39;
+  const T t3_41 = T(0.02) * t3_39;
+  const T t3_42 = T(0.8388422987658062) * E3_12 + T(0.3152711589176631) * E3_32;
+  const T t3_43 = T(0.44378789320576517) * E3_32 - T(0.8388422987658062) * E3_22;
+  const T t3_44 = T(0.2) * t3_42 - T(0.02) * t3_43;
+  const T B4_1_12 = R3_31 * t3_35 - (R3_11 * t3_37 + R3_21 * t3_38) + thetadot3 * (R3_21 * t3_40 - R3_11 * t3_41 +
+      R3_31 * t3_44) - minus_P_dot_omega1_3_12;
+  const T t3_45 = T(0.2) * E3_33;
+  const T t3_46 = T(0.02) * E3_33;
+  const T t3_47 = omega3_1 * t3_45 + omega3_2 * t3_46;
+  const T t3_48 = T(0.2) * E3_23 + T(0.02) * minus_E3_13;
+  const T t3_49 = omega3_3 * t3_45 + omega3_2 * t3_48;
+  const T t3_50 = omega3_3 * t3_46 - omega3_1 * t3_48;
+  const T t3_51 = T(0.44378789320576517) * minus_E3_13 - T(0.3152711589176631) * E3_23;
+  const T t3_52 = T(0.02) * t3_51;
+  const T t3_53 = T(0.2) * t3_51;
+  const T t3_54 = T(0.3152711589176631) * E3_33 - T(0.8388422987658062) * minus_E3_13;
+  const T t3_55 = T(0.44378789320576517) * E3_33 - T(0.8388422987658062) * E3_23;
+  const T t3_56 = T(0.2) * t3_54 - T(0.02) * t3_55;
+  const T B4_1_13 = R3_31 * t3_47 - (R3_11 * t3_49 + R3_21 * t3_50) + thetadot3 * (R3_11 * t3_52 - R3_21 * t3_53 +
+      R3_31 * t3_56) + P_dot_omega1_3_13;
+  const T B4_1_21 = R3_32 * t3_23 - (R3_12 * t3_25 + R3_22 * t3_26) + thetadot3 * (R3_22 * t3_28 - R3_12 * t3_29 +
+      R3_32 * t3_32) - minus_P_dot_omega1_3_21;
+  const T B4_1_22 = R3_32 * t3_35 - (R3_12 * t3_37 + R3_22 * t3_38) + thetadot3 * (R3_22 * t3_40 - R3_12 * t3_41 +
+      R3_32 * t3_44) - minus_P_dot_omega1_3_22;
+  const T B4_1_23 = R3_32 * t3_47 - (R3_12 * t3_49 + R3_22 * t3_50) + thetadot3 * (R3_12 * t3_52 - R3_22 * t3_53 +
+      R3_32 * t3_56) + P_dot_omega1_3_23;
+  const T B4_1_31 = R3_33 * t3_23 - (R3_13 * t3_25 + R3_23 * t3_26) + thetadot3 * (R3_23 * t3_28 - R3_13 * t3_29 +
+      R3_33 * t3_32) - minus_P_dot_omega1_3_31;
+  const T B4_1_32 = R3_33 * t3_35 - (R3_13 * t3_37 + R3_23 * t3_38) + thetadot3 * (R3_23 * t3_40 - R3_13 * t3_41 +
+      R3_33 * t3_44) - minus_P_dot_omega1_3_32;
+  const T B4_1_33 = R3_33 * t3_47 - (R3_13 * t3_49 + R3_23 * t3_50) + thetadot3 * (R3_13 * t3_52 - R3_23 * t3_53 +
+      R3_33 * t3_56) + P_dot_omega1_3_33;
   v_y_dot[174] = B4_1_11;
   v_y_dot[175] = B4_1_12;
   v_y_dot[176] = B4_1_13;
@@ -7650,7 +7652,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T P_dot_omega1_6_12 = R3_21 * t6_10 - R3_11 * t6_11 + R3_31 * t6_12 - minus_P_dot_omega1_3_12;
   const T t6_13 = t6_3 * E3_23 - t6_1 * minus_E3_13 + sdot6 * E3_33;
   const T t6_14 = t6_5 * E3_23 + t6_6 * E3_33;
-  const T t6_15 = t6_3 * E3_33 - t6_8 * minus_E3_13 - sdot6 * E3_23;
+  const T t6_15 = t6_3 * E3_33 - (t6_8 * minus_E3_13 + sdot6 * E3_23);
   const T P_dot_omega1_6_13 = R3_21 * t6_13 - R3_11 * t6_14 + R3_31 * t6_15 + P_dot_omega1_3_13;
   const T P_dot_omega1_6_21 = R3_22 * t6_4 - R3_12 * t6_7 + R3_32 * t6_9 - minus_P_dot_omega1_3_21;
   const T P_dot_omega1_6_22 = R3_22 * t6_10 - R3_12 * t6_11 + R3_32 * t6_12 - minus_P_dot_omega1_3_22;
@@ -7666,51 +7668,51 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T minus_P_dot_thetadot3_6_2 = R3_12 * t6_16 - R3_22 * t6_17 + R3_32 * t6_18;
   const T minus_P_dot_thetadot3_6_3 = R3_13 * t6_16 - R3_23 * t6_17 + R3_33 * t6_18;
   // B11_1 = thetadot3 R3^T r6~ b3~ E3 - R3^T omega3~ r6~ E3 + P_dot_omega1_6
-  const T t6_19 = T(0.01) * t3_25 + T(0.1) * t3_21;
-  const T t6_20 = T(0.01) * t3_24;
-  const T t6_21 = T(0.1) * t3_24;
-  const T t6_22 = T(0.1) * E3_21;
-  const T t6_23 = T(0.01) * E3_11 - T(0.1) * E3_31;
-  const T t6_24 = omega3_2 * t6_22 - omega3_3 * t6_23;
-  const T t6_25 = T(0.01) * E3_21;
-  const T t6_26 = omega3_3 * t6_25 + omega3_1 * t6_22;
-  const T t6_27 = omega3_1 * t6_23 + omega3_2 * t6_25;
-  const T B11_1_11 = thetadot3 * (R3_21 * t6_19 - R3_11 * t6_20 + R3_31 * t6_21) - R3_11 * t6_24 + R3_21 * t6_26 -
-      R3_31 * t6_27 + P_dot_omega1_6_11;
-  const T t6_28 = T(0.01) * t3_37 + T(0.1) * t3_33;
-  const T t6_29 = T(0.01) * t3_36;
-  const T t6_30 = T(0.1) * t3_36;
-  const T t6_31 = T(0.1) * E3_22;
-  const T t6_32 = T(0.01) * E3_12 - T(0.1) * E3_32;
-  const T t6_33 = omega3_2 * t6_31 - omega3_3 * t6_32;
-  const T t6_34 = T(0.01) * E3_22;
-  const T t6_35 = omega3_3 * t6_34 + omega3_1 * t6_31;
-  const T t6_36 = omega3_1 * t6_32 + omega3_2 * t6_34;
-  const T B11_1_12 = thetadot3 * (R3_21 * t6_28 - R3_11 * t6_29 + R3_31 * t6_30) - R3_11 * t6_33 + R3_21 * t6_35 -
-      R3_31 * t6_36 + P_dot_omega1_6_12;
-  const T t6_37 = T(0.01) * t3_49 - T(0.1) * t3_45;
-  const T t6_38 = T(0.01) * t3_48;
-  const T t6_39 = T(0.1) * t3_48;
+  const T t6_19 = T(0.01) * E3_21;
+  const T t6_20 = T(0.1) * E3_21;
+  const T t6_21 = omega3_3 * t6_19 + omega3_1 * t6_20;
+  const T t6_22 = T(0.01) * E3_11 - T(0.1) * E3_31;
+  const T t6_23 = omega3_2 * t6_20 - omega3_3 * t6_22;
+  const T t6_24 = omega3_1 * t6_22 + omega3_2 * t6_19;
+  const T t6_25 = T(0.01) * t3_31 + T(0.1) * t3_27;
+  const T t6_26 = T(0.01) * t3_30;
+  const T t6_27 = T(0.1) * t3_30;
+  const T B11_1_11 = R3_21 * t6_21 - R3_11 * t6_23 - R3_31 * t6_24 + thetadot3 * (R3_21 * t6_25 - R3_11 * t6_26 +
+      R3_31 * t6_27) + P_dot_omega1_6_11;
+  const T t6_28 = T(0.01) * E3_22;
+  const T t6_29 = T(0.1) * E3_22;
+  const T t6_30 = omega3_3 * t6_28 + omega3_1 * t6_29;
+  const T t6_31 = T(0.01) * E3_12 - T(0.1) * E3_32;
+  const T t6_32 = omega3_2 * t6_29 - omega3_3 * t6_31;
+  const T t6_33 = omega3_1 * t6_31 + omega3_2 * t6_28;
+  const T t6_34 = T(0.01) * t3_43 + T(0.1) * t3_39;
+  const T t6_35 = T(0.01) * t3_42;
+  const T t6_36 = T(0.1) * t3_42;
+  const T B11_1_12 = R3_21 * t6_30 - R3_11 * t6_32 - R3_31 * t6_33 + thetadot3 * (R3_21 * t6_34 - R3_11 * t6_35 +
+      R3_31 * t6_36) + P_dot_omega1_6_12;
+  const T t6_37 = T(0.01) * E3_23;
+  const T t6_38 = T(0.1) * E3_23;
+  const T t6_39 = omega3_3 * t6_37 + omega3_1 * t6_38;
   const T t6_40 = T(0.01) * minus_E3_13 + T(0.1) * E3_33;
-  const T t6_41 = T(0.1) * E3_23;
-  const T t6_42 = omega3_3 * t6_40 + omega3_2 * t6_41;
-  const T t6_43 = T(0.01) * E3_23;
-  const T t6_44 = omega3_3 * t6_43 + omega3_1 * t6_41;
-  const T t6_45 = omega3_2 * t6_43 - omega3_1 * t6_40;
-  const T B11_1_13 = thetadot3 * (R3_21 * t6_37 - R3_11 * t6_38 + R3_31 * t6_39) - R3_11 * t6_42 + R3_21 * t6_44 -
-      R3_31 * t6_45 + P_dot_omega1_6_13;
-  const T B11_1_21 = thetadot3 * (R3_22 * t6_19 - R3_12 * t6_20 + R3_32 * t6_21) - R3_12 * t6_24 + R3_22 * t6_26 -
-      R3_32 * t6_27 + P_dot_omega1_6_21;
-  const T B11_1_22 = thetadot3 * (R3_22 * t6_28 - R3_12 * t6_29 + R3_32 * t6_30) - R3_12 * t6_33 + R3_22 * t6_35 -
-      R3_32 * t6_36 + P_dot_omega1_6_22;
-  const T B11_1_23 = thetadot3 * (R3_22 * t6_37 - R3_12 * t6_38 + R3_32 * t6_39) - R3_12 * t6_42 + R3_22 * t6_44 -
-      R3_32 * t6_45 + P_dot_omega1_6_23;
-  const T B11_1_31 = thetadot3 * (R3_23 * t6_19 - R3_13 * t6_20 + R3_33 * t6_21) - R3_13 * t6_24 + R3_23 * t6_26 -
-      R3_33 * t6_27 + P_dot_omega1_6_31;
-  const T B11_1_32 = thetadot3 * (R3_23 * t6_28 - R3_13 * t6_29 + R3_33 * t6_30) - R3_13 * t6_33 + R3_23 * t6_35 -
-      R3_33 * t6_36 + P_dot_omega1_6_32;
-  const T B11_1_33 = thetadot3 * (R3_23 * t6_37 - R3_13 * t6_38 + R3_33 * t6_39) - R3_13 * t6_42 + R3_23 * t6_44 -
-      R3_33 * t6_45 + P_dot_omega1_6_33;
+  const T t6_41 = omega3_3 * t6_40 + omega3_2 * t6_38;
+  const T t6_42 = omega3_2 * t6_37 - omega3_1 * t6_40;
+  const T t6_43 = T(0.01) * t3_55 - T(0.1) * t3_51;
+  const T t6_44 = T(0.01) * t3_54;
+  const T t6_45 = T(0.1) * t3_54;
+  const T B11_1_13 = R3_21 * t6_39 - R3_11 * t6_41 - R3_31 * t6_42 + thetadot3 * (R3_21 * t6_43 - R3_11 * t6_44 +
+      R3_31 * t6_45) + P_dot_omega1_6_13;
+  const T B11_1_21 = R3_22 * t6_21 - R3_12 * t6_23 - R3_32 * t6_24 + thetadot3 * (R3_22 * t6_25 - R3_12 * t6_26 +
+      R3_32 * t6_27) + P_dot_omega1_6_21;
+  const T B11_1_22 = R3_22 * t6_30 - R3_12 * t6_32 - R3_32 * t6_33 + thetadot3 * (R3_22 * t6_34 - R3_12 * t6_35 +
+      R3_32 * t6_36) + P_dot_omega1_6_22;
+  const T B11_1_23 = R3_22 * t6_39 - R3_12 * t6_41 - R3_32 * t6_42 + thetadot3 * (R3_22 * t6_43 - R3_12 * t6_44 +
+      R3_32 * t6_45) + P_dot_omega1_6_23;
+  const T B11_1_31 = R3_23 * t6_21 - R3_13 * t6_23 - R3_33 * t6_24 + thetadot3 * (R3_23 * t6_25 - R3_13 * t6_26 +
+      R3_33 * t6_27) + P_dot_omega1_6_31;
+  const T B11_1_32 = R3_23 * t6_30 - R3_13 * t6_32 - R3_33 * t6_33 + thetadot3 * (R3_23 * t6_34 - R3_13 * t6_35 +
+      R3_33 * t6_36) + P_dot_omega1_6_32;
+  const T B11_1_33 = R3_23 * t6_39 - R3_13 * t6_41 - R3_33 * t6_42 + thetadot3 * (R3_23 * t6_43 - R3_13 * t6_44 +
+      R3_33 * t6_45) + P_dot_omega1_6_33;
   v_y_dot[435] = B11_1_11;
   v_y_dot[436] = B11_1_12;
   v_y_dot[437] = B11_1_13;
@@ -7772,8 +7774,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t8_10 = omega8_3 * t8_6 - omega8_1 * t8_5;
   const T t8_11 = omega8_2 * t8_6;
   const T t8_12 = omega8_1 * t8_8 - t8_11;
-  const T B14_1_11 = thetadot8 * (R1_21 * t8_4 - R8_11 * t8_5 + R8_31 * t8_6) - R8_11 * t8_9 - R1_21 * t8_10 - R8_31 *
-      t8_12 - minus_P_dot_omega1_8_11;
+  const T B14_1_11 = thetadot8 * (R1_21 * t8_4 - R8_11 * t8_5 + R8_31 * t8_6) - (R8_11 * t8_9 + R1_21 * t8_10 + R8_31
+      * t8_12) - minus_P_dot_omega1_8_11;
   const T t8_13 = omega8_1 * T(0.01) - omega8_3 * T(0.02);
   const T t8_14 = omega8_2 * T(0.01);
   const T t8_15 = omega8_2 * T(0.02);
@@ -7783,13 +7785,13 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t8_18 = omega8_1 * t8_4 + t8_7;
   const T minus_B14_1_13 = thetadot8 * (R8_11 * t8_6 + R1_21 * t8_8 + R8_31 * t8_5) + R8_11 * t8_16 - R1_21 * t8_17 +
       R8_31 * t8_18 + minus_P_dot_omega1_8_13;
-  const T B14_1_21 = thetadot8 * (R1_22 * t8_4 - R8_12 * t8_5 + R8_32 * t8_6) - R8_12 * t8_9 - R1_22 * t8_10 - R8_32 *
-      t8_12 - minus_P_dot_omega1_8_21;
+  const T B14_1_21 = thetadot8 * (R1_22 * t8_4 - R8_12 * t8_5 + R8_32 * t8_6) - (R8_12 * t8_9 + R1_22 * t8_10 + R8_32
+      * t8_12) - minus_P_dot_omega1_8_21;
   const T minus_B14_1_22 = R1_22 * t8_13 - R8_12 * t8_14 + R8_32 * t8_15;
   const T minus_B14_1_23 = thetadot8 * (R8_12 * t8_6 + R1_22 * t8_8 + R8_32 * t8_5) + R8_12 * t8_16 - R1_22 * t8_17 +
       R8_32 * t8_18 + minus_P_dot_omega1_8_23;
-  const T B14_1_31 = thetadot8 * (R1_23 * t8_4 - R8_13 * t8_5 + R8_33 * t8_6) - R8_13 * t8_9 - R1_23 * t8_10 - R8_33 *
-      t8_12 - minus_P_dot_omega1_8_31;
+  const T B14_1_31 = thetadot8 * (R1_23 * t8_4 - R8_13 * t8_5 + R8_33 * t8_6) - (R8_13 * t8_9 + R1_23 * t8_10 + R8_33
+      * t8_12) - minus_P_dot_omega1_8_31;
   const T minus_B14_1_32 = R1_23 * t8_13 - R8_13 * t8_14 + R8_33 * t8_15;
   const T minus_B14_1_33 = thetadot8 * (R8_13 * t8_6 + R1_23 * t8_8 + R8_33 * t8_5) + R8_13 * t8_16 - R1_23 * t8_17 +
       R8_33 * t8_18 + minus_P_dot_omega1_8_33;
@@ -7951,24 +7953,24 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T P_dot_omega1_11_33 = R8_13 * t11_9 + R1_23 * t11_10 - R8_33 * t11_8 - minus_P_dot_omega1_8_33;
   // B21_1 = -R11^T omega11~ (C11^T r11)~ omega_omega1_11 - R11^T (C11^T r11)~ omega_dot_omega1_11 + P_dot_omega1_11
   const T t11_11 = T(0.01) * omega_omega1_11_11;
-  const T t11_12 = omega11_1 * t11_11;
-  const T t11_13 = omega11_3 * t11_11;
+  const T t11_12 = omega11_3 * t11_11;
+  const T t11_13 = omega11_1 * t11_11;
   const T t11_14 = T(0.01) * minus_omega_dot_omega1_11_11;
-  const T B21_1_11 = P_dot_omega1_11_11 - R11_31 * t11_12 + R11_11 * t11_13 + R1_21 * t11_14;
+  const T B21_1_11 = R11_11 * t11_12 - R11_31 * t11_13 + R1_21 * t11_14 + P_dot_omega1_11_11;
   const T t11_15 = omega11_2 * T(0.01);
   const T t11_16 = omega11_3 * T(0.01);
   const T minus_B21_1_12 = R11_31 * t11_15 - R1_21 * t11_16;
   const T t11_17 = T(0.01) * omega_omega1_11_13;
-  const T t11_18 = omega11_1 * t11_17;
-  const T t11_19 = omega11_3 * t11_17;
+  const T t11_18 = omega11_3 * t11_17;
+  const T t11_19 = omega11_1 * t11_17;
   const T t11_20 = T(0.01) * minus_omega_dot_omega1_11_13;
-  const T B21_1_13 = P_dot_omega1_11_13 - R11_31 * t11_18 + R11_11 * t11_19 + R1_21 * t11_20;
-  const T B21_1_21 = P_dot_omega1_11_21 - R11_32 * t11_12 + R11_12 * t11_13 + R1_22 * t11_14;
+  const T B21_1_13 = R11_11 * t11_18 - R11_31 * t11_19 + R1_21 * t11_20 + P_dot_omega1_11_13;
+  const T B21_1_21 = R11_12 * t11_12 - R11_32 * t11_13 + R1_22 * t11_14 + P_dot_omega1_11_21;
   const T minus_B21_1_22 = R11_32 * t11_15 - R1_22 * t11_16;
-  const T B21_1_23 = P_dot_omega1_11_23 - R11_32 * t11_18 + R11_12 * t11_19 + R1_22 * t11_20;
-  const T B21_1_31 = P_dot_omega1_11_31 - R11_33 * t11_12 + R11_13 * t11_13 + R1_23 * t11_14;
+  const T B21_1_23 = R11_12 * t11_18 - R11_32 * t11_19 + R1_22 * t11_20 + P_dot_omega1_11_23;
+  const T B21_1_31 = R11_13 * t11_12 - R11_33 * t11_13 + R1_23 * t11_14 + P_dot_omega1_11_31;
   const T minus_B21_1_32 = R11_33 * t11_15 - R1_23 * t11_16;
-  const T B21_1_33 = P_dot_omega1_11_33 - R11_33 * t11_18 + R11_13 * t11_19 + R1_23 * t11_20;
+  const T B21_1_33 = R11_13 * t11_18 - R11_33 * t11_19 + R1_23 * t11_20 + P_dot_omega1_11_33;
   v_y_dot[870] = B21_1_11;
   v_y_dot[871] = -minus_B21_1_12;
   v_y_dot[880] = minus_B21_1_12;
@@ -8026,7 +8028,7 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   omega_y[174] = E3_11;
   omega_y[435] = E3_11;
   omega_y[175] = E3_12;
@@ -8228,7 +8230,7 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // B1_1 = -thetadot3 b3~ E3
   const T minus_B1_1_11 = thetadot3 * (T(0.44378789320576517) * E3_31 - T(0.8388422987658062) * E3_21);
   const T minus_B1_1_12 = thetadot3 * (T(0.44378789320576517) * E3_32 - T(0.8388422987658062) * E3_22);
@@ -8514,7 +8516,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -8653,18 +8655,18 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
@@ -8703,15 +8705,15 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T b0_2 = R3_11 * T(0.1) + R3_21 * b0_1;
   const T b0_3 = omega3_3 * T(0.2);
   const T b0_4 = omega3_2 * T(0.2);
-  const T b0_5 = R3_12 * T(0.1) + R3_22 * b0_1;
-  const T b0_6 = R3_13 * T(0.1) + R3_23 * b0_1;
-  const T b0_7 = omega2_2 * arm2_3 - omega2_3 * arm2_2;
-  const T b0_8 = omega2_3 * arm2_1 - omega2_1 * arm2_3;
-  const T b0_9 = omega2_1 * arm2_2 - omega2_2 * arm2_1;
-  const T W6 = b0_2 * (R3_21 * b0_3 - R3_31 * b0_4 + Pdot6_1) + b0_5 * (R3_22 * b0_3 - R3_32 * b0_4 + Pdot6_2) + b0_6
-      * (R3_23 * b0_3 - R3_33 * b0_4 + Pdot6_3) - b0_2 * (R2_11 * b0_7 + R2_21 * b0_8 + R2_31 * b0_9 + Pdot2_1) - b0_5
-      * (R2_12 * b0_7 + R2_22 * b0_8 + R2_32 * b0_9 + Pdot2_2) - b0_6 * (R2_13 * b0_7 + R2_23 * b0_8 + R2_33 * b0_9 +
-      Pdot2_3);
+  const T b0_5 = omega2_2 * arm2_3 - omega2_3 * arm2_2;
+  const T b0_6 = omega2_3 * arm2_1 - omega2_1 * arm2_3;
+  const T b0_7 = omega2_1 * arm2_2 - omega2_2 * arm2_1;
+  const T b0_8 = R3_12 * T(0.1) + R3_22 * b0_1;
+  const T b0_9 = R3_13 * T(0.1) + R3_23 * b0_1;
+  const T W6 = b0_2 * (R3_21 * b0_3 - R3_31 * b0_4 + Pdot6_1) - (b0_2 * (R2_11 * b0_5 + R2_21 * b0_6 + R2_31 * b0_7 +
+      Pdot2_1) + b0_8 * (R2_12 * b0_5 + R2_22 * b0_6 + R2_32 * b0_7 + Pdot2_2) + b0_9 * (R2_13 * b0_5 + R2_23 * b0_6 +
+      R2_33 * b0_7 + Pdot2_3)) + b0_8 * (R3_22 * b0_3 - R3_32 * b0_4 + Pdot6_2) + b0_9 * (R3_23 * b0_3 - R3_33 * b0_4
+      + Pdot6_3);
   power[5] = W6;
   // W7_ = (C11^T M_coupling_) . omega11
   const T minus_W7 = T(0.02) * u.motor * omega11_2;
@@ -8845,7 +8847,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T t5_7 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T Pddot5a_3 = Pddot1_3 - U1_32 * T(0.3) - minus_U1_33 * T(0.1);
+  const T Pddot5a_3 = Pddot1_3 - (U1_32 * T(0.3) + minus_U1_33 * T(0.1));
   // omegadot5b = -thetadot5_2 b5_2~ E5b omega5a + thetaddot5_2 b5_2 + E5b omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5b_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -8914,12 +8916,12 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
   // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
   //   other, inertial axes [m]
-  const T line_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) + R5_11 * T(0.07071067811865477) - R5_31 *
-      T(0.07071067811865477) + s9_1 - P12_1;
-  const T line_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) + R5_12 * T(0.07071067811865477) - R5_32 *
-      T(0.07071067811865477) + d9_2 - P12_2;
-  const T line_tether_12_3 = T(0.1) - R5b_23 * T(0.02) + R5_13 * T(0.07071067811865477) - R5_33 *
-      T(0.07071067811865477) - P12_3;
+  const T line_tether_12_1 = R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 * T(0.07071067811865477) +
+      E9_11 * T(0.1) + s9_1 - P12_1;
+  const T line_tether_12_2 = R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 * T(0.07071067811865477) +
+      E9_12 * T(0.1) + d9_2 - P12_2;
+  const T line_tether_12_3 = R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 * T(0.07071067811865477) +
+      T(0.1) - P12_3;
   // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
   const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
       line_tether_12_3 * line_tether_12_3;
@@ -8927,14 +8929,15 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T length_tether_12 = sqrt(ll_tether_12);
   // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
   //   [m/s]
-  const T t12_3 = thetadot9 * T(0.1);
-  const T t12_4 = omega5b_2 * T(0.07071067811865477);
-  const T t12_5 = t12_4 - omega5_3 * T(0.02);
-  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t12_7 = omega5_1 * T(0.02) + t12_4;
-  const T line_rate_tether_12_1 = sdot9_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7 - Pdot12_1;
-  const T line_rate_tether_12_2 = E9_11 * t12_3 - R5_12 * t12_5 + R5b_22 * t12_6 - R5_32 * t12_7 + sdot9_2 - Pdot12_2;
-  const T minus_line_rate_tether_12_3 = R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7 + Pdot12_3;
+  const T t12_3 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_4 = thetadot9 * T(0.1);
+  const T t12_5 = omega5b_2 * T(0.07071067811865477);
+  const T t12_6 = t12_5 - omega5_3 * T(0.02);
+  const T t12_7 = omega5_1 * T(0.02) + t12_5;
+  const T line_rate_tether_12_1 = R5b_21 * t12_3 - (E9_12 * t12_4 + R5_11 * t12_6) - R5_31 * t12_7 + sdot9_1 -
+      Pdot12_1;
+  const T line_rate_tether_12_2 = R5b_22 * t12_3 - R5_12 * t12_6 - R5_32 * t12_7 + E9_11 * t12_4 + sdot9_2 - Pdot12_2;
+  const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
   const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
@@ -8947,7 +8950,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
   const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
-  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
+  const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
   // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
   const T t12_8 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_8;
@@ -8976,7 +8979,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
   const T rho5_1 = N5_1 + rho12_1;
-  const T rho5_2 = N5_2 - T(0.1) * G12_3 - T(0.05) * G5_3 + rho12_2;
+  const T rho5_2 = N5_2 - (T(0.1) * G12_3 + T(0.05) * G5_3) + rho12_2;
   const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
   drive[1] = rho5_2;
   // rho5b = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
@@ -9049,7 +9052,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_20 = U1_13 * T(0.03);
-  const T a1_1 = t1_20 - minus_U1_11 * T(0.02) - U1_12 * T(0.01) + Pddot1_1;
+  const T a1_1 = t1_20 - (minus_U1_11 * T(0.02) + U1_12 * T(0.01)) + Pddot1_1;
   const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
   const T t1_21 = U1_31 * T(0.02);
   const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
@@ -9165,7 +9168,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -9188,8 +9191,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t3_23 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_23 + R1_13 * T(0.3);
   // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_1 = E3_11 * omegadot1_1 + E3_12 * omegadot1_2 - minus_E3_13 * omegadot1_3 - thetadot3 *
-      (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) * t3_19) - thetaddot3 * T(0.3152711589176631);
+  const T omegadot3_1 = E3_11 * omegadot1_1 - (thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) *
+      t3_19) + thetaddot3 * T(0.3152711589176631)) + E3_12 * omegadot1_2 - minus_E3_13 * omegadot1_3;
   const T omegadot3_2 = thetaddot3 * T(0.44378789320576517) - thetadot3 * (T(0.8388422987658062) * t3_18 +
       T(0.3152711589176631) * t3_20) + E3_21 * omegadot1_1 + E3_22 * omegadot1_2 + E3_23 * omegadot1_3;
   const T omegadot3_3 = thetadot3 * (T(0.3152711589176631) * t3_19 + T(0.44378789320576517) * t3_18) + thetaddot3 *
@@ -9549,12 +9552,12 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
   const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
-  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
+  const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
+  const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
   // G8 = m8 a8: force balance, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
@@ -9691,7 +9694,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
   const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
+  const T t11_6 = Pddot8_3 - (t11_4 * omega8_1 + U8_32 * minus_d11_2);
   const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
@@ -9728,12 +9731,12 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pdot12_3 = R5b_23 * t12_1 - R5_33 * t12_2 + Pdot5a_3;
   // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
   //   other, inertial axes [m]
-  const T line_tether_12_1 = E9_11 * T(0.1) - R5b_21 * T(0.02) + R5_11 * T(0.07071067811865477) - R5_31 *
-      T(0.07071067811865477) + s9_1 - P12_1;
-  const T line_tether_12_2 = E9_12 * T(0.1) - R5b_22 * T(0.02) + R5_12 * T(0.07071067811865477) - R5_32 *
-      T(0.07071067811865477) + d9_2 - P12_2;
-  const T line_tether_12_3 = T(0.1) - R5b_23 * T(0.02) + R5_13 * T(0.07071067811865477) - R5_33 *
-      T(0.07071067811865477) - P12_3;
+  const T line_tether_12_1 = R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 * T(0.07071067811865477) +
+      E9_11 * T(0.1) + s9_1 - P12_1;
+  const T line_tether_12_2 = R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 * T(0.07071067811865477) +
+      E9_12 * T(0.1) + d9_2 - P12_2;
+  const T line_tether_12_3 = R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 * T(0.07071067811865477) +
+      T(0.1) - P12_3;
   // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
   const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
       line_tether_12_3 * line_tether_12_3;
@@ -9741,14 +9744,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T length_tether_12 = sqrt(ll_tether_12);
   // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
   //   [m/s]
-  const T t12_3 = thetadot9 * T(0.1);
-  const T t12_4 = omega5b_2 * T(0.07071067811865477);
-  const T t12_5 = t12_4 - omega5_3 * T(0.02);
-  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t12_7 = omega5_1 * T(0.02) + t12_4;
-  const T line_rate_tether_12_1 = sdot9_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7 - Pdot12_1;
-  const T line_rate_tether_12_2 = E9_11 * t12_3 - R5_12 * t12_5 + R5b_22 * t12_6 - R5_32 * t12_7 + sdot9_2 - Pdot12_2;
-  const T minus_line_rate_tether_12_3 = R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7 + Pdot12_3;
+  const T t12_3 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_4 = thetadot9 * T(0.1);
+  const T t12_5 = omega5b_2 * T(0.07071067811865477);
+  const T t12_6 = t12_5 - omega5_3 * T(0.02);
+  const T t12_7 = omega5_1 * T(0.02) + t12_5;
+  const T line_rate_tether_12_1 = R5b_21 * t12_3 - (E9_12 * t12_4 + R5_11 * t12_6) - R5_31 * t12_7 + sdot9_1 -
+      Pdot12_1;
+  const T line_rate_tether_12_2 = R5b_22 * t12_3 - R5_12 * t12_6 - R5_32 * t12_7 + E9_11 * t12_4 + sdot9_2 - Pdot12_2;
+  const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
   const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
@@ -9779,7 +9783,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
   const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
-  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
+  const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
   // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
   const T t12_10 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_10;
@@ -9829,7 +9833,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
   const T r_omega10_1 = T(0.03) * b10_1 + T(0.01) * b10_2 + N10_1;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - T(0.03) * b10_3 - T(0.02) * b10_2;
+  const T r_omega10_2 = N10_2 - (T(0.03) * b10_3 + T(0.02) * b10_2);
   const T r_omega10_3 = T(0.02) * b10_1 - T(0.01) * b10_3 + N10_3;
   reaction[57] = r_omega10_1;
   reaction[58] = r_omega10_2;
@@ -9886,7 +9890,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
   const T rho5_1 = N5_1 + rho12_1;
-  const T rho5_2 = N5_2 - T(0.1) * G12_3 - T(0.05) * G5_3 + rho12_2;
+  const T rho5_2 = N5_2 - (T(0.1) * G12_3 + T(0.05) * G5_3) + rho12_2;
   const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
   reaction[27] = rho5_1;
   reaction[28] = rho5_2;
@@ -9932,7 +9936,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
   const T rho3_1 = T(0.02) * G3_3 + N3_1 + rho6_1;
-  const T rho3_2 = N3_2 - T(0.2) * G3_3 - d6_1 * G6_3 + rho6_2;
+  const T rho3_2 = N3_2 - (T(0.2) * G3_3 + d6_1 * G6_3) + rho6_2;
   const T rho3_3 = T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2 + N3_3 + rho6_3;
   reaction[15] = rho3_1;
   reaction[16] = rho3_2;
@@ -9978,11 +9982,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // r_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_7;
-  const T r_omega1_1 = b1_17 + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 - T(0.3) *
-      S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3
-      + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
-  const T r_omega1_2 = T(0.1) * b1_3 - T(0.3) * b1_14 - T(0.2) * b1_1 - T(0.2) * b1_12 + E3_12 * rho3_1 + E3_22 *
+  const T r_omega1_1 = b1_17 - (T(0.03) * G1_2 + T(0.01) * G1_3) + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 +
+      E3_21 * rho3_2 + E3_31 * rho3_3 + T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 *
+      rho4a_3 - T(0.1) * b1_11 - T(0.3) * S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 *
+      rho8_3 + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
+  const T r_omega1_2 = T(0.1) * b1_3 - (T(0.2) * b1_1 + T(0.2) * b1_12) - T(0.3) * b1_14 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
       * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
       * b1_13 + N1_2;
@@ -10173,7 +10177,7 @@ void probe_velocity(const Prepared<T>& c, T t, const T* x, const T* y, T* veloci
   const T t5 = omega5_2 * T(0.009983341664682815);
   const T t6 = omega5_2 * T(0.09950041652780259);
   velocity[0] = R5a_11 * t1 - R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5a_11 * t5 - R5_31 * t6 + Pdot5a_1;
-  velocity[1] = R5a_12 * t1 - R5_22 * t2 + R5_32 * t3 + R5_22 * t4 - R5a_12 * t5 - R5_32 * t6 + Pdot5a_2;
+  velocity[1] = Pdot5a_2 - (R5_22 * t2 - R5a_12 * t1 - R5_32 * t3 - R5_22 * t4 + R5a_12 * t5 + R5_32 * t6);
   velocity[2] = R5a_13 * t1 - R5_23 * t2 + R5_33 * t3 + R5_23 * t4 - R5a_13 * t5 - R5_33 * t6 + Pdot5a_3;
 }
 
@@ -10277,7 +10281,7 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   const T t5_4 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
   const T Pddot5a_1 = E5a_11 * t5_3 + E5a_12 * t5_4;
   const T Pddot5a_2 = E5a_11 * t5_4 - E5a_12 * t5_3;
-  const T Pddot5a_3 = Pddot1_3 - U1_32 * T(0.3) - minus_U1_33 * T(0.1);
+  const T Pddot5a_3 = Pddot1_3 - (U1_32 * T(0.3) + minus_U1_33 * T(0.1));
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -10306,7 +10310,7 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
 
   // ---- results
   const T t1 = minus_U5_11 * T(0.06329813066769584) + U5_12 * T(0.02) + U5_13 * T(0.07741670784769467);
-  const T t2 = U5_23 * T(0.07741670784769467) - U5_21 * T(0.06329813066769584) - minus_U5_22 * T(0.02);
+  const T t2 = U5_23 * T(0.07741670784769467) - (U5_21 * T(0.06329813066769584) + minus_U5_22 * T(0.02));
   const T t3 = U5_32 * T(0.02) - U5_31 * T(0.06329813066769584) - minus_U5_33 * T(0.07741670784769467);
   const T t4 = U5_21 * T(0.09950041652780259) - U5_23 * T(0.009983341664682815);
   const T t5 = minus_U5_11 * T(0.09950041652780259) + U5_13 * T(0.009983341664682815);
@@ -10468,17 +10472,17 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_2 * omega1_3;
-  const T t1_17 = omega1_2 * omega1_2;
-  const T t1_18 = omega1_3 * omega1_3;
-  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_16 = omega1_1 * omega1_2;
+  const T t1_17 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_2 * omega1_2;
+  const T t1_19 = omega1_3 * omega1_3;
   const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.1) - T(0.19999999999999996) * t1_16 - T(0.03) * (t1_17 - t1_18) + T(0.01) * t1_19 + T(0.02) *
-      t1_20;
+  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
+      T(0.1);
   const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.2) * cos(T(2) * t) - T(0.02) * t1_16 + T(0.09999999999999998) * t1_20 + T(0.01) * (t1_18 - t1_21)
-      + T(0.03) * t1_19;
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_17) - T(0.09999999999999998) * t1_19 + T(0.03) * t1_20 + T(0.01) * t1_16;
+  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+      T(0.2) * cos(T(2) * t);
+  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -10574,7 +10578,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
-  const T E3_33 = T(0.9751703272018158) * t3_17 - T(0.1593450793079779) * t3_15 - T(0.1537919979889642) * t3_16;
+  const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 + R1_21 * E3_12 - R1_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 + R1_22 * E3_12 - R1_32 * minus_E3_13;
@@ -10865,9 +10869,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T G6_2 = t3_37 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
   // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N6_1 = T(0.01) * t3_37 - T(5e-04) * U3_32 + T(5e-04) * U3_23;
+  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
-  const T N6_3 = T(0.1) * t3_37 - T(0.0055) * U3_21 + T(5e-04) * U3_12;
+  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
@@ -10913,7 +10917,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
-  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
+  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
   // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -10948,18 +10952,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = thetadot9 * T(0.1);
-  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
-  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
+  const T t9_2 = thetadot9 * T(0.1);
+  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = sdot9_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 - R5_21 * t9_5 +
-      R5a_11 * t9_6 + R5_31 * t9_7 - Pdot5a_1;
-  const T line_rate_tether_9_2 = E9_11 * t9_1 - R5a_12 * t9_2 + R5_22 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 *
-      t9_6 + R5_32 * t9_7 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
+  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
+      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
+  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
+      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
+  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
@@ -10979,14 +10983,14 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
   // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
   //   axes [N m]
-  const T N5_1 = T(0.02) * t9_10 - c.lever5_3 * t9_9 - c.c9_2 * U5_32 + c.c9_3 * U5_23 - c.I_link5_13 * U5_21;
-  const T N5_2 = c.lever5_3 * t9_8 - c.lever5_1 * t9_10 - c.c9_3 * U5_13 + c.c9_1 * U5_31 + c.I_link5_13 *
-      (minus_U5_33 - minus_U5_11);
-  const T N5_3 = c.lever5_1 * t9_9 - T(0.02) * t9_8 - c.c9_1 * U5_21 + c.c9_2 * U5_12 + c.I_link5_13 * U5_23;
+  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
+      c.lever5_1 * t9_10;
+  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
   // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_1;
+  const T minus_a9_1 = thetadot9 * t9_2;
   // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
-  const T G9_1 = T(2) * minus_a9_1 - E9_11 * F_tether_9_1 - E9_12 * F_tether_9_2;
+  const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
   // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
@@ -11089,7 +11093,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
   const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
@@ -11120,7 +11124,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * minus_G10_1 + R10_22 * minus_G10_2 + R10_23 * minus_G10_3;
   const T b10_2 = R10_31 * minus_G10_1 + R10_32 * minus_G10_2 + R10_33 * minus_G10_3;
-  const T f_omega10_1 = N10_1 - T(0.03) * b10_1 - T(0.01) * b10_2;
+  const T f_omega10_1 = N10_1 - (T(0.03) * b10_1 + T(0.01) * b10_2);
   const T b10_3 = R10_11 * minus_G10_1 + R10_12 * minus_G10_2 + R10_13 * minus_G10_3;
   const T f_omega10_2 = T(0.03) * b10_3 + T(0.02) * b10_2 + N10_2;
   const T f_omega10_3 = T(0.01) * b10_3 - T(0.02) * b10_1 - minus_N10_3;
@@ -11274,7 +11278,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_S3_3 = minus_G3_3 + minus_G6_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = rho6_1 - T(0.02) * minus_G3_3 - minus_N3_1;
+  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
   const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
   const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
   // h3 = m3 r3 + m6 d6 + h6: first moment of mass carried, about the body origin, body axes [kg m]
@@ -11296,7 +11300,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
   const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
   const T K_thetadot3_3_2 = J3_22 * T(0.44378789320576517) - T(0.001255442260626766);
-  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - J3_13 * T(0.3152711589176631) - T(0.0013313636796172955);
+  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - (J3_13 * T(0.3152711589176631) +
+      T(0.0013313636796172955));
   // D_thetaddot3: pivots of L D L^T
   const T D_thetaddot3 = T(0.44378789320576517) * K_thetadot3_3_2 - T(0.3152711589176631) * K_thetadot3_3_1 +
       T(0.8388422987658062) * K_thetadot3_3_3 - T(9.847384707800581e-06);
@@ -11318,23 +11323,23 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
   const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
   const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
-  const T S1_1 = b1_1 - b1_2 - b1_3 + b1_4 + b1_5 + b1_6 + G1_1;
+  const T S1_1 = b1_1 - (b1_2 + b1_3) + b1_4 + b1_5 + b1_6 + G1_1;
   const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
   const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
   const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
-  const T b1_10 = E4a_23 * S4a_3 - minus_E4a_12 * S4a_1 - E4a_22 * minus_S4a_2;
+  const T b1_10 = E4a_23 * S4a_3 - (minus_E4a_12 * S4a_1 + E4a_22 * minus_S4a_2);
   const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - b1_8 - b1_9 + b1_10 + b1_11 - minus_S8_2 + G1_2;
+  const T S1_2 = b1_7 - (b1_8 + b1_9) + b1_10 + b1_11 - minus_S8_2 + G1_2;
   const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
   const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
   const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
-  const T b1_15 = E4a_33 * S4a_3 - minus_E4a_13 * S4a_1 - E4a_23 * minus_S4a_2;
+  const T b1_15 = E4a_33 * S4a_3 - (minus_E4a_13 * S4a_1 + E4a_23 * minus_S4a_2);
   const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
-  const T S1_3 = b1_12 - b1_13 - b1_14 + b1_15 + S5a_3 + b1_16 + G1_3;
+  const T S1_3 = b1_12 - (b1_13 + b1_14) + b1_15 + S5a_3 + b1_16 + G1_3;
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 - b1_17 - T(0.1) * b1_13 - T(0.1) * b1_7 +
+  const T f_omega1_1 = E3_11 * rho3_1 - (b1_17 + T(0.1) * b1_13 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
       T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
       T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
       * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
@@ -11407,10 +11412,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
       T(0.1) - T(0.1) * hc3_2;
   const T b1_54 = J5a_33 + b1_30;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - minus_E3_13 *
-      T(0.04165) - E3_23 * T(0.004)) * minus_E3_13 + (E3_33 * J3_33 - minus_E3_13 * J3_13 - E3_23 * T(0.003)) * E3_33
-      + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12 -
-      minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
+  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
+      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
+      E3_33 + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
+      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
       (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
       T(0.010000000000000002));
   // B_thetadot11_1 = E8^T B_thetadot11_8
@@ -11441,8 +11446,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       T(0.004706800000000001);
   const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
       T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) + E4a_33 * T(0.004706800000000001) - T(0.2) *
-      B_thetadot4_2_1_2 - T(0.1) * B_thetadot4_2_1_1;
+  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
+      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
   // B_thetadot4_1_1 = E4a^T B_thetadot4_1_4a
   const T B_thetadot4_1_1_1 = E4a_11 * B_thetadot4_1_4a_1 - minus_E4a_12 * minus_B_thetadot4_1_4a_2 - minus_E4a_13 *
       minus_B_thetadot4_1_4a_3;
@@ -11478,14 +11483,14 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_60 = b1_58 * T(8e-05) + s10 * b1_59 - T(0.3) * b10_7;
   const T b1_61 = b1_60 * T(284.30629264594387);
   const T b1_62 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T b1_63 = b1_58 * T(0.00024) - s10 * b1_62 + T(0.3) * b10_4 + b1_61 * T(0.000128);
+  const T b1_63 = T(0.3) * b10_4 - s10 * b1_62 + b1_58 * T(0.00024) + b1_61 * T(0.000128);
   const T b1_64 = b1_63 * T(374.3436923513552);
   const T b1_65 = b1_58 * b10_5 - T(0.12) + b1_61 * b10_8 + b1_64 * b10_10;
   const T b1_66 = T(1) / D_sddot10;
   const T b1_67 = b1_65 * b1_66;
   const T b1_68 = b1_40 - b1_55 * T(0.0006299999999999999);
   const T b1_69 = b1_68 * T(420.4089432447927);
-  const T b1_70 = b1_69 * T(0.0028636363636363638) - minus_hc8_3 - b1_55 * T(0.003);
+  const T b1_70 = b1_69 * T(0.0028636363636363638) - (minus_hc8_3 + b1_55 * T(0.003));
   const T b1_71 = b1_70 * T(1.0173808227700445);
   const T b1_72 = K_sdot6_1_1 * T(2);
   const T b1_73 = T(1) / J5a_33;
@@ -11509,7 +11514,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_91 = C1_2_21 * T(0.016);
   const T b1_92 = T(0.2) * b1_91;
   const T b1_93 = C1_2_31 * T(0.016);
-  const T b1_94 = b1_90 * T(0.0032000000000000006) - b1_92 - T(0.1) * b1_93;
+  const T b1_94 = b1_90 * T(0.0032000000000000006) - (b1_92 + T(0.1) * b1_93);
   const T b1_95 = b1_94 * T(244.9863263445761);
   const T D_omegadot1_1 = J1_11 - b1_55 * K_thetadot11_1_1 - b1_58 * b1_57 - b1_61 * b1_60 - b1_64 * b1_63 - b1_67 *
       b1_65 - b1_69 * b1_68 - b1_71 * b1_70 - b1_72 * K_sdot6_1_1 - b1_74 * b1_51 - b1_75 * K_thetadot4_2_1_1 - b1_77
@@ -11521,7 +11526,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_100 = b1_98 * T(8e-05) + T(0.3) * b1_99 - T(0.1) * b1_59;
   const T b1_101 = b1_100 * T(284.30629264594387);
   const T b1_102 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T b1_103 = b1_98 * T(0.00024) - T(0.3) * b1_102 + T(0.1) * b1_62 + b1_101 * T(0.000128);
+  const T b1_103 = T(0.1) * b1_62 - T(0.3) * b1_102 + b1_98 * T(0.00024) + b1_101 * T(0.000128);
   const T b1_104 = b1_103 * T(374.3436923513552);
   const T b1_105 = b1_98 * b10_5 + b1_101 * b10_8 + b1_104 * b10_10;
   const T b1_106 = b1_105 * b1_66;
@@ -11553,7 +11558,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_127 = b1_126 * T(416.6666666666667);
   const T b1_128 = b1_127 * T(8e-05) + T(0.1) * b10_7 - s10 * b1_99;
   const T b1_129 = b1_128 * T(284.30629264594387);
-  const T b1_130 = b1_127 * T(0.00024) - T(0.1) * b10_4 + s10 * b1_102 + b1_129 * T(0.000128);
+  const T b1_130 = s10 * b1_102 - T(0.1) * b10_4 + b1_127 * T(0.00024) + b1_129 * T(0.000128);
   const T b1_131 = b1_130 * T(374.3436923513552);
   const T b1_132 = T(0.04000000000000001) + b1_127 * b10_5 + b1_129 * b10_8 + b1_131 * b10_10;
   const T b1_133 = b1_132 * b1_66;
@@ -11572,7 +11577,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b1_146 = b1_145 * T(23.62948960302457);
   const T b1_147 = b1_87 - T(0.1) * b1_116;
   const T b1_148 = b1_147 * T(23.25581395348837);
-  const T b1_149 = b1_148 * T(0.0032000000000000006) - b1_92 + T(0.1) * b1_119;
+  const T b1_149 = T(0.1) * b1_119 - b1_92 + b1_148 * T(0.0032000000000000006);
   const T b1_150 = b1_149 * T(244.9863263445761);
   const T b1_151 = J1_31 - b1_125 * K_thetadot11_1_1 - b1_127 * b1_57 - b1_129 * b1_60 - b1_131 * b1_63 - b1_133 *
       b1_65 - b1_136 * b1_68 - b1_138 * b1_70 - b1_139 * K_sdot6_1_1 + b1_140 * b1_51 - b1_141 * K_thetadot4_2_1_1 -
@@ -11705,7 +11710,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       B_thetadot4_1_1_1 - b1_223 * b1_173 - b1_224 * b1_113 - b1_225 * b1_116 - b1_227 * b1_177 - b1_229 * b1_179 +
       b1_231 * b1_181 + b1_233 * b1_183;
   const T b1_235 = b1_234 * b1_204;
-  const T b1_236 = b1_218 * T(0.9829161093063252) - b1_217 - b1_212 + b1_213 * D_sddot10 + b1_219 * B_sdot6_1_2 -
+  const T b1_236 = b1_213 * D_sddot10 - (b1_217 + b1_212) + b1_218 * T(0.9829161093063252) + b1_219 * B_sdot6_1_2 -
       b1_220 * B_thetadot4_2_1_2 - b1_221 * minus_B_thetadot4_1_1_2 - b1_223 * b1_191 - b1_224 * b1_81 - b1_225 *
       b1_86 - b1_227 * b1_195 + b1_229 * b1_197 + b1_231 * b1_199 - b1_233 * b1_201 - b1_235 * b1_203;
   const T b1_237 = T(1) / D_Pddot1_2;
@@ -11771,7 +11776,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
 
   // ---- body 2 (clapper), solved
   // omegadot2: from A ydot = f by elimination
-  const T omegadot2_1 = b1_115 * z1_22 - minus_f_omega2_1 * T(23.62948960302457) - b1_85 * omegadot1_1 + b1_146 *
+  const T omegadot2_1 = b1_115 * z1_22 - (minus_f_omega2_1 * T(23.62948960302457) + b1_85 * omegadot1_1) + b1_146 *
       z1_21 - b1_175 * Pddot1_1 - b1_193 * z1_20 - b1_224 * z1_19;
   const T z2_1 = z1_13 * T(244.9863263445761) - b1_95 * omegadot1_1 - b1_121 * z1_22 - b1_150 * z1_21 - b1_178 *
       Pddot1_1 - b1_196 * z1_20 - b1_227 * z1_19;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7a4eca0f373e01a0 of quadruped/scene.toml; the usual functions
+// model 3aaa491d78efc8d8 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -60,7 +60,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "7a4eca0f373e01a0";
+inline constexpr char model_hash[] = "3aaa491d78efc8d8";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -333,11 +333,11 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_3 = s1_3 + t2_9;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_10 = R1_11 * T(0.003311);
-  const T p2_1 = R2_31 * T(3.1e-05) - t2_10 - R2_21 * T(0.000635) + P2_1;
+  const T p2_1 = R2_31 * T(3.1e-05) - (t2_10 + R2_21 * T(0.000635)) + P2_1;
   const T t2_11 = R1_12 * T(0.003311);
-  const T p2_2 = R2_32 * T(3.1e-05) - t2_11 - R2_22 * T(0.000635) + P2_2;
+  const T p2_2 = R2_32 * T(3.1e-05) - (t2_11 + R2_22 * T(0.000635)) + P2_2;
   const T t2_12 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - t2_12 - R2_23 * T(0.000635) + P2_3;
+  const T p2_3 = R2_33 * T(3.1e-05) - (t2_12 + R2_23 * T(0.000635)) + P2_3;
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
@@ -466,9 +466,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P7_2 = R6_22 * T(0.0838) + P6_2;
   const T P7_3 = R6_23 * T(0.0838) + P6_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
-  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
-  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  const T p7_1 = P7_1 - (R7_11 * T(0.003237) + R6_21 * T(0.022327) + R7_31 * T(0.027326));
+  const T p7_2 = P7_2 - (R7_12 * T(0.003237) + R6_22 * T(0.022327) + R7_32 * T(0.027326));
+  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
@@ -662,9 +662,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P15_2 = R14_22 * T(0.0838) + P14_2;
   const T P15_3 = R14_23 * T(0.0838) + P14_3;
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
-  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
-  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  const T p15_1 = P15_1 - (R15_11 * T(0.003237) + R14_21 * T(0.022327) + R15_31 * T(0.027326));
+  const T p15_2 = P15_2 - (R15_12 * T(0.003237) + R14_22 * T(0.022327) + R15_32 * T(0.027326));
+  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
   pose[177] = p15_1;
   pose[178] = p15_2;
   pose[179] = p15_3;
@@ -771,7 +771,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
   const T T1 = T(0.5) * (omega1_1 * (T(0.0158533) * omega1_1 - T(3.66e-05) * omega1_2 - T(6.11e-05) * omega1_3) +
       omega1_2 * (T(0.0377999) * omega1_2 - T(3.66e-05) * omega1_1 - T(2.75e-05) * omega1_3) + omega1_3 *
-      (T(0.0456542) * omega1_3 - T(6.11e-05) * omega1_1 - T(2.75e-05) * omega1_2)) + c.c1_1 * (v1_1 * v1_1 + v1_2 *
+      (T(0.0456542) * omega1_3 - (T(6.11e-05) * omega1_1 + T(2.75e-05) * omega1_2))) + c.c1_1 * (v1_1 * v1_1 + v1_2 *
       v1_2 + v1_3 * v1_3);
 
   // ---- body 2 (fr_hip) on body 1
@@ -798,7 +798,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T P2_3 = s1_3 + t2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_4 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - t2_4 - R2_23 * T(0.000635) + P2_3;
+  const T p2_3 = R2_33 * T(3.1e-05) - (t2_4 + R2_23 * T(0.000635)) + P2_3;
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_5 = omega1_3 * T(0.047);
   const T t2_6 = R1_11 * t2_5;
@@ -953,8 +953,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.000469246) * omega6_1 - T(9.409e-06) * omega6_2 - T(3.42e-07) * omega6_3) +
       omega6_2 * (T(0.00080749) * omega6_2 - T(9.409e-06) * omega6_1 - T(4.66e-07) * omega6_3) + omega6_3 *
-      (T(0.000552929) * omega6_3 - T(3.42e-07) * omega6_1 - T(4.66e-07) * omega6_2)) + T(0.348) * (v6_1 * v6_1 + v6_2
-      * v6_2 + v6_3 * v6_3);
+      (T(0.000552929) * omega6_3 - (T(3.42e-07) * omega6_1 + T(4.66e-07) * omega6_2))) + T(0.348) * (v6_1 * v6_1 +
+      v6_2 * v6_2 + v6_3 * v6_3);
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
@@ -976,7 +976,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
   const T P7_3 = R6_23 * T(0.0838) + P6_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_1 * T(0.0838);
   const T t7_2 = omega6_3 * T(0.0838);
@@ -1218,7 +1218,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
   const T P15_3 = R14_23 * T(0.0838) + P14_3;
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
   // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
   const T t15_1 = omega14_1 * T(0.0838);
   const T t15_2 = omega14_3 * T(0.0838);
@@ -1356,7 +1356,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   // H1 = R1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t1_16 = T(0.0158533) * omega1_1 - T(3.66e-05) * omega1_2 - T(6.11e-05) * omega1_3;
   const T t1_17 = T(0.0377999) * omega1_2 - T(3.66e-05) * omega1_1 - T(2.75e-05) * omega1_3;
-  const T t1_18 = T(0.0456542) * omega1_3 - T(6.11e-05) * omega1_1 - T(2.75e-05) * omega1_2;
+  const T t1_18 = T(0.0456542) * omega1_3 - (T(6.11e-05) * omega1_1 + T(2.75e-05) * omega1_2);
   const T H1_1 = R1_11 * t1_16 + R1_21 * t1_17 + R1_31 * t1_18 + p1_2 * l1_3 - p1_3 * l1_2;
   const T H1_2 = R1_12 * t1_16 + R1_22 * t1_17 + R1_32 * t1_18 + p1_3 * l1_1 - p1_1 * l1_3;
   const T H1_3 = R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18 + p1_1 * l1_2 - p1_2 * l1_1;
@@ -1393,11 +1393,11 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P2_3 = s1_3 + t2_9;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_10 = R1_11 * T(0.003311);
-  const T p2_1 = R2_31 * T(3.1e-05) - t2_10 - R2_21 * T(0.000635) + P2_1;
+  const T p2_1 = R2_31 * T(3.1e-05) - (t2_10 + R2_21 * T(0.000635)) + P2_1;
   const T t2_11 = R1_12 * T(0.003311);
-  const T p2_2 = R2_32 * T(3.1e-05) - t2_11 - R2_22 * T(0.000635) + P2_2;
+  const T p2_2 = R2_32 * T(3.1e-05) - (t2_11 + R2_22 * T(0.000635)) + P2_2;
   const T t2_12 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - t2_12 - R2_23 * T(0.000635) + P2_3;
+  const T p2_3 = R2_33 * T(3.1e-05) - (t2_12 + R2_23 * T(0.000635)) + P2_3;
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_13 = omega1_3 * T(0.047);
   const T t2_14 = R1_11 * t2_13;
@@ -1585,7 +1585,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   // H6 = R6^T I6 omega6 + p6~ l6: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t6_11 = T(0.000469246) * omega6_1 - T(9.409e-06) * omega6_2 - T(3.42e-07) * omega6_3;
   const T t6_12 = T(0.00080749) * omega6_2 - T(9.409e-06) * omega6_1 - T(4.66e-07) * omega6_3;
-  const T t6_13 = T(0.000552929) * omega6_3 - T(3.42e-07) * omega6_1 - T(4.66e-07) * omega6_2;
+  const T t6_13 = T(0.000552929) * omega6_3 - (T(3.42e-07) * omega6_1 + T(4.66e-07) * omega6_2);
   const T H6_1 = R1_11 * t6_11 + R6_21 * t6_12 + R6_31 * t6_13 + p6_2 * l6_3 - p6_3 * l6_2;
   const T H6_2 = R1_12 * t6_11 + R6_22 * t6_12 + R6_32 * t6_13 + p6_3 * l6_1 - p6_1 * l6_3;
   const T H6_3 = R1_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_13 + p6_1 * l6_2 - p6_2 * l6_1;
@@ -1612,9 +1612,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P7_2 = R6_22 * T(0.0838) + P6_2;
   const T P7_3 = R6_23 * T(0.0838) + P6_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
-  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
-  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
+  const T p7_1 = P7_1 - (R7_11 * T(0.003237) + R6_21 * T(0.022327) + R7_31 * T(0.027326));
+  const T p7_2 = P7_2 - (R7_12 * T(0.003237) + R6_22 * T(0.022327) + R7_32 * T(0.027326));
+  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_1 * T(0.0838);
   const T t7_2 = omega6_3 * T(0.0838);
@@ -1908,9 +1908,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P15_2 = R14_22 * T(0.0838) + P14_2;
   const T P15_3 = R14_23 * T(0.0838) + P14_3;
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
-  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
-  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
+  const T p15_1 = P15_1 - (R15_11 * T(0.003237) + R14_21 * T(0.022327) + R15_31 * T(0.027326));
+  const T p15_2 = P15_2 - (R15_12 * T(0.003237) + R14_22 * T(0.022327) + R15_32 * T(0.027326));
+  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
   // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
   const T t15_1 = omega14_1 * T(0.0838);
   const T t15_2 = omega14_3 * T(0.0838);
@@ -2426,8 +2426,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
       T(3.66e-05) * t1_20;
   const T t1_21 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(2.75e-05) * t1_19 - T(0.029800899999999998) * t1_20 - T(6.11e-05) * (t1_18 - t1_21) -
-      T(3.66e-05) * t1_16;
+  const T minus_N1_2 = T(2.75e-05) * t1_19 - (T(0.029800899999999998) * t1_20 + T(6.11e-05) * (t1_18 - t1_21) +
+      T(3.66e-05) * t1_16);
   const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
       T(6.11e-05) * t1_16;
 
@@ -2482,7 +2482,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot2_2 = E2_22 * t2_13 - E2_23 * t2_16;
   const T minus_Pddot2_3 = E2_22 * t2_16 + E2_23 * t2_13;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) - minus_Pddot2_1;
   const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
@@ -2546,10 +2546,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Pddot3_3 = E3_11 * t3_8 + minus_E3_13 * t3_7;
   // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) - minus_Pddot3_1;
-  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
   const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) - minus_Pddot3_3;
   // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G3_1 = T(1.013) * a3_1;
@@ -2607,7 +2607,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot4_3 = E4_11 * t4_6 - minus_E4_13 * t4_5;
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T minus_a4_1 = minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814) + minus_Pddot4_1;
   const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
@@ -2621,10 +2621,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G4_3 = t4_9 - T(0.226) * a4_3;
   // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
   //   body axes [N m]
-  const T N4_1 = T(0.06802474336283187) * t4_8 - T(1.2987999999999953e-05) * U4_32 + T(0.003372578451939115) * U4_23 +
-      T(0.00016742735341238938) * U4_21;
-  const T N4_2 = T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7 - T(0.003372578451939115) * U4_13 +
-      T(3.0862937526548714e-05) * U4_31 - T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
+  const T N4_1 = T(0.003372578451939115) * U4_23 - T(1.2987999999999953e-05) * U4_32 + T(0.00016742735341238938) *
+      U4_21 + T(0.06802474336283187) * t4_8;
+  const T N4_2 = T(3.0862937526548714e-05) * U4_31 - T(0.003372578451939115) * U4_13 - T(0.00016742735341238938) *
+      (minus_U4_33 - minus_U4_11) + T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7;
   const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
       * U4_12 + T(0.00016742735341238938) * U4_23;
 
@@ -2671,10 +2671,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot6_2 = E6_23 * t6_7 - E6_22 * t6_8;
   const T Pddot6_3 = E6_23 * t6_8 + E6_22 * t6_7;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
   // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) - minus_Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
   const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
   // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G6_1 = T(0.696) * a6_1;
@@ -2735,11 +2735,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
   // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
   const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
   // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G7_1 = T(1.013) * a7_1;
   const T minus_G7_2 = T(1.013) * a7_2;
@@ -2796,9 +2796,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
   const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
   const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
   // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
@@ -2810,10 +2810,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G8_3 = t8_9 - T(0.226) * a8_3;
   // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
   //   body axes [N m]
-  const T N8_1 = T(0.06802474336283187) * t8_8 - T(1.2987999999999953e-05) * U8_32 + T(0.003372578451939115) * U8_23 +
-      T(0.00016742735341238938) * U8_21;
-  const T N8_2 = T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7 - T(0.003372578451939115) * U8_13 +
-      T(3.0862937526548714e-05) * U8_31 - T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
+  const T N8_1 = T(0.003372578451939115) * U8_23 - T(1.2987999999999953e-05) * U8_32 + T(0.00016742735341238938) *
+      U8_21 + T(0.06802474336283187) * t8_8;
+  const T N8_2 = T(3.0862937526548714e-05) * U8_31 - T(0.003372578451939115) * U8_13 - T(0.00016742735341238938) *
+      (minus_U8_33 - minus_U8_11) + T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7;
   const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
       * U8_12 + T(0.00016742735341238938) * U8_23;
 
@@ -2856,9 +2856,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot10_2 = E10_22 * t6_8 - E10_23 * t6_7;
   const T minus_Pddot10_3 = E10_23 * t6_8 + E10_22 * t6_7;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
   // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + minus_Pddot6_1;
+  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + minus_Pddot6_1;
   const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
   const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) - minus_Pddot10_3;
   // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
@@ -2866,8 +2866,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G10_2 = T(0.696) * a10_2;
   const T minus_G10_3 = T(0.696) * a10_3;
   // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N10_1 = T(9.409e-06) * U10_31 - T(0.00025456100000000005) * U10_23 - T(4.66e-07) * (minus_U10_22 -
-      minus_U10_33) + T(3.42e-07) * U10_21;
+  const T minus_N10_1 = T(9.409e-06) * U10_31 - (T(0.00025456100000000005) * U10_23 + T(4.66e-07) * (minus_U10_22 -
+      minus_U10_33)) + T(3.42e-07) * U10_21;
   const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
       minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
   const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
@@ -2920,10 +2920,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot11_3 = minus_E11_13 * t11_7 - E11_11 * t11_8;
   // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
   // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
   const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
   // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G11_1 = T(1.013) * a11_1;
@@ -2981,9 +2981,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
   // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
   const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
   const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
   // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
@@ -2995,10 +2995,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G12_3 = t12_9 - T(0.226) * a12_3;
   // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
   //   = 0, body axes [N m]
-  const T N12_1 = T(0.06802474336283187) * t12_8 - T(1.2987999999999953e-05) * U12_32 + T(0.003372578451939115) *
-      U12_23 + T(0.00016742735341238938) * U12_21;
-  const T N12_2 = T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7 - T(0.003372578451939115) * U12_13
-      + T(3.0862937526548714e-05) * U12_31 - T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
+  const T N12_1 = T(0.003372578451939115) * U12_23 - T(1.2987999999999953e-05) * U12_32 + T(0.00016742735341238938) *
+      U12_21 + T(0.06802474336283187) * t12_8;
+  const T N12_2 = T(3.0862937526548714e-05) * U12_31 - T(0.003372578451939115) * U12_13 - T(0.00016742735341238938) *
+      (minus_U12_33 - minus_U12_11) + T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7;
   const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
       T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
 
@@ -3041,7 +3041,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot14_2 = E14_23 * t2_16 - E14_22 * t2_13;
   const T Pddot14_3 = E14_23 * t2_13 + E14_22 * t2_16;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
   // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + minus_Pddot2_1;
   const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
@@ -3105,11 +3105,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
   // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
   // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
   const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
   // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G15_1 = T(1.013) * a15_1;
   const T minus_G15_2 = T(1.013) * a15_2;
@@ -3166,9 +3166,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
   // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
   const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
   const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
   // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
@@ -3180,17 +3180,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G16_3 = t16_9 - T(0.226) * a16_3;
   // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
   //   = 0, body axes [N m]
-  const T N16_1 = T(0.06802474336283187) * t16_8 - T(1.2987999999999953e-05) * U16_32 + T(0.003372578451939115) *
-      U16_23 + T(0.00016742735341238938) * U16_21;
-  const T N16_2 = T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7 - T(0.003372578451939115) * U16_13
-      + T(3.0862937526548714e-05) * U16_31 - T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
+  const T N16_1 = T(0.003372578451939115) * U16_23 - T(1.2987999999999953e-05) * U16_32 + T(0.00016742735341238938) *
+      U16_21 + T(0.06802474336283187) * t16_8;
+  const T N16_2 = T(3.0862937526548714e-05) * U16_31 - T(0.003372578451939115) * U16_13 - T(0.00016742735341238938) *
+      (minus_U16_33 - minus_U16_11) + T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7;
   const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
       T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
   // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
   const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
   // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
@@ -3286,7 +3286,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 12 (rr_calf) and what it carries
   // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
   const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
   // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
@@ -3382,7 +3382,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 8 (fl_calf) and what it carries
   // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
   const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
@@ -3436,7 +3436,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   //   body axes [N m]
   const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
       minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - T(3.1e-05) * minus_G6_1 - T(0.003311) * minus_G6_3 - minus_N6_2;
+  const T rho6_2 = rho7_2 - (T(3.1e-05) * minus_G6_1 + T(0.003311) * minus_G6_3) - minus_N6_2;
   const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
       minus_G6_1 - minus_N6_3;
   // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3476,7 +3476,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 4 (fr_calf) and what it carries
   // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
   const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
@@ -3530,7 +3530,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   //   body axes [N m]
   const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 - T(0.000635) *
       G2_3 + N2_1;
-  const T rho2_2 = rho3_2 - T(3.1e-05) * minus_G2_1 + T(0.003311) * G2_3 - minus_N2_2;
+  const T rho2_2 = T(0.003311) * G2_3 - T(3.1e-05) * minus_G2_1 + rho3_2 - minus_N2_2;
   const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
       minus_G2_1 - minus_N2_3;
   // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
@@ -3594,9 +3594,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       minus_G1_1 - minus_N1_3;
   // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
   //   carried, about the body origin, body axes [kg m]
-  const T h1_1 = h10_1 - minus_h2_1 - minus_h6_1 + h14_1;
+  const T h1_1 = h10_1 - (minus_h2_1 + minus_h6_1) + h14_1;
   const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
-  const T h1_3 = hc6_3 - minus_hc2_3 - c.c1_7 - minus_hc10_3 + hc14_3;
+  const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_7) - minus_hc10_3 + hc14_3;
   // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
   //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
   //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
@@ -3703,8 +3703,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
   const T K_thetadot8_1_2 = E6_22 * b7_8 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
-  const T K_thetadot8_1_3 = E6_23 * b7_8 - E6_22 * minus_K_thetadot8_6_3 - T(0.1805) * minus_B_thetadot8_1_2 -
-      T(0.047) * B_thetadot8_6_1;
+  const T K_thetadot8_1_3 = E6_23 * b7_8 - (T(0.1805) * minus_B_thetadot8_1_2 + T(0.047) * B_thetadot8_6_1) - E6_22 *
+      minus_K_thetadot8_6_3;
   // B_thetadot7_1 = E6^T B_thetadot7_6
   const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
   const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
@@ -3729,7 +3729,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
   const T minus_K_thetadot3_1_1 = b2_7 + T(0.047) * B_thetadot3_1_3;
   const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_8 - T(0.1805) * B_thetadot3_1_3;
-  const T K_thetadot3_1_3 = E2_23 * J3_22 - E2_22 * b2_8 - T(0.1805) * minus_B_thetadot3_1_2 - T(0.047) * minus_hc3_3;
+  const T K_thetadot3_1_3 = E2_23 * J3_22 - (T(0.1805) * minus_B_thetadot3_1_2 + T(0.047) * minus_hc3_3) - E2_22 *
+      b2_8;
   // D_omegadot1: pivots of L D L^T
   const T b1_53 = K_thetadot16_1_1 * T(136.15003737155254);
   const T b1_54 = K_thetadot15_1_1 - b1_53 * b15_8;
@@ -3925,9 +3926,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       b1_188 * b1_83 + b1_190 * b1_85 + b1_191 * K_thetadot8_1_2 + b1_193 * b1_88 + b1_195 * b1_90 + b1_196 *
       K_thetadot4_1_2 + b1_198 * b1_93 + b1_200 * b1_95 + b1_202 * b1_97;
   const T b1_204 = b1_203 * b1_123;
-  const T b1_205 = b1_204 * b1_122 - b1_181 * K_thetadot16_1_3 - b1_183 * b1_101 - b1_185 * b1_103 - b1_186 *
-      K_thetadot12_1_3 - b1_188 * b1_106 - b1_190 * b1_108 - b1_191 * K_thetadot8_1_3 - b1_193 * b1_111 - b1_195 *
-      b1_113 - b1_196 * K_thetadot4_1_3 - b1_198 * b1_116 - b1_200 * b1_118 - b1_202 * b1_120;
+  const T b1_205 = b1_204 * b1_122 - (b1_181 * K_thetadot16_1_3 + b1_183 * b1_101 + b1_185 * b1_103 + b1_186 *
+      K_thetadot12_1_3 + b1_188 * b1_106 + b1_190 * b1_108 + b1_191 * K_thetadot8_1_3 + b1_193 * b1_111 + b1_195 *
+      b1_113 + b1_196 * K_thetadot4_1_3 + b1_198 * b1_116 + b1_200 * b1_118 + b1_202 * b1_120);
   const T b1_206 = b1_205 * b1_150;
   const T b1_207 = b1_183 * b1_126 - b1_181 * B_thetadot16_14_1 - b1_185 * b1_128 - b1_186 * B_thetadot12_10_1 +
       b1_188 * b1_131 - b1_190 * b1_133 - b1_191 * B_thetadot8_6_1 + b1_193 * b1_136 - b1_195 * b1_138 - b1_196 *
@@ -4123,7 +4124,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a1_1 = U1_12 * T(0.0041) - U1_13 * T(5e-04) + Pddot1_1;
-  const T a1_2 = Pddot1_2 - minus_U1_22 * T(0.0041) - U1_23 * T(5e-04);
+  const T a1_2 = Pddot1_2 - (minus_U1_22 * T(0.0041) + U1_23 * T(5e-04));
   const T a1_3 = U1_32 * T(0.0041) + minus_U1_33 * T(5e-04) + Pddot1_3;
   // G1 = m1 a1: force balance, body axes [N]
   const T G1_1 = c.p.m_trunk * a1_1;
@@ -4156,7 +4157,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_1 = thetaddot2 + omegadot1_1;
   const T omegadot2_2 = thetadot2 * omega2_3 + E2_22 * omegadot1_2 + E2_23 * omegadot1_3;
@@ -4196,7 +4197,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
   const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
-  const T a2_3 = Pddot2_3 - U2_31 * T(0.003311) - U2_32 * T(0.000635) - minus_U2_33 * T(3.1e-05);
+  const T a2_3 = Pddot2_3 - (U2_31 * T(0.003311) + U2_32 * T(0.000635) + minus_U2_33 * T(3.1e-05));
   // G2 = m2 a2: force balance, body axes [N]
   const T G2_1 = T(0.696) * a2_1;
   const T G2_2 = T(0.696) * a2_2;
@@ -4231,7 +4232,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
   // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = E3_11 * omegadot2_1 - minus_E3_13 * omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_2 = thetaddot3 + omegadot2_2;
@@ -4261,7 +4262,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
-  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
   const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
   // G3 = m3 a3: force balance, body axes [N]
   const T G3_1 = T(1.013) * a3_1;
@@ -4297,7 +4298,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_2 = thetaddot4 + omegadot3_2;
@@ -4323,7 +4324,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - minus_U4_11 * T(0.004726592920353982) - U4_13 * T(0.13197525663716814);
+  const T a4_1 = Pddot4_1 - (minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814));
   const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
   // G4 = -R4 F_ground_on_fr_ + m_link4 a4: force balance, body axes [N]
@@ -4337,8 +4338,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   axes [N m]
   const T N4_1 = T(1.2987999999999953e-05) * U4_32 - T(0.003372578451939115) * U4_23 - T(0.00016742735341238938) *
       U4_21 - T(0.06802474336283187) * t4_8;
-  const T N4_2 = T(0.003372578451939115) * U4_13 - T(3.0862937526548714e-05) * U4_31 + T(0.00016742735341238938) *
-      (minus_U4_33 - minus_U4_11) - T(0.004726592920353982) * t4_9 + T(0.06802474336283187) * t4_7;
+  const T N4_2 = T(0.06802474336283187) * t4_7 - T(0.004726592920353982) * t4_9 + T(0.003372578451939115) * U4_13 -
+      T(3.0862937526548714e-05) * U4_31 + T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
   const T N4_3 = T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05) * U4_12 + T(0.00016742735341238938) *
       U4_23 + T(0.004726592920353982) * t4_8;
 
@@ -4361,7 +4362,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
   const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
   // omegadot6 = -thetadot6 b6~ E6 omega1 + thetaddot6 b6 + E6 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = thetaddot6 + omegadot1_1;
   const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot1_2 + E6_23 * omegadot1_3;
@@ -4394,7 +4395,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
   // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
   const T a6_3 = U6_32 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
   // G6 = m6 a6: force balance, body axes [N]
   const T G6_1 = T(0.696) * a6_1;
@@ -4430,7 +4431,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
   // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
   // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = E7_11 * omegadot6_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_2 = thetaddot7 + omegadot6_2;
@@ -4461,7 +4462,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
   const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
   // G7 = m7 a7: force balance, body axes [N]
   const T G7_1 = T(1.013) * a7_1;
   const T G7_2 = T(1.013) * a7_2;
@@ -4496,7 +4497,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
   // omegadot8 = -thetadot8 b8~ E8 omega7 + thetaddot8 b8 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_2 = thetaddot8 + omegadot7_2;
@@ -4522,7 +4523,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
   const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
   const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
   // G8 = -R8 F_ground_on_fl_ + m_link8 a8: force balance, body axes [N]
@@ -4536,8 +4537,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   axes [N m]
   const T N8_1 = T(1.2987999999999953e-05) * U8_32 - T(0.003372578451939115) * U8_23 - T(0.00016742735341238938) *
       U8_21 - T(0.06802474336283187) * t8_8;
-  const T N8_2 = T(0.003372578451939115) * U8_13 - T(3.0862937526548714e-05) * U8_31 + T(0.00016742735341238938) *
-      (minus_U8_33 - minus_U8_11) - T(0.004726592920353982) * t8_9 + T(0.06802474336283187) * t8_7;
+  const T N8_2 = T(0.06802474336283187) * t8_7 - T(0.004726592920353982) * t8_9 + T(0.003372578451939115) * U8_13 -
+      T(3.0862937526548714e-05) * U8_31 + T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
   const T N8_3 = T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05) * U8_12 + T(0.00016742735341238938) *
       U8_23 + T(0.004726592920353982) * t8_8;
 
@@ -4560,7 +4561,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
   const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
   // omegadot10 = -thetadot10 b10~ E10 omega1 + thetaddot10 b10 + E10 omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot10_1 = thetaddot10 + omegadot1_1;
@@ -4590,7 +4591,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot10_2 = E10_22 * t10_7 + E10_23 * t10_8;
   const T Pddot10_3 = E10_22 * t10_8 - E10_23 * t10_7;
   // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + Pddot10_1;
+  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + Pddot10_1;
   const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
   const T a10_3 = U10_31 * T(0.003311) - U10_32 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
   // G10 = m10 a10: force balance, body axes [N]
@@ -4627,7 +4628,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
   // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
   // omegadot11 = -thetadot11 b11~ E11 omega10 + thetaddot11 b11 + E11 omegadot10: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot11_1 = E11_11 * omegadot10_1 - minus_E11_13 * omegadot10_3 - thetadot11 * omega11_3;
@@ -4658,7 +4659,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
   // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
   const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
   // G11 = m11 a11: force balance, body axes [N]
   const T G11_1 = T(1.013) * a11_1;
@@ -4694,7 +4695,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
   // omegadot12 = -thetadot12 b12~ E12 omega11 + thetaddot12 b12 + E12 omegadot11: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
@@ -4721,7 +4722,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
   const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
   const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
   // G12 = -R12 F_ground_on_rr_ + m_link12 a12: force balance, body axes [N]
@@ -4735,8 +4736,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   centre, body axes [N m]
   const T N12_1 = T(1.2987999999999953e-05) * U12_32 - T(0.003372578451939115) * U12_23 - T(0.00016742735341238938) *
       U12_21 - T(0.06802474336283187) * t12_8;
-  const T N12_2 = T(0.003372578451939115) * U12_13 - T(3.0862937526548714e-05) * U12_31 + T(0.00016742735341238938) *
-      (minus_U12_33 - minus_U12_11) - T(0.004726592920353982) * t12_9 + T(0.06802474336283187) * t12_7;
+  const T N12_2 = T(0.06802474336283187) * t12_7 - T(0.004726592920353982) * t12_9 + T(0.003372578451939115) * U12_13
+      - T(3.0862937526548714e-05) * U12_31 + T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
   const T N12_3 = T(3.0862937526548714e-05) * U12_21 - T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938)
       * U12_23 + T(0.004726592920353982) * t12_8;
 
@@ -4759,7 +4760,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
   const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
   // omegadot14 = -thetadot14 b14~ E14 omega1 + thetaddot14 b14 + E14 omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot14_1 = thetaddot14 + omegadot1_1;
@@ -4826,7 +4827,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
   // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
   // omegadot15 = -thetadot15 b15~ E15 omega14 + thetaddot15 b15 + E15 omegadot14: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot15_1 = E15_11 * omegadot14_1 - minus_E15_13 * omegadot14_3 - thetadot15 * omega15_3;
@@ -4858,7 +4859,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
   const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
   // G15 = m15 a15: force balance, body axes [N]
   const T G15_1 = T(1.013) * a15_1;
   const T G15_2 = T(1.013) * a15_2;
@@ -4893,7 +4894,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
   // omegadot16 = -thetadot16 b16~ E16 omega15 + thetaddot16 b16 + E16 omegadot15: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
@@ -4920,7 +4921,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
   const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
   const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
   // G16 = -R16 F_ground_on_rl_ + m_link16 a16: force balance, body axes [N]
@@ -4934,15 +4935,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   centre, body axes [N m]
   const T N16_1 = T(1.2987999999999953e-05) * U16_32 - T(0.003372578451939115) * U16_23 - T(0.00016742735341238938) *
       U16_21 - T(0.06802474336283187) * t16_8;
-  const T N16_2 = T(0.003372578451939115) * U16_13 - T(3.0862937526548714e-05) * U16_31 + T(0.00016742735341238938) *
-      (minus_U16_33 - minus_U16_11) - T(0.004726592920353982) * t16_9 + T(0.06802474336283187) * t16_7;
+  const T N16_2 = T(0.06802474336283187) * t16_7 - T(0.004726592920353982) * t16_9 + T(0.003372578451939115) * U16_13
+      - T(3.0862937526548714e-05) * U16_31 + T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
   const T N16_3 = T(3.0862937526548714e-05) * U16_21 - T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938)
       * U16_23 + T(0.004726592920353982) * t16_8;
 
   // ---- body 16 (rl_calf) and what it carries
   // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
   const T rho16_3 = T(0.004726592920353982) * G16_2 + N16_3;
   // r_theta16 = b16 . rho16 - effort_rl_calf_16: Kane's equation of the angle [N m]
   const T r_theta16 = rho16_2 - effort_rl_calf_16;
@@ -4985,7 +4986,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 12 (rr_calf) and what it carries
   // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
   const T rho12_3 = T(0.004726592920353982) * G12_2 + N12_3;
   // r_theta12 = b12 . rho12 - effort_rr_calf_12: Kane's equation of the angle [N m]
   const T r_theta12 = rho12_2 - effort_rr_calf_12;
@@ -5028,7 +5029,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 8 (fl_calf) and what it carries
   // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
   const T rho8_3 = T(0.004726592920353982) * G8_2 + N8_3;
   // r_theta8 = b8 . rho8 - effort_fl_calf_8: Kane's equation of the angle [N m]
   const T r_theta8 = rho8_2 - effort_fl_calf_8;
@@ -5071,7 +5072,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 4 (fr_calf) and what it carries
   // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
   const T rho4_3 = T(0.004726592920353982) * G4_2 + N4_3;
   // r_theta4 = b4 . rho4 - effort_fr_calf_4: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_2 - effort_fr_calf_4;
@@ -5188,7 +5189,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t1_14 = omega1_1 * T(5e-04);
   const T a1_1 = omega1_2 * t1_13 - omega1_3 * t1_14 + Pddot1_1;
   const T t1_15 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
-  const T a1_2 = Pddot1_2 - omega1_3 * t1_15 - omega1_1 * t1_13;
+  const T a1_2 = Pddot1_2 - (omega1_3 * t1_15 + omega1_1 * t1_13);
   const T a1_3 = omega1_1 * t1_14 + omega1_2 * t1_15 + Pddot1_3;
   // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G1_1 = c.p.m_trunk * a1_1;
@@ -5203,8 +5204,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
       T(3.66e-05) * t1_20;
   const T t1_21 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(2.75e-05) * t1_19 - T(0.029800899999999998) * t1_20 - T(6.11e-05) * (t1_18 - t1_21) -
-      T(3.66e-05) * t1_16;
+  const T minus_N1_2 = T(2.75e-05) * t1_19 - (T(0.029800899999999998) * t1_20 + T(6.11e-05) * (t1_18 - t1_21) +
+      T(3.66e-05) * t1_16);
   const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
       T(6.11e-05) * t1_16;
 
@@ -5226,7 +5227,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
+  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_2 = thetadot2 * omega2_3;
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
@@ -5266,7 +5267,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
   const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
-  const T a2_3 = Pddot2_3 - U2_31 * T(0.003311) - U2_23 * T(0.000635) - minus_U2_33 * T(3.1e-05);
+  const T a2_3 = Pddot2_3 - (U2_31 * T(0.003311) + U2_23 * T(0.000635) + minus_U2_33 * T(3.1e-05));
   // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G2_1 = T(0.696) * a2_1;
   const T minus_G2_2 = T(0.696) * a2_2;
@@ -5300,7 +5301,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_3 = thetadot3 * omega3_1 - E3_11 * minus_omegadot2_3;
@@ -5329,7 +5330,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
-  const T a3_2 = Pddot3_2 - U3_21 * T(0.003237) - minus_U3_22 * T(0.022327) - U3_23 * T(0.027326);
+  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
   const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
   // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G3_1 = T(1.013) * a3_1;
@@ -5364,7 +5365,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
@@ -5389,7 +5390,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
   // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - minus_U4_11 * T(0.004726592920353982) - U4_13 * T(0.13197525663716814);
+  const T a4_1 = Pddot4_1 - (minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814));
   const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
   // G4 = R4 F_ground_on_fr_ - m_link4 a4: applied less inertia force at ydot = 0, body axes [N]
@@ -5401,10 +5402,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G4_3 = t4_9 - T(0.226) * a4_3;
   // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
   //   body axes [N m]
-  const T N4_1 = T(0.06802474336283187) * t4_8 - T(1.2987999999999953e-05) * U4_32 + T(0.003372578451939115) * U4_23 +
-      T(0.00016742735341238938) * U4_21;
-  const T N4_2 = T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7 - T(0.003372578451939115) * U4_13 +
-      T(3.0862937526548714e-05) * U4_31 - T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
+  const T N4_1 = T(0.003372578451939115) * U4_23 - T(1.2987999999999953e-05) * U4_32 + T(0.00016742735341238938) *
+      U4_21 + T(0.06802474336283187) * t4_8;
+  const T N4_2 = T(3.0862937526548714e-05) * U4_31 - T(0.003372578451939115) * U4_13 - T(0.00016742735341238938) *
+      (minus_U4_33 - minus_U4_11) + T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7;
   const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
       * U4_12 + T(0.00016742735341238938) * U4_23;
 
@@ -5426,7 +5427,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
   const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
+  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
   // omegadot6 = -thetadot6 b6~ E6 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot6_2 = thetadot6 * omega6_3;
   const T minus_omegadot6_3 = thetadot6 * omega6_2;
@@ -5457,7 +5458,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
   // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - U6_21 * T(0.003311) - minus_U6_22 * T(0.000635) + Pddot6_2;
+  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
   const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
   // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G6_1 = T(0.696) * a6_1;
@@ -5492,7 +5493,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
   // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
   // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = minus_E7_13 * minus_omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_3 = thetadot7 * omega7_1 - E7_11 * minus_omegadot6_3;
@@ -5522,7 +5523,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
   const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - U7_31 * T(0.003237) - U7_32 * T(0.022327) + Pddot7_3;
+  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
   // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G7_1 = T(1.013) * a7_1;
   const T minus_G7_2 = T(1.013) * a7_2;
@@ -5556,7 +5557,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
   // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
@@ -5581,7 +5582,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - minus_U8_11 * T(0.004726592920353982) - U8_13 * T(0.13197525663716814);
+  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
   const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
   const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
   // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
@@ -5593,10 +5594,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G8_3 = t8_9 - T(0.226) * a8_3;
   // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
   //   body axes [N m]
-  const T N8_1 = T(0.06802474336283187) * t8_8 - T(1.2987999999999953e-05) * U8_32 + T(0.003372578451939115) * U8_23 +
-      T(0.00016742735341238938) * U8_21;
-  const T N8_2 = T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7 - T(0.003372578451939115) * U8_13 +
-      T(3.0862937526548714e-05) * U8_31 - T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
+  const T N8_1 = T(0.003372578451939115) * U8_23 - T(1.2987999999999953e-05) * U8_32 + T(0.00016742735341238938) *
+      U8_21 + T(0.06802474336283187) * t8_8;
+  const T N8_2 = T(3.0862937526548714e-05) * U8_31 - T(0.003372578451939115) * U8_13 - T(0.00016742735341238938) *
+      (minus_U8_33 - minus_U8_11) + T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7;
   const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
       * U8_12 + T(0.00016742735341238938) * U8_23;
 
@@ -5618,7 +5619,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
   const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
+  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
   // omegadot10 = -thetadot10 b10~ E10 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot10_2 = thetadot10 * omega10_3;
   const T minus_omegadot10_3 = thetadot10 * omega10_2;
@@ -5644,7 +5645,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot10_2 = E10_22 * t10_6 + E10_23 * t10_7;
   const T Pddot10_3 = E10_22 * t10_7 - E10_23 * t10_6;
   // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - minus_U10_11 * T(0.003311) - U10_12 * T(0.000635) + Pddot10_1;
+  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + Pddot10_1;
   const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
   const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
   // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
@@ -5652,8 +5653,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G10_2 = T(0.696) * a10_2;
   const T minus_G10_3 = T(0.696) * a10_3;
   // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N10_1 = T(9.409e-06) * U10_31 - T(0.00025456100000000005) * U10_23 - T(4.66e-07) * (minus_U10_22 -
-      minus_U10_33) + T(3.42e-07) * U10_21;
+  const T minus_N10_1 = T(9.409e-06) * U10_31 - (T(0.00025456100000000005) * U10_23 + T(4.66e-07) * (minus_U10_22 -
+      minus_U10_33)) + T(3.42e-07) * U10_21;
   const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
       minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
   const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
@@ -5680,7 +5681,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
   // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
   // omegadot11 = -thetadot11 b11~ E11 omega10 + E11 omegadot10: angular acceleration, body axes [rad/s^2]
   const T omegadot11_1 = minus_E11_13 * minus_omegadot10_3 - thetadot11 * omega11_3;
   const T omegadot11_3 = thetadot11 * omega11_1 - E11_11 * minus_omegadot10_3;
@@ -5709,7 +5710,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
   // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - U11_21 * T(0.003237) - minus_U11_22 * T(0.022327) - U11_23 * T(0.027326);
+  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
   const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
   // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G11_1 = T(1.013) * a11_1;
@@ -5744,7 +5745,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
   // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
   const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
@@ -5769,7 +5770,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - minus_U12_11 * T(0.004726592920353982) - U12_13 * T(0.13197525663716814);
+  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
   const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
   const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
   // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
@@ -5781,10 +5782,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G12_3 = t12_9 - T(0.226) * a12_3;
   // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
   //   = 0, body axes [N m]
-  const T N12_1 = T(0.06802474336283187) * t12_8 - T(1.2987999999999953e-05) * U12_32 + T(0.003372578451939115) *
-      U12_23 + T(0.00016742735341238938) * U12_21;
-  const T N12_2 = T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7 - T(0.003372578451939115) * U12_13
-      + T(3.0862937526548714e-05) * U12_31 - T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
+  const T N12_1 = T(0.003372578451939115) * U12_23 - T(1.2987999999999953e-05) * U12_32 + T(0.00016742735341238938) *
+      U12_21 + T(0.06802474336283187) * t12_8;
+  const T N12_2 = T(3.0862937526548714e-05) * U12_31 - T(0.003372578451939115) * U12_13 - T(0.00016742735341238938) *
+      (minus_U12_33 - minus_U12_11) + T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7;
   const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
       T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
 
@@ -5806,7 +5807,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
   const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
+  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
   // omegadot14 = -thetadot14 b14~ E14 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot14_2 = thetadot14 * omega14_3;
   const T minus_omegadot14_3 = thetadot14 * omega14_2;
@@ -5868,7 +5869,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
   // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
   // omegadot15 = -thetadot15 b15~ E15 omega14 + E15 omegadot14: angular acceleration, body axes [rad/s^2]
   const T omegadot15_1 = minus_E15_13 * minus_omegadot14_3 - thetadot15 * omega15_3;
   const T omegadot15_3 = thetadot15 * omega15_1 - E15_11 * minus_omegadot14_3;
@@ -5898,7 +5899,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
   const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - U15_31 * T(0.003237) - U15_32 * T(0.022327) + Pddot15_3;
+  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
   // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G15_1 = T(1.013) * a15_1;
   const T minus_G15_2 = T(1.013) * a15_2;
@@ -5932,7 +5933,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
   // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
   const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
@@ -5957,7 +5958,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - minus_U16_11 * T(0.004726592920353982) - U16_13 * T(0.13197525663716814);
+  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
   const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
   const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
   // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
@@ -5969,17 +5970,17 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G16_3 = t16_9 - T(0.226) * a16_3;
   // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
   //   = 0, body axes [N m]
-  const T N16_1 = T(0.06802474336283187) * t16_8 - T(1.2987999999999953e-05) * U16_32 + T(0.003372578451939115) *
-      U16_23 + T(0.00016742735341238938) * U16_21;
-  const T N16_2 = T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7 - T(0.003372578451939115) * U16_13
-      + T(3.0862937526548714e-05) * U16_31 - T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
+  const T N16_1 = T(0.003372578451939115) * U16_23 - T(1.2987999999999953e-05) * U16_32 + T(0.00016742735341238938) *
+      U16_21 + T(0.06802474336283187) * t16_8;
+  const T N16_2 = T(3.0862937526548714e-05) * U16_31 - T(0.003372578451939115) * U16_13 - T(0.00016742735341238938) *
+      (minus_U16_33 - minus_U16_11) + T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7;
   const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
       T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
   // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - T(0.13197525663716814) * G16_1 - T(0.004726592920353982) * G16_3;
+  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
   const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
   // f_theta16 = b16 . rho16 + effort_rl_calf_16: Kane's equation of the angle [N m]
   const T f_theta16 = rho16_2 + effort_rl_calf_16;
@@ -6023,7 +6024,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 12 (rr_calf) and what it carries
   // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - T(0.13197525663716814) * G12_1 - T(0.004726592920353982) * G12_3;
+  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
   const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
   // f_theta12 = b12 . rho12 + effort_rr_calf_12: Kane's equation of the angle [N m]
   const T f_theta12 = rho12_2 + effort_rr_calf_12;
@@ -6067,7 +6068,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 8 (fl_calf) and what it carries
   // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - T(0.13197525663716814) * G8_1 - T(0.004726592920353982) * G8_3;
+  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
   const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
   // f_theta8 = b8 . rho8 + effort_fl_calf_8: Kane's equation of the angle [N m]
   const T f_theta8 = rho8_2 + effort_fl_calf_8;
@@ -6101,7 +6102,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   //   body axes [N m]
   const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
       minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - T(3.1e-05) * minus_G6_1 - T(0.003311) * minus_G6_3 - minus_N6_2;
+  const T rho6_2 = rho7_2 - (T(3.1e-05) * minus_G6_1 + T(0.003311) * minus_G6_3) - minus_N6_2;
   const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
       minus_G6_1 - minus_N6_3;
   // f_theta6 = b6 . rho6 + effort_fl_hip_6: Kane's equation of the angle [N m]
@@ -6111,7 +6112,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 4 (fr_calf) and what it carries
   // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - T(0.13197525663716814) * G4_1 - T(0.004726592920353982) * G4_3;
+  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
   const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
   // f_theta4 = b4 . rho4 + effort_fr_calf_4: Kane's equation of the angle [N m]
   const T f_theta4 = rho4_2 + effort_fr_calf_4;
@@ -6145,7 +6146,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   //   body axes [N m]
   const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 + T(0.000635) *
       minus_G2_3 + N2_1;
-  const T rho2_2 = rho3_2 - T(3.1e-05) * minus_G2_1 - T(0.003311) * minus_G2_3 - minus_N2_2;
+  const T rho2_2 = rho3_2 - (T(3.1e-05) * minus_G2_1 + T(0.003311) * minus_G2_3) - minus_N2_2;
   const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
       minus_G2_1 - minus_N2_3;
   // f_theta2 = b2 . rho2 + effort_fr_hip_2: Kane's equation of the angle [N m]
@@ -6560,9 +6561,9 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[323] = c.m_sub1;
   // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
   //   carried, about the body origin, body axes [kg m]
-  const T h1_1 = h10_1 - minus_h2_1 - minus_h6_1 + h14_1;
+  const T h1_1 = h10_1 - (minus_h2_1 + minus_h6_1) + h14_1;
   const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
-  const T h1_3 = hc6_3 - minus_hc2_3 - c.c1_7 - minus_hc10_3 + hc14_3;
+  const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_7) - minus_hc10_3 + hc14_3;
   // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
   //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
   //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
@@ -6630,9 +6631,9 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b1_55 = b1_54 - E14_23 * J14_33;
   const T J1_22 = b1_40 * E2_22 - b1_42 * E2_23 - b1_43 + b1_45 * E6_22 - b1_47 * E6_23 + b1_49 * E10_22 - b1_51 *
       E10_23 + b1_53 * E14_22 - b1_55 * E14_23 + c.c1_3 + T(0.0377999);
-  const T J1_23 = b1_49 * E10_23 + b1_51 * E10_22 + (b1_53 * E14_23 + b1_55 * E14_22) - (T(2.75e-05) + T(0.047) *
-      minus_hc2_3 + (T(0.047) * hc6_3 + T(0.047) * minus_hc10_3)) - (T(0.047) * hc14_3 - c.c1_4 - (b1_40 * E2_23 +
-      b1_42 * E2_22 + (b1_45 * E6_23 + b1_47 * E6_22)));
+  const T J1_23 = b1_53 * E14_23 + b1_55 * E14_22 + c.c1_4 - (T(2.75e-05) + T(0.047) * minus_hc2_3 - (b1_40 * E2_23 +
+      b1_42 * E2_22 - T(0.047) * hc6_3)) + (b1_45 * E6_23 + b1_47 * E6_22 - T(0.047) * minus_hc10_3 + (b1_49 * E10_23
+      + b1_51 * E10_22 - T(0.047) * hc14_3));
   const T J1_33 = (E2_23 * J2_22 + b1_41) * E2_23 + (b1_39 + E2_22 * J2_33) * E2_22 + b1_1 - b1_43 + b1_3 + (E6_23 *
       J6_22 + b1_46) * E6_23 + (b1_44 + E6_22 * J6_33) * E6_22 + b1_5 + (E10_23 * J10_22 + b1_50) * E10_23 + (b1_48 +
       E10_22 * J10_33) * E10_22 + b1_7 + (E14_23 * J14_22 + b1_54) * E14_23 + (b1_52 + E14_22 * J14_33) * E14_22 +
@@ -6726,8 +6727,8 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
   const T K_thetadot8_1_2 = E6_22 * b7_7 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
-  const T K_thetadot8_1_3 = E6_23 * b7_7 - E6_22 * minus_K_thetadot8_6_3 - T(0.1805) * minus_B_thetadot8_1_2 -
-      T(0.047) * B_thetadot8_6_1;
+  const T K_thetadot8_1_3 = E6_23 * b7_7 - (T(0.1805) * minus_B_thetadot8_1_2 + T(0.047) * B_thetadot8_6_1) - E6_22 *
+      minus_K_thetadot8_6_3;
   A[8] = K_thetadot8_1_1;
   A[144] = K_thetadot8_1_1;
   A[26] = K_thetadot8_1_2;
@@ -6776,7 +6777,8 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
   const T minus_K_thetadot3_1_1 = b2_5 + T(0.047) * B_thetadot3_1_3;
   const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_6 - T(0.1805) * B_thetadot3_1_3;
-  const T K_thetadot3_1_3 = E2_23 * J3_22 - E2_22 * b2_6 - T(0.1805) * minus_B_thetadot3_1_2 - T(0.047) * minus_hc3_3;
+  const T K_thetadot3_1_3 = E2_23 * J3_22 - (T(0.1805) * minus_B_thetadot3_1_2 + T(0.047) * minus_hc3_3) - E2_22 *
+      b2_6;
   A[4] = -minus_K_thetadot3_1_1;
   A[72] = -minus_K_thetadot3_1_1;
   A[22] = K_thetadot3_1_2;
@@ -6830,13 +6832,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t12 = R1_23 * minus_hc2_3 - R1_33 * minus_hc2_2;
   A[71] = t12;
   A[309] = t12;
-  const T t13 = R1_31 * B_thetadot3_1_3 - R1_11 * minus_hc3_3 - R1_21 * minus_B_thetadot3_1_2;
+  const T t13 = R1_31 * B_thetadot3_1_3 - (R1_11 * minus_hc3_3 + R1_21 * minus_B_thetadot3_1_2);
   A[87] = t13;
   A[274] = t13;
-  const T t14 = R1_32 * B_thetadot3_1_3 - R1_12 * minus_hc3_3 - R1_22 * minus_B_thetadot3_1_2;
+  const T t14 = R1_32 * B_thetadot3_1_3 - (R1_12 * minus_hc3_3 + R1_22 * minus_B_thetadot3_1_2);
   A[88] = t14;
   A[292] = t14;
-  const T t15 = R1_33 * B_thetadot3_1_3 - R1_13 * minus_hc3_3 - R1_23 * minus_B_thetadot3_1_2;
+  const T t15 = R1_33 * B_thetadot3_1_3 - (R1_13 * minus_hc3_3 + R1_23 * minus_B_thetadot3_1_2);
   A[89] = t15;
   A[310] = t15;
   A[95] = T(0.007344838233654);
@@ -6861,13 +6863,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t21 = R1_33 * hc6_2 - R1_23 * hc6_3;
   A[125] = t21;
   A[312] = t21;
-  const T t22 = R1_31 * B_thetadot7_1_3 - R1_11 * minus_hc7_3 - R1_21 * minus_B_thetadot7_1_2;
+  const T t22 = R1_31 * B_thetadot7_1_3 - (R1_11 * minus_hc7_3 + R1_21 * minus_B_thetadot7_1_2);
   A[141] = t22;
   A[277] = t22;
-  const T t23 = R1_32 * B_thetadot7_1_3 - R1_12 * minus_hc7_3 - R1_22 * minus_B_thetadot7_1_2;
+  const T t23 = R1_32 * B_thetadot7_1_3 - (R1_12 * minus_hc7_3 + R1_22 * minus_B_thetadot7_1_2);
   A[142] = t23;
   A[295] = t23;
-  const T t24 = R1_33 * B_thetadot7_1_3 - R1_13 * minus_hc7_3 - R1_23 * minus_B_thetadot7_1_2;
+  const T t24 = R1_33 * B_thetadot7_1_3 - (R1_13 * minus_hc7_3 + R1_23 * minus_B_thetadot7_1_2);
   A[143] = t24;
   A[313] = t24;
   const T t25 = R1_11 * B_thetadot8_6_1 - R1_21 * minus_B_thetadot8_1_2 + R1_31 * B_thetadot8_1_3;
@@ -6888,13 +6890,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t30 = R1_23 * minus_hc10_3 - R1_33 * minus_hc10_2;
   A[179] = t30;
   A[315] = t30;
-  const T t31 = R1_31 * B_thetadot11_1_3 - R1_11 * minus_hc11_3 - R1_21 * minus_B_thetadot11_1_2;
+  const T t31 = R1_31 * B_thetadot11_1_3 - (R1_11 * minus_hc11_3 + R1_21 * minus_B_thetadot11_1_2);
   A[195] = t31;
   A[280] = t31;
-  const T t32 = R1_32 * B_thetadot11_1_3 - R1_12 * minus_hc11_3 - R1_22 * minus_B_thetadot11_1_2;
+  const T t32 = R1_32 * B_thetadot11_1_3 - (R1_12 * minus_hc11_3 + R1_22 * minus_B_thetadot11_1_2);
   A[196] = t32;
   A[298] = t32;
-  const T t33 = R1_33 * B_thetadot11_1_3 - R1_13 * minus_hc11_3 - R1_23 * minus_B_thetadot11_1_2;
+  const T t33 = R1_33 * B_thetadot11_1_3 - (R1_13 * minus_hc11_3 + R1_23 * minus_B_thetadot11_1_2);
   A[197] = t33;
   A[316] = t33;
   const T t34 = R1_11 * B_thetadot12_10_1 - R1_21 * minus_B_thetadot12_1_2 + R1_31 * B_thetadot12_1_3;
@@ -6915,13 +6917,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t39 = R1_33 * hc14_2 - R1_23 * hc14_3;
   A[233] = t39;
   A[318] = t39;
-  const T t40 = R1_31 * B_thetadot15_1_3 - R1_11 * minus_hc15_3 - R1_21 * minus_B_thetadot15_1_2;
+  const T t40 = R1_31 * B_thetadot15_1_3 - (R1_11 * minus_hc15_3 + R1_21 * minus_B_thetadot15_1_2);
   A[249] = t40;
   A[283] = t40;
-  const T t41 = R1_32 * B_thetadot15_1_3 - R1_12 * minus_hc15_3 - R1_22 * minus_B_thetadot15_1_2;
+  const T t41 = R1_32 * B_thetadot15_1_3 - (R1_12 * minus_hc15_3 + R1_22 * minus_B_thetadot15_1_2);
   A[250] = t41;
   A[301] = t41;
-  const T t42 = R1_33 * B_thetadot15_1_3 - R1_13 * minus_hc15_3 - R1_23 * minus_B_thetadot15_1_2;
+  const T t42 = R1_33 * B_thetadot15_1_3 - (R1_13 * minus_hc15_3 + R1_23 * minus_B_thetadot15_1_2);
   A[251] = t42;
   A[319] = t42;
   const T t43 = R1_11 * B_thetadot16_14_1 - R1_21 * minus_B_thetadot16_1_2 + R1_31 * B_thetadot16_1_3;
@@ -7285,16 +7287,16 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_2 = T(3.1e-05) * E6_22 + T(0.000635) * E6_23;
   const T t6_3 = T(0.003311) * E6_23;
   const T t6_4 = T(0.003311) * E6_22;
-  const T minus_B16_1_12 = minus_P_omega1_2_12 - R1_11 * t6_2 - R6_21 * t6_3 - R6_31 * t6_4;
+  const T minus_B16_1_12 = minus_P_omega1_2_12 - (R1_11 * t6_2 + R6_21 * t6_3 + R6_31 * t6_4);
   const T t6_5 = T(0.000635) * E6_22 - T(3.1e-05) * E6_23;
   const T minus_B16_1_13 = R1_11 * t6_5 + R6_21 * t6_4 - R6_31 * t6_3 + minus_P_omega1_6_13;
   const T t6_6 = R6_22 * T(3.1e-05) - R6_32 * T(0.000635);
   const T minus_B16_1_21 = t6_6 - minus_P_omega1_2_21;
-  const T minus_B16_1_22 = minus_P_omega1_2_22 - R1_12 * t6_2 - R6_22 * t6_3 - R6_32 * t6_4;
+  const T minus_B16_1_22 = minus_P_omega1_2_22 - (R1_12 * t6_2 + R6_22 * t6_3 + R6_32 * t6_4);
   const T minus_B16_1_23 = R1_12 * t6_5 + R6_22 * t6_4 - R6_32 * t6_3 + minus_P_omega1_6_23;
   const T t6_7 = R6_23 * T(3.1e-05) - R6_33 * T(0.000635);
   const T minus_B16_1_31 = t6_7 - minus_P_omega1_2_31;
-  const T minus_B16_1_32 = minus_P_omega1_2_32 - R1_13 * t6_2 - R6_23 * t6_3 - R6_33 * t6_4;
+  const T minus_B16_1_32 = minus_P_omega1_2_32 - (R1_13 * t6_2 + R6_23 * t6_3 + R6_33 * t6_4);
   const T minus_B16_1_33 = R1_13 * t6_5 + R6_23 * t6_4 - R6_33 * t6_3 + minus_P_omega1_6_33;
   v_y[270] = -minus_B16_1_11;
   v_y[271] = -minus_B16_1_12;
@@ -7547,15 +7549,15 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t10_4 = T(0.003311) * E10_22;
   const T minus_B29_1_12 = R1_11 * t10_2 + R10_21 * t10_3 + R10_31 * t10_4 - minus_P_omega1_2_12;
   const T t10_5 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
-  const T minus_B29_1_13 = R10_31 * t10_3 - R1_11 * t10_5 - R10_21 * t10_4 - minus_P_omega1_6_13;
+  const T minus_B29_1_13 = R10_31 * t10_3 - (R1_11 * t10_5 + R10_21 * t10_4) - minus_P_omega1_6_13;
   const T t10_6 = R10_22 * T(3.1e-05) + R10_32 * T(0.000635);
   const T minus_B29_1_21 = t10_6 + minus_P_omega1_2_21;
   const T minus_B29_1_22 = R1_12 * t10_2 + R10_22 * t10_3 + R10_32 * t10_4 - minus_P_omega1_2_22;
-  const T minus_B29_1_23 = R10_32 * t10_3 - R1_12 * t10_5 - R10_22 * t10_4 - minus_P_omega1_6_23;
+  const T minus_B29_1_23 = R10_32 * t10_3 - (R1_12 * t10_5 + R10_22 * t10_4) - minus_P_omega1_6_23;
   const T t10_7 = R10_23 * T(3.1e-05) + R10_33 * T(0.000635);
   const T minus_B29_1_31 = t10_7 + minus_P_omega1_2_31;
   const T minus_B29_1_32 = R1_13 * t10_2 + R10_23 * t10_3 + R10_33 * t10_4 - minus_P_omega1_2_32;
-  const T minus_B29_1_33 = R10_33 * t10_3 - R1_13 * t10_5 - R10_23 * t10_4 - minus_P_omega1_6_33;
+  const T minus_B29_1_33 = R10_33 * t10_3 - (R1_13 * t10_5 + R10_23 * t10_4) - minus_P_omega1_6_33;
   v_y[486] = -minus_B29_1_11;
   v_y[487] = -minus_B29_1_12;
   v_y[488] = -minus_B29_1_13;
@@ -8204,34 +8206,34 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_9 = omega2_1 * T(3.1e-05);
   const T t2_10 = R1_11 * t2_7 - R2_21 * t2_8 + R2_31 * t2_9;
   const T minus_B2_1_11 = t2_10 + minus_P_dot_omega1_2_11;
-  const T t2_11 = T(0.003311) * E2_22;
-  const T t2_12 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
-  const T t2_13 = T(0.003311) * E2_23;
-  const T t2_14 = omega2_3 * t2_13 - omega2_2 * t2_11;
-  const T t2_15 = T(0.000635) * E2_23 - T(3.1e-05) * E2_22;
-  const T t2_16 = omega2_1 * t2_11;
-  const T t2_17 = omega2_3 * t2_15 + t2_16;
-  const T t2_18 = omega2_1 * t2_13;
-  const T t2_19 = t2_18 + omega2_2 * t2_15;
-  const T B2_1_12 = thetadot2 * (R2_21 * t2_11 - R1_11 * t2_12 - R2_31 * t2_13) - R1_11 * t2_14 - R2_21 * t2_17 +
-      R2_31 * t2_19 - minus_P_dot_omega1_2_12;
-  const T t2_20 = t2_18 - omega2_3 * t2_12;
-  const T t2_21 = omega2_3 * t2_11 + omega2_2 * t2_13;
-  const T t2_22 = t2_16 + omega2_2 * t2_12;
-  const T B2_1_13 = P_dot_omega1_2_13 - thetadot2 * (R1_11 * t2_15 - R2_21 * t2_13 - R2_31 * t2_11) - R2_21 * t2_20 +
-      R1_11 * t2_21 - R2_31 * t2_22;
+  const T t2_11 = T(0.003311) * E2_23;
+  const T t2_12 = omega2_1 * t2_11;
+  const T t2_13 = T(0.000635) * E2_23 - T(3.1e-05) * E2_22;
+  const T t2_14 = t2_12 + omega2_2 * t2_13;
+  const T t2_15 = T(0.003311) * E2_22;
+  const T t2_16 = omega2_3 * t2_11 - omega2_2 * t2_15;
+  const T t2_17 = omega2_1 * t2_15;
+  const T t2_18 = omega2_3 * t2_13 + t2_17;
+  const T t2_19 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
+  const T B2_1_12 = R2_31 * t2_14 - (R1_11 * t2_16 + R2_21 * t2_18) + thetadot2 * (R2_21 * t2_15 - R1_11 * t2_19 -
+      R2_31 * t2_11) - minus_P_dot_omega1_2_12;
+  const T t2_20 = omega2_3 * t2_15 + omega2_2 * t2_11;
+  const T t2_21 = t2_12 - omega2_3 * t2_19;
+  const T t2_22 = t2_17 + omega2_2 * t2_19;
+  const T B2_1_13 = R1_11 * t2_20 - (thetadot2 * (R1_11 * t2_13 - R2_21 * t2_11 - R2_31 * t2_15) + R2_21 * t2_21) -
+      R2_31 * t2_22 + P_dot_omega1_2_13;
   const T t2_23 = R1_12 * t2_7 - R2_22 * t2_8 + R2_32 * t2_9;
   const T minus_B2_1_21 = t2_23 + minus_P_dot_omega1_2_21;
-  const T B2_1_22 = thetadot2 * (R2_22 * t2_11 - R1_12 * t2_12 - R2_32 * t2_13) - R1_12 * t2_14 - R2_22 * t2_17 +
-      R2_32 * t2_19 - minus_P_dot_omega1_2_22;
-  const T B2_1_23 = P_dot_omega1_2_23 - thetadot2 * (R1_12 * t2_15 - R2_22 * t2_13 - R2_32 * t2_11) - R2_22 * t2_20 +
-      R1_12 * t2_21 - R2_32 * t2_22;
+  const T B2_1_22 = R2_32 * t2_14 - (R1_12 * t2_16 + R2_22 * t2_18) + thetadot2 * (R2_22 * t2_15 - R1_12 * t2_19 -
+      R2_32 * t2_11) - minus_P_dot_omega1_2_22;
+  const T B2_1_23 = R1_12 * t2_20 - (thetadot2 * (R1_12 * t2_13 - R2_22 * t2_11 - R2_32 * t2_15) + R2_22 * t2_21) -
+      R2_32 * t2_22 + P_dot_omega1_2_23;
   const T t2_24 = R1_13 * t2_7 - R2_23 * t2_8 + R2_33 * t2_9;
   const T minus_B2_1_31 = t2_24 + minus_P_dot_omega1_2_31;
-  const T B2_1_32 = thetadot2 * (R2_23 * t2_11 - R1_13 * t2_12 - R2_33 * t2_13) - R1_13 * t2_14 - R2_23 * t2_17 +
-      R2_33 * t2_19 - minus_P_dot_omega1_2_32;
-  const T B2_1_33 = P_dot_omega1_2_33 - thetadot2 * (R1_13 * t2_15 - R2_23 * t2_13 - R2_33 * t2_11) - R2_23 * t2_20 +
-      R1_13 * t2_21 - R2_33 * t2_22;
+  const T B2_1_32 = R2_33 * t2_14 - (R1_13 * t2_16 + R2_23 * t2_18) + thetadot2 * (R2_23 * t2_15 - R1_13 * t2_19 -
+      R2_33 * t2_11) - minus_P_dot_omega1_2_32;
+  const T B2_1_33 = R1_13 * t2_20 - (thetadot2 * (R1_13 * t2_13 - R2_23 * t2_11 - R2_33 * t2_15) + R2_23 * t2_21) -
+      R2_33 * t2_22 + P_dot_omega1_2_33;
   v_y_dot[54] = -minus_B2_1_11;
   v_y_dot[55] = B2_1_12;
   v_y_dot[56] = B2_1_13;
@@ -8288,18 +8290,18 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_9 = t3_8 * E2_22;
   const T t3_10 = omega2_3 * T(0.0838);
   const T t3_11 = t3_10 * E2_23;
-  const T P_dot_omega1_3_12 = R2_31 * t3_7 - R1_11 * t3_9 - R2_21 * t3_11 - minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_3_12 = R2_31 * t3_7 - (R1_11 * t3_9 + R2_21 * t3_11) - minus_P_dot_omega1_2_12;
   const T t3_12 = t3_10 * E2_22;
   const T t3_13 = t3_8 * E2_23;
   const T t3_14 = t3_5 * E2_22;
   const T P_dot_omega1_3_13 = R2_21 * t3_12 - R1_11 * t3_13 - R2_31 * t3_14 + P_dot_omega1_2_13;
   const T t3_15 = R2_22 * t3_4 - R1_12 * t3_5;
   const T P_dot_omega1_3_21 = t3_15 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_3_22 = R2_32 * t3_7 - R1_12 * t3_9 - R2_22 * t3_11 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_3_22 = R2_32 * t3_7 - (R1_12 * t3_9 + R2_22 * t3_11) - minus_P_dot_omega1_2_22;
   const T P_dot_omega1_3_23 = R2_22 * t3_12 - R1_12 * t3_13 - R2_32 * t3_14 + P_dot_omega1_2_23;
   const T t3_16 = R2_23 * t3_4 - R1_13 * t3_5;
   const T P_dot_omega1_3_31 = t3_16 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_3_32 = R2_33 * t3_7 - R1_13 * t3_9 - R2_23 * t3_11 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_3_32 = R2_33 * t3_7 - (R1_13 * t3_9 + R2_23 * t3_11) - minus_P_dot_omega1_2_32;
   const T P_dot_omega1_3_33 = R2_23 * t3_12 - R1_13 * t3_13 - R2_33 * t3_14 + P_dot_omega1_2_33;
   // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
   const T t3_17 = T(0.022327) * minus_E3_13;
@@ -8314,16 +8316,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_26 = R2_21 * t3_19 - R3_11 * t3_21 + R3_31 * t3_22 + R3_11 * t3_23 + R2_21 * t3_24 + R3_31 * t3_25;
   const T B4_1_11 = P_dot_omega1_3_11 - t3_26;
   const T t3_27 = T(0.027326) * omega_omega1_3_12 + T(0.003237) * minus_omega_omega1_3_32;
-  const T t3_28 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
-  const T t3_29 = omega3_3 * t3_27 - omega3_2 * t3_28;
-  const T t3_30 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
-  const T t3_31 = omega3_3 * t3_30 + omega3_1 * t3_28;
-  const T t3_32 = omega3_1 * t3_27 + omega3_2 * t3_30;
-  const T t3_33 = T(0.003237) * minus_omega_dot_omega1_3_22 - T(0.022327) * omega_dot_omega1_3_12;
-  const T t3_34 = T(0.027326) * minus_omega_dot_omega1_3_22 + T(0.022327) * minus_omega_dot_omega1_3_32;
-  const T t3_35 = T(0.003237) * minus_omega_dot_omega1_3_32 + T(0.027326) * omega_dot_omega1_3_12;
-  const T B4_1_12 = P_dot_omega1_3_12 - R3_11 * t3_29 - R2_21 * t3_31 + R3_31 * t3_32 - R3_31 * t3_33 + R3_11 * t3_34
-      + R2_21 * t3_35;
+  const T t3_28 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
+  const T t3_29 = omega3_1 * t3_27 + omega3_2 * t3_28;
+  const T t3_30 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
+  const T t3_31 = omega3_3 * t3_27 - omega3_2 * t3_30;
+  const T t3_32 = omega3_3 * t3_28 + omega3_1 * t3_30;
+  const T t3_33 = T(0.027326) * minus_omega_dot_omega1_3_22 + T(0.022327) * minus_omega_dot_omega1_3_32;
+  const T t3_34 = T(0.003237) * minus_omega_dot_omega1_3_32 + T(0.027326) * omega_dot_omega1_3_12;
+  const T t3_35 = T(0.003237) * minus_omega_dot_omega1_3_22 - T(0.022327) * omega_dot_omega1_3_12;
+  const T B4_1_12 = R3_31 * t3_29 - (R3_11 * t3_31 + R2_21 * t3_32) + R3_11 * t3_33 + R2_21 * t3_34 - R3_31 * t3_35 +
+      P_dot_omega1_3_12;
   const T t3_36 = T(0.022327) * minus_omega_omega1_3_13 - T(0.003237) * E2_23;
   const T t3_37 = T(0.027326) * minus_omega_omega1_3_13 + T(0.003237) * omega_omega1_3_33;
   const T t3_38 = omega3_2 * t3_36 - omega3_3 * t3_37;
@@ -8333,20 +8335,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_42 = T(0.027326) * omega_dot_omega1_3_23 - T(0.022327) * minus_omega_dot_omega1_3_33;
   const T t3_43 = T(0.027326) * minus_omega_dot_omega1_3_13 - T(0.003237) * minus_omega_dot_omega1_3_33;
   const T t3_44 = T(0.022327) * minus_omega_dot_omega1_3_13 - T(0.003237) * omega_dot_omega1_3_23;
-  const T B4_1_13 = P_dot_omega1_3_13 - R3_11 * t3_38 - R2_21 * t3_40 - R3_31 * t3_41 - R3_11 * t3_42 - R2_21 * t3_43
-      - R3_31 * t3_44;
+  const T B4_1_13 = P_dot_omega1_3_13 - (R3_11 * t3_38 + R2_21 * t3_40 + R3_31 * t3_41 + R3_11 * t3_42 + R2_21 * t3_43
+      + R3_31 * t3_44);
   const T t3_45 = R2_22 * t3_19 - R3_12 * t3_21 + R3_32 * t3_22 + R3_12 * t3_23 + R2_22 * t3_24 + R3_32 * t3_25;
   const T B4_1_21 = P_dot_omega1_3_21 - t3_45;
-  const T B4_1_22 = P_dot_omega1_3_22 - R3_12 * t3_29 - R2_22 * t3_31 + R3_32 * t3_32 - R3_32 * t3_33 + R3_12 * t3_34
-      + R2_22 * t3_35;
-  const T B4_1_23 = P_dot_omega1_3_23 - R3_12 * t3_38 - R2_22 * t3_40 - R3_32 * t3_41 - R3_12 * t3_42 - R2_22 * t3_43
-      - R3_32 * t3_44;
+  const T B4_1_22 = R3_32 * t3_29 - (R3_12 * t3_31 + R2_22 * t3_32) + R3_12 * t3_33 + R2_22 * t3_34 - R3_32 * t3_35 +
+      P_dot_omega1_3_22;
+  const T B4_1_23 = P_dot_omega1_3_23 - (R3_12 * t3_38 + R2_22 * t3_40 + R3_32 * t3_41 + R3_12 * t3_42 + R2_22 * t3_43
+      + R3_32 * t3_44);
   const T t3_46 = R2_23 * t3_19 - R3_13 * t3_21 + R3_33 * t3_22 + R3_13 * t3_23 + R2_23 * t3_24 + R3_33 * t3_25;
   const T B4_1_31 = P_dot_omega1_3_31 - t3_46;
-  const T B4_1_32 = P_dot_omega1_3_32 - R3_13 * t3_29 - R2_23 * t3_31 + R3_33 * t3_32 - R3_33 * t3_33 + R3_13 * t3_34
-      + R2_23 * t3_35;
-  const T B4_1_33 = P_dot_omega1_3_33 - R3_13 * t3_38 - R2_23 * t3_40 - R3_33 * t3_41 - R3_13 * t3_42 - R2_23 * t3_43
-      - R3_33 * t3_44;
+  const T B4_1_32 = R3_33 * t3_29 - (R3_13 * t3_31 + R2_23 * t3_32) + R3_13 * t3_33 + R2_23 * t3_34 - R3_33 * t3_35 +
+      P_dot_omega1_3_32;
+  const T B4_1_33 = P_dot_omega1_3_33 - (R3_13 * t3_38 + R2_23 * t3_40 + R3_33 * t3_41 + R3_13 * t3_42 + R2_23 * t3_43
+      + R3_33 * t3_44);
   v_y_dot[108] = B4_1_11;
   v_y_dot[109] = B4_1_12;
   v_y_dot[110] = B4_1_13;
@@ -8405,10 +8407,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       thetadot4 * omega_omega1_4_32;
   const T minus_omega_dot_omega1_4_13 = thetadot4 * omega_omega1_4_33 + E4_11 * minus_omega_dot_omega1_3_13 -
       minus_E4_13 * minus_omega_dot_omega1_3_33;
-  const T omega_dot_omega1_4_31 = thetadot4 * omega_omega1_4_11 - minus_E4_13 * minus_omega_dot_omega1_3_11 + E4_11 *
-      t3_2;
-  const T omega_dot_omega1_4_32 = thetadot4 * omega_omega1_4_12 - E4_11 * minus_omega_dot_omega1_3_32 + minus_E4_13 *
-      omega_dot_omega1_3_12;
+  const T omega_dot_omega1_4_31 = E4_11 * t3_2 - minus_E4_13 * minus_omega_dot_omega1_3_11 + thetadot4 *
+      omega_omega1_4_11;
+  const T omega_dot_omega1_4_32 = minus_E4_13 * omega_dot_omega1_3_12 - E4_11 * minus_omega_dot_omega1_3_32 +
+      thetadot4 * omega_omega1_4_12;
   const T minus_omega_dot_omega1_4_33 = thetadot4 * minus_omega_omega1_4_13 + minus_E4_13 *
       minus_omega_dot_omega1_3_13 + E4_11 * minus_omega_dot_omega1_3_33;
   // P_dot_omega1_4 = R3^T (-omega3~ q4~ omega_omega1_3 - q4~ omega_dot_omega1_3) + P_dot_omega1_3: its rate
@@ -8419,27 +8421,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_5 = R3_11 * t4_2 + R2_21 * t4_3 - R3_31 * t4_4;
   const T P_dot_omega1_4_11 = P_dot_omega1_3_11 - t4_5;
   const T t4_6 = T(0.2) * omega_omega1_3_12;
-  const T t4_7 = T(0.2) * minus_omega_dot_omega1_3_22;
-  const T t4_8 = omega3_3 * t4_6 - t4_7;
-  const T t4_9 = T(0.2) * E2_22;
-  const T t4_10 = omega3_3 * t4_9 - T(0.2) * omega_dot_omega1_3_12;
-  const T t4_11 = omega3_1 * t4_6 + omega3_2 * t4_9;
-  const T P_dot_omega1_4_12 = P_dot_omega1_3_12 - R3_11 * t4_8 - R2_21 * t4_10 + R3_31 * t4_11;
+  const T t4_7 = T(0.2) * E2_22;
+  const T t4_8 = omega3_1 * t4_6 + omega3_2 * t4_7;
+  const T t4_9 = T(0.2) * minus_omega_dot_omega1_3_22;
+  const T t4_10 = omega3_3 * t4_6 - t4_9;
+  const T t4_11 = omega3_3 * t4_7 - T(0.2) * omega_dot_omega1_3_12;
+  const T P_dot_omega1_4_12 = R3_31 * t4_8 - (R3_11 * t4_10 + R2_21 * t4_11) + P_dot_omega1_3_12;
   const T t4_12 = T(0.2) * omega_dot_omega1_3_23;
   const T t4_13 = T(0.2) * minus_omega_omega1_3_13;
   const T t4_14 = t4_12 - omega3_3 * t4_13;
   const T t4_15 = T(0.2) * E2_23;
   const T t4_16 = omega3_3 * t4_15 + T(0.2) * minus_omega_dot_omega1_3_13;
   const T t4_17 = omega3_1 * t4_13 - omega3_2 * t4_15;
-  const T P_dot_omega1_4_13 = P_dot_omega1_3_13 - R3_11 * t4_14 - R2_21 * t4_16 - R3_31 * t4_17;
+  const T P_dot_omega1_4_13 = P_dot_omega1_3_13 - (R3_11 * t4_14 + R2_21 * t4_16 + R3_31 * t4_17);
   const T t4_18 = R3_12 * t4_2 + R2_22 * t4_3 - R3_32 * t4_4;
   const T P_dot_omega1_4_21 = P_dot_omega1_3_21 - t4_18;
-  const T P_dot_omega1_4_22 = P_dot_omega1_3_22 - R3_12 * t4_8 - R2_22 * t4_10 + R3_32 * t4_11;
-  const T P_dot_omega1_4_23 = P_dot_omega1_3_23 - R3_12 * t4_14 - R2_22 * t4_16 - R3_32 * t4_17;
+  const T P_dot_omega1_4_22 = R3_32 * t4_8 - (R3_12 * t4_10 + R2_22 * t4_11) + P_dot_omega1_3_22;
+  const T P_dot_omega1_4_23 = P_dot_omega1_3_23 - (R3_12 * t4_14 + R2_22 * t4_16 + R3_32 * t4_17);
   const T t4_19 = R3_13 * t4_2 + R2_23 * t4_3 - R3_33 * t4_4;
   const T P_dot_omega1_4_31 = P_dot_omega1_3_31 - t4_19;
-  const T P_dot_omega1_4_32 = P_dot_omega1_3_32 - R3_13 * t4_8 - R2_23 * t4_10 + R3_33 * t4_11;
-  const T P_dot_omega1_4_33 = P_dot_omega1_3_33 - R3_13 * t4_14 - R2_23 * t4_16 - R3_33 * t4_17;
+  const T P_dot_omega1_4_32 = R3_33 * t4_8 - (R3_13 * t4_10 + R2_23 * t4_11) + P_dot_omega1_3_32;
+  const T P_dot_omega1_4_33 = P_dot_omega1_3_33 - (R3_13 * t4_14 + R2_23 * t4_16 + R3_33 * t4_17);
   // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
   //   rate
   const T minus_P_dot_thetadot2_4_1 = t4_5 - t3_6;
@@ -8459,16 +8461,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_26 = R4_11 * t4_23 - R4_31 * t4_24 + R2_21 * t4_25;
   const T B7_1_11 = P_dot_omega1_4_11 - t4_26;
   const T t4_27 = T(0.107388) * omega_omega1_4_12 + T(0.006435) * omega_omega1_4_32;
-  const T t4_28 = T(0.006435) * E2_22;
-  const T t4_29 = omega4_3 * t4_27 + omega4_2 * t4_28;
-  const T t4_30 = T(0.107388) * E2_22;
-  const T t4_31 = omega4_3 * t4_30 - omega4_1 * t4_28;
-  const T t4_32 = omega4_1 * t4_27 + omega4_2 * t4_30;
+  const T t4_28 = T(0.107388) * E2_22;
+  const T t4_29 = omega4_1 * t4_27 + omega4_2 * t4_28;
+  const T t4_30 = T(0.006435) * E2_22;
+  const T t4_31 = omega4_3 * t4_27 + omega4_2 * t4_30;
+  const T t4_32 = omega4_3 * t4_28 - omega4_1 * t4_30;
   const T t4_33 = T(0.107388) * minus_omega_dot_omega1_3_22;
   const T t4_34 = T(0.107388) * omega_dot_omega1_4_12 + T(0.006435) * omega_dot_omega1_4_32;
   const T t4_35 = T(0.006435) * minus_omega_dot_omega1_3_22;
-  const T B7_1_12 = P_dot_omega1_4_12 - R4_11 * t4_29 - R2_21 * t4_31 + R4_31 * t4_32 + R4_11 * t4_33 + R2_21 * t4_34
-      + R4_31 * t4_35;
+  const T B7_1_12 = R4_31 * t4_29 - (R4_11 * t4_31 + R2_21 * t4_32) + R4_11 * t4_33 + R2_21 * t4_34 + R4_31 * t4_35 +
+      P_dot_omega1_4_12;
   const T t4_36 = T(0.006435) * E2_23;
   const T t4_37 = T(0.107388) * minus_omega_omega1_4_13 - T(0.006435) * omega_omega1_4_33;
   const T t4_38 = omega4_2 * t4_36 - omega4_3 * t4_37;
@@ -8478,20 +8480,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_42 = T(0.107388) * omega_dot_omega1_3_23;
   const T t4_43 = T(0.107388) * minus_omega_dot_omega1_4_13 + T(0.006435) * minus_omega_dot_omega1_4_33;
   const T t4_44 = T(0.006435) * omega_dot_omega1_3_23;
-  const T B7_1_13 = P_dot_omega1_4_13 - R4_11 * t4_38 - R2_21 * t4_40 - R4_31 * t4_41 - R4_11 * t4_42 - R2_21 * t4_43
-      - R4_31 * t4_44;
+  const T B7_1_13 = P_dot_omega1_4_13 - (R4_11 * t4_38 + R2_21 * t4_40 + R4_31 * t4_41 + R4_11 * t4_42 + R2_21 * t4_43
+      + R4_31 * t4_44);
   const T t4_45 = R4_12 * t4_23 - R4_32 * t4_24 + R2_22 * t4_25;
   const T B7_1_21 = P_dot_omega1_4_21 - t4_45;
-  const T B7_1_22 = P_dot_omega1_4_22 - R4_12 * t4_29 - R2_22 * t4_31 + R4_32 * t4_32 + R4_12 * t4_33 + R2_22 * t4_34
-      + R4_32 * t4_35;
-  const T B7_1_23 = P_dot_omega1_4_23 - R4_12 * t4_38 - R2_22 * t4_40 - R4_32 * t4_41 - R4_12 * t4_42 - R2_22 * t4_43
-      - R4_32 * t4_44;
+  const T B7_1_22 = R4_32 * t4_29 - (R4_12 * t4_31 + R2_22 * t4_32) + R4_12 * t4_33 + R2_22 * t4_34 + R4_32 * t4_35 +
+      P_dot_omega1_4_22;
+  const T B7_1_23 = P_dot_omega1_4_23 - (R4_12 * t4_38 + R2_22 * t4_40 + R4_32 * t4_41 + R4_12 * t4_42 + R2_22 * t4_43
+      + R4_32 * t4_44);
   const T t4_46 = R4_13 * t4_23 - R4_33 * t4_24 + R2_23 * t4_25;
   const T B7_1_31 = P_dot_omega1_4_31 - t4_46;
-  const T B7_1_32 = P_dot_omega1_4_32 - R4_13 * t4_29 - R2_23 * t4_31 + R4_33 * t4_32 + R4_13 * t4_33 + R2_23 * t4_34
-      + R4_33 * t4_35;
-  const T B7_1_33 = P_dot_omega1_4_33 - R4_13 * t4_38 - R2_23 * t4_40 - R4_33 * t4_41 - R4_13 * t4_42 - R2_23 * t4_43
-      - R4_33 * t4_44;
+  const T B7_1_32 = R4_33 * t4_29 - (R4_13 * t4_31 + R2_23 * t4_32) + R4_13 * t4_33 + R2_23 * t4_34 + R4_33 * t4_35 +
+      P_dot_omega1_4_32;
+  const T B7_1_33 = P_dot_omega1_4_33 - (R4_13 * t4_38 + R2_23 * t4_40 + R4_33 * t4_41 + R4_13 * t4_42 + R2_23 * t4_43
+      + R4_33 * t4_44);
   v_y_dot[162] = B7_1_11;
   v_y_dot[163] = B7_1_12;
   v_y_dot[164] = B7_1_13;
@@ -8532,28 +8534,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_57 = R4_11 * t4_54 - R4_31 * t4_55 + R2_21 * t4_56;
   const T B11_1_11 = P_dot_omega1_4_11 - t4_57;
   const T t4_58 = T(0.2) * omega_omega1_4_12;
-  const T t4_59 = omega4_3 * t4_58;
-  const T t4_60 = omega4_3 * t4_9;
-  const T t4_61 = omega4_1 * t4_58 + omega4_2 * t4_9;
+  const T t4_59 = omega4_1 * t4_58 + omega4_2 * t4_7;
+  const T t4_60 = omega4_3 * t4_58;
+  const T t4_61 = omega4_3 * t4_7;
   const T t4_62 = T(0.2) * omega_dot_omega1_4_12;
-  const T B11_1_12 = P_dot_omega1_4_12 - R4_11 * t4_59 - R2_21 * t4_60 + R4_31 * t4_61 + R4_11 * t4_7 + R2_21 * t4_62;
-  const T t4_63 = omega4_3 * t4_15;
-  const T t4_64 = T(0.2) * minus_omega_omega1_4_13;
-  const T t4_65 = omega4_3 * t4_64;
-  const T t4_66 = omega4_1 * t4_64 - omega4_2 * t4_15;
+  const T B11_1_12 = R4_31 * t4_59 - (R4_11 * t4_60 + R2_21 * t4_61) + R4_11 * t4_9 + R2_21 * t4_62 +
+      P_dot_omega1_4_12;
+  const T t4_63 = T(0.2) * minus_omega_omega1_4_13;
+  const T t4_64 = omega4_3 * t4_63;
+  const T t4_65 = omega4_3 * t4_15;
+  const T t4_66 = omega4_1 * t4_63 - omega4_2 * t4_15;
   const T t4_67 = T(0.2) * minus_omega_dot_omega1_4_13;
-  const T B11_1_13 = P_dot_omega1_4_13 - R2_21 * t4_63 + R4_11 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 - R2_21 *
-      t4_67;
+  const T B11_1_13 = R4_11 * t4_64 - R2_21 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 - R2_21 * t4_67 +
+      P_dot_omega1_4_13;
   const T t4_68 = R4_12 * t4_54 - R4_32 * t4_55 + R2_22 * t4_56;
   const T B11_1_21 = P_dot_omega1_4_21 - t4_68;
-  const T B11_1_22 = P_dot_omega1_4_22 - R4_12 * t4_59 - R2_22 * t4_60 + R4_32 * t4_61 + R4_12 * t4_7 + R2_22 * t4_62;
-  const T B11_1_23 = P_dot_omega1_4_23 - R2_22 * t4_63 + R4_12 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 - R2_22 *
-      t4_67;
+  const T B11_1_22 = R4_32 * t4_59 - (R4_12 * t4_60 + R2_22 * t4_61) + R4_12 * t4_9 + R2_22 * t4_62 +
+      P_dot_omega1_4_22;
+  const T B11_1_23 = R4_12 * t4_64 - R2_22 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 - R2_22 * t4_67 +
+      P_dot_omega1_4_23;
   const T t4_69 = R4_13 * t4_54 - R4_33 * t4_55 + R2_23 * t4_56;
   const T B11_1_31 = P_dot_omega1_4_31 - t4_69;
-  const T B11_1_32 = P_dot_omega1_4_32 - R4_13 * t4_59 - R2_23 * t4_60 + R4_33 * t4_61 + R4_13 * t4_7 + R2_23 * t4_62;
-  const T B11_1_33 = P_dot_omega1_4_33 - R2_23 * t4_63 + R4_13 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 - R2_23 *
-      t4_67;
+  const T B11_1_32 = R4_33 * t4_59 - (R4_13 * t4_60 + R2_23 * t4_61) + R4_13 * t4_9 + R2_23 * t4_62 +
+      P_dot_omega1_4_32;
+  const T B11_1_33 = R4_13 * t4_64 - R2_23 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 - R2_23 * t4_67 +
+      P_dot_omega1_4_33;
   v_y_dot[216] = B11_1_11;
   v_y_dot[217] = B11_1_12;
   v_y_dot[218] = B11_1_13;
@@ -8622,25 +8627,25 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_11 = t6_9 - omega6_3 * t6_10;
   const T t6_12 = omega6_1 * t6_7;
   const T t6_13 = omega6_2 * t6_10 - t6_12;
-  const T B15_1_12 = thetadot6 * (R1_11 * t6_5 + R6_21 * t6_6 - R6_31 * t6_7) - R1_11 * t6_8 - R6_21 * t6_11 - R6_31 *
-      t6_13 - minus_P_dot_omega1_2_12;
-  const T t6_14 = omega6_3 * t6_5 + t6_12;
-  const T t6_15 = omega6_3 * t6_6 + omega6_2 * t6_7;
+  const T B15_1_12 = thetadot6 * (R1_11 * t6_5 + R6_21 * t6_6 - R6_31 * t6_7) - (R1_11 * t6_8 + R6_21 * t6_11 + R6_31
+      * t6_13) - minus_P_dot_omega1_2_12;
+  const T t6_14 = omega6_3 * t6_6 + omega6_2 * t6_7;
+  const T t6_15 = omega6_3 * t6_5 + t6_12;
   const T t6_16 = t6_9 - omega6_2 * t6_5;
-  const T B15_1_13 = thetadot6 * (R1_11 * t6_10 + R6_21 * t6_7 + R6_31 * t6_6) - R6_21 * t6_14 + R1_11 * t6_15 - R6_31
-      * t6_16 - minus_P_dot_omega1_6_13;
+  const T B15_1_13 = R1_11 * t6_14 - R6_21 * t6_15 - R6_31 * t6_16 + thetadot6 * (R1_11 * t6_10 + R6_21 * t6_7 + R6_31
+      * t6_6) - minus_P_dot_omega1_6_13;
   const T t6_17 = R6_22 * t6_1 - R1_12 * t6_2 + R6_32 * t6_3;
   const T B15_1_21 = minus_P_dot_omega1_2_21 - t6_17;
-  const T B15_1_22 = thetadot6 * (R1_12 * t6_5 + R6_22 * t6_6 - R6_32 * t6_7) - R1_12 * t6_8 - R6_22 * t6_11 - R6_32 *
-      t6_13 - minus_P_dot_omega1_2_22;
-  const T B15_1_23 = thetadot6 * (R1_12 * t6_10 + R6_22 * t6_7 + R6_32 * t6_6) - R6_22 * t6_14 + R1_12 * t6_15 - R6_32
-      * t6_16 - minus_P_dot_omega1_6_23;
+  const T B15_1_22 = thetadot6 * (R1_12 * t6_5 + R6_22 * t6_6 - R6_32 * t6_7) - (R1_12 * t6_8 + R6_22 * t6_11 + R6_32
+      * t6_13) - minus_P_dot_omega1_2_22;
+  const T B15_1_23 = R1_12 * t6_14 - R6_22 * t6_15 - R6_32 * t6_16 + thetadot6 * (R1_12 * t6_10 + R6_22 * t6_7 + R6_32
+      * t6_6) - minus_P_dot_omega1_6_23;
   const T t6_18 = R6_23 * t6_1 - R1_13 * t6_2 + R6_33 * t6_3;
   const T B15_1_31 = minus_P_dot_omega1_2_31 - t6_18;
-  const T B15_1_32 = thetadot6 * (R1_13 * t6_5 + R6_23 * t6_6 - R6_33 * t6_7) - R1_13 * t6_8 - R6_23 * t6_11 - R6_33 *
-      t6_13 - minus_P_dot_omega1_2_32;
-  const T B15_1_33 = thetadot6 * (R1_13 * t6_10 + R6_23 * t6_7 + R6_33 * t6_6) - R6_23 * t6_14 + R1_13 * t6_15 - R6_33
-      * t6_16 - minus_P_dot_omega1_6_33;
+  const T B15_1_32 = thetadot6 * (R1_13 * t6_5 + R6_23 * t6_6 - R6_33 * t6_7) - (R1_13 * t6_8 + R6_23 * t6_11 + R6_33
+      * t6_13) - minus_P_dot_omega1_2_32;
+  const T B15_1_33 = R1_13 * t6_14 - R6_23 * t6_15 - R6_33 * t6_16 + thetadot6 * (R1_13 * t6_10 + R6_23 * t6_7 + R6_33
+      * t6_6) - minus_P_dot_omega1_6_33;
   v_y_dot[270] = B15_1_11;
   v_y_dot[271] = B15_1_12;
   v_y_dot[272] = B15_1_13;
@@ -8723,39 +8728,39 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_26 = R7_11 * t7_19 - R6_21 * t7_21 + R7_31 * t7_22 + R6_21 * t7_23 - R7_11 * t7_24 - R7_31 * t7_25;
   const T B17_1_11 = P_dot_omega1_7_11 - t7_26;
   const T t7_27 = T(0.027326) * omega_omega1_7_12 + T(0.003237) * minus_omega_omega1_7_32;
-  const T t7_28 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
-  const T t7_29 = omega7_3 * t7_27 + omega7_2 * t7_28;
-  const T t7_30 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
-  const T t7_31 = omega7_3 * t7_30 - omega7_1 * t7_28;
-  const T t7_32 = omega7_1 * t7_27 + omega7_2 * t7_30;
+  const T t7_28 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
+  const T t7_29 = omega7_1 * t7_27 + omega7_2 * t7_28;
+  const T t7_30 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
+  const T t7_31 = omega7_3 * t7_27 + omega7_2 * t7_30;
+  const T t7_32 = omega7_3 * t7_28 - omega7_1 * t7_30;
   const T t7_33 = T(0.022327) * minus_omega_dot_omega1_7_32 - T(0.027326) * minus_omega_dot_omega1_7_22;
   const T t7_34 = T(0.003237) * minus_omega_dot_omega1_7_32 + T(0.027326) * omega_dot_omega1_7_12;
   const T t7_35 = T(0.022327) * omega_dot_omega1_7_12 + T(0.003237) * minus_omega_dot_omega1_7_22;
-  const T B17_1_12 = P_dot_omega1_7_12 - R7_11 * t7_29 - R6_21 * t7_31 + R7_31 * t7_32 - R7_11 * t7_33 + R6_21 * t7_34
-      - R7_31 * t7_35;
-  const T t7_36 = T(0.027326) * E6_23 - T(0.022327) * omega_omega1_7_33;
+  const T B17_1_12 = R7_31 * t7_29 - (R7_11 * t7_31 + R6_21 * t7_32) - R7_11 * t7_33 + R6_21 * t7_34 - R7_31 * t7_35 +
+      P_dot_omega1_7_12;
+  const T t7_36 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
   const T t7_37 = T(0.003237) * E6_23 + T(0.022327) * minus_omega_omega1_7_13;
-  const T t7_38 = omega7_3 * t7_36 + omega7_1 * t7_37;
-  const T t7_39 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
-  const T t7_40 = omega7_3 * t7_39 + omega7_2 * t7_37;
-  const T t7_41 = omega7_1 * t7_39 - omega7_2 * t7_36;
+  const T t7_38 = omega7_3 * t7_36 + omega7_2 * t7_37;
+  const T t7_39 = T(0.027326) * E6_23 - T(0.022327) * omega_omega1_7_33;
+  const T t7_40 = omega7_3 * t7_39 + omega7_1 * t7_37;
+  const T t7_41 = omega7_1 * t7_36 - omega7_2 * t7_39;
   const T t7_42 = T(0.027326) * omega_dot_omega1_7_23 + T(0.022327) * minus_omega_dot_omega1_7_33;
   const T t7_43 = T(0.027326) * minus_omega_dot_omega1_7_13 - T(0.003237) * minus_omega_dot_omega1_7_33;
   const T t7_44 = T(0.022327) * minus_omega_dot_omega1_7_13 + T(0.003237) * omega_dot_omega1_7_23;
-  const T B17_1_13 = P_dot_omega1_7_13 - R6_21 * t7_38 + R7_11 * t7_40 - R7_31 * t7_41 - R7_11 * t7_42 - R6_21 * t7_43
-      + R7_31 * t7_44;
+  const T B17_1_13 = R7_11 * t7_38 - R6_21 * t7_40 - R7_31 * t7_41 - R7_11 * t7_42 - R6_21 * t7_43 + R7_31 * t7_44 +
+      P_dot_omega1_7_13;
   const T t7_45 = R7_12 * t7_19 - R6_22 * t7_21 + R7_32 * t7_22 + R6_22 * t7_23 - R7_12 * t7_24 - R7_32 * t7_25;
   const T B17_1_21 = P_dot_omega1_7_21 - t7_45;
-  const T B17_1_22 = P_dot_omega1_7_22 - R7_12 * t7_29 - R6_22 * t7_31 + R7_32 * t7_32 - R7_12 * t7_33 + R6_22 * t7_34
-      - R7_32 * t7_35;
-  const T B17_1_23 = P_dot_omega1_7_23 - R6_22 * t7_38 + R7_12 * t7_40 - R7_32 * t7_41 - R7_12 * t7_42 - R6_22 * t7_43
-      + R7_32 * t7_44;
+  const T B17_1_22 = R7_32 * t7_29 - (R7_12 * t7_31 + R6_22 * t7_32) - R7_12 * t7_33 + R6_22 * t7_34 - R7_32 * t7_35 +
+      P_dot_omega1_7_22;
+  const T B17_1_23 = R7_12 * t7_38 - R6_22 * t7_40 - R7_32 * t7_41 - R7_12 * t7_42 - R6_22 * t7_43 + R7_32 * t7_44 +
+      P_dot_omega1_7_23;
   const T t7_46 = R7_13 * t7_19 - R6_23 * t7_21 + R7_33 * t7_22 + R6_23 * t7_23 - R7_13 * t7_24 - R7_33 * t7_25;
   const T B17_1_31 = P_dot_omega1_7_31 - t7_46;
-  const T B17_1_32 = P_dot_omega1_7_32 - R7_13 * t7_29 - R6_23 * t7_31 + R7_33 * t7_32 - R7_13 * t7_33 + R6_23 * t7_34
-      - R7_33 * t7_35;
-  const T B17_1_33 = P_dot_omega1_7_33 - R6_23 * t7_38 + R7_13 * t7_40 - R7_33 * t7_41 - R7_13 * t7_42 - R6_23 * t7_43
-      + R7_33 * t7_44;
+  const T B17_1_32 = R7_33 * t7_29 - (R7_13 * t7_31 + R6_23 * t7_32) - R7_13 * t7_33 + R6_23 * t7_34 - R7_33 * t7_35 +
+      P_dot_omega1_7_32;
+  const T B17_1_33 = R7_13 * t7_38 - R6_23 * t7_40 - R7_33 * t7_41 - R7_13 * t7_42 - R6_23 * t7_43 + R7_33 * t7_44 +
+      P_dot_omega1_7_33;
   v_y_dot[324] = B17_1_11;
   v_y_dot[325] = B17_1_12;
   v_y_dot[326] = B17_1_13;
@@ -8814,10 +8819,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       thetadot8 * omega_omega1_8_32;
   const T minus_omega_dot_omega1_8_13 = thetadot8 * omega_omega1_8_33 + E8_11 * minus_omega_dot_omega1_7_13 -
       minus_E8_13 * minus_omega_dot_omega1_7_33;
-  const T omega_dot_omega1_8_31 = thetadot8 * omega_omega1_8_11 - minus_E8_13 * minus_omega_dot_omega1_7_11 + E8_11 *
-      t7_2;
-  const T omega_dot_omega1_8_32 = thetadot8 * omega_omega1_8_12 - E8_11 * minus_omega_dot_omega1_7_32 + minus_E8_13 *
-      omega_dot_omega1_7_12;
+  const T omega_dot_omega1_8_31 = E8_11 * t7_2 - minus_E8_13 * minus_omega_dot_omega1_7_11 + thetadot8 *
+      omega_omega1_8_11;
+  const T omega_dot_omega1_8_32 = minus_E8_13 * omega_dot_omega1_7_12 - E8_11 * minus_omega_dot_omega1_7_32 +
+      thetadot8 * omega_omega1_8_12;
   const T minus_omega_dot_omega1_8_33 = thetadot8 * minus_omega_omega1_8_13 + minus_E8_13 *
       minus_omega_dot_omega1_7_13 + E8_11 * minus_omega_dot_omega1_7_33;
   // P_dot_omega1_8 = R7^T (-omega7~ q8~ omega_omega1_7 - q8~ omega_dot_omega1_7) + P_dot_omega1_7: its rate
@@ -8828,27 +8833,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_5 = R7_11 * t8_2 + R6_21 * t8_3 - R7_31 * t8_4;
   const T P_dot_omega1_8_11 = P_dot_omega1_7_11 - t8_5;
   const T t8_6 = T(0.2) * omega_omega1_7_12;
-  const T t8_7 = T(0.2) * minus_omega_dot_omega1_7_22;
-  const T t8_8 = omega7_3 * t8_6 - t8_7;
-  const T t8_9 = T(0.2) * E6_22;
-  const T t8_10 = omega7_3 * t8_9 - T(0.2) * omega_dot_omega1_7_12;
-  const T t8_11 = omega7_1 * t8_6 + omega7_2 * t8_9;
-  const T P_dot_omega1_8_12 = P_dot_omega1_7_12 - R7_11 * t8_8 - R6_21 * t8_10 + R7_31 * t8_11;
+  const T t8_7 = T(0.2) * E6_22;
+  const T t8_8 = omega7_1 * t8_6 + omega7_2 * t8_7;
+  const T t8_9 = T(0.2) * minus_omega_dot_omega1_7_22;
+  const T t8_10 = omega7_3 * t8_6 - t8_9;
+  const T t8_11 = omega7_3 * t8_7 - T(0.2) * omega_dot_omega1_7_12;
+  const T P_dot_omega1_8_12 = R7_31 * t8_8 - (R7_11 * t8_10 + R6_21 * t8_11) + P_dot_omega1_7_12;
   const T t8_12 = T(0.2) * omega_dot_omega1_7_23;
   const T t8_13 = T(0.2) * minus_omega_omega1_7_13;
   const T t8_14 = t8_12 - omega7_3 * t8_13;
   const T t8_15 = T(0.2) * E6_23;
   const T t8_16 = omega7_3 * t8_15 + T(0.2) * minus_omega_dot_omega1_7_13;
   const T t8_17 = omega7_1 * t8_13 - omega7_2 * t8_15;
-  const T P_dot_omega1_8_13 = P_dot_omega1_7_13 - R7_11 * t8_14 - R6_21 * t8_16 - R7_31 * t8_17;
+  const T P_dot_omega1_8_13 = P_dot_omega1_7_13 - (R7_11 * t8_14 + R6_21 * t8_16 + R7_31 * t8_17);
   const T t8_18 = R7_12 * t8_2 + R6_22 * t8_3 - R7_32 * t8_4;
   const T P_dot_omega1_8_21 = P_dot_omega1_7_21 - t8_18;
-  const T P_dot_omega1_8_22 = P_dot_omega1_7_22 - R7_12 * t8_8 - R6_22 * t8_10 + R7_32 * t8_11;
-  const T P_dot_omega1_8_23 = P_dot_omega1_7_23 - R7_12 * t8_14 - R6_22 * t8_16 - R7_32 * t8_17;
+  const T P_dot_omega1_8_22 = R7_32 * t8_8 - (R7_12 * t8_10 + R6_22 * t8_11) + P_dot_omega1_7_22;
+  const T P_dot_omega1_8_23 = P_dot_omega1_7_23 - (R7_12 * t8_14 + R6_22 * t8_16 + R7_32 * t8_17);
   const T t8_19 = R7_13 * t8_2 + R6_23 * t8_3 - R7_33 * t8_4;
   const T P_dot_omega1_8_31 = P_dot_omega1_7_31 - t8_19;
-  const T P_dot_omega1_8_32 = P_dot_omega1_7_32 - R7_13 * t8_8 - R6_23 * t8_10 + R7_33 * t8_11;
-  const T P_dot_omega1_8_33 = P_dot_omega1_7_33 - R7_13 * t8_14 - R6_23 * t8_16 - R7_33 * t8_17;
+  const T P_dot_omega1_8_32 = R7_33 * t8_8 - (R7_13 * t8_10 + R6_23 * t8_11) + P_dot_omega1_7_32;
+  const T P_dot_omega1_8_33 = P_dot_omega1_7_33 - (R7_13 * t8_14 + R6_23 * t8_16 + R7_33 * t8_17);
   // P_dot_thetadot6_8 = R7^T (-omega7~ q8~ omega_thetadot6_7 - q8~ omega_dot_thetadot6_7) + P_dot_thetadot6_7: its
   //   rate
   const T minus_P_dot_thetadot6_8_1 = t8_5 - t7_6;
@@ -8868,16 +8873,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_26 = R8_11 * t8_23 - R8_31 * t8_24 + R6_21 * t8_25;
   const T B20_1_11 = P_dot_omega1_8_11 - t8_26;
   const T t8_27 = T(0.107388) * omega_omega1_8_12 + T(0.006435) * omega_omega1_8_32;
-  const T t8_28 = T(0.006435) * E6_22;
-  const T t8_29 = omega8_3 * t8_27 + omega8_2 * t8_28;
-  const T t8_30 = T(0.107388) * E6_22;
-  const T t8_31 = omega8_3 * t8_30 - omega8_1 * t8_28;
-  const T t8_32 = omega8_1 * t8_27 + omega8_2 * t8_30;
+  const T t8_28 = T(0.107388) * E6_22;
+  const T t8_29 = omega8_1 * t8_27 + omega8_2 * t8_28;
+  const T t8_30 = T(0.006435) * E6_22;
+  const T t8_31 = omega8_3 * t8_27 + omega8_2 * t8_30;
+  const T t8_32 = omega8_3 * t8_28 - omega8_1 * t8_30;
   const T t8_33 = T(0.107388) * minus_omega_dot_omega1_7_22;
   const T t8_34 = T(0.107388) * omega_dot_omega1_8_12 + T(0.006435) * omega_dot_omega1_8_32;
   const T t8_35 = T(0.006435) * minus_omega_dot_omega1_7_22;
-  const T B20_1_12 = P_dot_omega1_8_12 - R8_11 * t8_29 - R6_21 * t8_31 + R8_31 * t8_32 + R8_11 * t8_33 + R6_21 * t8_34
-      + R8_31 * t8_35;
+  const T B20_1_12 = R8_31 * t8_29 - (R8_11 * t8_31 + R6_21 * t8_32) + R8_11 * t8_33 + R6_21 * t8_34 + R8_31 * t8_35 +
+      P_dot_omega1_8_12;
   const T t8_36 = T(0.006435) * E6_23;
   const T t8_37 = T(0.107388) * minus_omega_omega1_8_13 - T(0.006435) * omega_omega1_8_33;
   const T t8_38 = omega8_2 * t8_36 - omega8_3 * t8_37;
@@ -8887,20 +8892,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_42 = T(0.107388) * omega_dot_omega1_7_23;
   const T t8_43 = T(0.107388) * minus_omega_dot_omega1_8_13 + T(0.006435) * minus_omega_dot_omega1_8_33;
   const T t8_44 = T(0.006435) * omega_dot_omega1_7_23;
-  const T B20_1_13 = P_dot_omega1_8_13 - R8_11 * t8_38 - R6_21 * t8_40 - R8_31 * t8_41 - R8_11 * t8_42 - R6_21 * t8_43
-      - R8_31 * t8_44;
+  const T B20_1_13 = P_dot_omega1_8_13 - (R8_11 * t8_38 + R6_21 * t8_40 + R8_31 * t8_41 + R8_11 * t8_42 + R6_21 *
+      t8_43 + R8_31 * t8_44);
   const T t8_45 = R8_12 * t8_23 - R8_32 * t8_24 + R6_22 * t8_25;
   const T B20_1_21 = P_dot_omega1_8_21 - t8_45;
-  const T B20_1_22 = P_dot_omega1_8_22 - R8_12 * t8_29 - R6_22 * t8_31 + R8_32 * t8_32 + R8_12 * t8_33 + R6_22 * t8_34
-      + R8_32 * t8_35;
-  const T B20_1_23 = P_dot_omega1_8_23 - R8_12 * t8_38 - R6_22 * t8_40 - R8_32 * t8_41 - R8_12 * t8_42 - R6_22 * t8_43
-      - R8_32 * t8_44;
+  const T B20_1_22 = R8_32 * t8_29 - (R8_12 * t8_31 + R6_22 * t8_32) + R8_12 * t8_33 + R6_22 * t8_34 + R8_32 * t8_35 +
+      P_dot_omega1_8_22;
+  const T B20_1_23 = P_dot_omega1_8_23 - (R8_12 * t8_38 + R6_22 * t8_40 + R8_32 * t8_41 + R8_12 * t8_42 + R6_22 *
+      t8_43 + R8_32 * t8_44);
   const T t8_46 = R8_13 * t8_23 - R8_33 * t8_24 + R6_23 * t8_25;
   const T B20_1_31 = P_dot_omega1_8_31 - t8_46;
-  const T B20_1_32 = P_dot_omega1_8_32 - R8_13 * t8_29 - R6_23 * t8_31 + R8_33 * t8_32 + R8_13 * t8_33 + R6_23 * t8_34
-      + R8_33 * t8_35;
-  const T B20_1_33 = P_dot_omega1_8_33 - R8_13 * t8_38 - R6_23 * t8_40 - R8_33 * t8_41 - R8_13 * t8_42 - R6_23 * t8_43
-      - R8_33 * t8_44;
+  const T B20_1_32 = R8_33 * t8_29 - (R8_13 * t8_31 + R6_23 * t8_32) + R8_13 * t8_33 + R6_23 * t8_34 + R8_33 * t8_35 +
+      P_dot_omega1_8_32;
+  const T B20_1_33 = P_dot_omega1_8_33 - (R8_13 * t8_38 + R6_23 * t8_40 + R8_33 * t8_41 + R8_13 * t8_42 + R6_23 *
+      t8_43 + R8_33 * t8_44);
   v_y_dot[378] = B20_1_11;
   v_y_dot[379] = B20_1_12;
   v_y_dot[380] = B20_1_13;
@@ -8941,28 +8946,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_57 = R8_11 * t8_54 - R8_31 * t8_55 + R6_21 * t8_56;
   const T B24_1_11 = P_dot_omega1_8_11 - t8_57;
   const T t8_58 = T(0.2) * omega_omega1_8_12;
-  const T t8_59 = omega8_3 * t8_58;
-  const T t8_60 = omega8_3 * t8_9;
-  const T t8_61 = omega8_1 * t8_58 + omega8_2 * t8_9;
+  const T t8_59 = omega8_1 * t8_58 + omega8_2 * t8_7;
+  const T t8_60 = omega8_3 * t8_58;
+  const T t8_61 = omega8_3 * t8_7;
   const T t8_62 = T(0.2) * omega_dot_omega1_8_12;
-  const T B24_1_12 = P_dot_omega1_8_12 - R8_11 * t8_59 - R6_21 * t8_60 + R8_31 * t8_61 + R8_11 * t8_7 + R6_21 * t8_62;
-  const T t8_63 = omega8_3 * t8_15;
-  const T t8_64 = T(0.2) * minus_omega_omega1_8_13;
-  const T t8_65 = omega8_3 * t8_64;
-  const T t8_66 = omega8_1 * t8_64 - omega8_2 * t8_15;
+  const T B24_1_12 = R8_31 * t8_59 - (R8_11 * t8_60 + R6_21 * t8_61) + R8_11 * t8_9 + R6_21 * t8_62 +
+      P_dot_omega1_8_12;
+  const T t8_63 = T(0.2) * minus_omega_omega1_8_13;
+  const T t8_64 = omega8_3 * t8_63;
+  const T t8_65 = omega8_3 * t8_15;
+  const T t8_66 = omega8_1 * t8_63 - omega8_2 * t8_15;
   const T t8_67 = T(0.2) * minus_omega_dot_omega1_8_13;
-  const T B24_1_13 = P_dot_omega1_8_13 - R6_21 * t8_63 + R8_11 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 - R6_21 *
-      t8_67;
+  const T B24_1_13 = R8_11 * t8_64 - R6_21 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 - R6_21 * t8_67 +
+      P_dot_omega1_8_13;
   const T t8_68 = R8_12 * t8_54 - R8_32 * t8_55 + R6_22 * t8_56;
   const T B24_1_21 = P_dot_omega1_8_21 - t8_68;
-  const T B24_1_22 = P_dot_omega1_8_22 - R8_12 * t8_59 - R6_22 * t8_60 + R8_32 * t8_61 + R8_12 * t8_7 + R6_22 * t8_62;
-  const T B24_1_23 = P_dot_omega1_8_23 - R6_22 * t8_63 + R8_12 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 - R6_22 *
-      t8_67;
+  const T B24_1_22 = R8_32 * t8_59 - (R8_12 * t8_60 + R6_22 * t8_61) + R8_12 * t8_9 + R6_22 * t8_62 +
+      P_dot_omega1_8_22;
+  const T B24_1_23 = R8_12 * t8_64 - R6_22 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 - R6_22 * t8_67 +
+      P_dot_omega1_8_23;
   const T t8_69 = R8_13 * t8_54 - R8_33 * t8_55 + R6_23 * t8_56;
   const T B24_1_31 = P_dot_omega1_8_31 - t8_69;
-  const T B24_1_32 = P_dot_omega1_8_32 - R8_13 * t8_59 - R6_23 * t8_60 + R8_33 * t8_61 + R8_13 * t8_7 + R6_23 * t8_62;
-  const T B24_1_33 = P_dot_omega1_8_33 - R6_23 * t8_63 + R8_13 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 - R6_23 *
-      t8_67;
+  const T B24_1_32 = R8_33 * t8_59 - (R8_13 * t8_60 + R6_23 * t8_61) + R8_13 * t8_9 + R6_23 * t8_62 +
+      P_dot_omega1_8_32;
+  const T B24_1_33 = R8_13 * t8_64 - R6_23 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 - R6_23 * t8_67 +
+      P_dot_omega1_8_33;
   v_y_dot[432] = B24_1_11;
   v_y_dot[433] = B24_1_12;
   v_y_dot[434] = B24_1_13;
@@ -9027,25 +9035,25 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t10_11 = omega10_3 * t10_9 - t10_10;
   const T t10_12 = omega10_1 * t10_5;
   const T t10_13 = t10_12 - omega10_2 * t10_9;
-  const T B28_1_12 = thetadot10 * (R10_31 * t10_5 - R1_11 * t10_6 - R10_21 * t10_7) - R1_11 * t10_8 - R10_21 * t10_11
-      - R10_31 * t10_13 + minus_P_dot_omega1_2_12;
-  const T t10_14 = omega10_3 * t10_7 + omega10_2 * t10_5;
-  const T t10_15 = omega10_3 * t10_6 + t10_12;
+  const T B28_1_12 = thetadot10 * (R10_31 * t10_5 - (R1_11 * t10_6 + R10_21 * t10_7)) - (R1_11 * t10_8 + R10_21 *
+      t10_11 + R10_31 * t10_13) + minus_P_dot_omega1_2_12;
+  const T t10_14 = omega10_3 * t10_6 + t10_12;
+  const T t10_15 = omega10_3 * t10_7 + omega10_2 * t10_5;
   const T t10_16 = omega10_2 * t10_6 - t10_10;
-  const T B28_1_13 = minus_P_dot_omega1_6_13 - thetadot10 * (R1_11 * t10_9 + R10_21 * t10_5 + R10_31 * t10_7) - R1_11
-      * t10_14 + R10_21 * t10_15 - R10_31 * t10_16;
+  const T B28_1_13 = R10_21 * t10_14 - (thetadot10 * (R1_11 * t10_9 + R10_21 * t10_5 + R10_31 * t10_7) + R1_11 *
+      t10_15) - R10_31 * t10_16 + minus_P_dot_omega1_6_13;
   const T t10_17 = R1_12 * t10_1 - R10_22 * t10_2 + R10_32 * t10_3;
   const T minus_B28_1_21 = t10_17 + minus_P_dot_omega1_2_21;
-  const T B28_1_22 = thetadot10 * (R10_32 * t10_5 - R1_12 * t10_6 - R10_22 * t10_7) - R1_12 * t10_8 - R10_22 * t10_11
-      - R10_32 * t10_13 + minus_P_dot_omega1_2_22;
-  const T B28_1_23 = minus_P_dot_omega1_6_23 - thetadot10 * (R1_12 * t10_9 + R10_22 * t10_5 + R10_32 * t10_7) - R1_12
-      * t10_14 + R10_22 * t10_15 - R10_32 * t10_16;
+  const T B28_1_22 = thetadot10 * (R10_32 * t10_5 - (R1_12 * t10_6 + R10_22 * t10_7)) - (R1_12 * t10_8 + R10_22 *
+      t10_11 + R10_32 * t10_13) + minus_P_dot_omega1_2_22;
+  const T B28_1_23 = R10_22 * t10_14 - (thetadot10 * (R1_12 * t10_9 + R10_22 * t10_5 + R10_32 * t10_7) + R1_12 *
+      t10_15) - R10_32 * t10_16 + minus_P_dot_omega1_6_23;
   const T t10_18 = R1_13 * t10_1 - R10_23 * t10_2 + R10_33 * t10_3;
   const T minus_B28_1_31 = t10_18 + minus_P_dot_omega1_2_31;
-  const T B28_1_32 = thetadot10 * (R10_33 * t10_5 - R1_13 * t10_6 - R10_23 * t10_7) - R1_13 * t10_8 - R10_23 * t10_11
-      - R10_33 * t10_13 + minus_P_dot_omega1_2_32;
-  const T B28_1_33 = minus_P_dot_omega1_6_33 - thetadot10 * (R1_13 * t10_9 + R10_23 * t10_5 + R10_33 * t10_7) - R1_13
-      * t10_14 + R10_23 * t10_15 - R10_33 * t10_16;
+  const T B28_1_32 = thetadot10 * (R10_33 * t10_5 - (R1_13 * t10_6 + R10_23 * t10_7)) - (R1_13 * t10_8 + R10_23 *
+      t10_11 + R10_33 * t10_13) + minus_P_dot_omega1_2_32;
+  const T B28_1_33 = R10_23 * t10_14 - (thetadot10 * (R1_13 * t10_9 + R10_23 * t10_5 + R10_33 * t10_7) + R1_13 *
+      t10_15) - R10_33 * t10_16 + minus_P_dot_omega1_6_33;
   v_y_dot[486] = -minus_B28_1_11;
   v_y_dot[487] = B28_1_12;
   v_y_dot[488] = B28_1_13;
@@ -9102,18 +9110,18 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t11_9 = t11_8 * E10_22;
   const T t11_10 = omega10_3 * T(0.0838);
   const T t11_11 = t11_10 * E10_23;
-  const T P_dot_omega1_11_12 = R10_31 * t11_7 - R1_11 * t11_9 - R10_21 * t11_11 + minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_11_12 = R10_31 * t11_7 - (R1_11 * t11_9 + R10_21 * t11_11) + minus_P_dot_omega1_2_12;
   const T t11_12 = t11_10 * E10_22;
   const T t11_13 = t11_8 * E10_23;
   const T t11_14 = t11_5 * E10_22;
   const T P_dot_omega1_11_13 = R10_21 * t11_12 - R1_11 * t11_13 - R10_31 * t11_14 + minus_P_dot_omega1_6_13;
   const T t11_15 = R10_22 * t11_4 - R1_12 * t11_5;
   const T P_dot_omega1_11_21 = t11_15 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_11_22 = R10_32 * t11_7 - R1_12 * t11_9 - R10_22 * t11_11 + minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_11_22 = R10_32 * t11_7 - (R1_12 * t11_9 + R10_22 * t11_11) + minus_P_dot_omega1_2_22;
   const T P_dot_omega1_11_23 = R10_22 * t11_12 - R1_12 * t11_13 - R10_32 * t11_14 + minus_P_dot_omega1_6_23;
   const T t11_16 = R10_23 * t11_4 - R1_13 * t11_5;
   const T P_dot_omega1_11_31 = t11_16 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_11_32 = R10_33 * t11_7 - R1_13 * t11_9 - R10_23 * t11_11 + minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_11_32 = R10_33 * t11_7 - (R1_13 * t11_9 + R10_23 * t11_11) + minus_P_dot_omega1_2_32;
   const T P_dot_omega1_11_33 = R10_23 * t11_12 - R1_13 * t11_13 - R10_33 * t11_14 + minus_P_dot_omega1_6_33;
   // B30_1 = -R11^T omega11~ r11~ omega_omega1_11 - R11^T r11~ omega_dot_omega1_11 + P_dot_omega1_11
   const T t11_17 = T(0.022327) * minus_E11_13;
@@ -9129,16 +9137,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       t11_25;
   const T B30_1_11 = P_dot_omega1_11_11 - t11_26;
   const T t11_27 = T(0.027326) * omega_omega1_11_12 + T(0.003237) * minus_omega_omega1_11_32;
-  const T t11_28 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
-  const T t11_29 = omega11_3 * t11_27 - omega11_2 * t11_28;
-  const T t11_30 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
-  const T t11_31 = omega11_3 * t11_30 + omega11_1 * t11_28;
-  const T t11_32 = omega11_1 * t11_27 + omega11_2 * t11_30;
-  const T t11_33 = T(0.003237) * minus_omega_dot_omega1_11_22 - T(0.022327) * omega_dot_omega1_11_12;
-  const T t11_34 = T(0.027326) * minus_omega_dot_omega1_11_22 + T(0.022327) * minus_omega_dot_omega1_11_32;
-  const T t11_35 = T(0.003237) * minus_omega_dot_omega1_11_32 + T(0.027326) * omega_dot_omega1_11_12;
-  const T B30_1_12 = P_dot_omega1_11_12 - R11_11 * t11_29 - R10_21 * t11_31 + R11_31 * t11_32 - R11_31 * t11_33 +
-      R11_11 * t11_34 + R10_21 * t11_35;
+  const T t11_28 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
+  const T t11_29 = omega11_1 * t11_27 + omega11_2 * t11_28;
+  const T t11_30 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
+  const T t11_31 = omega11_3 * t11_27 - omega11_2 * t11_30;
+  const T t11_32 = omega11_3 * t11_28 + omega11_1 * t11_30;
+  const T t11_33 = T(0.027326) * minus_omega_dot_omega1_11_22 + T(0.022327) * minus_omega_dot_omega1_11_32;
+  const T t11_34 = T(0.003237) * minus_omega_dot_omega1_11_32 + T(0.027326) * omega_dot_omega1_11_12;
+  const T t11_35 = T(0.003237) * minus_omega_dot_omega1_11_22 - T(0.022327) * omega_dot_omega1_11_12;
+  const T B30_1_12 = R11_31 * t11_29 - (R11_11 * t11_31 + R10_21 * t11_32) + R11_11 * t11_33 + R10_21 * t11_34 -
+      R11_31 * t11_35 + P_dot_omega1_11_12;
   const T t11_36 = T(0.022327) * minus_omega_omega1_11_13 - T(0.003237) * E10_23;
   const T t11_37 = T(0.027326) * minus_omega_omega1_11_13 + T(0.003237) * omega_omega1_11_33;
   const T t11_38 = omega11_2 * t11_36 - omega11_3 * t11_37;
@@ -9148,22 +9156,22 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t11_42 = T(0.027326) * omega_dot_omega1_11_23 - T(0.022327) * minus_omega_dot_omega1_11_33;
   const T t11_43 = T(0.027326) * minus_omega_dot_omega1_11_13 - T(0.003237) * minus_omega_dot_omega1_11_33;
   const T t11_44 = T(0.022327) * minus_omega_dot_omega1_11_13 - T(0.003237) * omega_dot_omega1_11_23;
-  const T B30_1_13 = P_dot_omega1_11_13 - R11_11 * t11_38 - R10_21 * t11_40 - R11_31 * t11_41 - R11_11 * t11_42 -
-      R10_21 * t11_43 - R11_31 * t11_44;
+  const T B30_1_13 = P_dot_omega1_11_13 - (R11_11 * t11_38 + R10_21 * t11_40 + R11_31 * t11_41 + R11_11 * t11_42 +
+      R10_21 * t11_43 + R11_31 * t11_44);
   const T t11_45 = R10_22 * t11_19 - R11_12 * t11_21 + R11_32 * t11_22 + R11_12 * t11_23 + R10_22 * t11_24 + R11_32 *
       t11_25;
   const T B30_1_21 = P_dot_omega1_11_21 - t11_45;
-  const T B30_1_22 = P_dot_omega1_11_22 - R11_12 * t11_29 - R10_22 * t11_31 + R11_32 * t11_32 - R11_32 * t11_33 +
-      R11_12 * t11_34 + R10_22 * t11_35;
-  const T B30_1_23 = P_dot_omega1_11_23 - R11_12 * t11_38 - R10_22 * t11_40 - R11_32 * t11_41 - R11_12 * t11_42 -
-      R10_22 * t11_43 - R11_32 * t11_44;
+  const T B30_1_22 = R11_32 * t11_29 - (R11_12 * t11_31 + R10_22 * t11_32) + R11_12 * t11_33 + R10_22 * t11_34 -
+      R11_32 * t11_35 + P_dot_omega1_11_22;
+  const T B30_1_23 = P_dot_omega1_11_23 - (R11_12 * t11_38 + R10_22 * t11_40 + R11_32 * t11_41 + R11_12 * t11_42 +
+      R10_22 * t11_43 + R11_32 * t11_44);
   const T t11_46 = R10_23 * t11_19 - R11_13 * t11_21 + R11_33 * t11_22 + R11_13 * t11_23 + R10_23 * t11_24 + R11_33 *
       t11_25;
   const T B30_1_31 = P_dot_omega1_11_31 - t11_46;
-  const T B30_1_32 = P_dot_omega1_11_32 - R11_13 * t11_29 - R10_23 * t11_31 + R11_33 * t11_32 - R11_33 * t11_33 +
-      R11_13 * t11_34 + R10_23 * t11_35;
-  const T B30_1_33 = P_dot_omega1_11_33 - R11_13 * t11_38 - R10_23 * t11_40 - R11_33 * t11_41 - R11_13 * t11_42 -
-      R10_23 * t11_43 - R11_33 * t11_44;
+  const T B30_1_32 = R11_33 * t11_29 - (R11_13 * t11_31 + R10_23 * t11_32) + R11_13 * t11_33 + R10_23 * t11_34 -
+      R11_33 * t11_35 + P_dot_omega1_11_32;
+  const T B30_1_33 = P_dot_omega1_11_33 - (R11_13 * t11_38 + R10_23 * t11_40 + R11_33 * t11_41 + R11_13 * t11_42 +
+      R10_23 * t11_43 + R11_33 * t11_44);
   v_y_dot[540] = B30_1_11;
   v_y_dot[541] = B30_1_12;
   v_y_dot[542] = B30_1_13;
@@ -9222,10 +9230,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       thetadot12 * omega_omega1_12_32;
   const T minus_omega_dot_omega1_12_13 = thetadot12 * omega_omega1_12_33 + E12_11 * minus_omega_dot_omega1_11_13 -
       minus_E12_13 * minus_omega_dot_omega1_11_33;
-  const T omega_dot_omega1_12_31 = thetadot12 * omega_omega1_12_11 - minus_E12_13 * minus_omega_dot_omega1_11_11 +
-      E12_11 * t11_2;
-  const T omega_dot_omega1_12_32 = thetadot12 * omega_omega1_12_12 - E12_11 * minus_omega_dot_omega1_11_32 +
-      minus_E12_13 * omega_dot_omega1_11_12;
+  const T omega_dot_omega1_12_31 = E12_11 * t11_2 - minus_E12_13 * minus_omega_dot_omega1_11_11 + thetadot12 *
+      omega_omega1_12_11;
+  const T omega_dot_omega1_12_32 = minus_E12_13 * omega_dot_omega1_11_12 - E12_11 * minus_omega_dot_omega1_11_32 +
+      thetadot12 * omega_omega1_12_12;
   const T minus_omega_dot_omega1_12_33 = thetadot12 * minus_omega_omega1_12_13 + minus_E12_13 *
       minus_omega_dot_omega1_11_13 + E12_11 * minus_omega_dot_omega1_11_33;
   // P_dot_omega1_12 = R11^T (-omega11~ q12~ omega_omega1_11 - q12~ omega_dot_omega1_11) + P_dot_omega1_11: its rate
@@ -9236,27 +9244,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_5 = R11_11 * t12_2 + R10_21 * t12_3 - R11_31 * t12_4;
   const T P_dot_omega1_12_11 = P_dot_omega1_11_11 - t12_5;
   const T t12_6 = T(0.2) * omega_omega1_11_12;
-  const T t12_7 = T(0.2) * minus_omega_dot_omega1_11_22;
-  const T t12_8 = omega11_3 * t12_6 - t12_7;
-  const T t12_9 = T(0.2) * E10_22;
-  const T t12_10 = omega11_3 * t12_9 - T(0.2) * omega_dot_omega1_11_12;
-  const T t12_11 = omega11_1 * t12_6 + omega11_2 * t12_9;
-  const T P_dot_omega1_12_12 = P_dot_omega1_11_12 - R11_11 * t12_8 - R10_21 * t12_10 + R11_31 * t12_11;
+  const T t12_7 = T(0.2) * E10_22;
+  const T t12_8 = omega11_1 * t12_6 + omega11_2 * t12_7;
+  const T t12_9 = T(0.2) * minus_omega_dot_omega1_11_22;
+  const T t12_10 = omega11_3 * t12_6 - t12_9;
+  const T t12_11 = omega11_3 * t12_7 - T(0.2) * omega_dot_omega1_11_12;
+  const T P_dot_omega1_12_12 = R11_31 * t12_8 - (R11_11 * t12_10 + R10_21 * t12_11) + P_dot_omega1_11_12;
   const T t12_12 = T(0.2) * omega_dot_omega1_11_23;
   const T t12_13 = T(0.2) * minus_omega_omega1_11_13;
   const T t12_14 = t12_12 - omega11_3 * t12_13;
   const T t12_15 = T(0.2) * E10_23;
   const T t12_16 = omega11_3 * t12_15 + T(0.2) * minus_omega_dot_omega1_11_13;
   const T t12_17 = omega11_1 * t12_13 - omega11_2 * t12_15;
-  const T P_dot_omega1_12_13 = P_dot_omega1_11_13 - R11_11 * t12_14 - R10_21 * t12_16 - R11_31 * t12_17;
+  const T P_dot_omega1_12_13 = P_dot_omega1_11_13 - (R11_11 * t12_14 + R10_21 * t12_16 + R11_31 * t12_17);
   const T t12_18 = R11_12 * t12_2 + R10_22 * t12_3 - R11_32 * t12_4;
   const T P_dot_omega1_12_21 = P_dot_omega1_11_21 - t12_18;
-  const T P_dot_omega1_12_22 = P_dot_omega1_11_22 - R11_12 * t12_8 - R10_22 * t12_10 + R11_32 * t12_11;
-  const T P_dot_omega1_12_23 = P_dot_omega1_11_23 - R11_12 * t12_14 - R10_22 * t12_16 - R11_32 * t12_17;
+  const T P_dot_omega1_12_22 = R11_32 * t12_8 - (R11_12 * t12_10 + R10_22 * t12_11) + P_dot_omega1_11_22;
+  const T P_dot_omega1_12_23 = P_dot_omega1_11_23 - (R11_12 * t12_14 + R10_22 * t12_16 + R11_32 * t12_17);
   const T t12_19 = R11_13 * t12_2 + R10_23 * t12_3 - R11_33 * t12_4;
   const T P_dot_omega1_12_31 = P_dot_omega1_11_31 - t12_19;
-  const T P_dot_omega1_12_32 = P_dot_omega1_11_32 - R11_13 * t12_8 - R10_23 * t12_10 + R11_33 * t12_11;
-  const T P_dot_omega1_12_33 = P_dot_omega1_11_33 - R11_13 * t12_14 - R10_23 * t12_16 - R11_33 * t12_17;
+  const T P_dot_omega1_12_32 = R11_33 * t12_8 - (R11_13 * t12_10 + R10_23 * t12_11) + P_dot_omega1_11_32;
+  const T P_dot_omega1_12_33 = P_dot_omega1_11_33 - (R11_13 * t12_14 + R10_23 * t12_16 + R11_33 * t12_17);
   // P_dot_thetadot10_12 = R11^T (-omega11~ q12~ omega_thetadot10_11 - q12~ omega_dot_thetadot10_11) +
   //   P_dot_thetadot10_11: its rate
   const T minus_P_dot_thetadot10_12_1 = t12_5 - t11_6;
@@ -9276,16 +9284,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_26 = R12_11 * t12_23 - R12_31 * t12_24 + R10_21 * t12_25;
   const T B33_1_11 = P_dot_omega1_12_11 - t12_26;
   const T t12_27 = T(0.107388) * omega_omega1_12_12 + T(0.006435) * omega_omega1_12_32;
-  const T t12_28 = T(0.006435) * E10_22;
-  const T t12_29 = omega12_3 * t12_27 + omega12_2 * t12_28;
-  const T t12_30 = T(0.107388) * E10_22;
-  const T t12_31 = omega12_3 * t12_30 - omega12_1 * t12_28;
-  const T t12_32 = omega12_1 * t12_27 + omega12_2 * t12_30;
+  const T t12_28 = T(0.107388) * E10_22;
+  const T t12_29 = omega12_1 * t12_27 + omega12_2 * t12_28;
+  const T t12_30 = T(0.006435) * E10_22;
+  const T t12_31 = omega12_3 * t12_27 + omega12_2 * t12_30;
+  const T t12_32 = omega12_3 * t12_28 - omega12_1 * t12_30;
   const T t12_33 = T(0.107388) * minus_omega_dot_omega1_11_22;
   const T t12_34 = T(0.107388) * omega_dot_omega1_12_12 + T(0.006435) * omega_dot_omega1_12_32;
   const T t12_35 = T(0.006435) * minus_omega_dot_omega1_11_22;
-  const T B33_1_12 = P_dot_omega1_12_12 - R12_11 * t12_29 - R10_21 * t12_31 + R12_31 * t12_32 + R12_11 * t12_33 +
-      R10_21 * t12_34 + R12_31 * t12_35;
+  const T B33_1_12 = R12_31 * t12_29 - (R12_11 * t12_31 + R10_21 * t12_32) + R12_11 * t12_33 + R10_21 * t12_34 +
+      R12_31 * t12_35 + P_dot_omega1_12_12;
   const T t12_36 = T(0.006435) * E10_23;
   const T t12_37 = T(0.107388) * minus_omega_omega1_12_13 - T(0.006435) * omega_omega1_12_33;
   const T t12_38 = omega12_2 * t12_36 - omega12_3 * t12_37;
@@ -9295,20 +9303,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_42 = T(0.107388) * omega_dot_omega1_11_23;
   const T t12_43 = T(0.107388) * minus_omega_dot_omega1_12_13 + T(0.006435) * minus_omega_dot_omega1_12_33;
   const T t12_44 = T(0.006435) * omega_dot_omega1_11_23;
-  const T B33_1_13 = P_dot_omega1_12_13 - R12_11 * t12_38 - R10_21 * t12_40 - R12_31 * t12_41 - R12_11 * t12_42 -
-      R10_21 * t12_43 - R12_31 * t12_44;
+  const T B33_1_13 = P_dot_omega1_12_13 - (R12_11 * t12_38 + R10_21 * t12_40 + R12_31 * t12_41 + R12_11 * t12_42 +
+      R10_21 * t12_43 + R12_31 * t12_44);
   const T t12_45 = R12_12 * t12_23 - R12_32 * t12_24 + R10_22 * t12_25;
   const T B33_1_21 = P_dot_omega1_12_21 - t12_45;
-  const T B33_1_22 = P_dot_omega1_12_22 - R12_12 * t12_29 - R10_22 * t12_31 + R12_32 * t12_32 + R12_12 * t12_33 +
-      R10_22 * t12_34 + R12_32 * t12_35;
-  const T B33_1_23 = P_dot_omega1_12_23 - R12_12 * t12_38 - R10_22 * t12_40 - R12_32 * t12_41 - R12_12 * t12_42 -
-      R10_22 * t12_43 - R12_32 * t12_44;
+  const T B33_1_22 = R12_32 * t12_29 - (R12_12 * t12_31 + R10_22 * t12_32) + R12_12 * t12_33 + R10_22 * t12_34 +
+      R12_32 * t12_35 + P_dot_omega1_12_22;
+  const T B33_1_23 = P_dot_omega1_12_23 - (R12_12 * t12_38 + R10_22 * t12_40 + R12_32 * t12_41 + R12_12 * t12_42 +
+      R10_22 * t12_43 + R12_32 * t12_44);
   const T t12_46 = R12_13 * t12_23 - R12_33 * t12_24 + R10_23 * t12_25;
   const T B33_1_31 = P_dot_omega1_12_31 - t12_46;
-  const T B33_1_32 = P_dot_omega1_12_32 - R12_13 * t12_29 - R10_23 * t12_31 + R12_33 * t12_32 + R12_13 * t12_33 +
-      R10_23 * t12_34 + R12_33 * t12_35;
-  const T B33_1_33 = P_dot_omega1_12_33 - R12_13 * t12_38 - R10_23 * t12_40 - R12_33 * t12_41 - R12_13 * t12_42 -
-      R10_23 * t12_43 - R12_33 * t12_44;
+  const T B33_1_32 = R12_33 * t12_29 - (R12_13 * t12_31 + R10_23 * t12_32) + R12_13 * t12_33 + R10_23 * t12_34 +
+      R12_33 * t12_35 + P_dot_omega1_12_32;
+  const T B33_1_33 = P_dot_omega1_12_33 - (R12_13 * t12_38 + R10_23 * t12_40 + R12_33 * t12_41 + R12_13 * t12_42 +
+      R10_23 * t12_43 + R12_33 * t12_44);
   v_y_dot[594] = B33_1_11;
   v_y_dot[595] = B33_1_12;
   v_y_dot[596] = B33_1_13;
@@ -9349,31 +9357,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_57 = R12_11 * t12_54 - R12_31 * t12_55 + R10_21 * t12_56;
   const T B37_1_11 = P_dot_omega1_12_11 - t12_57;
   const T t12_58 = T(0.2) * omega_omega1_12_12;
-  const T t12_59 = omega12_3 * t12_58;
-  const T t12_60 = omega12_3 * t12_9;
-  const T t12_61 = omega12_1 * t12_58 + omega12_2 * t12_9;
+  const T t12_59 = omega12_1 * t12_58 + omega12_2 * t12_7;
+  const T t12_60 = omega12_3 * t12_58;
+  const T t12_61 = omega12_3 * t12_7;
   const T t12_62 = T(0.2) * omega_dot_omega1_12_12;
-  const T B37_1_12 = P_dot_omega1_12_12 - R12_11 * t12_59 - R10_21 * t12_60 + R12_31 * t12_61 + R12_11 * t12_7 +
-      R10_21 * t12_62;
-  const T t12_63 = omega12_3 * t12_15;
-  const T t12_64 = T(0.2) * minus_omega_omega1_12_13;
-  const T t12_65 = omega12_3 * t12_64;
-  const T t12_66 = omega12_1 * t12_64 - omega12_2 * t12_15;
+  const T B37_1_12 = R12_31 * t12_59 - (R12_11 * t12_60 + R10_21 * t12_61) + R12_11 * t12_9 + R10_21 * t12_62 +
+      P_dot_omega1_12_12;
+  const T t12_63 = T(0.2) * minus_omega_omega1_12_13;
+  const T t12_64 = omega12_3 * t12_63;
+  const T t12_65 = omega12_3 * t12_15;
+  const T t12_66 = omega12_1 * t12_63 - omega12_2 * t12_15;
   const T t12_67 = T(0.2) * minus_omega_dot_omega1_12_13;
-  const T B37_1_13 = P_dot_omega1_12_13 - R10_21 * t12_63 + R12_11 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 -
-      R10_21 * t12_67;
+  const T B37_1_13 = R12_11 * t12_64 - R10_21 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 - R10_21 * t12_67 +
+      P_dot_omega1_12_13;
   const T t12_68 = R12_12 * t12_54 - R12_32 * t12_55 + R10_22 * t12_56;
   const T B37_1_21 = P_dot_omega1_12_21 - t12_68;
-  const T B37_1_22 = P_dot_omega1_12_22 - R12_12 * t12_59 - R10_22 * t12_60 + R12_32 * t12_61 + R12_12 * t12_7 +
-      R10_22 * t12_62;
-  const T B37_1_23 = P_dot_omega1_12_23 - R10_22 * t12_63 + R12_12 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 -
-      R10_22 * t12_67;
+  const T B37_1_22 = R12_32 * t12_59 - (R12_12 * t12_60 + R10_22 * t12_61) + R12_12 * t12_9 + R10_22 * t12_62 +
+      P_dot_omega1_12_22;
+  const T B37_1_23 = R12_12 * t12_64 - R10_22 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 - R10_22 * t12_67 +
+      P_dot_omega1_12_23;
   const T t12_69 = R12_13 * t12_54 - R12_33 * t12_55 + R10_23 * t12_56;
   const T B37_1_31 = P_dot_omega1_12_31 - t12_69;
-  const T B37_1_32 = P_dot_omega1_12_32 - R12_13 * t12_59 - R10_23 * t12_60 + R12_33 * t12_61 + R12_13 * t12_7 +
-      R10_23 * t12_62;
-  const T B37_1_33 = P_dot_omega1_12_33 - R10_23 * t12_63 + R12_13 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 -
-      R10_23 * t12_67;
+  const T B37_1_32 = R12_33 * t12_59 - (R12_13 * t12_60 + R10_23 * t12_61) + R12_13 * t12_9 + R10_23 * t12_62 +
+      P_dot_omega1_12_32;
+  const T B37_1_33 = R12_13 * t12_64 - R10_23 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 - R10_23 * t12_67 +
+      P_dot_omega1_12_33;
   v_y_dot[648] = B37_1_11;
   v_y_dot[649] = B37_1_12;
   v_y_dot[650] = B37_1_13;
@@ -9429,33 +9437,33 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t14_3 = omega14_1 * T(3.1e-05);
   const T t14_4 = R14_21 * t14_1 - R1_11 * t14_2 + R14_31 * t14_3;
   const T B41_1_11 = minus_P_dot_omega1_2_11 - t14_4;
-  const T t14_5 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
+  const T t14_5 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
   const T t14_6 = T(0.003311) * E14_22;
-  const T t14_7 = T(0.003311) * E14_23;
-  const T t14_8 = omega14_2 * t14_6 - omega14_3 * t14_7;
-  const T t14_9 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
-  const T t14_10 = omega14_1 * t14_6;
-  const T t14_11 = omega14_3 * t14_9 + t14_10;
-  const T t14_12 = omega14_1 * t14_7;
-  const T t14_13 = t14_12 + omega14_2 * t14_9;
-  const T B41_1_12 = thetadot14 * (R1_11 * t14_5 - R14_21 * t14_6 + R14_31 * t14_7) - R1_11 * t14_8 + R14_21 * t14_11
-      - R14_31 * t14_13 + minus_P_dot_omega1_2_12;
-  const T t14_14 = omega14_3 * t14_6 + omega14_2 * t14_7;
-  const T t14_15 = omega14_3 * t14_5 - t14_12;
-  const T t14_16 = t14_10 + omega14_2 * t14_5;
-  const T minus_B41_1_13 = thetadot14 * (R14_21 * t14_7 - R1_11 * t14_9 + R14_31 * t14_6) + R1_11 * t14_14 + R14_21 *
+  const T t14_7 = omega14_1 * t14_6;
+  const T t14_8 = omega14_3 * t14_5 + t14_7;
+  const T t14_9 = T(0.003311) * E14_23;
+  const T t14_10 = omega14_2 * t14_6 - omega14_3 * t14_9;
+  const T t14_11 = omega14_1 * t14_9;
+  const T t14_12 = t14_11 + omega14_2 * t14_5;
+  const T t14_13 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
+  const T B41_1_12 = R14_21 * t14_8 - R1_11 * t14_10 - R14_31 * t14_12 + thetadot14 * (R1_11 * t14_13 - R14_21 * t14_6
+      + R14_31 * t14_9) + minus_P_dot_omega1_2_12;
+  const T t14_14 = omega14_3 * t14_6 + omega14_2 * t14_9;
+  const T t14_15 = omega14_3 * t14_13 - t14_11;
+  const T t14_16 = t14_7 + omega14_2 * t14_13;
+  const T minus_B41_1_13 = thetadot14 * (R14_21 * t14_9 - R1_11 * t14_5 + R14_31 * t14_6) + R1_11 * t14_14 + R14_21 *
       t14_15 - R14_31 * t14_16 + P_dot_omega1_2_13;
   const T t14_17 = R14_22 * t14_1 - R1_12 * t14_2 + R14_32 * t14_3;
   const T B41_1_21 = minus_P_dot_omega1_2_21 - t14_17;
-  const T B41_1_22 = thetadot14 * (R1_12 * t14_5 - R14_22 * t14_6 + R14_32 * t14_7) - R1_12 * t14_8 + R14_22 * t14_11
-      - R14_32 * t14_13 + minus_P_dot_omega1_2_22;
-  const T minus_B41_1_23 = thetadot14 * (R14_22 * t14_7 - R1_12 * t14_9 + R14_32 * t14_6) + R1_12 * t14_14 + R14_22 *
+  const T B41_1_22 = R14_22 * t14_8 - R1_12 * t14_10 - R14_32 * t14_12 + thetadot14 * (R1_12 * t14_13 - R14_22 * t14_6
+      + R14_32 * t14_9) + minus_P_dot_omega1_2_22;
+  const T minus_B41_1_23 = thetadot14 * (R14_22 * t14_9 - R1_12 * t14_5 + R14_32 * t14_6) + R1_12 * t14_14 + R14_22 *
       t14_15 - R14_32 * t14_16 + P_dot_omega1_2_23;
   const T t14_18 = R14_23 * t14_1 - R1_13 * t14_2 + R14_33 * t14_3;
   const T B41_1_31 = minus_P_dot_omega1_2_31 - t14_18;
-  const T B41_1_32 = thetadot14 * (R1_13 * t14_5 - R14_23 * t14_6 + R14_33 * t14_7) - R1_13 * t14_8 + R14_23 * t14_11
-      - R14_33 * t14_13 + minus_P_dot_omega1_2_32;
-  const T minus_B41_1_33 = thetadot14 * (R14_23 * t14_7 - R1_13 * t14_9 + R14_33 * t14_6) + R1_13 * t14_14 + R14_23 *
+  const T B41_1_32 = R14_23 * t14_8 - R1_13 * t14_10 - R14_33 * t14_12 + thetadot14 * (R1_13 * t14_13 - R14_23 * t14_6
+      + R14_33 * t14_9) + minus_P_dot_omega1_2_32;
+  const T minus_B41_1_33 = thetadot14 * (R14_23 * t14_9 - R1_13 * t14_5 + R14_33 * t14_6) + R1_13 * t14_14 + R14_23 *
       t14_15 - R14_33 * t14_16 + P_dot_omega1_2_33;
   v_y_dot[702] = B41_1_11;
   v_y_dot[703] = B41_1_12;
@@ -9540,41 +9548,41 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       t15_25;
   const T B43_1_11 = P_dot_omega1_15_11 - t15_26;
   const T t15_27 = T(0.027326) * omega_omega1_15_12 + T(0.003237) * minus_omega_omega1_15_32;
-  const T t15_28 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
-  const T t15_29 = omega15_3 * t15_27 + omega15_2 * t15_28;
-  const T t15_30 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
-  const T t15_31 = omega15_3 * t15_30 - omega15_1 * t15_28;
-  const T t15_32 = omega15_1 * t15_27 + omega15_2 * t15_30;
+  const T t15_28 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
+  const T t15_29 = omega15_1 * t15_27 + omega15_2 * t15_28;
+  const T t15_30 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
+  const T t15_31 = omega15_3 * t15_27 + omega15_2 * t15_30;
+  const T t15_32 = omega15_3 * t15_28 - omega15_1 * t15_30;
   const T t15_33 = T(0.022327) * minus_omega_dot_omega1_15_32 - T(0.027326) * minus_omega_dot_omega1_15_22;
   const T t15_34 = T(0.003237) * minus_omega_dot_omega1_15_32 + T(0.027326) * omega_dot_omega1_15_12;
   const T t15_35 = T(0.022327) * omega_dot_omega1_15_12 + T(0.003237) * minus_omega_dot_omega1_15_22;
-  const T B43_1_12 = P_dot_omega1_15_12 - R15_11 * t15_29 - R14_21 * t15_31 + R15_31 * t15_32 - R15_11 * t15_33 +
-      R14_21 * t15_34 - R15_31 * t15_35;
-  const T t15_36 = T(0.027326) * E14_23 - T(0.022327) * omega_omega1_15_33;
+  const T B43_1_12 = R15_31 * t15_29 - (R15_11 * t15_31 + R14_21 * t15_32) - R15_11 * t15_33 + R14_21 * t15_34 -
+      R15_31 * t15_35 + P_dot_omega1_15_12;
+  const T t15_36 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
   const T t15_37 = T(0.003237) * E14_23 + T(0.022327) * minus_omega_omega1_15_13;
-  const T t15_38 = omega15_3 * t15_36 + omega15_1 * t15_37;
-  const T t15_39 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
-  const T t15_40 = omega15_3 * t15_39 + omega15_2 * t15_37;
-  const T t15_41 = omega15_1 * t15_39 - omega15_2 * t15_36;
+  const T t15_38 = omega15_3 * t15_36 + omega15_2 * t15_37;
+  const T t15_39 = T(0.027326) * E14_23 - T(0.022327) * omega_omega1_15_33;
+  const T t15_40 = omega15_3 * t15_39 + omega15_1 * t15_37;
+  const T t15_41 = omega15_1 * t15_36 - omega15_2 * t15_39;
   const T t15_42 = T(0.027326) * omega_dot_omega1_15_23 + T(0.022327) * minus_omega_dot_omega1_15_33;
   const T t15_43 = T(0.027326) * minus_omega_dot_omega1_15_13 - T(0.003237) * minus_omega_dot_omega1_15_33;
   const T t15_44 = T(0.022327) * minus_omega_dot_omega1_15_13 + T(0.003237) * omega_dot_omega1_15_23;
-  const T B43_1_13 = P_dot_omega1_15_13 - R14_21 * t15_38 + R15_11 * t15_40 - R15_31 * t15_41 - R15_11 * t15_42 -
-      R14_21 * t15_43 + R15_31 * t15_44;
+  const T B43_1_13 = R15_11 * t15_38 - R14_21 * t15_40 - R15_31 * t15_41 - R15_11 * t15_42 - R14_21 * t15_43 + R15_31
+      * t15_44 + P_dot_omega1_15_13;
   const T t15_45 = R15_12 * t15_19 - R14_22 * t15_21 + R15_32 * t15_22 + R14_22 * t15_23 - R15_12 * t15_24 - R15_32 *
       t15_25;
   const T B43_1_21 = P_dot_omega1_15_21 - t15_45;
-  const T B43_1_22 = P_dot_omega1_15_22 - R15_12 * t15_29 - R14_22 * t15_31 + R15_32 * t15_32 - R15_12 * t15_33 +
-      R14_22 * t15_34 - R15_32 * t15_35;
-  const T B43_1_23 = P_dot_omega1_15_23 - R14_22 * t15_38 + R15_12 * t15_40 - R15_32 * t15_41 - R15_12 * t15_42 -
-      R14_22 * t15_43 + R15_32 * t15_44;
+  const T B43_1_22 = R15_32 * t15_29 - (R15_12 * t15_31 + R14_22 * t15_32) - R15_12 * t15_33 + R14_22 * t15_34 -
+      R15_32 * t15_35 + P_dot_omega1_15_22;
+  const T B43_1_23 = R15_12 * t15_38 - R14_22 * t15_40 - R15_32 * t15_41 - R15_12 * t15_42 - R14_22 * t15_43 + R15_32
+      * t15_44 + P_dot_omega1_15_23;
   const T t15_46 = R15_13 * t15_19 - R14_23 * t15_21 + R15_33 * t15_22 + R14_23 * t15_23 - R15_13 * t15_24 - R15_33 *
       t15_25;
   const T B43_1_31 = P_dot_omega1_15_31 - t15_46;
-  const T B43_1_32 = P_dot_omega1_15_32 - R15_13 * t15_29 - R14_23 * t15_31 + R15_33 * t15_32 - R15_13 * t15_33 +
-      R14_23 * t15_34 - R15_33 * t15_35;
-  const T B43_1_33 = P_dot_omega1_15_33 - R14_23 * t15_38 + R15_13 * t15_40 - R15_33 * t15_41 - R15_13 * t15_42 -
-      R14_23 * t15_43 + R15_33 * t15_44;
+  const T B43_1_32 = R15_33 * t15_29 - (R15_13 * t15_31 + R14_23 * t15_32) - R15_13 * t15_33 + R14_23 * t15_34 -
+      R15_33 * t15_35 + P_dot_omega1_15_32;
+  const T B43_1_33 = R15_13 * t15_38 - R14_23 * t15_40 - R15_33 * t15_41 - R15_13 * t15_42 - R14_23 * t15_43 + R15_33
+      * t15_44 + P_dot_omega1_15_33;
   v_y_dot[756] = B43_1_11;
   v_y_dot[757] = B43_1_12;
   v_y_dot[758] = B43_1_13;
@@ -9633,10 +9641,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       thetadot16 * omega_omega1_16_32;
   const T minus_omega_dot_omega1_16_13 = thetadot16 * omega_omega1_16_33 + E16_11 * minus_omega_dot_omega1_15_13 -
       minus_E16_13 * minus_omega_dot_omega1_15_33;
-  const T omega_dot_omega1_16_31 = thetadot16 * omega_omega1_16_11 - minus_E16_13 * minus_omega_dot_omega1_15_11 +
-      E16_11 * t15_2;
-  const T omega_dot_omega1_16_32 = thetadot16 * omega_omega1_16_12 - E16_11 * minus_omega_dot_omega1_15_32 +
-      minus_E16_13 * omega_dot_omega1_15_12;
+  const T omega_dot_omega1_16_31 = E16_11 * t15_2 - minus_E16_13 * minus_omega_dot_omega1_15_11 + thetadot16 *
+      omega_omega1_16_11;
+  const T omega_dot_omega1_16_32 = minus_E16_13 * omega_dot_omega1_15_12 - E16_11 * minus_omega_dot_omega1_15_32 +
+      thetadot16 * omega_omega1_16_12;
   const T minus_omega_dot_omega1_16_33 = thetadot16 * minus_omega_omega1_16_13 + minus_E16_13 *
       minus_omega_dot_omega1_15_13 + E16_11 * minus_omega_dot_omega1_15_33;
   // P_dot_omega1_16 = R15^T (-omega15~ q16~ omega_omega1_15 - q16~ omega_dot_omega1_15) + P_dot_omega1_15: its rate
@@ -9647,27 +9655,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_5 = R15_11 * t16_2 + R14_21 * t16_3 - R15_31 * t16_4;
   const T P_dot_omega1_16_11 = P_dot_omega1_15_11 - t16_5;
   const T t16_6 = T(0.2) * omega_omega1_15_12;
-  const T t16_7 = T(0.2) * minus_omega_dot_omega1_15_22;
-  const T t16_8 = omega15_3 * t16_6 - t16_7;
-  const T t16_9 = T(0.2) * E14_22;
-  const T t16_10 = omega15_3 * t16_9 - T(0.2) * omega_dot_omega1_15_12;
-  const T t16_11 = omega15_1 * t16_6 + omega15_2 * t16_9;
-  const T P_dot_omega1_16_12 = P_dot_omega1_15_12 - R15_11 * t16_8 - R14_21 * t16_10 + R15_31 * t16_11;
+  const T t16_7 = T(0.2) * E14_22;
+  const T t16_8 = omega15_1 * t16_6 + omega15_2 * t16_7;
+  const T t16_9 = T(0.2) * minus_omega_dot_omega1_15_22;
+  const T t16_10 = omega15_3 * t16_6 - t16_9;
+  const T t16_11 = omega15_3 * t16_7 - T(0.2) * omega_dot_omega1_15_12;
+  const T P_dot_omega1_16_12 = R15_31 * t16_8 - (R15_11 * t16_10 + R14_21 * t16_11) + P_dot_omega1_15_12;
   const T t16_12 = T(0.2) * omega_dot_omega1_15_23;
   const T t16_13 = T(0.2) * minus_omega_omega1_15_13;
   const T t16_14 = t16_12 - omega15_3 * t16_13;
   const T t16_15 = T(0.2) * E14_23;
   const T t16_16 = omega15_3 * t16_15 + T(0.2) * minus_omega_dot_omega1_15_13;
   const T t16_17 = omega15_1 * t16_13 - omega15_2 * t16_15;
-  const T P_dot_omega1_16_13 = P_dot_omega1_15_13 - R15_11 * t16_14 - R14_21 * t16_16 - R15_31 * t16_17;
+  const T P_dot_omega1_16_13 = P_dot_omega1_15_13 - (R15_11 * t16_14 + R14_21 * t16_16 + R15_31 * t16_17);
   const T t16_18 = R15_12 * t16_2 + R14_22 * t16_3 - R15_32 * t16_4;
   const T P_dot_omega1_16_21 = P_dot_omega1_15_21 - t16_18;
-  const T P_dot_omega1_16_22 = P_dot_omega1_15_22 - R15_12 * t16_8 - R14_22 * t16_10 + R15_32 * t16_11;
-  const T P_dot_omega1_16_23 = P_dot_omega1_15_23 - R15_12 * t16_14 - R14_22 * t16_16 - R15_32 * t16_17;
+  const T P_dot_omega1_16_22 = R15_32 * t16_8 - (R15_12 * t16_10 + R14_22 * t16_11) + P_dot_omega1_15_22;
+  const T P_dot_omega1_16_23 = P_dot_omega1_15_23 - (R15_12 * t16_14 + R14_22 * t16_16 + R15_32 * t16_17);
   const T t16_19 = R15_13 * t16_2 + R14_23 * t16_3 - R15_33 * t16_4;
   const T P_dot_omega1_16_31 = P_dot_omega1_15_31 - t16_19;
-  const T P_dot_omega1_16_32 = P_dot_omega1_15_32 - R15_13 * t16_8 - R14_23 * t16_10 + R15_33 * t16_11;
-  const T P_dot_omega1_16_33 = P_dot_omega1_15_33 - R15_13 * t16_14 - R14_23 * t16_16 - R15_33 * t16_17;
+  const T P_dot_omega1_16_32 = R15_33 * t16_8 - (R15_13 * t16_10 + R14_23 * t16_11) + P_dot_omega1_15_32;
+  const T P_dot_omega1_16_33 = P_dot_omega1_15_33 - (R15_13 * t16_14 + R14_23 * t16_16 + R15_33 * t16_17);
   // P_dot_thetadot14_16 = R15^T (-omega15~ q16~ omega_thetadot14_15 - q16~ omega_dot_thetadot14_15) +
   //   P_dot_thetadot14_15: its rate
   const T minus_P_dot_thetadot14_16_1 = t16_5 - t15_6;
@@ -9687,16 +9695,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_26 = R16_11 * t16_23 - R16_31 * t16_24 + R14_21 * t16_25;
   const T B46_1_11 = P_dot_omega1_16_11 - t16_26;
   const T t16_27 = T(0.107388) * omega_omega1_16_12 + T(0.006435) * omega_omega1_16_32;
-  const T t16_28 = T(0.006435) * E14_22;
-  const T t16_29 = omega16_3 * t16_27 + omega16_2 * t16_28;
-  const T t16_30 = T(0.107388) * E14_22;
-  const T t16_31 = omega16_3 * t16_30 - omega16_1 * t16_28;
-  const T t16_32 = omega16_1 * t16_27 + omega16_2 * t16_30;
+  const T t16_28 = T(0.107388) * E14_22;
+  const T t16_29 = omega16_1 * t16_27 + omega16_2 * t16_28;
+  const T t16_30 = T(0.006435) * E14_22;
+  const T t16_31 = omega16_3 * t16_27 + omega16_2 * t16_30;
+  const T t16_32 = omega16_3 * t16_28 - omega16_1 * t16_30;
   const T t16_33 = T(0.107388) * minus_omega_dot_omega1_15_22;
   const T t16_34 = T(0.107388) * omega_dot_omega1_16_12 + T(0.006435) * omega_dot_omega1_16_32;
   const T t16_35 = T(0.006435) * minus_omega_dot_omega1_15_22;
-  const T B46_1_12 = P_dot_omega1_16_12 - R16_11 * t16_29 - R14_21 * t16_31 + R16_31 * t16_32 + R16_11 * t16_33 +
-      R14_21 * t16_34 + R16_31 * t16_35;
+  const T B46_1_12 = R16_31 * t16_29 - (R16_11 * t16_31 + R14_21 * t16_32) + R16_11 * t16_33 + R14_21 * t16_34 +
+      R16_31 * t16_35 + P_dot_omega1_16_12;
   const T t16_36 = T(0.006435) * E14_23;
   const T t16_37 = T(0.107388) * minus_omega_omega1_16_13 - T(0.006435) * omega_omega1_16_33;
   const T t16_38 = omega16_2 * t16_36 - omega16_3 * t16_37;
@@ -9706,20 +9714,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_42 = T(0.107388) * omega_dot_omega1_15_23;
   const T t16_43 = T(0.107388) * minus_omega_dot_omega1_16_13 + T(0.006435) * minus_omega_dot_omega1_16_33;
   const T t16_44 = T(0.006435) * omega_dot_omega1_15_23;
-  const T B46_1_13 = P_dot_omega1_16_13 - R16_11 * t16_38 - R14_21 * t16_40 - R16_31 * t16_41 - R16_11 * t16_42 -
-      R14_21 * t16_43 - R16_31 * t16_44;
+  const T B46_1_13 = P_dot_omega1_16_13 - (R16_11 * t16_38 + R14_21 * t16_40 + R16_31 * t16_41 + R16_11 * t16_42 +
+      R14_21 * t16_43 + R16_31 * t16_44);
   const T t16_45 = R16_12 * t16_23 - R16_32 * t16_24 + R14_22 * t16_25;
   const T B46_1_21 = P_dot_omega1_16_21 - t16_45;
-  const T B46_1_22 = P_dot_omega1_16_22 - R16_12 * t16_29 - R14_22 * t16_31 + R16_32 * t16_32 + R16_12 * t16_33 +
-      R14_22 * t16_34 + R16_32 * t16_35;
-  const T B46_1_23 = P_dot_omega1_16_23 - R16_12 * t16_38 - R14_22 * t16_40 - R16_32 * t16_41 - R16_12 * t16_42 -
-      R14_22 * t16_43 - R16_32 * t16_44;
+  const T B46_1_22 = R16_32 * t16_29 - (R16_12 * t16_31 + R14_22 * t16_32) + R16_12 * t16_33 + R14_22 * t16_34 +
+      R16_32 * t16_35 + P_dot_omega1_16_22;
+  const T B46_1_23 = P_dot_omega1_16_23 - (R16_12 * t16_38 + R14_22 * t16_40 + R16_32 * t16_41 + R16_12 * t16_42 +
+      R14_22 * t16_43 + R16_32 * t16_44);
   const T t16_46 = R16_13 * t16_23 - R16_33 * t16_24 + R14_23 * t16_25;
   const T B46_1_31 = P_dot_omega1_16_31 - t16_46;
-  const T B46_1_32 = P_dot_omega1_16_32 - R16_13 * t16_29 - R14_23 * t16_31 + R16_33 * t16_32 + R16_13 * t16_33 +
-      R14_23 * t16_34 + R16_33 * t16_35;
-  const T B46_1_33 = P_dot_omega1_16_33 - R16_13 * t16_38 - R14_23 * t16_40 - R16_33 * t16_41 - R16_13 * t16_42 -
-      R14_23 * t16_43 - R16_33 * t16_44;
+  const T B46_1_32 = R16_33 * t16_29 - (R16_13 * t16_31 + R14_23 * t16_32) + R16_13 * t16_33 + R14_23 * t16_34 +
+      R16_33 * t16_35 + P_dot_omega1_16_32;
+  const T B46_1_33 = P_dot_omega1_16_33 - (R16_13 * t16_38 + R14_23 * t16_40 + R16_33 * t16_41 + R16_13 * t16_42 +
+      R14_23 * t16_43 + R16_33 * t16_44);
   v_y_dot[810] = B46_1_11;
   v_y_dot[811] = B46_1_12;
   v_y_dot[812] = B46_1_13;
@@ -9760,31 +9768,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_57 = R16_11 * t16_54 - R16_31 * t16_55 + R14_21 * t16_56;
   const T B50_1_11 = P_dot_omega1_16_11 - t16_57;
   const T t16_58 = T(0.2) * omega_omega1_16_12;
-  const T t16_59 = omega16_3 * t16_58;
-  const T t16_60 = omega16_3 * t16_9;
-  const T t16_61 = omega16_1 * t16_58 + omega16_2 * t16_9;
+  const T t16_59 = omega16_1 * t16_58 + omega16_2 * t16_7;
+  const T t16_60 = omega16_3 * t16_58;
+  const T t16_61 = omega16_3 * t16_7;
   const T t16_62 = T(0.2) * omega_dot_omega1_16_12;
-  const T B50_1_12 = P_dot_omega1_16_12 - R16_11 * t16_59 - R14_21 * t16_60 + R16_31 * t16_61 + R16_11 * t16_7 +
-      R14_21 * t16_62;
-  const T t16_63 = omega16_3 * t16_15;
-  const T t16_64 = T(0.2) * minus_omega_omega1_16_13;
-  const T t16_65 = omega16_3 * t16_64;
-  const T t16_66 = omega16_1 * t16_64 - omega16_2 * t16_15;
+  const T B50_1_12 = R16_31 * t16_59 - (R16_11 * t16_60 + R14_21 * t16_61) + R16_11 * t16_9 + R14_21 * t16_62 +
+      P_dot_omega1_16_12;
+  const T t16_63 = T(0.2) * minus_omega_omega1_16_13;
+  const T t16_64 = omega16_3 * t16_63;
+  const T t16_65 = omega16_3 * t16_15;
+  const T t16_66 = omega16_1 * t16_63 - omega16_2 * t16_15;
   const T t16_67 = T(0.2) * minus_omega_dot_omega1_16_13;
-  const T B50_1_13 = P_dot_omega1_16_13 - R14_21 * t16_63 + R16_11 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 -
-      R14_21 * t16_67;
+  const T B50_1_13 = R16_11 * t16_64 - R14_21 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 - R14_21 * t16_67 +
+      P_dot_omega1_16_13;
   const T t16_68 = R16_12 * t16_54 - R16_32 * t16_55 + R14_22 * t16_56;
   const T B50_1_21 = P_dot_omega1_16_21 - t16_68;
-  const T B50_1_22 = P_dot_omega1_16_22 - R16_12 * t16_59 - R14_22 * t16_60 + R16_32 * t16_61 + R16_12 * t16_7 +
-      R14_22 * t16_62;
-  const T B50_1_23 = P_dot_omega1_16_23 - R14_22 * t16_63 + R16_12 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 -
-      R14_22 * t16_67;
+  const T B50_1_22 = R16_32 * t16_59 - (R16_12 * t16_60 + R14_22 * t16_61) + R16_12 * t16_9 + R14_22 * t16_62 +
+      P_dot_omega1_16_22;
+  const T B50_1_23 = R16_12 * t16_64 - R14_22 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 - R14_22 * t16_67 +
+      P_dot_omega1_16_23;
   const T t16_69 = R16_13 * t16_54 - R16_33 * t16_55 + R14_23 * t16_56;
   const T B50_1_31 = P_dot_omega1_16_31 - t16_69;
-  const T B50_1_32 = P_dot_omega1_16_32 - R16_13 * t16_59 - R14_23 * t16_60 + R16_33 * t16_61 + R16_13 * t16_7 +
-      R14_23 * t16_62;
-  const T B50_1_33 = P_dot_omega1_16_33 - R14_23 * t16_63 + R16_13 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 -
-      R14_23 * t16_67;
+  const T B50_1_32 = R16_33 * t16_59 - (R16_13 * t16_60 + R14_23 * t16_61) + R16_13 * t16_9 + R14_23 * t16_62 +
+      P_dot_omega1_16_32;
+  const T B50_1_33 = R16_13 * t16_64 - R14_23 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 - R14_23 * t16_67 +
+      P_dot_omega1_16_33;
   v_y_dot[864] = B50_1_11;
   v_y_dot[865] = B50_1_12;
   v_y_dot[866] = B50_1_13;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a4da2c1d50614328 of random_12/scene.toml; the usual functions
+// model f79682b37801c4e1 of random_12/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -57,7 +57,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "a4da2c1d50614328";
+inline constexpr char model_hash[] = "f79682b37801c4e1";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -786,9 +786,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P5_2 = R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3 + P3_2;
   const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_31 * T(0.167) - R5_11 * T(0.056) - R5_21 * T(0.321) + P5_1;
-  const T p5_2 = R5_32 * T(0.167) - R5_12 * T(0.056) - R5_22 * T(0.321) + P5_2;
-  const T p5_3 = R5_33 * T(0.167) - R5_13 * T(0.056) - R5_23 * T(0.321) + P5_3;
+  const T p5_1 = R5_31 * T(0.167) - (R5_11 * T(0.056) + R5_21 * T(0.321)) + P5_1;
+  const T p5_2 = R5_32 * T(0.167) - (R5_12 * T(0.056) + R5_22 * T(0.321)) + P5_2;
+  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -886,9 +886,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P7_2 = R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3 + P4_2;
   const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - R7_11 * T(0.475) - R7_21 * T(0.192) - R7_31 * T(0.487);
-  const T p7_2 = P7_2 - R7_12 * T(0.475) - R7_22 * T(0.192) - R7_32 * T(0.487);
-  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
+  const T p7_1 = P7_1 - (R7_11 * T(0.475) + R7_21 * T(0.192) + R7_31 * T(0.487));
+  const T p7_2 = P7_2 - (R7_12 * T(0.475) + R7_22 * T(0.192) + R7_32 * T(0.487));
+  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
@@ -936,9 +936,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P8_2 = s1_2 + R1_12 * d8_1 + R1_22 * d8_2 + R1_32 * d8_3;
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = P8_1 - R8_11 * T(0.392) - R8_21 * T(0.416) - R8_31 * T(0.444);
-  const T p8_2 = P8_2 - R8_12 * T(0.392) - R8_22 * T(0.416) - R8_32 * T(0.444);
-  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
+  const T p8_1 = P8_1 - (R8_11 * T(0.392) + R8_21 * T(0.416) + R8_31 * T(0.444));
+  const T p8_2 = P8_2 - (R8_12 * T(0.392) + R8_22 * T(0.416) + R8_32 * T(0.444));
+  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
   pose[93] = p8_1;
   pose[94] = p8_2;
   pose[95] = p8_3;
@@ -1136,9 +1136,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P12_2 = R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3 + P11_2;
   const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_1 = P12_1 - R12_11 * T(0.006) - R12_21 * T(0.141) - R12_31 * T(0.1);
-  const T p12_2 = P12_2 - R12_12 * T(0.006) - R12_22 * T(0.141) - R12_32 * T(0.1);
-  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
+  const T p12_1 = P12_1 - (R12_11 * T(0.006) + R12_21 * T(0.141) + R12_31 * T(0.1));
+  const T p12_2 = P12_2 - (R12_12 * T(0.006) + R12_22 * T(0.141) + R12_32 * T(0.1));
+  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
   pose[141] = p12_1;
   pose[142] = p12_2;
   pose[143] = p12_3;
@@ -1351,7 +1351,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.2551) * omega4_1 + T(0.0225) * omega4_2 - T(0.0283) * omega4_3) + omega4_2 *
       (T(0.0225) * omega4_1 + T(0.2397) * omega4_2 - T(0.0221) * omega4_3) + omega4_3 * (T(0.2408) * omega4_3 -
-      T(0.0283) * omega4_1 - T(0.0221) * omega4_2)) + T(2.245) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
+      (T(0.0283) * omega4_1 + T(0.0221) * omega4_2))) + T(2.245) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (body_5) on body 3
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -1387,7 +1387,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P5 = R3^T d5 + P3: position of the body origin, inertial axes [m]
   const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_33 * T(0.167) - R5_13 * T(0.056) - R5_23 * T(0.321) + P5_3;
+  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
   // Pdot5 = R3^T (omega3~ d5 + sdot5) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = omega3_2 * d5_3 - omega3_3 * d5_2 + sdot5_1;
   const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + sdot5_2;
@@ -1495,7 +1495,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P7 = R4^T d7 + P4: position of the body origin, inertial axes [m]
   const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
+  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
   // Pdot7 = R4^T (omega4~ d7 + sdot7) + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t7_13 = omega4_2 * d7_3 - omega4_3 * d7_2 + sdot7_1;
   const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + sdot7_2;
@@ -1549,7 +1549,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
+  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8): velocity of the body origin, inertial axes [m/s]
   const T t8_13 = omega1_2 * d8_3 - omega1_3 * d8_2 + sdot8_1;
   const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + sdot8_2;
@@ -1767,7 +1767,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P12 = R11^T d12 + P11: position of the body origin, inertial axes [m]
   const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
+  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
   // Pdot12 = R11^T (omega11~ d12 + sdot12) + Pdot11: velocity of the body origin, inertial axes [m/s]
   const T t12_13 = omega11_2 * d12_3 - omega11_3 * d12_2 + sdot12_1;
   const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + sdot12_2;
@@ -1785,8 +1785,8 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // T12 = 1/2 omega12 . (I12 omega12) + 1/2 m12 v12 . v12: kinetic energy [J]
   const T T12 = T(0.5) * (omega12_1 * (T(0.4137) * omega12_1 + T(0.0121) * omega12_2 - T(0.1084) * omega12_3) +
       omega12_2 * (T(0.0121) * omega12_1 + T(0.5952) * omega12_2 - T(0.0023) * omega12_3) + omega12_3 * (T(0.3276) *
-      omega12_3 - T(0.1084) * omega12_1 - T(0.0023) * omega12_2)) + T(2.03) * (v12_1 * v12_1 + v12_2 * v12_2 + v12_3 *
-      v12_3);
+      omega12_3 - (T(0.1084) * omega12_1 + T(0.0023) * omega12_2))) + T(2.03) * (v12_1 * v12_1 + v12_2 * v12_2 + v12_3
+      * v12_3);
 
   // ---- whole system
   // kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T7 + T8 + T9 + T10 + T11 + T12: kinetic energy of the system [J]
@@ -2047,7 +2047,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // H4 = R4^T I4 omega4 + p4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t4_19 = T(0.2551) * omega4_1 + T(0.0225) * omega4_2 - T(0.0283) * omega4_3;
   const T t4_20 = T(0.0225) * omega4_1 + T(0.2397) * omega4_2 - T(0.0221) * omega4_3;
-  const T t4_21 = T(0.2408) * omega4_3 - T(0.0283) * omega4_1 - T(0.0221) * omega4_2;
+  const T t4_21 = T(0.2408) * omega4_3 - (T(0.0283) * omega4_1 + T(0.0221) * omega4_2);
   const T H4_1 = R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21 + p4_2 * l4_3 - p4_3 * l4_2;
   const T H4_2 = R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21 + p4_3 * l4_1 - p4_1 * l4_3;
   const T H4_3 = R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21 + p4_1 * l4_2 - p4_2 * l4_1;
@@ -2088,9 +2088,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_2 = R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3 + P3_2;
   const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_31 * T(0.167) - R5_11 * T(0.056) - R5_21 * T(0.321) + P5_1;
-  const T p5_2 = R5_32 * T(0.167) - R5_12 * T(0.056) - R5_22 * T(0.321) + P5_2;
-  const T p5_3 = R5_33 * T(0.167) - R5_13 * T(0.056) - R5_23 * T(0.321) + P5_3;
+  const T p5_1 = R5_31 * T(0.167) - (R5_11 * T(0.056) + R5_21 * T(0.321)) + P5_1;
+  const T p5_2 = R5_32 * T(0.167) - (R5_12 * T(0.056) + R5_22 * T(0.321)) + P5_2;
+  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
   // Pdot5 = R3^T (omega3~ d5 + sdot5) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = omega3_2 * d5_3 - omega3_3 * d5_2 + sdot5_1;
   const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + sdot5_2;
@@ -2218,9 +2218,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P7_2 = R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3 + P4_2;
   const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - R7_11 * T(0.475) - R7_21 * T(0.192) - R7_31 * T(0.487);
-  const T p7_2 = P7_2 - R7_12 * T(0.475) - R7_22 * T(0.192) - R7_32 * T(0.487);
-  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
+  const T p7_1 = P7_1 - (R7_11 * T(0.475) + R7_21 * T(0.192) + R7_31 * T(0.487));
+  const T p7_2 = P7_2 - (R7_12 * T(0.475) + R7_22 * T(0.192) + R7_32 * T(0.487));
+  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
   // Pdot7 = R4^T (omega4~ d7 + sdot7) + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t7_13 = omega4_2 * d7_3 - omega4_3 * d7_2 + sdot7_1;
   const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + sdot7_2;
@@ -2283,9 +2283,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P8_2 = s1_2 + R1_12 * d8_1 + R1_22 * d8_2 + R1_32 * d8_3;
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = P8_1 - R8_11 * T(0.392) - R8_21 * T(0.416) - R8_31 * T(0.444);
-  const T p8_2 = P8_2 - R8_12 * T(0.392) - R8_22 * T(0.416) - R8_32 * T(0.444);
-  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
+  const T p8_1 = P8_1 - (R8_11 * T(0.392) + R8_21 * T(0.416) + R8_31 * T(0.444));
+  const T p8_2 = P8_2 - (R8_12 * T(0.392) + R8_22 * T(0.416) + R8_32 * T(0.444));
+  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8): velocity of the body origin, inertial axes [m/s]
   const T t8_13 = omega1_2 * d8_3 - omega1_3 * d8_2 + sdot8_1;
   const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + sdot8_2;
@@ -2543,9 +2543,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P12_2 = R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3 + P11_2;
   const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_1 = P12_1 - R12_11 * T(0.006) - R12_21 * T(0.141) - R12_31 * T(0.1);
-  const T p12_2 = P12_2 - R12_12 * T(0.006) - R12_22 * T(0.141) - R12_32 * T(0.1);
-  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
+  const T p12_1 = P12_1 - (R12_11 * T(0.006) + R12_21 * T(0.141) + R12_31 * T(0.1));
+  const T p12_2 = P12_2 - (R12_12 * T(0.006) + R12_22 * T(0.141) + R12_32 * T(0.1));
+  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
   // Pdot12 = R11^T (omega11~ d12 + sdot12) + Pdot11: velocity of the body origin, inertial axes [m/s]
   const T t12_13 = omega11_2 * d12_3 - omega11_3 * d12_2 + sdot12_1;
   const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + sdot12_2;
@@ -2567,7 +2567,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // H12 = R12^T I12 omega12 + p12~ l12: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t12_19 = T(0.4137) * omega12_1 + T(0.0121) * omega12_2 - T(0.1084) * omega12_3;
   const T t12_20 = T(0.0121) * omega12_1 + T(0.5952) * omega12_2 - T(0.0023) * omega12_3;
-  const T t12_21 = T(0.3276) * omega12_3 - T(0.1084) * omega12_1 - T(0.0023) * omega12_2;
+  const T t12_21 = T(0.3276) * omega12_3 - (T(0.1084) * omega12_1 + T(0.0023) * omega12_2);
   const T H12_1 = R12_11 * t12_19 + R12_21 * t12_20 + R12_31 * t12_21 + p12_2 * l12_3 - p12_3 * l12_2;
   const T H12_2 = R12_12 * t12_19 + R12_22 * t12_20 + R12_32 * t12_21 + p12_3 * l12_1 - p12_1 * l12_3;
   const T H12_3 = R12_13 * t12_19 + R12_23 * t12_20 + R12_33 * t12_21 + p12_1 * l12_2 - p12_2 * l12_1;
@@ -3161,18 +3161,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
   // N1 = -omega1~ I1 omega1 + M1: applied less gyroscopic moment, body axes [N m]
-  const T t1_13 = omega1_2 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T t1_15 = omega1_3 * omega1_3;
+  const T t1_13 = omega1_2 * omega1_2;
+  const T t1_14 = omega1_3 * omega1_3;
+  const T t1_15 = omega1_2 * omega1_3;
   const T t1_16 = omega1_1 * omega1_2;
   const T t1_17 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.083) - T(0.058099999999999985) * t1_13 + T(0.0128) * (t1_14 - t1_15) - T(0.0129) * t1_16 +
-      T(0.0043) * t1_17;
+  const T N1_1 = T(0.0128) * (t1_13 - t1_14) - T(0.058099999999999985) * t1_15 - T(0.0129) * t1_16 + T(0.0043) * t1_17
+      + T(0.083);
   const T t1_18 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.002) - T(0.0010999999999999899) * t1_17 - T(0.0129) * (t1_15 - t1_18) - T(0.0043) * t1_13 -
-      T(0.0128) * t1_16;
-  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_18 - t1_14) - T(0.059199999999999975) * t1_16 - T(0.0128) * t1_17 -
-      T(0.0129) * t1_13;
+  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * t1_17 + T(0.0129) * (t1_14 - t1_18) + T(0.0043) * t1_15 +
+      T(0.0128) * t1_16);
+  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_18 - t1_13) - T(0.059199999999999975) * t1_16 - T(0.0128) * t1_17 -
+      T(0.0129) * t1_15;
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
   const T omegadot1_1 = T(2.0695180493938974) * N1_1 - T(0.022655150890096558) * N1_2 + T(0.055931126981501586) *
       minus_N1_3;
@@ -3185,22 +3185,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[2] = omegadot1_3;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U1_11 = t1_15 + t1_14;
+  const T minus_U1_11 = t1_14 + t1_13;
   const T U1_12 = t1_16 - omegadot1_3;
   const T U1_13 = t1_17 + omegadot1_2;
   const T U1_21 = t1_16 + omegadot1_3;
-  const T minus_U1_22 = t1_15 + t1_18;
-  const T U1_23 = t1_13 - omegadot1_1;
+  const T minus_U1_22 = t1_14 + t1_18;
+  const T U1_23 = t1_15 - omegadot1_1;
   const T U1_31 = t1_17 - omegadot1_2;
-  const T U1_32 = t1_13 + omegadot1_1;
-  const T minus_U1_33 = t1_14 + t1_18;
+  const T U1_32 = t1_15 + omegadot1_1;
+  const T minus_U1_33 = t1_13 + t1_18;
   // Pddot1 = -R1^T U1 r1 + a1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t1_19 = U1_21 * T(0.187) + minus_U1_22 * T(0.163) - U1_23 * T(0.095);
-  const T t1_20 = minus_U1_11 * T(0.187) + U1_12 * T(0.163) + U1_13 * T(0.095);
+  const T t1_19 = minus_U1_11 * T(0.187) + U1_12 * T(0.163) + U1_13 * T(0.095);
+  const T t1_20 = U1_21 * T(0.187) + minus_U1_22 * T(0.163) - U1_23 * T(0.095);
   const T t1_21 = U1_31 * T(0.187) - U1_32 * T(0.163) + minus_U1_33 * T(0.095);
-  const T Pddot1_1 = T(0.3301204819277108) - R1_21 * t1_19 + R1_11 * t1_20 - R1_31 * t1_21;
-  const T minus_Pddot1_2 = T(0.46506024096385534) + R1_22 * t1_19 - R1_12 * t1_20 + R1_32 * t1_21;
-  const T minus_Pddot1_3 = T(0.42409638554216866) + R1_23 * t1_19 - R1_13 * t1_20 + R1_33 * t1_21;
+  const T Pddot1_1 = R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21 + T(0.3301204819277108);
+  const T minus_Pddot1_2 = T(0.46506024096385534) + R1_22 * t1_20 - R1_12 * t1_19 + R1_32 * t1_21;
+  const T minus_Pddot1_3 = T(0.42409638554216866) + R1_23 * t1_20 - R1_13 * t1_19 + R1_33 * t1_21;
   ydot[36] = Pddot1_1;
   ydot[37] = -minus_Pddot1_2;
   // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
@@ -3247,8 +3247,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N2_1 = T(0.022) + T(0.0252) * t2_13 + T(0.0049) * (t2_14 - t2_15) + T(0.0037) * t2_16 - T(1e-04) *
       t2_17;
   const T t2_18 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.054) - T(0.0037) * (t2_15 - t2_18) + T(0.02560000000000001) * t2_17 - T(1e-04) * t2_13 +
-      T(0.0049) * t2_16;
+  const T N2_2 = T(0.02560000000000001) * t2_17 - T(0.0037) * (t2_15 - t2_18) - T(1e-04) * t2_13 + T(0.0049) * t2_16 +
+      T(0.054);
   const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * t2_16 + T(1e-04) * (t2_18 - t2_14) + T(0.0049) * t2_17 -
       T(0.0037) * t2_13;
   // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
@@ -3276,7 +3276,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_19 = U2_12 * T(0.31) - minus_U2_11 * T(0.011);
   const T t2_20 = U2_21 * T(0.011) - minus_U2_22 * T(0.31);
   const T t2_21 = U2_31 * T(0.011) + U2_32 * T(0.31);
-  const T Pddot2_1 = T(0.125) - R2_11 * t2_19 - R2_21 * t2_20 - R2_31 * t2_21;
+  const T Pddot2_1 = T(0.125) - (R2_11 * t2_19 + R2_21 * t2_20 + R2_31 * t2_21);
   const T minus_Pddot2_2 = T(1.7343750000000002) + R2_12 * t2_19 + R2_22 * t2_20 + R2_32 * t2_21;
   const T minus_Pddot2_3 = T(0.45312499999999994) + R2_13 * t2_19 + R2_23 * t2_20 + R2_33 * t2_21;
   // sddot2 = R1 (-Pddot1 + Pddot2) - 2 omega1~ sdot2 - U1 d2: relative acceleration, axes of the lower body [m/s^2]
@@ -3328,45 +3328,45 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
   // N3 = -omega3~ I3 omega3 + M3: applied less gyroscopic moment, body axes [N m]
-  const T t3_13 = omega3_2 * omega3_3;
-  const T t3_14 = omega3_2 * omega3_2;
-  const T t3_15 = omega3_3 * omega3_3;
+  const T t3_13 = omega3_2 * omega3_2;
+  const T t3_14 = omega3_3 * omega3_3;
+  const T t3_15 = omega3_2 * omega3_3;
   const T t3_16 = omega3_1 * omega3_2;
   const T t3_17 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.005) - T(0.05720000000000003) * t3_13 + T(0.0036) * (t3_14 - t3_15) - T(0.038) * t3_16 +
-      T(0.0388) * t3_17;
+  const T N3_1 = T(0.0036) * (t3_13 - t3_14) - T(0.05720000000000003) * t3_15 - T(0.038) * t3_16 + T(0.0388) * t3_17 +
+      T(0.005);
   const T t3_18 = omega3_1 * omega3_1;
-  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_17 + T(0.038) * (t3_15 - t3_18) + T(0.0388) * t3_13 +
+  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_17 + T(0.038) * (t3_14 - t3_18) + T(0.0388) * t3_15 +
       T(0.0036) * t3_16;
-  const T N3_3 = T(0.025) - T(0.0388) * (t3_18 - t3_14) + T(0.16299999999999998) * t3_16 + T(0.0036) * t3_17 +
-      T(0.038) * t3_13;
+  const T N3_3 = T(0.16299999999999998) * t3_16 - T(0.0388) * (t3_18 - t3_13) + T(0.0036) * t3_17 + T(0.038) * t3_15 +
+      T(0.025);
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T omegadot3_1 = T(2.872223569018402) * N3_1 + T(0.5690188725354294) * minus_N3_2 - T(0.4346871132284082) *
       N3_3;
-  const T omegadot3_2 = T(0.15699786849899794) * N3_3 - T(0.5690188725354294) * N3_1 - T(5.149260446027045) *
-      minus_N3_2;
-  const T omegadot3_3 = T(3.976087969621876) * N3_3 - T(0.4346871132284082) * N3_1 - T(0.15699786849899794) *
-      minus_N3_2;
+  const T omegadot3_2 = T(0.15699786849899794) * N3_3 - (T(0.5690188725354294) * N3_1 + T(5.149260446027045) *
+      minus_N3_2);
+  const T omegadot3_3 = T(3.976087969621876) * N3_3 - (T(0.4346871132284082) * N3_1 + T(0.15699786849899794) *
+      minus_N3_2);
   ydot[6] = omegadot3_1;
   ydot[7] = omegadot3_2;
   ydot[8] = omegadot3_3;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U3_11 = t3_15 + t3_14;
+  const T minus_U3_11 = t3_14 + t3_13;
   const T U3_12 = t3_16 - omegadot3_3;
   const T U3_13 = t3_17 + omegadot3_2;
   const T U3_21 = t3_16 + omegadot3_3;
-  const T minus_U3_22 = t3_15 + t3_18;
-  const T U3_23 = t3_13 - omegadot3_1;
+  const T minus_U3_22 = t3_14 + t3_18;
+  const T U3_23 = t3_15 - omegadot3_1;
   const T U3_31 = t3_17 - omegadot3_2;
-  const T U3_32 = t3_13 + omegadot3_1;
-  const T minus_U3_33 = t3_14 + t3_18;
+  const T U3_32 = t3_15 + omegadot3_1;
+  const T minus_U3_33 = t3_13 + t3_18;
   // Pddot3 = -R3^T U3 r3 + a3: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t3_19 = U3_12 * T(0.498) - minus_U3_11 * T(0.484) + U3_13 * T(0.004);
   const T t3_20 = U3_21 * T(0.484) - minus_U3_22 * T(0.498) + U3_23 * T(0.004);
   const T t3_21 = U3_31 * T(0.484) + U3_32 * T(0.498) - minus_U3_33 * T(0.004);
-  const T Pddot3_1 = T(0.6214953271028038) - R3_11 * t3_19 - R3_21 * t3_20 - R3_31 * t3_21;
-  const T Pddot3_2 = T(0.26168224299065423) - R3_12 * t3_19 - R3_22 * t3_20 - R3_32 * t3_21;
+  const T Pddot3_1 = T(0.6214953271028038) - (R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21);
+  const T Pddot3_2 = T(0.26168224299065423) - (R3_12 * t3_19 + R3_22 * t3_20 + R3_32 * t3_21);
   const T minus_Pddot3_3 = T(0.5046728971962617) + R3_13 * t3_19 + R3_23 * t3_20 + R3_33 * t3_21;
   // sddot3 = R2 (-Pddot2 + Pddot3) - 2 omega2~ sdot3 - U2 d3: relative acceleration, axes of the lower body [m/s^2]
   const T t3_22 = Pddot3_1 - Pddot2_1;
@@ -3417,18 +3417,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less gyroscopic moment, body axes [N m]
-  const T t4_13 = omega4_2 * omega4_3;
-  const T t4_14 = omega4_2 * omega4_2;
-  const T t4_15 = omega4_3 * omega4_3;
+  const T t4_13 = omega4_2 * omega4_2;
+  const T t4_14 = omega4_3 * omega4_3;
+  const T t4_15 = omega4_2 * omega4_3;
   const T t4_16 = omega4_1 * omega4_2;
   const T t4_17 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.081) - T(0.0010999999999999899) * t4_13 + T(0.0221) * (t4_14 - t4_15) + T(0.0283) * t4_16 +
-      T(0.0225) * t4_17;
+  const T N4_1 = T(0.0221) * (t4_13 - t4_14) - T(0.0010999999999999899) * t4_15 + T(0.0283) * t4_16 + T(0.0225) *
+      t4_17 + T(0.081);
   const T t4_18 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.06) - T(0.014300000000000007) * t4_17 + T(0.0283) * (t4_15 - t4_18) - T(0.0225) * t4_13 -
-      T(0.0221) * t4_16;
-  const T N4_3 = T(0.079) - T(0.0225) * (t4_18 - t4_14) + T(0.015399999999999997) * t4_16 + T(0.0221) * t4_17 -
-      T(0.0283) * t4_13;
+  const T N4_2 = T(0.0283) * (t4_14 - t4_18) - T(0.014300000000000007) * t4_17 - T(0.0225) * t4_15 - T(0.0221) * t4_16
+      + T(0.06);
+  const T N4_3 = T(0.015399999999999997) * t4_16 - T(0.0225) * (t4_18 - t4_13) + T(0.0221) * t4_17 - T(0.0283) * t4_15
+      + T(0.079);
   // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
   const T omegadot4_1 = T(3.9982825460034723) * N4_1 - T(0.33481735065658697) * N4_2 + T(0.43916915532553025) * N4_3;
   const T omegadot4_2 = T(4.235521887745724) * N4_2 - T(0.33481735065658697) * N4_1 + T(0.3493758417591325) * N4_3;
@@ -3438,22 +3438,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[11] = omegadot4_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U4_11 = t4_15 + t4_14;
+  const T minus_U4_11 = t4_14 + t4_13;
   const T U4_12 = t4_16 - omegadot4_3;
   const T U4_13 = t4_17 + omegadot4_2;
   const T U4_21 = t4_16 + omegadot4_3;
-  const T minus_U4_22 = t4_15 + t4_18;
-  const T U4_23 = t4_13 - omegadot4_1;
+  const T minus_U4_22 = t4_14 + t4_18;
+  const T U4_23 = t4_15 - omegadot4_1;
   const T U4_31 = t4_17 - omegadot4_2;
-  const T U4_32 = t4_13 + omegadot4_1;
-  const T minus_U4_33 = t4_14 + t4_18;
+  const T U4_32 = t4_15 + omegadot4_1;
+  const T minus_U4_33 = t4_13 + t4_18;
   // Pddot4 = -R4^T U4 r4 + a4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t4_19 = U4_12 * T(0.289) - minus_U4_11 * T(0.401) + U4_13 * T(0.08);
   const T t4_20 = U4_21 * T(0.401) - minus_U4_22 * T(0.289) + U4_23 * T(0.08);
   const T t4_21 = U4_31 * T(0.401) + U4_32 * T(0.289) - minus_U4_33 * T(0.08);
-  const T Pddot4_1 = T(0.05567928730512249) - R4_11 * t4_19 - R4_21 * t4_20 - R4_31 * t4_21;
+  const T Pddot4_1 = T(0.05567928730512249) - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
   const T minus_Pddot4_2 = T(0.4298440979955456) + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
-  const T Pddot4_3 = T(0.18708240534521156) - R4_13 * t4_19 - R4_23 * t4_20 - R4_33 * t4_21;
+  const T Pddot4_3 = T(0.18708240534521156) - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
   // sddot4 = R3 (-Pddot3 + Pddot4) - 2 omega3~ sdot4 - U3 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot3_1;
   const T t4_23 = minus_Pddot4_2 + Pddot3_2;
@@ -3537,12 +3537,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_32 = t5_13 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_18;
   // Pddot5 = -R5^T U5 r5 + a5: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t5_19 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
-  const T t5_20 = minus_U5_22 * T(0.321) - U5_21 * T(0.056) + U5_23 * T(0.167);
-  const T t5_21 = U5_31 * T(0.056) + U5_32 * T(0.321) + minus_U5_33 * T(0.167);
-  const T Pddot5_1 = T(0.9081632653061225) - R5_11 * t5_19 - R5_21 * t5_20 + R5_31 * t5_21;
-  const T minus_Pddot5_2 = T(1.0051020408163265) + R5_12 * t5_19 + R5_22 * t5_20 - R5_32 * t5_21;
-  const T minus_Pddot5_3 = T(0.28571428571428575) + R5_13 * t5_19 + R5_23 * t5_20 - R5_33 * t5_21;
+  const T t5_19 = U5_31 * T(0.056) + U5_32 * T(0.321) + minus_U5_33 * T(0.167);
+  const T t5_20 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
+  const T t5_21 = minus_U5_22 * T(0.321) - U5_21 * T(0.056) + U5_23 * T(0.167);
+  const T Pddot5_1 = R5_31 * t5_19 - (R5_11 * t5_20 + R5_21 * t5_21) + T(0.9081632653061225);
+  const T minus_Pddot5_2 = T(1.0051020408163265) + R5_12 * t5_20 + R5_22 * t5_21 - R5_32 * t5_19;
+  const T minus_Pddot5_3 = T(0.28571428571428575) + R5_13 * t5_20 + R5_23 * t5_21 - R5_33 * t5_19;
   // sddot5 = R3 (-Pddot3 + Pddot5) - 2 omega3~ sdot5 - U3 d5: relative acceleration, axes of the lower body [m/s^2]
   const T t5_22 = Pddot5_1 - Pddot3_1;
   const T t5_23 = minus_Pddot5_2 + Pddot3_2;
@@ -3589,23 +3589,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less gyroscopic moment, body axes [N m]
-  const T t6_13 = omega6_2 * omega6_2;
-  const T t6_14 = omega6_3 * omega6_3;
-  const T t6_15 = omega6_2 * omega6_3;
+  const T t6_13 = omega6_2 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T t6_15 = omega6_3 * omega6_3;
   const T t6_16 = omega6_1 * omega6_2;
   const T t6_17 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.079) - T(0.0219) * (t6_13 - t6_14) + T(0.014700000000000046) * t6_15 - T(0.0493) * t6_16 +
-      T(0.035) * t6_17;
+  const T N6_1 = T(0.014700000000000046) * t6_13 - T(0.0219) * (t6_14 - t6_15) - T(0.0493) * t6_16 + T(0.035) * t6_17
+      + T(0.079);
   const T t6_18 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_14 - t6_18) - T(0.17060000000000003) * t6_17 + T(0.035) * t6_15 -
+  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_15 - t6_18) - T(0.17060000000000003) * t6_17 + T(0.035) * t6_13 -
       T(0.0219) * t6_16;
-  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * t6_16 + T(0.035) * (t6_18 - t6_13) + T(0.0219) * t6_17 -
-      T(0.0493) * t6_15;
+  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * t6_16 + T(0.035) * (t6_18 - t6_14) + T(0.0219) * t6_17 -
+      T(0.0493) * t6_13;
   // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
   const T omegadot6_1 = T(2.4941618471124003) * N6_1 + T(0.13970875864419147) * minus_N6_2 + T(0.2075875298620733) *
       minus_N6_3;
-  const T omegadot6_2 = T(0.05247602938404173) * minus_N6_3 - T(0.13970875864419147) * N6_1 - T(1.6985295147662622) *
-      minus_N6_2;
+  const T omegadot6_2 = T(0.05247602938404173) * minus_N6_3 - (T(0.13970875864419147) * N6_1 + T(1.6985295147662622) *
+      minus_N6_2);
   const T omegadot6_3 = T(0.05247602938404173) * minus_N6_2 - T(0.2075875298620733) * N6_1 - T(1.7510098515680588) *
       minus_N6_3;
   ydot[15] = omegadot6_1;
@@ -3613,22 +3613,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[17] = omegadot6_3;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U6_11 = t6_14 + t6_13;
+  const T minus_U6_11 = t6_15 + t6_14;
   const T U6_12 = t6_16 - omegadot6_3;
   const T U6_13 = t6_17 + omegadot6_2;
   const T U6_21 = t6_16 + omegadot6_3;
-  const T minus_U6_22 = t6_14 + t6_18;
-  const T U6_23 = t6_15 - omegadot6_1;
+  const T minus_U6_22 = t6_15 + t6_18;
+  const T U6_23 = t6_13 - omegadot6_1;
   const T U6_31 = t6_17 - omegadot6_2;
-  const T U6_32 = t6_15 + omegadot6_1;
-  const T minus_U6_33 = t6_13 + t6_18;
+  const T U6_32 = t6_13 + omegadot6_1;
+  const T minus_U6_33 = t6_14 + t6_18;
   // Pddot6 = -R6^T U6 r6 + a6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t6_19 = U6_21 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
-  const T t6_20 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
+  const T t6_19 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
+  const T t6_20 = U6_21 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
   const T t6_21 = U6_31 * T(0.044) - U6_32 * T(0.248) + minus_U6_33 * T(0.454);
-  const T Pddot6_1 = T(0.1149425287356322) - R6_21 * t6_19 + R6_11 * t6_20 - R6_31 * t6_21;
-  const T minus_Pddot6_2 = T(0.12643678160919541) + R6_22 * t6_19 - R6_12 * t6_20 + R6_32 * t6_21;
-  const T Pddot6_3 = T(0.4281609195402299) - R6_23 * t6_19 + R6_13 * t6_20 - R6_33 * t6_21;
+  const T Pddot6_1 = R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21 + T(0.1149425287356322);
+  const T minus_Pddot6_2 = T(0.12643678160919541) + R6_22 * t6_20 - R6_12 * t6_19 + R6_32 * t6_21;
+  const T Pddot6_3 = R6_13 * t6_19 - R6_23 * t6_20 - R6_33 * t6_21 + T(0.4281609195402299);
   // sddot6 = R2 (-Pddot2 + Pddot6) - 2 omega2~ sdot6 - U2 d6: relative acceleration, axes of the lower body [m/s^2]
   const T t6_22 = Pddot6_1 - Pddot2_1;
   const T t6_23 = minus_Pddot2_2 - minus_Pddot6_2;
@@ -3683,10 +3683,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_13 - t7_14) - T(0.0021000000000000185) * t7_15 + T(0.0025) * t7_16 +
       T(7e-04) * t7_17;
   const T t7_18 = omega7_1 * omega7_1;
-  const T N7_2 = T(0.072) - T(0.0025) * (t7_14 - t7_18) + T(0.0008999999999999841) * t7_17 + T(7e-04) * t7_15 +
-      T(0.0017) * t7_16;
-  const T N7_3 = T(0.021) - T(0.0030000000000000027) * t7_16 + T(7e-04) * (t7_18 - t7_13) - T(0.0017) * t7_17 +
-      T(0.0025) * t7_15;
+  const T N7_2 = T(0.0008999999999999841) * t7_17 - T(0.0025) * (t7_14 - t7_18) + T(7e-04) * t7_15 + T(0.0017) * t7_16
+      + T(0.072);
+  const T N7_3 = T(7e-04) * (t7_18 - t7_13) - T(0.0030000000000000027) * t7_16 - T(0.0017) * t7_17 + T(0.0025) * t7_15
+      + T(0.021);
   // omegadot7 = Iinv7 N7: I omegadot + omega~ I omega = M
   const T omegadot7_1 = T(0.0404762754848672) * N7_2 - T(7.521659426959323) * minus_N7_1 - T(0.14094815710024333) *
       N7_3;
@@ -3711,7 +3711,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Pddot7 = -R7^T U7 r7 + a7: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t7_19 = minus_U7_11 * T(0.475) - U7_12 * T(0.192) - U7_13 * T(0.487);
   const T t7_20 = minus_U7_22 * T(0.192) - U7_21 * T(0.475) - U7_23 * T(0.487);
-  const T t7_21 = minus_U7_33 * T(0.487) - U7_31 * T(0.475) - U7_32 * T(0.192);
+  const T t7_21 = minus_U7_33 * T(0.487) - (U7_31 * T(0.475) + U7_32 * T(0.192));
   const T minus_Pddot7_1 = T(1.0945945945945947) + R7_11 * t7_19 + R7_21 * t7_20 + R7_31 * t7_21;
   const T minus_Pddot7_2 = T(1.6756756756756757) + R7_12 * t7_19 + R7_22 * t7_20 + R7_32 * t7_21;
   const T minus_Pddot7_3 = T(1.7027027027027026) + R7_13 * t7_19 + R7_23 * t7_20 + R7_33 * t7_21;
@@ -3764,18 +3764,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d8_2 = s8_2 - T(0.25);
   const T d8_3 = s8_3 - T(0.387);
   // N8 = -omega8~ I8 omega8 + M8: applied less gyroscopic moment, body axes [N m]
-  const T t8_13 = omega8_2 * omega8_3;
-  const T t8_14 = omega8_2 * omega8_2;
-  const T t8_15 = omega8_3 * omega8_3;
-  const T t8_16 = omega8_1 * omega8_2;
+  const T t8_13 = omega8_1 * omega8_2;
+  const T t8_14 = omega8_2 * omega8_3;
+  const T t8_15 = omega8_2 * omega8_2;
+  const T t8_16 = omega8_3 * omega8_3;
   const T t8_17 = omega8_1 * omega8_3;
-  const T N8_1 = T(0.092) - T(0.017199999999999938) * t8_13 - T(0.028) * (t8_14 - t8_15) + T(0.0399) * t8_16 -
-      T(0.0147) * t8_17;
+  const T N8_1 = T(0.0399) * t8_13 - (T(0.017199999999999938) * t8_14 + T(0.028) * (t8_15 - t8_16)) - T(0.0147) *
+      t8_17 + T(0.092);
   const T t8_18 = omega8_1 * omega8_1;
-  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_17 + T(0.0399) * (t8_15 - t8_18) + T(0.0147) * t8_13 +
-      T(0.028) * t8_16;
-  const T N8_3 = T(0.09) - T(0.05020000000000002) * t8_16 + T(0.0147) * (t8_18 - t8_14) - T(0.028) * t8_17 - T(0.0399)
-      * t8_13;
+  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_17 + T(0.0399) * (t8_16 - t8_18) + T(0.0147) * t8_14 +
+      T(0.028) * t8_13;
+  const T N8_3 = T(0.0147) * (t8_18 - t8_15) - T(0.05020000000000002) * t8_13 - T(0.028) * t8_17 - T(0.0399) * t8_14 +
+      T(0.09);
   // omegadot8 = Iinv8 N8: I omegadot + omega~ I omega = M
   const T omegadot8_1 = T(2.2431453707099713) * N8_1 + T(0.05648564396046748) * N8_2 + T(0.1701895126992543) * N8_3;
   const T omegadot8_2 = T(0.05648564396046748) * N8_1 + T(2.0099288778308475) * N8_2 - T(0.10457652223236756) * N8_3;
@@ -3785,22 +3785,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[23] = omegadot8_3;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U8_11 = t8_15 + t8_14;
-  const T U8_12 = t8_16 - omegadot8_3;
+  const T minus_U8_11 = t8_16 + t8_15;
+  const T U8_12 = t8_13 - omegadot8_3;
   const T U8_13 = t8_17 + omegadot8_2;
-  const T U8_21 = t8_16 + omegadot8_3;
-  const T minus_U8_22 = t8_15 + t8_18;
-  const T U8_23 = t8_13 - omegadot8_1;
+  const T U8_21 = t8_13 + omegadot8_3;
+  const T minus_U8_22 = t8_16 + t8_18;
+  const T U8_23 = t8_14 - omegadot8_1;
   const T U8_31 = t8_17 - omegadot8_2;
-  const T U8_32 = t8_13 + omegadot8_1;
-  const T minus_U8_33 = t8_14 + t8_18;
+  const T U8_32 = t8_14 + omegadot8_1;
+  const T minus_U8_33 = t8_15 + t8_18;
   // Pddot8 = -R8^T U8 r8 + a8: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t8_19 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
   const T t8_20 = minus_U8_22 * T(0.416) - U8_21 * T(0.392) - U8_23 * T(0.444);
-  const T t8_21 = minus_U8_33 * T(0.444) - U8_31 * T(0.392) - U8_32 * T(0.416);
-  const T Pddot8_1 = T(0.2730627306273063) - R8_11 * t8_19 - R8_21 * t8_20 - R8_31 * t8_21;
-  const T Pddot8_2 = T(0.16974169741697417) - R8_12 * t8_19 - R8_22 * t8_20 - R8_32 * t8_21;
-  const T Pddot8_3 = T(0.6863468634686347) - R8_13 * t8_19 - R8_23 * t8_20 - R8_33 * t8_21;
+  const T t8_21 = minus_U8_33 * T(0.444) - (U8_31 * T(0.392) + U8_32 * T(0.416));
+  const T Pddot8_1 = T(0.2730627306273063) - (R8_11 * t8_19 + R8_21 * t8_20 + R8_31 * t8_21);
+  const T Pddot8_2 = T(0.16974169741697417) - (R8_12 * t8_19 + R8_22 * t8_20 + R8_32 * t8_21);
+  const T Pddot8_3 = T(0.6863468634686347) - (R8_13 * t8_19 + R8_23 * t8_20 + R8_33 * t8_21);
   // sddot8 = R1 (-Pddot1 + Pddot8) - 2 omega1~ sdot8 - U1 d8: relative acceleration, axes of the lower body [m/s^2]
   const T t8_22 = Pddot8_1 - Pddot1_1;
   const T t8_23 = Pddot8_2 + minus_Pddot1_2;
@@ -3847,39 +3847,39 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
   // N9 = -omega9~ I9 omega9 + M9: applied less gyroscopic moment, body axes [N m]
-  const T t9_13 = omega9_1 * omega9_2;
-  const T t9_14 = omega9_2 * omega9_3;
-  const T t9_15 = omega9_2 * omega9_2;
-  const T t9_16 = omega9_3 * omega9_3;
+  const T t9_13 = omega9_2 * omega9_3;
+  const T t9_14 = omega9_2 * omega9_2;
+  const T t9_15 = omega9_3 * omega9_3;
+  const T t9_16 = omega9_1 * omega9_2;
   const T t9_17 = omega9_1 * omega9_3;
-  const T N9_1 = T(0.022) - T(0.0257) * t9_13 + T(0.022300000000000042) * t9_14 + T(0.0093) * (t9_15 - t9_16) +
-      T(0.0215) * t9_17;
+  const T N9_1 = T(0.022300000000000042) * t9_13 + T(0.0093) * (t9_14 - t9_15) - T(0.0257) * t9_16 + T(0.0215) * t9_17
+      + T(0.022);
   const T t9_18 = omega9_1 * omega9_1;
-  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_16 - t9_18) - T(0.04989999999999997) * t9_17 + T(0.0215) * t9_14 +
-      T(0.0093) * t9_13;
-  const T N9_3 = T(0.008) - T(0.07220000000000001) * t9_13 - T(0.0215) * (t9_18 - t9_15) + T(0.0093) * t9_17 +
-      T(0.0257) * t9_14;
+  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_15 - t9_18) - T(0.04989999999999997) * t9_17 + T(0.0215) * t9_13 +
+      T(0.0093) * t9_16;
+  const T N9_3 = T(0.0093) * t9_17 - (T(0.07220000000000001) * t9_16 + T(0.0215) * (t9_18 - t9_14)) + T(0.0257) *
+      t9_13 + T(0.008);
   // omegadot9 = Iinv9 N9: I omegadot + omega~ I omega = M
   const T omegadot9_1 = T(4.405298766180525) * N9_1 + T(0.32507374982810383) * minus_N9_2 - T(0.4138104811827728) *
       N9_3;
-  const T omegadot9_2 = T(0.13984152505164316) * N9_3 - T(0.32507374982810383) * N9_1 - T(3.325493442626268) *
-      minus_N9_2;
-  const T omegadot9_3 = T(3.602475811852537) * N9_3 - T(0.4138104811827728) * N9_1 - T(0.13984152505164316) *
-      minus_N9_2;
+  const T omegadot9_2 = T(0.13984152505164316) * N9_3 - (T(0.32507374982810383) * N9_1 + T(3.325493442626268) *
+      minus_N9_2);
+  const T omegadot9_3 = T(3.602475811852537) * N9_3 - (T(0.4138104811827728) * N9_1 + T(0.13984152505164316) *
+      minus_N9_2);
   ydot[24] = omegadot9_1;
   ydot[25] = omegadot9_2;
   ydot[26] = omegadot9_3;
   // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U9_11 = t9_16 + t9_15;
-  const T U9_12 = t9_13 - omegadot9_3;
+  const T minus_U9_11 = t9_15 + t9_14;
+  const T U9_12 = t9_16 - omegadot9_3;
   const T U9_13 = t9_17 + omegadot9_2;
-  const T U9_21 = t9_13 + omegadot9_3;
-  const T minus_U9_22 = t9_16 + t9_18;
-  const T U9_23 = t9_14 - omegadot9_1;
+  const T U9_21 = t9_16 + omegadot9_3;
+  const T minus_U9_22 = t9_15 + t9_18;
+  const T U9_23 = t9_13 - omegadot9_1;
   const T U9_31 = t9_17 - omegadot9_2;
-  const T U9_32 = t9_14 + omegadot9_1;
-  const T minus_U9_33 = t9_15 + t9_18;
+  const T U9_32 = t9_13 + omegadot9_1;
+  const T minus_U9_33 = t9_14 + t9_18;
   // Pddot9 = -R9^T U9 r9 + a9: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t9_19 = U9_12 * T(0.49) - minus_U9_11 * T(0.362) - U9_13 * T(0.015);
   const T t9_20 = U9_21 * T(0.362) - minus_U9_22 * T(0.49) - U9_23 * T(0.015);
@@ -3973,9 +3973,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t10_19 = U10_12 * T(0.148) - minus_U10_11 * T(0.016) - U10_13 * T(0.426);
   const T t10_20 = U10_21 * T(0.016) - minus_U10_22 * T(0.148) - U10_23 * T(0.426);
   const T t10_21 = U10_31 * T(0.016) + U10_32 * T(0.148) + minus_U10_33 * T(0.426);
-  const T Pddot10_1 = T(0.48249027237354086) - R10_11 * t10_19 - R10_21 * t10_20 - R10_31 * t10_21;
-  const T Pddot10_2 = T(0.7626459143968872) - R10_12 * t10_19 - R10_22 * t10_20 - R10_32 * t10_21;
-  const T Pddot10_3 = T(0.26848249027237353) - R10_13 * t10_19 - R10_23 * t10_20 - R10_33 * t10_21;
+  const T Pddot10_1 = T(0.48249027237354086) - (R10_11 * t10_19 + R10_21 * t10_20 + R10_31 * t10_21);
+  const T Pddot10_2 = T(0.7626459143968872) - (R10_12 * t10_19 + R10_22 * t10_20 + R10_32 * t10_21);
+  const T Pddot10_3 = T(0.26848249027237353) - (R10_13 * t10_19 + R10_23 * t10_20 + R10_33 * t10_21);
   // sddot10 = R8 (-Pddot8 + Pddot10) - 2 omega8~ sdot10 - U8 d10: relative acceleration, axes of the lower body
   //   [m/s^2]
   const T t10_22 = Pddot10_1 - Pddot8_1;
@@ -4060,7 +4060,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U11_32 = t11_13 - minus_omegadot11_1;
   const T minus_U11_33 = t11_14 + t11_18;
   // Pddot11 = -R11^T U11 r11 + a11: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t11_19 = U11_13 * T(0.337) - minus_U11_11 * T(0.402) - U11_12 * T(0.348);
+  const T t11_19 = U11_13 * T(0.337) - (minus_U11_11 * T(0.402) + U11_12 * T(0.348));
   const T t11_20 = U11_21 * T(0.402) + minus_U11_22 * T(0.348) + U11_23 * T(0.337);
   const T t11_21 = U11_31 * T(0.402) - U11_32 * T(0.348) - minus_U11_33 * T(0.337);
   const T minus_Pddot11_1 = T(0.09018567639257295) + R11_11 * t11_19 + R11_21 * t11_20 + R11_31 * t11_21;
@@ -4124,10 +4124,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T N12_1 = T(0.01) + T(0.26759999999999995) * t12_13 + T(0.0023) * (t12_14 - t12_15) + T(0.1084) * t12_16 +
       T(0.0121) * t12_17;
   const T t12_18 = omega12_1 * omega12_1;
-  const T N12_2 = T(0.009) - T(0.08610000000000001) * t12_17 + T(0.1084) * (t12_15 - t12_18) - T(0.0121) * t12_13 -
-      T(0.0023) * t12_16;
-  const T N12_3 = T(0.069) - T(0.18149999999999994) * t12_16 - T(0.0121) * (t12_18 - t12_14) + T(0.0023) * t12_17 -
-      T(0.1084) * t12_13;
+  const T N12_2 = T(0.1084) * (t12_15 - t12_18) - T(0.08610000000000001) * t12_17 - T(0.0121) * t12_13 - T(0.0023) *
+      t12_16 + T(0.009);
+  const T N12_3 = T(0.0023) * t12_17 - (T(0.18149999999999994) * t12_16 + T(0.0121) * (t12_18 - t12_14)) - T(0.1084) *
+      t12_13 + T(0.069);
   // omegadot12 = Iinv12 N12: I omegadot + omega~ I omega = M
   const T omegadot12_1 = T(2.6481973653496103) * N12_1 - T(0.050451263488074154) * N12_2 + T(0.8759113446211086) *
       N12_3;
@@ -4152,10 +4152,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Pddot12 = -R12^T U12 r12 + a12: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t12_19 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
   const T t12_20 = minus_U12_22 * T(0.141) - U12_21 * T(0.006) - U12_23 * T(0.1);
-  const T t12_21 = minus_U12_33 * T(0.1) - U12_31 * T(0.006) - U12_32 * T(0.141);
-  const T Pddot12_1 = T(0.061576354679802964) - R12_11 * t12_19 - R12_21 * t12_20 - R12_31 * t12_21;
-  const T Pddot12_2 = T(0.33743842364532023) - R12_12 * t12_19 - R12_22 * t12_20 - R12_32 * t12_21;
-  const T Pddot12_3 = T(0.3916256157635469) - R12_13 * t12_19 - R12_23 * t12_20 - R12_33 * t12_21;
+  const T t12_21 = minus_U12_33 * T(0.1) - (U12_31 * T(0.006) + U12_32 * T(0.141));
+  const T Pddot12_1 = T(0.061576354679802964) - (R12_11 * t12_19 + R12_21 * t12_20 + R12_31 * t12_21);
+  const T Pddot12_2 = T(0.33743842364532023) - (R12_12 * t12_19 + R12_22 * t12_20 + R12_32 * t12_21);
+  const T Pddot12_3 = T(0.3916256157635469) - (R12_13 * t12_19 + R12_23 * t12_20 + R12_33 * t12_21);
   // sddot12 = R11 (-Pddot11 + Pddot12) - 2 omega11~ sdot12 - U11 d12: relative acceleration, axes of the lower body
   //   [m/s^2]
   const T t12_22 = Pddot12_1 + minus_Pddot11_1;
@@ -4298,12 +4298,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = R1^T (2 omega1~ sdot2 + sddot2 + U1 d2) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t2_19 = T(2) * omega1_3;
-  const T t2_20 = T(2) * omega1_2;
-  const T t2_21 = sddot2_1 - t2_19 * sdot2_2 + t2_20 * sdot2_3 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_19 = T(2) * omega1_2;
+  const T t2_20 = T(2) * omega1_3;
+  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = sddot2_2 - t2_22 * sdot2_3 + t2_19 * sdot2_1 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = sddot2_3 - t2_20 * sdot2_1 + t2_22 * sdot2_2 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
   const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
   const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
   const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
@@ -4378,12 +4378,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = R2^T (2 omega2~ sdot3 + sddot3 + U2 d3) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t3_19 = T(2) * omega2_3;
-  const T t3_20 = T(2) * omega2_2;
-  const T t3_21 = sddot3_1 - t3_19 * sdot3_2 + t3_20 * sdot3_3 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_19 = T(2) * omega2_2;
+  const T t3_20 = T(2) * omega2_3;
+  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = sddot3_2 - t3_22 * sdot3_3 + t3_19 * sdot3_1 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = sddot3_3 - t3_20 * sdot3_1 + t3_22 * sdot3_2 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
   const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
   const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
   const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
@@ -4458,12 +4458,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R3^T (2 omega3~ sdot4 + sddot4 + U3 d4) + Pddot3: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = T(2) * omega3_3;
-  const T t4_20 = T(2) * omega3_2;
-  const T t4_21 = sddot4_1 - t4_19 * sdot4_2 + t4_20 * sdot4_3 + U3_12 * d4_2 - minus_U3_11 * d4_1 + U3_13 * d4_3;
+  const T t4_19 = T(2) * omega3_2;
+  const T t4_20 = T(2) * omega3_3;
+  const T t4_21 = t4_19 * sdot4_3 - t4_20 * sdot4_2 + sddot4_1 + U3_12 * d4_2 - minus_U3_11 * d4_1 + U3_13 * d4_3;
   const T t4_22 = T(2) * omega3_1;
-  const T t4_23 = sddot4_2 - t4_22 * sdot4_3 + t4_19 * sdot4_1 + U3_21 * d4_1 - minus_U3_22 * d4_2 + U3_23 * d4_3;
-  const T t4_24 = sddot4_3 - t4_20 * sdot4_1 + t4_22 * sdot4_2 + U3_31 * d4_1 + U3_32 * d4_2 - minus_U3_33 * d4_3;
+  const T t4_23 = t4_20 * sdot4_1 - t4_22 * sdot4_3 + sddot4_2 + U3_21 * d4_1 - minus_U3_22 * d4_2 + U3_23 * d4_3;
+  const T t4_24 = t4_22 * sdot4_2 - t4_19 * sdot4_1 + sddot4_3 + U3_31 * d4_1 + U3_32 * d4_2 - minus_U3_33 * d4_3;
   const T Pddot4_1 = R3_11 * t4_21 + R3_21 * t4_23 + R3_31 * t4_24 + Pddot3_1;
   const T Pddot4_2 = R3_12 * t4_21 + R3_22 * t4_23 + R3_32 * t4_24 + Pddot3_2;
   const T Pddot4_3 = R3_13 * t4_21 + R3_23 * t4_23 + R3_33 * t4_24 + Pddot3_3;
@@ -4538,9 +4538,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = R3^T (2 omega3~ sdot5 + sddot5 + U3 d5) + Pddot3: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = sddot5_1 - t4_19 * sdot5_2 + t4_20 * sdot5_3 + U3_12 * d5_2 - minus_U3_11 * d5_1 + U3_13 * d5_3;
-  const T t5_20 = sddot5_2 - t4_22 * sdot5_3 + t4_19 * sdot5_1 + U3_21 * d5_1 - minus_U3_22 * d5_2 + U3_23 * d5_3;
-  const T t5_21 = sddot5_3 - t4_20 * sdot5_1 + t4_22 * sdot5_2 + U3_31 * d5_1 + U3_32 * d5_2 - minus_U3_33 * d5_3;
+  const T t5_19 = t4_19 * sdot5_3 - t4_20 * sdot5_2 + sddot5_1 + U3_12 * d5_2 - minus_U3_11 * d5_1 + U3_13 * d5_3;
+  const T t5_20 = t4_20 * sdot5_1 - t4_22 * sdot5_3 + sddot5_2 + U3_21 * d5_1 - minus_U3_22 * d5_2 + U3_23 * d5_3;
+  const T t5_21 = t4_22 * sdot5_2 - t4_19 * sdot5_1 + sddot5_3 + U3_31 * d5_1 + U3_32 * d5_2 - minus_U3_33 * d5_3;
   const T Pddot5_1 = R3_11 * t5_19 + R3_21 * t5_20 + R3_31 * t5_21 + Pddot3_1;
   const T Pddot5_2 = R3_12 * t5_19 + R3_22 * t5_20 + R3_32 * t5_21 + Pddot3_2;
   const T Pddot5_3 = R3_13 * t5_19 + R3_23 * t5_20 + R3_33 * t5_21 + Pddot3_3;
@@ -4615,9 +4615,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = R2^T (2 omega2~ sdot6 + sddot6 + U2 d6) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t6_19 = sddot6_1 - t3_19 * sdot6_2 + t3_20 * sdot6_3 + U2_12 * d6_2 - minus_U2_11 * d6_1 + U2_13 * d6_3;
-  const T t6_20 = sddot6_2 - t3_22 * sdot6_3 + t3_19 * sdot6_1 + U2_21 * d6_1 - minus_U2_22 * d6_2 + U2_23 * d6_3;
-  const T t6_21 = sddot6_3 - t3_20 * sdot6_1 + t3_22 * sdot6_2 + U2_31 * d6_1 + U2_32 * d6_2 - minus_U2_33 * d6_3;
+  const T t6_19 = t3_19 * sdot6_3 - t3_20 * sdot6_2 + sddot6_1 + U2_12 * d6_2 - minus_U2_11 * d6_1 + U2_13 * d6_3;
+  const T t6_20 = t3_20 * sdot6_1 - t3_22 * sdot6_3 + sddot6_2 + U2_21 * d6_1 - minus_U2_22 * d6_2 + U2_23 * d6_3;
+  const T t6_21 = t3_22 * sdot6_2 - t3_19 * sdot6_1 + sddot6_3 + U2_31 * d6_1 + U2_32 * d6_2 - minus_U2_33 * d6_3;
   const T Pddot6_1 = R2_11 * t6_19 + R2_21 * t6_20 + R2_31 * t6_21 + Pddot2_1;
   const T Pddot6_2 = R2_12 * t6_19 + R2_22 * t6_20 + R2_32 * t6_21 + Pddot2_2;
   const T Pddot6_3 = R2_13 * t6_19 + R2_23 * t6_20 + R2_33 * t6_21 + Pddot2_3;
@@ -4692,19 +4692,19 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U7_33 = t7_14 + t7_17;
   // Pddot7 = R4^T (2 omega4~ sdot7 + sddot7 + U4 d7) + Pddot4: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t7_19 = T(2) * omega4_3;
-  const T t7_20 = T(2) * omega4_2;
-  const T t7_21 = sddot7_1 - t7_19 * sdot7_2 + t7_20 * sdot7_3 + U4_12 * d7_2 - minus_U4_11 * d7_1 + U4_13 * d7_3;
+  const T t7_19 = T(2) * omega4_2;
+  const T t7_20 = T(2) * omega4_3;
+  const T t7_21 = t7_19 * sdot7_3 - t7_20 * sdot7_2 + sddot7_1 + U4_12 * d7_2 - minus_U4_11 * d7_1 + U4_13 * d7_3;
   const T t7_22 = T(2) * omega4_1;
-  const T t7_23 = sddot7_2 - t7_22 * sdot7_3 + t7_19 * sdot7_1 + U4_21 * d7_1 - minus_U4_22 * d7_2 + U4_23 * d7_3;
-  const T t7_24 = sddot7_3 - t7_20 * sdot7_1 + t7_22 * sdot7_2 + U4_31 * d7_1 + U4_32 * d7_2 - minus_U4_33 * d7_3;
+  const T t7_23 = t7_20 * sdot7_1 - t7_22 * sdot7_3 + sddot7_2 + U4_21 * d7_1 - minus_U4_22 * d7_2 + U4_23 * d7_3;
+  const T t7_24 = t7_22 * sdot7_2 - t7_19 * sdot7_1 + sddot7_3 + U4_31 * d7_1 + U4_32 * d7_2 - minus_U4_33 * d7_3;
   const T Pddot7_1 = R4_11 * t7_21 + R4_21 * t7_23 + R4_31 * t7_24 + Pddot4_1;
   const T Pddot7_2 = R4_12 * t7_21 + R4_22 * t7_23 + R4_32 * t7_24 + Pddot4_2;
   const T Pddot7_3 = R4_13 * t7_21 + R4_23 * t7_23 + R4_33 * t7_24 + Pddot4_3;
   // a7 = R7^T U7 r7 + Pddot7: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t7_25 = minus_U7_11 * T(0.475) - U7_12 * T(0.192) - U7_13 * T(0.487);
   const T t7_26 = minus_U7_22 * T(0.192) - U7_21 * T(0.475) - U7_23 * T(0.487);
-  const T t7_27 = minus_U7_33 * T(0.487) - U7_31 * T(0.475) - U7_32 * T(0.192);
+  const T t7_27 = minus_U7_33 * T(0.487) - (U7_31 * T(0.475) + U7_32 * T(0.192));
   const T a7_1 = R7_11 * t7_25 + R7_21 * t7_26 + R7_31 * t7_27 + Pddot7_1;
   const T a7_2 = R7_12 * t7_25 + R7_22 * t7_26 + R7_32 * t7_27 + Pddot7_2;
   const T a7_3 = R7_13 * t7_25 + R7_23 * t7_26 + R7_33 * t7_27 + Pddot7_3;
@@ -4772,16 +4772,16 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U8_33 = t8_14 + t8_17;
   // Pddot8 = R1^T (2 omega1~ sdot8 + sddot8 + U1 d8) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t8_19 = sddot8_1 - t2_19 * sdot8_2 + t2_20 * sdot8_3 + U1_12 * d8_2 - minus_U1_11 * d8_1 + U1_13 * d8_3;
-  const T t8_20 = sddot8_2 - t2_22 * sdot8_3 + t2_19 * sdot8_1 + U1_21 * d8_1 - minus_U1_22 * d8_2 + U1_23 * d8_3;
-  const T t8_21 = sddot8_3 - t2_20 * sdot8_1 + t2_22 * sdot8_2 + U1_31 * d8_1 + U1_32 * d8_2 - minus_U1_33 * d8_3;
+  const T t8_19 = t2_19 * sdot8_3 - t2_20 * sdot8_2 + sddot8_1 + U1_12 * d8_2 - minus_U1_11 * d8_1 + U1_13 * d8_3;
+  const T t8_20 = t2_20 * sdot8_1 - t2_22 * sdot8_3 + sddot8_2 + U1_21 * d8_1 - minus_U1_22 * d8_2 + U1_23 * d8_3;
+  const T t8_21 = t2_22 * sdot8_2 - t2_19 * sdot8_1 + sddot8_3 + U1_31 * d8_1 + U1_32 * d8_2 - minus_U1_33 * d8_3;
   const T Pddot8_1 = R1_11 * t8_19 + R1_21 * t8_20 + R1_31 * t8_21 + sddot1_1;
   const T Pddot8_2 = R1_12 * t8_19 + R1_22 * t8_20 + R1_32 * t8_21 + sddot1_2;
   const T Pddot8_3 = R1_13 * t8_19 + R1_23 * t8_20 + R1_33 * t8_21 + Pddot1_3;
   // a8 = R8^T U8 r8 + Pddot8: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t8_22 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
   const T t8_23 = minus_U8_22 * T(0.416) - U8_21 * T(0.392) - U8_23 * T(0.444);
-  const T t8_24 = minus_U8_33 * T(0.444) - U8_31 * T(0.392) - U8_32 * T(0.416);
+  const T t8_24 = minus_U8_33 * T(0.444) - (U8_31 * T(0.392) + U8_32 * T(0.416));
   const T a8_1 = R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
   const T a8_2 = R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
   const T a8_3 = R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
@@ -4849,12 +4849,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U9_33 = t9_14 + t9_17;
   // Pddot9 = R6^T (2 omega6~ sdot9 + sddot9 + U6 d9) + Pddot6: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t9_19 = T(2) * omega6_3;
-  const T t9_20 = T(2) * omega6_2;
-  const T t9_21 = sddot9_1 - t9_19 * sdot9_2 + t9_20 * sdot9_3 + U6_12 * d9_2 - minus_U6_11 * d9_1 + U6_13 * d9_3;
+  const T t9_19 = T(2) * omega6_2;
+  const T t9_20 = T(2) * omega6_3;
+  const T t9_21 = t9_19 * sdot9_3 - t9_20 * sdot9_2 + sddot9_1 + U6_12 * d9_2 - minus_U6_11 * d9_1 + U6_13 * d9_3;
   const T t9_22 = T(2) * omega6_1;
-  const T t9_23 = sddot9_2 - t9_22 * sdot9_3 + t9_19 * sdot9_1 + U6_21 * d9_1 - minus_U6_22 * d9_2 + U6_23 * d9_3;
-  const T t9_24 = sddot9_3 - t9_20 * sdot9_1 + t9_22 * sdot9_2 + U6_31 * d9_1 + U6_32 * d9_2 - minus_U6_33 * d9_3;
+  const T t9_23 = t9_20 * sdot9_1 - t9_22 * sdot9_3 + sddot9_2 + U6_21 * d9_1 - minus_U6_22 * d9_2 + U6_23 * d9_3;
+  const T t9_24 = t9_22 * sdot9_2 - t9_19 * sdot9_1 + sddot9_3 + U6_31 * d9_1 + U6_32 * d9_2 - minus_U6_33 * d9_3;
   const T Pddot9_1 = R6_11 * t9_21 + R6_21 * t9_23 + R6_31 * t9_24 + Pddot6_1;
   const T Pddot9_2 = R6_12 * t9_21 + R6_22 * t9_23 + R6_32 * t9_24 + Pddot6_2;
   const T Pddot9_3 = R6_13 * t9_21 + R6_23 * t9_23 + R6_33 * t9_24 + Pddot6_3;
@@ -4929,14 +4929,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U10_33 = t10_14 + t10_17;
   // Pddot10 = R8^T (2 omega8~ sdot10 + sddot10 + U8 d10) + Pddot8: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t10_19 = T(2) * omega8_3;
-  const T t10_20 = T(2) * omega8_2;
-  const T t10_21 = sddot10_1 - t10_19 * sdot10_2 + t10_20 * sdot10_3 + U8_12 * d10_2 - minus_U8_11 * d10_1 + U8_13 *
+  const T t10_19 = T(2) * omega8_2;
+  const T t10_20 = T(2) * omega8_3;
+  const T t10_21 = t10_19 * sdot10_3 - t10_20 * sdot10_2 + sddot10_1 + U8_12 * d10_2 - minus_U8_11 * d10_1 + U8_13 *
       d10_3;
   const T t10_22 = T(2) * omega8_1;
-  const T t10_23 = sddot10_2 - t10_22 * sdot10_3 + t10_19 * sdot10_1 + U8_21 * d10_1 - minus_U8_22 * d10_2 + U8_23 *
+  const T t10_23 = t10_20 * sdot10_1 - t10_22 * sdot10_3 + sddot10_2 + U8_21 * d10_1 - minus_U8_22 * d10_2 + U8_23 *
       d10_3;
-  const T t10_24 = sddot10_3 - t10_20 * sdot10_1 + t10_22 * sdot10_2 + U8_31 * d10_1 + U8_32 * d10_2 - minus_U8_33 *
+  const T t10_24 = t10_22 * sdot10_2 - t10_19 * sdot10_1 + sddot10_3 + U8_31 * d10_1 + U8_32 * d10_2 - minus_U8_33 *
       d10_3;
   const T Pddot10_1 = R8_11 * t10_21 + R8_21 * t10_23 + R8_31 * t10_24 + Pddot8_1;
   const T Pddot10_2 = R8_12 * t10_21 + R8_22 * t10_23 + R8_32 * t10_24 + Pddot8_2;
@@ -5012,20 +5012,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U11_33 = t11_14 + t11_17;
   // Pddot11 = R5^T (2 omega5~ sdot11 + sddot11 + U5 d11) + Pddot5: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t11_19 = T(2) * omega5_3;
-  const T t11_20 = T(2) * omega5_2;
-  const T t11_21 = sddot11_1 - t11_19 * sdot11_2 + t11_20 * sdot11_3 + U5_12 * d11_2 - minus_U5_11 * d11_1 + U5_13 *
+  const T t11_19 = T(2) * omega5_2;
+  const T t11_20 = T(2) * omega5_3;
+  const T t11_21 = t11_19 * sdot11_3 - t11_20 * sdot11_2 + sddot11_1 + U5_12 * d11_2 - minus_U5_11 * d11_1 + U5_13 *
       d11_3;
   const T t11_22 = T(2) * omega5_1;
-  const T t11_23 = sddot11_2 - t11_22 * sdot11_3 + t11_19 * sdot11_1 + U5_21 * d11_1 - minus_U5_22 * d11_2 + U5_23 *
+  const T t11_23 = t11_20 * sdot11_1 - t11_22 * sdot11_3 + sddot11_2 + U5_21 * d11_1 - minus_U5_22 * d11_2 + U5_23 *
       d11_3;
-  const T t11_24 = sddot11_3 - t11_20 * sdot11_1 + t11_22 * sdot11_2 + U5_31 * d11_1 + U5_32 * d11_2 - minus_U5_33 *
+  const T t11_24 = t11_22 * sdot11_2 - t11_19 * sdot11_1 + sddot11_3 + U5_31 * d11_1 + U5_32 * d11_2 - minus_U5_33 *
       d11_3;
   const T Pddot11_1 = R5_11 * t11_21 + R5_21 * t11_23 + R5_31 * t11_24 + Pddot5_1;
   const T Pddot11_2 = R5_12 * t11_21 + R5_22 * t11_23 + R5_32 * t11_24 + Pddot5_2;
   const T Pddot11_3 = R5_13 * t11_21 + R5_23 * t11_23 + R5_33 * t11_24 + Pddot5_3;
   // a11 = R11^T U11 r11 + Pddot11: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t11_25 = U11_13 * T(0.337) - minus_U11_11 * T(0.402) - U11_12 * T(0.348);
+  const T t11_25 = U11_13 * T(0.337) - (minus_U11_11 * T(0.402) + U11_12 * T(0.348));
   const T t11_26 = U11_21 * T(0.402) + minus_U11_22 * T(0.348) + U11_23 * T(0.337);
   const T t11_27 = U11_31 * T(0.402) - U11_32 * T(0.348) - minus_U11_33 * T(0.337);
   const T a11_1 = R11_11 * t11_25 + R11_21 * t11_26 + R11_31 * t11_27 + Pddot11_1;
@@ -5095,14 +5095,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U12_33 = t12_14 + t12_17;
   // Pddot12 = R11^T (2 omega11~ sdot12 + sddot12 + U11 d12) + Pddot11: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t12_19 = T(2) * omega11_3;
-  const T t12_20 = T(2) * omega11_2;
-  const T t12_21 = sddot12_1 - t12_19 * sdot12_2 + t12_20 * sdot12_3 + U11_12 * d12_2 - minus_U11_11 * d12_1 + U11_13
+  const T t12_19 = T(2) * omega11_2;
+  const T t12_20 = T(2) * omega11_3;
+  const T t12_21 = t12_19 * sdot12_3 - t12_20 * sdot12_2 + sddot12_1 + U11_12 * d12_2 - minus_U11_11 * d12_1 + U11_13
       * d12_3;
   const T t12_22 = T(2) * omega11_1;
-  const T t12_23 = sddot12_2 - t12_22 * sdot12_3 + t12_19 * sdot12_1 + U11_21 * d12_1 - minus_U11_22 * d12_2 + U11_23
+  const T t12_23 = t12_20 * sdot12_1 - t12_22 * sdot12_3 + sddot12_2 + U11_21 * d12_1 - minus_U11_22 * d12_2 + U11_23
       * d12_3;
-  const T t12_24 = sddot12_3 - t12_20 * sdot12_1 + t12_22 * sdot12_2 + U11_31 * d12_1 + U11_32 * d12_2 - minus_U11_33
+  const T t12_24 = t12_22 * sdot12_2 - t12_19 * sdot12_1 + sddot12_3 + U11_31 * d12_1 + U11_32 * d12_2 - minus_U11_33
       * d12_3;
   const T Pddot12_1 = R11_11 * t12_21 + R11_21 * t12_23 + R11_31 * t12_24 + Pddot11_1;
   const T Pddot12_2 = R11_12 * t12_21 + R11_22 * t12_23 + R11_32 * t12_24 + Pddot11_2;
@@ -5110,7 +5110,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // a12 = R12^T U12 r12 + Pddot12: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t12_25 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
   const T t12_26 = minus_U12_22 * T(0.141) - U12_21 * T(0.006) - U12_23 * T(0.1);
-  const T t12_27 = minus_U12_33 * T(0.1) - U12_31 * T(0.006) - U12_32 * T(0.141);
+  const T t12_27 = minus_U12_33 * T(0.1) - (U12_31 * T(0.006) + U12_32 * T(0.141));
   const T a12_1 = R12_11 * t12_25 + R12_21 * t12_26 + R12_31 * t12_27 + Pddot12_1;
   const T a12_2 = R12_12 * t12_25 + R12_22 * t12_26 + R12_32 * t12_27 + Pddot12_2;
   const T a12_3 = R12_13 * t12_25 + R12_23 * t12_26 + R12_33 * t12_27 + Pddot12_3;
@@ -5153,7 +5153,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega11 = r11~ R11 G11 + d12~ R11 G12 + N11: Kane's equation of omega [N m]
   const T b11_1 = R11_21 * G11_1 + R11_22 * G11_2 + R11_23 * G11_3;
   const T b11_2 = R11_31 * G11_1 + R11_32 * G11_2 + R11_33 * G11_3;
-  const T r_omega11_1 = d12_2 * r_sdot12_3 - d12_3 * r_sdot12_2 - T(0.337) * b11_1 - T(0.348) * b11_2 + N11_1;
+  const T r_omega11_1 = d12_2 * r_sdot12_3 - (T(0.337) * b11_1 + T(0.348) * b11_2) - d12_3 * r_sdot12_2 + N11_1;
   const T b11_3 = R11_11 * G11_1 + R11_12 * G11_2 + R11_13 * G11_3;
   const T r_omega11_2 = T(0.337) * b11_3 - T(0.402) * b11_2 + d12_3 * r_sdot12_1 - d12_1 * r_sdot12_3 + N11_2;
   const T r_omega11_3 = T(0.402) * b11_1 + T(0.348) * b11_3 + d12_1 * r_sdot12_2 - d12_2 * r_sdot12_1 + N11_3;
@@ -5174,7 +5174,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
   const T r_omega10_1 = T(0.426) * b10_1 + T(0.148) * b10_2 + N10_1;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - T(0.426) * b10_3 - T(0.016) * b10_2;
+  const T r_omega10_2 = N10_2 - (T(0.426) * b10_3 + T(0.016) * b10_2);
   const T r_omega10_3 = T(0.016) * b10_1 - T(0.148) * b10_3 + N10_3;
   r[27] = r_omega10_1;
   r[28] = r_omega10_2;
@@ -5193,7 +5193,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b9_2 = R9_31 * G9_1 + R9_32 * G9_2 + R9_33 * G9_3;
   const T r_omega9_1 = T(0.015) * b9_1 + T(0.49) * b9_2 + N9_1;
   const T b9_3 = R9_11 * G9_1 + R9_12 * G9_2 + R9_13 * G9_3;
-  const T r_omega9_2 = N9_2 - T(0.015) * b9_3 - T(0.362) * b9_2;
+  const T r_omega9_2 = N9_2 - (T(0.015) * b9_3 + T(0.362) * b9_2);
   const T r_omega9_3 = T(0.362) * b9_1 - T(0.49) * b9_3 + N9_3;
   r[24] = r_omega9_1;
   r[25] = r_omega9_2;
@@ -5258,7 +5258,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
   const T r_omega6_1 = T(0.454) * b6_1 - T(0.248) * b6_2 + d9_2 * r_sdot9_3 - d9_3 * r_sdot9_2 + N6_1;
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
-  const T r_omega6_2 = d9_3 * r_sdot9_1 - d9_1 * r_sdot9_3 - T(0.454) * b6_3 - T(0.044) * b6_2 + N6_2;
+  const T r_omega6_2 = d9_3 * r_sdot9_1 - (T(0.454) * b6_3 + T(0.044) * b6_2) - d9_1 * r_sdot9_3 + N6_2;
   const T r_omega6_3 = T(0.044) * b6_1 + T(0.248) * b6_3 + d9_1 * r_sdot9_2 - d9_2 * r_sdot9_1 + N6_3;
   r[15] = r_omega6_1;
   r[16] = r_omega6_2;
@@ -5279,7 +5279,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega5 = r5~ R5 G5 + d11~ R5 S11 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
-  const T r_omega5_1 = d11_2 * r_sdot11_3 - d11_3 * r_sdot11_2 - T(0.167) * b5_1 - T(0.321) * b5_2 + N5_1;
+  const T r_omega5_1 = d11_2 * r_sdot11_3 - (T(0.167) * b5_1 + T(0.321) * b5_2) - d11_3 * r_sdot11_2 + N5_1;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
   const T r_omega5_2 = T(0.167) * b5_3 + T(0.056) * b5_2 + d11_3 * r_sdot11_1 - d11_1 * r_sdot11_3 + N5_2;
   const T r_omega5_3 = T(0.321) * b5_3 - T(0.056) * b5_1 + d11_1 * r_sdot11_2 - d11_2 * r_sdot11_1 + N5_3;
@@ -5381,7 +5381,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T r_omega1_1 = T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d8_2 * r_sdot8_3 -
       d8_3 * r_sdot8_2 + N1_1;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
-  const T r_omega1_2 = d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 - T(0.095) * b1_3 - T(0.187) * b1_2 + d8_3 * r_sdot8_1 -
+  const T r_omega1_2 = d2_3 * r_sdot2_1 - (T(0.095) * b1_3 + T(0.187) * b1_2) - d2_1 * r_sdot2_3 + d8_3 * r_sdot8_1 -
       d8_1 * r_sdot8_3 + N1_2;
   const T r_omega1_3 = T(0.187) * b1_1 + T(0.163) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d8_1 * r_sdot8_2 -
       d8_2 * r_sdot8_1 + N1_3;
@@ -5436,18 +5436,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_G1_2 = T(4.15) * a1_2 + T(1.93);
   const T minus_G1_3 = T(4.15) * a1_3 + T(1.76);
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
+  const T t1_19 = omega1_2 * omega1_2;
+  const T t1_20 = omega1_3 * omega1_3;
+  const T t1_21 = omega1_2 * omega1_3;
   const T t1_22 = omega1_1 * omega1_2;
   const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.083) - T(0.058099999999999985) * t1_19 + T(0.0128) * (t1_20 - t1_21) - T(0.0129) * t1_22 +
-      T(0.0043) * t1_23;
+  const T N1_1 = T(0.0128) * (t1_19 - t1_20) - T(0.058099999999999985) * t1_21 - T(0.0129) * t1_22 + T(0.0043) * t1_23
+      + T(0.083);
   const T t1_24 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.002) - T(0.0010999999999999899) * t1_23 - T(0.0129) * (t1_21 - t1_24) - T(0.0043) * t1_19 -
-      T(0.0128) * t1_22;
-  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_24 - t1_20) - T(0.059199999999999975) * t1_22 - T(0.0128) * t1_23 -
-      T(0.0129) * t1_19;
+  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * t1_23 + T(0.0129) * (t1_20 - t1_24) + T(0.0043) * t1_21 +
+      T(0.0128) * t1_22);
+  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_24 - t1_19) - T(0.059199999999999975) * t1_22 - T(0.0128) * t1_23 -
+      T(0.0129) * t1_21;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -5514,8 +5514,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_N2_1 = T(0.022) + T(0.0252) * t2_25 + T(0.0049) * (t2_26 - t2_27) + T(0.0037) * t2_28 - T(1e-04) *
       t2_29;
   const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.054) - T(0.0037) * (t2_27 - t2_30) + T(0.02560000000000001) * t2_29 - T(1e-04) * t2_25 +
-      T(0.0049) * t2_28;
+  const T N2_2 = T(0.02560000000000001) * t2_29 - T(0.0037) * (t2_27 - t2_30) - T(1e-04) * t2_25 + T(0.0049) * t2_28 +
+      T(0.054);
   const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * t2_28 + T(1e-04) * (t2_30 - t2_26) + T(0.0049) * t2_29 -
       T(0.0037) * t2_25;
 
@@ -5576,18 +5576,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T G3_2 = T(0.56) - T(2.14) * a3_2;
   const T minus_G3_3 = T(2.14) * a3_3 + T(1.08);
   // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_2 * omega3_3;
-  const T t3_26 = omega3_2 * omega3_2;
-  const T t3_27 = omega3_3 * omega3_3;
+  const T t3_25 = omega3_2 * omega3_2;
+  const T t3_26 = omega3_3 * omega3_3;
+  const T t3_27 = omega3_2 * omega3_3;
   const T t3_28 = omega3_1 * omega3_2;
   const T t3_29 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.005) - T(0.05720000000000003) * t3_25 + T(0.0036) * (t3_26 - t3_27) - T(0.038) * t3_28 +
-      T(0.0388) * t3_29;
+  const T N3_1 = T(0.0036) * (t3_25 - t3_26) - T(0.05720000000000003) * t3_27 - T(0.038) * t3_28 + T(0.0388) * t3_29 +
+      T(0.005);
   const T t3_30 = omega3_1 * omega3_1;
-  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_29 + T(0.038) * (t3_27 - t3_30) + T(0.0388) * t3_25 +
+  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_29 + T(0.038) * (t3_26 - t3_30) + T(0.0388) * t3_27 +
       T(0.0036) * t3_28;
-  const T N3_3 = T(0.025) - T(0.0388) * (t3_30 - t3_26) + T(0.16299999999999998) * t3_28 + T(0.0036) * t3_29 +
-      T(0.038) * t3_25;
+  const T N3_3 = T(0.16299999999999998) * t3_28 - T(0.0388) * (t3_30 - t3_25) + T(0.0036) * t3_29 + T(0.038) * t3_27 +
+      T(0.025);
 
   // ---- body 4 (body_4) on body 3
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -5646,18 +5646,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_G4_2 = T(4.49) * a4_2 + T(1.93);
   const T G4_3 = T(0.84) - T(4.49) * a4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_3;
-  const T t4_26 = omega4_2 * omega4_2;
-  const T t4_27 = omega4_3 * omega4_3;
+  const T t4_25 = omega4_2 * omega4_2;
+  const T t4_26 = omega4_3 * omega4_3;
+  const T t4_27 = omega4_2 * omega4_3;
   const T t4_28 = omega4_1 * omega4_2;
   const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.081) - T(0.0010999999999999899) * t4_25 + T(0.0221) * (t4_26 - t4_27) + T(0.0283) * t4_28 +
-      T(0.0225) * t4_29;
+  const T N4_1 = T(0.0221) * (t4_25 - t4_26) - T(0.0010999999999999899) * t4_27 + T(0.0283) * t4_28 + T(0.0225) *
+      t4_29 + T(0.081);
   const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.06) - T(0.014300000000000007) * t4_29 + T(0.0283) * (t4_27 - t4_30) - T(0.0225) * t4_25 -
-      T(0.0221) * t4_28;
-  const T N4_3 = T(0.079) - T(0.0225) * (t4_30 - t4_26) + T(0.015399999999999997) * t4_28 + T(0.0221) * t4_29 -
-      T(0.0283) * t4_25;
+  const T N4_2 = T(0.0283) * (t4_26 - t4_30) - T(0.014300000000000007) * t4_29 - T(0.0225) * t4_27 - T(0.0221) * t4_28
+      + T(0.06);
+  const T N4_3 = T(0.015399999999999997) * t4_28 - T(0.0225) * (t4_30 - t4_25) + T(0.0221) * t4_29 - T(0.0283) * t4_27
+      + T(0.079);
 
   // ---- body 5 (body_5) on body 3
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -5786,18 +5786,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_G6_2 = T(3.48) * a6_2 + T(0.44);
   const T G6_3 = T(1.49) - T(3.48) * a6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_2 * omega6_2;
-  const T t6_26 = omega6_3 * omega6_3;
-  const T t6_27 = omega6_2 * omega6_3;
+  const T t6_25 = omega6_2 * omega6_3;
+  const T t6_26 = omega6_2 * omega6_2;
+  const T t6_27 = omega6_3 * omega6_3;
   const T t6_28 = omega6_1 * omega6_2;
   const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.079) - T(0.0219) * (t6_25 - t6_26) + T(0.014700000000000046) * t6_27 - T(0.0493) * t6_28 +
-      T(0.035) * t6_29;
+  const T N6_1 = T(0.014700000000000046) * t6_25 - T(0.0219) * (t6_26 - t6_27) - T(0.0493) * t6_28 + T(0.035) * t6_29
+      + T(0.079);
   const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_26 - t6_30) - T(0.17060000000000003) * t6_29 + T(0.035) * t6_27 -
+  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_27 - t6_30) - T(0.17060000000000003) * t6_29 + T(0.035) * t6_25 -
       T(0.0219) * t6_28;
-  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * t6_28 + T(0.035) * (t6_30 - t6_25) + T(0.0219) * t6_29 -
-      T(0.0493) * t6_27;
+  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * t6_28 + T(0.035) * (t6_30 - t6_26) + T(0.0219) * t6_29 -
+      T(0.0493) * t6_25;
 
   // ---- body 7 (body_7) on body 4
   const T eps7_1 = x[24], eps7_2 = x[25], eps7_3 = x[26], eps7_4 = x[27];
@@ -5864,10 +5864,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_25 - t7_26) - T(0.0021000000000000185) * t7_27 + T(0.0025) * t7_28 +
       T(7e-04) * t7_29;
   const T t7_30 = omega7_1 * omega7_1;
-  const T N7_2 = T(0.072) - T(0.0025) * (t7_26 - t7_30) + T(0.0008999999999999841) * t7_29 + T(7e-04) * t7_27 +
-      T(0.0017) * t7_28;
-  const T N7_3 = T(0.021) - T(0.0030000000000000027) * t7_28 + T(7e-04) * (t7_30 - t7_25) - T(0.0017) * t7_29 +
-      T(0.0025) * t7_27;
+  const T N7_2 = T(0.0008999999999999841) * t7_29 - T(0.0025) * (t7_26 - t7_30) + T(7e-04) * t7_27 + T(0.0017) * t7_28
+      + T(0.072);
+  const T N7_3 = T(7e-04) * (t7_30 - t7_25) - T(0.0030000000000000027) * t7_28 - T(0.0017) * t7_29 + T(0.0025) * t7_27
+      + T(0.021);
 
   // ---- body 8 (body_8) on body 1
   const T eps8_1 = x[28], eps8_2 = x[29], eps8_3 = x[30], eps8_4 = x[31];
@@ -5926,18 +5926,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T G8_2 = T(0.46) - T(2.71) * a8_2;
   const T G8_3 = T(1.86) - T(2.71) * a8_3;
   // N8 = -omega8~ I8 omega8 + M8: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t8_25 = omega8_2 * omega8_3;
-  const T t8_26 = omega8_2 * omega8_2;
-  const T t8_27 = omega8_3 * omega8_3;
-  const T t8_28 = omega8_1 * omega8_2;
+  const T t8_25 = omega8_1 * omega8_2;
+  const T t8_26 = omega8_2 * omega8_3;
+  const T t8_27 = omega8_2 * omega8_2;
+  const T t8_28 = omega8_3 * omega8_3;
   const T t8_29 = omega8_1 * omega8_3;
-  const T N8_1 = T(0.092) - T(0.017199999999999938) * t8_25 - T(0.028) * (t8_26 - t8_27) + T(0.0399) * t8_28 -
-      T(0.0147) * t8_29;
+  const T N8_1 = T(0.0399) * t8_25 - (T(0.017199999999999938) * t8_26 + T(0.028) * (t8_27 - t8_28)) - T(0.0147) *
+      t8_29 + T(0.092);
   const T t8_30 = omega8_1 * omega8_1;
-  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_29 + T(0.0399) * (t8_27 - t8_30) + T(0.0147) * t8_25 +
-      T(0.028) * t8_28;
-  const T N8_3 = T(0.09) - T(0.05020000000000002) * t8_28 + T(0.0147) * (t8_30 - t8_26) - T(0.028) * t8_29 - T(0.0399)
-      * t8_25;
+  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_29 + T(0.0399) * (t8_28 - t8_30) + T(0.0147) * t8_26 +
+      T(0.028) * t8_25;
+  const T N8_3 = T(0.0147) * (t8_30 - t8_27) - T(0.05020000000000002) * t8_25 - T(0.028) * t8_29 - T(0.0399) * t8_26 +
+      T(0.09);
 
   // ---- body 9 (body_9) on body 6
   const T eps9_1 = x[32], eps9_2 = x[33], eps9_3 = x[34], eps9_4 = x[35];
@@ -5996,18 +5996,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_G9_2 = T(1.84) * a9_2 + T(1.08);
   const T minus_G9_3 = T(1.84) * a9_3 + T(0.46);
   // N9 = -omega9~ I9 omega9 + M9: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t9_25 = omega9_1 * omega9_2;
-  const T t9_26 = omega9_2 * omega9_3;
-  const T t9_27 = omega9_2 * omega9_2;
-  const T t9_28 = omega9_3 * omega9_3;
+  const T t9_25 = omega9_2 * omega9_3;
+  const T t9_26 = omega9_2 * omega9_2;
+  const T t9_27 = omega9_3 * omega9_3;
+  const T t9_28 = omega9_1 * omega9_2;
   const T t9_29 = omega9_1 * omega9_3;
-  const T N9_1 = T(0.022) - T(0.0257) * t9_25 + T(0.022300000000000042) * t9_26 + T(0.0093) * (t9_27 - t9_28) +
-      T(0.0215) * t9_29;
+  const T N9_1 = T(0.022300000000000042) * t9_25 + T(0.0093) * (t9_26 - t9_27) - T(0.0257) * t9_28 + T(0.0215) * t9_29
+      + T(0.022);
   const T t9_30 = omega9_1 * omega9_1;
-  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_28 - t9_30) - T(0.04989999999999997) * t9_29 + T(0.0215) * t9_26 +
-      T(0.0093) * t9_25;
-  const T N9_3 = T(0.008) - T(0.07220000000000001) * t9_25 - T(0.0215) * (t9_30 - t9_27) + T(0.0093) * t9_29 +
-      T(0.0257) * t9_26;
+  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_27 - t9_30) - T(0.04989999999999997) * t9_29 + T(0.0215) * t9_25 +
+      T(0.0093) * t9_28;
+  const T N9_3 = T(0.0093) * t9_29 - (T(0.07220000000000001) * t9_28 + T(0.0215) * (t9_30 - t9_26)) + T(0.0257) *
+      t9_25 + T(0.008);
 
   // ---- body 10 (body_10) on body 8
   const T eps10_1 = x[36], eps10_2 = x[37], eps10_3 = x[38], eps10_4 = x[39];
@@ -6214,10 +6214,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T N12_1 = T(0.01) + T(0.26759999999999995) * t12_25 + T(0.0023) * (t12_26 - t12_27) + T(0.1084) * t12_28 +
       T(0.0121) * t12_29;
   const T t12_30 = omega12_1 * omega12_1;
-  const T N12_2 = T(0.009) - T(0.08610000000000001) * t12_29 + T(0.1084) * (t12_27 - t12_30) - T(0.0121) * t12_25 -
-      T(0.0023) * t12_28;
-  const T N12_3 = T(0.069) - T(0.18149999999999994) * t12_28 - T(0.0121) * (t12_30 - t12_26) + T(0.0023) * t12_29 -
-      T(0.1084) * t12_25;
+  const T N12_2 = T(0.1084) * (t12_27 - t12_30) - T(0.08610000000000001) * t12_29 - T(0.0121) * t12_25 - T(0.0023) *
+      t12_28 + T(0.009);
+  const T N12_3 = T(0.0023) * t12_29 - (T(0.18149999999999994) * t12_28 + T(0.0121) * (t12_30 - t12_26)) - T(0.1084) *
+      t12_25 + T(0.069);
 
   // ---- body 12 (body_12) and what it carries
   // f_omega12 = r12~ R12 G12 + N12: Kane's equation of omega [N m]
@@ -6249,7 +6249,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T f_omega11_1 = T(0.337) * b11_1 + T(0.348) * b11_2 + d12_2 * f_sdot12_3 - d12_3 * f_sdot12_2 - minus_N11_1;
   const T b11_3 = R11_11 * minus_G11_1 + R11_12 * minus_G11_2 + R11_13 * minus_G11_3;
   const T f_omega11_2 = T(0.402) * b11_2 - T(0.337) * b11_3 + d12_3 * f_sdot12_1 - d12_1 * f_sdot12_3 + N11_2;
-  const T f_omega11_3 = d12_1 * f_sdot12_2 - d12_2 * f_sdot12_1 - T(0.402) * b11_1 - T(0.348) * b11_3 - minus_N11_3;
+  const T f_omega11_3 = d12_1 * f_sdot12_2 - (T(0.402) * b11_1 + T(0.348) * b11_3) - d12_2 * f_sdot12_1 - minus_N11_3;
   f[30] = f_omega11_1;
   f[31] = f_omega11_2;
   f[32] = f_omega11_3;
@@ -6284,7 +6284,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega9 = r9~ R9 G9 + N9: Kane's equation of omega [N m]
   const T b9_1 = R9_21 * minus_G9_1 + R9_22 * minus_G9_2 + R9_23 * minus_G9_3;
   const T b9_2 = R9_31 * minus_G9_1 + R9_32 * minus_G9_2 + R9_33 * minus_G9_3;
-  const T f_omega9_1 = N9_1 - T(0.015) * b9_1 - T(0.49) * b9_2;
+  const T f_omega9_1 = N9_1 - (T(0.015) * b9_1 + T(0.49) * b9_2);
   const T b9_3 = R9_11 * minus_G9_1 + R9_12 * minus_G9_2 + R9_13 * minus_G9_3;
   const T f_omega9_2 = T(0.015) * b9_3 + T(0.362) * b9_2 - minus_N9_2;
   const T f_omega9_3 = T(0.49) * b9_3 - T(0.362) * b9_1 + N9_3;
@@ -6351,7 +6351,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T b6_2 = R6_31 * G6_1 - R6_32 * minus_G6_2 + R6_33 * G6_3;
   const T f_omega6_1 = T(0.454) * b6_1 - T(0.248) * b6_2 + d9_3 * minus_f_sdot9_2 - d9_2 * minus_f_sdot9_3 + N6_1;
   const T b6_3 = R6_11 * G6_1 - R6_12 * minus_G6_2 + R6_13 * G6_3;
-  const T f_omega6_2 = d9_1 * minus_f_sdot9_3 - d9_3 * minus_f_sdot9_1 - T(0.454) * b6_3 - T(0.044) * b6_2 -
+  const T f_omega6_2 = d9_1 * minus_f_sdot9_3 - (T(0.454) * b6_3 + T(0.044) * b6_2) - d9_3 * minus_f_sdot9_1 -
       minus_N6_2;
   const T f_omega6_3 = T(0.044) * b6_1 + T(0.248) * b6_3 + d9_2 * minus_f_sdot9_1 - d9_1 * minus_f_sdot9_2 -
       minus_N6_3;
@@ -6374,7 +6374,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega5 = r5~ R5 G5 + d11~ R5 S11 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 - R5_22 * minus_G5_2 - R5_23 * minus_G5_3;
   const T b5_2 = R5_31 * G5_1 - R5_32 * minus_G5_2 - R5_33 * minus_G5_3;
-  const T f_omega5_1 = d11_2 * f_sdot11_3 - d11_3 * f_sdot11_2 - T(0.167) * b5_1 - T(0.321) * b5_2 - minus_N5_1;
+  const T f_omega5_1 = d11_2 * f_sdot11_3 - (T(0.167) * b5_1 + T(0.321) * b5_2) - d11_3 * f_sdot11_2 - minus_N5_1;
   const T b5_3 = R5_11 * G5_1 - R5_12 * minus_G5_2 - R5_13 * minus_G5_3;
   const T f_omega5_2 = T(0.167) * b5_3 + T(0.056) * b5_2 + d11_3 * f_sdot11_1 - d11_1 * f_sdot11_3 - minus_N5_2;
   const T f_omega5_3 = T(0.321) * b5_3 - T(0.056) * b5_1 + d11_1 * f_sdot11_2 - d11_2 * f_sdot11_1 - minus_N5_3;
@@ -6441,7 +6441,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // ---- body 2 (body_2) and what it carries
   // S2 = G2 + S6 + S3: sum of the force balances of the subtree, inertial axes [N]
   const T S2_1 = G2_1 + S6_1 + S3_1;
-  const T S2_2 = S3_2 - minus_G2_2 - minus_S6_2;
+  const T S2_2 = S3_2 - (minus_G2_2 + minus_S6_2);
   const T S2_3 = S6_3 - minus_G2_3 + S3_3;
   // f_omega2 = r2~ R2 G2 + d3~ R2 S3 + d6~ R2 S6 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 - R2_32 * minus_G2_2 - R2_33 * minus_G2_3;
@@ -6477,7 +6477,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T f_omega1_1 = T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 + d8_2 * f_sdot8_3 -
       d8_3 * f_sdot8_2 + N1_1;
   const T b1_3 = R1_11 * G1_1 - R1_12 * minus_G1_2 - R1_13 * minus_G1_3;
-  const T f_omega1_2 = d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 - T(0.095) * b1_3 - T(0.187) * b1_2 + d8_3 * f_sdot8_1 -
+  const T f_omega1_2 = d2_3 * f_sdot2_1 - (T(0.095) * b1_3 + T(0.187) * b1_2) - d2_1 * f_sdot2_3 + d8_3 * f_sdot8_1 -
       d8_1 * f_sdot8_3 + N1_2;
   const T f_omega1_3 = T(0.187) * b1_1 + T(0.163) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d8_1 * f_sdot8_2 -
       d8_2 * f_sdot8_1 - minus_N1_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a9f56e73381382c2 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 902e52c4611d383e of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -33,7 +33,7 @@
 //   residual                      431 (209 add, 222 multiply, 6 sine or cosine)
 //   mass_matrix                   164 (77 add, 87 multiply, 6 sine or cosine)
 //   kinematics_and_accelerations  686 (305 add, 375 multiply, 6 divide, 6 sine or cosine)
-//   state_matrix                  3409 (1583 add, 1820 multiply, 6 divide, 6 sine or cosine)
+//   state_matrix                  3411 (1585 add, 1820 multiply, 6 divide, 6 sine or cosine)
 //   input_matrix                  402 (175 add, 221 multiply, 6 divide, 6 sine or cosine)
 //   tip_position                  40 (16 add, 24 multiply, 2 sine or cosine)
 //   tip_acceleration              131 (55 add, 76 multiply, 2 sine or cosine)
@@ -48,7 +48,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "a9f56e73381382c2";
+inline constexpr char model_hash[] = "902e52c4611d383e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -697,12 +697,12 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T sdot1_1 = y[6], sdot1_2 = y[7], sdot1_3 = y[8];
   // power = (R1^T F_thruster_) . (sdot1 + R1^T omega1~ r_thruster_) + thetadot2 damping_left_panel_2 + thetadot3
   //   damping_right_panel_3 + thetadot4 tau_wheel_: power of the applied loads [W]
-  const T b0_1 = T(0.1) * omega1_1 + T(0.5) * omega1_2;
-  const T b0_2 = T(0.1) * omega1_3;
-  const T b0_3 = T(0.5) * omega1_3;
-  const T power = R1_11 * u.thrust * (sdot1_1 + R1_31 * b0_1 - R1_11 * b0_2 - R1_21 * b0_3) + R1_12 * u.thrust *
-      (sdot1_2 + R1_32 * b0_1 - R1_12 * b0_2 - R1_22 * b0_3) + R1_13 * u.thrust * (sdot1_3 + R1_33 * b0_1 - R1_13 *
-      b0_2 - R1_23 * b0_3) - thetadot2 * minus_damping_left_panel_2 - thetadot3 * minus_damping_right_panel_3 +
+  const T b0_1 = T(0.1) * omega1_3;
+  const T b0_2 = T(0.5) * omega1_3;
+  const T b0_3 = T(0.1) * omega1_1 + T(0.5) * omega1_2;
+  const T power = R1_11 * u.thrust * (sdot1_1 - R1_11 * b0_1 - R1_21 * b0_2 + R1_31 * b0_3) + R1_12 * u.thrust *
+      (sdot1_2 - R1_12 * b0_1 - R1_22 * b0_2 + R1_32 * b0_3) + R1_13 * u.thrust * (sdot1_3 - R1_13 * b0_1 - R1_23 *
+      b0_2 + R1_33 * b0_3) - thetadot2 * minus_damping_left_panel_2 - thetadot3 * minus_damping_right_panel_3 +
       thetadot4 * u.wheel_torque;
   out[0] = power;
 }
@@ -747,7 +747,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t1_17 = omega1_1 * omega1_3;
   const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - T(2) * t1_17 - T(0.1) * (t1_15 - t1_18) - T(0.3) * t1_16;
+  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
   const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
 
   // ---- body 2 (left_panel) on body 1
@@ -881,9 +881,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t4_19 = omega1_1 * t4_17 + omega1_2 * t4_18;
   const T t4_20 = omega1_3 * t4_17;
   const T t4_21 = omega1_3 * t4_18;
-  const T Pddot4_1 = E4_13 * t4_19 - E4_11 * t4_20 - E4_12 * t4_21;
-  const T Pddot4_2 = E4_12 * t4_19 - E4_13 * t4_20 - E4_11 * t4_21;
-  const T Pddot4_3 = E4_11 * t4_19 - E4_12 * t4_20 - E4_13 * t4_21;
+  const T Pddot4_1 = E4_13 * t4_19 - (E4_11 * t4_20 + E4_12 * t4_21);
+  const T Pddot4_2 = E4_12 * t4_19 - (E4_13 * t4_20 + E4_11 * t4_21);
+  const T Pddot4_3 = E4_11 * t4_19 - (E4_12 * t4_20 + E4_13 * t4_21);
   // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(4) * Pddot4_1;
   const T minus_G4_2 = T(4) * Pddot4_2;
@@ -920,7 +920,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T S1_2 = E2_23 * minus_G2_3 - E2_22 * minus_G2_2 - E3_22 * minus_G3_2 - E3_23 * G3_3 - b1_2;
   const T b1_3 = E3_22 * G3_3 - E3_23 * minus_G3_2;
   const T b1_4 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_3 - b1_4 - E4_13 * minus_G4_1 - E4_12 * minus_G4_2 - E4_11 * minus_G4_3;
+  const T S1_3 = b1_3 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_4;
   // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
   //   omega [N m]
   const T minus_f_omega1_1 = T(0.6) * b1_4 + minus_rho2_1 + T(0.6) * b1_3 + minus_rho3_1 + T(0.2) * b1_2 + E4_11 *
@@ -1020,12 +1020,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 1 (hub), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
-      T(0.5773502691896257) * minus_N4_3;
+  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
   const T z1_2 = b1_25 * z1_1;
   const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
   const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_27 * z1_3 - minus_f_omega1_1 - z1_2 + b1_28 * z1_4;
+  const T z1_5 = b1_27 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_28 * z1_4;
   const T z1_6 = f_omega1_2 - z1_2 - b1_31 * z1_5;
   const T z1_7 = f_omega1_3 - z1_2 - b1_33 * z1_5 - b1_36 * z1_6;
   const T z1_8 = S1_1 - b1_37 * z1_6 + b1_40 * z1_7;
@@ -1051,12 +1051,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 2 (left_panel), solved
   // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = b1_42 * z1_11 - z1_4 * T(0.08333333333333333) - b1_28 * omegadot1_1 - b1_53 * z1_10;
+  const T thetaddot2 = b1_42 * z1_11 - (z1_4 * T(0.08333333333333333) + b1_28 * omegadot1_1) - b1_53 * z1_10;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (right_panel), solved
   // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = b1_52 * z1_10 - z1_3 * T(0.08333333333333333) - b1_27 * omegadot1_1 - b1_41 * z1_11;
+  const T thetaddot3 = b1_52 * z1_10 - (z1_3 * T(0.08333333333333333) + b1_27 * omegadot1_1 + b1_41 * z1_11);
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
@@ -1323,8 +1323,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   omega [N m]
   const T r_omega1_1 = T(0.6) * b1_3 + rho2_1 - T(0.6) * b1_4 + rho3_1 + T(0.2) * b1_2 + E4_11 * N4_1 + E4_13 * N4_2 +
       E4_12 * N4_3 + N1_1;
-  const T r_omega1_2 = E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3 - E2_22 * minus_N2_2 - E2_23 * rho2_3 - E3_22 *
-      minus_N3_2 - E3_23 * rho3_3 - T(0.2) * b1_1 + N1_2;
+  const T r_omega1_2 = E4_12 * N4_1 - (E2_22 * minus_N2_2 + E2_23 * rho2_3 + E3_22 * minus_N3_2 + E3_23 * rho3_3 +
+      T(0.2) * b1_1) + E4_11 * N4_2 + E4_13 * N4_3 + N1_2;
   const T r_omega1_3 = E2_22 * rho2_3 - E2_23 * minus_N2_2 - T(0.6) * G2_1 + T(0.6) * G3_1 + E3_22 * rho3_3 - E3_23 *
       minus_N3_2 + E4_13 * N4_1 + E4_12 * N4_2 + E4_11 * N4_3 + N1_3;
   r[0] = r_omega1_1;
@@ -1434,8 +1434,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_19 = E3_22 * T(0.75);
   const T b1_20 = E3_23 * T(12.75);
   const T J1_22 = b1_17 * E2_22 + b1_18 * E2_23 + b1_19 * E3_22 + b1_20 * E3_23 + b1_13 + b1_8 + b1_11 + T(14.16);
-  const T J1_23 = T(0.3) - T(0.6) * hc2_3 - (T(0.6) * minus_hc3_3 - (b1_17 * E2_23 - b1_18 * E2_22)) + (b1_19 * E3_23
-      - b1_20 * E3_22 + (b1_16 + b1_14 + b1_15));
+  const T J1_23 = T(0.3) - T(0.6) * hc2_3 + (b1_17 * E2_23 - b1_18 * E2_22 - T(0.6) * minus_hc3_3) + (b1_19 * E3_23 -
+      b1_20 * E3_22 + (b1_16 + b1_14 + b1_15));
   const T J1_33 = E2_23 * T(0.75) * E2_23 + E2_22 * T(12.75) * E2_22 + b1_1 + b1_4 + E3_23 * T(0.75) * E3_23 + E3_22 *
       T(12.75) * E3_22 + b1_11 + b1_13 + b1_8 + T(18);
   A[0] = J1_11;
@@ -1559,7 +1559,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T t1_17 = omega1_1 * omega1_3;
   const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - T(2) * t1_17 - T(0.1) * (t1_15 - t1_18) - T(0.3) * t1_16;
+  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
   const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
 
   // ---- body 2 (left_panel) on body 1
@@ -1693,9 +1693,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T t4_19 = omega1_1 * t4_17 + omega1_2 * t4_18;
   const T t4_20 = omega1_3 * t4_17;
   const T t4_21 = omega1_3 * t4_18;
-  const T Pddot4_1 = E4_13 * t4_19 - E4_11 * t4_20 - E4_12 * t4_21;
-  const T Pddot4_2 = E4_12 * t4_19 - E4_13 * t4_20 - E4_11 * t4_21;
-  const T Pddot4_3 = E4_11 * t4_19 - E4_12 * t4_20 - E4_13 * t4_21;
+  const T Pddot4_1 = E4_13 * t4_19 - (E4_11 * t4_20 + E4_12 * t4_21);
+  const T Pddot4_2 = E4_12 * t4_19 - (E4_13 * t4_20 + E4_11 * t4_21);
+  const T Pddot4_3 = E4_11 * t4_19 - (E4_12 * t4_20 + E4_13 * t4_21);
   // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(4) * Pddot4_1;
   const T minus_G4_2 = T(4) * Pddot4_2;
@@ -1732,7 +1732,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T S1_2 = E2_23 * minus_G2_3 - E2_22 * minus_G2_2 - E3_22 * minus_G3_2 - E3_23 * G3_3 - b1_2;
   const T b1_3 = E3_22 * G3_3 - E3_23 * minus_G3_2;
   const T b1_4 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_3 - b1_4 - E4_13 * minus_G4_1 - E4_12 * minus_G4_2 - E4_11 * minus_G4_3;
+  const T S1_3 = b1_3 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_4;
   // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
   //   omega [N m]
   const T minus_f_omega1_1 = T(0.6) * b1_4 + minus_rho2_1 + T(0.6) * b1_3 + minus_rho3_1 + T(0.2) * b1_2 + E4_11 *
@@ -1832,12 +1832,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
   // ---- body 1 (hub), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
-      T(0.5773502691896257) * minus_N4_3;
+  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
   const T z1_2 = b1_25 * z1_1;
   const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
   const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_27 * z1_3 - minus_f_omega1_1 - z1_2 + b1_28 * z1_4;
+  const T z1_5 = b1_27 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_28 * z1_4;
   const T z1_6 = f_omega1_2 - z1_2 - b1_31 * z1_5;
   const T z1_7 = f_omega1_3 - z1_2 - b1_33 * z1_5 - b1_36 * z1_6;
   const T z1_8 = S1_1 - b1_37 * z1_6 + b1_40 * z1_7;
@@ -1863,12 +1863,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
   // ---- body 2 (left_panel), solved
   // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = b1_42 * z1_11 - z1_4 * T(0.08333333333333333) - b1_28 * omegadot1_1 - b1_53 * z1_10;
+  const T thetaddot2 = b1_42 * z1_11 - (z1_4 * T(0.08333333333333333) + b1_28 * omegadot1_1) - b1_53 * z1_10;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (right_panel), solved
   // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = b1_52 * z1_10 - z1_3 * T(0.08333333333333333) - b1_27 * omegadot1_1 - b1_41 * z1_11;
+  const T thetaddot3 = b1_52 * z1_10 - (z1_3 * T(0.08333333333333333) + b1_27 * omegadot1_1 + b1_41 * z1_11);
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
@@ -1904,7 +1904,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
 // state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
 // S (2 ny x 2 ny)
-// 1583 add, 1820 multiply, 6 divide, 6 sine or cosine
+// 1585 add, 1820 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
   using std::cos, std::sin;
@@ -1943,7 +1943,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t1_17 = omega1_1 * omega1_3;
   const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - T(2) * t1_17 - T(0.1) * (t1_15 - t1_18) - T(0.3) * t1_16;
+  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
   const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
 
   // ---- body 2 (left_panel) on body 1
@@ -2089,9 +2089,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t4_23 = omega1_1 * t4_21 + omega1_2 * t4_22;
   const T t4_24 = omega1_3 * t4_21;
   const T t4_25 = omega1_3 * t4_22;
-  const T Pddot4_1 = E4_13 * t4_23 - E4_11 * t4_24 - E4_12 * t4_25;
-  const T Pddot4_2 = E4_12 * t4_23 - E4_13 * t4_24 - E4_11 * t4_25;
-  const T Pddot4_3 = E4_11 * t4_23 - E4_12 * t4_24 - E4_13 * t4_25;
+  const T Pddot4_1 = E4_13 * t4_23 - (E4_11 * t4_24 + E4_12 * t4_25);
+  const T Pddot4_2 = E4_12 * t4_23 - (E4_13 * t4_24 + E4_11 * t4_25);
+  const T Pddot4_3 = E4_11 * t4_23 - (E4_12 * t4_24 + E4_13 * t4_25);
   // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
   const T minus_G4_1 = T(4) * Pddot4_1;
   const T minus_G4_2 = T(4) * Pddot4_2;
@@ -2130,7 +2130,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_S1_2 = b1_2 - b1_3 + b1_4;
   const T b1_5 = E3_22 * G3_3 - E3_23 * minus_G3_2;
   const T b1_6 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_5 - b1_6 - E4_13 * minus_G4_1 - E4_12 * minus_G4_2 - E4_11 * minus_G4_3;
+  const T S1_3 = b1_5 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_6;
   // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
   //   omega [N m]
   const T minus_f_omega1_1 = T(0.6) * b1_6 + minus_rho2_1 + T(0.6) * b1_5 + minus_rho3_1 + T(0.2) * b1_4 + E4_11 *
@@ -2253,12 +2253,12 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 1 (hub), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
-      T(0.5773502691896257) * minus_N4_3;
+  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
   const T z1_2 = b1_43 * z1_1;
   const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
   const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_45 * z1_3 - minus_f_omega1_1 - z1_2 + b1_46 * z1_4;
+  const T z1_5 = b1_45 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_46 * z1_4;
   const T z1_6 = f_omega1_2 - z1_2 - b1_49 * z1_5;
   const T z1_7 = f_omega1_3 - z1_2 - b1_51 * z1_5 - b1_54 * z1_6;
   const T z1_8 = S1_1 - b1_55 * z1_6 + b1_58 * z1_7;
@@ -2293,706 +2293,707 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[161] = T(1);
   S[20] = omega1_1;
   S[37] = -omega1_1;
-  const T t1 = t2_3 - omega2_2 * omega2_2;
-  const T t2 = T(9) * (t1 - Pddot2_2);
-  const T t3 = t2 + T(3) * t1;
-  const T t4 = t3 + c.p.k;
-  const T t5 = T(9) * (a2_3 + U2_23);
-  const T t6 = E2_22 * t2 - b1_3 + E2_23 * t5;
-  const T t7 = T(0.08333333333333333) * b1_34;
-  const T t8 = b1_46 * t4 - (T(0.6) * t6 + t3 + z1_4 * t7);
-  const T t9 = b1_48 * b1_48;
-  const T t10 = T(1.2) * hc2_3;
-  const T t11 = t9 * (b1_12 * t7 + b1_46 * b1_34 - t10);
-  const T t12 = b1_64 + b1_76 * b1_34 - hc2_3;
-  const T t13 = b1_48 * t12 - b1_80 * t11;
-  const T t14 = b1_47 * t13;
-  const T t15 = b1_53 * b1_53;
-  const T t16 = E2_23 * b1_37 - b1_33 - E2_22 * b1_38;
-  const T t17 = b1_47 * t11;
-  const T t18 = t15 * (t16 + b1_47 * t17);
-  const T t19 = b1_53 * t14 - b1_82 * t18;
-  const T t20 = N2_2 - T(12) * U2_13;
-  const T t21 = E2_22 * t2_8 + b1_9 - E2_23 * t20 + b1_49 * t8 - z1_5 * t17;
-  const T t22 = b1_50 * t11;
-  const T t23 = b1_29 - b1_39 + b1_47 * t22;
-  const T t24 = b1_52 * t19 + b1_83 * t23 - b1_50 * t13;
-  const T t25 = b1_57 * b1_57;
-  const T t26 = b1_53 * t23 - b1_52 * t18;
-  const T t27 = t25 * (b1_50 * t22 - t16 - t10 - b1_52 * t26 - b1_54 * t23);
-  const T t28 = b1_57 * t24 - b1_84 * t27;
-  const T t29 = T(9) * U2_13;
-  const T t30 = b1_7 - E2_23 * t2_8 - E2_22 * t20 + T(0.6) * t29 - b1_51 * t8 + z1_5 * t22 - z1_6 * t26 + b1_54 * t21;
-  const T t31 = b1_53 * hc2_2 - h1_3 * t18;
-  const T t32 = b1_52 * t31 + b1_55 * t23 - hc2_3;
-  const T t33 = h1_3 * t19 + b1_83 * hc2_2 + b1_56 * t28 + b1_85 * t32;
-  const T t34 = b1_72 * b1_72;
-  const T t35 = b1_57 * t32 - b1_56 * t27;
-  const T t36 = t34 * (h1_3 * t31 + b1_55 * hc2_2 + b1_56 * t35 + b1_58 * t32);
-  const T t37 = b1_72 * t33 + b1_86 * t36;
-  const T t38 = z1_7 * t35 + b1_58 * t30 - t29 - z1_6 * t31 + b1_55 * t21;
-  const T t39 = hc2_2 + b1_61 * b1_34 - b1_79;
-  const T t40 = b1_48 * t39 - b1_65 * t11;
-  const T t41 = b1_47 * t40;
-  const T t42 = b1_53 * t41 - b1_67 * t18;
-  const T t43 = b1_50 * t40 - b1_52 * t42 - b1_68 * t23;
-  const T t44 = b1_57 * t43 - b1_69 * t27;
-  const T t45 = b1_56 * t44 + b1_70 * t32 - h1_3 * t42 - b1_68 * hc2_2;
-  const T t46 = b1_65 * t13 + b1_81 * t39 - b1_62 + b1_77 + b1_67 * t19 + b1_83 * t41 - b1_69 * t28 - b1_85 * t43 -
-      b1_71 * t37 - b1_87 * t45;
-  const T t47 = b1_91 * b1_91;
-  const T t48 = b1_89 + b1_61 * hc2_2;
-  const T t49 = b1_72 * t45 + b1_71 * t36;
-  const T t50 = t47 * (t48 + b1_65 * t40 + b1_66 * t39 + b1_67 * t42 + b1_68 * t41 + b1_69 * t44 + b1_70 * t43 + b1_71
-      * t49 + b1_73 * t45);
-  const T t51 = b1_91 * t46 + b1_90 * t50;
-  const T t52 = b1_6 - E2_22 * t5 + E2_23 * t2 - z1_13 - b1_61 * t4 + z1_5 * t40 + b1_66 * t8 - z1_6 * t42 + b1_68 *
-      t21 - z1_7 * t44 - b1_70 * t30 - z1_8 * t49 - b1_73 * t38;
+  const T t1 = b1_48 * b1_48;
+  const T t2 = T(0.08333333333333333) * b1_34;
+  const T t3 = T(1.2) * hc2_3;
+  const T t4 = t1 * (b1_12 * t2 + b1_46 * b1_34 - t3);
+  const T t5 = b1_50 * t4;
+  const T t6 = b1_64 + b1_76 * b1_34 - hc2_3;
+  const T t7 = b1_48 * t6 - b1_80 * t4;
+  const T t8 = t2_3 - omega2_2 * omega2_2;
+  const T t9 = T(9) * (t8 - Pddot2_2);
+  const T t10 = t9 + T(3) * t8;
+  const T t11 = t10 + c.p.k;
+  const T t12 = b1_47 * t7;
+  const T t13 = b1_53 * b1_53;
+  const T t14 = E2_23 * b1_37 - b1_33 - E2_22 * b1_38;
+  const T t15 = b1_47 * t4;
+  const T t16 = t13 * (t14 + b1_47 * t15);
+  const T t17 = b1_53 * t12 - b1_82 * t16;
+  const T t18 = b1_29 - b1_39 + b1_47 * t5;
+  const T t19 = b1_52 * t17 + b1_83 * t18 - b1_50 * t7;
+  const T t20 = b1_57 * b1_57;
+  const T t21 = b1_53 * t18 - b1_52 * t16;
+  const T t22 = t20 * (b1_50 * t5 - t14 - t3 - b1_52 * t21 - b1_54 * t18);
+  const T t23 = b1_57 * t19 - b1_84 * t22;
+  const T t24 = b1_53 * hc2_2 - h1_3 * t16;
+  const T t25 = b1_52 * t24 + b1_55 * t18 - hc2_3;
+  const T t26 = h1_3 * t17 + b1_83 * hc2_2 + b1_56 * t23 + b1_85 * t25;
+  const T t27 = b1_72 * b1_72;
+  const T t28 = b1_57 * t25 - b1_56 * t22;
+  const T t29 = t27 * (h1_3 * t24 + b1_55 * hc2_2 + b1_56 * t28 + b1_58 * t25);
+  const T t30 = b1_72 * t26 + b1_86 * t29;
+  const T t31 = hc2_2 + b1_61 * b1_34 - b1_79;
+  const T t32 = b1_48 * t31 - b1_65 * t4;
+  const T t33 = b1_47 * t32;
+  const T t34 = b1_53 * t33 - b1_67 * t16;
+  const T t35 = b1_50 * t32 - (b1_52 * t34 + b1_68 * t18);
+  const T t36 = b1_57 * t35 - b1_69 * t22;
+  const T t37 = b1_56 * t36 + b1_70 * t25 - h1_3 * t34 - b1_68 * hc2_2;
+  const T t38 = b1_65 * t7 - (b1_71 * t30 + b1_87 * t37 + b1_69 * t23 + b1_85 * t35) + b1_81 * t31 - b1_62 + b1_77 +
+      b1_67 * t17 + b1_83 * t33;
+  const T t39 = b1_91 * b1_91;
+  const T t40 = b1_89 + b1_61 * hc2_2;
+  const T t41 = b1_72 * t37 + b1_71 * t29;
+  const T t42 = t39 * (t40 + b1_65 * t32 + b1_66 * t31 + b1_67 * t34 + b1_68 * t33 + b1_69 * t36 + b1_70 * t35 + b1_71
+      * t41 + b1_73 * t37);
+  const T t43 = b1_91 * t38 + b1_90 * t42;
+  const T t44 = N2_2 - T(12) * U2_13;
+  const T t45 = T(9) * (a2_3 + U2_23);
+  const T t46 = E2_22 * t9 - b1_3 + E2_23 * t45;
+  const T t47 = b1_46 * t11 - z1_4 * t2 - T(0.6) * t46 - t10;
+  const T t48 = E2_22 * t2_8 + b1_9 - E2_23 * t44 + b1_49 * t47 - z1_5 * t15;
+  const T t49 = T(9) * U2_13;
+  const T t50 = b1_54 * t48 - z1_6 * t21 - b1_51 * t47 + z1_5 * t5 + b1_7 - E2_22 * t44 - E2_23 * t2_8 + T(0.6) * t49;
+  const T t51 = z1_7 * t28 + b1_58 * t50 - t49 - z1_6 * t24 + b1_55 * t48;
+  const T t52 = b1_68 * t48 - (z1_8 * t41 + b1_73 * t51 + z1_7 * t36 + b1_70 * t50 + z1_6 * t34) + b1_6 - E2_22 * t45
+      + E2_23 * t9 - z1_13 - b1_61 * t11 + z1_5 * t32 + b1_66 * t47;
   const T t53 = z1_15 * z1_15;
-  const T t54 = z1_15 * (b1_76 * t4 - (t6 + z1_10) - z1_5 * t13 - b1_81 * t8 + z1_6 * t19 - b1_83 * t21 - z1_7 * t28 -
-      b1_85 * t30 - z1_8 * t37 - b1_87 * t38 - z1_11 * t51 - b1_92 * t52) + t53 * (b1_80 * t13 + b1_81 * t12 - t48 +
-      b1_82 * t19 + b1_83 * t14 + b1_84 * t28 + b1_85 * t24 + b1_86 * t37 + b1_87 * t33 + b1_90 * t51 + b1_92 * t46) *
-      z1_14;
-  const T t55 = b1_91 * t52 + z1_11 * t50 - z1_16 * t51 - b1_92 * t54;
-  const T t56 = b1_72 * t38 + z1_8 * t36 - z1_17 * t49 - b1_73 * t55 - z1_16 * t37 - b1_87 * t54;
-  const T t57 = b1_57 * t30 - z1_7 * t27 + Pddot1_1 * t35 + b1_58 * t56 - z1_17 * t44 - b1_70 * t55 - z1_16 * t28 -
-      b1_85 * t54;
-  const T t58 = z1_16 * t19 + b1_83 * t54 - b1_53 * t21 - z1_6 * t18 - z1_18 * t26 - b1_54 * t57 - Pddot1_1 * t31 -
-      b1_55 * t56 - z1_17 * t42 - b1_68 * t55;
-  const T t59 = b1_48 * t8 - z1_5 * t11 - b1_49 * t58 + z1_19 * t17 - b1_51 * t57 + z1_18 * t22 + z1_17 * t40 + b1_66
-      * t55 - z1_16 * t13 - b1_81 * t54;
+  const T t54 = z1_15 * (b1_76 * t11 - (z1_11 * t43 + b1_92 * t52 + z1_8 * t30 + b1_87 * t51 + z1_7 * t23 + b1_85 *
+      t50 + z1_5 * t7 + b1_81 * t47 + z1_10) - t46 + z1_6 * t17 - b1_83 * t48) + t53 * (b1_80 * t7 + b1_81 * t6 - t40
+      + b1_82 * t17 + b1_83 * t12 + b1_84 * t23 + b1_85 * t19 + b1_86 * t30 + b1_87 * t26 + b1_90 * t43 + b1_92 * t38)
+      * z1_14;
+  const T t55 = b1_91 * t52 - (z1_16 * t43 + b1_92 * t54) + z1_11 * t42;
+  const T t56 = b1_72 * t51 - (z1_16 * t30 + b1_87 * t54 + z1_17 * t41 + b1_73 * t55) + z1_8 * t29;
+  const T t57 = b1_57 * t50 - (z1_16 * t23 + b1_85 * t54 + z1_17 * t36 + b1_70 * t55) - z1_7 * t22 + Pddot1_1 * t28 +
+      b1_58 * t56;
+  const T t58 = z1_16 * t17 + b1_83 * t54 - b1_53 * t48 - z1_6 * t16 - z1_18 * t21 - b1_54 * t57 - Pddot1_1 * t24 -
+      b1_55 * t56 - z1_17 * t34 - b1_68 * t55;
+  const T t59 = z1_18 * t5 - (z1_16 * t7 + b1_81 * t54 + b1_51 * t57) - b1_49 * t58 + z1_19 * t15 + b1_48 * t47 - z1_5
+      * t4 + z1_17 * t32 + b1_66 * t55;
   S[165] = t59;
   const T t60 = b1_78 - b1_59 * b1_35 - minus_hc3_2;
   const T t61 = T(0.08333333333333333) * b1_35;
   const T t62 = T(1.2) * minus_hc3_3;
-  const T t63 = t9 * (K_thetadot3_1_1 * t61 + b1_45 * b1_35 - t62);
+  const T t63 = t1 * (K_thetadot3_1_1 * t61 + b1_45 * b1_35 - t62);
   const T t64 = b1_48 * t60 - b1_65 * t63;
-  const T t65 = T(9) * (minus_a3_3 + U3_23);
-  const T t66 = t3_3 - omega3_2 * omega3_2;
-  const T t67 = T(9) * (Pddot3_2 + t66);
-  const T t68 = T(3) * t66 + t67;
-  const T t69 = t68 + c.p.k;
-  const T t70 = E3_23 * t65 - b1_2 + E3_22 * t67;
-  const T t71 = T(0.6) * t70 + t68 + z1_3 * t61 - b1_45 * t69;
-  const T t72 = b1_47 * t64;
-  const T t73 = E3_23 * b1_40 - b1_36 - E3_22 * b1_41;
-  const T t74 = b1_47 * t63;
-  const T t75 = t15 * (t73 + b1_47 * t74);
-  const T t76 = b1_53 * t72 - b1_67 * t75;
-  const T t77 = T(12) * U3_13 - N3_2;
-  const T t78 = z1_5 * t74 + b1_49 * t71 - E3_22 * t3_4 - b1_10 - E3_23 * t77;
+  const T t65 = minus_hc3_3 - (b1_63 + b1_74 * b1_35);
+  const T t66 = b1_48 * t65 - b1_80 * t63;
+  const T t67 = t3_3 - omega3_2 * omega3_2;
+  const T t68 = T(9) * (Pddot3_2 + t67);
+  const T t69 = T(9) * (minus_a3_3 + U3_23);
+  const T t70 = E3_22 * t68 - b1_2 + E3_23 * t69;
+  const T t71 = T(3) * t67 + t68;
+  const T t72 = t71 + c.p.k;
+  const T t73 = T(0.6) * t70 + t71 + z1_3 * t61 - b1_45 * t72;
+  const T t74 = b1_47 * t66;
+  const T t75 = E3_23 * b1_40 - b1_36 - E3_22 * b1_41;
+  const T t76 = b1_47 * t63;
+  const T t77 = t13 * (t75 + b1_47 * t76);
+  const T t78 = b1_53 * t74 - b1_82 * t77;
   const T t79 = b1_50 * t63;
   const T t80 = b1_32 - b1_42 + b1_47 * t79;
-  const T t81 = b1_50 * t64 - b1_52 * t76 - b1_68 * t80;
-  const T t82 = b1_53 * t80 - b1_52 * t75;
-  const T t83 = t25 * (b1_50 * t79 - t73 - t62 - b1_52 * t82 - b1_54 * t80);
-  const T t84 = b1_57 * t81 - b1_69 * t83;
-  const T t85 = T(9) * U3_13;
-  const T t86 = b1_8 - E3_23 * t3_4 + E3_22 * t77 + T(0.6) * t85 + z1_5 * t79 + b1_51 * t71 - z1_6 * t82 - b1_54 *
-      t78;
-  const T t87 = b1_53 * minus_hc3_2 + h1_3 * t75;
-  const T t88 = minus_hc3_3 + b1_55 * t80 - b1_52 * t87;
-  const T t89 = b1_56 * t84 + b1_70 * t88 - h1_3 * t76 + b1_68 * minus_hc3_2;
-  const T t90 = b1_57 * t88 - b1_56 * t83;
-  const T t91 = t34 * (h1_3 * t87 + b1_55 * minus_hc3_2 - b1_56 * t90 - b1_58 * t88);
-  const T t92 = b1_72 * t89 - b1_71 * t91;
-  const T t93 = t85 - b1_55 * t78 + z1_6 * t87 + z1_7 * t90 + b1_58 * t86;
-  const T t94 = E3_22 * t65 - b1_5 - E3_23 * t67 + z1_12 + b1_59 * t69 + z1_5 * t64 - b1_66 * t71 - z1_6 * t76 - b1_68
-      * t78 - z1_7 * t84 - b1_70 * t86 - z1_8 * t92 - b1_73 * t93;
-  const T t95 = b1_88 + b1_59 * minus_hc3_2;
-  const T t96 = t47 * (t95 + b1_65 * t64 + b1_66 * t60 + b1_67 * t76 + b1_68 * t72 + b1_69 * t84 + b1_70 * t81 + b1_71
-      * t92 + b1_73 * t89);
-  const T t97 = minus_hc3_3 - b1_63 - b1_74 * b1_35;
-  const T t98 = b1_48 * t97 - b1_80 * t63;
-  const T t99 = b1_47 * t98;
-  const T t100 = b1_53 * t99 - b1_82 * t75;
-  const T t101 = b1_52 * t100 + b1_83 * t80 - b1_50 * t98;
-  const T t102 = b1_57 * t101 - b1_84 * t83;
-  const T t103 = h1_3 * t100 - b1_83 * minus_hc3_2 + b1_56 * t102 + b1_85 * t88;
-  const T t104 = b1_72 * t103 - b1_86 * t91;
-  const T t105 = b1_65 * t98 + b1_81 * t60 - b1_60 + b1_75 + b1_67 * t100 + b1_83 * t72 - b1_69 * t102 - b1_85 * t81 -
-      b1_71 * t104 - b1_87 * t89;
-  const T t106 = b1_91 * t105 + b1_90 * t96;
-  const T t107 = z1_15 * (t70 - b1_74 * t69 + z1_9 - z1_5 * t98 + b1_81 * t71 + z1_6 * t100 + b1_83 * t78 - z1_7 *
-      t102 - b1_85 * t86 - z1_8 * t104 - b1_87 * t93 - z1_11 * t106 - b1_92 * t94) + t53 * (b1_80 * t98 + b1_81 * t97
-      - t95 + b1_82 * t100 + b1_83 * t99 + b1_84 * t102 + b1_85 * t101 + b1_86 * t104 + b1_87 * t103 + b1_90 * t106 +
-      b1_92 * t105) * z1_14;
-  const T t108 = b1_91 * t94 + z1_11 * t96 - z1_16 * t106 - b1_92 * t107;
-  const T t109 = b1_72 * t93 - z1_8 * t91 - z1_17 * t92 - b1_73 * t108 - z1_16 * t104 - b1_87 * t107;
-  const T t110 = b1_57 * t86 - z1_7 * t83 + Pddot1_1 * t90 + b1_58 * t109 - z1_17 * t84 - b1_70 * t108 - z1_16 * t102
-      - b1_85 * t107;
-  const T t111 = b1_53 * t78 - z1_6 * t75 - z1_18 * t82 - b1_54 * t110 - b1_55 * t109 + Pddot1_1 * t87 - z1_17 * t76 -
-      b1_68 * t108 + z1_16 * t100 + b1_83 * t107;
-  const T t112 = z1_17 * t64 + b1_66 * t108 - b1_48 * t71 - z1_5 * t63 - b1_49 * t111 + z1_19 * t74 - b1_51 * t110 +
-      z1_18 * t79 - z1_16 * t98 - b1_81 * t107;
+  const T t81 = b1_52 * t78 + b1_83 * t80 - b1_50 * t66;
+  const T t82 = b1_53 * t80 - b1_52 * t77;
+  const T t83 = t20 * (b1_50 * t79 - t75 - t62 - b1_52 * t82 - b1_54 * t80);
+  const T t84 = b1_57 * t81 - b1_84 * t83;
+  const T t85 = b1_53 * minus_hc3_2 + h1_3 * t77;
+  const T t86 = minus_hc3_3 + b1_55 * t80 - b1_52 * t85;
+  const T t87 = h1_3 * t78 - b1_83 * minus_hc3_2 + b1_56 * t84 + b1_85 * t86;
+  const T t88 = b1_57 * t86 - b1_56 * t83;
+  const T t89 = t27 * (h1_3 * t85 - (b1_56 * t88 + b1_58 * t86) + b1_55 * minus_hc3_2);
+  const T t90 = b1_72 * t87 - b1_86 * t89;
+  const T t91 = b1_47 * t64;
+  const T t92 = b1_53 * t91 - b1_67 * t77;
+  const T t93 = b1_50 * t64 - (b1_52 * t92 + b1_68 * t80);
+  const T t94 = b1_57 * t93 - b1_69 * t83;
+  const T t95 = b1_56 * t94 + b1_70 * t86 - h1_3 * t92 + b1_68 * minus_hc3_2;
+  const T t96 = b1_65 * t66 - (b1_71 * t90 + b1_87 * t95 + b1_69 * t84 + b1_85 * t93) + b1_81 * t60 - b1_60 + b1_75 +
+      b1_67 * t78 + b1_83 * t91;
+  const T t97 = b1_88 + b1_59 * minus_hc3_2;
+  const T t98 = b1_72 * t95 - b1_71 * t89;
+  const T t99 = t39 * (t97 + b1_65 * t64 + b1_66 * t60 + b1_67 * t92 + b1_68 * t91 + b1_69 * t94 + b1_70 * t93 + b1_71
+      * t98 + b1_73 * t95);
+  const T t100 = b1_91 * t96 + b1_90 * t99;
+  const T t101 = T(12) * U3_13 - N3_2;
+  const T t102 = z1_5 * t76 + b1_49 * t73 - E3_22 * t3_4 - b1_10 - E3_23 * t101;
+  const T t103 = T(9) * U3_13;
+  const T t104 = b1_8 - (z1_6 * t82 + b1_54 * t102) - E3_23 * t3_4 + E3_22 * t101 + T(0.6) * t103 + z1_5 * t79 + b1_51
+      * t73;
+  const T t105 = z1_6 * t85 - b1_55 * t102 + t103 + z1_7 * t88 + b1_58 * t104;
+  const T t106 = E3_22 * t69 - (z1_8 * t98 + b1_73 * t105 + z1_7 * t94 + b1_70 * t104 + z1_6 * t92 + b1_68 * t102 +
+      E3_23 * t68 + b1_5) + z1_12 + b1_59 * t72 + z1_5 * t64 - b1_66 * t73;
+  const T t107 = z1_15 * (b1_81 * t73 - (z1_11 * t100 + b1_92 * t106 + z1_8 * t90 + b1_87 * t105 + z1_7 * t84 + b1_85
+      * t104 + z1_5 * t66) - b1_74 * t72 + z1_9 + t70 + z1_6 * t78 + b1_83 * t102) + t53 * (b1_80 * t66 + b1_81 * t65
+      - t97 + b1_82 * t78 + b1_83 * t74 + b1_84 * t84 + b1_85 * t81 + b1_86 * t90 + b1_87 * t87 + b1_90 * t100 + b1_92
+      * t96) * z1_14;
+  const T t108 = b1_91 * t106 - (z1_16 * t100 + b1_92 * t107) + z1_11 * t99;
+  const T t109 = b1_72 * t105 - (z1_16 * t90 + b1_87 * t107 + z1_17 * t98 + b1_73 * t108) - z1_8 * t89;
+  const T t110 = b1_57 * t104 - (z1_16 * t84 + b1_85 * t107 + z1_17 * t94 + b1_70 * t108) - z1_7 * t83 + Pddot1_1 *
+      t88 + b1_58 * t109;
+  const T t111 = Pddot1_1 * t85 - (z1_17 * t92 + b1_68 * t108 + b1_55 * t109) - z1_18 * t82 - b1_54 * t110 + b1_53 *
+      t102 - z1_6 * t77 + z1_16 * t78 + b1_83 * t107;
+  const T t112 = z1_17 * t64 - (z1_16 * t66 + b1_81 * t107) + b1_66 * t108 - b1_48 * t73 - z1_5 * t63 - b1_49 * t111 +
+      z1_19 * t76 - b1_51 * t110 + z1_18 * t79;
   S[166] = t112;
-  const T t113 = T(0.6666666666666666) * t4_2;
-  const T t114 = T(0.5773502691896257) * t4_1;
-  const T t115 = T(0.3333333333333333) * t4_2;
-  const T t116 = t114 - t115;
-  const T t117 = t114 + t115;
-  const T t118 = T(4) * (t4_25 * t113 + t4_24 * t116 + t4_23 * t117);
-  const T t119 = T(4) * (t4_24 * t113 - t4_25 * t117 - t4_23 * t116);
-  const T t120 = T(4) * (t4_25 * t116 - t4_24 * t117 - t4_23 * t113);
-  const T t121 = minus_G4_2 * t113 - E4_11 * t118 - minus_G4_1 * t117 - E4_12 * t119 + minus_G4_3 * t116 - E4_13 *
-      t120;
-  const T t122 = T(0.0021) * t116;
-  const T t123 = T(0.0021) * t113;
-  const T t124 = T(0.0158) * t117 - t122 - t123;
-  const T t125 = E4_12 * t124;
-  const T t126 = T(0.0021) * t117;
-  const T t127 = t123 - t126 + T(0.0158) * t116;
-  const T t128 = E4_13 * t127;
-  const T t129 = t122 - t126 + T(0.0158) * t113;
-  const T t130 = E4_11 * t129;
-  const T t131 = t125 - t128 - t130;
-  const T t132 = b1_16 * t113;
+  const T t113 = T(0.5773502691896257) * t4_1;
+  const T t114 = T(0.3333333333333333) * t4_2;
+  const T t115 = t113 + t114;
+  const T t116 = t113 - t114;
+  const T t117 = T(0.0021) * t116;
+  const T t118 = T(0.6666666666666666) * t4_2;
+  const T t119 = T(0.0021) * t118;
+  const T t120 = T(0.0158) * t115 - t117 - t119;
+  const T t121 = E4_12 * t120;
+  const T t122 = T(0.011547005383792516) * t115 - T(0.011547005383792516) * t116 - T(0.011547005383792516) * t118;
+  const T t123 = T(50) * t122;
+  const T t124 = K_thetadot4_1_1 * t123;
+  const T t125 = b1_43 * t122;
+  const T t126 = t124 + t125;
+  const T t127 = T(0.0021) * t115;
+  const T t128 = t117 - t127 + T(0.0158) * t118;
+  const T t129 = E4_11 * t128;
+  const T t130 = b1_16 * t118;
+  const T t131 = t119 - t127 + T(0.0158) * t116;
+  const T t132 = E4_13 * t131;
   const T t133 = b1_19 * t116;
-  const T t134 = b1_21 * t117;
-  const T t135 = T(0.011547005383792516) * t117 - T(0.011547005383792516) * t116 - T(0.011547005383792516) * t113;
-  const T t136 = T(50) * t135;
-  const T t137 = K_thetadot4_1_1 * t136;
-  const T t138 = b1_43 * t135;
-  const T t139 = t9 * (t131 - t132 - t133 + t134 - t137 - t138);
-  const T t140 = b1_65 * t139;
-  const T t141 = omega1_1 * t117 - omega1_2 * t116 - omega1_3 * t113;
-  const T t142 = omega1_3 * t117 - omega1_2 * t113 - omega1_1 * t116;
-  const T t143 = omega4_2 * t141 + omega4_3 * t142;
-  const T t144 = T(0.5773502691896257) * t141;
-  const T t145 = T(0.5773502691896257) * t142;
-  const T t146 = thetadot4 * (t144 - t145);
-  const T t147 = t143 - t146;
-  const T t148 = t143 + t146;
-  const T t149 = omega4_3 * t141;
-  const T t150 = t149 + t149;
-  const T t151 = omega1_2 * t117 - omega1_1 * t113 - omega1_3 * t116;
-  const T t152 = omega4_1 * t151;
-  const T t153 = t152 + t152;
-  const T t154 = t150 + t153;
-  const T t155 = omega4_2 * t142;
-  const T t156 = t155 + t155;
-  const T t157 = t156 + t153;
-  const T t158 = omega4_1 * t141 + omega4_3 * t151;
-  const T t159 = T(0.5773502691896257) * t151;
-  const T t160 = thetadot4 * (t159 - t144);
-  const T t161 = t158 + t160;
-  const T t162 = omega4_1 * t142 + omega4_2 * t151;
-  const T t163 = thetadot4 * (t145 - t159);
-  const T t164 = t162 - t163;
-  const T t165 = T(0.0079) * t147 - T(0.0079) * t148 - T(0.0021) * (t154 - t157) - T(0.0021) * t161 + T(0.0021) *
-      t164;
-  const T t166 = t158 - t160;
-  const T t167 = t150 + t156;
-  const T t168 = t162 + t163;
-  const T t169 = T(0.0079) * t166 - T(0.0079) * t161 - T(0.0021) * (t157 - t167) - T(0.0021) * t168 + T(0.0021) *
-      t147;
-  const T t170 = T(0.0079) * t164 - T(0.0079) * t168 - T(0.0021) * (t167 - t154) - T(0.0021) * t148 + T(0.0021) *
-      t166;
-  const T t171 = z1_1 * t136;
-  const T t172 = T(0.5773502691896257) * t165 + T(0.5773502691896257) * t169 + T(0.5773502691896257) * t170;
-  const T t173 = b1_43 * t172;
-  const T t174 = E4_11 * t165 - minus_N4_1 * t113 + E4_13 * t169 - minus_N4_2 * t116 + minus_N4_3 * t117 + E4_12 *
-      t170 - T(0.2) * t121 + t171 - t173;
-  const T t175 = E4_13 * t124 - E4_11 * t127 - E4_12 * t129;
-  const T t176 = b1_16 * t117;
-  const T t177 = b1_19 * t113;
-  const T t178 = b1_21 * t116;
-  const T t179 = t175 + t176 - t177 - t178 - t137 - t138;
-  const T t180 = b1_66 * t179 - b1_47 * t140;
-  const T t181 = b1_48 * t179 - b1_47 * t139;
-  const T t182 = t15 * (t131 + t134 - t132 - t133 - t137 - t138 - b1_47 * t181 - b1_49 * t179);
-  const T t183 = b1_53 * t180 - b1_67 * t182;
-  const T t184 = minus_G4_1 * t113 - E4_11 * t119 + minus_G4_2 * t116 - E4_13 * t118 - minus_G4_3 * t117 - E4_12 *
-      t120;
-  const T t185 = T(0.2) * t184 + minus_N4_1 * t117 + E4_12 * t165 + E4_11 * t169 - minus_N4_2 * t113 + E4_13 * t170 -
-      minus_N4_3 * t116 + t171 - t173 + z1_5 * t181 - b1_49 * t174;
-  const T t186 = b1_19 * t117 - (E4_13 * t129 + b1_16 * t116 + E4_12 * t127) + E4_11 * t124 - b1_21 * t113 - t137 -
-      t138;
-  const T t187 = b1_48 * t186 - b1_50 * t139;
-  const T t188 = t175 - t178 + t176 - t177 - t137 - t138 - b1_47 * t187 - b1_51 * t179;
-  const T t189 = b1_66 * t186 - b1_50 * t140 - b1_52 * t183 - b1_68 * t188;
-  const T t190 = b1_53 * t188 - b1_52 * t182;
-  const T t191 = t25 * (t125 - (t128 + t133) + t134 - t130 - t132 - t137 - t138 - b1_50 * t187 - b1_51 * t186 - b1_52
-      * t190 - b1_54 * t188);
-  const T t192 = b1_57 * t189 - b1_69 * t191;
-  const T t193 = E4_13 * t165 - minus_N4_1 * t116 + minus_N4_2 * t117 + E4_12 * t169 + E4_11 * t170 - minus_N4_3 *
-      t113 + t171 - t173 + z1_5 * t187 - b1_51 * t174 + z1_6 * t190 - b1_54 * t185;
-  const T t194 = h1_3 * t182;
-  const T t195 = b1_55 * t188 - b1_52 * t194;
-  const T t196 = b1_56 * t192 + b1_70 * t195 - h1_3 * t183;
-  const T t197 = b1_57 * t195 - b1_56 * t191;
-  const T t198 = t34 * (h1_3 * t194 - b1_56 * t197 - b1_58 * t195);
-  const T t199 = b1_72 * t196 - b1_71 * t198;
-  const T t200 = t184 + b1_55 * t185 + z1_6 * t194 + z1_7 * t197 - b1_58 * t193;
-  const T t201 = t121 - z1_5 * t140 - b1_66 * t174 - z1_6 * t183 + b1_68 * t185 - z1_7 * t192 + b1_70 * t193 - z1_8 *
-      t199 - b1_73 * t200;
-  const T t202 = t47 * (b1_65 * t140 - b1_67 * t183 - b1_68 * t180 - b1_69 * t192 - b1_70 * t189 - b1_71 * t199 -
-      b1_73 * t196);
-  const T t203 = b1_80 * t139;
-  const T t204 = b1_81 * t179 - b1_47 * t203;
-  const T t205 = b1_53 * t204 - b1_82 * t182;
-  const T t206 = b1_52 * t205 + b1_83 * t188 - b1_81 * t186 + b1_50 * t203;
-  const T t207 = b1_57 * t206 - b1_84 * t191;
-  const T t208 = h1_3 * t205 + b1_56 * t207 + b1_85 * t195;
-  const T t209 = b1_72 * t208 - b1_86 * t198;
-  const T t210 = b1_67 * t205 + b1_83 * t180 - b1_65 * t203 - b1_69 * t207 - b1_85 * t189 - b1_71 * t209 - b1_87 *
-      t196;
-  const T t211 = b1_91 * t210 - b1_90 * t202;
-  const T t212 = z1_15 * (minus_G4_1 * t116 - E4_13 * t119 - minus_G4_2 * t117 - E4_12 * t118 + minus_G4_3 * t113 -
-      E4_11 * t120 + z1_5 * t203 + b1_81 * t174 + z1_6 * t205 - b1_83 * t185 - z1_7 * t207 + b1_85 * t193 - z1_8 *
-      t209 - b1_87 * t200 - z1_11 * t211 - b1_92 * t201) - t53 * (b1_80 * t203 - b1_82 * t205 - b1_83 * t204 - b1_84 *
-      t207 - b1_85 * t206 - b1_86 * t209 - b1_87 * t208 - b1_90 * t211 - b1_92 * t210) * z1_14;
-  const T t213 = b1_91 * t201 - z1_11 * t202 - z1_16 * t211 - b1_92 * t212;
-  const T t214 = b1_72 * t200 - z1_8 * t198 - z1_17 * t199 - b1_73 * t213 - z1_16 * t209 - b1_87 * t212;
-  const T t215 = Pddot1_1 * t197 + b1_58 * t214 - b1_57 * t193 - z1_7 * t191 - z1_17 * t192 - b1_70 * t213 - z1_16 *
-      t207 - b1_85 * t212;
-  const T t216 = z1_16 * t205 + b1_83 * t212 - b1_53 * t185 - z1_6 * t182 - z1_18 * t190 - b1_54 * t215 - b1_55 * t214
-      + Pddot1_1 * t194 - z1_17 * t183 - b1_68 * t213;
-  const T t217 = b1_66 * t213 - z1_17 * t140 - b1_48 * t174 - z1_5 * t139 - z1_19 * t181 - b1_49 * t216 - z1_18 * t187
-      - b1_51 * t215 - b1_81 * t212 + z1_16 * t203;
-  S[167] = t217;
-  const T t218 = T(1.2) * omega1_1;
-  const T t219 = omega2_1 + omega2_1;
-  const T t220 = T(9) * (E2_22 * t218 + t219);
-  const T t221 = E2_23 * t218 * T(9);
-  const T t222 = E2_23 * t220 - E2_22 * t221;
-  const T t223 = E3_23 * t218 * T(9);
-  const T t224 = omega3_1 + omega3_1;
-  const T t225 = T(9) * (t224 + E3_22 * t218);
-  const T t226 = E3_22 * t223 - E3_23 * t225;
-  const T t227 = T(0.4) * omega1_1;
-  const T t228 = T(0.2) * omega1_3;
-  const T t229 = E4_11 * t228;
-  const T t230 = T(4) * (E4_13 * t227 - t229);
-  const T t231 = E4_13 * t228;
-  const T t232 = T(4) * (E4_12 * t227 - t231);
-  const T t233 = E4_12 * t228;
-  const T t234 = T(4) * (E4_11 * t227 - t233);
-  const T t235 = E4_12 * t230 + E4_11 * t232 + E4_13 * t234;
-  const T t236 = omega4_2 * E4_12;
-  const T t237 = omega4_3 * E4_13;
-  const T t238 = t236 + t237;
-  const T t239 = T(0.5773502691896257) * E4_12;
-  const T t240 = T(0.5773502691896257) * E4_13;
-  const T t241 = thetadot4 * (t239 - t240);
-  const T t242 = t238 - t241;
-  const T t243 = t238 + t241;
-  const T t244 = omega4_3 * E4_12;
-  const T t245 = t244 + t244;
-  const T t246 = omega4_1 * E4_11;
-  const T t247 = t246 + t246;
-  const T t248 = t245 + t247;
-  const T t249 = omega4_2 * E4_13;
-  const T t250 = t249 + t249;
-  const T t251 = t250 + t247;
-  const T t252 = omega4_1 * E4_12;
-  const T t253 = omega4_3 * E4_11;
-  const T t254 = t252 + t253;
-  const T t255 = T(0.5773502691896257) * E4_11;
-  const T t256 = thetadot4 * (t255 - t239);
-  const T t257 = t254 + t256;
-  const T t258 = omega4_1 * E4_13;
-  const T t259 = omega4_2 * E4_11;
-  const T t260 = t258 + t259;
-  const T t261 = thetadot4 * (t240 - t255);
-  const T t262 = t260 - t261;
-  const T t263 = T(0.0079) * t242 - T(0.0079) * t243 - T(0.0021) * (t248 - t251) - T(0.0021) * t257 + T(0.0021) *
-      t262;
-  const T t264 = t254 - t256;
-  const T t265 = t245 + t250;
-  const T t266 = t260 + t261;
-  const T t267 = T(0.0079) * t264 - T(0.0079) * t257 - T(0.0021) * (t251 - t265) - T(0.0021) * t266 + T(0.0021) *
-      t242;
-  const T t268 = T(0.0079) * t262 - T(0.0079) * t266 - T(0.0021) * (t265 - t248) - T(0.0021) * t243 + T(0.0021) *
-      t264;
-  const T t269 = T(0.1) * omega1_2;
-  const T t270 = T(0.5773502691896257) * t263 + T(0.5773502691896257) * t267 + T(0.5773502691896257) * t268;
-  const T t271 = b1_43 * t270;
-  const T t272 = T(0.6) * t222 - t221 - T(0.6) * t226 - t223 - T(0.2) * t235 - E4_11 * t263 - E4_13 * t267 - E4_12 *
-      t268 + t269 + t228 + t271 + b1_45 * t223 + b1_46 * t221;
-  const T t273 = T(0.75) * omega2_3;
-  const T t274 = omega1_2 * T(0.6);
-  const T t275 = T(9) * (omega2_2 + t274);
-  const T t276 = T(2.25) * omega2_2 + t275;
-  const T t277 = T(0.75) * omega3_3;
-  const T t278 = T(9) * (t274 + omega3_2);
-  const T t279 = t278 + T(2.25) * omega3_2;
-  const T t280 = E4_11 * t230 + E4_13 * t232 + E4_12 * t234;
-  const T t281 = omega1_1 + omega1_1;
-  const T t282 = E2_22 * t273 - E2_23 * t276 + E3_22 * t277 - E3_23 * t279 + T(0.2) * t280 - E4_12 * t263 - E4_11 *
-      t267 - E4_13 * t268 - T(0.1) * t281 + T(2) * omega1_3 + T(0.3) * omega1_2 + t271 - b1_49 * t272;
-  const T t283 = E2_23 * t273 + E2_22 * t276 + T(0.6) * t275 + T(0.6) * t278 + E3_22 * t279 + E3_23 * t277 - E4_13 *
-      t263 - E4_12 * t267 - E4_11 * t268 - T(0.2) * t281 + T(2) * omega1_2 - T(0.3) * omega1_3 + t271 - b1_51 * t272 -
-      b1_54 * t282;
-  const T t284 = t278 - t275 - t280 - b1_55 * t282 + b1_58 * t283;
-  const T t285 = E2_22 * t220 + E2_23 * t221 - E3_22 * t225 - E3_23 * t223 - t235 + b1_59 * t223 - b1_61 * t221 +
-      b1_66 * t272 - b1_68 * t282 - b1_70 * t283 - b1_73 * t284;
-  const T t286 = z1_15 * (t222 + t226 - E4_13 * t230 - E4_12 * t232 - E4_11 * t234 - b1_74 * t223 + b1_76 * t221 -
-      b1_81 * t272 + b1_83 * t282 - b1_85 * t283 - b1_87 * t284 - b1_92 * t285);
-  const T t287 = b1_91 * t285 - b1_92 * t286;
-  const T t288 = b1_72 * t284 - b1_73 * t287 - b1_87 * t286;
-  const T t289 = b1_57 * t283 + b1_58 * t288 - b1_70 * t287 - b1_85 * t286;
-  const T t290 = b1_53 * t282 - b1_54 * t289 - b1_55 * t288 - b1_68 * t287 + b1_83 * t286;
-  const T t291 = b1_48 * t272 - b1_49 * t290 - b1_51 * t289 + b1_66 * t287 - b1_81 * t286;
-  S[171] = t291;
-  const T t292 = t249 + t253;
-  const T t293 = t292 - t261;
-  const T t294 = t292 + t261;
-  const T t295 = t237 + t237;
-  const T t296 = t252 + t252;
-  const T t297 = t295 + t296;
-  const T t298 = t259 + t259;
-  const T t299 = t298 + t296;
-  const T t300 = t258 + t244;
-  const T t301 = t300 + t241;
-  const T t302 = t246 + t236;
-  const T t303 = t302 - t256;
-  const T t304 = T(0.0079) * t293 - T(0.0079) * t294 - T(0.0021) * (t297 - t299) - T(0.0021) * t301 + T(0.0021) *
-      t303;
-  const T t305 = t300 - t241;
-  const T t306 = t295 + t298;
-  const T t307 = t302 + t256;
-  const T t308 = T(0.0079) * t305 - T(0.0079) * t301 - T(0.0021) * (t299 - t306) - T(0.0021) * t307 + T(0.0021) *
-      t293;
-  const T t309 = T(0.0079) * t303 - T(0.0079) * t307 - T(0.0021) * (t306 - t297) - T(0.0021) * t294 + T(0.0021) *
-      t305;
-  const T t310 = T(0.5773502691896257) * t304 + T(0.5773502691896257) * t308 + T(0.5773502691896257) * t309;
-  const T t311 = b1_43 * t310;
-  const T t312 = omega2_3 * E2_23;
-  const T t313 = T(9) * (E2_23 * t2_5 + t312 + t312);
-  const T t314 = omega2_3 * E2_22;
-  const T t315 = t314 - omega2_2 * E2_23;
-  const T t316 = T(9) * (t315 + E2_22 * t2_5);
-  const T t317 = E2_23 * t313 + E2_22 * t316;
-  const T t318 = t316 + T(3) * t315;
-  const T t319 = omega3_3 * E3_23;
-  const T t320 = T(9) * (t319 + t319 + E3_23 * t2_5);
-  const T t321 = omega3_3 * E3_22;
-  const T t322 = t321 - omega3_2 * E3_23;
-  const T t323 = T(9) * (E3_22 * t2_5 + t322);
-  const T t324 = E3_23 * t320 + E3_22 * t323;
-  const T t325 = t323 + T(3) * t322;
-  const T t326 = T(0.4) * omega1_2;
-  const T t327 = T(4) * (E4_13 * t326 - t233);
-  const T t328 = T(4) * (E4_12 * t326 - t229);
-  const T t329 = T(4) * (E4_11 * t326 - t231);
-  const T t330 = E4_12 * t327 + E4_11 * t328 + E4_13 * t329;
+  const T t134 = b1_21 * t115;
+  const T t135 = t1 * (t121 - (t126 + t129 + t130 + t132 + t133) + t134);
+  const T t136 = b1_80 * t135;
+  const T t137 = omega1_1 * t115 - omega1_2 * t116 - omega1_3 * t118;
+  const T t138 = omega1_3 * t115 - (omega1_2 * t118 + omega1_1 * t116);
+  const T t139 = omega4_2 * t137 + omega4_3 * t138;
+  const T t140 = T(0.5773502691896257) * t137;
+  const T t141 = T(0.5773502691896257) * t138;
+  const T t142 = thetadot4 * (t140 - t141);
+  const T t143 = t139 - t142;
+  const T t144 = t139 + t142;
+  const T t145 = omega4_3 * t137;
+  const T t146 = t145 + t145;
+  const T t147 = omega1_2 * t115 - omega1_1 * t118 - omega1_3 * t116;
+  const T t148 = omega4_1 * t147;
+  const T t149 = t148 + t148;
+  const T t150 = t146 + t149;
+  const T t151 = omega4_2 * t138;
+  const T t152 = t151 + t151;
+  const T t153 = t152 + t149;
+  const T t154 = omega4_1 * t137 + omega4_3 * t147;
+  const T t155 = T(0.5773502691896257) * t147;
+  const T t156 = thetadot4 * (t155 - t140);
+  const T t157 = t154 + t156;
+  const T t158 = omega4_1 * t138 + omega4_2 * t147;
+  const T t159 = thetadot4 * (t141 - t155);
+  const T t160 = t158 - t159;
+  const T t161 = T(0.0079) * t143 - T(0.0079) * t144 - T(0.0021) * (t150 - t153) - T(0.0021) * t157 + T(0.0021) *
+      t160;
+  const T t162 = t154 - t156;
+  const T t163 = t146 + t152;
+  const T t164 = t158 + t159;
+  const T t165 = T(0.0079) * t162 - T(0.0079) * t157 - T(0.0021) * (t153 - t163) - T(0.0021) * t164 + T(0.0021) *
+      t143;
+  const T t166 = T(0.0079) * t160 - T(0.0079) * t164 - T(0.0021) * (t163 - t150) - T(0.0021) * t144 + T(0.0021) *
+      t162;
+  const T t167 = z1_1 * t123;
+  const T t168 = T(0.5773502691896257) * t161 + T(0.5773502691896257) * t165 + T(0.5773502691896257) * t166;
+  const T t169 = b1_43 * t168;
+  const T t170 = b1_19 * t115 - (t126 + E4_13 * t128 + b1_16 * t116 + E4_12 * t131) + E4_11 * t120 - b1_21 * t118;
+  const T t171 = b1_48 * t170 - b1_50 * t135;
+  const T t172 = T(4) * (t4_25 * t118 + t4_24 * t116 + t4_23 * t115);
+  const T t173 = T(4) * (t4_24 * t118 - t4_25 * t115 - t4_23 * t116);
+  const T t174 = T(4) * (t4_25 * t116 - t4_24 * t115 - t4_23 * t118);
+  const T t175 = minus_G4_2 * t118 - E4_11 * t172 - minus_G4_1 * t115 - E4_12 * t173 + minus_G4_3 * t116 - E4_13 *
+      t174;
+  const T t176 = E4_11 * t161 - minus_N4_1 * t118 + E4_13 * t165 - minus_N4_2 * t116 + minus_N4_3 * t115 + E4_12 *
+      t166 - T(0.2) * t175 + t167 - t169;
+  const T t177 = E4_13 * t120;
+  const T t178 = b1_16 * t115;
+  const T t179 = E4_12 * t128;
+  const T t180 = E4_11 * t131;
+  const T t181 = b1_19 * t118;
+  const T t182 = b1_21 * t116;
+  const T t183 = t178 - (t126 + t179) - t180 - t181 + t177 - t182;
+  const T t184 = t177 - (b1_47 * t171 + b1_51 * t183 + t124 + t125) - t182 - t179 + t178 - t180 - t181;
+  const T t185 = b1_48 * t183 - b1_47 * t135;
+  const T t186 = t13 * (t121 - (b1_47 * t185 + b1_49 * t183 + t124 + t125) + t134 - t129 - t130 - t132 - t133);
+  const T t187 = b1_53 * t184 - b1_52 * t186;
+  const T t188 = minus_G4_1 * t118 - (minus_G4_3 * t115 + E4_12 * t174) - E4_11 * t173 + minus_G4_2 * t116 - E4_13 *
+      t172;
+  const T t189 = T(0.2) * t188 + minus_N4_1 * t115 + E4_12 * t161 + E4_11 * t165 - minus_N4_2 * t118 + E4_13 * t166 -
+      minus_N4_3 * t116 + t167 - t169 + z1_5 * t185 - b1_49 * t176;
+  const T t190 = E4_13 * t161 - minus_N4_1 * t116 + minus_N4_2 * t115 + E4_12 * t165 + E4_11 * t166 - minus_N4_3 *
+      t118 + t167 - t169 + z1_5 * t171 - b1_51 * t176 + z1_6 * t187 - b1_54 * t189;
+  const T t191 = b1_81 * t183 - b1_47 * t136;
+  const T t192 = b1_53 * t191 - b1_82 * t186;
+  const T t193 = b1_52 * t192 + b1_83 * t184 - b1_81 * t170 + b1_50 * t136;
+  const T t194 = t20 * (t121 - (b1_52 * t187 + b1_54 * t184 + b1_50 * t171 + b1_51 * t170 + t124 + t125 + t132 + t133)
+      + t134 - t129 - t130);
+  const T t195 = b1_57 * t193 - b1_84 * t194;
+  const T t196 = h1_3 * t186;
+  const T t197 = b1_55 * t184 - b1_52 * t196;
+  const T t198 = h1_3 * t192 + b1_56 * t195 + b1_85 * t197;
+  const T t199 = b1_57 * t197 - b1_56 * t194;
+  const T t200 = t27 * (h1_3 * t196 - (b1_56 * t199 + b1_58 * t197));
+  const T t201 = b1_72 * t198 - b1_86 * t200;
+  const T t202 = b1_65 * t135;
+  const T t203 = b1_66 * t183 - b1_47 * t202;
+  const T t204 = b1_53 * t203 - b1_67 * t186;
+  const T t205 = b1_66 * t170 - (b1_52 * t204 + b1_68 * t184) - b1_50 * t202;
+  const T t206 = b1_57 * t205 - b1_69 * t194;
+  const T t207 = b1_56 * t206 + b1_70 * t197 - h1_3 * t204;
+  const T t208 = b1_67 * t192 - (b1_71 * t201 + b1_87 * t207 + b1_69 * t195 + b1_85 * t205) + b1_83 * t203 - b1_65 *
+      t136;
+  const T t209 = b1_72 * t207 - b1_71 * t200;
+  const T t210 = t39 * (b1_65 * t202 - (b1_71 * t209 + b1_73 * t207 + b1_69 * t206 + b1_70 * t205 + b1_67 * t204 +
+      b1_68 * t203));
+  const T t211 = b1_91 * t208 - b1_90 * t210;
+  const T t212 = t188 + b1_55 * t189 + z1_6 * t196 + z1_7 * t199 - b1_58 * t190;
+  const T t213 = b1_70 * t190 - (z1_8 * t209 + b1_73 * t212 + z1_7 * t206) - z1_6 * t204 + b1_68 * t189 - z1_5 * t202
+      - b1_66 * t176 + t175;
+  const T t214 = z1_15 * (b1_85 * t190 - (z1_11 * t211 + b1_92 * t213 + z1_8 * t201 + b1_87 * t212 + z1_7 * t195) -
+      minus_G4_2 * t115 - E4_12 * t172 + minus_G4_1 * t116 - E4_13 * t173 + minus_G4_3 * t118 - E4_11 * t174 + z1_5 *
+      t136 + b1_81 * t176 + z1_6 * t192 - b1_83 * t189) - t53 * (b1_80 * t136 - (b1_90 * t211 + b1_92 * t208 + b1_86 *
+      t201 + b1_87 * t198 + b1_84 * t195 + b1_85 * t193 + b1_82 * t192 + b1_83 * t191)) * z1_14;
+  const T t215 = b1_91 * t213 - (z1_16 * t211 + b1_92 * t214) - z1_11 * t210;
+  const T t216 = b1_72 * t212 - (z1_16 * t201 + b1_87 * t214 + z1_17 * t209 + b1_73 * t215) - z1_8 * t200;
+  const T t217 = Pddot1_1 * t199 - (z1_16 * t195 + b1_85 * t214 + z1_17 * t206 + b1_70 * t215) + b1_58 * t216 - b1_57
+      * t190 - z1_7 * t194;
+  const T t218 = z1_16 * t192 + b1_83 * t214 - b1_53 * t189 - z1_6 * t186 - z1_18 * t187 - b1_54 * t217 - b1_55 * t216
+      + Pddot1_1 * t196 - z1_17 * t204 - b1_68 * t215;
+  const T t219 = z1_16 * t136 - b1_81 * t214 + b1_66 * t215 - z1_17 * t202 - b1_48 * t176 - z1_5 * t135 - z1_19 * t185
+      - b1_49 * t218 - z1_18 * t171 - b1_51 * t217;
+  S[167] = t219;
+  const T t220 = T(1.2) * omega1_1;
+  const T t221 = omega2_1 + omega2_1;
+  const T t222 = T(9) * (E2_22 * t220 + t221);
+  const T t223 = E2_23 * t220 * T(9);
+  const T t224 = E2_23 * t222 - E2_22 * t223;
+  const T t225 = omega4_2 * E4_12;
+  const T t226 = omega4_3 * E4_13;
+  const T t227 = t225 + t226;
+  const T t228 = T(0.5773502691896257) * E4_12;
+  const T t229 = T(0.5773502691896257) * E4_13;
+  const T t230 = thetadot4 * (t228 - t229);
+  const T t231 = t227 - t230;
+  const T t232 = t227 + t230;
+  const T t233 = omega4_3 * E4_12;
+  const T t234 = t233 + t233;
+  const T t235 = omega4_1 * E4_11;
+  const T t236 = t235 + t235;
+  const T t237 = t234 + t236;
+  const T t238 = omega4_2 * E4_13;
+  const T t239 = t238 + t238;
+  const T t240 = t239 + t236;
+  const T t241 = omega4_1 * E4_12;
+  const T t242 = omega4_3 * E4_11;
+  const T t243 = t241 + t242;
+  const T t244 = T(0.5773502691896257) * E4_11;
+  const T t245 = thetadot4 * (t244 - t228);
+  const T t246 = t243 + t245;
+  const T t247 = omega4_1 * E4_13;
+  const T t248 = omega4_2 * E4_11;
+  const T t249 = t247 + t248;
+  const T t250 = thetadot4 * (t229 - t244);
+  const T t251 = t249 - t250;
+  const T t252 = T(0.0079) * t231 - T(0.0079) * t232 - T(0.0021) * (t237 - t240) - T(0.0021) * t246 + T(0.0021) *
+      t251;
+  const T t253 = t243 - t245;
+  const T t254 = t234 + t239;
+  const T t255 = t249 + t250;
+  const T t256 = T(0.0079) * t253 - T(0.0079) * t246 - T(0.0021) * (t240 - t254) - T(0.0021) * t255 + T(0.0021) *
+      t231;
+  const T t257 = T(0.0079) * t251 - T(0.0079) * t255 - T(0.0021) * (t254 - t237) - T(0.0021) * t232 + T(0.0021) *
+      t253;
+  const T t258 = E3_23 * t220 * T(9);
+  const T t259 = omega3_1 + omega3_1;
+  const T t260 = T(9) * (t259 + E3_22 * t220);
+  const T t261 = E3_22 * t258 - E3_23 * t260;
+  const T t262 = T(0.4) * omega1_1;
+  const T t263 = T(0.2) * omega1_3;
+  const T t264 = E4_11 * t263;
+  const T t265 = T(4) * (E4_13 * t262 - t264);
+  const T t266 = E4_13 * t263;
+  const T t267 = T(4) * (E4_12 * t262 - t266);
+  const T t268 = E4_12 * t263;
+  const T t269 = T(4) * (E4_11 * t262 - t268);
+  const T t270 = E4_12 * t265 + E4_11 * t267 + E4_13 * t269;
+  const T t271 = T(0.1) * omega1_2;
+  const T t272 = T(0.5773502691896257) * t252 + T(0.5773502691896257) * t256 + T(0.5773502691896257) * t257;
+  const T t273 = b1_43 * t272;
+  const T t274 = T(0.6) * t224 - (E4_11 * t252 + E4_13 * t256 + E4_12 * t257) - t223 - T(0.6) * t261 - t258 - T(0.2) *
+      t270 + t271 + t263 + t273 + b1_45 * t258 + b1_46 * t223;
+  const T t275 = omega1_1 + omega1_1;
+  const T t276 = T(0.75) * omega2_3;
+  const T t277 = omega1_2 * T(0.6);
+  const T t278 = T(9) * (omega2_2 + t277);
+  const T t279 = T(2.25) * omega2_2 + t278;
+  const T t280 = T(0.75) * omega3_3;
+  const T t281 = T(9) * (t277 + omega3_2);
+  const T t282 = t281 + T(2.25) * omega3_2;
+  const T t283 = E4_11 * t265 + E4_13 * t267 + E4_12 * t269;
+  const T t284 = T(2) * omega1_3 - T(0.1) * t275 + T(0.3) * omega1_2 - E4_12 * t252 - E4_11 * t256 - E4_13 * t257 +
+      E2_22 * t276 - E2_23 * t279 + E3_22 * t280 - E3_23 * t282 + T(0.2) * t283 + t273 - b1_49 * t274;
+  const T t285 = T(2) * omega1_2 - T(0.2) * t275 - T(0.3) * omega1_3 - E4_13 * t252 - E4_12 * t256 - E4_11 * t257 +
+      E2_23 * t276 + E2_22 * t279 + T(0.6) * t278 + T(0.6) * t281 + E3_22 * t282 + E3_23 * t280 + t273 - b1_51 * t274
+      - b1_54 * t284;
+  const T t286 = t281 - t278 - t283 - b1_55 * t284 + b1_58 * t285;
+  const T t287 = E2_22 * t222 - (E3_22 * t260 + E3_23 * t258) + E2_23 * t223 - t270 + b1_59 * t258 - b1_61 * t223 +
+      b1_66 * t274 - b1_68 * t284 - b1_70 * t285 - b1_73 * t286;
+  const T t288 = z1_15 * (t224 - (E4_13 * t265 + E4_12 * t267 + E4_11 * t269) + t261 - b1_74 * t258 + b1_76 * t223 -
+      b1_81 * t274 + b1_83 * t284 - b1_85 * t285 - b1_87 * t286 - b1_92 * t287);
+  const T t289 = b1_91 * t287 - b1_92 * t288;
+  const T t290 = b1_72 * t286 - b1_73 * t289 - b1_87 * t288;
+  const T t291 = b1_57 * t285 + b1_58 * t290 - b1_70 * t289 - b1_85 * t288;
+  const T t292 = b1_53 * t284 - b1_54 * t291 - b1_55 * t290 - b1_68 * t289 + b1_83 * t288;
+  const T t293 = b1_48 * t274 - b1_49 * t292 - b1_51 * t291 + b1_66 * t289 - b1_81 * t288;
+  S[171] = t293;
+  const T t294 = omega2_3 * E2_23;
+  const T t295 = T(9) * (E2_23 * t2_5 + t294 + t294);
+  const T t296 = omega2_3 * E2_22;
+  const T t297 = t296 - omega2_2 * E2_23;
+  const T t298 = T(9) * (t297 + E2_22 * t2_5);
+  const T t299 = E2_23 * t295 + E2_22 * t298;
+  const T t300 = t298 + T(3) * t297;
+  const T t301 = omega3_3 * E3_23;
+  const T t302 = T(9) * (t301 + t301 + E3_23 * t2_5);
+  const T t303 = omega3_3 * E3_22;
+  const T t304 = t303 - omega3_2 * E3_23;
+  const T t305 = T(9) * (E3_22 * t2_5 + t304);
+  const T t306 = E3_23 * t302 + E3_22 * t305;
+  const T t307 = t305 + T(3) * t304;
+  const T t308 = T(0.4) * omega1_2;
+  const T t309 = T(4) * (E4_13 * t308 - t268);
+  const T t310 = T(4) * (E4_12 * t308 - t264);
+  const T t311 = T(4) * (E4_11 * t308 - t266);
+  const T t312 = E4_12 * t309 + E4_11 * t310 + E4_13 * t311;
+  const T t313 = t238 + t242;
+  const T t314 = t313 - t250;
+  const T t315 = t313 + t250;
+  const T t316 = t226 + t226;
+  const T t317 = t241 + t241;
+  const T t318 = t316 + t317;
+  const T t319 = t248 + t248;
+  const T t320 = t319 + t317;
+  const T t321 = t247 + t233;
+  const T t322 = t321 + t230;
+  const T t323 = t235 + t225;
+  const T t324 = t323 - t245;
+  const T t325 = T(0.0079) * t314 - T(0.0079) * t315 - T(0.0021) * (t318 - t320) - T(0.0021) * t322 + T(0.0021) *
+      t324;
+  const T t326 = t321 - t230;
+  const T t327 = t316 + t319;
+  const T t328 = t323 + t245;
+  const T t329 = T(0.0079) * t326 - T(0.0079) * t322 - T(0.0021) * (t320 - t327) - T(0.0021) * t328 + T(0.0021) *
+      t314;
+  const T t330 = T(0.0079) * t324 - T(0.0079) * t328 - T(0.0021) * (t327 - t318) - T(0.0021) * t315 + T(0.0021) *
+      t326;
   const T t331 = omega1_2 + omega1_2;
-  const T t332 = t311 - T(0.6) * t317 - t318 - T(0.6) * t324 - t325 - T(0.2) * t330 - E4_11 * t304 - E4_13 * t308 -
-      E4_12 * t309 - T(4) * omega1_3 - T(0.3) * t331 + T(0.1) * omega1_1 + b1_45 * t325 + b1_46 * t318;
-  const T t333 = thetadot2 * E2_23;
-  const T t334 = omega2_1 * E2_23;
-  const T t335 = T(0.75) * (t333 - t334);
-  const T t336 = omega2_1 * E2_22;
-  const T t337 = thetadot2 * E2_22;
+  const T t332 = T(0.5773502691896257) * t325 + T(0.5773502691896257) * t329 + T(0.5773502691896257) * t330;
+  const T t333 = b1_43 * t332;
+  const T t334 = T(0.1) * omega1_1 - (T(0.6) * t299 + t300 + T(0.6) * t306 + t307 + T(0.2) * t312 + E4_11 * t325 +
+      E4_13 * t329 + E4_12 * t330 + T(4) * omega1_3 + T(0.3) * t331) + t333 + b1_45 * t307 + b1_46 * t300;
+  const T t335 = T(0.3) * omega1_1;
+  const T t336 = thetadot2 * E2_23;
+  const T t337 = omega2_1 * E2_23;
   const T t338 = T(0.75) * (t336 - t337);
-  const T t339 = t336 + t337;
-  const T t340 = T(9) * (t339 + t2_4);
-  const T t341 = t338 - T(3) * t339 - t340;
-  const T t342 = thetadot3 * E3_23;
-  const T t343 = omega3_1 * E3_23;
-  const T t344 = T(0.75) * (t342 - t343);
-  const T t345 = omega3_1 * E3_22;
-  const T t346 = thetadot3 * E3_22;
-  const T t347 = t345 + t346;
-  const T t348 = T(9) * (t2_4 + t347);
-  const T t349 = T(0.75) * (t345 - t346);
-  const T t350 = t348 - t349 + T(3) * t347;
-  const T t351 = E4_11 * t327 + E4_13 * t328 + E4_12 * t329;
-  const T t352 = T(0.3) * omega1_1;
-  const T t353 = E2_22 * t335 + E2_23 * t341 + E3_22 * t344 - E3_23 * t350 + T(0.2) * t351 - E4_12 * t304 - E4_11 *
-      t308 - E4_13 * t309 - t228 + t352 + t311 - b1_49 * t332;
-  const T t354 = T(2) * omega1_1;
-  const T t355 = E2_23 * t335 - E2_22 * t341 + T(0.6) * t340 + T(0.6) * t348 + E3_22 * t350 + E3_23 * t344 - E4_13 *
-      t304 - E4_12 * t308 - E4_11 * t309 - T(0.1) * omega1_3 + t354 + T(0.2) * t331 + t311 - b1_51 * t332 - b1_54 *
-      t353;
-  const T t356 = t348 - t340 - t351 - b1_55 * t353 + b1_58 * t355;
-  const T t357 = E2_23 * t316 - E2_22 * t313 + E3_22 * t320 - E3_23 * t323 - t330 + b1_59 * t325 - b1_61 * t318 +
-      b1_66 * t332 - b1_68 * t353 - b1_70 * t355 - b1_73 * t356;
-  const T t358 = z1_15 * (t324 - t317 - E4_13 * t327 - E4_12 * t328 - E4_11 * t329 - b1_74 * t325 + b1_76 * t318 -
-      b1_81 * t332 + b1_83 * t353 - b1_85 * t355 - b1_87 * t356 - b1_92 * t357);
-  const T t359 = b1_91 * t357 - b1_92 * t358;
-  const T t360 = b1_72 * t356 - b1_73 * t359 - b1_87 * t358;
-  const T t361 = b1_57 * t355 + b1_58 * t360 - b1_70 * t359 - b1_85 * t358;
-  const T t362 = b1_53 * t353 - b1_54 * t361 - b1_55 * t360 - b1_68 * t359 + b1_83 * t358;
-  const T t363 = b1_48 * t332 - b1_49 * t362 - b1_51 * t361 + b1_66 * t359 - b1_81 * t358;
-  S[172] = t363;
-  const T t364 = T(4) * (E4_12 * t4_22 + E4_11 * t4_21);
-  const T t365 = T(4) * (E4_11 * t4_22 + E4_13 * t4_21);
-  const T t366 = T(4) * (E4_13 * t4_22 + E4_12 * t4_21);
-  const T t367 = E4_12 * t364 + E4_11 * t365 + E4_13 * t366;
-  const T t368 = T(1.2) * omega1_3;
-  const T t369 = T(9) * (E2_23 * t274 - E2_22 * t368 - t314 - t314);
-  const T t370 = omega2_2 * E2_22 + t312;
-  const T t371 = T(9) * (t370 + E2_23 * t368 + E2_22 * t274);
-  const T t372 = E2_23 * t369 + E2_22 * t371;
-  const T t373 = t371 + T(3) * t370;
-  const T t374 = omega3_2 * E3_22 + t319;
-  const T t375 = T(9) * (E3_23 * t368 + E3_22 * t274 + t374);
-  const T t376 = T(9) * (t321 + t321 + E3_22 * t368 - E3_23 * t274);
-  const T t377 = E3_22 * t375 - E3_23 * t376;
-  const T t378 = t375 + T(3) * t374;
-  const T t379 = t259 + t244;
-  const T t380 = t379 - t256;
-  const T t381 = t379 + t256;
-  const T t382 = t253 + t253;
-  const T t383 = t258 + t258;
-  const T t384 = t382 + t383;
-  const T t385 = t236 + t236;
-  const T t386 = t385 + t383;
-  const T t387 = t246 + t237;
-  const T t388 = t387 + t261;
-  const T t389 = t252 + t249;
-  const T t390 = t389 - t241;
-  const T t391 = T(0.0079) * t380 - T(0.0079) * t381 - T(0.0021) * (t384 - t386) - T(0.0021) * t388 + T(0.0021) *
-      t390;
-  const T t392 = t387 - t261;
-  const T t393 = t382 + t385;
-  const T t394 = t389 + t241;
-  const T t395 = T(0.0079) * t392 - T(0.0079) * t388 - T(0.0021) * (t386 - t393) - T(0.0021) * t394 + T(0.0021) *
+  const T t339 = omega2_1 * E2_22;
+  const T t340 = thetadot2 * E2_22;
+  const T t341 = T(0.75) * (t339 - t340);
+  const T t342 = t339 + t340;
+  const T t343 = T(9) * (t342 + t2_4);
+  const T t344 = t341 - T(3) * t342 - t343;
+  const T t345 = thetadot3 * E3_23;
+  const T t346 = omega3_1 * E3_23;
+  const T t347 = T(0.75) * (t345 - t346);
+  const T t348 = omega3_1 * E3_22;
+  const T t349 = thetadot3 * E3_22;
+  const T t350 = t348 + t349;
+  const T t351 = T(0.75) * (t348 - t349);
+  const T t352 = T(9) * (t2_4 + t350);
+  const T t353 = T(3) * t350 - t351 + t352;
+  const T t354 = E4_11 * t309 + E4_13 * t310 + E4_12 * t311;
+  const T t355 = t335 - t263 - E4_12 * t325 - E4_11 * t329 - E4_13 * t330 + E2_22 * t338 + E2_23 * t344 + E3_22 * t347
+      - E3_23 * t353 + T(0.2) * t354 + t333 - b1_49 * t334;
+  const T t356 = T(2) * omega1_1;
+  const T t357 = t356 + T(0.2) * t331 - T(0.1) * omega1_3 - E4_13 * t325 - E4_12 * t329 - E4_11 * t330 + E2_23 * t338
+      - E2_22 * t344 + T(0.6) * t343 + T(0.6) * t352 + E3_22 * t353 + E3_23 * t347 + t333 - b1_51 * t334 - b1_54 *
+      t355;
+  const T t358 = t352 - t343 - t354 - b1_55 * t355 + b1_58 * t357;
+  const T t359 = E2_23 * t298 - E2_22 * t295 + E3_22 * t302 - E3_23 * t305 - t312 + b1_59 * t307 - b1_61 * t300 +
+      b1_66 * t334 - b1_68 * t355 - b1_70 * t357 - b1_73 * t358;
+  const T t360 = z1_15 * (t306 - (E4_13 * t309 + E4_12 * t310 + E4_11 * t311) - t299 - b1_74 * t307 + b1_76 * t300 -
+      b1_81 * t334 + b1_83 * t355 - b1_85 * t357 - b1_87 * t358 - b1_92 * t359);
+  const T t361 = b1_91 * t359 - b1_92 * t360;
+  const T t362 = b1_72 * t358 - b1_73 * t361 - b1_87 * t360;
+  const T t363 = b1_57 * t357 + b1_58 * t362 - b1_70 * t361 - b1_85 * t360;
+  const T t364 = b1_53 * t355 - b1_54 * t363 - b1_55 * t362 - b1_68 * t361 + b1_83 * t360;
+  const T t365 = b1_48 * t334 - b1_49 * t364 - b1_51 * t363 + b1_66 * t361 - b1_81 * t360;
+  S[172] = t365;
+  const T t366 = omega1_3 + omega1_3;
+  const T t367 = t248 + t233;
+  const T t368 = t367 - t245;
+  const T t369 = t367 + t245;
+  const T t370 = t242 + t242;
+  const T t371 = t247 + t247;
+  const T t372 = t370 + t371;
+  const T t373 = t225 + t225;
+  const T t374 = t373 + t371;
+  const T t375 = t235 + t226;
+  const T t376 = t375 + t250;
+  const T t377 = t241 + t238;
+  const T t378 = t377 - t230;
+  const T t379 = T(0.0079) * t368 - T(0.0079) * t369 - T(0.0021) * (t372 - t374) - T(0.0021) * t376 + T(0.0021) *
+      t378;
+  const T t380 = t375 - t250;
+  const T t381 = t370 + t373;
+  const T t382 = t377 + t230;
+  const T t383 = T(0.0079) * t380 - T(0.0079) * t376 - T(0.0021) * (t374 - t381) - T(0.0021) * t382 + T(0.0021) *
+      t368;
+  const T t384 = T(0.0079) * t378 - T(0.0079) * t382 - T(0.0021) * (t381 - t372) - T(0.0021) * t369 + T(0.0021) *
       t380;
-  const T t396 = T(0.0079) * t390 - T(0.0079) * t394 - T(0.0021) * (t393 - t384) - T(0.0021) * t381 + T(0.0021) *
-      t392;
-  const T t397 = omega1_3 + omega1_3;
-  const T t398 = T(0.5773502691896257) * t391 + T(0.5773502691896257) * t395 + T(0.5773502691896257) * t396;
-  const T t399 = b1_43 * t398;
-  const T t400 = T(0.2) * t367 - T(0.6) * t372 - t373 - T(0.6) * t377 - t378 - E4_11 * t391 - E4_13 * t395 - E4_12 *
-      t396 - T(4) * omega1_2 + T(0.3) * t397 + t4_21 + t399 + b1_45 * t378 + b1_46 * t373;
-  const T t401 = t334 + t333;
-  const T t402 = t335 + T(12) * t401;
-  const T t403 = t343 + t342;
-  const T t404 = T(12) * t403 + t344;
-  const T t405 = E4_11 * t364 + E4_13 * t365 + E4_12 * t366;
-  const T t406 = E2_22 * t338 - E2_23 * t402 + E3_22 * t349 - E3_23 * t404 - T(0.2) * t405 - E4_12 * t391 - E4_11 *
-      t395 - E4_13 * t396 - t4_22 + t354 + T(0.1) * t397 + t399 - b1_49 * t400;
-  const T t407 = T(9) * t401;
-  const T t408 = T(9) * t403;
-  const T t409 = E2_23 * t338 + E2_22 * t402 + T(0.6) * t407 + T(0.6) * t408 + E3_22 * t404 + E3_23 * t349 - E4_13 *
-      t391 - E4_12 * t395 - E4_11 * t396 - t352 - t269 + t399 - b1_51 * t400 - b1_54 * t406;
-  const T t410 = t408 - t407 + t405 - b1_55 * t406 + b1_58 * t409;
-  const T t411 = E2_23 * t371 - E2_22 * t369 - E3_22 * t376 - E3_23 * t375 + t367 + b1_59 * t378 - b1_61 * t373 +
-      b1_66 * t400 - b1_68 * t406 - b1_70 * t409 - b1_73 * t410;
-  const T t412 = z1_15 * (t377 - t372 + E4_13 * t364 + E4_12 * t365 + E4_11 * t366 - b1_74 * t378 + b1_76 * t373 -
-      b1_81 * t400 + b1_83 * t406 - b1_85 * t409 - b1_87 * t410 - b1_92 * t411);
-  const T t413 = b1_91 * t411 - b1_92 * t412;
-  const T t414 = b1_72 * t410 - b1_73 * t413 - b1_87 * t412;
-  const T t415 = b1_57 * t409 + b1_58 * t414 - b1_70 * t413 - b1_85 * t412;
-  const T t416 = b1_53 * t406 - b1_54 * t415 - b1_55 * t414 - b1_68 * t413 + b1_83 * t412;
-  const T t417 = b1_48 * t400 - b1_49 * t416 - b1_51 * t415 + b1_66 * t413 - b1_81 * t412;
-  S[173] = t417;
-  const T t418 = T(9) * t219;
-  const T t419 = E2_23 * t418;
-  const T t420 = T(0.6) * t419 + b1_46 * c.p.c;
-  const T t421 = omega2_2 + omega2_2;
-  const T t422 = T(12) * t421;
-  const T t423 = E2_23 * t422 + b1_49 * t420;
-  const T t424 = T(9) * t421;
-  const T t425 = E2_22 * t422 + T(0.6) * t424 - b1_51 * t420 + b1_54 * t423;
-  const T t426 = b1_58 * t425 - t424 + b1_55 * t423;
-  const T t427 = E2_22 * t418 - b1_61 * c.p.c + b1_66 * t420 + b1_68 * t423 - b1_70 * t425 - b1_73 * t426;
-  const T t428 = z1_15 * (t419 + b1_76 * c.p.c - b1_81 * t420 - b1_83 * t423 - b1_85 * t425 - b1_87 * t426 - b1_92 *
-      t427);
-  const T t429 = b1_91 * t427 - b1_92 * t428;
-  const T t430 = b1_72 * t426 - b1_73 * t429 - b1_87 * t428;
-  const T t431 = b1_57 * t425 + b1_58 * t430 - b1_70 * t429 - b1_85 * t428;
-  const T t432 = b1_83 * t428 - b1_53 * t423 - b1_54 * t431 - b1_55 * t430 - b1_68 * t429;
-  const T t433 = b1_48 * t420 - b1_49 * t432 - b1_51 * t431 + b1_66 * t429 - b1_81 * t428;
-  S[174] = t433;
-  const T t434 = T(9) * t224;
-  const T t435 = E3_23 * t434;
-  const T t436 = T(0.6) * t435 + b1_45 * c.p.c;
-  const T t437 = omega3_2 + omega3_2;
-  const T t438 = T(12) * t437;
-  const T t439 = E3_23 * t438 + b1_49 * t436;
-  const T t440 = T(9) * t437;
-  const T t441 = E3_22 * t438 + T(0.6) * t440 - b1_51 * t436 + b1_54 * t439;
-  const T t442 = t440 + b1_55 * t439 + b1_58 * t441;
-  const T t443 = b1_59 * c.p.c - E3_22 * t434 + b1_66 * t436 + b1_68 * t439 - b1_70 * t441 - b1_73 * t442;
-  const T t444 = z1_15 * (b1_83 * t439 + t435 + b1_74 * c.p.c + b1_81 * t436 + b1_85 * t441 + b1_87 * t442 + b1_92 *
-      t443);
-  const T t445 = b1_91 * t443 + b1_92 * t444;
-  const T t446 = b1_72 * t442 - b1_73 * t445 + b1_87 * t444;
-  const T t447 = b1_57 * t441 + b1_58 * t446 - b1_70 * t445 + b1_85 * t444;
-  const T t448 = b1_53 * t439 + b1_54 * t447 + b1_55 * t446 + b1_68 * t445 + b1_83 * t444;
-  const T t449 = b1_48 * t436 + b1_49 * t448 - b1_51 * t447 + b1_66 * t445 + b1_81 * t444;
-  S[175] = t449;
-  const T t450 = omega4_2 * T(0.5773502691896257);
-  const T t451 = omega4_3 * T(0.5773502691896257);
-  const T t452 = t450 + t451;
-  const T t453 = t452 - t4_11;
-  const T t454 = t452 + t4_11;
-  const T t455 = T(1.1547005383792515) * omega4_3;
-  const T t456 = T(1.1547005383792515) * omega4_1;
-  const T t457 = t455 + t456;
-  const T t458 = T(1.1547005383792515) * omega4_2;
-  const T t459 = t458 + t456;
-  const T t460 = omega4_1 * T(0.5773502691896257);
-  const T t461 = t460 + t451;
-  const T t462 = t461 + t4_13;
-  const T t463 = t460 + t450;
-  const T t464 = t463 - t4_14;
-  const T t465 = T(0.0079) * t453 - T(0.0079) * t454 - T(0.0021) * (t457 - t459) - T(0.0021) * t462 + T(0.0021) *
-      t464;
-  const T t466 = t461 - t4_13;
-  const T t467 = t455 + t458;
-  const T t468 = t463 + t4_14;
-  const T t469 = T(0.0079) * t466 - T(0.0079) * t462 - T(0.0021) * (t459 - t467) - T(0.0021) * t468 + T(0.0021) *
-      t453;
-  const T t470 = T(0.0079) * t464 - T(0.0079) * t468 - T(0.0021) * (t467 - t457) - T(0.0021) * t454 + T(0.0021) *
+  const T t385 = T(1.2) * omega1_3;
+  const T t386 = T(9) * (E2_23 * t277 - (t296 + t296) - E2_22 * t385);
+  const T t387 = omega2_2 * E2_22 + t294;
+  const T t388 = T(9) * (t387 + E2_23 * t385 + E2_22 * t277);
+  const T t389 = E2_23 * t386 + E2_22 * t388;
+  const T t390 = t388 + T(3) * t387;
+  const T t391 = omega3_2 * E3_22 + t301;
+  const T t392 = T(9) * (E3_23 * t385 + E3_22 * t277 + t391);
+  const T t393 = T(9) * (t303 + t303 + E3_22 * t385 - E3_23 * t277);
+  const T t394 = E3_22 * t392 - E3_23 * t393;
+  const T t395 = t392 + T(3) * t391;
+  const T t396 = T(4) * (E4_12 * t4_22 + E4_11 * t4_21);
+  const T t397 = T(4) * (E4_11 * t4_22 + E4_13 * t4_21);
+  const T t398 = T(4) * (E4_13 * t4_22 + E4_12 * t4_21);
+  const T t399 = E4_12 * t396 + E4_11 * t397 + E4_13 * t398;
+  const T t400 = T(0.5773502691896257) * t379 + T(0.5773502691896257) * t383 + T(0.5773502691896257) * t384;
+  const T t401 = b1_43 * t400;
+  const T t402 = T(0.3) * t366 - T(4) * omega1_2 + t4_21 - E4_11 * t379 - E4_13 * t383 - E4_12 * t384 - T(0.6) * t389
+      - t390 - T(0.6) * t394 - t395 + T(0.2) * t399 + t401 + b1_45 * t395 + b1_46 * t390;
+  const T t403 = t337 + t336;
+  const T t404 = t338 + T(12) * t403;
+  const T t405 = t346 + t345;
+  const T t406 = T(12) * t405 + t347;
+  const T t407 = E4_11 * t396 + E4_13 * t397 + E4_12 * t398;
+  const T t408 = t356 + T(0.1) * t366 - t4_22 - E4_12 * t379 - E4_11 * t383 - E4_13 * t384 + E2_22 * t341 - E2_23 *
+      t404 + E3_22 * t351 - E3_23 * t406 - T(0.2) * t407 + t401 - b1_49 * t402;
+  const T t409 = T(9) * t403;
+  const T t410 = T(9) * t405;
+  const T t411 = E2_23 * t341 - (t335 + t271 + E4_13 * t379 + E4_12 * t383 + E4_11 * t384) + E2_22 * t404 + T(0.6) *
+      t409 + T(0.6) * t410 + E3_22 * t406 + E3_23 * t351 + t401 - b1_51 * t402 - b1_54 * t408;
+  const T t412 = t410 - t409 + t407 - b1_55 * t408 + b1_58 * t411;
+  const T t413 = E2_23 * t388 - (E3_22 * t393 + E3_23 * t392) - E2_22 * t386 + t399 + b1_59 * t395 - b1_61 * t390 +
+      b1_66 * t402 - b1_68 * t408 - b1_70 * t411 - b1_73 * t412;
+  const T t414 = z1_15 * (t394 - t389 + E4_13 * t396 + E4_12 * t397 + E4_11 * t398 - b1_74 * t395 + b1_76 * t390 -
+      b1_81 * t402 + b1_83 * t408 - b1_85 * t411 - b1_87 * t412 - b1_92 * t413);
+  const T t415 = b1_91 * t413 - b1_92 * t414;
+  const T t416 = b1_72 * t412 - b1_73 * t415 - b1_87 * t414;
+  const T t417 = b1_57 * t411 + b1_58 * t416 - b1_70 * t415 - b1_85 * t414;
+  const T t418 = b1_53 * t408 - b1_54 * t417 - b1_55 * t416 - b1_68 * t415 + b1_83 * t414;
+  const T t419 = b1_48 * t402 - b1_49 * t418 - b1_51 * t417 + b1_66 * t415 - b1_81 * t414;
+  S[173] = t419;
+  const T t420 = T(9) * t221;
+  const T t421 = E2_23 * t420;
+  const T t422 = T(0.6) * t421 + b1_46 * c.p.c;
+  const T t423 = omega2_2 + omega2_2;
+  const T t424 = T(12) * t423;
+  const T t425 = E2_23 * t424 + b1_49 * t422;
+  const T t426 = T(9) * t423;
+  const T t427 = E2_22 * t424 + T(0.6) * t426 - b1_51 * t422 + b1_54 * t425;
+  const T t428 = b1_55 * t425 - t426 + b1_58 * t427;
+  const T t429 = E2_22 * t420 - b1_61 * c.p.c + b1_66 * t422 + b1_68 * t425 - b1_70 * t427 - b1_73 * t428;
+  const T t430 = z1_15 * (t421 + b1_76 * c.p.c - b1_81 * t422 - b1_83 * t425 - b1_85 * t427 - b1_87 * t428 - b1_92 *
+      t429);
+  const T t431 = b1_91 * t429 - b1_92 * t430;
+  const T t432 = b1_72 * t428 - b1_73 * t431 - b1_87 * t430;
+  const T t433 = b1_57 * t427 + b1_58 * t432 - b1_70 * t431 - b1_85 * t430;
+  const T t434 = b1_83 * t430 - (b1_53 * t425 + b1_54 * t433 + b1_55 * t432 + b1_68 * t431);
+  const T t435 = b1_48 * t422 - b1_49 * t434 - b1_51 * t433 + b1_66 * t431 - b1_81 * t430;
+  S[174] = t435;
+  const T t436 = T(9) * t259;
+  const T t437 = E3_23 * t436;
+  const T t438 = T(0.6) * t437 + b1_45 * c.p.c;
+  const T t439 = omega3_2 + omega3_2;
+  const T t440 = T(12) * t439;
+  const T t441 = E3_23 * t440 + b1_49 * t438;
+  const T t442 = T(9) * t439;
+  const T t443 = E3_22 * t440 + T(0.6) * t442 - b1_51 * t438 + b1_54 * t441;
+  const T t444 = t442 + b1_55 * t441 + b1_58 * t443;
+  const T t445 = b1_59 * c.p.c - E3_22 * t436 + b1_66 * t438 + b1_68 * t441 - b1_70 * t443 - b1_73 * t444;
+  const T t446 = z1_15 * (b1_83 * t441 + t437 + b1_74 * c.p.c + b1_81 * t438 + b1_85 * t443 + b1_87 * t444 + b1_92 *
+      t445);
+  const T t447 = b1_91 * t445 + b1_92 * t446;
+  const T t448 = b1_72 * t444 - b1_73 * t447 + b1_87 * t446;
+  const T t449 = b1_57 * t443 + b1_58 * t448 - b1_70 * t447 + b1_85 * t446;
+  const T t450 = b1_53 * t441 + b1_54 * t449 + b1_55 * t448 + b1_68 * t447 + b1_83 * t446;
+  const T t451 = b1_48 * t438 + b1_49 * t450 - b1_51 * t449 + b1_66 * t447 + b1_81 * t446;
+  S[175] = t451;
+  const T t452 = omega4_2 * T(0.5773502691896257);
+  const T t453 = omega4_3 * T(0.5773502691896257);
+  const T t454 = t452 + t453;
+  const T t455 = t454 - t4_11;
+  const T t456 = t454 + t4_11;
+  const T t457 = T(1.1547005383792515) * omega4_3;
+  const T t458 = T(1.1547005383792515) * omega4_1;
+  const T t459 = t457 + t458;
+  const T t460 = T(1.1547005383792515) * omega4_2;
+  const T t461 = t460 + t458;
+  const T t462 = omega4_1 * T(0.5773502691896257);
+  const T t463 = t462 + t453;
+  const T t464 = t463 + t4_13;
+  const T t465 = t462 + t452;
+  const T t466 = t465 - t4_14;
+  const T t467 = T(0.0079) * t455 - T(0.0079) * t456 - T(0.0021) * (t459 - t461) - T(0.0021) * t464 + T(0.0021) *
       t466;
-  const T t471 = T(0.5773502691896257) * t465 + T(0.5773502691896257) * t469 + T(0.5773502691896257) * t470;
-  const T t472 = b1_43 * t471;
-  const T t473 = t472 - E4_11 * t465 - E4_13 * t469 - E4_12 * t470;
-  const T t474 = t472 - E4_12 * t465 - E4_11 * t469 - E4_13 * t470 - b1_49 * t473;
-  const T t475 = t472 - E4_13 * t465 - E4_12 * t469 - E4_11 * t470 - b1_51 * t473 - b1_54 * t474;
-  const T t476 = b1_58 * t475 - b1_55 * t474;
-  const T t477 = b1_66 * t473 - b1_68 * t474 - b1_70 * t475 - b1_73 * t476;
-  const T t478 = z1_15 * (b1_83 * t474 - b1_81 * t473 - b1_85 * t475 - b1_87 * t476 - b1_92 * t477);
-  const T t479 = b1_91 * t477 - b1_92 * t478;
-  const T t480 = b1_72 * t476 - b1_73 * t479 - b1_87 * t478;
-  const T t481 = b1_57 * t475 + b1_58 * t480 - b1_70 * t479 - b1_85 * t478;
-  const T t482 = b1_53 * t474 - b1_54 * t481 - b1_55 * t480 - b1_68 * t479 + b1_83 * t478;
-  const T t483 = b1_48 * t473 - b1_49 * t482 - b1_51 * t481 + b1_66 * t479 - b1_81 * t478;
-  S[176] = t483;
+  const T t468 = t463 - t4_13;
+  const T t469 = t457 + t460;
+  const T t470 = t465 + t4_14;
+  const T t471 = T(0.0079) * t468 - T(0.0079) * t464 - T(0.0021) * (t461 - t469) - T(0.0021) * t470 + T(0.0021) *
+      t455;
+  const T t472 = T(0.0079) * t466 - T(0.0079) * t470 - T(0.0021) * (t469 - t459) - T(0.0021) * t456 + T(0.0021) *
+      t468;
+  const T t473 = T(0.5773502691896257) * t467 + T(0.5773502691896257) * t471 + T(0.5773502691896257) * t472;
+  const T t474 = b1_43 * t473;
+  const T t475 = t474 - (E4_11 * t467 + E4_13 * t471 + E4_12 * t472);
+  const T t476 = t474 - (E4_12 * t467 + E4_11 * t471 + E4_13 * t472) - b1_49 * t475;
+  const T t477 = t474 - (E4_13 * t467 + E4_12 * t471 + E4_11 * t472) - b1_51 * t475 - b1_54 * t476;
+  const T t478 = b1_58 * t477 - b1_55 * t476;
+  const T t479 = b1_66 * t475 - b1_68 * t476 - b1_70 * t477 - b1_73 * t478;
+  const T t480 = z1_15 * (b1_83 * t476 - b1_81 * t475 - b1_85 * t477 - b1_87 * t478 - b1_92 * t479);
+  const T t481 = b1_91 * t479 - b1_92 * t480;
+  const T t482 = b1_72 * t478 - b1_73 * t481 - b1_87 * t480;
+  const T t483 = b1_57 * t477 + b1_58 * t482 - b1_70 * t481 - b1_85 * t480;
+  const T t484 = b1_53 * t476 - b1_54 * t483 - b1_55 * t482 - b1_68 * t481 + b1_83 * t480;
+  const T t485 = b1_48 * t475 - b1_49 * t484 - b1_51 * t483 + b1_66 * t481 - b1_81 * t480;
+  S[176] = t485;
   S[183] = t58;
   S[184] = t111;
-  S[185] = t216;
-  S[189] = t290;
-  S[190] = t362;
-  S[191] = t416;
-  S[192] = t432;
-  S[193] = -t448;
-  S[194] = t482;
+  S[185] = t218;
+  S[189] = t292;
+  S[190] = t364;
+  S[191] = t418;
+  S[192] = t434;
+  S[193] = -t450;
+  S[194] = t484;
   S[201] = t57;
   S[202] = t110;
-  S[203] = t215;
-  S[207] = t289;
-  S[208] = t361;
-  S[209] = t415;
-  S[210] = t431;
-  S[211] = t447;
-  S[212] = t481;
-  S[219] = z1_17 * b1_76 + b1_61 * t55 - T(0.08333333333333333) * t4 - b1_46 * t59 + omegadot1_1 * t7 - b1_76 * t54 +
-      z1_16 * b1_61;
+  S[203] = t217;
+  S[207] = t291;
+  S[208] = t363;
+  S[209] = t417;
+  S[210] = t433;
+  S[211] = t449;
+  S[212] = t483;
+  S[219] = z1_16 * b1_61 - b1_76 * t54 + z1_17 * b1_76 + b1_61 * t55 - T(0.08333333333333333) * t11 - b1_46 * t59 +
+      omegadot1_1 * t2;
   S[220] = -(b1_46 * t112 - b1_61 * t108 + b1_76 * t107);
-  S[221] = -(b1_46 * t217 - b1_61 * t213 + b1_76 * t212);
-  S[225] = b1_61 * t287 - T(0.08333333333333333) * t221 - b1_46 * t291 - b1_76 * t286;
-  S[226] = b1_61 * t359 - T(0.08333333333333333) * t318 - b1_46 * t363 - b1_76 * t358;
-  S[227] = b1_61 * t413 - T(0.08333333333333333) * t373 - b1_46 * t417 - b1_76 * t412;
-  S[228] = b1_61 * t429 - c.c0_1 - b1_46 * t433 - b1_76 * t428;
-  S[229] = -(b1_46 * t449 - b1_61 * t445 - b1_76 * t444);
-  S[230] = -(b1_46 * t483 - b1_61 * t479 + b1_76 * t478);
+  S[221] = -(b1_46 * t219 - b1_61 * t215 + b1_76 * t214);
+  S[225] = b1_61 * t289 - (T(0.08333333333333333) * t223 + b1_46 * t293) - b1_76 * t288;
+  S[226] = b1_61 * t361 - (T(0.08333333333333333) * t300 + b1_46 * t365) - b1_76 * t360;
+  S[227] = b1_61 * t415 - (T(0.08333333333333333) * t390 + b1_46 * t419) - b1_76 * t414;
+  S[228] = b1_61 * t431 - (c.c0_1 + b1_46 * t435) - b1_76 * t430;
+  S[229] = -(b1_46 * t451 - b1_61 * t447 - b1_76 * t446);
+  S[230] = -(b1_46 * t485 - b1_61 * t481 + b1_76 * t480);
   S[237] = -(b1_45 * t59 + b1_59 * t55 - b1_74 * t54);
-  S[238] = -(T(0.08333333333333333) * t69 + b1_45 * t112 - omegadot1_1 * t61 + z1_17 * b1_74 + b1_59 * t108 + z1_16 *
+  S[238] = -(T(0.08333333333333333) * t72 + b1_45 * t112 - omegadot1_1 * t61 + z1_17 * b1_74 + b1_59 * t108 + z1_16 *
       b1_59 - b1_74 * t107);
-  S[239] = -(b1_45 * t217 + b1_59 * t213 - b1_74 * t212);
-  S[243] = -(T(0.08333333333333333) * t223 + b1_45 * t291 + b1_59 * t287 - b1_74 * t286);
-  S[244] = -(T(0.08333333333333333) * t325 + b1_45 * t363 + b1_59 * t359 - b1_74 * t358);
-  S[245] = -(T(0.08333333333333333) * t378 + b1_45 * t417 + b1_59 * t413 - b1_74 * t412);
-  S[246] = -(b1_45 * t433 + b1_59 * t429 - b1_74 * t428);
-  S[247] = -(b1_74 * t444 + c.c0_1 + b1_45 * t449 + b1_59 * t445);
-  S[248] = -(b1_45 * t483 + b1_59 * t479 - b1_74 * t478);
+  S[239] = -(b1_45 * t219 + b1_59 * t215 - b1_74 * t214);
+  S[243] = -(T(0.08333333333333333) * t258 + b1_45 * t293 + b1_59 * t289 - b1_74 * t288);
+  S[244] = -(T(0.08333333333333333) * t307 + b1_45 * t365 + b1_59 * t361 - b1_74 * t360);
+  S[245] = -(T(0.08333333333333333) * t395 + b1_45 * t419 + b1_59 * t415 - b1_74 * t414);
+  S[246] = -(b1_45 * t435 + b1_59 * t431 - b1_74 * t430);
+  S[247] = -(b1_74 * t446 + c.c0_1 + b1_45 * t451 + b1_59 * t447);
+  S[248] = -(b1_45 * t485 + b1_59 * t481 - b1_74 * t480);
   S[255] = -(b1_43 * t59 + b1_43 * t58 + b1_43 * t57);
   S[256] = -(b1_43 * t112 + b1_43 * t111 + b1_43 * t110);
-  S[257] = -(T(50) * t172 + omegadot1_1 * t136 + b1_43 * t217 + z1_19 * t136 + b1_43 * t216 + z1_18 * t136 + b1_43 *
-      t215);
-  S[261] = -(T(50) * t270 + b1_43 * t291 + b1_43 * t290 + b1_43 * t289);
-  S[262] = -(T(50) * t310 + b1_43 * t363 + b1_43 * t362 + b1_43 * t361);
-  S[263] = -(T(50) * t398 + b1_43 * t417 + b1_43 * t416 + b1_43 * t415);
-  S[264] = -(b1_43 * t433 + b1_43 * t432 + b1_43 * t431);
-  S[265] = -(b1_43 * t449 - b1_43 * t448 + b1_43 * t447);
-  S[266] = -(T(50) * t471 + b1_43 * t483 + b1_43 * t482 + b1_43 * t481);
-  const T t484 = T(0.5) * eps1_2;
-  const T t485 = T(2) * t484;
-  const T t486 = eps1_3 * t485;
-  const T t487 = t1_3 * t484;
-  const T t488 = t486 + t487;
-  const T t489 = T(0.5) * eps1_3;
-  const T t490 = T(2) * t489;
-  const T t491 = eps1_2 * t490;
-  const T t492 = t1_1 * t489;
-  const T t493 = t491 + t492;
-  const T t494 = T(0.5) * eps1_4;
-  const T t495 = T(2) * t494;
-  const T t496 = eps1_2 * t495;
-  const T t497 = t1_5 * t489;
-  const T t498 = t496 + t497;
-  const T t499 = eps1_4 * t485;
-  const T t500 = T(0.5) * eps1_1;
-  const T t501 = t1_3 * t500;
-  const T t502 = t499 + t501;
-  const T t503 = eps1_3 * t495;
-  const T t504 = t1_5 * t484;
-  const T t505 = t503 - t504;
-  const T t506 = eps1_4 * t490;
-  const T t507 = t1_1 * t500;
-  const T t508 = t506 - t507;
-  S[270] = Pddot1_1 * (t488 - t493) + z1_17 * (t498 + t502) + z1_16 * (t505 + t508);
-  const T t509 = t1_5 * t494;
-  const T t510 = t509 - t491;
-  const T t511 = T(2) * t500;
-  const T t512 = eps1_4 * t511;
-  const T t513 = t512 - t487;
-  const T t514 = t1_1 * t494;
-  const T t515 = t496 + t514;
-  const T t516 = eps1_3 * t511;
-  const T t517 = t516 + t501;
-  const T t518 = t1_5 * t500;
-  const T t519 = eps1_3 * t490;
-  const T t520 = t518 - t519;
-  const T t521 = eps1_4 * t495;
-  const T t522 = t1_1 * t484;
-  const T t523 = t521 - t522;
-  S[271] = z1_17 * (t510 - t513) - Pddot1_1 * (t515 + t517) + z1_16 * (t520 + t523);
-  const T t524 = eps1_2 * t511 + t507;
-  const T t525 = t503 + t1_3 * t494;
-  const T t526 = eps1_2 * t485 - t518;
-  const T t527 = t521 - t1_3 * t489;
-  const T t528 = t486 + t509;
-  const T t529 = t512 + t492;
-  S[272] = Pddot1_1 * (t524 - t525) + z1_17 * (t526 - t527) + z1_16 * (t528 - t529);
+  S[257] = -(T(50) * t168 + omegadot1_1 * t123 + b1_43 * t219 + z1_19 * t123 + b1_43 * t218 + z1_18 * t123 + b1_43 *
+      t217);
+  S[261] = -(T(50) * t272 + b1_43 * t293 + b1_43 * t292 + b1_43 * t291);
+  S[262] = -(T(50) * t332 + b1_43 * t365 + b1_43 * t364 + b1_43 * t363);
+  S[263] = -(T(50) * t400 + b1_43 * t419 + b1_43 * t418 + b1_43 * t417);
+  S[264] = -(b1_43 * t435 + b1_43 * t434 + b1_43 * t433);
+  S[265] = -(b1_43 * t451 - b1_43 * t450 + b1_43 * t449);
+  S[266] = -(T(50) * t473 + b1_43 * t485 + b1_43 * t484 + b1_43 * t483);
+  const T t486 = T(0.5) * eps1_2;
+  const T t487 = T(2) * t486;
+  const T t488 = eps1_3 * t487;
+  const T t489 = t1_3 * t486;
+  const T t490 = t488 + t489;
+  const T t491 = T(0.5) * eps1_3;
+  const T t492 = T(2) * t491;
+  const T t493 = eps1_2 * t492;
+  const T t494 = t1_1 * t491;
+  const T t495 = t493 + t494;
+  const T t496 = T(0.5) * eps1_4;
+  const T t497 = T(2) * t496;
+  const T t498 = eps1_2 * t497;
+  const T t499 = t1_5 * t491;
+  const T t500 = t498 + t499;
+  const T t501 = eps1_4 * t487;
+  const T t502 = T(0.5) * eps1_1;
+  const T t503 = t1_3 * t502;
+  const T t504 = t501 + t503;
+  const T t505 = eps1_3 * t497;
+  const T t506 = t1_5 * t486;
+  const T t507 = t505 - t506;
+  const T t508 = eps1_4 * t492;
+  const T t509 = t1_1 * t502;
+  const T t510 = t508 - t509;
+  S[270] = Pddot1_1 * (t490 - t495) + z1_17 * (t500 + t504) + z1_16 * (t507 + t510);
+  const T t511 = t1_5 * t496;
+  const T t512 = t511 - t493;
+  const T t513 = T(2) * t502;
+  const T t514 = eps1_4 * t513;
+  const T t515 = t514 - t489;
+  const T t516 = t1_1 * t496;
+  const T t517 = t498 + t516;
+  const T t518 = eps1_3 * t513;
+  const T t519 = t518 + t503;
+  const T t520 = t1_5 * t502;
+  const T t521 = eps1_3 * t492;
+  const T t522 = t520 - t521;
+  const T t523 = eps1_4 * t497;
+  const T t524 = t1_1 * t486;
+  const T t525 = t523 - t524;
+  S[271] = z1_17 * (t512 - t515) - Pddot1_1 * (t517 + t519) + z1_16 * (t522 + t525);
+  const T t526 = eps1_2 * t513 + t509;
+  const T t527 = t505 + t1_3 * t496;
+  const T t528 = eps1_2 * t487 - t520;
+  const T t529 = t523 - t1_3 * t491;
+  const T t530 = t488 + t511;
+  const T t531 = t514 + t494;
+  S[272] = Pddot1_1 * (t526 - t527) + z1_17 * (t528 - t529) + z1_16 * (t530 - t531);
   S[273] = R1_11 * t56 + R1_21 * t55 + R1_31 * t54;
   S[274] = R1_11 * t109 + R1_21 * t108 + R1_31 * t107;
-  S[275] = R1_11 * t214 + R1_21 * t213 + R1_31 * t212;
-  S[279] = R1_11 * t288 + R1_21 * t287 + R1_31 * t286;
-  S[280] = R1_11 * t360 + R1_21 * t359 + R1_31 * t358;
-  S[281] = R1_11 * t414 + R1_21 * t413 + R1_31 * t412;
-  S[282] = R1_11 * t430 + R1_21 * t429 + R1_31 * t428;
-  S[283] = R1_11 * t446 + R1_21 * t445 - R1_31 * t444;
-  S[284] = R1_11 * t480 + R1_21 * t479 + R1_31 * t478;
-  const T t530 = eps1_1 * t495 + t509;
-  const T t531 = t519 - t522;
-  const T t532 = t521 - t518;
-  S[288] = Pddot1_1 * (t498 - t502) + z1_17 * (t488 - t530) + z1_16 * (t531 - t532);
-  const T t533 = eps1_1 * t490 + t497;
-  const T t534 = t503 + t507;
-  const T t535 = t506 + t504;
-  S[289] = Pddot1_1 * (t510 + t513) + z1_17 * (t533 - t517) + z1_16 * (t534 + t535);
-  const T t536 = eps1_1 * t485 + t504;
-  const T t537 = t514 - t516;
-  const T t538 = t499 - t497;
-  S[290] = Pddot1_1 * (t526 + t527) - z1_17 * (t536 + t525) + z1_16 * (t537 - t538);
+  S[275] = R1_11 * t216 + R1_21 * t215 + R1_31 * t214;
+  S[279] = R1_11 * t290 + R1_21 * t289 + R1_31 * t288;
+  S[280] = R1_11 * t362 + R1_21 * t361 + R1_31 * t360;
+  S[281] = R1_11 * t416 + R1_21 * t415 + R1_31 * t414;
+  S[282] = R1_11 * t432 + R1_21 * t431 + R1_31 * t430;
+  S[283] = R1_11 * t448 + R1_21 * t447 - R1_31 * t446;
+  S[284] = R1_11 * t482 + R1_21 * t481 + R1_31 * t480;
+  const T t532 = eps1_1 * t497 + t511;
+  const T t533 = t521 - t524;
+  const T t534 = t523 - t520;
+  S[288] = Pddot1_1 * (t500 - t504) + z1_17 * (t490 - t532) + z1_16 * (t533 - t534);
+  const T t535 = eps1_1 * t492 + t499;
+  const T t536 = t505 + t509;
+  const T t537 = t508 + t506;
+  S[289] = Pddot1_1 * (t512 + t515) + z1_17 * (t535 - t519) + z1_16 * (t536 + t537);
+  const T t538 = eps1_1 * t487 + t506;
+  const T t539 = t516 - t518;
+  const T t540 = t501 - t499;
+  S[290] = Pddot1_1 * (t528 + t529) - z1_17 * (t538 + t527) + z1_16 * (t539 - t540);
   S[291] = R1_12 * t56 + R1_22 * t55 + R1_32 * t54;
   S[292] = R1_12 * t109 + R1_22 * t108 + R1_32 * t107;
-  S[293] = R1_12 * t214 + R1_22 * t213 + R1_32 * t212;
-  S[297] = R1_12 * t288 + R1_22 * t287 + R1_32 * t286;
-  S[298] = R1_12 * t360 + R1_22 * t359 + R1_32 * t358;
-  S[299] = R1_12 * t414 + R1_22 * t413 + R1_32 * t412;
-  S[300] = R1_12 * t430 + R1_22 * t429 + R1_32 * t428;
-  S[301] = R1_12 * t446 + R1_22 * t445 - R1_32 * t444;
-  S[302] = R1_12 * t480 + R1_22 * t479 + R1_32 * t478;
-  S[306] = Pddot1_1 * (t505 - t508) + z1_17 * (t531 + t532) - z1_16 * (t530 + t493);
-  S[307] = Pddot1_1 * (t520 - t523) + z1_17 * (t534 - t535) + z1_16 * (t533 - t515);
-  S[308] = Pddot1_1 * (t528 + t529) + z1_17 * (t537 + t538) + z1_16 * (t524 - t536);
+  S[293] = R1_12 * t216 + R1_22 * t215 + R1_32 * t214;
+  S[297] = R1_12 * t290 + R1_22 * t289 + R1_32 * t288;
+  S[298] = R1_12 * t362 + R1_22 * t361 + R1_32 * t360;
+  S[299] = R1_12 * t416 + R1_22 * t415 + R1_32 * t414;
+  S[300] = R1_12 * t432 + R1_22 * t431 + R1_32 * t430;
+  S[301] = R1_12 * t448 + R1_22 * t447 - R1_32 * t446;
+  S[302] = R1_12 * t482 + R1_22 * t481 + R1_32 * t480;
+  S[306] = Pddot1_1 * (t507 - t510) + z1_17 * (t533 + t534) - z1_16 * (t532 + t495);
+  S[307] = Pddot1_1 * (t522 - t525) + z1_17 * (t536 - t537) + z1_16 * (t535 - t517);
+  S[308] = Pddot1_1 * (t530 + t531) + z1_17 * (t539 + t540) + z1_16 * (t526 - t538);
   S[309] = R1_13 * t56 + R1_23 * t55 + R1_33 * t54;
   S[310] = R1_13 * t109 + R1_23 * t108 + R1_33 * t107;
-  S[311] = R1_13 * t214 + R1_23 * t213 + R1_33 * t212;
-  S[315] = R1_13 * t288 + R1_23 * t287 + R1_33 * t286;
-  S[316] = R1_13 * t360 + R1_23 * t359 + R1_33 * t358;
-  S[317] = R1_13 * t414 + R1_23 * t413 + R1_33 * t412;
-  S[318] = R1_13 * t430 + R1_23 * t429 + R1_33 * t428;
-  S[319] = R1_13 * t446 + R1_23 * t445 - R1_33 * t444;
-  S[320] = R1_13 * t480 + R1_23 * t479 + R1_33 * t478;
+  S[311] = R1_13 * t216 + R1_23 * t215 + R1_33 * t214;
+  S[315] = R1_13 * t290 + R1_23 * t289 + R1_33 * t288;
+  S[316] = R1_13 * t362 + R1_23 * t361 + R1_33 * t360;
+  S[317] = R1_13 * t416 + R1_23 * t415 + R1_33 * t414;
+  S[318] = R1_13 * t432 + R1_23 * t431 + R1_33 * t430;
+  S[319] = R1_13 * t448 + R1_23 * t447 - R1_33 * t446;
+  S[320] = R1_13 * t482 + R1_23 * t481 + R1_33 * t480;
 }
 
 // input_matrix: rates of (xi, y) for small changes of the inputs.
@@ -3170,8 +3171,8 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T t15 = b1_59 * t13 - b1_60 * t14;
   const T t16 = b1_46 * t12 - b1_47 * t15 - b1_57 * t14;
   const T t17 = b1_36 * t16 - b1_35 * T(0.1) - b1_44 * t15 - b1_55 * t14;
-  const T t18 = b1_53 * t14 - b1_32 * t17 - b1_33 * t16 - b1_42 * t15;
-  const T t19 = b1_40 * t15 - b1_27 * t18 - b1_29 * t17 - b1_51 * t14;
+  const T t18 = b1_53 * t14 - (b1_32 * t17 + b1_33 * t16 + b1_42 * t15);
+  const T t19 = b1_40 * t15 - (b1_27 * t18 + b1_29 * t17) - b1_51 * t14;
   B[19] = t19;
   B[20] = t10;
   B[21] = t18;

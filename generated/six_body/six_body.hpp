@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 8abfe8787f95555e of six_body/scene.toml; the usual functions
+// model 2a5815098764a039 of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "8abfe8787f95555e";
+inline constexpr char model_hash[] = "2a5815098764a039";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1678,18 +1678,18 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
   // N1 = -omega1~ I1 omega1 + M1: applied less gyroscopic moment, body axes [N m]
-  const T t1_13 = omega1_2 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T t1_15 = omega1_3 * omega1_3;
-  const T t1_16 = omega1_1 * omega1_2;
+  const T t1_13 = omega1_1 * omega1_2;
+  const T t1_14 = omega1_2 * omega1_3;
+  const T t1_15 = omega1_2 * omega1_2;
+  const T t1_16 = omega1_3 * omega1_3;
   const T t1_17 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.05) - T(0.3500000000000001) * t1_13 - T(0.05) * (t1_14 - t1_15) + T(0.03) * t1_16 + T(0.04) *
-      t1_17;
+  const T N1_1 = T(0.03) * t1_13 - (T(0.3500000000000001) * t1_14 + T(0.05) * (t1_15 - t1_16)) + T(0.04) * t1_17 +
+      T(0.05);
   const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.02) + T(0.04) * t1_13 - T(0.19999999999999996) * t1_17 - T(0.03) * (t1_15 - t1_18) -
-      T(0.05) * t1_16;
-  const T N1_3 = T(0.03) - T(0.04) * (t1_18 - t1_14) + T(0.15000000000000013) * t1_16 - T(0.05) * t1_17 - T(0.03) *
-      t1_13;
+  const T minus_N1_2 = T(0.02) - T(0.19999999999999996) * t1_17 - T(0.03) * (t1_16 - t1_18) + T(0.04) * t1_14 -
+      T(0.05) * t1_13;
+  const T N1_3 = T(0.15000000000000013) * t1_13 - T(0.04) * (t1_18 - t1_15) - T(0.05) * t1_17 - T(0.03) * t1_14 +
+      T(0.03);
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
   const T omegadot1_1 = T(0.9111440494716103) * N1_1 + T(0.03955067476408207) * minus_N1_2 + T(0.022547580940271084) *
       N1_3;
@@ -1702,24 +1702,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[2] = omegadot1_3;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U1_11 = t1_15 + t1_14;
-  const T U1_12 = t1_16 - omegadot1_3;
+  const T minus_U1_11 = t1_16 + t1_15;
+  const T U1_12 = t1_13 - omegadot1_3;
   const T U1_13 = t1_17 - minus_omegadot1_2;
-  const T U1_21 = t1_16 + omegadot1_3;
-  const T minus_U1_22 = t1_15 + t1_18;
-  const T U1_23 = t1_13 - omegadot1_1;
+  const T U1_21 = t1_13 + omegadot1_3;
+  const T minus_U1_22 = t1_16 + t1_18;
+  const T U1_23 = t1_14 - omegadot1_1;
   const T U1_31 = t1_17 + minus_omegadot1_2;
-  const T U1_32 = t1_13 + omegadot1_1;
-  const T minus_U1_33 = t1_14 + t1_18;
+  const T U1_32 = t1_14 + omegadot1_1;
+  const T minus_U1_33 = t1_15 + t1_18;
   // a1 = m1^-1 F1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T a1_3 = T(0.08333333333333333) * u.thrust;
   // Pddot1 = -R1^T U1 r1 + a1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_19 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
   const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
   const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
-  const T Pddot1_1 = T(0.041666666666666664) - R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21;
+  const T Pddot1_1 = T(0.041666666666666664) - (R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21);
   const T minus_Pddot1_2 = T(0.024999999999999998) + R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21;
-  const T Pddot1_3 = a1_3 - R1_13 * t1_19 - R1_23 * t1_20 - R1_33 * t1_21;
+  const T Pddot1_3 = a1_3 - (R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21);
   ydot[18] = Pddot1_1;
   ydot[19] = -minus_Pddot1_2;
   // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
@@ -1758,16 +1758,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.25) + s2_3;
   // N2 = -omega2~ I2 omega2 + M2: applied less gyroscopic moment, body axes [N m]
-  const T t2_13 = omega2_1 * omega2_2;
-  const T t2_14 = omega2_2 * omega2_3;
-  const T t2_15 = omega2_2 * omega2_2;
-  const T t2_16 = omega2_3 * omega2_3;
+  const T t2_13 = omega2_2 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T t2_15 = omega2_3 * omega2_3;
+  const T t2_16 = omega2_1 * omega2_2;
   const T t2_17 = omega2_1 * omega2_3;
-  const T N2_1 = T(0.01) - T(0.01) * t2_13 + T(0.27) * t2_14 + T(0.03) * (t2_15 - t2_16) + T(0.02) * t2_17;
+  const T N2_1 = T(0.27) * t2_13 + T(0.03) * (t2_14 - t2_15) - T(0.01) * t2_16 + T(0.02) * t2_17 + T(0.01);
   const T t2_18 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.02) - T(0.31) * t2_17 - T(0.01) * (t2_16 - t2_18) - T(0.02) * t2_14 - T(0.03) * t2_13;
-  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_18 - t2_15) - T(0.03999999999999998) * t2_13 - T(0.03) * t2_17 -
-      T(0.01) * t2_14;
+  const T N2_2 = T(0.02) - (T(0.31) * t2_17 + T(0.01) * (t2_15 - t2_18) + T(0.02) * t2_13 + T(0.03) * t2_16);
+  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_18 - t2_14) - T(0.03999999999999998) * t2_16 - T(0.03) * t2_17 -
+      T(0.01) * t2_13;
   // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
   const T omegadot2_1 = T(2.394052915008195) * N2_1 - T(0.14633575275111216) * N2_2 + T(0.2575509248419574) *
       minus_N2_3;
@@ -1780,21 +1780,21 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[5] = omegadot2_3;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U2_11 = t2_16 + t2_15;
-  const T U2_12 = t2_13 - omegadot2_3;
+  const T minus_U2_11 = t2_15 + t2_14;
+  const T U2_12 = t2_16 - omegadot2_3;
   const T U2_13 = t2_17 + omegadot2_2;
-  const T U2_21 = t2_13 + omegadot2_3;
-  const T minus_U2_22 = t2_16 + t2_18;
-  const T U2_23 = t2_14 - omegadot2_1;
+  const T U2_21 = t2_16 + omegadot2_3;
+  const T minus_U2_22 = t2_15 + t2_18;
+  const T U2_23 = t2_13 - omegadot2_1;
   const T U2_31 = t2_17 - omegadot2_2;
-  const T U2_32 = t2_14 + omegadot2_1;
-  const T minus_U2_33 = t2_15 + t2_18;
+  const T U2_32 = t2_13 + omegadot2_1;
+  const T minus_U2_33 = t2_14 + t2_18;
   // Pddot2 = -R2^T U2 r2 + a2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_19 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
   const T t2_20 = U2_21 * T(0.03) - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
   const T t2_21 = U2_31 * T(0.03) + U2_32 * T(0.04) - minus_U2_33 * T(0.45);
-  const T Pddot2_1 = T(0.05714285714285715) - R2_11 * t2_19 - R2_21 * t2_20 - R2_31 * t2_21;
-  const T Pddot2_2 = T(0.028571428571428574) - R2_12 * t2_19 - R2_22 * t2_20 - R2_32 * t2_21;
+  const T Pddot2_1 = T(0.05714285714285715) - (R2_11 * t2_19 + R2_21 * t2_20 + R2_31 * t2_21);
+  const T Pddot2_2 = T(0.028571428571428574) - (R2_12 * t2_19 + R2_22 * t2_20 + R2_32 * t2_21);
   const T minus_Pddot2_3 = T(0.1142857142857143) + R2_13 * t2_19 + R2_23 * t2_20 + R2_33 * t2_21;
   // sddot2 = R1 (-Pddot1 + Pddot2) - 2 omega1~ sdot2 - U1 d2: relative acceleration, axes of the lower body [m/s^2]
   const T t2_22 = Pddot2_1 - Pddot1_1;
@@ -1853,9 +1853,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * t3_13 + T(0.008) * (t3_14 - t3_15) + T(0.006) * t3_16 +
       T(0.012) * t3_17;
   const T t3_18 = omega3_1 * omega3_1;
-  const T N3_2 = T(0.004) - T(0.006) * (t3_15 - t3_18) + T(0.060000000000000026) * t3_17 + T(0.012) * t3_13 + T(0.008)
-      * t3_16;
-  const T N3_3 = T(0.012) - T(0.008) * t3_17 + T(0.12) * t3_16 + T(0.012) * (t3_18 - t3_14) + T(0.006) * t3_13;
+  const T N3_2 = T(0.060000000000000026) * t3_17 - T(0.006) * (t3_15 - t3_18) + T(0.012) * t3_13 + T(0.008) * t3_16 +
+      T(0.004);
+  const T N3_3 = T(0.12) * t3_16 + T(0.012) * (t3_18 - t3_14) - T(0.008) * t3_17 + T(0.006) * t3_13 + T(0.012);
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T omegadot3_1 = T(0.6515680436788388) * N3_2 - T(4.802738171107158) * minus_N3_1 - T(0.12603323472619873) *
       N3_3;
@@ -1882,8 +1882,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t3_20 = U3_21 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
   const T t3_21 = U3_31 * T(0.1) + U3_32 * T(0.35) + minus_U3_33 * T(0.02);
   const T minus_Pddot3_1 = T(0.05555555555555556) + R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21;
-  const T Pddot3_2 = T(0.02777777777777778) - R3_12 * t3_19 - R3_22 * t3_20 - R3_32 * t3_21;
-  const T Pddot3_3 = T(0.08333333333333333) - R3_13 * t3_19 - R3_23 * t3_20 - R3_33 * t3_21;
+  const T Pddot3_2 = T(0.02777777777777778) - (R3_12 * t3_19 + R3_22 * t3_20 + R3_32 * t3_21);
+  const T Pddot3_3 = T(0.08333333333333333) - (R3_13 * t3_19 + R3_23 * t3_20 + R3_33 * t3_21);
   // sddot3 = R2 (-Pddot2 + Pddot3) - 2 omega2~ sdot3 - U2 d3: relative acceleration, axes of the lower body [m/s^2]
   const T t3_22 = Pddot3_2 - Pddot2_2;
   const T t3_23 = minus_Pddot3_1 + Pddot2_1;
@@ -1933,15 +1933,15 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less gyroscopic moment, body axes [N m]
-  const T t4_13 = omega4_2 * omega4_2;
-  const T t4_14 = omega4_3 * omega4_3;
-  const T t4_15 = omega4_2 * omega4_3;
+  const T t4_13 = omega4_2 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T t4_15 = omega4_3 * omega4_3;
   const T t4_16 = omega4_1 * omega4_2;
   const T t4_17 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.003) - T(0.003) * (t4_13 - t4_14) + T(0.023) * t4_15 + T(0.002) * t4_16 + T(0.004) * t4_17;
+  const T N4_1 = T(0.023) * t4_13 - T(0.003) * (t4_14 - t4_15) + T(0.002) * t4_16 + T(0.004) * t4_17 + T(0.003);
   const T t4_18 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.002) - T(0.008) * t4_17 + T(0.002) * (t4_14 - t4_18) - T(0.004) * t4_15 + T(0.003) * t4_16;
-  const T minus_N4_3 = T(0.004) + T(0.015) * t4_16 + T(0.004) * (t4_18 - t4_13) + T(0.003) * t4_17 + T(0.002) * t4_15;
+  const T N4_2 = T(0.002) * (t4_15 - t4_18) - T(0.008) * t4_17 - T(0.004) * t4_13 + T(0.003) * t4_16 + T(0.002);
+  const T minus_N4_3 = T(0.004) + T(0.015) * t4_16 + T(0.004) * (t4_18 - t4_14) + T(0.003) * t4_17 + T(0.002) * t4_13;
   // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
   const T omegadot4_1 = T(16.751334596177028) * N4_1 - T(0.9213018770449458) * N4_2 - T(0.6974341312209403) *
       minus_N4_3;
@@ -1954,22 +1954,22 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[11] = omegadot4_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U4_11 = t4_14 + t4_13;
+  const T minus_U4_11 = t4_15 + t4_14;
   const T U4_12 = t4_16 - omegadot4_3;
   const T U4_13 = t4_17 + omegadot4_2;
   const T U4_21 = t4_16 + omegadot4_3;
-  const T minus_U4_22 = t4_14 + t4_18;
-  const T U4_23 = t4_15 - omegadot4_1;
+  const T minus_U4_22 = t4_15 + t4_18;
+  const T U4_23 = t4_13 - omegadot4_1;
   const T U4_31 = t4_17 - omegadot4_2;
-  const T U4_32 = t4_15 + omegadot4_1;
-  const T minus_U4_33 = t4_13 + t4_18;
+  const T U4_32 = t4_13 + omegadot4_1;
+  const T minus_U4_33 = t4_14 + t4_18;
   // Pddot4 = -R4^T U4 r4 + a4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t4_19 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
-  const T t4_20 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_20 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_21 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
-  const T Pddot4_1 = c.a4_1 - R4_11 * t4_19 - R4_21 * t4_20 - R4_31 * t4_21;
+  const T Pddot4_1 = c.a4_1 - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
   const T minus_Pddot4_2 = c.c4_2 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
-  const T Pddot4_3 = c.a4_3 - R4_13 * t4_19 - R4_23 * t4_20 - R4_33 * t4_21;
+  const T Pddot4_3 = c.a4_3 - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
   // sddot4 = R2 (-Pddot2 + Pddot4) - 2 omega2~ sdot4 - U2 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot2_1;
   const T t4_23 = minus_Pddot4_2 + Pddot2_2;
@@ -2024,9 +2024,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * t5_13 - T(0.007) * (t5_14 - t5_15) + T(0.012) * t5_16 -
       T(0.005) * t5_17;
   const T t5_18 = omega5_1 * omega5_1;
-  const T N5_2 = T(0.01) - T(0.012) * (t5_15 - t5_18) + T(0.25) * t5_17 - T(0.005) * t5_13 - T(0.007) * t5_16;
-  const T N5_3 = T(0.005) - T(0.22999999999999998) * t5_16 - T(0.005) * (t5_18 - t5_14) + T(0.007) * t5_17 + T(0.012)
-      * t5_13;
+  const T N5_2 = T(0.25) * t5_17 - T(0.012) * (t5_15 - t5_18) - T(0.005) * t5_13 - T(0.007) * t5_16 + T(0.01);
+  const T N5_3 = T(0.007) * t5_17 - (T(0.22999999999999998) * t5_16 + T(0.005) * (t5_18 - t5_14)) + T(0.012) * t5_13 +
+      T(0.005);
   // omegadot5 = Iinv5 N5: I omegadot + omega~ I omega = M
   const T minus_omegadot5_1 = T(12.58264780621066) * minus_N5_1 + T(0.21337993071920358) * N5_2 +
       T(0.46207707027140105) * N5_3;
@@ -2052,9 +2052,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t5_19 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
   const T t5_20 = U5_21 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
   const T t5_21 = U5_31 * T(0.38) + U5_32 * T(0.02) + minus_U5_33 * T(0.04);
-  const T Pddot5_1 = T(0.04615384615384615) - R5_11 * t5_19 - R5_21 * t5_20 - R5_31 * t5_21;
+  const T Pddot5_1 = T(0.04615384615384615) - (R5_11 * t5_19 + R5_21 * t5_20 + R5_31 * t5_21);
   const T minus_Pddot5_2 = T(0.026923076923076925) + R5_12 * t5_19 + R5_22 * t5_20 + R5_32 * t5_21;
-  const T Pddot5_3 = T(0.03461538461538461) - R5_13 * t5_19 - R5_23 * t5_20 - R5_33 * t5_21;
+  const T Pddot5_3 = T(0.03461538461538461) - (R5_13 * t5_19 + R5_23 * t5_20 + R5_33 * t5_21);
   // sddot5 = R1 (-Pddot1 + Pddot5) - 2 omega1~ sdot5 - U1 d5: relative acceleration, axes of the lower body [m/s^2]
   const T t5_22 = Pddot5_1 - Pddot1_1;
   const T t5_23 = minus_Pddot1_2 - minus_Pddot5_2;
@@ -2101,17 +2101,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less gyroscopic moment, body axes [N m]
-  const T t6_13 = omega6_2 * omega6_3;
-  const T t6_14 = omega6_2 * omega6_2;
-  const T t6_15 = omega6_3 * omega6_3;
-  const T t6_16 = omega6_1 * omega6_2;
+  const T t6_13 = omega6_1 * omega6_2;
+  const T t6_14 = omega6_2 * omega6_3;
+  const T t6_15 = omega6_2 * omega6_2;
+  const T t6_16 = omega6_3 * omega6_3;
   const T t6_17 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.002) - T(0.009000000000000001) * t6_13 - T(0.002) * (t6_14 - t6_15) + T(0.001) * t6_16 +
-      T(0.0015) * t6_17;
+  const T N6_1 = T(0.001) * t6_13 - (T(0.009000000000000001) * t6_14 + T(0.002) * (t6_15 - t6_16)) + T(0.0015) * t6_17
+      + T(0.002);
   const T t6_18 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.001) + T(0.0015) * t6_13 - T(0.005000000000000001) * t6_17 - T(0.001) * (t6_15 - t6_18) -
-      T(0.002) * t6_16;
-  const T N6_3 = T(0.0015) - T(0.0015) * (t6_18 - t6_14) + T(0.004) * t6_16 - T(0.002) * t6_17 - T(0.001) * t6_13;
+  const T minus_N6_2 = T(0.001) - T(0.005000000000000001) * t6_17 - T(0.001) * (t6_16 - t6_18) + T(0.0015) * t6_14 -
+      T(0.002) * t6_13;
+  const T N6_3 = T(0.004) * t6_13 - T(0.0015) * (t6_18 - t6_15) - T(0.002) * t6_17 - T(0.001) * t6_14 + T(0.0015);
   // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
   const T omegadot6_1 = T(45.82075718325927) * N6_1 + T(4.040211992299832) * minus_N6_2 + T(1.9963400432540346) *
       N6_3;
@@ -2124,21 +2124,21 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[17] = omegadot6_3;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U6_11 = t6_15 + t6_14;
-  const T U6_12 = t6_16 - omegadot6_3;
+  const T minus_U6_11 = t6_16 + t6_15;
+  const T U6_12 = t6_13 - omegadot6_3;
   const T U6_13 = t6_17 - minus_omegadot6_2;
-  const T U6_21 = t6_16 + omegadot6_3;
-  const T minus_U6_22 = t6_15 + t6_18;
-  const T U6_23 = t6_13 - omegadot6_1;
+  const T U6_21 = t6_13 + omegadot6_3;
+  const T minus_U6_22 = t6_16 + t6_18;
+  const T U6_23 = t6_14 - omegadot6_1;
   const T U6_31 = t6_17 + minus_omegadot6_2;
-  const T U6_32 = t6_13 + omegadot6_1;
-  const T minus_U6_33 = t6_14 + t6_18;
+  const T U6_32 = t6_14 + omegadot6_1;
+  const T minus_U6_33 = t6_15 + t6_18;
   // Pddot6 = -R6^T U6 r6 + a6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t6_19 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_19 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_20 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_21 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
-  const T Pddot6_1 = T(0.05555555555555556) - R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21;
-  const T Pddot6_2 = T(0.08888888888888889) - R6_12 * t6_19 - R6_22 * t6_20 - R6_32 * t6_21;
+  const T Pddot6_1 = T(0.05555555555555556) - (R6_11 * t6_19 + R6_21 * t6_20 + R6_31 * t6_21);
+  const T Pddot6_2 = T(0.08888888888888889) - (R6_12 * t6_19 + R6_22 * t6_20 + R6_32 * t6_21);
   const T minus_Pddot6_3 = T(0.06666666666666667) + R6_13 * t6_19 + R6_23 * t6_20 + R6_33 * t6_21;
   // sddot6 = R5 (-Pddot5 + Pddot6) - 2 omega5~ sdot6 - U5 d6: relative acceleration, axes of the lower body [m/s^2]
   const T t6_22 = Pddot6_1 - Pddot5_1;
@@ -2211,7 +2211,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // Pddot1 = -g + sddot1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot1_3 = sddot1_3 + T(9.81);
   // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_19 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
   const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
   const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
   const T a1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21 + sddot1_1;
@@ -2281,12 +2281,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = R1^T (2 omega1~ sdot2 + sddot2 + U1 d2) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t2_19 = T(2) * omega1_3;
-  const T t2_20 = T(2) * omega1_2;
-  const T t2_21 = sddot2_1 - t2_19 * sdot2_2 + t2_20 * sdot2_3 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_19 = T(2) * omega1_2;
+  const T t2_20 = T(2) * omega1_3;
+  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = sddot2_2 - t2_22 * sdot2_3 + t2_19 * sdot2_1 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = sddot2_3 - t2_20 * sdot2_1 + t2_22 * sdot2_2 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
   const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
   const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
   const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
@@ -2361,12 +2361,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = R2^T (2 omega2~ sdot3 + sddot3 + U2 d3) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t3_19 = T(2) * omega2_3;
-  const T t3_20 = T(2) * omega2_2;
-  const T t3_21 = sddot3_1 - t3_19 * sdot3_2 + t3_20 * sdot3_3 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_19 = T(2) * omega2_2;
+  const T t3_20 = T(2) * omega2_3;
+  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = sddot3_2 - t3_22 * sdot3_3 + t3_19 * sdot3_1 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = sddot3_3 - t3_20 * sdot3_1 + t3_22 * sdot3_2 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
   const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
   const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
   const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
@@ -2441,15 +2441,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = sddot4_1 - t3_19 * sdot4_2 + t3_20 * sdot4_3 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
-  const T t4_20 = sddot4_2 - t3_22 * sdot4_3 + t3_19 * sdot4_1 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
-  const T t4_21 = sddot4_3 - t3_20 * sdot4_1 + t3_22 * sdot4_2 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T t4_19 = t3_19 * sdot4_3 - t3_20 * sdot4_2 + sddot4_1 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = t3_20 * sdot4_1 - t3_22 * sdot4_3 + sddot4_2 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = t3_22 * sdot4_2 - t3_19 * sdot4_1 + sddot4_3 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
   const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
   const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
   const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
-  const T t4_23 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_23 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_24 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
   const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
@@ -2518,9 +2518,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = R1^T (2 omega1~ sdot5 + sddot5 + U1 d5) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = sddot5_1 - t2_19 * sdot5_2 + t2_20 * sdot5_3 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
-  const T t5_20 = sddot5_2 - t2_22 * sdot5_3 + t2_19 * sdot5_1 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
-  const T t5_21 = sddot5_3 - t2_20 * sdot5_1 + t2_22 * sdot5_2 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T t5_19 = t2_19 * sdot5_3 - t2_20 * sdot5_2 + sddot5_1 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = t2_20 * sdot5_1 - t2_22 * sdot5_3 + sddot5_2 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = t2_22 * sdot5_2 - t2_19 * sdot5_1 + sddot5_3 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
   const T Pddot5_1 = R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21 + sddot1_1;
   const T Pddot5_2 = R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21 + sddot1_2;
   const T Pddot5_3 = R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21 + Pddot1_3;
@@ -2595,17 +2595,17 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = R5^T (2 omega5~ sdot6 + sddot6 + U5 d6) + Pddot5: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t6_19 = T(2) * omega5_3;
-  const T t6_20 = T(2) * omega5_2;
-  const T t6_21 = sddot6_1 - t6_19 * sdot6_2 + t6_20 * sdot6_3 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_19 = T(2) * omega5_2;
+  const T t6_20 = T(2) * omega5_3;
+  const T t6_21 = t6_19 * sdot6_3 - t6_20 * sdot6_2 + sddot6_1 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
   const T t6_22 = T(2) * omega5_1;
-  const T t6_23 = sddot6_2 - t6_22 * sdot6_3 + t6_19 * sdot6_1 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
-  const T t6_24 = sddot6_3 - t6_20 * sdot6_1 + t6_22 * sdot6_2 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T t6_23 = t6_20 * sdot6_1 - t6_22 * sdot6_3 + sddot6_2 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = t6_22 * sdot6_2 - t6_19 * sdot6_1 + sddot6_3 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
   const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
   const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
   const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_25 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_25 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_26 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_27 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
   const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
@@ -2627,7 +2627,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // r_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
-  const T r_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
+  const T r_omega6_1 = N6_1 - (T(0.07) * b6_1 + T(0.05) * b6_2);
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
   const T r_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 + N6_2;
   const T r_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
@@ -2652,7 +2652,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
   const T r_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 + N5_1;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T r_omega5_2 = d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3 - T(0.04) * b5_3 - T(0.38) * b5_2 + N5_2;
+  const T r_omega5_2 = d6_3 * r_sdot6_1 - (T(0.04) * b5_3 + T(0.38) * b5_2) - d6_1 * r_sdot6_3 + N5_2;
   const T r_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N5_3;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
@@ -2672,7 +2672,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T r_omega4_1 = T(0.06) * b4_1 - T(0.1) * b4_2 + N4_1;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
   const T r_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_1 + N4_2;
-  const T r_omega4_3 = N4_3 - T(0.03) * b4_2 - T(0.06) * b4_3;
+  const T r_omega4_3 = N4_3 - (T(0.03) * b4_2 + T(0.06) * b4_3);
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -2690,7 +2690,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b3_2 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
   const T r_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 + N3_1;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T r_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T r_omega3_2 = N3_2 - (T(0.02) * b3_3 + T(0.1) * b3_2);
   const T r_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
@@ -2740,8 +2740,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
-  const T r_omega1_1 = d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 - T(0.08) * b1_1 - T(0.02) * b1_2 + d5_2 * r_sdot5_3 - d5_3
-      * r_sdot5_2 + N1_1;
+  const T r_omega1_1 = d2_2 * r_sdot2_3 - (T(0.08) * b1_1 + T(0.02) * b1_2) - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3 -
+      d5_3 * r_sdot5_2 + N1_1;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
   const T r_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1 - d5_1
       * r_sdot5_3 + N1_2;
@@ -2798,18 +2798,18 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G1_2 = T(12) * a1_2 + T(0.3);
   const T G1_3 = u.thrust - T(12) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
-  const T t1_22 = omega1_1 * omega1_2;
+  const T t1_19 = omega1_1 * omega1_2;
+  const T t1_20 = omega1_2 * omega1_3;
+  const T t1_21 = omega1_2 * omega1_2;
+  const T t1_22 = omega1_3 * omega1_3;
   const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.05) - T(0.3500000000000001) * t1_19 - T(0.05) * (t1_20 - t1_21) + T(0.03) * t1_22 + T(0.04) *
-      t1_23;
+  const T N1_1 = T(0.03) * t1_19 - (T(0.3500000000000001) * t1_20 + T(0.05) * (t1_21 - t1_22)) + T(0.04) * t1_23 +
+      T(0.05);
   const T t1_24 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.02) + T(0.04) * t1_19 - T(0.19999999999999996) * t1_23 - T(0.03) * (t1_21 - t1_24) -
-      T(0.05) * t1_22;
-  const T N1_3 = T(0.03) - T(0.04) * (t1_24 - t1_20) + T(0.15000000000000013) * t1_22 - T(0.05) * t1_23 - T(0.03) *
-      t1_19;
+  const T minus_N1_2 = T(0.02) - T(0.19999999999999996) * t1_23 - T(0.03) * (t1_22 - t1_24) + T(0.04) * t1_20 -
+      T(0.05) * t1_19;
+  const T N1_3 = T(0.15000000000000013) * t1_19 - T(0.04) * (t1_24 - t1_21) - T(0.05) * t1_23 - T(0.03) * t1_20 +
+      T(0.03);
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2868,16 +2868,16 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G2_2 = T(0.1) - T(3.5) * a2_2;
   const T minus_G2_3 = T(3.5) * a2_3 + T(0.4);
   // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_1 * omega2_2;
-  const T t2_26 = omega2_2 * omega2_3;
-  const T t2_27 = omega2_2 * omega2_2;
-  const T t2_28 = omega2_3 * omega2_3;
+  const T t2_25 = omega2_2 * omega2_3;
+  const T t2_26 = omega2_2 * omega2_2;
+  const T t2_27 = omega2_3 * omega2_3;
+  const T t2_28 = omega2_1 * omega2_2;
   const T t2_29 = omega2_1 * omega2_3;
-  const T N2_1 = T(0.01) - T(0.01) * t2_25 + T(0.27) * t2_26 + T(0.03) * (t2_27 - t2_28) + T(0.02) * t2_29;
+  const T N2_1 = T(0.27) * t2_25 + T(0.03) * (t2_26 - t2_27) - T(0.01) * t2_28 + T(0.02) * t2_29 + T(0.01);
   const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.02) - T(0.31) * t2_29 - T(0.01) * (t2_28 - t2_30) - T(0.02) * t2_26 - T(0.03) * t2_25;
-  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_30 - t2_27) - T(0.03999999999999998) * t2_25 - T(0.03) * t2_29 -
-      T(0.01) * t2_26;
+  const T N2_2 = T(0.02) - (T(0.31) * t2_29 + T(0.01) * (t2_27 - t2_30) + T(0.02) * t2_25 + T(0.03) * t2_28);
+  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_30 - t2_26) - T(0.03999999999999998) * t2_28 - T(0.03) * t2_29 -
+      T(0.01) * t2_25;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2944,9 +2944,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * t3_25 + T(0.008) * (t3_26 - t3_27) + T(0.006) * t3_28 +
       T(0.012) * t3_29;
   const T t3_30 = omega3_1 * omega3_1;
-  const T N3_2 = T(0.004) - T(0.006) * (t3_27 - t3_30) + T(0.060000000000000026) * t3_29 + T(0.012) * t3_25 + T(0.008)
-      * t3_28;
-  const T N3_3 = T(0.012) - T(0.008) * t3_29 + T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26) + T(0.006) * t3_25;
+  const T N3_2 = T(0.060000000000000026) * t3_29 - T(0.006) * (t3_27 - t3_30) + T(0.012) * t3_25 + T(0.008) * t3_28 +
+      T(0.004);
+  const T N3_3 = T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26) - T(0.008) * t3_29 + T(0.006) * t3_25 + T(0.012);
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -3005,15 +3005,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G4_2 = c.p.m_payload * a4_2 + T(0.15);
   const T G4_3 = T(0.05) - c.p.m_payload * a4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_2;
-  const T t4_26 = omega4_3 * omega4_3;
-  const T t4_27 = omega4_2 * omega4_3;
+  const T t4_25 = omega4_2 * omega4_3;
+  const T t4_26 = omega4_2 * omega4_2;
+  const T t4_27 = omega4_3 * omega4_3;
   const T t4_28 = omega4_1 * omega4_2;
   const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.003) - T(0.003) * (t4_25 - t4_26) + T(0.023) * t4_27 + T(0.002) * t4_28 + T(0.004) * t4_29;
+  const T N4_1 = T(0.023) * t4_25 - T(0.003) * (t4_26 - t4_27) + T(0.002) * t4_28 + T(0.004) * t4_29 + T(0.003);
   const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.002) - T(0.008) * t4_29 + T(0.002) * (t4_26 - t4_30) - T(0.004) * t4_27 + T(0.003) * t4_28;
-  const T minus_N4_3 = T(0.004) + T(0.015) * t4_28 + T(0.004) * (t4_30 - t4_25) + T(0.003) * t4_29 + T(0.002) * t4_27;
+  const T N4_2 = T(0.002) * (t4_27 - t4_30) - T(0.008) * t4_29 - T(0.004) * t4_25 + T(0.003) * t4_28 + T(0.002);
+  const T minus_N4_3 = T(0.004) + T(0.015) * t4_28 + T(0.004) * (t4_30 - t4_26) + T(0.003) * t4_29 + T(0.002) * t4_25;
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3080,9 +3080,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * t5_25 - T(0.007) * (t5_26 - t5_27) + T(0.012) * t5_28 -
       T(0.005) * t5_29;
   const T t5_30 = omega5_1 * omega5_1;
-  const T N5_2 = T(0.01) - T(0.012) * (t5_27 - t5_30) + T(0.25) * t5_29 - T(0.005) * t5_25 - T(0.007) * t5_28;
-  const T N5_3 = T(0.005) - T(0.22999999999999998) * t5_28 - T(0.005) * (t5_30 - t5_26) + T(0.007) * t5_29 + T(0.012)
-      * t5_25;
+  const T N5_2 = T(0.25) * t5_29 - T(0.012) * (t5_27 - t5_30) - T(0.005) * t5_25 - T(0.007) * t5_28 + T(0.01);
+  const T N5_3 = T(0.007) * t5_29 - (T(0.22999999999999998) * t5_28 + T(0.005) * (t5_30 - t5_26)) + T(0.012) * t5_25 +
+      T(0.005);
 
   // ---- body 6 (tool) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -3141,23 +3141,23 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G6_2 = T(0.08) - T(0.9) * a6_2;
   const T minus_G6_3 = T(0.9) * a6_3 + T(0.06);
   // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_2 * omega6_3;
-  const T t6_26 = omega6_2 * omega6_2;
-  const T t6_27 = omega6_3 * omega6_3;
-  const T t6_28 = omega6_1 * omega6_2;
+  const T t6_25 = omega6_1 * omega6_2;
+  const T t6_26 = omega6_2 * omega6_3;
+  const T t6_27 = omega6_2 * omega6_2;
+  const T t6_28 = omega6_3 * omega6_3;
   const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.002) - T(0.009000000000000001) * t6_25 - T(0.002) * (t6_26 - t6_27) + T(0.001) * t6_28 +
-      T(0.0015) * t6_29;
+  const T N6_1 = T(0.001) * t6_25 - (T(0.009000000000000001) * t6_26 + T(0.002) * (t6_27 - t6_28)) + T(0.0015) * t6_29
+      + T(0.002);
   const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.001) + T(0.0015) * t6_25 - T(0.005000000000000001) * t6_29 - T(0.001) * (t6_27 - t6_30) -
-      T(0.002) * t6_28;
-  const T N6_3 = T(0.0015) - T(0.0015) * (t6_30 - t6_26) + T(0.004) * t6_28 - T(0.002) * t6_29 - T(0.001) * t6_25;
+  const T minus_N6_2 = T(0.001) - T(0.005000000000000001) * t6_29 - T(0.001) * (t6_28 - t6_30) + T(0.0015) * t6_26 -
+      T(0.002) * t6_25;
+  const T N6_3 = T(0.004) * t6_25 - T(0.0015) * (t6_30 - t6_27) - T(0.002) * t6_29 - T(0.001) * t6_26 + T(0.0015);
 
   // ---- body 6 (tool) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 - R6_23 * minus_G6_3;
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 - R6_33 * minus_G6_3;
-  const T f_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
+  const T f_omega6_1 = N6_1 - (T(0.07) * b6_1 + T(0.05) * b6_2);
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 - R6_13 * minus_G6_3;
   const T f_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 - minus_N6_2;
   const T f_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
@@ -3182,7 +3182,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b5_2 = R5_31 * G5_1 - R5_32 * minus_G5_2 + R5_33 * G5_3;
   const T f_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * f_sdot6_3 - d6_3 * f_sdot6_2 - minus_N5_1;
   const T b5_3 = R5_11 * G5_1 - R5_12 * minus_G5_2 + R5_13 * G5_3;
-  const T f_omega5_2 = d6_3 * f_sdot6_1 - d6_1 * f_sdot6_3 - T(0.04) * b5_3 - T(0.38) * b5_2 + N5_2;
+  const T f_omega5_2 = d6_3 * f_sdot6_1 - (T(0.04) * b5_3 + T(0.38) * b5_2) - d6_1 * f_sdot6_3 + N5_2;
   const T f_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * f_sdot6_2 - d6_2 * f_sdot6_1 + N5_3;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
@@ -3220,7 +3220,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b3_2 = R3_32 * G3_2 - R3_31 * minus_G3_1 + R3_33 * G3_3;
   const T f_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 - minus_N3_1;
   const T b3_3 = R3_12 * G3_2 - R3_11 * minus_G3_1 + R3_13 * G3_3;
-  const T f_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T f_omega3_2 = N3_2 - (T(0.02) * b3_3 + T(0.1) * b3_2);
   const T f_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
   f[6] = f_omega3_1;
   f[7] = f_omega3_2;
@@ -3270,8 +3270,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 - R1_22 * minus_G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 - R1_32 * minus_G1_2 + R1_33 * G1_3;
-  const T f_omega1_1 = d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 - T(0.08) * b1_1 - T(0.02) * b1_2 + d5_2 * f_sdot5_3 - d5_3
-      * f_sdot5_2 + N1_1;
+  const T f_omega1_1 = d2_2 * f_sdot2_3 - (T(0.08) * b1_1 + T(0.02) * b1_2) - d2_3 * f_sdot2_2 + d5_2 * f_sdot5_3 -
+      d5_3 * f_sdot5_2 + N1_1;
   const T b1_3 = R1_11 * G1_1 - R1_12 * minus_G1_2 + R1_13 * G1_3;
   const T f_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 + d5_3 * f_sdot5_1 - d5_1
       * f_sdot5_3 - minus_N1_2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 333efa68b461ccea of six_body_free/scene.toml; the usual functions
+// model 40d0531c415f512c of six_body_free/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -45,7 +45,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "333efa68b461ccea";
+inline constexpr char model_hash[] = "40d0531c415f512c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1337,7 +1337,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_17 = omega1_1 * omega1_3;
   const T minus_N1_1 = T(0.3500000000000001) * t1_13 + T(0.05) * (t1_14 - t1_15) - T(0.03) * t1_16 - T(0.04) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.04) * t1_13 - T(0.19999999999999996) * t1_17 - T(0.03) * (t1_15 - t1_18) - T(0.05) * t1_16;
+  const T minus_N1_2 = T(0.04) * t1_13 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_15 - t1_18)) - T(0.05) *
+      t1_16;
   const T minus_N1_3 = T(0.04) * (t1_18 - t1_14) - T(0.15000000000000013) * t1_16 + T(0.05) * t1_17 + T(0.03) * t1_13;
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
   const T minus_omegadot1_1 = T(0.9111440494716103) * minus_N1_1 - T(0.03955067476408207) * minus_N1_2 +
@@ -1361,7 +1362,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U1_32 = t1_13 - minus_omegadot1_1;
   const T minus_U1_33 = t1_14 + t1_18;
   // Pddot1 = -R1^T U1 r1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_19 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
   const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
   const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
   const T minus_Pddot1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21;
@@ -1408,7 +1409,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_15 = omega2_2 * omega2_2;
   const T t2_16 = omega2_3 * omega2_3;
   const T t2_17 = omega2_1 * omega2_3;
-  const T minus_N2_1 = T(0.01) * t2_13 - T(0.27) * t2_14 - T(0.03) * (t2_15 - t2_16) - T(0.02) * t2_17;
+  const T minus_N2_1 = T(0.01) * t2_13 - (T(0.27) * t2_14 + T(0.03) * (t2_15 - t2_16)) - T(0.02) * t2_17;
   const T t2_18 = omega2_1 * omega2_1;
   const T minus_N2_2 = T(0.31) * t2_17 + T(0.01) * (t2_16 - t2_18) + T(0.02) * t2_14 + T(0.03) * t2_13;
   const T minus_N2_3 = T(0.02) * (t2_18 - t2_15) - T(0.03999999999999998) * t2_13 - T(0.03) * t2_17 - T(0.01) * t2_14;
@@ -1499,14 +1500,14 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t3_18 = omega3_1 * omega3_1;
   const T minus_N3_2 = T(0.006) * (t3_15 - t3_18) - T(0.060000000000000026) * t3_17 - T(0.012) * t3_13 - T(0.008) *
       t3_16;
-  const T minus_N3_3 = T(0.008) * t3_17 - T(0.12) * t3_16 - T(0.012) * (t3_18 - t3_14) - T(0.006) * t3_13;
+  const T minus_N3_3 = T(0.008) * t3_17 - (T(0.12) * t3_16 + T(0.012) * (t3_18 - t3_14)) - T(0.006) * t3_13;
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T minus_omegadot3_1 = T(4.802738171107158) * minus_N3_1 + T(0.6515680436788388) * minus_N3_2 -
       T(0.12603323472619873) * minus_N3_3;
   const T minus_omegadot3_2 = T(0.6515680436788388) * minus_N3_1 + T(11.228847818436046) * minus_N3_2 -
       T(0.34718589188726445) * minus_N3_3;
-  const T minus_omegadot3_3 = T(3.716791431642427) * minus_N3_3 - T(0.12603323472619873) * minus_N3_1 -
-      T(0.34718589188726445) * minus_N3_2;
+  const T minus_omegadot3_3 = T(3.716791431642427) * minus_N3_3 - (T(0.12603323472619873) * minus_N3_1 +
+      T(0.34718589188726445) * minus_N3_2);
   ydot[6] = -minus_omegadot3_1;
   ydot[7] = -minus_omegadot3_2;
   ydot[8] = -minus_omegadot3_3;
@@ -1609,7 +1610,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U4_33 = t4_13 + t4_18;
   // Pddot4 = -R4^T U4 r4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t4_19 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
-  const T t4_20 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_20 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_21 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   const T minus_Pddot4_1 = R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21;
   const T minus_Pddot4_2 = R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
@@ -1753,7 +1754,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N6_1 = T(0.009000000000000001) * t6_13 + T(0.002) * (t6_14 - t6_15) - T(0.001) * t6_16 - T(0.0015) *
       t6_17;
   const T t6_18 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.0015) * t6_13 - T(0.005000000000000001) * t6_17 - T(0.001) * (t6_15 - t6_18) - T(0.002) *
+  const T minus_N6_2 = T(0.0015) * t6_13 - (T(0.005000000000000001) * t6_17 + T(0.001) * (t6_15 - t6_18)) - T(0.002) *
       t6_16;
   const T minus_N6_3 = T(0.0015) * (t6_18 - t6_14) - T(0.004) * t6_16 + T(0.002) * t6_17 + T(0.001) * t6_13;
   // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
@@ -1778,7 +1779,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_13 - minus_omegadot6_1;
   const T minus_U6_33 = t6_14 + t6_18;
   // Pddot6 = -R6^T U6 r6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t6_19 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_19 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_20 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_21 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
   const T minus_Pddot6_1 = R6_11 * t6_19 + R6_21 * t6_20 + R6_31 * t6_21;
@@ -1853,7 +1854,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U1_32 = t1_18 + omegadot1_1;
   const T minus_U1_33 = t1_14 + t1_17;
   // a1 = sddot1 + R1^T U1 r1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_19 = U1_13 * T(0.08) - minus_U1_11 * T(0.05) - U1_12 * T(0.02);
+  const T t1_19 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
   const T t1_20 = U1_21 * T(0.05) + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
   const T t1_21 = U1_31 * T(0.05) - U1_32 * T(0.02) - minus_U1_33 * T(0.08);
   const T a1_1 = sddot1_1 + R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21;
@@ -1923,12 +1924,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = sddot1 + R1^T (2 omega1~ sdot2 + sddot2 + U1 d2): acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t2_19 = T(2) * omega1_3;
-  const T t2_20 = T(2) * omega1_2;
-  const T t2_21 = sddot2_1 - t2_19 * sdot2_2 + t2_20 * sdot2_3 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_19 = T(2) * omega1_2;
+  const T t2_20 = T(2) * omega1_3;
+  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = sddot2_2 - t2_22 * sdot2_3 + t2_19 * sdot2_1 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = sddot2_3 - t2_20 * sdot2_1 + t2_22 * sdot2_2 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
   const T Pddot2_1 = sddot1_1 + R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24;
   const T Pddot2_2 = sddot1_2 + R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24;
   const T Pddot2_3 = sddot1_3 + R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24;
@@ -2003,12 +2004,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = R2^T (2 omega2~ sdot3 + sddot3 + U2 d3) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t3_19 = T(2) * omega2_3;
-  const T t3_20 = T(2) * omega2_2;
-  const T t3_21 = sddot3_1 - t3_19 * sdot3_2 + t3_20 * sdot3_3 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_19 = T(2) * omega2_2;
+  const T t3_20 = T(2) * omega2_3;
+  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = sddot3_2 - t3_22 * sdot3_3 + t3_19 * sdot3_1 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = sddot3_3 - t3_20 * sdot3_1 + t3_22 * sdot3_2 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
   const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
   const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
   const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
@@ -2083,15 +2084,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = sddot4_1 - t3_19 * sdot4_2 + t3_20 * sdot4_3 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
-  const T t4_20 = sddot4_2 - t3_22 * sdot4_3 + t3_19 * sdot4_1 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
-  const T t4_21 = sddot4_3 - t3_20 * sdot4_1 + t3_22 * sdot4_2 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T t4_19 = t3_19 * sdot4_3 - t3_20 * sdot4_2 + sddot4_1 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = t3_20 * sdot4_1 - t3_22 * sdot4_3 + sddot4_2 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = t3_22 * sdot4_2 - t3_19 * sdot4_1 + sddot4_3 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
   const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
   const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
   const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
-  const T t4_23 = U4_23 * T(0.1) - U4_21 * T(0.03) - minus_U4_22 * T(0.06);
+  const T t4_23 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_24 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
   const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
@@ -2160,9 +2161,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = sddot1 + R1^T (2 omega1~ sdot5 + sddot5 + U1 d5): acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = sddot5_1 - t2_19 * sdot5_2 + t2_20 * sdot5_3 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
-  const T t5_20 = sddot5_2 - t2_22 * sdot5_3 + t2_19 * sdot5_1 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
-  const T t5_21 = sddot5_3 - t2_20 * sdot5_1 + t2_22 * sdot5_2 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T t5_19 = t2_19 * sdot5_3 - t2_20 * sdot5_2 + sddot5_1 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = t2_20 * sdot5_1 - t2_22 * sdot5_3 + sddot5_2 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = t2_22 * sdot5_2 - t2_19 * sdot5_1 + sddot5_3 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
   const T Pddot5_1 = sddot1_1 + R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21;
   const T Pddot5_2 = sddot1_2 + R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21;
   const T Pddot5_3 = sddot1_3 + R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21;
@@ -2237,17 +2238,17 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = R5^T (2 omega5~ sdot6 + sddot6 + U5 d6) + Pddot5: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t6_19 = T(2) * omega5_3;
-  const T t6_20 = T(2) * omega5_2;
-  const T t6_21 = sddot6_1 - t6_19 * sdot6_2 + t6_20 * sdot6_3 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_19 = T(2) * omega5_2;
+  const T t6_20 = T(2) * omega5_3;
+  const T t6_21 = t6_19 * sdot6_3 - t6_20 * sdot6_2 + sddot6_1 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
   const T t6_22 = T(2) * omega5_1;
-  const T t6_23 = sddot6_2 - t6_22 * sdot6_3 + t6_19 * sdot6_1 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
-  const T t6_24 = sddot6_3 - t6_20 * sdot6_1 + t6_22 * sdot6_2 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T t6_23 = t6_20 * sdot6_1 - t6_22 * sdot6_3 + sddot6_2 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = t6_22 * sdot6_2 - t6_19 * sdot6_1 + sddot6_3 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
   const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
   const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
   const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_25 = U6_13 * T(0.07) - minus_U6_11 * T(0.09) - U6_12 * T(0.05);
+  const T t6_25 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_26 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_27 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
   const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
@@ -2269,7 +2270,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
-  const T r_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
+  const T r_omega6_1 = N6_1 - (T(0.07) * b6_1 + T(0.05) * b6_2);
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
   const T r_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 + N6_2;
   const T r_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
@@ -2294,7 +2295,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
   const T r_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 + N5_1;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T r_omega5_2 = d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3 - T(0.04) * b5_3 - T(0.38) * b5_2 + N5_2;
+  const T r_omega5_2 = d6_3 * r_sdot6_1 - (T(0.04) * b5_3 + T(0.38) * b5_2) - d6_1 * r_sdot6_3 + N5_2;
   const T r_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N5_3;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
@@ -2314,7 +2315,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T r_omega4_1 = T(0.06) * b4_1 - T(0.1) * b4_2 + N4_1;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
   const T r_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_1 + N4_2;
-  const T r_omega4_3 = N4_3 - T(0.03) * b4_2 - T(0.06) * b4_3;
+  const T r_omega4_3 = N4_3 - (T(0.03) * b4_2 + T(0.06) * b4_3);
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -2332,7 +2333,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b3_2 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
   const T r_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 + N3_1;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T r_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T r_omega3_2 = N3_2 - (T(0.02) * b3_3 + T(0.1) * b3_2);
   const T r_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
@@ -2382,8 +2383,8 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
-  const T r_omega1_1 = d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 - T(0.08) * b1_1 - T(0.02) * b1_2 + d5_2 * r_sdot5_3 - d5_3
-      * r_sdot5_2 + N1_1;
+  const T r_omega1_1 = d2_2 * r_sdot2_3 - (T(0.08) * b1_1 + T(0.02) * b1_2) - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3 -
+      d5_3 * r_sdot5_2 + N1_1;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
   const T r_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1 - d5_1
       * r_sdot5_3 + N1_2;
@@ -2447,7 +2448,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t1_23 = omega1_1 * omega1_3;
   const T minus_N1_1 = T(0.3500000000000001) * t1_19 + T(0.05) * (t1_20 - t1_21) - T(0.03) * t1_22 - T(0.04) * t1_23;
   const T t1_24 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.04) * t1_19 - T(0.19999999999999996) * t1_23 - T(0.03) * (t1_21 - t1_24) - T(0.05) * t1_22;
+  const T minus_N1_2 = T(0.04) * t1_19 - (T(0.19999999999999996) * t1_23 + T(0.03) * (t1_21 - t1_24)) - T(0.05) *
+      t1_22;
   const T minus_N1_3 = T(0.04) * (t1_24 - t1_20) - T(0.15000000000000013) * t1_22 + T(0.05) * t1_23 + T(0.03) * t1_19;
 
   // ---- body 2 (boom) on body 1
@@ -2512,7 +2514,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t2_27 = omega2_2 * omega2_2;
   const T t2_28 = omega2_3 * omega2_3;
   const T t2_29 = omega2_1 * omega2_3;
-  const T minus_N2_1 = T(0.01) * t2_25 - T(0.27) * t2_26 - T(0.03) * (t2_27 - t2_28) - T(0.02) * t2_29;
+  const T minus_N2_1 = T(0.01) * t2_25 - (T(0.27) * t2_26 + T(0.03) * (t2_27 - t2_28)) - T(0.02) * t2_29;
   const T t2_30 = omega2_1 * omega2_1;
   const T minus_N2_2 = T(0.31) * t2_29 + T(0.01) * (t2_28 - t2_30) + T(0.02) * t2_26 + T(0.03) * t2_25;
   const T minus_N2_3 = T(0.02) * (t2_30 - t2_27) - T(0.03999999999999998) * t2_25 - T(0.03) * t2_29 - T(0.01) * t2_26;
@@ -2584,7 +2586,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t3_30 = omega3_1 * omega3_1;
   const T minus_N3_2 = T(0.006) * (t3_27 - t3_30) - T(0.060000000000000026) * t3_29 - T(0.012) * t3_25 - T(0.008) *
       t3_28;
-  const T minus_N3_3 = T(0.008) * t3_29 - T(0.12) * t3_28 - T(0.012) * (t3_30 - t3_26) - T(0.006) * t3_25;
+  const T minus_N3_3 = T(0.008) * t3_29 - (T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26)) - T(0.006) * t3_25;
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2787,7 +2789,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_N6_1 = T(0.009000000000000001) * t6_25 + T(0.002) * (t6_26 - t6_27) - T(0.001) * t6_28 - T(0.0015) *
       t6_29;
   const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.0015) * t6_25 - T(0.005000000000000001) * t6_29 - T(0.001) * (t6_27 - t6_30) - T(0.002) *
+  const T minus_N6_2 = T(0.0015) * t6_25 - (T(0.005000000000000001) * t6_29 + T(0.001) * (t6_27 - t6_30)) - T(0.002) *
       t6_28;
   const T minus_N6_3 = T(0.0015) * (t6_30 - t6_26) - T(0.004) * t6_28 + T(0.002) * t6_29 + T(0.001) * t6_25;
 
@@ -2818,7 +2820,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * minus_G5_1 + R5_22 * minus_G5_2 + R5_23 * minus_G5_3;
   const T b5_2 = R5_31 * minus_G5_1 + R5_32 * minus_G5_2 + R5_33 * minus_G5_3;
-  const T f_omega5_1 = d6_3 * minus_f_sdot6_2 - d6_2 * minus_f_sdot6_3 - T(0.04) * b5_1 - T(0.02) * b5_2 - minus_N5_1;
+  const T f_omega5_1 = d6_3 * minus_f_sdot6_2 - (T(0.04) * b5_1 + T(0.02) * b5_2) - d6_2 * minus_f_sdot6_3 -
+      minus_N5_1;
   const T b5_3 = R5_11 * minus_G5_1 + R5_12 * minus_G5_2 + R5_13 * minus_G5_3;
   const T f_omega5_2 = T(0.04) * b5_3 + T(0.38) * b5_2 + d6_1 * minus_f_sdot6_3 - d6_3 * minus_f_sdot6_1 - minus_N5_2;
   const T f_omega5_3 = T(0.02) * b5_3 - T(0.38) * b5_1 + d6_2 * minus_f_sdot6_1 - d6_1 * minus_f_sdot6_2 - minus_N5_3;
@@ -2913,7 +2916,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T b1_3 = R1_11 * minus_G1_1 + R1_12 * minus_G1_2 + R1_13 * minus_G1_3;
   const T f_omega1_2 = T(0.05) * b1_2 - T(0.08) * b1_3 + d2_1 * minus_f_sdot2_3 - d2_3 * minus_f_sdot2_1 + d5_1 *
       minus_f_sdot5_3 - d5_3 * minus_f_sdot5_1 - minus_N1_2;
-  const T f_omega1_3 = d2_2 * minus_f_sdot2_1 - d2_1 * minus_f_sdot2_2 - T(0.05) * b1_1 - T(0.02) * b1_3 + d5_2 *
+  const T f_omega1_3 = d2_2 * minus_f_sdot2_1 - (T(0.05) * b1_1 + T(0.02) * b1_3) - d2_1 * minus_f_sdot2_2 + d5_2 *
       minus_f_sdot5_1 - d5_1 * minus_f_sdot5_2 - minus_N1_3;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2c2d3cc9302a3c97 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model 02a71f4c96d80662 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "2c2d3cc9302a3c97";
+inline constexpr char model_hash[] = "02a71f4c96d80662";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -222,7 +222,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // T3 = 1/2 m3 Pdot3 . Pdot3: kinetic energy [J]
   const T T3 = sdot3 * sdot3 * T(0.2);
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -275,7 +275,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, T* out) noexcept {
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -337,7 +337,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -420,7 +420,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T sdot3 = y[1];
   const T sddot3 = ydot[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -520,7 +520,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -593,7 +593,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, T* power) no
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
@@ -670,7 +670,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T sdot3 = y[1];
   const T sddot3 = ydot[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
   const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/rolled.hpp"
 #include "generator/emit/section.hpp"
 #include "generator/emit/signature.hpp"
 #include "runtime/base/error.hpp"
@@ -29,13 +30,15 @@ class Emission {
         results_(results(function)),
         arguments_(program, function, named.has_inputs),
         cost_(cost),
+        named_(named),
         statements_(program, stages, Stage::state, function.outputs) {
     for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
   }
 
-  std::string text() {
+  std::string text(const Form& form) {
+    if (form.loops) return comments() + rolled_text(model_, program_, function_, *form.loops, named_);
     const bool placed = !function_.placements.empty();
     Shape shape{function_.name,
                 arguments_.parameters(),
@@ -197,6 +200,7 @@ class Emission {
   std::vector<program::Result> results_;
   ArgumentList arguments_;
   program::Ledger cost_;
+  const Named& named_;
   Statements statements_;
   std::unordered_map<Index, std::vector<std::size_t>> places_;  // outputs by node
   std::vector<bool> stored_;
@@ -208,9 +212,17 @@ class Emission {
 
 }  // namespace
 
+std::string prepared_name(const program::Program& program, const Named& named, Index node) {
+  const auto known = named.prepared.find(node);
+  if (known != named.prepared.end()) return known->second.text;
+  const auto* variable = std::get_if<program::Variable>(&program.nodes[static_cast<std::size_t>(node)]);
+  if (variable == nullptr) throw InternalError("emit: a result of parameters without a name");
+  return variable_name(program, *variable, Stage::state);
+}
+
 std::string emit_function(const Model& model, const program::Program& program, const std::vector<Stage>& stages,
-                          const Function& function, const program::Ledger& cost, const Named& named) {
-  return Emission(model, program, stages, function, cost, named).text();
+                          const Function& function, const program::Ledger& cost, const Named& named, const Form& form) {
+  return Emission(model, program, stages, function, cost, named).text(form);
 }
 
 }  // namespace kanec::emit

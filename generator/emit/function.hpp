@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "generator/emit/form.hpp"
 #include "generator/emit/model.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
@@ -22,8 +23,11 @@ struct Named {
   bool has_inputs = false;  // the model has a struct Inputs
 };
 
+// What a function calls a result of parameters: "c.Iinv2_11", "c.p.m_1".
+std::string prepared_name(const program::Program& program, const Named& named, program::Index node);
+
 std::string emit_function(const Model& model, const program::Program& program,
                           const std::vector<program::Stage>& stages, const program::Function& function,
-                          const program::Ledger& cost, const Named& named);
+                          const program::Ledger& cost, const Named& named, const Form& form);
 
 }  // namespace kanec::emit

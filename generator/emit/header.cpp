@@ -2,6 +2,7 @@
 #include "generator/emit/header.hpp"
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/form.hpp"
 #include "generator/emit/function.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/preamble.hpp"
@@ -31,15 +32,16 @@ std::string emit_header(const Model& model, const program::Program& program) {
   const std::vector<program::Stage> stages = program::stages(program);
   const Preparation preparation = emit_prepare(read, program, stages);
   const std::vector<program::Ledger> costs = program::ledgers(program);
+  const std::vector<Form> how = forms(program, costs, model.optimize);
   const std::string included = includes(program);
-  std::string text = preamble(model, program, read, costs) + "#pragma once\n\n" + included +
+  std::string text = preamble(model, program, read, costs) + memory(program, how) + "#pragma once\n\n" + included +
                      (included.empty() ? "" : "\n") + "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
                      "inline constexpr char model_hash[] = \"" + model.hash + "\";\n\n" + state_constants(scene) +
                      selection(program);
   for (const program::Function& function : program.functions) text += sparsity(program, function);
   text += preparation.text;
   for (std::size_t i = 0; i < costs.size(); ++i)
-    text += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named);
+    text += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named, how[i]);
   return text + "\n}  // namespace kanec::" + scene.name + "\n";
 }
 

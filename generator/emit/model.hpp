@@ -8,12 +8,17 @@
 
 namespace kanec::emit {
 
+// What emitted code is made for: time; or memory for code and constants, as controllers have little of; or, to compare,
+// straight lines or loops over bodies whatever they cost.
+enum class Optimize { speed, size, line, loops };
+
 struct Model {
   const scene::Scene* scene = nullptr;
   std::string version;  // of the generator: "0.1.0"
   std::string hash;     // of the emitted text
   std::string options;  // as text: "all functions"
   std::string source = {};  // where the scene was read: a path, or empty
+  Optimize optimize = Optimize::speed;
 };
 
 }  // namespace kanec::emit

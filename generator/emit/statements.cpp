@@ -115,7 +115,8 @@ Statements::Text Statements::expression(Index node) {
 Statements::Text Statements::operation(const Node& node) {
   return std::visit(program::Overloaded{
                         [&](const program::Constant& op) -> Text {
-                          return {"T(" + literal(op.value.rounded()) + ")", 2, false};
+                          const double value = op.value.rounded();
+                          return {"T(" + literal(std::abs(value)) + ")", 2, value < 0};
                         },
                         [&](const program::Variable& op) -> Text {
                           variables_.push_back(op);

@@ -17,7 +17,12 @@ struct Multiple {
 
 class Collection {
  public:
-  explicit Collection(const Program& program) : program_(program), sums_(program) {}
+  explicit Collection(const Program& program) : program_(program), sums_(program) {
+    std::vector<Index> unchanged;
+    for (const auto& [sum, terms] : sums_.sums)
+      if (!collects(terms)) unchanged.push_back(sum);
+    for (const Index sum : unchanged) sums_.leave(program, sum);
+  }
 
   Program result() {
     Index now = 0;
@@ -48,6 +53,19 @@ class Collection {
     }
     if (term.negative) result.factor = -result.factor;
     return result;
+  }
+
+  // Whether two terms make one, and save an operation.
+  bool collects(const Terms& terms) const {
+    std::map<Index, bool> known;  // by base: whether one of its terms is a constant or a product
+    for (const Ref term : terms) {
+      const Multiple m = multiple(term);
+      const bool saves = m.base < 0 || m.is_product;
+      const auto [before, is_new] = known.emplace(m.base, saves);
+      if (!is_new && (saves || before->second)) return true;
+      before->second = before->second || saves;
+    }
+    return false;
   }
 
   // Terms of one base in the place of the first of them.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "generator/program/share.hpp"
+
 #include <array>
 #include <bit>
 #include <functional>
@@ -8,20 +10,7 @@
 #include "generator/program/passes.hpp"
 
 namespace kanec::program {
-namespace {
 
-// Operation and operands, commutative ones in ascending order; of constants the bits.
-using Key = std::array<std::uint64_t, 4>;
-
-struct Hash {
-  std::size_t operator()(const Key& key) const {
-    std::uint64_t hash = 0;
-    for (const std::uint64_t part : key) hash = (std::rotl(hash, 23) ^ part) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
-  }
-};
-
-// The kind of node and, of calls, the function.
 std::uint64_t operation(const Node& node) {
   std::uint64_t function = 0;
   if (const auto* unary = std::get_if<UnaryCall>(&node)) function = static_cast<std::uint64_t>(unary->function);
@@ -34,6 +23,19 @@ bool commutes(const Node& node) {
     return call->function == Binary::min || call->function == Binary::max;
   return std::holds_alternative<Add>(node) || std::holds_alternative<Multiply>(node);
 }
+
+namespace {
+
+// Operation and operands, commutative ones in ascending order; of constants the bits.
+using Key = std::array<std::uint64_t, 4>;
+
+struct Hash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t part : key) hash = (std::rotl(hash, 23) ^ part) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+};
 
 Key key_of(const Node& node) {
   Key key = {operation(node), 0, 0, 0};

@@ -22,7 +22,7 @@ class SumSharing {
  public:
   explicit SumSharing(const Program& program)
       : program_(program), first_pair_(static_cast<Index>(program.nodes.size())) {
-    Sums sums(program);
+    Sums sums(program, TermOrder::as_written);
     inner_ = std::move(sums.inner);
     sums_ = std::move(sums.sums);
     while (take_out_a_round()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/program/sums.hpp"
 
+#include <array>
+
 namespace kanec::program {
 namespace {
 
@@ -29,13 +31,19 @@ std::vector<bool> partial_sums(const Program& program) {
   return inner;
 }
 
-void flatten(const Program& program, const std::vector<bool>& inner, Ref ref, Terms& terms) {
+// Whether the second operand was written first.
+bool is_reversed(const Operands& from, const std::vector<bool>& inner) {
+  return inner[at(from.at[1])] && (!inner[at(from.at[0])] || from.at[1] < from.at[0]);
+}
+
+void flatten(const Program& program, const std::vector<bool>& inner, TermOrder order, Ref ref, Terms& terms) {
   const Operands from = operands(program.nodes[at(ref.node)]);
   const bool difference = std::holds_alternative<Subtract>(program.nodes[at(ref.node)]);
-  for (int i = 0; i < 2; ++i) {
+  const bool reversed = difference && order == TermOrder::as_written && is_reversed(from, inner);
+  for (const int i : reversed ? std::array{1, 0} : std::array{0, 1}) {
     const Ref operand{from.at[i], ref.negative != (difference && i == 1)};
     if (inner[at(operand.node)])
-      flatten(program, inner, operand, terms);
+      flatten(program, inner, order, operand, terms);
     else
       terms.push_back(operand);
   }
@@ -43,9 +51,23 @@ void flatten(const Program& program, const std::vector<bool>& inner, Ref ref, Te
 
 }  // namespace
 
-Sums::Sums(const Program& program) : inner(partial_sums(program)) {
+Sums::Sums(const Program& program, TermOrder order) : inner(partial_sums(program)) {
   for (Index i = 0; i < static_cast<Index>(program.nodes.size()); ++i)
-    if (is_sum(program.nodes[at(i)]) && !inner[at(i)]) flatten(program, inner, {i, false}, sums[i]);
+    if (is_sum(program.nodes[at(i)]) && !inner[at(i)]) flatten(program, inner, order, {i, false}, sums[i]);
+}
+
+void Sums::leave(const Program& program, Index sum) {
+  sums.erase(sum);
+  std::vector<Index> open = {sum};
+  while (!open.empty()) {
+    const Operands from = operands(program.nodes[at(open.back())]);
+    open.pop_back();
+    for (int i = 0; i < from.count; ++i) {
+      if (!inner[at(from.at[i])]) continue;
+      inner[at(from.at[i])] = false;
+      open.push_back(from.at[i]);
+    }
+  }
 }
 
 }  // namespace kanec::program

@@ -12,8 +12,15 @@ namespace kanec::program {
 
 using Terms = std::vector<Ref>;
 
+// The order of terms: as the operations stand, or as they were written: -(a + b) + c becomes c - (a + b), and is read as
+// the former. Of sums that differ in the signs of constants only, the latter gives the same order.
+enum class TermOrder { as_it_stands, as_written };
+
 struct Sums {
-  explicit Sums(const Program& program);
+  explicit Sums(const Program& program, TermOrder order = TermOrder::as_it_stands);
+
+  // Takes a sum, and its partial sums, off the lists.
+  void leave(const Program& program, Index sum);
 
   std::vector<bool> inner;      // of each node: a partial sum; its one use is in another sum of its stage, without a name
   std::map<Index, Terms> sums;  // by the node that holds the whole

@@ -85,6 +85,7 @@ std::string EnsembleSummary::text() const {
     text += line("energy change minus work", fmt::format("at worst {} relative, {} on average",
                                                          brief(energy_error_.largest()), brief(energy_error_.mean())));
   text += line("worst | |eps| - 1 |", brief(norm_error_) + " before projection");
+  if (names_.empty()) return text;
   std::vector<TextRow> rows = {{"  at the end", "mean", "deviation", "least", "largest"}};
   for (std::size_t i = 0; i < std::min(names_.size(), shown_names); ++i)
     rows.push_back({"  " + names_[i], brief(ends_[i].mean()), brief(ends_[i].deviation()), brief(ends_[i].least()),

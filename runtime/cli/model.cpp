@@ -69,7 +69,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
   add_algorithm(command, arguments.algorithm);
-  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, c++, g++ or clang++")
+  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++")
       ->option_text("PROGRAM")
       ->group(group);
   command

@@ -88,17 +88,21 @@ integrate::Options integration(const scene::Simulation& run) {
 }
 
 bool takes_standard_output(const Options& options) {
-  return is_standard_output(options.csv) || is_standard_output(options.plot) || is_standard_output(options.final_state);
+  return is_standard_output(options.csv) || is_standard_output(options.plot) ||
+         is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
 void refuse_same_file(const Options& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
-  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state};
-  for (int i = 0; i < 3; ++i)
+  const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
+  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state, &options.ensemble.drawn,
+                                      &read};
+  for (int i = 0; i < 5; ++i)
     for (int j = 0; j < i; ++j)
       if (!files[i]->empty() && *files[i] == *files[j])
-        throw InputError("--csv, --plot, --final: found '" + *files[i] + "' twice; allowed: a file each");
+        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + *files[i] +
+                         "' twice; allowed: a file each");
 }
 
 // What the run leaves behind; each file is opened before the run and appears after it.

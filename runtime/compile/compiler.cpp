@@ -60,7 +60,7 @@ Candidates candidates(const std::string& wish) {
   if (const std::string own = variable("KANEC_CXX"); !own.empty()) return {{{own, " ($KANEC_CXX)"}}, true};
   Candidates all;
   if (const std::string cxx = variable("CXX"); !cxx.empty()) all.list.push_back({cxx, " ($CXX)"});
-  for (const char* name : {"c++", "g++", "clang++"}) all.list.push_back({name, ""});
+  for (const char* name : {"clang++", "c++", "g++"}) all.list.push_back({name, ""});
   return all;
 }
 

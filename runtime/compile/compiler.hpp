@@ -14,7 +14,7 @@ struct Compiler {
   std::string version;                 // what it answers to --version
 };
 
-// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, c++, g++, clang++. Each may carry
+// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, clang++ (see docs/compile_time.md), c++, g++. Each may carry
 // arguments after blanks. Throws BuildError that names all that were tried, or shows what a broken one says.
 Compiler find_compiler(const std::string& wish);
 

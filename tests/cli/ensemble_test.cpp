@@ -110,6 +110,27 @@ TEST_F(EnsembleCommand, draws_as_the_scene_says) {
   EXPECT_NEAR(std::sqrt(squares / 4000), 0.2, 4 * 0.2 / std::sqrt(8000.0));
 }
 
+TEST_F(EnsembleCommand, reads_scenarios_from_standard_input_and_writes_ends_to_standard_output) {
+  const Answer answer = kanec({"simulate", "scene.toml", "--ensemble", "-", "--csv", "-"}, "theta_1\n0.1\n0.2");
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(lines(answer.out).size(), 3u);
+  EXPECT_THAT(answer.err, HasSubstr("2 finished"));
+}
+
+// The first speed's square is infinite.
+TEST_F(EnsembleCommand, tells_of_a_scenario_that_stopped_and_refuses_where_all_did) {
+  for (const char* method : {"rk4", "arkode"}) {
+    write("runs.csv", "thetadot_1\n1e300\n0.1\n");
+    const Answer some = kanec({"simulate", "scene.toml", "--ensemble", "runs.csv", "--integrator", method});
+    EXPECT_EQ(some.status, 0) << some.err;
+    EXPECT_THAT(some.out, HasSubstr("1 finished, 1 stopped"));
+    EXPECT_THAT(some.out, HasSubstr("runs.csv:2: integration stopped"));
+    write("runs.csv", "thetadot_1\n1e300\n");
+    refuses({"simulate", "scene.toml", "--ensemble", "runs.csv", "--integrator", method, "--csv", "ends.csv"},
+            "every scenario stopped; the first: runs.csv:2: integration stopped", {"runs.csv", "scene.toml"});
+  }
+}
+
 TEST_F(EnsembleCommand, keeps_rows_on_request) {
   kanec({"simulate", "scene.toml", "--ensemble", "scene", "--count", "3", "--keep-every", "2", "--csv", "rows.csv"});
   const std::vector<std::string> rows = lines(read_file(work() / "rows.csv"));
@@ -152,6 +173,10 @@ TEST_F(EnsembleCommand, refuses_options_that_do_not_go_together) {
   refuses({"simulate", "scene.toml", "--threads", "2"}, "found without --ensemble; allowed: with it", files);
   refuses({"simulate", "scene.toml", "--ensemble", "scene", "--plot", "a.svg"}, "--plot, --final: found beside", files);
   refuses({"simulate", "scene.toml", "--ensemble", "none.csv"}, "none.csv", files);
+  refuses({"simulate", "scene.toml", "--ensemble", "a.csv", "--csv", "a.csv"}, "found 'a.csv' twice", files);
+  refuses({"simulate", "scene.toml", "--ensemble", "scene", "--csv", "-", "--drawn", "-"}, "found '-' twice", files);
+  refuses({"simulate", "scene.toml", "--ensemble", "scene", "--drawn", "-", "--json"}, "--json: found it beside",
+          files);
   refuses({"simulate", "scene.toml", "--ensemble", "x.csv", "--seed", "2"}, "allowed: with --ensemble scene", files);
   refuses({"simulate", model("pendulum"), "--ensemble", "scene"}, "draws nothing; allowed: a scene whose [ensemble]",
           files);

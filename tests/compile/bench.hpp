@@ -67,6 +67,29 @@ inline Source toy_with(const std::string& what, const std::string& by) {
   return source;
 }
 
+// The same for two lanes, written as a loop: what a batch must export.
+inline Source toy_batch() {
+  Source source = toy();
+  std::string& text = source.files[1].second;
+  text = replaced(text, "&model; }", "&model; }\n" R"(namespace {
+void prepare_batch(int64_t, int64_t, int64_t, const void* parameters, void* prepared) {
+  prepare(static_cast<const double*>(parameters), prepared);
+}
+void evaluate_batch(const kanec_states* states, void* out) {
+  for (int64_t j = states->begin; j < states->end; ++j)
+    accelerations(states->prepared, 0, static_cast<const double*>(states->x) + j, nullptr, nullptr, nullptr,
+                  static_cast<double*>(out) + j);
+}
+const kanec_evaluate_batch evaluate[] = {evaluate_batch};
+const kanec_batch batch = {KANEC_ABI_VERSION, sizeof(kanec_batch), &model, 2, sizeof(double), sizeof(double),
+                           alignof(double), 1, prepare_batch, evaluate, nullptr};
+}
+extern "C" __attribute__((visibility("default"))) const kanec_batch* kanec_model_batch(void) { return &batch; }
+)");
+  source.is_batch = true;
+  return source;
+}
+
 // y' of the toy at x = 3: -12 by its default parameter.
 inline double evaluate(const Model& model) {
   const Solver solver(model.abi());

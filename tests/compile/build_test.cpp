@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "kanec_abi_text.hpp"
+#include "runtime/abi/batch_solver.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/compile/bench.hpp"
@@ -43,6 +44,48 @@ TEST_F(Build, model_is_compiled_and_called) {
   EXPECT_THAT(model.notes(), IsEmpty());
   EXPECT_EQ(model.library(), cache() / entries().at(0) / "model.so");
   EXPECT_EQ(runs(), 1);
+}
+
+TEST_F(Build, batch_is_compiled_and_called) {
+  const Model model = build(toy_batch(), options);
+  BatchSolver<double> solver(model.batch());
+  const double x[] = {3.0, 1.0, -2.0};
+  double ydot[3] = {};
+  BatchStates<double> states;
+  states.count = 3;
+  states.x = x;
+  solver.evaluate(*solver.find("accelerations"), states, ydot);
+  EXPECT_THAT(ydot, ElementsAre(-12.0, -4.0, 8.0));
+  EXPECT_TRUE(build(toy_batch(), options).from_cache());
+}
+
+TEST_F(Build, batch_and_model_of_one_scene_are_two_entries) {
+  build(toy(), options);
+  Source batch = toy_batch();
+  batch.flags = {"-DKANEC_SCALAR=double"};
+  build(batch, options);
+  batch.flags = {"-DKANEC_SCALAR=float"};
+  build(batch, options);
+  EXPECT_THAT(entries(), SizeIs(3));
+}
+
+TEST_F(Build, flags_of_the_source_stand_before_those_that_are_asked_for) {
+  Source source = toy_with("= {4.0}", "= {FACTOR}");
+  source.flags = {"-DFACTOR=5.0"};
+  EXPECT_EQ(evaluate(build(source, options)), -15.0);
+  options.flags = {"-O0", "-UFACTOR", "-DFACTOR=6.0"};
+  EXPECT_EQ(evaluate(build(source, options)), -18.0);
+}
+
+TEST_F(Build, library_without_the_batch_that_is_asked_for_is_refused) {
+  Source source = toy();
+  source.is_batch = true;
+  EXPECT_THAT(message_of<LoadError>(source, options), HasSubstr("kanec_model_batch"));
+  Source other = toy_batch();
+  other.files[1].second = replaced(other.files[1].second, "sizeof(kanec_batch)", "8u");
+  EXPECT_EQ(message_of<LoadError>(other, options),
+            "compiled model toy: batch descriptor size is 8, expected " + std::to_string(sizeof(kanec_batch)));
+  EXPECT_THROW(build(toy(), options).batch(), InternalError);
 }
 
 TEST_F(Build, second_build_compiles_nothing) {

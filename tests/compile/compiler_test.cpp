@@ -39,14 +39,14 @@ class FindCompiler : public testing::Test {
 };
 
 TEST_F(FindCompiler, wish_comes_first_then_the_variables_then_the_usual_names) {
-  for (const char* name : {"wished", "own", "general", "c++", "g++", "clang++"}) put(name, name);
+  for (const char* name : {"wished", "own", "general", "clang++", "c++", "g++"}) put(name, name);
   const Variable own("KANEC_CXX", "own"), general("CXX", "general");
   EXPECT_EQ(find_compiler("wished").path, folder() / "wished");
   EXPECT_EQ(find_compiler("").path, folder() / "own");
   const Variable no_own("KANEC_CXX", "");
   EXPECT_EQ(find_compiler("").path, folder() / "general");
   const Variable no_general("CXX", std::nullopt);
-  for (const char* name : {"c++", "g++", "clang++"}) {
+  for (const char* name : {"clang++", "c++", "g++"}) {
     EXPECT_EQ(find_compiler("").path, folder() / name);
     fs::remove(folder() / name);
   }
@@ -76,10 +76,10 @@ TEST_F(FindCompiler, blank_in_its_path_is_no_separator) {
 
 TEST_F(FindCompiler, all_that_were_tried_are_named) {
   EXPECT_EQ(complaint(""),
-            "no C++ compiler found; tried c++, g++, clang++; install one (Debian: apt install g++) or name one in "
+            "no C++ compiler found; tried clang++, c++, g++; install one (Debian: apt install g++) or name one in "
             "KANEC_CXX");
   const Variable general("CXX", "icpx -m64");
-  EXPECT_THAT(complaint(""), StartsWith("no C++ compiler found; tried icpx -m64 ($CXX), c++, g++, clang++; install"));
+  EXPECT_THAT(complaint(""), StartsWith("no C++ compiler found; tried icpx -m64 ($CXX), clang++, c++, g++; install"));
 }
 
 TEST_F(FindCompiler, one_asked_for_by_name_is_not_replaced) {

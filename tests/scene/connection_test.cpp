@@ -48,7 +48,7 @@ TEST(Connection, array_of_another_length_than_bodies_is_refused) {
 
 TEST(Connection, scene_without_bodies_is_refused) {
   EXPECT_EQ(message("name = 'none'\nconnection = []\n"),
-            "f:2: connection: found no bodies; allowed: 1 to 64 numbers, one a body");
+            "f:2: connection: found no bodies; allowed: 1 to 512 numbers, one a body");
   EXPECT_EQ(message("name = 'none'\nconnection = [0]\nbody = []\n"),
             "f:3: body: found 0 [[body]] tables; allowed: 1 [[body]] table, one a number of connection");
 }
@@ -79,10 +79,10 @@ std::string chain(int bodies) {
   return text;
 }
 
-TEST(Connection, bodies_are_one_to_64) {
+TEST(Connection, bodies_are_one_to_512) {
   const auto bracketed = [](const std::string& array) { return std::string("[").append(array).append("]"); };
   EXPECT_EQ(size(parse(tree(bracketed(chain(64)), 64), "f")), 64);
-  EXPECT_EQ(message(tree(bracketed(chain(65)), 65)), "f:2: connection: found 65 bodies; allowed: 1 to 64");
+  EXPECT_EQ(message(tree(bracketed(chain(513)), 513)), "f:2: connection: found 513 bodies; allowed: 1 to 512");
 }
 
 TEST(Connection, forest_is_read) {
@@ -120,12 +120,12 @@ TEST(ConnectionText, error_names_position_and_what_was_found) {
 }
 
 TEST(ConnectionText, array_that_is_no_tree_is_refused) {
-  EXPECT_EQ(command_line(""), "--connection: found no bodies; allowed: 1 to 64 numbers, one a body");
-  EXPECT_EQ(command_line("  "), "--connection: found no bodies; allowed: 1 to 64 numbers, one a body");
+  EXPECT_EQ(command_line(""), "--connection: found no bodies; allowed: 1 to 512 numbers, one a body");
+  EXPECT_EQ(command_line("  "), "--connection: found no bodies; allowed: 1 to 512 numbers, one a body");
   EXPECT_EQ(command_line("0,-1"),
             "--connection: number 2: found -1; allowed: 0 (the inertial frame) or the number of a lower body");
   EXPECT_THAT(command_line("1,1"), HasSubstr("found no body on the inertial frame"));
-  EXPECT_EQ(command_line(chain(65)), "--connection: found 65 bodies; allowed: 1 to 64");
+  EXPECT_EQ(command_line(chain(513)), "--connection: found 513 bodies; allowed: 1 to 512");
 }
 
 TEST(ConnectionText, long_text_is_shown_by_its_beginning) {

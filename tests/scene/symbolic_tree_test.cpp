@@ -80,7 +80,7 @@ TEST(SymbolicTree, has_no_joint_point_on_the_inertial_frame) {
 }
 
 TEST(SymbolicTree, names_are_identifiers_and_each_its_own) {
-  const Scene scene = from_connection(chain(64));
+  const Scene scene = from_connection(chain(512));
   std::set<std::string> names;
   for (const auto* list : {&scene.parameters, &scene.inputs})
     for (const Named& named : *list) {
@@ -119,7 +119,7 @@ TEST(SymbolicTree, of_an_array_that_is_no_tree_is_refused) {
   };
   EXPECT_THAT(refused({0, 2}), HasSubstr("connection array: number 2: found 2, so that body 2 stands on itself"));
   EXPECT_THAT(refused({}), HasSubstr("connection array: found no bodies"));
-  EXPECT_THAT(refused(std::vector<int>(65, 0)), HasSubstr("found 65 bodies"));
+  EXPECT_THAT(refused(std::vector<int>(513, 0)), HasSubstr("found 513 bodies"));
 }
 
 }  // namespace

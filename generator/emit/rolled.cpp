@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/emit/rolled.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "generator/emit/section_text.hpp"
+#include "generator/emit/signature.hpp"
+#include "generator/emit/statements.hpp"
+
+namespace kanec::emit {
+namespace {
+
+using program::Index;
+using program::Rolled;
+
+std::string block(const std::string& text, const std::string& indent) {
+  std::string result;
+  for (const std::string& line : wrapped(text, indent)) result += line + "\n";
+  return result;
+}
+
+// A run of steps of one kind, on ascending rows.
+struct Run {
+  std::size_t of, first, count;
+};
+
+std::vector<Run> runs(const Rolled& rolled) {
+  std::vector<Run> result;
+  for (const program::Step& step : rolled.steps)
+    if (!result.empty() && result.back().of == step.of)
+      ++result.back().count;
+    else
+      result.push_back({step.of, step.member, 1});
+  return result;
+}
+
+std::vector<std::string> field_names(const Rolled& rolled) {
+  std::set<std::string> taken;
+  std::vector<std::string> names;
+  for (const program::Stem& field : rolled.fields) {
+    std::string name = field.with("");
+    if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name = "s" + name;
+    for (int i = 2; !taken.insert(name).second; ++i) name = field.with("") + "_" + std::to_string(i);
+    names.push_back(name);
+  }
+  return names;
+}
+
+class Loops {
+ public:
+  Loops(const Model& model, const program::Program& program, const program::Function& function, const Rolled& rolled,
+        const Named& named)
+      : arguments_(program, function, named.has_inputs),
+        function_(function),
+        rolled_(rolled),
+        scope_{&model, &program, &function, &rolled, &named, field_names(rolled)} {}
+
+  std::string text() {
+    std::map<std::string, int> numbers;
+    std::string tables, functions;
+    for (const program::SectionClass& kind : rolled_.classes) {
+      const int number = ++numbers[section_name(kind, 0)];
+      const SectionText made = section_text(scope_, kind, number, gathered_);
+      calls_.push_back(made.name + "(" + made.arguments + ");");
+      tables += made.tables;
+      functions += "\n" + made.function;
+    }
+    const std::string space = function_.name + "_sections";
+    return "namespace " + space + " {\n\n" + frame_text() + number_text() + tables + functions + "\n}  // namespace " +
+           space + "\n\n" + main_text(space);
+  }
+
+ private:
+  // Places in a body's frame of what other sections read.
+  std::string frame_text() const {
+    std::string list;
+    for (std::size_t i = 0; i < scope_.fields.size(); ++i)
+      list += (i == 0 ? "" : ", ") + scope_.fields[i] + " = " + std::to_string(rolled_.slots[i]);
+    if (list.empty()) return "";
+    return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body has both\n"
+           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n"
+           "namespace frame {\n" + block("inline constexpr int " + list + ";", "    ") + "}  // namespace frame\n\n";
+  }
+
+  static std::string number_text() {
+    return "// how constants stand in tables\ntemplate <class T>\nstruct Constants {\n  using Number = double;\n};\n"
+           "template <>\nstruct Constants<float> {\n  using Number = float;\n};\n"
+           "template <class T>\nusing Number = typename Constants<T>::Number;\n\n";
+  }
+
+
+  // Inputs or results of parameters as an array that tables can point into.
+  static std::string array(const std::string& name, std::vector<std::string> entries) {
+    if (entries.empty()) return "";
+    std::string list;
+    for (const std::string& entry : entries) list += (list.empty() ? "" : ", ") + entry;
+    return block("  const T " + name + "[] = {" + list + "};", "      ");
+  }
+
+  static std::vector<Index> in_place(const std::map<Index, Index>& places) {
+    std::vector<Index> result(places.size());
+    for (const auto& [what, place] : places) result[static_cast<std::size_t>(place)] = what;
+    return result;
+  }
+
+  std::string arrays() const {
+    std::vector<std::string> inputs, prepared;
+    for (const Index i : in_place(gathered_.inputs))
+      inputs.push_back(variable_name(*scope_.program, {program::Group::input, i}, program::Stage::state));
+    for (const Index node : in_place(gathered_.prepared))
+      prepared.push_back(prepared_name(*scope_.program, *scope_.named, node));
+    return array("inputs", inputs) + array("prepared", prepared);
+  }
+
+  std::string main_text(const std::string& space) const {
+    std::string text = "template <class T>\n" + block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
+    text += "  using namespace " + space + ";\n";
+    text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays();
+    const std::vector<Run> all = runs(rolled_);
+    constexpr std::size_t most_loops = 12;
+    return text + (all.size() <= most_loops ? loops(all) : steps()) + "}\n";
+  }
+
+  std::string loops(const std::vector<Run>& all) const {
+    std::string text;
+    for (const Run& run : all) {
+      const std::string end = std::to_string(run.first + run.count);
+      const bool has_rows = rolled_.classes[run.of].bodies.size() > 1;
+      if (has_rows) text += "  for (int row = " + std::to_string(run.first) + "; row < " + end + "; ++row)\n";
+      text += block((has_rows ? "    " : "  ") + calls_[run.of], "        ");
+    }
+    return text;
+  }
+
+  std::string steps() const {
+    std::size_t largest = 0;
+    std::string list;
+    for (const program::Step& step : rolled_.steps) {
+      largest = std::max({largest, step.of, step.member});
+      list += (list.empty() ? "{" : ", {") + std::to_string(step.of) + "," + std::to_string(step.member) + "}";
+    }
+    std::string text = "  // kind of section, and row of its tables\n  static constexpr " +
+                       std::string(largest < 256 ? "unsigned char" : "unsigned short") + " steps[][2] = {\n";
+    text += block("      " + list + "};", "      ");
+    text += "  for (const auto& step : steps) {\n    [[maybe_unused]] const int row = step[1];\n    switch (step[0]) {\n";
+    for (std::size_t c = 0; c < calls_.size(); ++c)
+      text += block("      case " + std::to_string(c) + ": " + calls_[c] + " break;", "          ");
+    return text + "    }\n  }\n";
+  }
+
+  ArgumentList arguments_;
+  const program::Function& function_;
+  const Rolled& rolled_;
+  RolledScope scope_;
+  Gathered gathered_;
+  std::vector<std::string> calls_;  // of the kinds of section
+};
+
+}  // namespace
+
+std::string rolled_text(const Model& model, const program::Program& program, const program::Function& function,
+                        const Rolled& rolled, const Named& named) {
+  return Loops(model, program, function, rolled, named).text();
+}
+
+}  // namespace kanec::emit
