@@ -47,7 +47,7 @@ template <class SourceOf>
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments, const std::string& what, SourceOf source) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, {functions, arguments.algorithm});
+  Generated generated = generate(scene, {functions, arguments.algorithm, arguments.optimize});
   interrupts.poll();
   compile::Model library = [&] {
     try {

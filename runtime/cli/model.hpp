@@ -15,6 +15,7 @@ namespace kanec::cli {
 
 struct BuildArguments {
   std::optional<symbolic::Algorithm> algorithm;  // none: the cheapest
+  emit::Optimize optimize = emit::Optimize::speed;
   std::string compiler;
   std::string flags;
   bool flags_given = false;

@@ -26,8 +26,8 @@ Processor time per evaluation, one core, by Google Benchmark: 256 random states 
 order of which the median counts, nothing allocated around the emitted call. Generic is runtime/generic in double,
 compiled as kanec was; the emitted code is compiled with --flags. Other engines (MuJoCo, Simbody, Bullet, as installed
 when kanec was built; docs/benchmarks.md) go their shortest way from a state to accelerations, loads and states put
-into their coordinates beforehand. First all are compared with the generic path, emitted code within the bounds of
-`kanec check`: what is wrong is not timed. Ratios are to emitted code. Operations are exact counts, not time.
+into their coordinates beforehand. First all are compared with the generic path: what differs by more than 1e-9 (in
+float_lanes as many roundings) is not timed. Ratios are to emitted code. Operations are exact counts, not time.
 
 Variants:)";
 

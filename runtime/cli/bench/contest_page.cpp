@@ -52,7 +52,9 @@ The adapters are in [tests/bench/peers](../tests/bench/peers); they are built wh
 )";
 
 std::string time_text(const Time& time) {
-  return time.median < 999.5 ? fmt::format("{:.0f} ns", time.median) : fmt::format("{:.3g} µs", time.median * 1e-3);
+  if (time.median < 999.5) return fmt::format("{:.0f} ns", time.median);
+  return time.median < 999.5e3 ? fmt::format("{:.3g} µs", time.median * 1e-3)
+                               : fmt::format("{:.3g} ms", time.median * 1e-6);
 }
 
 // In order of first appearance.

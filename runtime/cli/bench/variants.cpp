@@ -21,13 +21,16 @@ const Known known[] = {
      [](Variant& v) { v.build.algorithm = symbolic::Algorithm::composite; }},
     {"articulated", "accelerations joint by joint",
      [](Variant& v) { v.build.algorithm = symbolic::Algorithm::articulated; }},
+    {"size", "loops over bodies where they take less code",
+     [](Variant& v) { v.build.optimize = emit::Optimize::size; }},
     {"lanes", "double, as many states at once as the processor has lanes",
      [](Variant& v) { v.lanes = LaneArguments{}; }},
     {"float_lanes", "the same in float",
      [](Variant& v) {
        v.lanes = LaneArguments{"float", 0};
      }},
-    {"clang", "compiled by clang++", [](Variant& v) { v.build.compiler = "clang++"; }},
+    {"g++", "compiled by g++", [](Variant& v) { v.build.compiler = "g++"; }},
+    {"clang++", "compiled by clang++", [](Variant& v) { v.build.compiler = "clang++"; }},
 };
 
 const Known& find(const std::string& name) {
