@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model e98b80c7d5e1111d of arm_6/scene.toml; the usual functions
+// model 6628d2f259ffa606 of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -27,10 +27,10 @@
 //   energy                  325 (120 add, 205 multiply, 12 sine or cosine)
 //   momentum                460 (189 add, 271 multiply, 12 sine or cosine)
 //   power                   11 (5 add, 6 multiply)
-//   accelerations           787 (350 add, 432 multiply, 5 divide, 10 sine or cosine)
-//   residual                431 (201 add, 230 multiply, 10 sine or cosine)
-//   forcing                 390 (176 add, 214 multiply, 10 sine or cosine)
-//   mass_matrix             262 (116 add, 146 multiply, 10 sine or cosine)
+//   accelerations           623 (283 add, 336 multiply, 4 divide, 10 sine or cosine)
+//   residual                379 (183 add, 196 multiply, 10 sine or cosine)
+//   forcing                 349 (163 add, 186 multiply, 10 sine or cosine)
+//   mass_matrix             153 (68 add, 85 multiply, 8 sine or cosine)
 //   partial_velocities      353 (138 add, 215 multiply, 12 sine or cosine)
 //   partial_velocity_rates  929 (360 add, 569 multiply, 12 sine or cosine)
 #pragma once
@@ -44,7 +44,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "e98b80c7d5e1111d";
+inline constexpr char model_hash[] = "6628d2f259ffa606";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -57,11 +57,11 @@ inline constexpr int waist_thetadot = 0, upper_arm_thetadot = 1, forearm_thetado
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
-inline constexpr int mass_matrix_nonzeros = 34;
-inline constexpr int mass_matrix_rows[] = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4,
-    4, 4, 4, 4, 5, 5, 5, 5, 5};
-inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5,
-    0, 1, 2, 3, 4, 0, 1, 2, 3, 5};
+inline constexpr int mass_matrix_nonzeros = 32;
+inline constexpr int mass_matrix_rows[] = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 4, 4,
+    4, 4, 5, 5, 5, 5, 5};
+inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 5, 0,
+    1, 2, 4, 0, 1, 2, 3, 5};
 
 // Run-time parameters with the scene's defaults, SI units.
 template <class T>
@@ -88,21 +88,37 @@ struct Prepared {
   T r_link6_3;
   T I_link6_11;
   T c6_1;
-  T c6_2;
-  T c6_3;
-  T J6_11;
-  T h6_3;
+  T h_all_6_3;
+  T J_all_5_22;
+  T J_own_5_11;
+  T c5_1;
+  T c5_2;
+  T J_own_4_22;
+  T c4_1;
+  T c4_2;
+  T c1_1;
+  T h_all_3_3;
+  T J_all_3_12;
+  T J_all_3_13;
+  T c1_2;
+  T J_all_3_22;
+  T J_own_3_11;
   T c3_1;
   T c3_2;
-  T c3_3;
+  T h_all_2_1;
+  T J_all_2_22;
+  T c1_3;
+  T J_own_2_11;
   T c2_1;
   T c2_2;
-  T c2_3;
-  T c2_4;
-  T c1_1;
+  T J_all_1_33;
+  T c4_3;
+  T c3_3;
+  T c1_4;
+  T c1_5;
 };
 
-// prepare: 17 add, 19 multiply, 1 divide
+// prepare: 45 add, 35 multiply, 2 divide
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
@@ -114,37 +130,76 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T t3 = T(0.10650000000000001) - r_link6_3;
   const T I_link6_11 = t2 * t2 * T(0.09) + T(0.00015) + t3 * t3 * p.m_payload;
   const T c6_1 = T(0.5) * m_link6;
-  const T t4 = T(4e-05) - I_link6_11;
-  const T c6_2 = T(0.5) * (I_link6_11 + t4);
-  const T c6_3 = T(0.5) * (I_link6_11 - t4);
-  const T J6_11 = r_link6_3 * r_link6_3 * m_link6 + I_link6_11;
-  const T h6_3 = m_link6 * r_link6_3;
-  const T t5 = T(0.34) + m_link6 + T(0.82);
-  const T c3_1 = t5 * T(0.4331);
-  const T c3_2 = t5 * T(0.0203);
-  const T c3_3 = T(0.336) + c3_1;
-  const T t6 = T(4.8) + t5;
-  const T c2_1 = t6 * T(0.0934);
-  const T c2_2 = t6 * T(0.4318);
-  const T c2_3 = T(1.1832) + c2_2;
-  const T c2_4 = T(0.2784) + c2_1;
-  const T c1_1 = (T(17.4) + t6) * T(0.2435);
+  const T h_all_6_3 = m_link6 * r_link6_3;
+  const T t4 = r_link6_3 * r_link6_3 * m_link6 + I_link6_11;
+  const T J_all_5_22 = T(4e-04) + t4;
+  const T J_own_5_11 = T(3e-04) + t4 - T(3e-04);
+  const T c5_1 = T(0.5) * (J_all_5_22 - J_own_5_11);
+  const T c5_2 = T(0.5) * (J_own_5_11 + J_all_5_22);
+  const T t5 = T(0.34) + m_link6;
+  const T t6 = T(0.14241262419999998) + t5 * T(0.18757560999999998);
+  const T t7 = t6 + T(3e-04);
+  const T J_own_4_22 = t6 - t7;
+  const T c4_1 = T(0.5) * (J_own_4_22 + T(0.0015999999999999999));
+  const T c4_2 = T(0.5) * (T(0.0015999999999999999) - J_own_4_22);
+  const T t8 = T(0.82) + t5;
+  const T c1_1 = t8 * T(0.0203);
+  const T t9 = T(0.339562) + t5 * T(0.4331);
+  const T h_all_3_3 = T(0.336) + t9;
+  const T J_all_3_12 = t8 * T(0.0030470299999999996);
+  const T J_all_3_13 = t9 * T(0.0203);
+  const T c1_2 = T(0.0551376) + t9 * T(0.1501);
+  const T J_all_3_22 = T(0.08952) + t8 * T(0.00041208999999999994) + t7;
+  const T t10 = T(0.14175828799999998) + t8 * T(0.0229421);
+  const T J_own_3_11 = T(0.218778288) + t8 * T(0.02253001) + t7 - t10;
+  const T c3_1 = T(0.5) * (J_all_3_22 - J_own_3_11);
+  const T c3_2 = T(0.5) * (J_own_3_11 + J_all_3_22);
+  const T t11 = T(4.8) + t8;
+  const T h_all_2_1 = T(1.1832) + t11 * T(0.4318);
+  const T t12 = t11 * T(0.18645124000000002);
+  const T J_all_2_22 = T(0.6200840000000001) + t12;
+  const T c1_3 = T(0.269178) + (T(0.7876799999999999) + t8 * T(0.1501)) * T(0.4318);
+  const T t13 = T(1.50501635) + t12 + t10;
+  const T J_own_2_11 = T(1.0311851499999998) + t10 - t13;
+  const T c2_1 = T(0.5) * (J_all_2_22 - J_own_2_11);
+  const T c2_2 = T(0.5) * (J_own_2_11 + J_all_2_22);
+  const T J_all_1_33 = T(0.35) + t13;
+  const T c4_3 = T(4e-05) - J_own_5_11;
+  const T c3_3 = T(1) / J_all_5_22;
+  const T c1_4 = T(0.5) * (J_all_1_33 - t13);
+  const T c1_5 = T(0.5) * (J_all_1_33 + t13);
   c.m_link6 = m_link6;
   c.r_link6_3 = r_link6_3;
   c.I_link6_11 = I_link6_11;
   c.c6_1 = c6_1;
-  c.c6_2 = c6_2;
-  c.c6_3 = c6_3;
-  c.J6_11 = J6_11;
-  c.h6_3 = h6_3;
+  c.h_all_6_3 = h_all_6_3;
+  c.J_all_5_22 = J_all_5_22;
+  c.J_own_5_11 = J_own_5_11;
+  c.c5_1 = c5_1;
+  c.c5_2 = c5_2;
+  c.J_own_4_22 = J_own_4_22;
+  c.c4_1 = c4_1;
+  c.c4_2 = c4_2;
+  c.c1_1 = c1_1;
+  c.h_all_3_3 = h_all_3_3;
+  c.J_all_3_12 = J_all_3_12;
+  c.J_all_3_13 = J_all_3_13;
+  c.c1_2 = c1_2;
+  c.J_all_3_22 = J_all_3_22;
+  c.J_own_3_11 = J_own_3_11;
   c.c3_1 = c3_1;
   c.c3_2 = c3_2;
-  c.c3_3 = c3_3;
+  c.h_all_2_1 = h_all_2_1;
+  c.J_all_2_22 = J_all_2_22;
+  c.c1_3 = c1_3;
+  c.J_own_2_11 = J_own_2_11;
   c.c2_1 = c2_1;
   c.c2_2 = c2_2;
-  c.c2_3 = c2_3;
-  c.c2_4 = c2_4;
-  c.c1_1 = c1_1;
+  c.J_all_1_33 = J_all_1_33;
+  c.c4_3 = c4_3;
+  c.c3_3 = c3_3;
+  c.c1_4 = c1_4;
+  c.c1_5 = c1_5;
   return c;
 }
 
@@ -241,7 +296,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T minus_R4_21 = E1_12 * E4_11 + R3_11 * E4_12;
   const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
   const T R4_23 = minus_R3_13 * E4_12;
   pose[36] = R4_11;
@@ -302,9 +357,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
   const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
-  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T minus_R6_21 = minus_R4_21 * E6_11 + R5_11 * E6_12;
   const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
-  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
+  const T R6_23 = R4_23 * E6_11 + minus_R5_13 * E6_12;
   pose[60] = R6_11;
   pose[72] = R6_11;
   pose[61] = R6_12;
@@ -430,12 +485,12 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T minus_R4_21 = E1_12 * E4_11 + R3_11 * E4_12;
   const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
   const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
@@ -487,9 +542,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
   const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
-  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T minus_R6_21 = minus_R4_21 * E6_11 + R5_11 * E6_12;
   const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
-  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
+  const T R6_23 = R4_23 * E6_11 + minus_R5_13 * E6_12;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -635,12 +690,12 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T minus_R4_21 = E1_12 * E4_11 + R3_11 * E4_12;
   const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
   const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_1 = R3_31 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
@@ -714,9 +769,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
   const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
-  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T minus_R6_21 = minus_R4_21 * E6_11 + R5_11 * E6_12;
   const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
-  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
+  const T R6_23 = R4_23 * E6_11 + minus_R5_13 * E6_12;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -783,7 +838,8 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 350 add, 432 multiply, 5 divide, 10 sine or cosine
+// 283 add, 336 multiply, 4 divide, 10 sine or cosine
+// by: composite; articulated would take 294 add, 354 multiply, 4 divide, 10 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::cos, std::sin;
@@ -812,22 +868,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U2_22 = t2_1 + t2_3;
   const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
-  const T minus_Pddot2_2 = thetadot1 * T(0.2435) * thetadot1;
   const T Pddot2_3 = E2_11 * T(9.81);
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_13 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
-  const T a2_2 = minus_U2_22 * T(0.016) - minus_U2_21 * T(0.068) - U2_23 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_13 * T(0.068) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(17.4) * a2_1;
-  const T minus_G2_2 = T(17.4) * a2_2;
-  const T minus_G2_3 = T(17.4) * a2_3;
-  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.07250000000000001) * U2_23;
-  const T minus_N2_2 = T(0.394) * minus_U2_13;
-  const T N2_3 = T(0.4665) * minus_U2_21;
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = c.c2_2 * U2_23 + T(0.023750999999999998) * (minus_U2_22 - minus_U2_33) + c.c1_3 * minus_U2_13 +
+      T(0.0070992) * minus_U2_21;
+  const T minus_N2_2 = T(0.10439999999999999) * minus_Pddot2_1 - c.h_all_2_1 * Pddot2_3 + c.c2_1 * minus_U2_13 -
+      c.c2_2 * minus_U2_13 - T(0.0070992) * (minus_U2_33 - minus_U2_11);
+  const T minus_N2_3 = c.c1_3 * (minus_U2_11 - minus_U2_22) - c.c2_1 * minus_U2_21 - T(0.0070992) * U2_23 -
+      T(0.023750999999999998) * minus_U2_13;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
@@ -862,20 +913,20 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
   const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
   const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
-  const T Pddot3_2 = minus_U2_22 * T(0.0934) - minus_U2_21 * T(0.4318) - minus_Pddot2_2;
+  const T minus_Pddot3_2 = minus_U2_21 * T(0.4318);
   const T Pddot3_3 = E3_11 * t3_7 - minus_E3_13 * t3_6;
-  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.014) - minus_U3_13 * T(0.07) - minus_Pddot3_1;
-  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(4.8) * a3_1;
-  const T minus_G3_2 = T(4.8) * a3_2;
-  const T minus_G3_3 = T(4.8) * a3_3;
-  // N3 = -axial(U3 (tr(I_link3)/2 - I_link3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
-  const T N3_2 = T(0.053500000000000006) * minus_U3_13;
-  const T N3_3 = T(0.00625) * minus_U3_21 + T(0.00625) * U3_12;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = minus_U3_11 * c.c1_1 - minus_U3_13 * c.h_all_3_3;
+  const T minus_G3_2 = minus_U3_21 * c.c1_1 + U3_23 * c.h_all_3_3;
+  const T minus_G3_3 = minus_U3_13 * c.c1_1 - minus_U3_33 * c.h_all_3_3;
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = c.h_all_3_3 * minus_Pddot3_2 - c.c3_1 * U3_32 - c.c3_2 * U3_23 + c.c1_2 * (minus_U3_22 -
+      minus_U3_33) + c.J_all_3_12 * minus_U3_13 - c.J_all_3_13 * minus_U3_21;
+  const T minus_N3_2 = c.c1_1 * Pddot3_3 - c.h_all_3_3 * minus_Pddot3_1 + c.c3_1 * minus_U3_13 - c.c3_2 * minus_U3_13
+      - c.J_all_3_13 * (minus_U3_33 - minus_U3_11) + c.c1_2 * U3_12 + c.J_all_3_12 * U3_32;
+  const T minus_N3_3 = c.c1_1 * minus_Pddot3_2 - c.c3_1 * minus_U3_21 + c.c3_1 * U3_12 - c.J_all_3_12 * (minus_U3_11 -
+      minus_U3_22) - c.J_all_3_13 * U3_23 + c.c1_2 * minus_U3_13;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
@@ -885,7 +936,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_2 + E4_11 * omegadot3_1;
@@ -903,23 +954,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_13 * T(0.4331) - minus_Pddot3_1;
-  const T t4_5 = minus_U3_21 * T(0.0203) + U3_23 * T(0.4331) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) + U3_12 * T(0.1501) - minus_Pddot3_1;
+  const T t4_5 = minus_U3_21 * T(0.0203) - minus_U3_22 * T(0.1501) - minus_Pddot3_2;
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_13 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
-  const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(0.82) * a4_1;
-  const T minus_G4_2 = T(0.82) * a4_2;
-  const T minus_G4_3 = T(0.82) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.00065) * U4_32 - T(0.00115) * U4_23;
-  const T minus_N4_2 = T(0.00115) * U4_13 - T(0.00065) * U4_31;
-  const T minus_N4_3 = T(0.00065) * U4_21 - T(0.00065) * U4_12;
+  const T Pddot4_3 = minus_U3_13 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
+  const T N4_2 = c.c4_2 * U4_13 + c.c4_1 * U4_31;
+  const T minus_N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
@@ -945,17 +989,19 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U5_23 = t5_3 - omegadot5_1;
   const T U5_31 = t5_2 + minus_omegadot4_2;
   const T U5_32 = t5_3 + omegadot5_1;
-  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
-  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
-  // G5 = -m5 Pddot5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(0.34) * Pddot5_1;
-  const T minus_G5_2 = T(0.34) * Pddot4_2;
-  const T minus_G5_3 = T(0.34) * Pddot5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
-  const T minus_N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
-  const T minus_N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
+  const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_13 * c.h_all_6_3;
+  const T minus_G5_2 = U5_23 * c.h_all_6_3;
+  const T G5_3 = minus_U5_33 * c.h_all_6_3;
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
+  const T minus_N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
@@ -969,7 +1015,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega6_3 = thetadot6 + omega5_3;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_12 * minus_omegadot4_2;
-  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_12 * omegadot5_1 + E6_11 * minus_omegadot4_2;
+  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_11 * minus_omegadot4_2 + E6_12 * omegadot5_1;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t6_1 = omega6_2 * omega6_1;
@@ -981,119 +1027,77 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U6_23 = t6_3 - omegadot6_1;
   const T U6_31 = t6_2 + minus_omegadot6_2;
   const T U6_32 = t6_3 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
-  // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
-  const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
-  // G6 = -m_link6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = c.m_link6 * a6_1;
-  const T minus_G6_2 = c.m_link6 * a6_2;
-  const T minus_G6_3 = c.m_link6 * a6_3;
-  // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
-  const T minus_N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
-  const T minus_N6_3 = c.c6_2 * U6_21 - c.c6_2 * U6_12;
-
-  // ---- body 6 (flange) and what it carries
-  // rho6 = r_link6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = c.r_link6_3 * minus_G6_2 - minus_N6_1;
-  const T minus_rho6_2 = c.r_link6_3 * minus_G6_1 + minus_N6_2;
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(2e-05) * U6_32 + T(2e-05) * U6_23;
+  const T N6_2 = T(2e-05) * U6_13 + T(2e-05) * U6_31;
+  const T minus_N6_3 = T(2e-05) * U6_21 - T(2e-05) * U6_12;
 
   // ---- body 5 (hand) and what it carries
-  // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_12 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
-  const T minus_S5_2 = E6_12 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_2;
-  const T minus_S5_3 = minus_G6_3 + minus_G5_3;
-  // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 + E6_12 * minus_rho6_2 - minus_N5_1;
-  const T rho5_2 = E6_12 * rho6_1 - E6_11 * minus_rho6_2 - minus_N5_2;
+  // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho5_1 = N5_1 - (E6_12 * N6_2 + E6_11 * minus_N6_1);
+  const T minus_rho5_2 = E6_12 * minus_N6_1 - E6_11 * N6_2 + minus_N5_2;
   const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
-  // J5 = E6^T J6 E6 + I_link5: inertia carried, about the body origin, body axes [kg m^2]
-  const T b5_1 = E6_11 * c.J6_11;
-  const T b5_2 = E6_12 * c.J6_11;
-  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_12;
-  const T J5_11 = b5_3 + T(3e-04);
-  const T J5_12 = b5_1 * E6_12 - b5_2 * E6_11;
-  const T J5_22 = b5_3 + T(4e-04);
-  // hc5 = E5^T hc6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = minus_E5_13 * c.h6_3;
-  const T hc5_3 = E5_11 * c.h6_3;
+  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc5_1 = minus_E5_13 * c.h_all_6_3;
+  const T hc5_3 = E5_11 * c.h_all_6_3;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 - minus_E5_13 * minus_S5_3 - minus_G4_1;
-  const T minus_S4_2 = minus_S5_2 + minus_G4_2;
-  const T minus_S4_3 = minus_E5_13 * S5_1 + E5_11 * minus_S5_3 + minus_G4_3;
-  // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - T(0.019) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = rho5_2 + T(0.019) * minus_G4_1 - minus_N4_2;
+  const T S4_1 = minus_E5_13 * G5_3 - E5_11 * minus_G5_1;
+  const T S4_3 = minus_E5_13 * minus_G5_1 + E5_11 * G5_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.4331) * minus_G5_2 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - minus_N4_1;
+  const T rho4_2 = T(0.4331) * S4_1 - minus_rho5_2 + N4_2;
   const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
-  // h4 = m4 r4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h4_3 = hc5_3 - T(0.015579999999999998);
-  // J4 = E5^T J5 E5 - m4 r4~ r4~ + I4: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_1 = E5_11 * J5_11;
-  const T b4_2 = minus_E5_13 * T(0.00033999999999999997);
-  const T J4_11 = b4_1 * E5_11 + b4_2 * minus_E5_13 + T(0.00209602);
-  const T J4_12 = E5_11 * J5_12;
-  const T J4_13 = b4_2 * E5_11 - b4_1 * minus_E5_13;
-  const T J4_22 = J5_22 + T(0.00209602);
-  const T minus_J4_23 = minus_E5_13 * J5_12;
-  const T J4_33 = minus_E5_13 * J5_11 * minus_E5_13 + E5_11 * T(0.00033999999999999997) * E5_11 + T(0.0013);
+  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = minus_E5_13 * c.c4_3;
+  const T b4_2 = minus_E5_13 * b4_1;
+  const T J4_11 = c.J_own_5_11 + b4_2 + T(0.8662) * hc5_3;
+  const T J4_13 = E5_11 * b4_1 - T(0.4331) * hc5_1;
+  const T b4_3 = T(0.4331) * hc5_3;
+  const T b4_4 = b4_3 + c.J_all_5_22;
+  const T J4_22 = b4_4 + c.J_own_4_22 + b4_3;
+  const T J4_33 = T(0.00164) - b4_2;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = E4_11 * hc5_1;
   const T hc4_2 = E4_12 * hc5_1;
-  // K_thetadot6_4 = E5^T K_thetadot6_5
+  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
   const T K_thetadot6_4_1 = minus_E5_13 * T(4e-05);
   const T K_thetadot6_4_3 = E5_11 * T(4e-05);
   // D_thetaddot4: pivots of L D L^T
-  const T b4_3 = K_thetadot6_4_3 * T(24999.999999999996);
-  const T b4_4 = T(1) / J5_22;
-  const T b4_5 = minus_J4_23 * b4_4;
-  const T D_thetaddot4 = J4_33 - b4_3 * K_thetadot6_4_3 - b4_5 * minus_J4_23;
+  const T b4_5 = K_thetadot6_4_3 * T(24999.999999999996);
+  const T D_thetaddot4 = J4_33 - b4_5 * K_thetadot6_4_3;
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_S4_2;
+  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_G5_2;
   const T S3_1 = b3_1 - minus_G3_1;
-  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_S4_2;
+  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_G5_2;
   const T S3_2 = b3_2 - minus_G3_2;
-  const T minus_S3_3 = minus_S4_3 + minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.07) * minus_G3_2 - T(0.014) * minus_G3_3 -
-      minus_N3_1;
-  const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
-      + N3_2;
-  const T rho3_3 = T(0.014) * minus_G3_1 - (T(0.0203) * b3_2 + minus_rho4_3) + N3_3;
-  // h3 = m3 r_link3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = hc4_1 - c.c3_2;
-  const T h3_2 = T(0.0672) + hc4_2;
-  const T h3_3 = c.c3_3 + h4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r_link3~ r_link3~ + I_link3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b3_3 = E4_12 * J4_12;
-  const T b3_4 = E4_11 * J4_11 - b3_3;
-  const T b3_5 = E4_11 * J4_12;
-  const T b3_6 = b3_5 - E4_12 * J4_22;
-  const T b3_7 = h4_3 + c.c3_1;
-  const T b3_8 = T(0.4331) * h4_3 + b3_7 * T(0.4331);
-  const T J3_11 = b3_4 * E4_11 - b3_6 * E4_12 + b3_8 + T(0.09046080000000001);
-  const T J3_12 = b3_4 * E4_12 + b3_6 * E4_11 + T(0.0203) * hc4_2;
-  const T b3_9 = E4_11 * J4_13 + E4_12 * minus_J4_23;
-  const T b3_10 = b3_9 - T(0.4331) * hc4_1;
-  const T J3_13 = b3_10 + b3_7 * T(0.0203);
-  const T b3_11 = T(0.0203) * hc4_1;
-  const T b3_12 = h3_1 * T(0.0203);
-  const T J3_22 = (E4_12 * J4_11 + b3_5) * E4_12 + (b3_3 + E4_11 * J4_22) * E4_11 - b3_11 + b3_8 + T(0.08952) - b3_12;
-  const T b3_13 = T(0.4331) * hc4_2 - (E4_12 * J4_13 - E4_11 * minus_J4_23);
-  const T minus_J3_23 = b3_13 + T(0.004704000000000001);
-  const T J3_31 = b3_9 + T(0.0203) * h4_3 - h3_1 * T(0.4331);
-  const T b3_14 = J4_33 - b3_11;
-  const T J3_33 = b3_14 + T(0.013440800000000001) - b3_12;
+  const T S3_3 = S4_3 - minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = T(0.1501) * S4_3 + E4_11 * rho4_1 - E4_12 * rho4_2 - minus_N3_1;
+  const T rho3_2 = T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - minus_N3_2;
+  const T minus_rho3_3 = T(0.0203) * b3_2 + T(0.1501) * b3_1 + minus_rho4_3 + minus_N3_3;
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_1 = hc4_1 - c.c1_1;
+  const T h3_3 = c.h_all_3_3 + hc5_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_3 = E4_12 * (J4_11 - J4_22);
+  const T b3_4 = E4_12 * b3_3;
+  const T J3_11 = J4_11 - b3_4 + T(0.3002) * hc4_2 + c.J_own_3_11;
+  const T J3_12 = E4_11 * b3_3 - T(0.1501) * hc4_1 + c.J_all_3_12 + T(0.0203) * hc4_2;
+  const T b3_5 = E4_11 * J4_13;
+  const T J3_13 = b3_5 + c.J_all_3_13 + T(0.0203) * hc5_3;
+  const T J3_22 = J4_22 + b3_4 - T(0.0406) * hc4_1 + c.J_all_3_22;
+  const T b3_6 = E4_12 * J4_13;
+  const T J3_23 = b3_6 - c.c1_2 - T(0.1501) * hc5_3;
+  const T b3_7 = T(0.1501) * hc4_2 - T(0.0203) * hc4_1;
+  const T b3_8 = b3_7 + J4_33;
+  const T J3_33 = b3_8 + b3_7;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_1 = minus_E3_13 * h3_3 + E3_11 * h3_1;
   const T hc3_3 = E3_11 * h3_3 - minus_E3_13 * h3_1;
@@ -1104,114 +1108,82 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T B_thetadot5_3_1 = E4_11 * hc5_3;
   const T B_thetadot5_3_2 = E4_12 * hc5_3;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_5 - E4_12 * J5_22 - T(0.4331) * B_thetadot5_3_2;
-  const T K_thetadot5_3_2 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_3 + E4_11 * J5_22;
-  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + minus_J4_23;
+  const T minus_K_thetadot5_3_1 = T(0.1501) * hc5_1 + E4_12 * b4_4;
+  const T K_thetadot5_3_2 = E4_11 * b4_4 - T(0.0203) * hc5_1;
+  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + T(0.1501) * B_thetadot5_3_1;
   // D_thetaddot3: pivots of L D L^T
-  const T b3_15 = K_thetadot6_3_2 * T(24999.999999999996);
-  const T b3_16 = b3_15 * K_thetadot6_3_2;
-  const T b3_17 = K_thetadot5_3_2 * b4_4;
-  const T b3_18 = b3_15 * K_thetadot6_4_3;
-  const T b3_19 = b3_17 * minus_J4_23 - (b3_13 + b3_18);
-  const T b3_20 = T(1) / D_thetaddot4;
-  const T b3_21 = b3_19 * b3_20;
-  const T D_thetaddot3 = J3_22 - b3_16 - b3_17 * K_thetadot5_3_2 - b3_21 * b3_19;
+  const T b3_9 = K_thetadot6_3_2 * T(24999.999999999996);
+  const T b3_10 = b3_9 * K_thetadot6_3_2;
+  const T b3_11 = K_thetadot5_3_2 * c.c3_3;
+  const T b3_12 = b3_9 * K_thetadot6_4_3;
+  const T b3_13 = b3_6 - b3_12;
+  const T b3_14 = T(1) / D_thetaddot4;
+  const T b3_15 = b3_13 * b3_14;
+  const T D_thetaddot3 = J3_22 - b3_10 - b3_11 * K_thetadot5_3_2 - b3_15 * b3_13;
 
   // ---- body 2 (upper_arm) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 - minus_E3_13 * minus_S3_3;
-  const T S2_1 = b2_1 - minus_G2_1;
-  const T b2_2 = minus_E3_13 * S3_1 + E3_11 * minus_S3_3;
-  const T minus_S2_3 = b2_2 + minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 + minus_E3_13 * rho3_3 + T(0.016) * minus_G2_3 - T(0.006) *
-      minus_G2_2 + N2_1;
-  const T rho2_2 = T(0.4318) * b2_2 + rho3_2 + T(0.006) * minus_G2_1 + T(0.068) * minus_G2_3 - minus_N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 - T(0.068) * minus_G2_2
-      - T(0.016) * minus_G2_1 + N2_3;
-  // h2 = m2 r_link2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = c.c2_3 + hc3_1;
-  const T h2_2 = h3_2 - c.c2_4;
-  const T h2_3 = hc3_3 - T(0.10439999999999999);
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b2_3 = E3_11 * J3_11 + minus_E3_13 * J3_31;
-  const T b2_4 = E3_11 * J3_13 + minus_E3_13 * J3_33;
-  const T b2_5 = c.c2_1 - h3_2;
-  const T b2_6 = T(0.0934) * h3_2 - b2_5 * T(0.0934);
-  const T J2_11 = b2_3 * E3_11 + b2_4 * minus_E3_13 - b2_6 + T(0.1350808);
-  const T b2_7 = T(0.0934) * hc3_1 + E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
-  const T J2_12 = b2_7 + T(0.0189312) + b2_5 * T(0.4318);
-  const T J2_13 = T(0.0070992) - (T(0.4318) * hc3_3 - (b2_4 * E3_11 - b2_3 * minus_E3_13));
-  const T b2_8 = T(0.4318) * hc3_1;
-  const T b2_9 = b2_8 + J3_22;
-  const T b2_10 = (hc3_1 + c.c2_2) * T(0.4318);
-  const T J2_22 = b2_9 + T(0.6200840000000001) + b2_10;
-  const T b2_11 = T(0.0934) * hc3_3 - minus_E3_13 * J3_12 - E3_11 * minus_J3_23;
-  const T J2_32 = b2_11 - T(0.0016703999999999998);
-  const T J2_33 = (E3_11 * J3_33 - minus_E3_13 * J3_13) * E3_11 - (E3_11 * J3_31 - minus_E3_13 * J3_11) * minus_E3_13
-      + b2_8 - b2_6 + T(0.608912) + b2_10;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_3 = E2_11 * h2_3 - minus_E2_13 * h2_1;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 + N2_1;
+  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) - minus_N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = minus_E3_13 * (J3_33 - J3_11) + T(2) * E3_11 * J3_13;
+  const T b2_2 = minus_E3_13 * b2_1;
+  const T J2_11 = J3_11 + b2_2 + c.J_own_2_11;
+  const T b2_3 = E3_11 * J3_12 + minus_E3_13 * J3_23;
+  const T J2_12 = b2_3 - c.c1_3 - T(0.4318) * hc4_2;
+  const T J2_13 = E3_11 * b2_1 - J3_13 + T(0.0070992) - T(0.4318) * hc3_3;
+  const T b2_4 = T(0.4318) * hc3_1;
+  const T b2_5 = b2_4 + J3_22;
+  const T J2_22 = b2_5 + c.J_all_2_22 + b2_4;
+  const T b2_6 = E3_11 * J3_23 - minus_E3_13 * J3_12;
+  const T J2_23 = b2_6 + T(0.023750999999999998);
+  const T J2_33 = J3_33 - b2_2 + T(0.8636) * hc3_1;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
   const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + minus_E3_13 * K_thetadot6_4_3;
   const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - minus_E3_13 * hc5_1;
-  const T minus_B_thetadot5_2_3 = minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.0934) * minus_B_thetadot5_2_3 + E3_11 * K_thetadot5_3_1 - minus_E3_13 *
+  const T minus_K_thetadot5_2_1 = minus_E3_13 * minus_K_thetadot5_3_3 + E3_11 * minus_K_thetadot5_3_1;
+  const T K_thetadot5_2_2 = T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1) + K_thetadot5_3_2;
+  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + minus_E3_13 * minus_K_thetadot5_3_1 - E3_11 *
       minus_K_thetadot5_3_3;
-  const T K_thetadot5_2_2 = T(0.4318) * minus_B_thetadot5_2_3 + K_thetadot5_3_2;
-  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + T(0.0934) * B_thetadot5_2_1 - minus_E3_13 * K_thetadot5_3_1
-      - E3_11 * minus_K_thetadot5_3_3;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_2;
-  const T B_thetadot4_2_3 = minus_E3_13 * hc4_2;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = E3_11 * b3_10 + minus_E3_13 * b3_14 - T(0.0934) * B_thetadot4_2_3;
-  const T minus_K_thetadot4_2_2 = b3_13 + T(0.4318) * B_thetadot4_2_3;
-  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 - T(0.0934) * minus_B_thetadot4_2_1 + E3_11 * b3_14 - minus_E3_13 *
-      b3_10;
+  const T K_thetadot4_2_1 = E3_11 * b3_5 + minus_E3_13 * b3_8;
+  const T K_thetadot4_2_2 = b3_6 - minus_E3_13 * hc4_2 * T(0.4318);
+  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 + E3_11 * b3_8 - minus_E3_13 * b3_5;
   // D_thetaddot2: pivots of L D L^T
-  const T b2_12 = K_thetadot5_2_2 * b4_4;
-  const T b2_13 = b2_12 * minus_J4_23 - (minus_K_thetadot4_2_2 + b3_18);
-  const T b2_14 = b2_13 * b3_20;
-  const T b2_15 = b2_9 - b3_16 - b2_12 * K_thetadot5_3_2 - b2_14 * b3_19;
-  const T b2_16 = T(1) / D_thetaddot3;
-  const T b2_17 = b2_15 * b2_16;
-  const T D_thetaddot2 = J2_22 - b3_16 - b2_12 * K_thetadot5_2_2 - b2_14 * b2_13 - b2_17 * b2_15;
+  const T b2_7 = K_thetadot5_2_2 * c.c3_3;
+  const T b2_8 = K_thetadot4_2_2 - b3_12;
+  const T b2_9 = b2_8 * b3_14;
+  const T b2_10 = b2_5 - b3_10 - b2_7 * K_thetadot5_3_2 - b2_9 * b3_13;
+  const T b2_11 = T(1) / D_thetaddot3;
+  const T b2_12 = b2_10 * b2_11;
+  const T D_thetaddot2 = J2_22 - b3_10 - b2_7 * K_thetadot5_2_2 - b2_9 * b2_8 - b2_12 * b2_10;
 
   // ---- body 1 (waist) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * minus_S2_3);
-  // J1 = -q2~ hc2~ + E2^T J2 E2 + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes
-  //   [kg m^2]
-  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
-      + T(0.2435) * h2_2 + T(0.35) + (c.c1_1 + h2_2) * T(0.2435);
-  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
+  // rho1 = E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1;
+  // J1 = E2^T J2 E2 + J_own_1: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_23 = E2_11 * J2_23 - minus_E2_13 * J2_12;
+  const T J1_33 = J2_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13) + c.J_all_1_33;
+  // K_thetadot6_1 = E2^T K_thetadot6_2
   const T K_thetadot6_1_3 = E2_11 * K_thetadot6_2_3 - minus_E2_13 * K_thetadot6_2_1;
-  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 - minus_E2_13 * K_thetadot5_2_1 - T(0.2435) * (E2_11 *
-      B_thetadot5_2_1 - minus_E2_13 * minus_B_thetadot5_2_3);
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1 - T(0.2435) * (minus_E2_13 *
-      B_thetadot4_2_3 - E2_11 * minus_B_thetadot4_2_1);
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_3 = E2_11 * b2_11 - minus_E2_13 * b2_7 - T(0.2435) * (E2_11 * hc3_3 - minus_E2_13 * hc3_1);
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_3 = E2_11 * J2_32 - minus_E2_13 * J2_12 - T(0.2435) * hc2_3;
+  // K_thetadot5_1 = E2^T K_thetadot5_2
+  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 + minus_E2_13 * minus_K_thetadot5_2_1;
+  // K_thetadot4_1 = E2^T K_thetadot4_2
+  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1;
+  // K_thetadot3_1 = E2^T K_thetadot3_2
+  const T K_thetadot3_1_3 = E2_11 * b2_6 - minus_E2_13 * b2_3;
   // D_thetaddot1: pivots of L D L^T
   const T b1_1 = K_thetadot6_1_3 * T(24999.999999999996);
-  const T b1_2 = K_thetadot5_1_3 * b4_4;
-  const T b1_3 = K_thetadot4_1_3 - b1_1 * K_thetadot6_4_3 + b1_2 * minus_J4_23;
-  const T b1_4 = b1_3 * b3_20;
+  const T b1_2 = K_thetadot5_1_3 * c.c3_3;
+  const T b1_3 = K_thetadot4_1_3 - b1_1 * K_thetadot6_4_3;
+  const T b1_4 = b1_3 * b3_14;
   const T b1_5 = b1_1 * K_thetadot6_3_2;
-  const T b1_6 = K_thetadot3_1_3 - b1_5 - b1_2 * K_thetadot5_3_2 - b1_4 * b3_19;
-  const T b1_7 = b1_6 * b2_16;
-  const T b1_8 = K_thetadot2_1_3 - b1_5 - b1_2 * K_thetadot5_2_2 - b1_4 * b2_13 - b1_7 * b2_15;
+  const T b1_6 = K_thetadot3_1_3 - b1_5 - b1_2 * K_thetadot5_3_2 - b1_4 * b3_13;
+  const T b1_7 = b1_6 * b2_11;
+  const T b1_8 = J1_23 - b1_5 - b1_2 * K_thetadot5_2_2 - b1_4 * b2_8 - b1_7 * b2_10;
   const T b1_9 = T(1) / D_thetaddot2;
   const T b1_10 = b1_8 * b1_9;
   const T D_thetaddot1 = J1_33 - b1_1 * K_thetadot6_1_3 - b1_2 * K_thetadot5_1_3 - b1_4 * b1_3 - b1_7 * b1_6 - b1_10 *
@@ -1220,11 +1192,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 1 (waist), solved
   // thetaddot1: from A ydot = f by elimination
   const T z1_1 = u.tau_6 - minus_N6_3;
-  const T z1_2 = rho5_2 + u.tau_5;
-  const T z1_3 = u.tau_4 - minus_rho4_3 - b4_3 * z1_1 + b4_5 * z1_2;
-  const T z1_4 = b3_15 * z1_1;
-  const T z1_5 = rho3_2 + u.tau_3 - z1_4 - b3_17 * z1_2 - b3_21 * z1_3;
-  const T z1_6 = rho2_2 + u.tau_2 - z1_4 - b2_12 * z1_2 - b2_14 * z1_3 - b2_17 * z1_5;
+  const T z1_2 = u.tau_5 - minus_rho5_2;
+  const T z1_3 = u.tau_4 - minus_rho4_3 - b4_5 * z1_1;
+  const T z1_4 = b3_9 * z1_1;
+  const T z1_5 = rho3_2 + u.tau_3 - z1_4 - b3_11 * z1_2 - b3_15 * z1_3;
+  const T z1_6 = rho2_2 + u.tau_2 - z1_4 - b2_7 * z1_2 - b2_9 * z1_3 - b2_12 * z1_5;
   const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_3 + u.tau_1 - b1_1 * z1_1 - b1_2 * z1_2 - b1_4 * z1_3 - b1_7 * z1_5
       - b1_10 * z1_6);
   ydot[0] = thetaddot1;
@@ -1236,44 +1208,42 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 3 (forearm), solved
   // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_5 * b2_16 - b2_17 * thetaddot2 - b1_7 * thetaddot1;
+  const T thetaddot3 = z1_5 * b2_11 - b2_12 * thetaddot2 - b1_7 * thetaddot1;
   ydot[2] = thetaddot3;
 
   // ---- body 4 (wrist), solved
   // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_3 * b3_20 - b3_21 * thetaddot3 - b2_14 * thetaddot2 - b1_4 * thetaddot1;
+  const T thetaddot4 = z1_3 * b3_14 - b3_15 * thetaddot3 - b2_9 * thetaddot2 - b1_4 * thetaddot1;
   ydot[3] = thetaddot4;
 
   // ---- body 5 (hand), solved
   // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_2 * b4_4 + b4_5 * thetaddot4 - b3_17 * thetaddot3 - b2_12 * thetaddot2 - b1_2 * thetaddot1;
+  const T thetaddot5 = z1_2 * c.c3_3 - b3_11 * thetaddot3 - b2_7 * thetaddot2 - b1_2 * thetaddot1;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (flange), solved
   // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_1 * T(24999.999999999996) - b4_3 * thetaddot4 - b3_15 * thetaddot3 - b3_15 * thetaddot2 -
-      b1_1 * thetaddot1;
+  const T thetaddot6 = z1_1 * T(24999.999999999996) - b4_5 * thetaddot4 - b3_9 * thetaddot3 - b3_9 * thetaddot2 - b1_1
+      * thetaddot1;
   ydot[5] = thetaddot6;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 201 add, 230 multiply, 10 sine or cosine
+// 183 add, 196 multiply, 10 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::cos, std::sin;
 
   // ---- body 1 (waist) on the inertial frame
-  const T thetadot1 = y[0];
   const T thetaddot1 = ydot[0];
-  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
-  //   [1/s^2]
-  const T minus_U1_11 = thetadot1 * thetadot1;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_3 = T(0.35) * thetaddot1;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_3 = c.c1_4 * thetaddot1 + c.c1_5 * thetaddot1;
 
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
+  const T thetadot1 = y[0];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
@@ -1302,23 +1272,18 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U2_31 = t2_5 + thetaddot2;
   const T U2_32 = t2_1 - minus_omegadot2_1;
   const T minus_U2_33 = t2_4 + t2_6;
-  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_7 = thetaddot1 * T(0.2435);
-  const T minus_Pddot2_1 = E2_11 * t2_7 + minus_E2_13 * T(9.81);
-  const T minus_Pddot2_2 = minus_U1_11 * T(0.2435);
-  const T Pddot2_3 = E2_11 * T(9.81) - minus_E2_13 * t2_7;
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_12 * T(0.016) - minus_U2_11 * T(0.068) - U2_13 * T(0.006) - minus_Pddot2_1;
-  const T a2_2 = U2_21 * T(0.068) + minus_U2_22 * T(0.016) - U2_23 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.006) - (minus_U2_31 * T(0.068) + U2_32 * T(0.016)) + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(17.4) * a2_1;
-  const T G2_2 = T(17.4) * a2_2;
-  const T G2_3 = T(17.4) * a2_3;
-  // N2 = axial(U2 (tr(I_link2)/2 - I_link2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.057499999999999996) * U2_32 - T(0.07250000000000001) * U2_23;
-  const T N2_2 = T(0.07250000000000001) * U2_13 + T(0.4665) * minus_U2_31;
-  const T N2_3 = T(0.4665) * U2_21 + T(0.057499999999999996) * minus_U2_12;
+  // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
+  const T Pddot2_3 = E2_11 * T(9.81);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(0.0070992) * U2_21 - (c.c2_1 * U2_32 + c.c2_2 * U2_23 + T(0.023750999999999998) * (minus_U2_22 -
+      minus_U2_33) + c.c1_3 * minus_U2_31);
+  const T N2_2 = T(0.10439999999999999) * minus_Pddot2_1 - c.h_all_2_1 * Pddot2_3 + c.c2_2 * U2_13 + c.c2_1 *
+      minus_U2_31 - T(0.0070992) * (minus_U2_33 - minus_U2_11) + T(0.023750999999999998) * minus_U2_12 - c.c1_3 *
+      U2_32;
+  const T N2_3 = c.c2_1 * U2_21 - c.c2_1 * minus_U2_12 + c.c1_3 * (minus_U2_11 - minus_U2_22) - T(0.0070992) * U2_23 +
+      T(0.023750999999999998) * U2_13;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
@@ -1353,23 +1318,23 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U3_32 = t3_6 - minus_omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_U2_12 * T(0.0934) - minus_U2_11 * T(0.4318) - minus_Pddot2_1;
-  const T t3_8 = Pddot2_3 - (minus_U2_31 * T(0.4318) + U2_32 * T(0.0934));
-  const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
-  const T Pddot3_2 = U2_21 * T(0.4318) + minus_U2_22 * T(0.0934) - minus_Pddot2_2;
-  const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
-  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_13 * T(0.07) - minus_U3_12 * T(0.014) + Pddot3_1;
-  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(4.8) * a3_1;
-  const T G3_2 = T(4.8) * a3_2;
-  const T G3_3 = T(4.8) * a3_3;
-  // N3 = axial(U3 (tr(I_link3)/2 - I_link3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
-  const T N3_2 = T(0.059750000000000004) * U3_13 + T(0.00625) * minus_U3_31;
-  const T N3_3 = T(0.00625) * U3_21 + T(0.00625) * minus_U3_12;
+  const T t3_7 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_8 = Pddot2_3 - minus_U2_31 * T(0.4318);
+  const T minus_Pddot3_1 = E3_11 * t3_7 + minus_E3_13 * t3_8;
+  const T Pddot3_2 = U2_21 * T(0.4318);
+  const T Pddot3_3 = E3_11 * t3_8 - minus_E3_13 * t3_7;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T G3_1 = minus_U3_11 * c.c1_1 + U3_13 * c.h_all_3_3;
+  const T G3_2 = U3_23 * c.h_all_3_3 - U3_21 * c.c1_1;
+  const T G3_3 = minus_U3_31 * c.c1_1 - minus_U3_33 * c.h_all_3_3;
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = c.c1_2 * (minus_U3_22 - minus_U3_33) - (c.c3_1 * U3_32 + c.c3_2 * U3_23) + c.J_all_3_12 * minus_U3_31
+      + c.J_all_3_13 * U3_21 - c.h_all_3_3 * Pddot3_2;
+  const T N3_2 = c.c1_1 * Pddot3_3 - c.h_all_3_3 * minus_Pddot3_1 + c.c3_2 * U3_13 + c.c3_1 * minus_U3_31 -
+      c.J_all_3_13 * (minus_U3_33 - minus_U3_11) - c.c1_2 * minus_U3_12 + c.J_all_3_12 * U3_32;
+  const T N3_3 = c.c3_1 * U3_21 - c.c3_1 * minus_U3_12 - c.J_all_3_12 * (minus_U3_11 - minus_U3_22) - c.J_all_3_13 *
+      U3_23 - c.c1_2 * U3_13 - c.c1_1 * Pddot3_2;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
@@ -1380,11 +1345,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_2 + E4_12 * omegadot3_2 - E4_11 * minus_omegadot3_1;
-  const T omegadot4_2 = E4_12 * minus_omegadot3_1 + E4_11 * omegadot3_2 - thetadot4 * omega4_1;
+  const T omegadot4_2 = E4_11 * omegadot3_2 + E4_12 * minus_omegadot3_1 - thetadot4 * omega4_1;
   const T omegadot4_3 = thetaddot4 + omegadot3_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
@@ -1399,23 +1364,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + U3_13 * T(0.4331) + Pddot3_1;
-  const T t4_5 = U3_23 * T(0.4331) - U3_21 * T(0.0203) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_12 * T(0.1501) - minus_Pddot3_1;
+  const T t4_5 = Pddot3_2 - (U3_21 * T(0.0203) + minus_U3_22 * T(0.1501));
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_31 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
-  const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
-  const T G4_1 = T(0.82) * a4_1;
-  const T G4_2 = T(0.82) * a4_2;
-  const T G4_3 = T(0.82) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
-  const T N4_1 = T(0.00065) * U4_32 - T(0.00115) * U4_23;
-  const T N4_2 = T(0.00115) * U4_13 - T(0.00065) * U4_31;
-  const T N4_3 = T(0.00065) * U4_21 - T(0.00065) * U4_12;
+  const T Pddot4_3 = minus_U3_31 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
+  const T minus_N4_2 = c.c4_2 * U4_13 + c.c4_1 * U4_31;
+  const T N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
@@ -1443,17 +1401,19 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U5_23 = t5_3 - omegadot5_1;
   const T U5_31 = t5_2 - omegadot5_2;
   const T U5_32 = t5_3 + omegadot5_1;
-  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
-  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
-  // G5 = m5 Pddot5: force balance, body axes [N]
-  const T G5_1 = T(0.34) * Pddot5_1;
-  const T G5_2 = T(0.34) * Pddot4_2;
-  const T G5_3 = T(0.34) * Pddot5_3;
-  // N5 = axial(U5 (tr(I_link5)/2 - I_link5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
-  const T N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
-  const T N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
+  const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  // G5 = U5 h_own_5: inertia less applied force, body axes [N]
+  const T G5_1 = U5_13 * c.h_all_6_3;
+  const T G5_2 = U5_23 * c.h_all_6_3;
+  const T minus_G5_3 = minus_U5_33 * c.h_all_6_3;
+  // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
+  const T N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
@@ -1481,39 +1441,21 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U6_23 = t6_3 - omegadot6_1;
   const T U6_31 = t6_2 - omegadot6_2;
   const T U6_32 = t6_3 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
-  // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
-  const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
-  // G6 = m_link6 a6: force balance, body axes [N]
-  const T G6_1 = c.m_link6 * a6_1;
-  const T G6_2 = c.m_link6 * a6_2;
-  const T G6_3 = c.m_link6 * a6_3;
-  // N6 = axial(U6 (tr(I_link6)/2 - I_link6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
-  const T N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
-  const T N6_3 = c.c6_2 * U6_21 - c.c6_2 * U6_12;
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(2e-05) * U6_32 + T(2e-05) * U6_23;
+  const T minus_N6_2 = T(2e-05) * U6_13 + T(2e-05) * U6_31;
+  const T N6_3 = T(2e-05) * U6_21 - T(2e-05) * U6_12;
 
   // ---- body 6 (flange) and what it carries
-  // rho6 = r_link6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = N6_1 - c.r_link6_3 * G6_2;
-  const T rho6_2 = c.r_link6_3 * G6_1 + N6_2;
-  // r_theta6 = b6 . rho6 - tau_flange_: Kane's equation of the angle [N m]
+  // r_theta6 = b6 . N6 - tau_flange_: Kane's equation of the angle [N m]
   const T r_theta6 = N6_3 - u.tau_6;
   r[5] = r_theta6;
 
   // ---- body 5 (hand) and what it carries
-  // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_11 * G6_1 - E6_12 * G6_2 + G5_1;
-  const T S5_2 = E6_12 * G6_1 + E6_11 * G6_2 + G5_2;
-  const T S5_3 = G6_3 + G5_3;
-  // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 - E6_12 * rho6_2 + N5_1;
-  const T rho5_2 = E6_12 * rho6_1 + E6_11 * rho6_2 + N5_2;
+  // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho5_1 = E6_11 * N6_1 + E6_12 * minus_N6_2 - minus_N5_1;
+  const T rho5_2 = E6_12 * N6_1 - E6_11 * minus_N6_2 + N5_2;
   const T rho5_3 = N6_3 + N5_3;
   // r_theta5 = b5 . rho5 - tau_hand_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_2 - u.tau_5;
@@ -1521,12 +1463,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 + minus_E5_13 * S5_3 + G4_1;
-  const T S4_2 = S5_2 + G4_2;
-  const T S4_3 = E5_11 * S5_3 - minus_E5_13 * S5_1 + G4_3;
-  // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 + minus_E5_13 * rho5_3 + T(0.019) * G4_2 + N4_1;
-  const T rho4_2 = rho5_2 - T(0.019) * G4_1 + N4_2;
+  const T S4_1 = E5_11 * G5_1 - minus_E5_13 * minus_G5_3;
+  const T minus_S4_3 = minus_E5_13 * G5_1 + E5_11 * minus_G5_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = E5_11 * rho5_1 + minus_E5_13 * rho5_3 - T(0.4331) * G5_2 + N4_1;
+  const T rho4_2 = T(0.4331) * S4_1 + rho5_2 - minus_N4_2;
   const T rho4_3 = E5_11 * rho5_3 - minus_E5_13 * rho5_1 + N4_3;
   // r_theta4 = b4 . rho4 - tau_wrist_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_3 - u.tau_4;
@@ -1534,41 +1476,33 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 - E4_12 * S4_2;
+  const T b3_1 = E4_11 * S4_1 - E4_12 * G5_2;
   const T S3_1 = b3_1 + G3_1;
-  const T b3_2 = E4_12 * S4_1 + E4_11 * S4_2;
+  const T b3_2 = E4_12 * S4_1 + E4_11 * G5_2;
   const T S3_2 = b3_2 + G3_2;
-  const T S3_3 = S4_3 + G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.014) * G3_3 - T(0.07) * G3_2 + N3_1;
-  const T rho3_2 = T(0.4331) * b3_1 + T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 + T(0.07) * G3_1 + N3_2;
-  const T rho3_3 = rho4_3 - T(0.0203) * b3_2 - T(0.014) * G3_1 + N3_3;
+  const T S3_3 = G3_3 - minus_S4_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.1501) * minus_S4_3 + N3_1;
+  const T rho3_2 = E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.0203) * minus_S4_3 + N3_2;
+  const T rho3_3 = rho4_3 - (T(0.0203) * b3_2 + T(0.1501) * b3_1) + N3_3;
   // r_theta3 = b3 . rho3 - tau_forearm_: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_2 - u.tau_3;
   r[2] = r_theta3;
 
   // ---- body 2 (upper_arm) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
-  const T S2_1 = b2_1 + G2_1;
-  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
-  const T S2_3 = b2_2 + G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0934) * b2_2 + T(0.006) * G2_2 - T(0.016) * G2_3 +
-      N2_1;
-  const T rho2_2 = rho3_2 - T(0.4318) * b2_2 - T(0.006) * G2_1 - T(0.068) * G2_3 + N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.068) * G2_2 +
-      T(0.016) * G2_1 + N2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 + N2_1;
+  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) + N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + N2_3;
   // r_theta2 = b2 . rho2 - tau_upper_arm_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_2 - u.tau_2;
   r[1] = r_theta2;
 
   // ---- body 1 (waist) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 + minus_E2_13 * S2_3) + N1_3;
+  // rho1 = E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 + N1_3;
   // r_theta1 = b1 . rho1 - tau_waist_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_3 - u.tau_1;
   r[0] = r_theta1;
@@ -1576,7 +1510,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 176 add, 214 multiply, 10 sine or cosine
+// 163 add, 186 multiply, 10 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -1605,22 +1539,17 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U2_22 = t2_1 + t2_3;
   const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
-  const T minus_Pddot2_2 = thetadot1 * T(0.2435) * thetadot1;
   const T Pddot2_3 = E2_11 * T(9.81);
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_13 * T(0.006) - minus_U2_11 * T(0.068) - minus_Pddot2_1;
-  const T a2_2 = minus_U2_22 * T(0.016) - minus_U2_21 * T(0.068) - U2_23 * T(0.006) - minus_Pddot2_2;
-  const T a2_3 = minus_U2_33 * T(0.006) - minus_U2_13 * T(0.068) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(17.4) * a2_1;
-  const T minus_G2_2 = T(17.4) * a2_2;
-  const T minus_G2_3 = T(17.4) * a2_3;
-  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.07250000000000001) * U2_23;
-  const T minus_N2_2 = T(0.394) * minus_U2_13;
-  const T N2_3 = T(0.4665) * minus_U2_21;
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = c.c2_2 * U2_23 + T(0.023750999999999998) * (minus_U2_22 - minus_U2_33) + c.c1_3 * minus_U2_13 +
+      T(0.0070992) * minus_U2_21;
+  const T minus_N2_2 = T(0.10439999999999999) * minus_Pddot2_1 - c.h_all_2_1 * Pddot2_3 + c.c2_1 * minus_U2_13 -
+      c.c2_2 * minus_U2_13 - T(0.0070992) * (minus_U2_33 - minus_U2_11);
+  const T minus_N2_3 = c.c1_3 * (minus_U2_11 - minus_U2_22) - c.c2_1 * minus_U2_21 - T(0.0070992) * U2_23 -
+      T(0.023750999999999998) * minus_U2_13;
 
   // ---- body 3 (forearm) on body 2
   const T theta3 = x[2];
@@ -1655,20 +1584,20 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
   const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
   const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
-  const T Pddot3_2 = minus_U2_22 * T(0.0934) - minus_U2_21 * T(0.4318) - minus_Pddot2_2;
+  const T minus_Pddot3_2 = minus_U2_21 * T(0.4318);
   const T Pddot3_3 = E3_11 * t3_7 - minus_E3_13 * t3_6;
-  // a3 = U3 r_link3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.014) - minus_U3_13 * T(0.07) - minus_Pddot3_1;
-  const T a3_2 = U3_23 * T(0.07) - minus_U3_22 * T(0.014) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.014) - minus_U3_33 * T(0.07) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(4.8) * a3_1;
-  const T minus_G3_2 = T(4.8) * a3_2;
-  const T minus_G3_3 = T(4.8) * a3_3;
-  // N3 = -axial(U3 (tr(I_link3)/2 - I_link3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.00625) * U3_32 - T(0.059750000000000004) * U3_23;
-  const T N3_2 = T(0.053500000000000006) * minus_U3_13;
-  const T N3_3 = T(0.00625) * minus_U3_21 + T(0.00625) * U3_12;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = minus_U3_11 * c.c1_1 - minus_U3_13 * c.h_all_3_3;
+  const T minus_G3_2 = minus_U3_21 * c.c1_1 + U3_23 * c.h_all_3_3;
+  const T minus_G3_3 = minus_U3_13 * c.c1_1 - minus_U3_33 * c.h_all_3_3;
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = c.h_all_3_3 * minus_Pddot3_2 - c.c3_1 * U3_32 - c.c3_2 * U3_23 + c.c1_2 * (minus_U3_22 -
+      minus_U3_33) + c.J_all_3_12 * minus_U3_13 - c.J_all_3_13 * minus_U3_21;
+  const T minus_N3_2 = c.c1_1 * Pddot3_3 - c.h_all_3_3 * minus_Pddot3_1 + c.c3_1 * minus_U3_13 - c.c3_2 * minus_U3_13
+      - c.J_all_3_13 * (minus_U3_33 - minus_U3_11) + c.c1_2 * U3_12 + c.J_all_3_12 * U3_32;
+  const T minus_N3_3 = c.c1_1 * minus_Pddot3_2 - c.c3_1 * minus_U3_21 + c.c3_1 * U3_12 - c.J_all_3_12 * (minus_U3_11 -
+      minus_U3_22) - c.J_all_3_13 * U3_23 + c.c1_2 * minus_U3_13;
 
   // ---- body 4 (wrist) on body 3
   const T theta4 = x[3];
@@ -1678,7 +1607,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T E4_12 = sin(theta4);
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_2 + E4_11 * omegadot3_1;
@@ -1696,23 +1625,16 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_13 * T(0.4331) - minus_Pddot3_1;
-  const T t4_5 = minus_U3_21 * T(0.0203) + U3_23 * T(0.4331) + Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) + U3_12 * T(0.1501) - minus_Pddot3_1;
+  const T t4_5 = minus_U3_21 * T(0.0203) - minus_U3_22 * T(0.1501) - minus_Pddot3_2;
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_13 * T(0.0203) - minus_U3_33 * T(0.4331) + Pddot3_3;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - U4_13 * T(0.019);
-  const T a4_2 = Pddot4_2 - U4_23 * T(0.019);
-  const T a4_3 = minus_U4_33 * T(0.019) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(0.82) * a4_1;
-  const T minus_G4_2 = T(0.82) * a4_2;
-  const T minus_G4_3 = T(0.82) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.00065) * U4_32 - T(0.00115) * U4_23;
-  const T minus_N4_2 = T(0.00115) * U4_13 - T(0.00065) * U4_31;
-  const T minus_N4_3 = T(0.00065) * U4_21 - T(0.00065) * U4_12;
+  const T Pddot4_3 = minus_U3_13 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
+  const T N4_2 = c.c4_2 * U4_13 + c.c4_1 * U4_31;
+  const T minus_N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
   const T theta5 = x[4];
@@ -1738,17 +1660,19 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U5_23 = t5_3 - omegadot5_1;
   const T U5_31 = t5_2 + minus_omegadot4_2;
   const T U5_32 = t5_3 + omegadot5_1;
-  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * Pddot4_1 - minus_E5_13 * Pddot4_3;
-  const T Pddot5_3 = minus_E5_13 * Pddot4_1 + E5_11 * Pddot4_3;
-  // G5 = -m5 Pddot5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(0.34) * Pddot5_1;
-  const T minus_G5_2 = T(0.34) * Pddot4_2;
-  const T minus_G5_3 = T(0.34) * Pddot5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(9.999999999999996e-05) * U5_32 - T(2e-04) * U5_23;
-  const T minus_N5_2 = T(2e-04) * U5_13 - T(2e-04) * U5_31;
-  const T minus_N5_3 = T(2e-04) * U5_21 - T(9.999999999999996e-05) * U5_12;
+  const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
+  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_13 * c.h_all_6_3;
+  const T minus_G5_2 = U5_23 * c.h_all_6_3;
+  const T G5_3 = minus_U5_33 * c.h_all_6_3;
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
+  const T minus_N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
   const T theta6 = x[5];
@@ -1762,7 +1686,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega6_3 = thetadot6 + omega5_3;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = thetadot6 * omega6_2 + E6_11 * omegadot5_1 - E6_12 * minus_omegadot4_2;
-  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_12 * omegadot5_1 + E6_11 * minus_omegadot4_2;
+  const T minus_omegadot6_2 = thetadot6 * omega6_1 + E6_11 * minus_omegadot4_2 + E6_12 * omegadot5_1;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t6_1 = omega6_2 * omega6_1;
@@ -1774,52 +1698,34 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U6_23 = t6_3 - omegadot6_1;
   const T U6_31 = t6_2 + minus_omegadot6_2;
   const T U6_32 = t6_3 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + omega6_1 * omega6_1;
-  // Pddot6 = E6 Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * Pddot5_1 + E6_12 * Pddot4_2;
-  const T Pddot6_2 = E6_11 * Pddot4_2 - E6_12 * Pddot5_1;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_13 * c.r_link6_3 + Pddot6_1;
-  const T a6_2 = U6_23 * c.r_link6_3 + Pddot6_2;
-  const T a6_3 = Pddot5_3 - minus_U6_33 * c.r_link6_3;
-  // G6 = -m_link6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = c.m_link6 * a6_1;
-  const T minus_G6_2 = c.m_link6 * a6_2;
-  const T minus_G6_3 = c.m_link6 * a6_3;
-  // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = c.c6_2 * U6_32 - c.c6_3 * U6_23;
-  const T minus_N6_2 = c.c6_3 * U6_13 - c.c6_2 * U6_31;
-  const T minus_N6_3 = c.c6_2 * U6_21 - c.c6_2 * U6_12;
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(2e-05) * U6_32 + T(2e-05) * U6_23;
+  const T N6_2 = T(2e-05) * U6_13 + T(2e-05) * U6_31;
+  const T minus_N6_3 = T(2e-05) * U6_21 - T(2e-05) * U6_12;
 
   // ---- body 6 (flange) and what it carries
-  // rho6 = r_link6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = c.r_link6_3 * minus_G6_2 - minus_N6_1;
-  const T minus_rho6_2 = c.r_link6_3 * minus_G6_1 + minus_N6_2;
-  // f_theta6 = b6 . rho6 + tau_flange_: Kane's equation of the angle [N m]
+  // f_theta6 = b6 . N6 + tau_flange_: Kane's equation of the angle [N m]
   const T f_theta6 = u.tau_6 - minus_N6_3;
   f[5] = f_theta6;
 
   // ---- body 5 (hand) and what it carries
-  // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = E6_12 * minus_G6_2 - E6_11 * minus_G6_1 - minus_G5_1;
-  const T minus_S5_2 = E6_12 * minus_G6_1 + E6_11 * minus_G6_2 + minus_G5_2;
-  const T minus_S5_3 = minus_G6_3 + minus_G5_3;
-  // rho5 = E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 + E6_12 * minus_rho6_2 - minus_N5_1;
-  const T rho5_2 = E6_12 * rho6_1 - E6_11 * minus_rho6_2 - minus_N5_2;
+  // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho5_1 = N5_1 - (E6_12 * N6_2 + E6_11 * minus_N6_1);
+  const T minus_rho5_2 = E6_12 * minus_N6_1 - E6_11 * N6_2 + minus_N5_2;
   const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
   // f_theta5 = b5 . rho5 + tau_hand_: Kane's equation of the angle [N m]
-  const T f_theta5 = rho5_2 + u.tau_5;
+  const T f_theta5 = u.tau_5 - minus_rho5_2;
   f[4] = f_theta5;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T S4_1 = E5_11 * S5_1 - minus_E5_13 * minus_S5_3 - minus_G4_1;
-  const T minus_S4_2 = minus_S5_2 + minus_G4_2;
-  const T minus_S4_3 = minus_E5_13 * S5_1 + E5_11 * minus_S5_3 + minus_G4_3;
-  // rho4 = E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - T(0.019) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = rho5_2 + T(0.019) * minus_G4_1 - minus_N4_2;
+  const T S4_1 = minus_E5_13 * G5_3 - E5_11 * minus_G5_1;
+  const T S4_3 = minus_E5_13 * minus_G5_1 + E5_11 * G5_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.4331) * minus_G5_2 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - minus_N4_1;
+  const T rho4_2 = T(0.4331) * S4_1 - minus_rho5_2 + N4_2;
   const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
   // f_theta4 = b4 . rho4 + tau_wrist_: Kane's equation of the angle [N m]
   const T f_theta4 = u.tau_4 - minus_rho4_3;
@@ -1827,43 +1733,33 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 3 (forearm) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_S4_2;
+  const T b3_1 = E4_11 * S4_1 + E4_12 * minus_G5_2;
   const T S3_1 = b3_1 - minus_G3_1;
-  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_S4_2;
+  const T b3_2 = E4_12 * S4_1 - E4_11 * minus_G5_2;
   const T S3_2 = b3_2 - minus_G3_2;
-  const T minus_S3_3 = minus_S4_3 + minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r_link3~ G3 + N3: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.4331) * b3_2 + T(0.07) * minus_G3_2 - T(0.014) * minus_G3_3 -
-      minus_N3_1;
-  const T rho3_2 = T(0.4331) * b3_1 - T(0.0203) * minus_S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.07) * minus_G3_1
-      + N3_2;
-  const T rho3_3 = T(0.014) * minus_G3_1 - (T(0.0203) * b3_2 + minus_rho4_3) + N3_3;
+  const T S3_3 = S4_3 - minus_G3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = T(0.1501) * S4_3 + E4_11 * rho4_1 - E4_12 * rho4_2 - minus_N3_1;
+  const T rho3_2 = T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - minus_N3_2;
+  const T minus_rho3_3 = T(0.0203) * b3_2 + T(0.1501) * b3_1 + minus_rho4_3 + minus_N3_3;
   // f_theta3 = b3 . rho3 + tau_forearm_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + u.tau_3;
   f[2] = f_theta3;
 
   // ---- body 2 (upper_arm) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 - minus_E3_13 * minus_S3_3;
-  const T S2_1 = b2_1 - minus_G2_1;
-  const T b2_2 = minus_E3_13 * S3_1 + E3_11 * minus_S3_3;
-  const T minus_S2_3 = b2_2 + minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = T(0.0934) * b2_2 + E3_11 * rho3_1 + minus_E3_13 * rho3_3 + T(0.016) * minus_G2_3 - T(0.006) *
-      minus_G2_2 + N2_1;
-  const T rho2_2 = T(0.4318) * b2_2 + rho3_2 + T(0.006) * minus_G2_1 + T(0.068) * minus_G2_3 - minus_N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 + T(0.0934) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 - T(0.068) * minus_G2_2
-      - T(0.016) * minus_G2_1 + N2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 + N2_1;
+  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) - minus_N2_2;
+  const T rho2_3 = T(0.4318) * S3_2 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
   // f_theta2 = b2 . rho2 + tau_upper_arm_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_2 + u.tau_2;
   f[1] = f_theta2;
 
   // ---- body 1 (waist) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 - T(0.2435) * (E2_11 * S2_1 - minus_E2_13 * minus_S2_3);
+  // rho1 = E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1;
   // f_theta1 = b1 . rho1 + tau_waist_: Kane's equation of the angle [N m]
   const T f_theta1 = rho1_3 + u.tau_1;
   f[0] = f_theta1;
@@ -1871,10 +1767,13 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 116 add, 146 multiply, 10 sine or cosine
+// 68 add, 85 multiply, 8 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
+
+  // ---- body 1 (waist) on the inertial frame
+  A[28] = c.J_all_5_22;
 
   // ---- body 2 (upper_arm) on body 1
   const T theta2 = x[1];
@@ -1900,75 +1799,48 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T E5_11 = cos(theta5);
   const T minus_E5_13 = sin(theta5);
 
-  // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
-  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
-
   // ---- body 5 (hand) and what it carries
-  // J5 = E6^T J6 E6 + I_link5: inertia carried, about the body origin, body axes [kg m^2]
-  const T b5_1 = E6_11 * c.J6_11;
-  const T b5_2 = E6_12 * c.J6_11;
-  const T b5_3 = b5_1 * E6_11 + b5_2 * E6_12;
-  const T J5_11 = b5_3 + T(3e-04);
-  const T J5_12 = b5_1 * E6_12 - b5_2 * E6_11;
-  const T J5_22 = b5_3 + T(4e-04);
-  A[28] = J5_22;
-  // hc5 = E5^T hc6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = minus_E5_13 * c.h6_3;
-  const T hc5_3 = E5_11 * c.h6_3;
+  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc5_1 = minus_E5_13 * c.h_all_6_3;
+  const T hc5_3 = E5_11 * c.h_all_6_3;
 
   // ---- body 4 (wrist) and what it carries
-  // h4 = m4 r4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h4_3 = hc5_3 - T(0.015579999999999998);
-  // J4 = E5^T J5 E5 - m4 r4~ r4~ + I4: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_1 = E5_11 * J5_11;
-  const T b4_2 = minus_E5_13 * T(0.00033999999999999997);
-  const T J4_11 = b4_1 * E5_11 + b4_2 * minus_E5_13 + T(0.00209602);
-  const T J4_12 = E5_11 * J5_12;
-  const T J4_13 = b4_2 * E5_11 - b4_1 * minus_E5_13;
-  const T J4_22 = J5_22 + T(0.00209602);
-  const T minus_J4_23 = minus_E5_13 * J5_12;
-  const T J4_33 = minus_E5_13 * J5_11 * minus_E5_13 + E5_11 * T(0.00033999999999999997) * E5_11 + T(0.0013);
-  A[22] = -minus_J4_23;
-  A[27] = -minus_J4_23;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = minus_E5_13 * c.c4_3;
+  const T b4_2 = minus_E5_13 * b4_1;
+  const T J4_11 = c.J_own_5_11 + b4_2 + T(0.8662) * hc5_3;
+  const T J4_13 = E5_11 * b4_1 - T(0.4331) * hc5_1;
+  const T b4_3 = T(0.4331) * hc5_3;
+  const T b4_4 = b4_3 + c.J_all_5_22;
+  const T J4_22 = b4_4 + c.J_own_4_22 + b4_3;
+  const T J4_33 = T(0.00164) - b4_2;
   A[21] = J4_33;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = E4_11 * hc5_1;
   const T hc4_2 = E4_12 * hc5_1;
-  // K_thetadot6_4 = E5^T K_thetadot6_5
+  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
   const T K_thetadot6_4_1 = minus_E5_13 * T(4e-05);
   const T K_thetadot6_4_3 = E5_11 * T(4e-05);
   A[23] = K_thetadot6_4_3;
   A[33] = K_thetadot6_4_3;
 
   // ---- body 3 (forearm) and what it carries
-  // h3 = m3 r_link3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = hc4_1 - c.c3_2;
-  const T h3_2 = T(0.0672) + hc4_2;
-  const T h3_3 = c.c3_3 + h4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r_link3~ r_link3~ + I_link3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b3_1 = E4_12 * J4_12;
-  const T b3_2 = E4_11 * J4_11 - b3_1;
-  const T b3_3 = E4_11 * J4_12;
-  const T b3_4 = b3_3 - E4_12 * J4_22;
-  const T b3_5 = h4_3 + c.c3_1;
-  const T b3_6 = T(0.4331) * h4_3 + b3_5 * T(0.4331);
-  const T J3_11 = b3_2 * E4_11 - b3_4 * E4_12 + b3_6 + T(0.09046080000000001);
-  const T J3_12 = b3_2 * E4_12 + b3_4 * E4_11 + T(0.0203) * hc4_2;
-  const T b3_7 = E4_11 * J4_13 + E4_12 * minus_J4_23;
-  const T b3_8 = b3_7 - T(0.4331) * hc4_1;
-  const T J3_13 = b3_8 + b3_5 * T(0.0203);
-  const T b3_9 = T(0.0203) * hc4_1;
-  const T b3_10 = h3_1 * T(0.0203);
-  const T J3_22 = (E4_12 * J4_11 + b3_3) * E4_12 + (b3_1 + E4_11 * J4_22) * E4_11 - b3_9 + b3_6 + T(0.08952) - b3_10;
-  const T b3_11 = T(0.4331) * hc4_2 - (E4_12 * J4_13 - E4_11 * minus_J4_23);
-  const T minus_J3_23 = b3_11 + T(0.004704000000000001);
-  const T J3_31 = b3_7 + T(0.0203) * h4_3 - h3_1 * T(0.4331);
-  const T b3_12 = J4_33 - b3_9;
-  const T J3_33 = b3_12 + T(0.013440800000000001) - b3_10;
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_1 = hc4_1 - c.c1_1;
+  const T h3_3 = c.h_all_3_3 + hc5_3;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_1 = E4_12 * (J4_11 - J4_22);
+  const T b3_2 = E4_12 * b3_1;
+  const T J3_11 = J4_11 - b3_2 + T(0.3002) * hc4_2 + c.J_own_3_11;
+  const T J3_12 = E4_11 * b3_1 - T(0.1501) * hc4_1 + c.J_all_3_12 + T(0.0203) * hc4_2;
+  const T b3_3 = E4_11 * J4_13;
+  const T J3_13 = b3_3 + c.J_all_3_13 + T(0.0203) * hc5_3;
+  const T J3_22 = J4_22 + b3_2 - T(0.0406) * hc4_1 + c.J_all_3_22;
+  const T b3_4 = E4_12 * J4_13;
+  const T J3_23 = b3_4 - c.c1_2 - T(0.1501) * hc5_3;
+  const T b3_5 = T(0.1501) * hc4_2 - T(0.0203) * hc4_1;
+  const T b3_6 = b3_5 + J4_33;
+  const T J3_33 = b3_6 + b3_5;
   A[14] = J3_22;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_1 = minus_E3_13 * h3_3 + E3_11 * h3_1;
@@ -1984,97 +1856,75 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T B_thetadot5_3_1 = E4_11 * hc5_3;
   const T B_thetadot5_3_2 = E4_12 * hc5_3;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_3 - E4_12 * J5_22 - T(0.4331) * B_thetadot5_3_2;
-  const T K_thetadot5_3_2 = T(0.4331) * B_thetadot5_3_1 - T(0.0203) * hc5_1 + b3_1 + E4_11 * J5_22;
-  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + minus_J4_23;
+  const T minus_K_thetadot5_3_1 = T(0.1501) * hc5_1 + E4_12 * b4_4;
+  const T K_thetadot5_3_2 = E4_11 * b4_4 - T(0.0203) * hc5_1;
+  const T minus_K_thetadot5_3_3 = T(0.0203) * B_thetadot5_3_2 + T(0.1501) * B_thetadot5_3_1;
   A[16] = K_thetadot5_3_2;
   A[26] = K_thetadot5_3_2;
-  A[15] = -b3_11;
-  A[20] = -b3_11;
+  A[15] = b3_4;
+  A[20] = b3_4;
 
   // ---- body 2 (upper_arm) and what it carries
-  // h2 = m2 r_link2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = c.c2_3 + hc3_1;
-  const T h2_2 = h3_2 - c.c2_4;
-  const T h2_3 = hc3_3 - T(0.10439999999999999);
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b2_1 = E3_11 * J3_11 + minus_E3_13 * J3_31;
-  const T b2_2 = E3_11 * J3_13 + minus_E3_13 * J3_33;
-  const T b2_3 = c.c2_1 - h3_2;
-  const T b2_4 = T(0.0934) * h3_2 - b2_3 * T(0.0934);
-  const T J2_11 = b2_1 * E3_11 + b2_2 * minus_E3_13 - b2_4 + T(0.1350808);
-  const T b2_5 = T(0.0934) * hc3_1 + E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
-  const T J2_12 = b2_5 + T(0.0189312) + b2_3 * T(0.4318);
-  const T J2_13 = T(0.0070992) - (T(0.4318) * hc3_3 - (b2_2 * E3_11 - b2_1 * minus_E3_13));
-  const T b2_6 = T(0.4318) * hc3_1;
-  const T b2_7 = b2_6 + J3_22;
-  const T b2_8 = (hc3_1 + c.c2_2) * T(0.4318);
-  const T J2_22 = b2_7 + T(0.6200840000000001) + b2_8;
-  const T b2_9 = T(0.0934) * hc3_3 - minus_E3_13 * J3_12 - E3_11 * minus_J3_23;
-  const T J2_32 = b2_9 - T(0.0016703999999999998);
-  const T J2_33 = (E3_11 * J3_33 - minus_E3_13 * J3_13) * E3_11 - (E3_11 * J3_31 - minus_E3_13 * J3_11) * minus_E3_13
-      + b2_6 - b2_4 + T(0.608912) + b2_8;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = minus_E3_13 * (J3_33 - J3_11) + T(2) * E3_11 * J3_13;
+  const T b2_2 = minus_E3_13 * b2_1;
+  const T J2_11 = J3_11 + b2_2 + c.J_own_2_11;
+  const T b2_3 = E3_11 * J3_12 + minus_E3_13 * J3_23;
+  const T J2_12 = b2_3 - c.c1_3 - T(0.4318) * hc4_2;
+  const T J2_13 = E3_11 * b2_1 - J3_13 + T(0.0070992) - T(0.4318) * hc3_3;
+  const T b2_4 = T(0.4318) * hc3_1;
+  const T b2_5 = b2_4 + J3_22;
+  const T J2_22 = b2_5 + c.J_all_2_22 + b2_4;
+  const T b2_6 = E3_11 * J3_23 - minus_E3_13 * J3_12;
+  const T J2_23 = b2_6 + T(0.023750999999999998);
+  const T J2_33 = J3_33 - b2_2 + T(0.8636) * hc3_1;
   A[7] = J2_22;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_3 = E2_11 * h2_3 - minus_E2_13 * h2_1;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
   const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 + minus_E3_13 * K_thetadot6_4_3;
   const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - minus_E3_13 * hc5_1;
-  const T minus_B_thetadot5_2_3 = minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.0934) * minus_B_thetadot5_2_3 + E3_11 * K_thetadot5_3_1 - minus_E3_13 *
+  const T minus_K_thetadot5_2_1 = minus_E3_13 * minus_K_thetadot5_3_3 + E3_11 * minus_K_thetadot5_3_1;
+  const T K_thetadot5_2_2 = T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1) + K_thetadot5_3_2;
+  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + minus_E3_13 * minus_K_thetadot5_3_1 - E3_11 *
       minus_K_thetadot5_3_3;
-  const T K_thetadot5_2_2 = T(0.4318) * minus_B_thetadot5_2_3 + K_thetadot5_3_2;
-  const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + T(0.0934) * B_thetadot5_2_1 - minus_E3_13 * K_thetadot5_3_1
-      - E3_11 * minus_K_thetadot5_3_3;
   A[10] = K_thetadot5_2_2;
   A[25] = K_thetadot5_2_2;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_2;
-  const T B_thetadot4_2_3 = minus_E3_13 * hc4_2;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = E3_11 * b3_8 + minus_E3_13 * b3_12 - T(0.0934) * B_thetadot4_2_3;
-  const T minus_K_thetadot4_2_2 = b3_11 + T(0.4318) * B_thetadot4_2_3;
-  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 - T(0.0934) * minus_B_thetadot4_2_1 + E3_11 * b3_12 - minus_E3_13 *
-      b3_8;
-  A[9] = -minus_K_thetadot4_2_2;
-  A[19] = -minus_K_thetadot4_2_2;
-  A[8] = b2_7;
-  A[13] = b2_7;
+  const T K_thetadot4_2_1 = E3_11 * b3_3 + minus_E3_13 * b3_6;
+  const T K_thetadot4_2_2 = b3_4 - minus_E3_13 * hc4_2 * T(0.4318);
+  const T K_thetadot4_2_3 = T(0.4318) * hc4_1 + E3_11 * b3_6 - minus_E3_13 * b3_3;
+  A[9] = K_thetadot4_2_2;
+  A[19] = K_thetadot4_2_2;
+  A[8] = b2_5;
+  A[13] = b2_5;
 
   // ---- body 1 (waist) and what it carries
-  // J1 = -q2~ hc2~ + E2^T J2 E2 + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes
-  //   [kg m^2]
-  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
-      + T(0.2435) * h2_2 + T(0.35) + (c.c1_1 + h2_2) * T(0.2435);
+  // J1 = E2^T J2 E2 + J_own_1: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_23 = E2_11 * J2_23 - minus_E2_13 * J2_12;
+  const T J1_33 = J2_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13) + c.J_all_1_33;
+  A[1] = J1_23;
+  A[6] = J1_23;
   A[0] = J1_33;
-  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
+  // K_thetadot6_1 = E2^T K_thetadot6_2
   const T K_thetadot6_1_3 = E2_11 * K_thetadot6_2_3 - minus_E2_13 * K_thetadot6_2_1;
   A[5] = K_thetadot6_1_3;
   A[30] = K_thetadot6_1_3;
-  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 - minus_E2_13 * K_thetadot5_2_1 - T(0.2435) * (E2_11 *
-      B_thetadot5_2_1 - minus_E2_13 * minus_B_thetadot5_2_3);
+  // K_thetadot5_1 = E2^T K_thetadot5_2
+  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_2_3 + minus_E2_13 * minus_K_thetadot5_2_1;
   A[4] = K_thetadot5_1_3;
   A[24] = K_thetadot5_1_3;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1 - T(0.2435) * (minus_E2_13 *
-      B_thetadot4_2_3 - E2_11 * minus_B_thetadot4_2_1);
+  // K_thetadot4_1 = E2^T K_thetadot4_2
+  const T K_thetadot4_1_3 = E2_11 * K_thetadot4_2_3 - minus_E2_13 * K_thetadot4_2_1;
   A[3] = K_thetadot4_1_3;
   A[18] = K_thetadot4_1_3;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_3 = E2_11 * b2_9 - minus_E2_13 * b2_5 - T(0.2435) * (E2_11 * hc3_3 - minus_E2_13 * hc3_1);
+  // K_thetadot3_1 = E2^T K_thetadot3_2
+  const T K_thetadot3_1_3 = E2_11 * b2_6 - minus_E2_13 * b2_3;
   A[2] = K_thetadot3_1_3;
   A[12] = K_thetadot3_1_3;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_3 = E2_11 * J2_32 - minus_E2_13 * J2_12 - T(0.2435) * hc2_3;
-  A[1] = K_thetadot2_1_3;
-  A[6] = K_thetadot2_1_3;
 
   // ---- results
+  A[22] = T(0);
+  A[27] = T(0);
   A[29] = T(0);
   A[34] = T(0);
   A[35] = T(4e-05);
@@ -2179,7 +2029,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T minus_R4_21 = E1_12 * E4_11 + R3_11 * E4_12;
   const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
   const T R4_23 = minus_R3_13 * E4_12;
   // P_thetadot1_4 = -R3^T q4~ omega_thetadot1_3 + P_thetadot1_3: partial velocity of the body origin, inertial axes
@@ -2250,9 +2100,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
   const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
-  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T minus_R6_21 = minus_R4_21 * E6_11 + R5_11 * E6_12;
   const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
-  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
+  const T R6_23 = R4_23 * E6_11 + minus_R5_13 * E6_12;
   // omega_thetadot2_6 = E6 omega_thetadot2_5: partial angular velocity, body axes
   const T omega_thetadot2_6_1 = E6_11 * omega_thetadot2_5_1 + E6_12 * E4_11;
   const T omega_thetadot2_6_2 = E6_11 * E4_11 - E6_12 * omega_thetadot2_5_1;
@@ -2511,12 +2361,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
   const T minus_R4_13 = minus_R3_13 * E4_11;
-  const T minus_R4_21 = R3_11 * E4_12 + E1_12 * E4_11;
+  const T minus_R4_21 = E1_12 * E4_11 + R3_11 * E4_12;
   const T R4_22 = E1_11 * E4_11 - R3_12 * E4_12;
   const T R4_23 = minus_R3_13 * E4_12;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
-  const T omega4_2 = E4_12 * minus_omega3_1 + E4_11 * omega3_2;
+  const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // omega_dot_thetadot1_4 = -thetadot4 b4~ E4 omega_thetadot1_3 + E4 omega_dot_thetadot1_3: its rate
   const T omega_dot_thetadot1_4_1 = thetadot4 * R4_23 + E4_11 * omega_dot_thetadot1_3_1;
@@ -2633,9 +2483,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
   const T R6_13 = R4_23 * E6_12 - minus_R5_13 * E6_11;
-  const T minus_R6_21 = R5_11 * E6_12 + minus_R4_21 * E6_11;
+  const T minus_R6_21 = minus_R4_21 * E6_11 + R5_11 * E6_12;
   const T R6_22 = R4_22 * E6_11 - R5_12 * E6_12;
-  const T R6_23 = minus_R5_13 * E6_12 + R4_23 * E6_11;
+  const T R6_23 = R4_23 * E6_11 + minus_R5_13 * E6_12;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -2651,8 +2501,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // omega_dot_thetadot2_6 = -thetadot6 b6~ E6 omega_thetadot2_5 + E6 omega_dot_thetadot2_5: its rate
   const T omega_dot_thetadot2_6_1 = thetadot6 * omega_thetadot2_6_2 + E6_11 * omega_dot_thetadot2_5_1 - E6_12 *
       minus_omega_dot_thetadot2_4_2;
-  const T minus_omega_dot_thetadot2_6_2 = thetadot6 * omega_thetadot2_6_1 + E6_12 * omega_dot_thetadot2_5_1 + E6_11 *
-      minus_omega_dot_thetadot2_4_2;
+  const T minus_omega_dot_thetadot2_6_2 = thetadot6 * omega_thetadot2_6_1 + E6_11 * minus_omega_dot_thetadot2_4_2 +
+      E6_12 * omega_dot_thetadot2_5_1;
   // omega_thetadot4_6 = E6 omega_thetadot4_5: partial angular velocity, body axes
   const T minus_omega_thetadot4_6_1 = E6_11 * minus_E5_13;
   const T omega_thetadot4_6_2 = E6_12 * minus_E5_13;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0a8a919f558fcd84 of arm_7/scene.toml; the usual functions
+// model f2fb3882f724d541 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -27,10 +27,10 @@
 //   energy                  484 (186 add, 298 multiply, 14 sine or cosine)
 //   momentum                665 (278 add, 387 multiply, 14 sine or cosine)
 //   power                   27 (13 add, 14 multiply)
-//   accelerations           1066 (476 add, 584 multiply, 6 divide, 12 sine or cosine)
-//   residual                575 (269 add, 306 multiply, 12 sine or cosine)
-//   forcing                 542 (249 add, 293 multiply, 12 sine or cosine)
-//   mass_matrix             311 (137 add, 174 multiply, 12 sine or cosine)
+//   accelerations           782 (357 add, 420 multiply, 5 divide, 12 sine or cosine)
+//   residual                464 (226 add, 238 multiply, 12 sine or cosine)
+//   forcing                 435 (207 add, 228 multiply, 12 sine or cosine)
+//   mass_matrix             194 (84 add, 110 multiply, 10 sine or cosine)
 //   partial_velocities      761 (293 add, 468 multiply, 14 sine or cosine)
 //   partial_velocity_rates  1879 (732 add, 1147 multiply, 14 sine or cosine)
 #pragma once
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "0a8a919f558fcd84";
+inline constexpr char model_hash[] = "f2fb3882f724d541";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -170,7 +170,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
   const T minus_R3_13 = minus_E2_13 * E3_11;
-  const T minus_R3_21 = R2_11 * E3_12 + E1_12 * E3_11;
+  const T minus_R3_21 = E1_12 * E3_11 + R2_11 * E3_12;
   const T R3_22 = E1_11 * E3_11 - R2_12 * E3_12;
   const T R3_23 = minus_E2_13 * E3_12;
   pose[24] = R3_11;
@@ -227,7 +227,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
   const T R5_13 = R4_13 * E5_11 + R3_23 * E5_12;
-  const T minus_R5_21 = R4_11 * E5_12 + minus_R3_21 * E5_11;
+  const T minus_R5_21 = minus_R3_21 * E5_11 + R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
   const T R5_23 = R3_23 * E5_11 - R4_13 * E5_12;
   pose[48] = -R5_11;
@@ -279,7 +279,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
   const T R7_13 = R6_13 * E7_11 + R5_23 * E7_12;
-  const T minus_R7_21 = R6_11 * E7_12 + minus_R5_21 * E7_11;
+  const T minus_R7_21 = minus_R5_21 * E7_11 + R6_11 * E7_12;
   const T R7_22 = R5_22 * E7_11 - R6_12 * E7_12;
   const T R7_23 = R5_23 * E7_11 - R6_13 * E7_12;
   pose[72] = R7_11;
@@ -379,12 +379,12 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
   const T minus_R3_13 = minus_E2_13 * E3_11;
-  const T minus_R3_21 = R2_11 * E3_12 + E1_12 * E3_11;
+  const T minus_R3_21 = E1_12 * E3_11 + R2_11 * E3_12;
   const T R3_22 = E1_11 * E3_11 - R2_12 * E3_12;
   const T R3_23 = minus_E2_13 * E3_12;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T P3_3 = E2_11 * T(0.2045) + T(0.36);
@@ -455,7 +455,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
   const T R5_13 = R4_13 * E5_11 + R3_23 * E5_12;
-  const T minus_R5_21 = R4_11 * E5_12 + minus_R3_21 * E5_11;
+  const T minus_R5_21 = minus_R3_21 * E5_11 + R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
   const T R5_23 = R3_23 * E5_11 - R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
@@ -531,7 +531,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
   const T R7_13 = R6_13 * E7_11 + R5_23 * E7_12;
-  const T minus_R7_21 = R6_11 * E7_12 + minus_R5_21 * E7_11;
+  const T minus_R7_21 = minus_R5_21 * E7_11 + R6_11 * E7_12;
   const T R7_22 = R5_22 * E7_11 - R6_12 * E7_12;
   const T R7_23 = R5_23 * E7_11 - R6_13 * E7_12;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -645,12 +645,12 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
   const T minus_R3_13 = minus_E2_13 * E3_11;
-  const T minus_R3_21 = R2_11 * E3_12 + E1_12 * E3_11;
+  const T minus_R3_21 = E1_12 * E3_11 + R2_11 * E3_12;
   const T R3_22 = E1_11 * E3_11 - R2_12 * E3_12;
   const T R3_23 = minus_E2_13 * E3_12;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T P3_3 = E2_11 * T(0.2045) + T(0.36);
@@ -743,7 +743,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
   const T R5_13 = R4_13 * E5_11 + R3_23 * E5_12;
-  const T minus_R5_21 = R4_11 * E5_12 + minus_R3_21 * E5_11;
+  const T minus_R5_21 = minus_R3_21 * E5_11 + R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
   const T R5_23 = R3_23 * E5_11 - R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
@@ -843,7 +843,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
   const T R7_13 = R6_13 * E7_11 + R5_23 * E7_12;
-  const T minus_R7_21 = R6_11 * E7_12 + minus_R5_21 * E7_11;
+  const T minus_R7_21 = minus_R5_21 * E7_11 + R6_11 * E7_12;
   const T R7_22 = R5_22 * E7_11 - R6_12 * E7_12;
   const T R7_23 = R5_23 * E7_11 - R6_13 * E7_12;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -951,7 +951,8 @@ void power(const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 476 add, 584 multiply, 6 divide, 12 sine or cosine
+// 357 add, 420 multiply, 5 divide, 12 sine or cosine
+// by: articulated; composite would take 381 add, 455 multiply, 5 divide, 12 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::cos, std::sin;
@@ -970,10 +971,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
-  // effort_link_2_2 = -thetadot2 c_link_2_ + tau_link_2_: along the coordinate [N m], [N]
-  const T effort_link_2_2 = u.tau_2 - thetadot2 * c.p.c;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot2_1 = thetadot2 * omega2_3;
+  const T minus_omegadot2_1 = omega2_3 * thetadot2;
   const T minus_omegadot2_3 = thetadot2 * minus_omega2_1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
@@ -986,21 +985,19 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U2_22 = t2_1 + t2_3;
   const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
   const T Pddot2_3 = E2_11 * T(9.81);
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(3e-04) - minus_U2_13 * T(0.059) - minus_Pddot2_1;
-  const T a2_2 = minus_U2_21 * T(3e-04) - minus_U2_22 * T(0.042) + U2_23 * T(0.059);
-  const T a2_3 = minus_U2_13 * T(3e-04) - minus_U2_33 * T(0.059) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(6.35) * a2_1;
-  const T minus_G2_2 = T(6.35) * a2_2;
-  const T minus_G2_3 = T(6.35) * a2_3;
-  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.005549999999999999) * U2_23;
-  const T N2_2 = T(9.99999999999994e-05) * minus_U2_13;
-  const T N2_3 = T(0.00545) * minus_U2_21;
+  // effort_link_2_2 = -thetadot2 c_link_2_ + tau_link_2_: along the coordinate [N m], [N]
+  const T effort_link_2_2 = u.tau_2 - thetadot2 * c.p.c;
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.0157353) * (minus_U2_22 - minus_U2_33) - T(2.2318662249999996) * U2_23 +
+      T(8.000999999999999e-05) * minus_U2_13 - T(0.00011239499999999998) * minus_U2_21;
+  const T minus_N2_2 = T(0.0019049999999999998) * Pddot2_3 - T(5.7454) * minus_Pddot2_1 - T(2.2264156534999997) *
+      minus_U2_13 - T(0.00011239499999999998) * (minus_U2_33 - minus_U2_11);
+  const T minus_N2_3 = T(0.0157353) * minus_U2_13 - (T(0.0054505715) * minus_U2_21 + T(8.000999999999999e-05) *
+      (minus_U2_11 - minus_U2_22) + T(0.00011239499999999998) * U2_23);
 
   // ---- body 3 (link_3) on body 2
   const T theta3 = x[2];
@@ -1010,10 +1007,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T E3_12 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
-  // effort_link_3_3 = -thetadot3 c_link_3_ + tau_link_3_: along the coordinate [N m], [N]
-  const T effort_link_3_3 = u.tau_3 - thetadot3 * c.p.c;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = thetadot3 * omega3_2 - E3_11 * minus_omegadot2_1;
   const T omegadot3_2 = E3_12 * minus_omegadot2_1 - thetadot3 * omega3_1;
@@ -1031,24 +1026,18 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
   const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
-  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_5 = U2_23 * T(0.2045);
-  const T t3_6 = minus_U2_13 * T(0.2045) + minus_Pddot2_1;
-  const T Pddot3_1 = E3_12 * t3_5 - E3_11 * t3_6;
-  const T Pddot3_2 = E3_12 * t3_6 + E3_11 * t3_5;
-  const T Pddot3_3 = Pddot2_3 - minus_U2_33 * T(0.2045);
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.03) + U3_13 * T(0.13) + Pddot3_1;
-  const T a3_2 = U3_23 * T(0.13) - minus_U3_22 * T(0.03) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.03) - minus_U3_33 * T(0.13) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(3.5) * a3_1;
-  const T minus_G3_2 = T(3.5) * a3_2;
-  const T minus_G3_3 = T(3.5) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.004399999999999999) * U3_32 - T(0.0206) * U3_23;
-  const T minus_N3_2 = T(0.0206) * U3_13 - T(0.0032) * U3_31;
-  const T minus_N3_3 = T(0.0032) * U3_21 - T(0.004399999999999999) * U3_12;
+  // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
+  const T Pddot3_2 = E3_12 * minus_Pddot2_1;
+  // effort_link_3_3 = -thetadot3 c_link_3_ + tau_link_3_: along the coordinate [N m], [N]
+  const T effort_link_3_3 = u.tau_3 - thetadot3 * c.p.c;
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.027996) * U3_32 + T(0.027996) * U3_23 - T(0.014857500000000004) * (minus_U3_22 -
+      minus_U3_33) - T(0.014000000000000012) * Pddot2_3;
+  const T N3_2 = T(0.027996) * U3_13 + T(0.0032) * U3_31 + T(0.014857500000000004) * U3_12;
+  const T minus_N3_3 = T(0.0032) * U3_21 - T(0.027996) * U3_12 + T(0.014857500000000004) * U3_13 -
+      T(0.014000000000000012) * minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
   const T theta4 = x[3];
@@ -1060,8 +1049,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega4_1 = E4_11 * omega3_1 + E4_13 * omega3_3;
   const T omega4_2 = omega3_2 - thetadot4;
   const T omega4_3 = E4_11 * omega3_3 - E4_13 * omega3_1;
-  // effort_link_4_4 = -thetadot4 c_link_4_ + tau_link_4_: along the coordinate [N m], [N]
-  const T effort_link_4_4 = u.tau_4 - thetadot4 * c.p.c;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_3 + E4_11 * omegadot3_1 - E4_13 * minus_omegadot2_3;
   const T minus_omegadot4_3 = thetadot4 * omega4_1 + E4_13 * omegadot3_1 + E4_11 * minus_omegadot2_3;
@@ -1080,23 +1067,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_32 = t4_4 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = U3_13 * T(0.2155) + Pddot3_1;
-  const T t4_6 = Pddot3_3 - minus_U3_33 * T(0.2155);
+  const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
+  const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
   const T Pddot4_1 = E4_11 * t4_5 + E4_13 * t4_6;
-  const T Pddot4_2 = U3_23 * T(0.2155) + Pddot3_2;
+  const T Pddot4_2 = U3_23 * T(0.42) + Pddot3_2;
   const T Pddot4_3 = E4_11 * t4_6 - E4_13 * t4_5;
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
-  const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(3.5) * a4_1;
-  const T minus_G4_2 = T(3.5) * a4_2;
-  const T minus_G4_3 = T(3.5) * a4_3;
-  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.0137) * U4_32 - T(0.0033) * U4_23;
-  const T minus_N4_2 = T(0.0033) * U4_13 - T(0.0027) * U4_31;
-  const T minus_N4_3 = T(0.0027) * U4_21 - T(0.0137) * U4_12;
+  // effort_link_4_4 = -thetadot4 c_link_4_ + tau_link_4_: along the coordinate [N m], [N]
+  const T effort_link_4_4 = u.tau_4 - thetadot4 * c.p.c;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(2.34625);
+  const T minus_G4_2 = U4_23 * T(2.34625);
+  const T G4_3 = minus_U4_33 * T(2.34625);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = T(2.34625) * Pddot4_2 + T(0.0027) * U4_32 + T(0.752766163) * U4_23 + T(0.007973000000000001) *
+      (minus_U4_22 - minus_U4_33);
+  const T minus_N4_2 = T(2.34625) * Pddot4_1 + T(0.752766163) * U4_13 - T(0.0027) * U4_31 - T(0.007973000000000001) *
+      U4_12;
+  const T minus_N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
   const T theta5 = x[4];
@@ -1108,8 +1096,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
   const T omega5_3 = thetadot5 + omega4_3;
-  // effort_link_5_5 = -thetadot5 c_link_5_ + tau_link_5_: along the coordinate [N m], [N]
-  const T effort_link_5_5 = u.tau_5 - thetadot5 * c.p.c;
   // omegadot5 = -thetadot5 b5~ E5 omega4 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
   const T omegadot5_1 = thetadot5 * omega5_2 + E5_11 * omegadot4_1 + E5_12 * omegadot3_2;
   const T omegadot5_2 = E5_11 * omegadot3_2 - E5_12 * omegadot4_1 - thetadot5 * omega5_1;
@@ -1130,24 +1116,25 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U5_31 = t5_4 - omegadot5_2;
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
-  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_13 * T(0.1845) + Pddot4_1;
-  const T t5_8 = U4_23 * T(0.1845) + Pddot4_2;
-  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
-  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = Pddot4_3 - minus_U4_33 * T(0.1845);
-  // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
-  const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(3.5) * a5_1;
-  const T minus_G5_2 = T(3.5) * a5_2;
-  const T minus_G5_3 = T(3.5) * a5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.0028950000000000004) * U5_32 - T(0.007105) * U5_23;
-  const T minus_N5_2 = T(0.007105) * U5_13 - T(0.0015949999999999996) * U5_31;
-  const T minus_N5_3 = T(0.0015949999999999996) * U5_21 - T(0.0028950000000000004) * U5_12;
+  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * Pddot4_1 + E5_12 * Pddot4_2;
+  const T Pddot5_2 = E5_11 * Pddot4_2 - E5_12 * Pddot4_1;
+  // effort_link_5_5 = -thetadot5 c_link_5_ + tau_link_5_: along the coordinate [N m], [N]
+  const T effort_link_5_5 = u.tau_5 - thetadot5 * c.p.c;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = minus_U5_11 * T(0.00035) - U5_12 * T(0.07278000000000001);
+  const T minus_G5_2 = minus_U5_22 * T(0.07278000000000001) - U5_21 * T(0.00035);
+  const T G5_3 = U5_31 * T(0.00035) + U5_32 * T(0.07278000000000001);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(0.009138788) * U5_32 + T(0.009138788) * U5_23 - T(0.01885875) * (minus_U5_22 - minus_U5_33) +
+      T(7.350000000000001e-06) * U5_31 + T(9.117500000000001e-05) * U5_21 - T(0.07278000000000001) * Pddot4_3;
+  const T minus_N5_2 = T(0.00035) * Pddot4_3 - (T(0.009138788) * U5_13 + T(0.0015950349999999996) * U5_31 +
+      T(9.117500000000001e-05) * (minus_U5_33 - minus_U5_11) + T(0.01885875) * U5_12 + T(7.350000000000001e-06) *
+      U5_32);
+  const T minus_N5_3 = T(0.07278000000000001) * Pddot5_1 - T(0.00035) * Pddot5_2 + T(0.0015950349999999996) * U5_21 -
+      T(0.009138788) * U5_12 + T(7.350000000000001e-06) * (minus_U5_11 - minus_U5_22) - T(9.117500000000001e-05) *
+      U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
   const T theta6 = x[5];
@@ -1159,8 +1146,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega6_1 = E6_11 * omega5_1 - minus_E6_13 * omega5_3;
   const T omega6_2 = thetadot6 + omega5_2;
   const T omega6_3 = minus_E6_13 * omega5_1 + E6_11 * omega5_3;
-  // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
-  const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = E6_11 * omegadot5_1 + minus_E6_13 * minus_omegadot4_3 - thetadot6 * omega6_3;
   const T omegadot6_3 = thetadot6 * omega6_1 + minus_E6_13 * omegadot5_1 - E6_11 * minus_omegadot4_3;
@@ -1179,23 +1164,21 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U6_32 = t6_4 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_5 = U5_13 * T(0.2155) + Pddot5_1;
-  const T t6_6 = Pddot5_3 - minus_U5_33 * T(0.2155);
-  const T Pddot6_1 = E6_11 * t6_5 - minus_E6_13 * t6_6;
-  const T Pddot6_2 = U5_23 * T(0.2155) + Pddot5_2;
-  const T Pddot6_3 = minus_E6_13 * t6_5 + E6_11 * t6_6;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(4e-04) + U6_13 * T(6e-04) + Pddot6_1;
-  const T a6_2 = U6_23 * T(6e-04) - minus_U6_22 * T(4e-04) + Pddot6_2;
-  const T a6_3 = U6_32 * T(4e-04) - minus_U6_33 * T(6e-04) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.8) * a6_1;
-  const T minus_G6_2 = T(1.8) * a6_2;
-  const T minus_G6_3 = T(1.8) * a6_3;
-  // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.003) * U6_32 - T(0.0018999999999999998) * U6_23;
-  const T minus_N6_2 = T(0.0018999999999999998) * U6_13 - T(0.0017000000000000001) * U6_31;
-  const T minus_N6_3 = T(0.0017000000000000001) * U6_21 - T(0.003) * U6_12;
+  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
+  const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_13 * T(0.12228);
+  const T minus_G6_2 = U6_23 * T(0.12228);
+  const T G6_3 = minus_U6_33 * T(0.12228);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(4.32e-07) * (minus_U6_22 - minus_U6_33) - (T(0.0017000000000000001) * U6_32 + T(0.015141848)
+      * U6_23) - T(0.12228) * Pddot6_2;
+  const T minus_N6_2 = T(0.12228) * Pddot6_1 + T(0.015141848) * U6_13 - T(0.0017000000000000001) * U6_31 + T(4.32e-07)
+      * U6_12;
+  const T minus_N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
   const T theta7 = x[6];
@@ -1207,8 +1190,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega7_1 = E7_11 * omega6_1 + E7_12 * omega6_2;
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
   const T omega7_3 = thetadot7 + omega6_3;
-  // effort_link_7_7 = -thetadot7 c_link_7_ + tau_link_7_: along the coordinate [N m], [N]
-  const T effort_link_7_7 = u.tau_7 - thetadot7 * c.p.c;
   // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = thetadot7 * omega7_2 + E7_11 * omegadot6_1 + E7_12 * omegadot5_2;
   const T omegadot7_2 = E7_11 * omegadot5_2 - E7_12 * omegadot6_1 - thetadot7 * omega7_1;
@@ -1223,348 +1204,382 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U7_23 = t7_3 - omegadot7_1;
   const T U7_31 = t7_2 - omegadot7_2;
   const T U7_32 = t7_3 + omegadot7_1;
-  const T minus_U7_33 = omega7_2 * omega7_2 + omega7_1 * omega7_1;
-  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_4 = U6_13 * T(0.081) + Pddot6_1;
-  const T t7_5 = U6_23 * T(0.081) + Pddot6_2;
-  const T Pddot7_1 = E7_11 * t7_4 + E7_12 * t7_5;
-  const T Pddot7_2 = E7_11 * t7_5 - E7_12 * t7_4;
-  const T Pddot7_3 = Pddot6_3 - minus_U6_33 * T(0.081);
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_13 * T(0.02) + Pddot7_1;
-  const T a7_2 = U7_23 * T(0.02) + Pddot7_2;
-  const T a7_3 = Pddot7_3 - minus_U7_33 * T(0.02);
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.2) * a7_1;
-  const T minus_G7_2 = T(1.2) * a7_2;
-  const T minus_G7_3 = T(1.2) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(5e-04) * U7_32 - T(5e-04) * U7_23;
-  const T minus_N7_2 = T(5e-04) * U7_13 - T(5e-04) * U7_31;
+  // effort_link_7_7 = -thetadot7 c_link_7_ + tau_link_7_: along the coordinate [N m], [N]
+  const T effort_link_7_7 = u.tau_7 - thetadot7 * c.p.c;
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(5e-04) * U7_32 + T(5e-04) * U7_23;
+  const T N7_2 = T(5e-04) * U7_13 + T(5e-04) * U7_31;
   const T minus_N7_3 = T(5e-04) * U7_21 - T(5e-04) * U7_12;
 
   // ---- body 7 (link_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = T(0.02) * minus_G7_2 - minus_N7_1;
-  const T minus_rho7_2 = T(0.02) * minus_G7_1 + minus_N7_2;
+  // u_7 = b7 . N7 + effort_link_7_7: drives it [N m]
+  const T u_7 = effort_link_7_7 - minus_N7_3;
+  // v7 = invD7 u_7: u/D
+  const T v7 = T(1000) * u_7;
+  // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
+  const T minus_np7_1 = E7_11 * minus_N7_1 + E7_12 * N7_2;
+  const T np7_2 = E7_11 * N7_2 - E7_12 * minus_N7_1;
 
   // ---- body 6 (link_6) and what it carries
-  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_12 * minus_G7_2 - E7_11 * minus_G7_1;
-  const T S6_1 = b6_1 - minus_G6_1;
-  const T b6_2 = E7_12 * minus_G7_1 + E7_11 * minus_G7_2;
-  const T minus_S6_2 = b6_2 + minus_G6_2;
-  const T minus_S6_3 = minus_G7_3 + minus_G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r_link6~ G6 + N6: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho6_1 = T(0.081) * b6_2 + E7_11 * rho7_1 + E7_12 * minus_rho7_2 + T(6e-04) * minus_G6_2 - T(4e-04) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = T(0.081) * b6_1 + E7_12 * rho7_1 - E7_11 * minus_rho7_2 - T(6e-04) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(4e-04) * minus_G6_1 - minus_N7_3 - minus_N6_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r_link6~ r_link6~ + (-m7 q7~ - hc7~) q7~ + I_link6: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b6_3 = E7_11 * T(0.00148);
-  const T b6_4 = E7_12 * T(0.00148);
-  const T b6_5 = b6_3 * E7_11 + b6_4 * E7_12 + T(0.001944);
-  const T J6_11 = b6_5 + T(0.014718136);
-  const T J6_12 = b6_3 * E7_12 - b6_4 * E7_11;
-  const T J6_22 = b6_5 + T(0.013417848);
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_1 = minus_E6_13 * T(0.12228);
-  const T hc6_3 = E6_11 * T(0.12228);
+  // n6 = N6 + np7: moment that drives it, body axes [N m]
+  const T minus_n6_1 = minus_np7_1 + minus_N6_1;
+  const T n6_2 = np7_2 - minus_N6_2;
+  const T minus_n6_3 = effort_link_7_7 + minus_N6_3;
+  // u_6 = b6 . n6 + effort_link_6_6: drives it [N m]
+  const T u_6 = n6_2 + effort_link_6_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = T(59.37590696697892) * u_6;
+  // gt6 = g6 - v6 B6: force with the turn solved [N]
+  const T minus_gt6_1 = minus_G6_1 + v6 * T(0.12228);
+  // nt6 = -effort_link_6_6 b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
+  const T nt6_3 = v6 * T(4.32e-07) - minus_n6_3;
+  // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
+  const T b6_1 = minus_E6_13 * T(0.8878122163316045);
+  const T b6_2 = minus_E6_13 * b6_1;
+  const T Mp6_11 = b6_2 - T(0.8878122163316045);
+  const T Mp6_13 = E6_11 * b6_1;
+  // gp6 = E6^T gt6: force passed on, lower body's axes [N]
+  const T gp6_1 = minus_E6_13 * G6_3 - E6_11 * minus_gt6_1;
+  const T gp6_3 = minus_E6_13 * minus_gt6_1 + E6_11 * G6_3;
+  // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
+  const T b6_3 = E6_11 * T(3.136529910494383e-06);
+  const T Hp6_11 = minus_E6_13 * b6_3;
+  const T minus_Hp6_12 = E6_11 * T(0.12228);
+  const T b6_4 = E6_11 * b6_3;
+  const T Hp6_13 = b6_4 - T(3.136529910494383e-06);
+  const T Hp6_32 = minus_E6_13 * T(0.12228);
+  // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
+  const T b6_5 = minus_E6_13 * T(0.013441848011080969);
+  const T b6_6 = minus_E6_13 * b6_5;
+  const T Jp6_11 = T(0.013441848) - b6_6;
+  const T minus_Jp6_13 = E6_11 * b6_5;
+  const T Jp6_33 = b6_6 - T(1.1080969261805474e-11);
+  // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
+  const T np6_1 = minus_E6_13 * nt6_3 - E6_11 * minus_n6_1;
+  const T np6_3 = minus_E6_13 * minus_n6_1 + E6_11 * nt6_3;
+  // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
+  const T Hb6_21 = T(0.4) * Mp6_11;
+  const T Hb6_23 = T(0.4) * Mp6_13;
 
   // ---- body 5 (link_5) and what it carries
-  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T b5_1 = E6_11 * S6_1 - minus_E6_13 * minus_S6_3;
-  const T S5_1 = b5_1 - minus_G5_1;
-  const T minus_S5_2 = minus_S6_2 + minus_G5_2;
-  const T minus_S5_3 = minus_E6_13 * S6_1 + E6_11 * minus_S6_3 + minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r_link5~ G5 + N5: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho5_1 = T(0.2155) * minus_S6_2 + E6_11 * rho6_1 + minus_E6_13 * rho6_3 + T(0.076) * minus_G5_2 + T(0.021) *
-      minus_G5_3 - minus_N5_1;
-  const T rho5_2 = T(0.2155) * b5_1 + rho6_2 - T(0.076) * minus_G5_1 - T(1e-04) * minus_G5_3 - minus_N5_2;
-  const T rho5_3 = E6_11 * rho6_3 - minus_E6_13 * rho6_1 + T(1e-04) * minus_G5_2 - T(0.021) * minus_G5_1 - minus_N5_3;
-  // h5 = m5 r_link5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = hc6_1 - T(0.00035);
-  const T h5_3 = T(0.9125) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r_link5~ r_link5~ + I_link5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b5_2 = E6_11 * J6_11;
-  const T b5_3 = minus_E6_13 * T(0.005700288);
-  const T b5_4 = T(0.2155) * hc6_3;
-  const T b5_5 = (hc6_3 + T(0.6465)) * T(0.2155);
-  const T J5_11 = b5_2 * E6_11 + b5_3 * minus_E6_13 + b5_4 + T(0.031759499999999996) + b5_5;
-  const T b5_6 = E6_11 * J6_12 - minus_E6_13 * T(4.32e-07);
-  const T J5_12 = b5_6 - T(7.350000000000001e-06);
-  const T J5_13 = b5_3 * E6_11 - b5_2 * minus_E6_13 - T(0.2155) * hc6_1 + T(2.66e-05);
-  const T b5_7 = b5_4 + J6_22;
-  const T J5_22 = b5_7 + T(0.028916035) + b5_5;
-  const T b5_8 = minus_E6_13 * J6_12 + E6_11 * T(4.32e-07);
-  const T J5_23 = T(0.00543084) - b5_8;
-  const T J5_33 = minus_E6_13 * J6_11 * minus_E6_13 + E6_11 * T(0.005700288) * E6_11 + T(0.0060335350000000005);
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = E5_12 * T(0.07278000000000001) + E5_11 * h5_1;
-  const T minus_hc5_2 = E5_11 * T(0.07278000000000001) - E5_12 * h5_1;
-  // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T K_thetadot7_5_1 = minus_E6_13 * T(0.001);
-  const T K_thetadot7_5_3 = E6_11 * T(0.001);
-  // D_thetaddot5: pivots of L D L^T
-  const T b5_9 = K_thetadot7_5_3 * T(1000);
-  const T b5_10 = T(1) / J6_22;
-  const T b5_11 = b5_8 * b5_10;
-  const T D_thetaddot5 = J5_33 - b5_9 * K_thetadot7_5_3 - b5_11 * b5_8;
+  // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T HA5_13 = Hp6_13 - T(0.07278000000000001);
+  const T HA5_23 = Hb6_23 + T(0.00035);
+  const T HA5_31 = b6_4 + T(0.07278000000000001);
+  const T HA5_32 = Hp6_32 - T(0.00035);
+  // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA5_11 = T(0.8) * minus_Hp6_12 + Jp6_11;
+  const T JA5_12 = T(0.4) * Hp6_11 - T(7.350000000000001e-06);
+  const T JA5_13 = T(9.117500000000001e-05) - T(0.4) * Hp6_32 - minus_Jp6_13;
+  const T JA5_22 = Hb6_21 * T(0.4) - T(0.007543753000000001);
+  const T JA5_23 = T(0.4) * b6_4 + T(0.01885875);
+  const T JA5_33 = T(0.010733823) + Jp6_33;
+  // g5 = G5 + gp6: force that drives it, home axes [N]
+  const T g5_1 = gp6_1 - minus_G5_1;
+  const T minus_g5_2 = minus_G6_2 + minus_G5_2;
+  const T g5_3 = gp6_3 + G5_3;
+  // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
+  const T n5_1 = T(0.4) * minus_G6_2 - minus_N5_1 + np6_1;
+  const T n5_2 = T(0.4) * gp6_1 - minus_N5_2 - effort_link_6_6;
+  const T n5_3 = np6_3 - minus_N5_3;
+  // invD5 = D5^-1: 1/D
+  const T invD5 = T(1) / JA5_33;
+  // kB5 = invD5 B5: B/D
+  const T kB5_1 = invD5 * HA5_31;
+  const T kB5_2 = invD5 * HA5_32;
+  const T minus_kB5_3 = invD5 * Hp6_11;
+  // kK5 = invD5 K5: K/D
+  const T kK5_1 = invD5 * JA5_13;
+  const T kK5_2 = invD5 * JA5_23;
+  // u_5 = b5 . n5 + effort_link_5_5: drives it [N m]
+  const T u_5 = n5_3 + effort_link_5_5;
+  // v5 = invD5 u_5: u/D
+  const T v5 = invD5 * u_5;
+  // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
+  const T M5_11 = Mp6_11 - kB5_1 * HA5_31;
+  const T minus_M5_12 = kB5_1 * HA5_32;
+  const T M5_13 = Mp6_13 + kB5_1 * Hp6_11;
+  const T minus_M5_22 = kB5_2 * HA5_32;
+  const T M5_23 = kB5_2 * Hp6_11;
+  const T minus_M5_33 = b6_2 + minus_kB5_3 * Hp6_11;
+  // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
+  const T H5_11 = Hp6_11 - kK5_1 * HA5_31;
+  const T minus_H5_12 = minus_Hp6_12 + kK5_1 * HA5_32;
+  const T H5_13 = HA5_13 + kK5_1 * Hp6_11;
+  const T H5_21 = Hb6_21 - kK5_2 * HA5_31;
+  const T minus_H5_22 = kK5_2 * HA5_32;
+  const T H5_23 = HA5_23 + kK5_2 * Hp6_11;
+  // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
+  const T J5_11 = JA5_11 - kK5_1 * JA5_13;
+  const T J5_12 = JA5_12 - kK5_1 * JA5_23;
+  const T J5_22 = JA5_22 - kK5_2 * JA5_23;
+  // gt5 = g5 - v5 B5: force with the turn solved [N]
+  const T gt5_1 = g5_1 - v5 * HA5_31;
+  const T minus_gt5_2 = minus_g5_2 + v5 * HA5_32;
+  const T gt5_3 = g5_3 + v5 * Hp6_11;
+  // nt5 = -effort_link_5_5 b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
+  const T nt5_1 = n5_1 - v5 * JA5_13;
+  const T nt5_2 = n5_2 - v5 * JA5_23;
+  // Mp5 = E5^T M5 E5: M passed on, lower body's axes [kg]
+  const T b5_1 = T(2) * E5_11;
+  const T b5_2 = E5_12 * (M5_11 + minus_M5_22) - b5_1 * minus_M5_12;
+  const T b5_3 = E5_12 * b5_2;
+  const T Mp5_11 = M5_11 - b5_3;
+  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
+  const T Mp5_13 = E5_11 * M5_13 - E5_12 * M5_23;
+  const T Mp5_22 = b5_3 - minus_M5_22;
+  const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
+  // gp5 = E5^T gt5: force passed on, lower body's axes [N]
+  const T gp5_1 = E5_11 * gt5_1 + E5_12 * minus_gt5_2;
+  const T gp5_2 = E5_12 * gt5_1 - E5_11 * minus_gt5_2;
+  // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
+  const T b5_4 = E5_12 * (H5_11 + minus_H5_22) + E5_11 * (H5_21 - minus_H5_12);
+  const T b5_5 = E5_12 * b5_4;
+  const T Hp5_11 = H5_11 - b5_5;
+  const T b5_6 = E5_11 * b5_4;
+  const T Hp5_12 = b5_6 - H5_21;
+  const T Hp5_13 = E5_11 * H5_13 - E5_12 * H5_23;
+  const T Hp5_21 = b5_6 + minus_H5_12;
+  const T Hp5_22 = b5_5 - minus_H5_22;
+  const T Hp5_23 = E5_12 * H5_13 + E5_11 * H5_23;
+  // Jp5 = E5^T J5 E5: J passed on, lower body's axes [kg m^2]
+  const T b5_7 = E5_12 * (J5_11 - J5_22) + b5_1 * J5_12;
+  const T b5_8 = E5_12 * b5_7;
+  const T Jp5_11 = J5_11 - b5_8;
+  const T Jp5_12 = E5_11 * b5_7 - J5_12;
+  const T Jp5_22 = J5_22 + b5_8;
+  // np5 = E5^T nt5: moment passed on, lower body's axes [N m]
+  const T np5_1 = E5_11 * nt5_1 - E5_12 * nt5_2;
+  const T np5_2 = E5_12 * nt5_1 + E5_11 * nt5_2;
 
   // ---- body 4 (link_4) and what it carries
-  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T b4_1 = E5_11 * S5_1 + E5_12 * minus_S5_2;
-  const T S4_1 = b4_1 - minus_G4_1;
-  const T b4_2 = E5_12 * S5_1 - E5_11 * minus_S5_2;
-  const T S4_2 = b4_2 - minus_G4_2;
-  const T minus_S4_3 = minus_S5_3 + minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r_link4~ G4 + N4: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 - T(0.1845) * b4_2 + T(0.067) * minus_G4_2 + T(0.034) * minus_G4_3
-      - minus_N4_1;
-  const T rho4_2 = T(0.1845) * b4_1 + E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.067) * minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - T(0.034) * minus_G4_1 - minus_N4_3;
-  // h4 = m4 r_link4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h4_2 = minus_hc5_2 + T(0.11900000000000001);
-  const T h4_3 = T(1.43375) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r_link4~ r_link4~ + I_link4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b4_3 = E5_12 * J5_12;
-  const T b4_4 = E5_11 * J5_11 - b4_3;
-  const T b4_5 = E5_11 * J5_12;
-  const T b4_6 = b4_5 - E5_12 * J5_22;
-  const T b4_7 = T(0.1845) * h5_3 + (h5_3 + T(1.19925)) * T(0.1845);
-  const T J4_11 = b4_4 * E5_11 - b4_6 * E5_12 + b4_7 + T(0.036757500000000005);
-  const T J4_12 = b4_4 * E5_12 + b4_6 * E5_11;
-  const T J4_13 = E5_11 * J5_13 - E5_12 * J5_23 - T(0.1845) * hc5_1;
-  const T J4_22 = (E5_12 * J5_11 + b4_5) * E5_12 + (b4_3 + E5_11 * J5_22) * E5_11 + b4_7 + T(0.0217115);
-  const T b4_8 = E5_12 * J5_13 + E5_11 * J5_23 + T(0.1845) * minus_hc5_2;
-  const T J4_23 = b4_8 + T(0.007973000000000001);
-  const T J4_33 = J5_33 + T(0.020446000000000002);
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = E4_11 * hc5_1 - E4_13 * h4_3;
-  const T hc4_3 = E4_11 * h4_3 + E4_13 * hc5_1;
-  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1;
-  const T K_thetadot7_4_2 = E5_12 * K_thetadot7_5_1;
-  // B_thetadot6_4 = E5^T B_thetadot6_5
-  const T B_thetadot6_4_1 = E5_11 * hc6_3;
-  const T B_thetadot6_4_2 = E5_12 * hc6_3;
-  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_4_1 = E5_11 * b5_6 - E5_12 * b5_7 - T(0.1845) * B_thetadot6_4_2;
-  const T K_thetadot6_4_2 = T(0.1845) * B_thetadot6_4_1 + E5_12 * b5_6 + E5_11 * b5_7;
-  // D_thetaddot4: pivots of L D L^T
-  const T b4_9 = K_thetadot7_4_2 * T(1000);
-  const T b4_10 = K_thetadot6_4_2 * b5_10;
-  const T b4_11 = b4_9 * K_thetadot7_5_3 - b4_8 - b4_10 * b5_8;
-  const T b4_12 = T(1) / D_thetaddot5;
-  const T b4_13 = b4_11 * b4_12;
-  const T D_thetaddot4 = J4_22 - b4_9 * K_thetadot7_4_2 - b4_10 * K_thetadot6_4_2 - b4_13 * b4_11;
+  // HA4 = h_own_4~ + Hp5: moment for an acceleration of the origin, body axes [kg m]
+  const T HA4_12 = Hp5_12 - T(2.34625);
+  const T HA4_21 = T(2.34625) + Hp5_21;
+  // JA4 = J_own_4 + Jp5: moment for an angular acceleration, body axes [kg m^2]
+  const T JA4_11 = T(0.750066163) + Jp5_11;
+  const T JA4_22 = T(0.755466163) + Jp5_22;
+  // g4 = G4 + gp5: force that drives it, home axes [N]
+  const T g4_1 = gp5_1 - minus_G4_1;
+  const T g4_2 = gp5_2 - minus_G4_2;
+  const T g4_3 = gt5_3 + G4_3;
+  // n4 = N4 + np5: moment that drives it, body axes [N m]
+  const T n4_1 = np5_1 + N4_1;
+  const T n4_2 = np5_2 - minus_N4_2;
+  const T minus_n4_3 = effort_link_5_5 + minus_N4_3;
+  // invD4 = D4^-1: 1/D
+  const T invD4 = T(1) / JA4_22;
+  // kB4 = invD4 B4: B/D
+  const T minus_kB4_1 = invD4 * HA4_21;
+  const T minus_kB4_2 = invD4 * Hp5_22;
+  const T minus_kB4_3 = invD4 * Hp5_23;
+  // kK4 = invD4 K4: K/D
+  const T minus_kK4_1 = invD4 * Jp5_12;
+  const T minus_kK4_3 = invD4 * T(0.007973000000000001);
+  // u_4 = b4 . n4 + effort_link_4_4: drives it [N m]
+  const T u_4 = effort_link_4_4 - n4_2;
+  // v4 = invD4 u_4: u/D
+  const T v4 = invD4 * u_4;
+  // M4 = Mp5 - kB4 B4^T: MA less what the turn takes up [kg]
+  const T M4_11 = Mp5_11 - minus_kB4_1 * HA4_21;
+  const T M4_12 = Mp5_12 - minus_kB4_1 * Hp5_22;
+  const T M4_13 = Mp5_13 - minus_kB4_1 * Hp5_23;
+  const T M4_22 = Mp5_22 - minus_kB4_2 * Hp5_22;
+  const T M4_23 = Mp5_23 - minus_kB4_2 * Hp5_23;
+  const T minus_M4_33 = minus_M5_33 + minus_kB4_3 * Hp5_23;
+  // H4 = P_b4 (HA4 - kK4 B4^T): HA less what the turn takes up [kg m]
+  const T H4_11 = Hp5_11 - minus_kK4_1 * HA4_21;
+  const T H4_12 = HA4_12 - minus_kK4_1 * Hp5_22;
+  const T H4_13 = Hp5_13 - minus_kK4_1 * Hp5_23;
+  const T minus_H4_31 = minus_kK4_3 * HA4_21;
+  const T minus_H4_32 = minus_kK4_3 * Hp5_22;
+  const T minus_H4_33 = minus_kK4_3 * Hp5_23;
+  // J4 = P_b4 (JA4 - kK4 K4^T) P_b4: JA less what the turn takes up [kg m^2]
+  const T J4_11 = JA4_11 - minus_kK4_1 * Jp5_12;
+  const T minus_J4_13 = minus_kK4_1 * T(0.007973000000000001);
+  const T minus_J4_33 = minus_kK4_3 * T(0.007973000000000001);
+  // gt4 = g4 - v4 B4: force with the turn solved [N]
+  const T gt4_1 = g4_1 + v4 * HA4_21;
+  const T gt4_2 = g4_2 + v4 * Hp5_22;
+  const T gt4_3 = g4_3 + v4 * Hp5_23;
+  // nt4 = -effort_link_4_4 b4 + P_b4 (n4 - v4 K4): moment with the turn solved [N m]
+  const T nt4_1 = n4_1 + v4 * Jp5_12;
+  const T nt4_3 = v4 * T(0.007973000000000001) - minus_n4_3;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = T(2) * E4_11;
+  const T Mp4_11 = M4_11 - E4_13 * (E4_13 * (minus_M4_33 + M4_11) + b4_1 * M4_13);
+  const T Mp4_12 = E4_11 * M4_12 - E4_13 * M4_23;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = E4_11 * gt4_1 - E4_13 * gt4_3;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_2 = E4_11 * (H4_13 - minus_H4_31) + E4_13 * (minus_H4_33 + H4_11);
+  const T Hp4_11 = H4_11 - E4_13 * b4_2;
+  const T Hp4_12 = E4_11 * H4_12 + E4_13 * minus_H4_32;
+  const T Hp4_31 = E4_11 * b4_2 - H4_13;
+  const T Hp4_32 = E4_13 * H4_12 - E4_11 * minus_H4_32;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_3 = E4_13 * (minus_J4_33 + J4_11) - b4_1 * minus_J4_13;
+  const T b4_4 = E4_13 * b4_3;
+  const T Jp4_11 = J4_11 - b4_4;
+  const T Jp4_13 = E4_11 * b4_3 + minus_J4_13;
+  const T Jp4_33 = b4_4 - minus_J4_33;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T np4_1 = E4_11 * nt4_1 - E4_13 * nt4_3;
+  const T np4_3 = E4_13 * nt4_1 + E4_11 * nt4_3;
+  // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
+  const T Hb4_11 = Hp4_11 - T(0.42) * Mp4_12;
+  const T Hb4_12 = Hp4_12 - T(0.42) * M4_22;
+  const T Hb4_21 = T(0.42) * Mp4_11;
+  const T Hb4_22 = T(0.42) * Mp4_12;
 
   // ---- body 3 (link_3) and what it carries
-  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_13 * minus_S4_3;
-  const T S3_1 = b3_1 - minus_G3_1;
-  const T S3_2 = S4_2 - minus_G3_2;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.2155) * S4_2 + T(0.13) * minus_G3_2 - T(0.03) * minus_G3_3 -
-      minus_N3_1;
-  const T rho3_2 = T(0.2155) * b3_1 + rho4_2 - T(0.13) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_13 * rho4_1 + E4_11 * rho4_3 + T(0.03) * minus_G3_1 - minus_N3_3;
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_2 = T(0.105) - minus_h4_2;
-  const T h3_3 = T(2.61) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_2 = E4_13 * J4_13;
-  const T b3_3 = E4_11 * J4_11 - b3_2;
-  const T b3_4 = E4_11 * J4_13;
-  const T b3_5 = b3_4 - E4_13 * J4_33;
-  const T b3_6 = T(0.2155) * hc4_3;
-  const T b3_7 = (hc4_3 + T(2.155)) * T(0.2155);
-  const T J3_11 = b3_3 * E4_11 - b3_5 * E4_13 + b3_6 + T(0.0873) + b3_7;
-  const T minus_J3_12 = E4_13 * J4_23 - E4_11 * J4_12;
-  const T J3_13 = b3_3 * E4_13 + b3_5 * E4_11 - T(0.2155) * hc4_1;
-  const T b3_8 = b3_6 + J4_22;
-  const T J3_22 = b3_8 + T(0.08295000000000001) + b3_7;
-  const T b3_9 = E4_13 * J4_12 + E4_11 * J4_23;
-  const T J3_23 = b3_9 + T(0.2155) * minus_h4_2 - T(0.01365);
-  const T J3_33 = (E4_13 * J4_11 + b3_4) * E4_13 + (b3_2 + E4_11 * J4_33) * E4_11 + T(0.01075);
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_11 * hc4_1 - E3_12 * h3_2;
-  const T hc3_2 = E3_11 * h3_2 + E3_12 * hc4_1;
-  // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 - E4_13 * K_thetadot7_5_3;
-  const T K_thetadot7_3_3 = E4_13 * K_thetadot7_4_1 + E4_11 * K_thetadot7_5_3;
-  // B_thetadot6_3 = E4^T B_thetadot6_4
-  const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + E4_13 * hc6_1;
-  // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = E4_11 * K_thetadot6_4_1 + E4_13 * b5_8 - T(0.2155) * B_thetadot6_4_2;
-  const T K_thetadot6_3_2 = T(0.2155) * B_thetadot6_3_1 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_13 * K_thetadot6_4_1 - E4_11 * b5_8;
-  // B_thetadot5_3 = E4^T B_thetadot5_4
-  const T B_thetadot5_3_1 = E4_11 * minus_hc5_2;
-  // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_4 - E4_13 * J5_33 - T(0.2155) * hc5_1;
-  const T K_thetadot5_3_2 = T(0.2155) * B_thetadot5_3_1 + b4_8;
-  const T K_thetadot5_3_3 = b3_2 + E4_11 * J5_33;
-  // D_thetaddot3: pivots of L D L^T
-  const T b3_10 = K_thetadot7_3_3 * T(1000);
-  const T b3_11 = K_thetadot6_3_3 * b5_10;
-  const T b3_12 = K_thetadot5_3_3 - b3_10 * K_thetadot7_5_3 + b3_11 * b5_8;
-  const T b3_13 = b3_12 * b4_12;
-  const T b3_14 = b3_10 * K_thetadot7_4_2 - b3_9 + b3_11 * K_thetadot6_4_2 - b3_13 * b4_11;
-  const T b3_15 = T(1) / D_thetaddot4;
-  const T b3_16 = b3_14 * b3_15;
-  const T D_thetaddot3 = J3_33 - b3_10 * K_thetadot7_3_3 - b3_11 * K_thetadot6_3_3 - b3_13 * b3_12 - b3_16 * b3_14;
+  // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_11 = Jp4_11 - T(0.42) * Hp4_12 - Hb4_12 * T(0.42);
+  const T JA3_12 = Hb4_11 * T(0.42);
+  const T JA3_13 = Jp4_13 - T(0.42) * Hp4_32;
+  const T JA3_22 = Hb4_21 * T(0.42) - T(0.024796000000000002);
+  const T JA3_23 = T(0.42) * Hp4_31 + T(0.014857500000000004);
+  const T JA3_33 = T(0.031196) + Jp4_33;
+  // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
+  const T n3_1 = np4_1 - (T(0.42) * gt4_2 + minus_N3_1);
+  const T n3_2 = T(0.42) * gp4_1 + N3_2 + effort_link_4_4;
+  const T n3_3 = np4_3 - minus_N3_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / JA3_33;
+  // kK3 = invD3 K3: K/D
+  const T kK3_1 = invD3 * JA3_13;
+  const T kK3_2 = invD3 * JA3_23;
+  // u_3 = b3 . n3 + effort_link_3_3: drives it [N m]
+  const T u_3 = n3_3 + effort_link_3_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // J3 = P_b3 (JA3 - kK3 K3^T) P_b3: JA less what the turn takes up [kg m^2]
+  const T J3_11 = JA3_11 - kK3_1 * JA3_13;
+  const T J3_12 = JA3_12 - kK3_1 * JA3_23;
+  const T J3_22 = JA3_22 - kK3_2 * JA3_23;
+  // nt3 = -effort_link_3_3 b3 + P_b3 (n3 - v3 K3): moment with the turn solved [N m]
+  const T nt3_1 = n3_1 - v3 * JA3_13;
+  const T nt3_2 = n3_2 - v3 * JA3_23;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_1 = E3_12 * (J3_11 - J3_22) + T(2) * E3_11 * J3_12;
+  const T b3_2 = E3_12 * b3_1;
+  const T Jp3_11 = J3_11 - b3_2;
+  const T Jp3_12 = E3_11 * b3_1 - J3_12;
+  const T Jp3_22 = J3_22 + b3_2;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_1 = E3_11 * nt3_1 - E3_12 * nt3_2;
+  const T np3_2 = E3_12 * nt3_1 + E3_11 * nt3_2;
 
   // ---- body 2 (link_2) and what it carries
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 - T(0.2045) * (E3_12 * S3_1 + E3_11 * S3_2) + T(0.059) * minus_G2_2
-      - T(0.042) * minus_G2_3 + N2_1;
-  const T rho2_2 = T(0.2045) * (E3_11 * S3_1 - E3_12 * S3_2) + E3_12 * rho3_1 + E3_11 * rho3_2 - T(0.059) * minus_G2_1
-      - T(3e-04) * minus_G2_3 + N2_2;
-  const T rho2_3 = rho3_3 + T(3e-04) * minus_G2_2 + T(0.042) * minus_G2_1 + N2_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b2_1 = E3_12 * minus_J3_12;
-  const T b2_2 = E3_11 * J3_11 + b2_1;
-  const T b2_3 = E3_11 * minus_J3_12;
-  const T b2_4 = b2_3 + E3_12 * J3_22;
-  const T b2_5 = T(0.2045) * h3_3 + (h3_3 + T(2.76075)) * T(0.2045);
-  const T J2_11 = b2_2 * E3_11 + b2_4 * E3_12 + b2_5 + T(0.06380575);
-  const T J2_12 = b2_2 * E3_12 - b2_4 * E3_11 + T(8.000999999999999e-05);
-  const T b2_6 = T(0.2045) * hc3_1 - (E3_11 * J3_13 - E3_12 * J3_23);
-  const T J2_13 = T(0.00011239499999999998) - b2_6;
-  const T J2_22 = (E3_12 * J3_11 - b2_3) * E3_12 + (E3_11 * J3_22 - b2_1) * E3_11 + b2_5 + T(0.033104921499999995);
-  const T b2_7 = T(0.2045) * hc3_2 - (E3_12 * J3_13 + E3_11 * J3_23);
-  const T minus_J2_32 = b2_7 + T(0.0157353);
-  const T J2_33 = J3_33 + T(0.0416019715);
-  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = E3_11 * K_thetadot7_3_1 - E3_12 * K_thetadot7_4_2;
-  const T K_thetadot7_2_2 = E3_12 * K_thetadot7_3_1 + E3_11 * K_thetadot7_4_2;
-  // B_thetadot6_2 = E3^T B_thetadot6_3
-  const T B_thetadot6_2_1 = E3_11 * B_thetadot6_3_1 - E3_12 * B_thetadot6_4_2;
-  const T B_thetadot6_2_2 = E3_12 * B_thetadot6_3_1 + E3_11 * B_thetadot6_4_2;
-  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 - E3_12 * K_thetadot6_3_2 - T(0.2045) * B_thetadot6_2_2;
-  const T K_thetadot6_2_2 = T(0.2045) * B_thetadot6_2_1 + E3_12 * K_thetadot6_3_1 + E3_11 * K_thetadot6_3_2;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - E3_12 * hc5_1;
-  const T B_thetadot5_2_2 = E3_12 * B_thetadot5_3_1 + E3_11 * hc5_1;
-  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = E3_11 * K_thetadot5_3_1 - E3_12 * K_thetadot5_3_2 - T(0.2045) * B_thetadot5_2_2;
-  const T K_thetadot5_2_2 = T(0.2045) * B_thetadot5_2_1 + E3_12 * K_thetadot5_3_1 + E3_11 * K_thetadot5_3_2;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_3;
-  const T minus_B_thetadot4_2_2 = E3_12 * hc4_3;
-  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = T(0.2045) * minus_B_thetadot4_2_2 + b2_3 + E3_12 * b3_8;
-  const T K_thetadot4_2_2 = b2_1 - E3_11 * b3_8 - T(0.2045) * minus_B_thetadot4_2_1;
-  // D_thetaddot2: pivots of L D L^T
-  const T b2_8 = K_thetadot7_2_2 * T(1000);
-  const T b2_9 = K_thetadot6_2_2 * b5_10;
-  const T b2_10 = K_thetadot5_2_2 - b2_8 * K_thetadot7_5_3 + b2_9 * b5_8;
-  const T b2_11 = b2_10 * b4_12;
-  const T b2_12 = K_thetadot4_2_2 + b2_8 * K_thetadot7_4_2 + b2_9 * K_thetadot6_4_2 - b2_11 * b4_11;
-  const T b2_13 = b2_12 * b3_15;
-  const T b2_14 = b2_7 + b2_8 * K_thetadot7_3_3 + b2_9 * K_thetadot6_3_3 + b2_11 * b3_12 + b2_13 * b3_14;
-  const T b2_15 = T(1) / D_thetaddot3;
-  const T b2_16 = b2_14 * b2_15;
-  const T D_thetaddot2 = J2_22 - b2_8 * K_thetadot7_2_2 - b2_9 * K_thetadot6_2_2 - b2_11 * b2_10 - b2_13 * b2_12 -
-      b2_16 * b2_14;
+  // JA2 = J_own_2 + Jp3: moment for an angular acceleration, body axes [kg m^2]
+  const T JA2_11 = T(2.2264156534999997) + Jp3_11;
+  const T JA2_12 = T(8.000999999999999e-05) + Jp3_12;
+  const T JA2_22 = T(2.2373167965) + Jp3_22;
+  // n2 = N2 + np3: moment that drives it, body axes [N m]
+  const T n2_1 = np3_1 - minus_N2_1;
+  const T n2_2 = np3_2 - minus_N2_2;
+  const T minus_n2_3 = effort_link_3_3 + minus_N2_3;
+  // invD2 = D2^-1: 1/D
+  const T invD2 = T(1) / JA2_22;
+  // kK2 = invD2 K2: K/D
+  const T kK2_1 = invD2 * JA2_12;
+  const T minus_kK2_3 = invD2 * T(0.0157353);
+  // u_2 = b2 . n2 + effort_link_2_2: drives it [N m]
+  const T u_2 = n2_2 + effort_link_2_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = invD2 * u_2;
+  // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
+  const T J2_11 = JA2_11 - kK2_1 * JA2_12;
+  const T J2_13 = T(0.00011239499999999998) + kK2_1 * T(0.0157353);
+  const T minus_J2_33 = minus_kK2_3 * T(0.0157353);
+  // nt2 = -effort_link_2_2 b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
+  const T nt2_1 = n2_1 - v2 * JA2_12;
+  const T nt2_3 = v2 * T(0.0157353) - minus_n2_3;
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T minus_Jp2_33 = minus_J2_33 + minus_E2_13 * (T(2) * E2_11 * J2_13 - minus_E2_13 * (minus_J2_33 + J2_11));
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T np2_3 = E2_11 * nt2_3 - minus_E2_13 * nt2_1;
 
   // ---- body 1 (link_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
-      + T(0.017484);
-  // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_3 = E2_11 * K_thetadot7_3_3 - minus_E2_13 * K_thetadot7_2_1;
-  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_3 = E2_11 * K_thetadot6_3_3 - minus_E2_13 * K_thetadot6_2_1;
-  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_3 = E2_11 * K_thetadot5_3_3 - minus_E2_13 * K_thetadot5_2_1;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_3 = minus_E2_13 * K_thetadot4_2_1 + E2_11 * b3_9;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_3 = E2_11 * J3_33 + minus_E2_13 * b2_6;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T minus_K_thetadot2_1_3 = E2_11 * minus_J2_32 + minus_E2_13 * J2_12;
-  // D_thetaddot1: pivots of L D L^T
-  const T b1_1 = K_thetadot7_1_3 * T(1000);
-  const T b1_2 = K_thetadot6_1_3 * b5_10;
-  const T b1_3 = K_thetadot5_1_3 - b1_1 * K_thetadot7_5_3 + b1_2 * b5_8;
-  const T b1_4 = b1_3 * b4_12;
-  const T b1_5 = b1_1 * K_thetadot7_4_2 - minus_K_thetadot4_1_3 + b1_2 * K_thetadot6_4_2 - b1_4 * b4_11;
-  const T b1_6 = b1_5 * b3_15;
-  const T b1_7 = K_thetadot3_1_3 - b1_1 * K_thetadot7_3_3 - b1_2 * K_thetadot6_3_3 - b1_4 * b3_12 - b1_6 * b3_14;
-  const T b1_8 = b1_7 * b2_15;
-  const T b1_9 = b1_8 * b2_14 - (minus_K_thetadot2_1_3 + b1_1 * K_thetadot7_2_2 + b1_2 * K_thetadot6_2_2 + b1_4 *
-      b2_10 + b1_6 * b2_12);
-  const T b1_10 = T(1) / D_thetaddot2;
-  const T b1_11 = b1_9 * b1_10;
-  const T D_thetaddot1 = J1_33 - b1_1 * K_thetadot7_1_3 - b1_2 * K_thetadot6_1_3 - b1_4 * b1_3 - b1_6 * b1_5 - b1_8 *
-      b1_7 - b1_11 * b1_9;
-
-  // ---- body 1 (link_1), solved
-  // thetaddot1: from A ydot = f by elimination
-  const T z1_1 = effort_link_7_7 - minus_N7_3;
-  const T z1_2 = rho6_2 + effort_link_6_6;
-  const T z1_3 = rho5_3 + effort_link_5_5 - b5_9 * z1_1 + b5_11 * z1_2;
-  const T z1_4 = effort_link_4_4 - rho4_2 + b4_9 * z1_1 + b4_10 * z1_2 - b4_13 * z1_3;
-  const T z1_5 = rho3_3 + effort_link_3_3 - b3_10 * z1_1 - b3_11 * z1_2 - b3_13 * z1_3 - b3_16 * z1_4;
-  const T z1_6 = rho2_2 + effort_link_2_2 - b2_8 * z1_1 - b2_9 * z1_2 - b2_11 * z1_3 - b2_13 * z1_4 + b2_16 * z1_5;
-  const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_3 + effort_link_1_1 - b1_1 * z1_1 - b1_2 * z1_2 - b1_4 * z1_3 -
-      b1_6 * z1_4 - b1_8 * z1_5 - b1_11 * z1_6);
-  ydot[0] = thetaddot1;
+  // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA1_33 = T(0.0590859715) - minus_Jp2_33;
+  // invD1 = D1^-1: 1/D
+  const T invD1 = T(1) / JA1_33;
+  // u_1 = b1 . n1 + effort_link_1_1: drives it [N m]
+  const T u_1 = np2_3 + effort_link_1_1;
+  // v1 = invD1 u_1: u/D
+  const T v1 = invD1 * u_1;
+  ydot[0] = v1;
 
   // ---- body 2 (link_2), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_6 * b1_10 - b1_11 * thetaddot1;
-  ydot[1] = thetaddot2;
+  // alphaL2 = E2 alpha1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T minus_alphaL2_1 = minus_E2_13 * v1;
+  const T alphaL2_3 = E2_11 * v1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T phi2 = v2 + kK2_1 * minus_alphaL2_1 + minus_kK2_3 * alphaL2_3;
+  ydot[1] = phi2;
 
   // ---- body 3 (link_3), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_5 * b2_15 + b2_16 * thetaddot2 - b1_8 * thetaddot1;
+  // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_12 * phi2 - E3_11 * minus_alphaL2_1;
+  const T alphaL3_2 = E3_11 * phi2 + E3_12 * minus_alphaL2_1;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = v3 - (kK3_1 * alphaL3_1 + kK3_2 * alphaL3_2);
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - alphaL2_3;
   ydot[2] = thetaddot3;
 
   // ---- body 4 (link_4), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_4 * b3_15 - b3_16 * thetaddot3 - b2_13 * thetaddot2 - b1_6 * thetaddot1;
+  // beta4 = -E4 q4~ alpha3 + E4 beta3: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = T(0.42) * alphaL3_2;
+  const T beta4_1 = E4_11 * z4_1;
+  const T minus_beta4_2 = T(0.42) * alphaL3_1;
+  const T minus_beta4_3 = E4_13 * z4_1;
+  // alphaL4 = E4 alpha3: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * alphaL3_1 + E4_13 * phi3;
+  const T alphaL4_3 = E4_11 * phi3 - E4_13 * alphaL3_1;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
+  const T phi4 = minus_kB4_1 * beta4_1 - minus_kB4_2 * minus_beta4_2 - minus_kB4_3 * minus_beta4_3 + v4 + minus_kK4_1
+      * alphaL4_1 + minus_kK4_3 * alphaL4_3;
+  // thetaddot4 = -b4 . alphaL4 + phi4
+  const T thetaddot4 = alphaL3_2 + phi4;
   ydot[3] = thetaddot4;
 
   // ---- body 5 (link_5), solved
-  // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_3 * b4_12 - b4_13 * thetaddot4 - b3_13 * thetaddot3 - b2_11 * thetaddot2 - b1_4 *
-      thetaddot1;
+  // beta5 = E5 beta4: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta5_1 = E5_11 * beta4_1 - E5_12 * minus_beta4_2;
+  const T minus_beta5_2 = E5_11 * minus_beta4_2 + E5_12 * beta4_1;
+  // alphaL5 = E5 alpha4: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5_1 = E5_11 * alphaL4_1 - E5_12 * phi4;
+  const T minus_alphaL5_2 = E5_11 * phi4 + E5_12 * alphaL4_1;
+  // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
+  const T phi5 = kB5_2 * minus_beta5_2 - kB5_1 * beta5_1 - minus_kB5_3 * minus_beta4_3 + v5 - kK5_1 * alphaL5_1 +
+      kK5_2 * minus_alphaL5_2;
+  // thetaddot5 = -b5 . alphaL5 + phi5
+  const T thetaddot5 = phi5 - alphaL4_3;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (link_6), solved
-  // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_2 * b5_10 + b5_11 * thetaddot5 + b4_10 * thetaddot4 - b3_11 * thetaddot3 - b2_9 * thetaddot2
-      - b1_2 * thetaddot1;
+  // beta6 = -E6 q6~ alpha5 + E6 beta5: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta6_1 = E6_11 * beta5_1 + minus_E6_13 * minus_beta4_3 - T(0.4) * minus_alphaL5_2 * E6_11;
+  // alphaL6 = E6 alpha5: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL6_3 = minus_E6_13 * alphaL5_1 + E6_11 * phi5;
+  // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
+  const T phi6 = v6 - T(7.2604859039221825) * beta6_1 + T(2.5650391809734895e-05) * alphaL6_3;
+  // thetaddot6 = -b6 . alphaL6 + phi6
+  const T thetaddot6 = minus_alphaL5_2 + phi6;
   ydot[5] = thetaddot6;
 
   // ---- body 7 (link_7), solved
-  // thetaddot7: from A ydot = f by elimination
-  const T thetaddot7 = z1_1 * T(1000) - b5_9 * thetaddot5 + b4_9 * thetaddot4 - b3_10 * thetaddot3 - b2_8 * thetaddot2
-      - b1_1 * thetaddot1;
+  // thetaddot7 = -b7 . alphaL7 + phi7
+  const T thetaddot7 = v7 - alphaL6_3;
   ydot[6] = thetaddot7;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 269 add, 306 multiply, 12 sine or cosine
+// 226 add, 238 multiply, 12 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::cos, std::sin;
@@ -1574,12 +1589,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetaddot1 = ydot[0];
   // effort_link_1_1 = -thetadot1 c_link_1_ + tau_link_1_: along the coordinate [N m], [N]
   const T effort_link_1_1 = u.tau_1 - thetadot1 * c.p.c;
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a1_1 = thetaddot1 * T(0.03);
-  // G1 = m1 a1: force balance, body axes [N]
-  const T G1_1 = T(5.76) * a1_1;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_3 = T(0.0123) * thetaddot1;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_3 = T(0.0590859715) * thetaddot1;
 
   // ---- body 2 (link_2) on body 1
   const T theta2 = x[1];
@@ -1591,10 +1603,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
-  // effort_link_2_2 = -thetadot2 c_link_2_ + tau_link_2_: along the coordinate [N m], [N]
-  const T effort_link_2_2 = u.tau_2 - thetadot2 * c.p.c;
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
-  const T t2_1 = thetadot2 * omega2_3;
+  const T t2_1 = omega2_3 * thetadot2;
   const T minus_omegadot2_1 = t2_1 + minus_E2_13 * thetaddot1;
   const T t2_2 = thetadot2 * minus_omega2_1;
   const T omegadot2_3 = E2_11 * thetaddot1 - t2_2;
@@ -1616,18 +1626,17 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
   const T Pddot2_3 = E2_11 * T(9.81);
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(3e-04) - minus_U2_12 * T(0.042) + U2_13 * T(0.059) - minus_Pddot2_1;
-  const T a2_2 = U2_23 * T(0.059) - (U2_21 * T(3e-04) + minus_U2_22 * T(0.042));
-  const T a2_3 = minus_U2_31 * T(3e-04) + U2_32 * T(0.042) - minus_U2_33 * T(0.059) + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(6.35) * a2_1;
-  const T G2_2 = T(6.35) * a2_2;
-  const T G2_3 = T(6.35) * a2_3;
-  // N2 = axial(U2 (tr(I_link2)/2 - I_link2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.02495) * U2_32 - T(0.005549999999999999) * U2_23;
-  const T N2_2 = T(0.005549999999999999) * U2_13 + T(0.00545) * minus_U2_31;
-  const T N2_3 = T(0.00545) * U2_21 + T(0.02495) * minus_U2_12;
+  // effort_link_2_2 = -thetadot2 c_link_2_ + tau_link_2_: along the coordinate [N m], [N]
+  const T effort_link_2_2 = u.tau_2 - thetadot2 * c.p.c;
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(0.0157353) * (minus_U2_22 - minus_U2_33) - (T(0.0054505715) * U2_32 + T(2.2318662249999996) *
+      U2_23) + T(8.000999999999999e-05) * minus_U2_31 + T(0.00011239499999999998) * U2_21;
+  const T N2_2 = T(0.0019049999999999998) * Pddot2_3 - T(5.7454) * minus_Pddot2_1 + T(2.2318662249999996) * U2_13 +
+      T(0.0054505715) * minus_U2_31 - T(0.00011239499999999998) * (minus_U2_33 - minus_U2_11) - T(0.0157353) *
+      minus_U2_12 + T(8.000999999999999e-05) * U2_32;
+  const T N2_3 = T(0.0054505715) * U2_21 - T(0.0054505715) * minus_U2_12 - T(8.000999999999999e-05) * (minus_U2_11 -
+      minus_U2_22) - T(0.00011239499999999998) * U2_23 - T(0.0157353) * U2_13;
 
   // ---- body 3 (link_3) on body 2
   const T theta3 = x[2];
@@ -1638,13 +1647,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T E3_12 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
-  // effort_link_3_3 = -thetadot3 c_link_3_ + tau_link_3_: along the coordinate [N m], [N]
-  const T effort_link_3_3 = u.tau_3 - thetadot3 * c.p.c;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = thetadot3 * omega3_2 + E3_12 * thetaddot2 - E3_11 * minus_omegadot2_1;
-  const T omegadot3_2 = E3_12 * minus_omegadot2_1 + E3_11 * thetaddot2 - thetadot3 * omega3_1;
+  const T omegadot3_2 = E3_11 * thetaddot2 + E3_12 * minus_omegadot2_1 - thetadot3 * omega3_1;
   const T omegadot3_3 = thetaddot3 + omegadot2_3;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
@@ -1660,24 +1667,18 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
   const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
-  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_5 = U2_13 * T(0.2045) - minus_Pddot2_1;
-  const T t3_6 = U2_23 * T(0.2045);
-  const T Pddot3_1 = E3_11 * t3_5 + E3_12 * t3_6;
-  const T Pddot3_2 = E3_11 * t3_6 - E3_12 * t3_5;
-  const T Pddot3_3 = Pddot2_3 - minus_U2_33 * T(0.2045);
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.03) + U3_13 * T(0.13) + Pddot3_1;
-  const T a3_2 = U3_23 * T(0.13) - minus_U3_22 * T(0.03) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.03) - minus_U3_33 * T(0.13) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(3.5) * a3_1;
-  const T G3_2 = T(3.5) * a3_2;
-  const T G3_3 = T(3.5) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.004399999999999999) * U3_32 - T(0.0206) * U3_23;
-  const T N3_2 = T(0.0206) * U3_13 - T(0.0032) * U3_31;
-  const T N3_3 = T(0.0032) * U3_21 - T(0.004399999999999999) * U3_12;
+  // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
+  const T Pddot3_2 = E3_12 * minus_Pddot2_1;
+  // effort_link_3_3 = -thetadot3 c_link_3_ + tau_link_3_: along the coordinate [N m], [N]
+  const T effort_link_3_3 = u.tau_3 - thetadot3 * c.p.c;
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(0.027996) * U3_32 + T(0.027996) * U3_23 - T(0.014857500000000004) * (minus_U3_22 - minus_U3_33) -
+      T(0.014000000000000012) * Pddot2_3;
+  const T minus_N3_2 = T(0.027996) * U3_13 + T(0.0032) * U3_31 + T(0.014857500000000004) * U3_12;
+  const T N3_3 = T(0.0032) * U3_21 - T(0.027996) * U3_12 + T(0.014857500000000004) * U3_13 - T(0.014000000000000012) *
+      minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
   const T theta4 = x[3];
@@ -1690,8 +1691,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega4_1 = E4_11 * omega3_1 + E4_13 * omega3_3;
   const T omega4_2 = omega3_2 - thetadot4;
   const T omega4_3 = E4_11 * omega3_3 - E4_13 * omega3_1;
-  // effort_link_4_4 = -thetadot4 c_link_4_ + tau_link_4_: along the coordinate [N m], [N]
-  const T effort_link_4_4 = u.tau_4 - thetadot4 * c.p.c;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = thetadot4 * omega4_3 + E4_11 * omegadot3_1 + E4_13 * omegadot3_3;
   const T omegadot4_2 = omegadot3_2 - thetaddot4;
@@ -1711,23 +1710,23 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_32 = t4_4 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = U3_13 * T(0.2155) + Pddot3_1;
-  const T t4_6 = Pddot3_3 - minus_U3_33 * T(0.2155);
+  const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
+  const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
   const T Pddot4_1 = E4_11 * t4_5 + E4_13 * t4_6;
-  const T Pddot4_2 = U3_23 * T(0.2155) + Pddot3_2;
+  const T Pddot4_2 = U3_23 * T(0.42) + Pddot3_2;
   const T Pddot4_3 = E4_11 * t4_6 - E4_13 * t4_5;
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
-  const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
-  // G4 = m4 a4: force balance, body axes [N]
-  const T G4_1 = T(3.5) * a4_1;
-  const T G4_2 = T(3.5) * a4_2;
-  const T G4_3 = T(3.5) * a4_3;
-  // N4 = axial(U4 (tr(I_link4)/2 - I_link4)): moment balance about the mass centre, body axes [N m]
-  const T N4_1 = T(0.0137) * U4_32 - T(0.0033) * U4_23;
-  const T N4_2 = T(0.0033) * U4_13 - T(0.0027) * U4_31;
-  const T N4_3 = T(0.0027) * U4_21 - T(0.0137) * U4_12;
+  // effort_link_4_4 = -thetadot4 c_link_4_ + tau_link_4_: along the coordinate [N m], [N]
+  const T effort_link_4_4 = u.tau_4 - thetadot4 * c.p.c;
+  // G4 = U4 h_own_4: inertia less applied force, body axes [N]
+  const T G4_1 = U4_13 * T(2.34625);
+  const T G4_2 = U4_23 * T(2.34625);
+  const T minus_G4_3 = minus_U4_33 * T(2.34625);
+  // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(2.34625) * Pddot4_2 + T(0.0027) * U4_32 + T(0.752766163) * U4_23 + T(0.007973000000000001) *
+      (minus_U4_22 - minus_U4_33);
+  const T N4_2 = T(2.34625) * Pddot4_1 + T(0.752766163) * U4_13 - T(0.0027) * U4_31 - T(0.007973000000000001) * U4_12;
+  const T N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
   const T theta5 = x[4];
@@ -1740,8 +1739,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
   const T omega5_3 = thetadot5 + omega4_3;
-  // effort_link_5_5 = -thetadot5 c_link_5_ + tau_link_5_: along the coordinate [N m], [N]
-  const T effort_link_5_5 = u.tau_5 - thetadot5 * c.p.c;
   // omegadot5 = -thetadot5 b5~ E5 omega4 + thetaddot5 b5 + E5 omegadot4: angular acceleration, body axes [rad/s^2]
   const T omegadot5_1 = thetadot5 * omega5_2 + E5_11 * omegadot4_1 + E5_12 * omegadot4_2;
   const T omegadot5_2 = E5_11 * omegadot4_2 - E5_12 * omegadot4_1 - thetadot5 * omega5_1;
@@ -1763,24 +1760,25 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U5_31 = t5_4 - omegadot5_2;
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
-  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_13 * T(0.1845) + Pddot4_1;
-  const T t5_8 = U4_23 * T(0.1845) + Pddot4_2;
-  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
-  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = Pddot4_3 - minus_U4_33 * T(0.1845);
-  // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
-  const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
-  // G5 = m5 a5: force balance, body axes [N]
-  const T G5_1 = T(3.5) * a5_1;
-  const T G5_2 = T(3.5) * a5_2;
-  const T G5_3 = T(3.5) * a5_3;
-  // N5 = axial(U5 (tr(I_link5)/2 - I_link5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(0.0028950000000000004) * U5_32 - T(0.007105) * U5_23;
-  const T N5_2 = T(0.007105) * U5_13 - T(0.0015949999999999996) * U5_31;
-  const T N5_3 = T(0.0015949999999999996) * U5_21 - T(0.0028950000000000004) * U5_12;
+  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * Pddot4_1 + E5_12 * Pddot4_2;
+  const T Pddot5_2 = E5_11 * Pddot4_2 - E5_12 * Pddot4_1;
+  // effort_link_5_5 = -thetadot5 c_link_5_ + tau_link_5_: along the coordinate [N m], [N]
+  const T effort_link_5_5 = u.tau_5 - thetadot5 * c.p.c;
+  // G5 = U5 h_own_5: inertia less applied force, body axes [N]
+  const T G5_1 = minus_U5_11 * T(0.00035) - U5_12 * T(0.07278000000000001);
+  const T G5_2 = minus_U5_22 * T(0.07278000000000001) - U5_21 * T(0.00035);
+  const T minus_G5_3 = U5_31 * T(0.00035) + U5_32 * T(0.07278000000000001);
+  // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = T(0.009138788) * U5_32 + T(0.009138788) * U5_23 - T(0.01885875) * (minus_U5_22 - minus_U5_33) +
+      T(7.350000000000001e-06) * U5_31 + T(9.117500000000001e-05) * U5_21 - T(0.07278000000000001) * Pddot4_3;
+  const T N5_2 = T(0.00035) * Pddot4_3 - (T(0.009138788) * U5_13 + T(0.0015950349999999996) * U5_31 +
+      T(9.117500000000001e-05) * (minus_U5_33 - minus_U5_11) + T(0.01885875) * U5_12 + T(7.350000000000001e-06) *
+      U5_32);
+  const T N5_3 = T(0.07278000000000001) * Pddot5_1 - T(0.00035) * Pddot5_2 + T(0.0015950349999999996) * U5_21 -
+      T(0.009138788) * U5_12 + T(7.350000000000001e-06) * (minus_U5_11 - minus_U5_22) - T(9.117500000000001e-05) *
+      U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
   const T theta6 = x[5];
@@ -1793,8 +1791,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega6_1 = E6_11 * omega5_1 - minus_E6_13 * omega5_3;
   const T omega6_2 = thetadot6 + omega5_2;
   const T omega6_3 = minus_E6_13 * omega5_1 + E6_11 * omega5_3;
-  // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
-  const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
   // omegadot6 = -thetadot6 b6~ E6 omega5 + thetaddot6 b6 + E6 omegadot5: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = E6_11 * omegadot5_1 - minus_E6_13 * omegadot5_3 - thetadot6 * omega6_3;
   const T omegadot6_2 = thetaddot6 + omegadot5_2;
@@ -1814,23 +1810,21 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U6_32 = t6_4 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_5 = U5_13 * T(0.2155) + Pddot5_1;
-  const T t6_6 = Pddot5_3 - minus_U5_33 * T(0.2155);
-  const T Pddot6_1 = E6_11 * t6_5 - minus_E6_13 * t6_6;
-  const T Pddot6_2 = U5_23 * T(0.2155) + Pddot5_2;
-  const T Pddot6_3 = minus_E6_13 * t6_5 + E6_11 * t6_6;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(4e-04) + U6_13 * T(6e-04) + Pddot6_1;
-  const T a6_2 = U6_23 * T(6e-04) - minus_U6_22 * T(4e-04) + Pddot6_2;
-  const T a6_3 = U6_32 * T(4e-04) - minus_U6_33 * T(6e-04) + Pddot6_3;
-  // G6 = m6 a6: force balance, body axes [N]
-  const T G6_1 = T(1.8) * a6_1;
-  const T G6_2 = T(1.8) * a6_2;
-  const T G6_3 = T(1.8) * a6_3;
-  // N6 = axial(U6 (tr(I_link6)/2 - I_link6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = T(0.003) * U6_32 - T(0.0018999999999999998) * U6_23;
-  const T N6_2 = T(0.0018999999999999998) * U6_13 - T(0.0017000000000000001) * U6_31;
-  const T N6_3 = T(0.0017000000000000001) * U6_21 - T(0.003) * U6_12;
+  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
+  const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
+  // G6 = U6 h_own_6: inertia less applied force, body axes [N]
+  const T G6_1 = U6_13 * T(0.12228);
+  const T G6_2 = U6_23 * T(0.12228);
+  const T minus_G6_3 = minus_U6_33 * T(0.12228);
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(4.32e-07) * (minus_U6_22 - minus_U6_33) - (T(0.0017000000000000001) * U6_32 + T(0.015141848) *
+      U6_23) - T(0.12228) * Pddot6_2;
+  const T N6_2 = T(0.12228) * Pddot6_1 + T(0.015141848) * U6_13 - T(0.0017000000000000001) * U6_31 + T(4.32e-07) *
+      U6_12;
+  const T N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
   const T theta7 = x[6];
@@ -1843,8 +1837,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega7_1 = E7_11 * omega6_1 + E7_12 * omega6_2;
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
   const T omega7_3 = thetadot7 + omega6_3;
-  // effort_link_7_7 = -thetadot7 c_link_7_ + tau_link_7_: along the coordinate [N m], [N]
-  const T effort_link_7_7 = u.tau_7 - thetadot7 * c.p.c;
   // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = thetadot7 * omega7_2 + E7_11 * omegadot6_1 + E7_12 * omegadot6_2;
   const T omegadot7_2 = E7_11 * omegadot6_2 - E7_12 * omegadot6_1 - thetadot7 * omega7_1;
@@ -1860,112 +1852,79 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U7_23 = t7_3 - omegadot7_1;
   const T U7_31 = t7_2 - omegadot7_2;
   const T U7_32 = t7_3 + omegadot7_1;
-  const T minus_U7_33 = omega7_2 * omega7_2 + omega7_1 * omega7_1;
-  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_4 = U6_13 * T(0.081) + Pddot6_1;
-  const T t7_5 = U6_23 * T(0.081) + Pddot6_2;
-  const T Pddot7_1 = E7_11 * t7_4 + E7_12 * t7_5;
-  const T Pddot7_2 = E7_11 * t7_5 - E7_12 * t7_4;
-  const T Pddot7_3 = Pddot6_3 - minus_U6_33 * T(0.081);
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_13 * T(0.02) + Pddot7_1;
-  const T a7_2 = U7_23 * T(0.02) + Pddot7_2;
-  const T a7_3 = Pddot7_3 - minus_U7_33 * T(0.02);
-  // G7 = m7 a7: force balance, body axes [N]
-  const T G7_1 = T(1.2) * a7_1;
-  const T G7_2 = T(1.2) * a7_2;
-  const T G7_3 = T(1.2) * a7_3;
-  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
-  const T N7_1 = T(5e-04) * U7_32 - T(5e-04) * U7_23;
-  const T N7_2 = T(5e-04) * U7_13 - T(5e-04) * U7_31;
+  // effort_link_7_7 = -thetadot7 c_link_7_ + tau_link_7_: along the coordinate [N m], [N]
+  const T effort_link_7_7 = u.tau_7 - thetadot7 * c.p.c;
+  // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N7_1 = T(5e-04) * U7_32 + T(5e-04) * U7_23;
+  const T minus_N7_2 = T(5e-04) * U7_13 + T(5e-04) * U7_31;
   const T N7_3 = T(5e-04) * U7_21 - T(5e-04) * U7_12;
 
   // ---- body 7 (link_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = N7_1 - T(0.02) * G7_2;
-  const T rho7_2 = T(0.02) * G7_1 + N7_2;
-  // r_theta7 = b7 . rho7 - effort_link_7_7: Kane's equation of the angle [N m]
+  // r_theta7 = b7 . N7 - effort_link_7_7: Kane's equation of the angle [N m]
   const T r_theta7 = N7_3 - effort_link_7_7;
   r[6] = r_theta7;
 
   // ---- body 6 (link_6) and what it carries
-  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * G7_1 - E7_12 * G7_2;
-  const T S6_1 = b6_1 + G6_1;
-  const T b6_2 = E7_12 * G7_1 + E7_11 * G7_2;
-  const T S6_2 = b6_2 + G6_2;
-  const T S6_3 = G7_3 + G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r_link6~ G6 + N6: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho6_1 = E7_11 * rho7_1 - E7_12 * rho7_2 - T(0.081) * b6_2 + T(4e-04) * G6_3 - T(6e-04) * G6_2 + N6_1;
-  const T rho6_2 = T(0.081) * b6_1 + E7_12 * rho7_1 + E7_11 * rho7_2 + T(6e-04) * G6_1 + N6_2;
-  const T rho6_3 = N7_3 - T(4e-04) * G6_1 + N6_3;
+  // rho6 = E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho6_1 = E7_11 * N7_1 + E7_12 * minus_N7_2 + N6_1;
+  const T rho6_2 = E7_12 * N7_1 - E7_11 * minus_N7_2 + N6_2;
+  const T rho6_3 = N7_3 + N6_3;
   // r_theta6 = b6 . rho6 - effort_link_6_6: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_2 - effort_link_6_6;
   r[5] = r_theta6;
 
   // ---- body 5 (link_5) and what it carries
   // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T b5_1 = E6_11 * S6_1 + minus_E6_13 * S6_3;
+  const T b5_1 = E6_11 * G6_1 - minus_E6_13 * minus_G6_3;
   const T S5_1 = b5_1 + G5_1;
-  const T S5_2 = S6_2 + G5_2;
-  const T S5_3 = E6_11 * S6_3 - minus_E6_13 * S6_1 + G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r_link5~ G5 + N5: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho5_1 = E6_11 * rho6_1 + minus_E6_13 * rho6_3 - T(0.2155) * S6_2 - T(0.076) * G5_2 - T(0.021) * G5_3 +
-      N5_1;
-  const T rho5_2 = T(0.2155) * b5_1 + rho6_2 + T(0.076) * G5_1 + T(1e-04) * G5_3 + N5_2;
-  const T rho5_3 = E6_11 * rho6_3 - minus_E6_13 * rho6_1 + T(0.021) * G5_1 - T(1e-04) * G5_2 + N5_3;
+  const T S5_2 = G6_2 + G5_2;
+  const T minus_S5_3 = minus_E6_13 * G6_1 + E6_11 * minus_G6_3 + minus_G5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = E6_11 * rho6_1 + minus_E6_13 * rho6_3 - T(0.4) * G6_2 + N5_1;
+  const T rho5_2 = T(0.4) * b5_1 + rho6_2 + N5_2;
+  const T rho5_3 = E6_11 * rho6_3 - minus_E6_13 * rho6_1 + N5_3;
   // r_theta5 = b5 . rho5 - effort_link_5_5: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - effort_link_5_5;
   r[4] = r_theta5;
 
   // ---- body 4 (link_4) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T b4_1 = E5_11 * S5_1 - E5_12 * S5_2;
-  const T S4_1 = b4_1 + G4_1;
-  const T b4_2 = E5_12 * S5_1 + E5_11 * S5_2;
-  const T S4_2 = b4_2 + G4_2;
-  const T S4_3 = S5_3 + G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r_link4~ G4 + N4: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 - T(0.1845) * b4_2 - T(0.067) * G4_2 - T(0.034) * G4_3 + N4_1;
-  const T rho4_2 = T(0.1845) * b4_1 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.067) * G4_1 + N4_2;
-  const T rho4_3 = rho5_3 + T(0.034) * G4_1 + N4_3;
+  const T S4_1 = E5_11 * S5_1 - E5_12 * S5_2 + G4_1;
+  const T S4_2 = E5_12 * S5_1 + E5_11 * S5_2 + G4_2;
+  const T minus_S4_3 = minus_S5_3 + minus_G4_3;
+  // rho4 = E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 - minus_N4_1;
+  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 + N4_2;
+  const T rho4_3 = rho5_3 + N4_3;
   // r_theta4 = b4 . rho4 - effort_link_4_4: Kane's equation of the angle [N m]
   const T minus_r_theta4 = rho4_2 + effort_link_4_4;
   r[3] = -minus_r_theta4;
 
   // ---- body 3 (link_3) and what it carries
-  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 - E4_13 * S4_3;
-  const T S3_1 = b3_1 + G3_1;
-  const T S3_2 = S4_2 + G3_2;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.2155) * S4_2 + T(0.03) * G3_3 - T(0.13) * G3_2 + N3_1;
-  const T rho3_2 = T(0.2155) * b3_1 + rho4_2 + T(0.13) * G3_1 + N3_2;
-  const T rho3_3 = E4_13 * rho4_1 + E4_11 * rho4_3 - T(0.03) * G3_1 + N3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.42) * S4_2 + N3_1;
+  const T rho3_2 = T(0.42) * (E4_11 * S4_1 + E4_13 * minus_S4_3) + rho4_2 - minus_N3_2;
+  const T rho3_3 = E4_13 * rho4_1 + E4_11 * rho4_3 + N3_3;
   // r_theta3 = b3 . rho3 - effort_link_3_3: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_3 - effort_link_3_3;
   r[2] = r_theta3;
 
   // ---- body 2 (link_2) and what it carries
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 - T(0.2045) * (E3_12 * S3_1 + E3_11 * S3_2) + T(0.042) * G2_3 -
-      T(0.059) * G2_2 + N2_1;
-  const T rho2_2 = T(0.2045) * (E3_11 * S3_1 - E3_12 * S3_2) + E3_12 * rho3_1 + E3_11 * rho3_2 + T(0.059) * G2_1 +
-      T(3e-04) * G2_3 + N2_2;
-  const T rho2_3 = rho3_3 - (T(3e-04) * G2_2 + T(0.042) * G2_1) + N2_3;
+  // rho2 = E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 + N2_1;
+  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 + N2_2;
+  const T rho2_3 = rho3_3 + N2_3;
   // r_theta2 = b2 . rho2 - effort_link_2_2: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_2 - effort_link_2_2;
   r[1] = r_theta2;
 
   // ---- body 1 (link_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 + T(0.03) * G1_1 + N1_3;
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 + N1_3;
   // r_theta1 = b1 . rho1 - effort_link_1_1: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_3 - effort_link_1_1;
   r[0] = r_theta1;
@@ -1973,7 +1932,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 249 add, 293 multiply, 12 sine or cosine
+// 207 add, 228 multiply, 12 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -1995,7 +1954,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // effort_link_2_2 = -thetadot2 c_link_2_ + tau_link_2_: along the coordinate [N m], [N]
   const T effort_link_2_2 = u.tau_2 - thetadot2 * c.p.c;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T minus_omegadot2_1 = thetadot2 * omega2_3;
+  const T minus_omegadot2_1 = omega2_3 * thetadot2;
   const T minus_omegadot2_3 = thetadot2 * minus_omega2_1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
@@ -2008,21 +1967,17 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U2_22 = t2_1 + t2_3;
   const T U2_23 = minus_omegadot2_1 + minus_omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.81);
   const T Pddot2_3 = E2_11 * T(9.81);
-  // a2 = U2 r_link2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(3e-04) - minus_U2_13 * T(0.059) - minus_Pddot2_1;
-  const T a2_2 = minus_U2_21 * T(3e-04) - minus_U2_22 * T(0.042) + U2_23 * T(0.059);
-  const T a2_3 = minus_U2_13 * T(3e-04) - minus_U2_33 * T(0.059) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(6.35) * a2_1;
-  const T minus_G2_2 = T(6.35) * a2_2;
-  const T minus_G2_3 = T(6.35) * a2_3;
-  // N2 = -axial(U2 (tr(I_link2)/2 - I_link2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.005549999999999999) * U2_23;
-  const T N2_2 = T(9.99999999999994e-05) * minus_U2_13;
-  const T N2_3 = T(0.00545) * minus_U2_21;
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.0157353) * (minus_U2_22 - minus_U2_33) - T(2.2318662249999996) * U2_23 +
+      T(8.000999999999999e-05) * minus_U2_13 - T(0.00011239499999999998) * minus_U2_21;
+  const T minus_N2_2 = T(0.0019049999999999998) * Pddot2_3 - T(5.7454) * minus_Pddot2_1 - T(2.2264156534999997) *
+      minus_U2_13 - T(0.00011239499999999998) * (minus_U2_33 - minus_U2_11);
+  const T minus_N2_3 = T(0.0157353) * minus_U2_13 - (T(0.0054505715) * minus_U2_21 + T(8.000999999999999e-05) *
+      (minus_U2_11 - minus_U2_22) + T(0.00011239499999999998) * U2_23);
 
   // ---- body 3 (link_3) on body 2
   const T theta3 = x[2];
@@ -2032,7 +1987,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T E3_12 = sin(theta3);
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // effort_link_3_3 = -thetadot3 c_link_3_ + tau_link_3_: along the coordinate [N m], [N]
   const T effort_link_3_3 = u.tau_3 - thetadot3 * c.p.c;
@@ -2053,24 +2008,16 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
   const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
-  // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_5 = U2_23 * T(0.2045);
-  const T t3_6 = minus_U2_13 * T(0.2045) + minus_Pddot2_1;
-  const T Pddot3_1 = E3_12 * t3_5 - E3_11 * t3_6;
-  const T Pddot3_2 = E3_12 * t3_6 + E3_11 * t3_5;
-  const T Pddot3_3 = Pddot2_3 - minus_U2_33 * T(0.2045);
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.03) + U3_13 * T(0.13) + Pddot3_1;
-  const T a3_2 = U3_23 * T(0.13) - minus_U3_22 * T(0.03) + Pddot3_2;
-  const T a3_3 = U3_32 * T(0.03) - minus_U3_33 * T(0.13) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(3.5) * a3_1;
-  const T minus_G3_2 = T(3.5) * a3_2;
-  const T minus_G3_3 = T(3.5) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.004399999999999999) * U3_32 - T(0.0206) * U3_23;
-  const T minus_N3_2 = T(0.0206) * U3_13 - T(0.0032) * U3_31;
-  const T minus_N3_3 = T(0.0032) * U3_21 - T(0.004399999999999999) * U3_12;
+  // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
+  const T Pddot3_2 = E3_12 * minus_Pddot2_1;
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.027996) * U3_32 + T(0.027996) * U3_23 - T(0.014857500000000004) * (minus_U3_22 -
+      minus_U3_33) - T(0.014000000000000012) * Pddot2_3;
+  const T N3_2 = T(0.027996) * U3_13 + T(0.0032) * U3_31 + T(0.014857500000000004) * U3_12;
+  const T minus_N3_3 = T(0.0032) * U3_21 - T(0.027996) * U3_12 + T(0.014857500000000004) * U3_13 -
+      T(0.014000000000000012) * minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
   const T theta4 = x[3];
@@ -2102,23 +2049,22 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U4_32 = t4_4 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = U3_13 * T(0.2155) + Pddot3_1;
-  const T t4_6 = Pddot3_3 - minus_U3_33 * T(0.2155);
+  const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
+  const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
   const T Pddot4_1 = E4_11 * t4_5 + E4_13 * t4_6;
-  const T Pddot4_2 = U3_23 * T(0.2155) + Pddot3_2;
+  const T Pddot4_2 = U3_23 * T(0.42) + Pddot3_2;
   const T Pddot4_3 = E4_11 * t4_6 - E4_13 * t4_5;
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.067) - U4_12 * T(0.034) + Pddot4_1;
-  const T a4_2 = minus_U4_22 * T(0.034) + U4_23 * T(0.067) + Pddot4_2;
-  const T a4_3 = Pddot4_3 - (U4_32 * T(0.034) + minus_U4_33 * T(0.067));
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(3.5) * a4_1;
-  const T minus_G4_2 = T(3.5) * a4_2;
-  const T minus_G4_3 = T(3.5) * a4_3;
-  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.0137) * U4_32 - T(0.0033) * U4_23;
-  const T minus_N4_2 = T(0.0033) * U4_13 - T(0.0027) * U4_31;
-  const T minus_N4_3 = T(0.0027) * U4_21 - T(0.0137) * U4_12;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(2.34625);
+  const T minus_G4_2 = U4_23 * T(2.34625);
+  const T G4_3 = minus_U4_33 * T(2.34625);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = T(2.34625) * Pddot4_2 + T(0.0027) * U4_32 + T(0.752766163) * U4_23 + T(0.007973000000000001) *
+      (minus_U4_22 - minus_U4_33);
+  const T minus_N4_2 = T(2.34625) * Pddot4_1 + T(0.752766163) * U4_13 - T(0.0027) * U4_31 - T(0.007973000000000001) *
+      U4_12;
+  const T minus_N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
   const T theta5 = x[4];
@@ -2152,24 +2098,23 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U5_31 = t5_4 - omegadot5_2;
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
-  // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_13 * T(0.1845) + Pddot4_1;
-  const T t5_8 = U4_23 * T(0.1845) + Pddot4_2;
-  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
-  const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = Pddot4_3 - minus_U4_33 * T(0.1845);
-  // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = minus_U5_11 * T(1e-04) - U5_12 * T(0.021) + U5_13 * T(0.076) + Pddot5_1;
-  const T a5_2 = minus_U5_22 * T(0.021) - U5_21 * T(1e-04) + U5_23 * T(0.076) + Pddot5_2;
-  const T a5_3 = Pddot5_3 - (U5_31 * T(1e-04) + U5_32 * T(0.021) + minus_U5_33 * T(0.076));
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(3.5) * a5_1;
-  const T minus_G5_2 = T(3.5) * a5_2;
-  const T minus_G5_3 = T(3.5) * a5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.0028950000000000004) * U5_32 - T(0.007105) * U5_23;
-  const T minus_N5_2 = T(0.007105) * U5_13 - T(0.0015949999999999996) * U5_31;
-  const T minus_N5_3 = T(0.0015949999999999996) * U5_21 - T(0.0028950000000000004) * U5_12;
+  // Pddot5 = E5 Pddot4: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot5_1 = E5_11 * Pddot4_1 + E5_12 * Pddot4_2;
+  const T Pddot5_2 = E5_11 * Pddot4_2 - E5_12 * Pddot4_1;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = minus_U5_11 * T(0.00035) - U5_12 * T(0.07278000000000001);
+  const T minus_G5_2 = minus_U5_22 * T(0.07278000000000001) - U5_21 * T(0.00035);
+  const T G5_3 = U5_31 * T(0.00035) + U5_32 * T(0.07278000000000001);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(0.009138788) * U5_32 + T(0.009138788) * U5_23 - T(0.01885875) * (minus_U5_22 - minus_U5_33) +
+      T(7.350000000000001e-06) * U5_31 + T(9.117500000000001e-05) * U5_21 - T(0.07278000000000001) * Pddot4_3;
+  const T minus_N5_2 = T(0.00035) * Pddot4_3 - (T(0.009138788) * U5_13 + T(0.0015950349999999996) * U5_31 +
+      T(9.117500000000001e-05) * (minus_U5_33 - minus_U5_11) + T(0.01885875) * U5_12 + T(7.350000000000001e-06) *
+      U5_32);
+  const T minus_N5_3 = T(0.07278000000000001) * Pddot5_1 - T(0.00035) * Pddot5_2 + T(0.0015950349999999996) * U5_21 -
+      T(0.009138788) * U5_12 + T(7.350000000000001e-06) * (minus_U5_11 - minus_U5_22) - T(9.117500000000001e-05) *
+      U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
   const T theta6 = x[5];
@@ -2201,23 +2146,19 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U6_32 = t6_4 + omegadot6_1;
   const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_5 = U5_13 * T(0.2155) + Pddot5_1;
-  const T t6_6 = Pddot5_3 - minus_U5_33 * T(0.2155);
-  const T Pddot6_1 = E6_11 * t6_5 - minus_E6_13 * t6_6;
-  const T Pddot6_2 = U5_23 * T(0.2155) + Pddot5_2;
-  const T Pddot6_3 = minus_E6_13 * t6_5 + E6_11 * t6_6;
-  // a6 = U6 r_link6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(4e-04) + U6_13 * T(6e-04) + Pddot6_1;
-  const T a6_2 = U6_23 * T(6e-04) - minus_U6_22 * T(4e-04) + Pddot6_2;
-  const T a6_3 = U6_32 * T(4e-04) - minus_U6_33 * T(6e-04) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.8) * a6_1;
-  const T minus_G6_2 = T(1.8) * a6_2;
-  const T minus_G6_3 = T(1.8) * a6_3;
-  // N6 = -axial(U6 (tr(I_link6)/2 - I_link6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.003) * U6_32 - T(0.0018999999999999998) * U6_23;
-  const T minus_N6_2 = T(0.0018999999999999998) * U6_13 - T(0.0017000000000000001) * U6_31;
-  const T minus_N6_3 = T(0.0017000000000000001) * U6_21 - T(0.003) * U6_12;
+  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_13 * T(0.12228);
+  const T minus_G6_2 = U6_23 * T(0.12228);
+  const T G6_3 = minus_U6_33 * T(0.12228);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(4.32e-07) * (minus_U6_22 - minus_U6_33) - (T(0.0017000000000000001) * U6_32 + T(0.015141848)
+      * U6_23) - T(0.12228) * Pddot6_2;
+  const T minus_N6_2 = T(0.12228) * Pddot6_1 + T(0.015141848) * U6_13 - T(0.0017000000000000001) * U6_31 + T(4.32e-07)
+      * U6_12;
+  const T minus_N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
   const T theta7 = x[6];
@@ -2245,114 +2186,76 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U7_23 = t7_3 - omegadot7_1;
   const T U7_31 = t7_2 - omegadot7_2;
   const T U7_32 = t7_3 + omegadot7_1;
-  const T minus_U7_33 = omega7_2 * omega7_2 + omega7_1 * omega7_1;
-  // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_4 = U6_13 * T(0.081) + Pddot6_1;
-  const T t7_5 = U6_23 * T(0.081) + Pddot6_2;
-  const T Pddot7_1 = E7_11 * t7_4 + E7_12 * t7_5;
-  const T Pddot7_2 = E7_11 * t7_5 - E7_12 * t7_4;
-  const T Pddot7_3 = Pddot6_3 - minus_U6_33 * T(0.081);
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_13 * T(0.02) + Pddot7_1;
-  const T a7_2 = U7_23 * T(0.02) + Pddot7_2;
-  const T a7_3 = Pddot7_3 - minus_U7_33 * T(0.02);
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.2) * a7_1;
-  const T minus_G7_2 = T(1.2) * a7_2;
-  const T minus_G7_3 = T(1.2) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(5e-04) * U7_32 - T(5e-04) * U7_23;
-  const T minus_N7_2 = T(5e-04) * U7_13 - T(5e-04) * U7_31;
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(5e-04) * U7_32 + T(5e-04) * U7_23;
+  const T N7_2 = T(5e-04) * U7_13 + T(5e-04) * U7_31;
   const T minus_N7_3 = T(5e-04) * U7_21 - T(5e-04) * U7_12;
 
   // ---- body 7 (link_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = T(0.02) * minus_G7_2 - minus_N7_1;
-  const T minus_rho7_2 = T(0.02) * minus_G7_1 + minus_N7_2;
-  // f_theta7 = b7 . rho7 + effort_link_7_7: Kane's equation of the angle [N m]
+  // f_theta7 = b7 . N7 + effort_link_7_7: Kane's equation of the angle [N m]
   const T f_theta7 = effort_link_7_7 - minus_N7_3;
   f[6] = f_theta7;
 
   // ---- body 6 (link_6) and what it carries
-  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_12 * minus_G7_2 - E7_11 * minus_G7_1;
-  const T S6_1 = b6_1 - minus_G6_1;
-  const T b6_2 = E7_12 * minus_G7_1 + E7_11 * minus_G7_2;
-  const T minus_S6_2 = b6_2 + minus_G6_2;
-  const T minus_S6_3 = minus_G7_3 + minus_G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r_link6~ G6 + N6: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho6_1 = T(0.081) * b6_2 + E7_11 * rho7_1 + E7_12 * minus_rho7_2 + T(6e-04) * minus_G6_2 - T(4e-04) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = T(0.081) * b6_1 + E7_12 * rho7_1 - E7_11 * minus_rho7_2 - T(6e-04) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(4e-04) * minus_G6_1 - minus_N7_3 - minus_N6_3;
+  // rho6 = E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T minus_rho6_1 = E7_11 * minus_N7_1 + E7_12 * N7_2 + minus_N6_1;
+  const T rho6_2 = E7_11 * N7_2 - E7_12 * minus_N7_1 - minus_N6_2;
+  const T minus_rho6_3 = minus_N7_3 + minus_N6_3;
   // f_theta6 = b6 . rho6 + effort_link_6_6: Kane's equation of the angle [N m]
   const T f_theta6 = rho6_2 + effort_link_6_6;
   f[5] = f_theta6;
 
   // ---- body 5 (link_5) and what it carries
   // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T b5_1 = E6_11 * S6_1 - minus_E6_13 * minus_S6_3;
+  const T b5_1 = minus_E6_13 * G6_3 - E6_11 * minus_G6_1;
   const T S5_1 = b5_1 - minus_G5_1;
-  const T minus_S5_2 = minus_S6_2 + minus_G5_2;
-  const T minus_S5_3 = minus_E6_13 * S6_1 + E6_11 * minus_S6_3 + minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r_link5~ G5 + N5: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho5_1 = T(0.2155) * minus_S6_2 + E6_11 * rho6_1 + minus_E6_13 * rho6_3 + T(0.076) * minus_G5_2 + T(0.021) *
-      minus_G5_3 - minus_N5_1;
-  const T rho5_2 = T(0.2155) * b5_1 + rho6_2 - T(0.076) * minus_G5_1 - T(1e-04) * minus_G5_3 - minus_N5_2;
-  const T rho5_3 = E6_11 * rho6_3 - minus_E6_13 * rho6_1 + T(1e-04) * minus_G5_2 - T(0.021) * minus_G5_1 - minus_N5_3;
+  const T minus_S5_2 = minus_G6_2 + minus_G5_2;
+  const T S5_3 = minus_E6_13 * minus_G6_1 + E6_11 * G6_3 + G5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = T(0.4) * minus_G6_2 - (E6_11 * minus_rho6_1 + minus_E6_13 * minus_rho6_3) - minus_N5_1;
+  const T rho5_2 = T(0.4) * b5_1 + rho6_2 - minus_N5_2;
+  const T minus_rho5_3 = E6_11 * minus_rho6_3 - minus_E6_13 * minus_rho6_1 + minus_N5_3;
   // f_theta5 = b5 . rho5 + effort_link_5_5: Kane's equation of the angle [N m]
-  const T f_theta5 = rho5_3 + effort_link_5_5;
+  const T f_theta5 = effort_link_5_5 - minus_rho5_3;
   f[4] = f_theta5;
 
   // ---- body 4 (link_4) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T b4_1 = E5_11 * S5_1 + E5_12 * minus_S5_2;
-  const T S4_1 = b4_1 - minus_G4_1;
-  const T b4_2 = E5_12 * S5_1 - E5_11 * minus_S5_2;
-  const T S4_2 = b4_2 - minus_G4_2;
-  const T minus_S4_3 = minus_S5_3 + minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r_link4~ G4 + N4: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 - T(0.1845) * b4_2 + T(0.067) * minus_G4_2 + T(0.034) * minus_G4_3
-      - minus_N4_1;
-  const T rho4_2 = T(0.1845) * b4_1 + E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.067) * minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - T(0.034) * minus_G4_1 - minus_N4_3;
+  const T S4_1 = E5_11 * S5_1 + E5_12 * minus_S5_2 - minus_G4_1;
+  const T S4_2 = E5_12 * S5_1 - E5_11 * minus_S5_2 - minus_G4_2;
+  const T S4_3 = S5_3 + G4_3;
+  // rho4 = E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 + N4_1;
+  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 - minus_N4_2;
+  const T minus_rho4_3 = minus_rho5_3 + minus_N4_3;
   // f_theta4 = b4 . rho4 + effort_link_4_4: Kane's equation of the angle [N m]
   const T f_theta4 = effort_link_4_4 - rho4_2;
   f[3] = f_theta4;
 
   // ---- body 3 (link_3) and what it carries
-  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + E4_13 * minus_S4_3;
-  const T S3_1 = b3_1 - minus_G3_1;
-  const T S3_2 = S4_2 - minus_G3_2;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.2155) * S4_2 + T(0.13) * minus_G3_2 - T(0.03) * minus_G3_3 -
-      minus_N3_1;
-  const T rho3_2 = T(0.2155) * b3_1 + rho4_2 - T(0.13) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_13 * rho4_1 + E4_11 * rho4_3 + T(0.03) * minus_G3_1 - minus_N3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = E4_11 * rho4_1 + E4_13 * minus_rho4_3 - T(0.42) * S4_2 - minus_N3_1;
+  const T rho3_2 = T(0.42) * (E4_11 * S4_1 - E4_13 * S4_3) + rho4_2 + N3_2;
+  const T rho3_3 = E4_13 * rho4_1 - E4_11 * minus_rho4_3 - minus_N3_3;
   // f_theta3 = b3 . rho3 + effort_link_3_3: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_3 + effort_link_3_3;
   f[2] = f_theta3;
 
   // ---- body 2 (link_2) and what it carries
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r_link2~ G2 + N2: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 - T(0.2045) * (E3_12 * S3_1 + E3_11 * S3_2) + T(0.059) * minus_G2_2
-      - T(0.042) * minus_G2_3 + N2_1;
-  const T rho2_2 = T(0.2045) * (E3_11 * S3_1 - E3_12 * S3_2) + E3_12 * rho3_1 + E3_11 * rho3_2 - T(0.059) * minus_G2_1
-      - T(3e-04) * minus_G2_3 + N2_2;
-  const T rho2_3 = rho3_3 + T(3e-04) * minus_G2_2 + T(0.042) * minus_G2_1 + N2_3;
+  // rho2 = E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 - minus_N2_1;
+  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 - minus_N2_2;
+  const T rho2_3 = rho3_3 - minus_N2_3;
   // f_theta2 = b2 . rho2 + effort_link_2_2: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_2 + effort_link_2_2;
   f[1] = f_theta2;
 
   // ---- body 1 (link_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
   const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1;
   // f_theta1 = b1 . rho1 + effort_link_1_1: Kane's equation of the angle [N m]
   const T f_theta1 = rho1_3 + effort_link_1_1;
@@ -2361,7 +2264,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 137 add, 174 multiply, 12 sine or cosine
+// 84 add, 110 multiply, 10 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -2396,45 +2299,27 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T E6_11 = cos(theta6);
   const T minus_E6_13 = sin(theta6);
 
-  // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
-  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
-
   // ---- body 6 (link_6) and what it carries
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r_link6~ r_link6~ + (-m7 q7~ - hc7~) q7~ + I_link6: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b6_1 = E7_11 * T(0.00148);
-  const T b6_2 = E7_12 * T(0.00148);
-  const T b6_3 = b6_1 * E7_11 + b6_2 * E7_12 + T(0.001944);
-  const T J6_11 = b6_3 + T(0.014718136);
-  const T J6_12 = b6_1 * E7_12 - b6_2 * E7_11;
-  const T J6_22 = b6_3 + T(0.013417848);
-  A[40] = J6_22;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_1 = minus_E6_13 * T(0.12228);
   const T hc6_3 = E6_11 * T(0.12228);
 
   // ---- body 5 (link_5) and what it carries
-  // h5 = m5 r_link5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
   const T h5_1 = hc6_1 - T(0.00035);
-  const T h5_3 = T(0.9125) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r_link5~ r_link5~ + I_link5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b5_1 = E6_11 * J6_11;
-  const T b5_2 = minus_E6_13 * T(0.005700288);
-  const T b5_3 = T(0.2155) * hc6_3;
-  const T b5_4 = (hc6_3 + T(0.6465)) * T(0.2155);
-  const T J5_11 = b5_1 * E6_11 + b5_2 * minus_E6_13 + b5_3 + T(0.031759499999999996) + b5_4;
-  const T b5_5 = E6_11 * J6_12 - minus_E6_13 * T(4.32e-07);
-  const T J5_12 = b5_5 - T(7.350000000000001e-06);
-  const T J5_13 = b5_2 * E6_11 - b5_1 * minus_E6_13 - T(0.2155) * hc6_1 + T(2.66e-05);
-  const T b5_6 = b5_3 + J6_22;
-  const T J5_22 = b5_6 + T(0.028916035) + b5_4;
-  const T b5_7 = minus_E6_13 * J6_12 + E6_11 * T(4.32e-07);
-  const T J5_23 = T(0.00543084) - b5_7;
-  const T J5_33 = minus_E6_13 * J6_11 * minus_E6_13 + E6_11 * T(0.005700288) * E6_11 + T(0.0060335350000000005);
+  // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_1 = minus_E6_13 * T(0.012441848);
+  const T b5_2 = minus_E6_13 * b5_1;
+  const T J5_11 = T(0.013441848) - b5_2 + T(0.8) * hc6_3;
+  const T b5_3 = minus_E6_13 * T(4.32e-07);
+  const T minus_J5_12 = b5_3 + T(7.350000000000001e-06);
+  const T J5_13 = T(9.117500000000001e-05) - (E6_11 * b5_1 + T(0.4) * hc6_1);
+  const T b5_4 = T(0.4) * hc6_3;
+  const T b5_5 = b5_4 + T(0.016841848);
+  const T J5_22 = b5_5 - T(0.007543753000000001) + b5_4;
+  const T b5_6 = E6_11 * T(4.32e-07);
+  const T J5_23 = T(0.01885875) - b5_6;
+  const T J5_33 = T(0.011733823) + b5_2;
   A[32] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_12 * T(0.07278000000000001) + E5_11 * h5_1;
@@ -2444,32 +2329,26 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T K_thetadot7_5_3 = E6_11 * T(0.001);
   A[34] = K_thetadot7_5_3;
   A[46] = K_thetadot7_5_3;
-  A[33] = -b5_7;
-  A[39] = -b5_7;
+  A[33] = -b5_6;
+  A[39] = -b5_6;
 
   // ---- body 4 (link_4) and what it carries
-  // h4 = m4 r_link4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h4_2 = minus_hc5_2 + T(0.11900000000000001);
-  const T h4_3 = T(1.43375) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r_link4~ r_link4~ + I_link4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b4_1 = E5_12 * J5_12;
-  const T b4_2 = E5_11 * J5_11 - b4_1;
-  const T b4_3 = E5_11 * J5_12;
-  const T b4_4 = b4_3 - E5_12 * J5_22;
-  const T b4_5 = T(0.1845) * h5_3 + (h5_3 + T(1.19925)) * T(0.1845);
-  const T J4_11 = b4_2 * E5_11 - b4_4 * E5_12 + b4_5 + T(0.036757500000000005);
-  const T J4_12 = b4_2 * E5_12 + b4_4 * E5_11;
-  const T J4_13 = E5_11 * J5_13 - E5_12 * J5_23 - T(0.1845) * hc5_1;
-  const T J4_22 = (E5_12 * J5_11 + b4_3) * E5_12 + (b4_1 + E5_11 * J5_22) * E5_11 + b4_5 + T(0.0217115);
-  const T b4_6 = E5_12 * J5_13 + E5_11 * J5_23 + T(0.1845) * minus_hc5_2;
-  const T J4_23 = b4_6 + T(0.007973000000000001);
-  const T J4_33 = J5_33 + T(0.020446000000000002);
+  // h4 = h_own_4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h4_3 = T(2.34625) + hc6_3;
+  // J4 = E5^T J5 E5 + J_own_4: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
+  const T b4_2 = E5_12 * b4_1;
+  const T J4_11 = J5_11 - b4_2 + T(0.750066163);
+  const T J4_12 = E5_11 * b4_1 + minus_J5_12;
+  const T J4_13 = E5_11 * J5_13 - E5_12 * J5_23;
+  const T J4_22 = J5_22 + b4_2 + T(0.755466163);
+  const T b4_3 = E5_12 * J5_13 + E5_11 * J5_23;
+  const T J4_23 = b4_3 + T(0.007973000000000001);
   A[24] = J4_22;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = E4_11 * hc5_1 - E4_13 * h4_3;
   const T hc4_3 = E4_11 * h4_3 + E4_13 * hc5_1;
-  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
+  // K_thetadot7_4 = E5^T K_thetadot7_5
   const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1;
   const T K_thetadot7_4_2 = E5_12 * K_thetadot7_5_1;
   A[27] = -K_thetadot7_4_2;
@@ -2477,38 +2356,28 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // B_thetadot6_4 = E5^T B_thetadot6_5
   const T B_thetadot6_4_1 = E5_11 * hc6_3;
   const T B_thetadot6_4_2 = E5_12 * hc6_3;
-  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_4_1 = E5_11 * b5_5 - E5_12 * b5_6 - T(0.1845) * B_thetadot6_4_2;
-  const T K_thetadot6_4_2 = T(0.1845) * B_thetadot6_4_1 + E5_12 * b5_5 + E5_11 * b5_6;
+  // K_thetadot6_4 = E5^T K_thetadot6_5
+  const T minus_K_thetadot6_4_1 = E5_11 * b5_3 + E5_12 * b5_5;
+  const T K_thetadot6_4_2 = E5_11 * b5_5 - E5_12 * b5_3;
   A[26] = -K_thetadot6_4_2;
   A[38] = -K_thetadot6_4_2;
-  A[25] = -b4_6;
-  A[31] = -b4_6;
+  A[25] = -b4_3;
+  A[31] = -b4_3;
 
   // ---- body 3 (link_3) and what it carries
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_2 = T(0.105) - minus_h4_2;
-  const T h3_3 = T(2.61) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_1 = E4_13 * J4_13;
-  const T b3_2 = E4_11 * J4_11 - b3_1;
-  const T b3_3 = E4_11 * J4_13;
-  const T b3_4 = b3_3 - E4_13 * J4_33;
-  const T b3_5 = T(0.2155) * hc4_3;
-  const T b3_6 = (hc4_3 + T(2.155)) * T(0.2155);
-  const T J3_11 = b3_2 * E4_11 - b3_4 * E4_13 + b3_5 + T(0.0873) + b3_6;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_1 = T(2) * E4_11 * J4_13 - E4_13 * (J5_33 - J4_11);
+  const T b3_2 = E4_13 * b3_1;
+  const T J3_11 = J4_11 - b3_2 + T(0.84) * hc4_3;
   const T minus_J3_12 = E4_13 * J4_23 - E4_11 * J4_12;
-  const T J3_13 = b3_2 * E4_13 + b3_4 * E4_11 - T(0.2155) * hc4_1;
-  const T b3_7 = b3_5 + J4_22;
-  const T J3_22 = b3_7 + T(0.08295000000000001) + b3_6;
-  const T b3_8 = E4_13 * J4_12 + E4_11 * J4_23;
-  const T J3_23 = b3_8 + T(0.2155) * minus_h4_2 - T(0.01365);
-  const T J3_33 = (E4_13 * J4_11 + b3_3) * E4_13 + (b3_1 + E4_11 * J4_33) * E4_11 + T(0.01075);
+  const T J3_13 = E4_11 * b3_1 - J4_13 - T(0.42) * hc4_1;
+  const T b3_3 = T(0.42) * hc4_3;
+  const T b3_4 = b3_3 + J4_22;
+  const T J3_22 = b3_4 - T(0.024796000000000002) + b3_3;
+  const T b3_5 = E4_13 * J4_12 + E4_11 * J4_23;
+  const T J3_23 = b3_5 + T(0.42) * minus_hc5_2 + T(0.014857500000000004);
+  const T J3_33 = J5_33 + b3_2 + T(0.031196);
   A[16] = J3_33;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_11 * hc4_1 - E3_12 * h3_2;
-  const T hc3_2 = E3_11 * h3_2 + E3_12 * hc4_1;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
   const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 - E4_13 * K_thetadot7_5_3;
   const T K_thetadot7_3_3 = E4_13 * K_thetadot7_4_1 + E4_11 * K_thetadot7_5_3;
@@ -2517,103 +2386,88 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // B_thetadot6_3 = E4^T B_thetadot6_4
   const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + E4_13 * hc6_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = E4_11 * K_thetadot6_4_1 + E4_13 * b5_7 - T(0.2155) * B_thetadot6_4_2;
-  const T K_thetadot6_3_2 = T(0.2155) * B_thetadot6_3_1 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_13 * K_thetadot6_4_1 - E4_11 * b5_7;
-  A[19] = K_thetadot6_3_3;
-  A[37] = K_thetadot6_3_3;
+  const T K_thetadot6_3_1 = E4_13 * b5_6 - E4_11 * minus_K_thetadot6_4_1 - T(0.42) * B_thetadot6_4_2;
+  const T K_thetadot6_3_2 = T(0.42) * B_thetadot6_3_1 + K_thetadot6_4_2;
+  const T minus_K_thetadot6_3_3 = E4_13 * minus_K_thetadot6_4_1 + E4_11 * b5_6;
+  A[19] = -minus_K_thetadot6_3_3;
+  A[37] = -minus_K_thetadot6_3_3;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T B_thetadot5_3_1 = E4_11 * minus_hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = b3_3 - E4_13 * J5_33 - T(0.2155) * hc5_1;
-  const T K_thetadot5_3_2 = T(0.2155) * B_thetadot5_3_1 + b4_6;
-  const T K_thetadot5_3_3 = b3_1 + E4_11 * J5_33;
+  const T K_thetadot5_3_1 = E4_11 * J4_13 - E4_13 * J5_33 - T(0.42) * hc5_1;
+  const T K_thetadot5_3_2 = T(0.42) * B_thetadot5_3_1 + b4_3;
+  const T K_thetadot5_3_3 = E4_13 * J4_13 + E4_11 * J5_33;
   A[18] = K_thetadot5_3_3;
   A[30] = K_thetadot5_3_3;
-  A[17] = -b3_8;
-  A[23] = -b3_8;
+  A[17] = -b3_5;
+  A[23] = -b3_5;
 
   // ---- body 2 (link_2) and what it carries
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r_link2~ r_link2~ + I_link2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b2_1 = E3_12 * minus_J3_12;
-  const T b2_2 = E3_11 * J3_11 + b2_1;
-  const T b2_3 = E3_11 * minus_J3_12;
-  const T b2_4 = b2_3 + E3_12 * J3_22;
-  const T b2_5 = T(0.2045) * h3_3 + (h3_3 + T(2.76075)) * T(0.2045);
-  const T J2_11 = b2_2 * E3_11 + b2_4 * E3_12 + b2_5 + T(0.06380575);
-  const T J2_12 = b2_2 * E3_12 - b2_4 * E3_11 + T(8.000999999999999e-05);
-  const T b2_6 = T(0.2045) * hc3_1 - (E3_11 * J3_13 - E3_12 * J3_23);
-  const T J2_13 = T(0.00011239499999999998) - b2_6;
-  const T J2_22 = (E3_12 * J3_11 - b2_3) * E3_12 + (E3_11 * J3_22 - b2_1) * E3_11 + b2_5 + T(0.033104921499999995);
-  const T b2_7 = T(0.2045) * hc3_2 - (E3_12 * J3_13 + E3_11 * J3_23);
-  const T minus_J2_32 = b2_7 + T(0.0157353);
-  const T J2_33 = J3_33 + T(0.0416019715);
+  // J2 = E3^T J3 E3 + J_own_2: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = E3_12 * (J3_11 - J3_22) - T(2) * E3_11 * minus_J3_12;
+  const T b2_2 = E3_12 * b2_1;
+  const T J2_11 = J3_11 - b2_2 + T(2.2264156534999997);
+  const T J2_12 = E3_11 * b2_1 + minus_J3_12 + T(8.000999999999999e-05);
+  const T b2_3 = E3_11 * J3_13 - E3_12 * J3_23;
+  const T J2_13 = b2_3 + T(0.00011239499999999998);
+  const T J2_22 = J3_22 + b2_2 + T(2.2373167965);
+  const T b2_4 = E3_12 * J3_13 + E3_11 * J3_23;
+  const T J2_23 = b2_4 - T(0.0157353);
   A[8] = J2_22;
-  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
+  // K_thetadot7_2 = E3^T K_thetadot7_3
   const T K_thetadot7_2_1 = E3_11 * K_thetadot7_3_1 - E3_12 * K_thetadot7_4_2;
   const T K_thetadot7_2_2 = E3_12 * K_thetadot7_3_1 + E3_11 * K_thetadot7_4_2;
   A[13] = K_thetadot7_2_2;
   A[43] = K_thetadot7_2_2;
-  // B_thetadot6_2 = E3^T B_thetadot6_3
-  const T B_thetadot6_2_1 = E3_11 * B_thetadot6_3_1 - E3_12 * B_thetadot6_4_2;
-  const T B_thetadot6_2_2 = E3_12 * B_thetadot6_3_1 + E3_11 * B_thetadot6_4_2;
-  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 - E3_12 * K_thetadot6_3_2 - T(0.2045) * B_thetadot6_2_2;
-  const T K_thetadot6_2_2 = T(0.2045) * B_thetadot6_2_1 + E3_12 * K_thetadot6_3_1 + E3_11 * K_thetadot6_3_2;
+  // K_thetadot6_2 = E3^T K_thetadot6_3
+  const T K_thetadot6_2_1 = E3_11 * K_thetadot6_3_1 - E3_12 * K_thetadot6_3_2;
+  const T K_thetadot6_2_2 = E3_12 * K_thetadot6_3_1 + E3_11 * K_thetadot6_3_2;
   A[12] = K_thetadot6_2_2;
   A[36] = K_thetadot6_2_2;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_1 = E3_11 * B_thetadot5_3_1 - E3_12 * hc5_1;
-  const T B_thetadot5_2_2 = E3_12 * B_thetadot5_3_1 + E3_11 * hc5_1;
-  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = E3_11 * K_thetadot5_3_1 - E3_12 * K_thetadot5_3_2 - T(0.2045) * B_thetadot5_2_2;
-  const T K_thetadot5_2_2 = T(0.2045) * B_thetadot5_2_1 + E3_12 * K_thetadot5_3_1 + E3_11 * K_thetadot5_3_2;
+  // K_thetadot5_2 = E3^T K_thetadot5_3
+  const T K_thetadot5_2_1 = E3_11 * K_thetadot5_3_1 - E3_12 * K_thetadot5_3_2;
+  const T K_thetadot5_2_2 = E3_12 * K_thetadot5_3_1 + E3_11 * K_thetadot5_3_2;
   A[11] = K_thetadot5_2_2;
   A[29] = K_thetadot5_2_2;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = E3_11 * hc4_3;
-  const T minus_B_thetadot4_2_2 = E3_12 * hc4_3;
-  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = T(0.2045) * minus_B_thetadot4_2_2 + b2_3 + E3_12 * b3_7;
-  const T K_thetadot4_2_2 = b2_1 - E3_11 * b3_7 - T(0.2045) * minus_B_thetadot4_2_1;
+  // K_thetadot4_2 = E3^T K_thetadot4_3
+  const T K_thetadot4_2_1 = E3_11 * minus_J3_12 + E3_12 * b3_4;
+  const T K_thetadot4_2_2 = E3_12 * minus_J3_12 - E3_11 * b3_4;
   A[10] = K_thetadot4_2_2;
   A[22] = K_thetadot4_2_2;
-  A[9] = -b2_7;
-  A[15] = -b2_7;
+  A[9] = b2_4;
+  A[15] = b2_4;
 
   // ---- body 1 (link_1) and what it carries
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_33 = (E2_11 * J2_33 - minus_E2_13 * J2_13) * E2_11 - (E2_11 * J2_13 - minus_E2_13 * J2_11) * minus_E2_13
-      + T(0.017484);
+  // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_33 = J3_33 - minus_E2_13 * (minus_E2_13 * (J3_33 - J2_11) + T(2) * E2_11 * J2_13) + T(0.0590859715);
   A[0] = J1_33;
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
   const T K_thetadot7_1_3 = E2_11 * K_thetadot7_3_3 - minus_E2_13 * K_thetadot7_2_1;
   A[6] = K_thetadot7_1_3;
   A[42] = K_thetadot7_1_3;
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_3 = E2_11 * K_thetadot6_3_3 - minus_E2_13 * K_thetadot6_2_1;
-  A[5] = K_thetadot6_1_3;
-  A[35] = K_thetadot6_1_3;
+  const T minus_K_thetadot6_1_3 = minus_E2_13 * K_thetadot6_2_1 + E2_11 * minus_K_thetadot6_3_3;
+  A[5] = -minus_K_thetadot6_1_3;
+  A[35] = -minus_K_thetadot6_1_3;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
   const T K_thetadot5_1_3 = E2_11 * K_thetadot5_3_3 - minus_E2_13 * K_thetadot5_2_1;
   A[4] = K_thetadot5_1_3;
   A[28] = K_thetadot5_1_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_3 = minus_E2_13 * K_thetadot4_2_1 + E2_11 * b3_8;
+  const T minus_K_thetadot4_1_3 = minus_E2_13 * K_thetadot4_2_1 + E2_11 * b3_5;
   A[3] = -minus_K_thetadot4_1_3;
   A[21] = -minus_K_thetadot4_1_3;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_3 = E2_11 * J3_33 + minus_E2_13 * b2_6;
+  const T K_thetadot3_1_3 = E2_11 * J3_33 - minus_E2_13 * b2_3;
   A[2] = K_thetadot3_1_3;
   A[14] = K_thetadot3_1_3;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T minus_K_thetadot2_1_3 = E2_11 * minus_J2_32 + minus_E2_13 * J2_12;
-  A[1] = -minus_K_thetadot2_1_3;
-  A[7] = -minus_K_thetadot2_1_3;
+  const T K_thetadot2_1_3 = E2_11 * J2_23 - minus_E2_13 * J2_12;
+  A[1] = K_thetadot2_1_3;
+  A[7] = K_thetadot2_1_3;
 
   // ---- results
+  A[40] = T(0.016841848);
   A[41] = T(0);
   A[47] = T(0);
   A[48] = T(0.001);
@@ -2674,7 +2528,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
   const T minus_R3_13 = minus_E2_13 * E3_11;
-  const T minus_R3_21 = R2_11 * E3_12 + E1_12 * E3_11;
+  const T minus_R3_21 = E1_12 * E3_11 + R2_11 * E3_12;
   const T R3_22 = E1_11 * E3_11 - R2_12 * E3_12;
   const T R3_23 = minus_E2_13 * E3_12;
   // P_thetadot1_3 = -R2^T q3~ omega_thetadot1_2 + P_thetadot1_2: partial velocity of the body origin, inertial axes
@@ -2784,7 +2638,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
   const T R5_13 = R4_13 * E5_11 + R3_23 * E5_12;
-  const T minus_R5_21 = R4_11 * E5_12 + minus_R3_21 * E5_11;
+  const T minus_R5_21 = minus_R3_21 * E5_11 + R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
   const T R5_23 = R3_23 * E5_11 - R4_13 * E5_12;
   // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
@@ -2971,7 +2825,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
   const T R7_13 = R6_13 * E7_11 + R5_23 * E7_12;
-  const T minus_R7_21 = R6_11 * E7_12 + minus_R5_21 * E7_11;
+  const T minus_R7_21 = minus_R5_21 * E7_11 + R6_11 * E7_12;
   const T R7_22 = R5_22 * E7_11 - R6_12 * E7_12;
   const T R7_23 = R5_23 * E7_11 - R6_13 * E7_12;
   // omega_thetadot2_7 = E7 omega_thetadot2_6: partial angular velocity, body axes
@@ -2979,7 +2833,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_thetadot2_7_2 = E7_11 * omega_thetadot2_5_2 - E7_12 * omega_thetadot2_6_1;
   // omega_thetadot3_7 = E7 omega_thetadot3_6: partial angular velocity, body axes
   const T omega_thetadot3_7_1 = E7_11 * omega_thetadot3_6_1 - E7_12 * minus_omega_thetadot3_5_2;
-  const T minus_omega_thetadot3_7_2 = E7_12 * omega_thetadot3_6_1 + E7_11 * minus_omega_thetadot3_5_2;
+  const T minus_omega_thetadot3_7_2 = E7_11 * minus_omega_thetadot3_5_2 + E7_12 * omega_thetadot3_6_1;
   // omega_thetadot4_7 = E7 omega_thetadot4_6: partial angular velocity, body axes
   const T minus_omega_thetadot4_7_1 = E7_11 * minus_omega_thetadot4_6_1 + E7_12 * E5_11;
   const T omega_thetadot4_7_2 = E7_12 * minus_omega_thetadot4_6_1 - E7_11 * E5_11;
@@ -3149,12 +3003,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
   const T minus_R3_13 = minus_E2_13 * E3_11;
-  const T minus_R3_21 = R2_11 * E3_12 + E1_12 * E3_11;
+  const T minus_R3_21 = E1_12 * E3_11 + R2_11 * E3_12;
   const T R3_22 = E1_11 * E3_11 - R2_12 * E3_12;
   const T R3_23 = minus_E2_13 * E3_12;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
-  const T omega3_2 = E3_12 * minus_omega2_1 + E3_11 * thetadot2;
+  const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // omega_dot_thetadot1_3 = -thetadot3 b3~ E3 omega_thetadot1_2 + E3 omega_dot_thetadot1_2: its rate
   const T omega_dot_thetadot1_3_1 = thetadot3 * R3_23 - E3_11 * minus_omega_dot_thetadot1_2_1;
@@ -3353,7 +3207,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
   const T R5_13 = R4_13 * E5_11 + R3_23 * E5_12;
-  const T minus_R5_21 = R4_11 * E5_12 + minus_R3_21 * E5_11;
+  const T minus_R5_21 = minus_R3_21 * E5_11 + R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
   const T R5_23 = R3_23 * E5_11 - R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
@@ -3371,8 +3225,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // omega_dot_thetadot2_5 = -thetadot5 b5~ E5 omega_thetadot2_4 + E5 omega_dot_thetadot2_4: its rate
   const T omega_dot_thetadot2_5_1 = thetadot5 * omega_thetadot2_5_2 + E5_11 * omega_dot_thetadot2_4_1 - E5_12 *
       minus_omega_dot_thetadot2_3_2;
-  const T minus_omega_dot_thetadot2_5_2 = thetadot5 * omega_thetadot2_5_1 + E5_12 * omega_dot_thetadot2_4_1 + E5_11 *
-      minus_omega_dot_thetadot2_3_2;
+  const T minus_omega_dot_thetadot2_5_2 = thetadot5 * omega_thetadot2_5_1 + E5_11 * minus_omega_dot_thetadot2_3_2 +
+      E5_12 * omega_dot_thetadot2_4_1;
   // omega_thetadot3_5 = E5 omega_thetadot3_4: partial angular velocity, body axes
   const T omega_thetadot3_5_1 = E5_11 * E4_13;
   const T minus_omega_thetadot3_5_2 = E5_12 * E4_13;
@@ -3707,7 +3561,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
   const T R7_13 = R6_13 * E7_11 + R5_23 * E7_12;
-  const T minus_R7_21 = R6_11 * E7_12 + minus_R5_21 * E7_11;
+  const T minus_R7_21 = minus_R5_21 * E7_11 + R6_11 * E7_12;
   const T R7_22 = R5_22 * E7_11 - R6_12 * E7_12;
   const T R7_23 = R5_23 * E7_11 - R6_13 * E7_12;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -3725,16 +3579,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // omega_dot_thetadot2_7 = -thetadot7 b7~ E7 omega_thetadot2_6 + E7 omega_dot_thetadot2_6: its rate
   const T omega_dot_thetadot2_7_1 = thetadot7 * omega_thetadot2_7_2 + E7_11 * omega_dot_thetadot2_6_1 - E7_12 *
       minus_omega_dot_thetadot2_5_2;
-  const T minus_omega_dot_thetadot2_7_2 = thetadot7 * omega_thetadot2_7_1 + E7_12 * omega_dot_thetadot2_6_1 + E7_11 *
-      minus_omega_dot_thetadot2_5_2;
+  const T minus_omega_dot_thetadot2_7_2 = thetadot7 * omega_thetadot2_7_1 + E7_11 * minus_omega_dot_thetadot2_5_2 +
+      E7_12 * omega_dot_thetadot2_6_1;
   // omega_thetadot3_7 = E7 omega_thetadot3_6: partial angular velocity, body axes
   const T omega_thetadot3_7_1 = E7_11 * omega_thetadot3_6_1 - E7_12 * minus_omega_thetadot3_5_2;
-  const T minus_omega_thetadot3_7_2 = E7_12 * omega_thetadot3_6_1 + E7_11 * minus_omega_thetadot3_5_2;
+  const T minus_omega_thetadot3_7_2 = E7_11 * minus_omega_thetadot3_5_2 + E7_12 * omega_thetadot3_6_1;
   // omega_dot_thetadot3_7 = -thetadot7 b7~ E7 omega_thetadot3_6 + E7 omega_dot_thetadot3_6: its rate
   const T omega_dot_thetadot3_7_1 = E7_11 * omega_dot_thetadot3_6_1 - E7_12 * minus_omega_dot_thetadot3_5_2 -
       thetadot7 * minus_omega_thetadot3_7_2;
-  const T minus_omega_dot_thetadot3_7_2 = thetadot7 * omega_thetadot3_7_1 + E7_12 * omega_dot_thetadot3_6_1 + E7_11 *
-      minus_omega_dot_thetadot3_5_2;
+  const T minus_omega_dot_thetadot3_7_2 = thetadot7 * omega_thetadot3_7_1 + E7_11 * minus_omega_dot_thetadot3_5_2 +
+      E7_12 * omega_dot_thetadot3_6_1;
   // omega_thetadot4_7 = E7 omega_thetadot4_6: partial angular velocity, body axes
   const T minus_omega_thetadot4_7_1 = E7_11 * minus_omega_thetadot4_6_1 + E7_12 * E5_11;
   const T omega_thetadot4_7_2 = E7_12 * minus_omega_thetadot4_6_1 - E7_11 * E5_11;

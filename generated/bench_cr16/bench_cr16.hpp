@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model df8d578e4eee72e8 of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model 7c2da581e660e3ad of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -35,9 +35,9 @@
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
 //   energy                  1749 (757 add, 992 multiply, 32 sine or cosine)
-//   accelerations           7540 (3598 add, 3927 multiply, 15 divide, 32 sine or cosine)
-//   residual                2229 (1105 add, 1124 multiply, 32 sine or cosine)
-//   mass_matrix             3371 (1609 add, 1762 multiply, 30 sine or cosine)
+//   accelerations           4232 (2040 add, 2177 multiply, 15 divide, 32 sine or cosine)
+//   residual                1832 (906 add, 926 multiply, 32 sine or cosine)
+//   mass_matrix             2465 (1080 add, 1385 multiply, 30 sine or cosine)
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "df8d578e4eee72e8";
+inline constexpr char model_hash[] = "7c2da581e660e3ad";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -323,7 +323,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -844,7 +844,8 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 3598 add, 3927 multiply, 15 divide, 32 sine or cosine
+// 2040 add, 2177 multiply, 15 divide, 32 sine or cosine
+// by: articulated; composite would take 2875 add, 3354 multiply, 15 divide, 32 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -856,16 +857,14 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
   const T E1_11 = cos(theta1);
   const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_1 = thetadot1 * T(0.1) * thetadot1;
-  const T minus_a1_1 = t1_1 + minus_Pddot1_1;
-  const T a1_3 = Pddot1_3 - thetadot1 * T(0.05) * thetadot1;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.1) * minus_a1_1;
-  const T minus_G1_3 = T(1.1) * a1_3;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(8.66) * Pddot1_3 + T(5.695) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -890,25 +889,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_31 = minus_omegadot2_2 + minus_omegadot2_2;
   const T U2_32 = omegadot2_1 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = thetadot1 * T(0.3) * thetadot1 + minus_Pddot1_1;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
-  const T Pddot2_3 = Pddot1_3 - t1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) - minus_Pddot2_1;
-  const T a2_2 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + Pddot2_2;
-  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(1.2) * a2_1;
-  const T minus_G2_2 = T(1.2) * a2_2;
-  const T minus_G2_3 = T(1.2) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
-      T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) + T(0.006) *
-      U2_32;
-  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = U2_31 * T(16.24) + U2_32 * T(4.335);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(4.335) * Pddot1_3 + T(0.6982499999999999) * U2_32 + T(0.8598) * (minus_U2_22 - minus_U2_33) +
+      T(2.436) * U2_31 - T(3.2384) * U2_12;
+  const T minus_N2_2 = T(3.2384) * (minus_U2_33 - minus_U2_11) - T(10.059249999999999) * U2_31 + T(0.8598) * U2_12 -
+      T(2.436) * U2_32 - T(16.24) * Pddot1_3;
+  const T minus_N2_3 = T(16.24) * Pddot2_2 + T(4.335) * minus_Pddot2_1 + T(9.360999999999999) * U2_12 + T(2.436) *
+      (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -941,29 +935,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_32 = t3_6 + omegadot2_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) - minus_Pddot2_1;
-  const T t3_7 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1;
+  const T t3_7 = Pddot2_2 - minus_U2_22 * T(0.15);
+  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot1_3;
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
-  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
-  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
-  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
-  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
-  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.3) * a3_1;
-  const T minus_G3_2 = T(1.3) * a3_2;
-  const T minus_G3_3 = T(1.3) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
-      U3_31 + T(0.0039) * U3_21;
-  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
-      U3_12 + T(0.0065) * U3_32;
-  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
-      U3_23 - T(0.0052) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(11.89) + U3_13 * T(2.665);
+  const T minus_G3_2 = U3_23 * T(2.665) - minus_U3_22 * T(11.89);
+  const T minus_G3_3 = U3_32 * T(11.89) - minus_U3_33 * T(2.665);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(11.89) * Pddot3_3 - T(2.665) * Pddot3_2 + T(7.6365) * U3_32 - T(0.35425) * U3_23 + T(1.1812)
+      * (minus_U3_22 - minus_U3_33) + T(7.0755) * U3_31 - T(1.5821) * U3_21;
+  const T minus_N3_2 = T(2.665) * Pddot3_1 + T(0.35425) * U3_13 + T(0.35425) * U3_31 + T(1.5821) * (minus_U3_33 -
+      minus_U3_11) + T(1.1812) * U3_12 - T(7.0755) * U3_32;
+  const T minus_N3_3 = T(7.0755) * (minus_U3_11 - minus_U3_22) - (T(0.35425) * U3_21 + T(7.6365) * U3_12) + T(1.5821)
+      * U3_23 - T(1.1812) * U3_13 - T(11.89) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -996,26 +984,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
-  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
+  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(1.4) * a4_1;
-  const T minus_G4_2 = T(1.4) * a4_2;
-  const T minus_G4_3 = T(1.4) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
-      U4_31 + T(0.0042) * U4_21;
-  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
-      U4_12 + T(0.007) * U4_32;
-  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
-      - T(0.0056) * U4_13;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(4.915) - minus_U4_11 * T(7.52);
+  const T minus_G4_2 = U4_21 * T(7.52) + U4_23 * T(4.915);
+  const T minus_G4_3 = U4_31 * T(7.52) - minus_U4_33 * T(4.915);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(2.2138500000000003) * (minus_U4_22 - minus_U4_33) - (T(2.298) * U4_32 + T(3.34825) * U4_23) +
+      T(3.37) * U4_31 - T(1.4563) * U4_21 - T(4.915) * Pddot4_2;
+  const T minus_N4_2 = T(4.915) * Pddot4_1 - T(7.52) * Pddot4_3 + T(3.34825) * U4_13 - T(2.298) * U4_31 + T(1.4563) *
+      (minus_U4_33 - minus_U4_11) + T(2.2138500000000003) * U4_12 - T(3.37) * U4_32;
+  const T minus_N4_3 = T(7.52) * Pddot4_2 + T(2.298) * U4_21 + T(2.298) * U4_12 + T(3.37) * (minus_U4_11 -
+      minus_U4_22) + T(1.4563) * U4_23 - T(2.2138500000000003) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -1048,26 +1033,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(1.5) * a5_1;
-  const T minus_G5_2 = T(1.5) * a5_2;
-  const T minus_G5_3 = T(1.5) * a5_3;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
-      U5_31 + T(0.0045) * U5_21;
-  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
-      U5_12 + T(0.0075) * U5_32;
-  const T minus_N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
-      U5_23 - T(0.006) * U5_13;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_12 * T(7.2299999999999995) - minus_U5_11 * T(13.69);
+  const T minus_G5_2 = U5_21 * T(13.69) - minus_U5_22 * T(7.2299999999999995);
+  const T minus_G5_3 = U5_31 * T(13.69) + U5_32 * T(7.2299999999999995);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(7.2299999999999995) * Pddot5_3 + T(2.1839999999999997) * U5_32 + T(2.1839999999999997) *
+      U5_23 + T(1.437) * (minus_U5_22 - minus_U5_33) + T(4.084499999999999) * U5_31 - T(2.726) * U5_21;
+  const T minus_N5_2 = T(2.726) * (minus_U5_33 - minus_U5_11) - (T(2.1839999999999997) * U5_13 + T(8.497) * U5_31) +
+      T(1.437) * U5_12 - T(4.084499999999999) * U5_32 - T(13.69) * Pddot5_3;
+  const T minus_N5_3 = T(13.69) * Pddot5_2 - T(7.2299999999999995) * Pddot5_1 + T(8.497) * U5_21 -
+      T(2.1839999999999997) * U5_12 + T(4.084499999999999) * (minus_U5_11 - minus_U5_22) + T(2.726) * U5_23 - T(1.437)
+      * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -1100,26 +1083,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.6) * a6_1;
-  const T minus_G6_2 = T(1.6) * a6_2;
-  const T minus_G6_3 = T(1.6) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
-      U6_31 + T(0.0048) * U6_21;
-  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
-      U6_12 + T(0.008) * U6_32;
-  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
-      - T(0.0064) * U6_13;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(16.105) + U6_13 * T(2.23);
+  const T minus_G6_2 = U6_23 * T(2.23) - minus_U6_22 * T(16.105);
+  const T minus_G6_3 = U6_32 * T(16.105) - minus_U6_33 * T(2.23);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(16.105) * Pddot6_3 - T(2.23) * Pddot6_2 + T(13.69875) * U6_32 - T(0.331) * U6_23 + T(1.6009)
+      * (minus_U6_22 - minus_U6_33) + T(9.591) * U6_31 - T(1.3172) * U6_21;
+  const T minus_N6_2 = T(2.23) * Pddot6_1 + T(0.331) * U6_13 + T(0.331) * U6_31 + T(1.3172) * (minus_U6_33 -
+      minus_U6_11) + T(1.6009) * U6_12 - T(9.591) * U6_32;
+  const T minus_N6_3 = T(9.591) * (minus_U6_11 - minus_U6_22) - (T(0.331) * U6_21 + T(13.69875) * U6_12) + T(1.3172) *
+      U6_23 - T(1.6009) * U6_13 - T(16.105) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -1152,26 +1132,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
-  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
-  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.7) * a7_1;
-  const T minus_G7_2 = T(1.7) * a7_2;
-  const T minus_G7_3 = T(1.7) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
-      T(0.0085) * U7_31 + T(0.0051) * U7_21;
-  const T minus_N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
-      T(0.0068) * U7_12 + T(0.0085) * U7_32;
-  const T minus_N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
-      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+  // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
+  const T minus_G7_1 = U7_13 * T(3.955) - minus_U7_11 * T(6.109999999999999);
+  const T minus_G7_2 = U7_21 * T(6.109999999999999) + U7_23 * T(3.955);
+  const T minus_G7_3 = U7_31 * T(6.109999999999999) - minus_U7_33 * T(3.955);
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(2.9560500000000003) * (minus_U7_22 - minus_U7_33) - (T(1.884) * U7_32 + T(4.78075) * U7_23) +
+      T(4.54) * U7_31 - T(1.1644) * U7_21 - T(3.955) * Pddot7_2;
+  const T minus_N7_2 = T(3.955) * Pddot7_1 - T(6.109999999999999) * Pddot7_3 + T(4.78075) * U7_13 - T(1.884) * U7_31 +
+      T(1.1644) * (minus_U7_33 - minus_U7_11) + T(2.9560500000000003) * U7_12 - T(4.54) * U7_32;
+  const T minus_N7_3 = T(6.109999999999999) * Pddot7_2 + T(1.884) * U7_21 + T(1.884) * U7_12 + T(4.54) * (minus_U7_11
+      - minus_U7_22) + T(1.1644) * U7_23 - T(2.9560500000000003) * U7_13;
 
   // ---- body 8 (body_8) on body 7
   const T theta8 = x[7];
@@ -1204,26 +1181,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U8_32 = t8_6 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_5;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_7 = U7_12 * T(0.4) - minus_U7_11 * T(0.3) + U7_13 * T(0.1) + Pddot7_1;
-  const T t8_8 = U7_21 * T(0.3) - minus_U7_22 * T(0.4) + U7_23 * T(0.1) + Pddot7_2;
+  const T t8_7 = U7_12 * T(0.75) - minus_U7_11 * T(0.3) + Pddot7_1;
+  const T t8_8 = U7_21 * T(0.3) - minus_U7_22 * T(0.75) + Pddot7_2;
   const T Pddot8_1 = E8_11 * t8_7 + E8_12 * t8_8;
   const T Pddot8_2 = E8_11 * t8_8 - E8_12 * t8_7;
-  const T Pddot8_3 = U7_31 * T(0.3) + U7_32 * T(0.4) - minus_U7_33 * T(0.1) + Pddot7_3;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_12 * T(0.2) - minus_U8_11 * T(0.1) + U8_13 * T(0.05) + Pddot8_1;
-  const T a8_2 = U8_21 * T(0.1) - minus_U8_22 * T(0.2) + U8_23 * T(0.05) + Pddot8_2;
-  const T a8_3 = U8_31 * T(0.1) + U8_32 * T(0.2) - minus_U8_33 * T(0.05) + Pddot8_3;
-  // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G8_1 = T(1.8) * a8_1;
-  const T minus_G8_2 = T(1.8) * a8_2;
-  const T minus_G8_3 = T(1.8) * a8_3;
-  // N8 = -axial(U8 (tr(I8)/2 - I8)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N8_1 = T(0.05399999999999999) * U8_32 - T(0.126) * U8_23 + T(0.0072) * (minus_U8_22 - minus_U8_33) -
-      T(0.009) * U8_31 + T(0.0054) * U8_21;
-  const T minus_N8_2 = T(0.126) * U8_13 - T(0.09) * U8_31 - T(0.0054) * (minus_U8_33 - minus_U8_11) + T(0.0072) *
-      U8_12 + T(0.009) * U8_32;
-  const T minus_N8_3 = T(0.09) * U8_21 - T(0.05399999999999999) * U8_12 - T(0.009) * (minus_U8_11 - minus_U8_22) -
-      T(0.0054) * U8_23 - T(0.0072) * U8_13;
+  const T Pddot8_3 = U7_31 * T(0.3) + U7_32 * T(0.75) + Pddot7_3;
+  // G8 = -U8 h_own_8: applied less inertia force, body axes [N]
+  const T minus_G8_1 = U8_12 * T(8.46) - minus_U8_11 * T(10.6);
+  const T minus_G8_2 = U8_21 * T(10.6) - minus_U8_22 * T(8.46);
+  const T minus_G8_3 = U8_31 * T(10.6) + U8_32 * T(8.46);
+  // N8 = -h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N8_1 = T(8.46) * Pddot8_3 + T(3.7710000000000004) * U8_32 + T(3.7710000000000004) * U8_23 + T(1.6812)
+      * (minus_U8_22 - minus_U8_33) + T(4.716) * U8_31 - T(2.1056) * U8_21;
+  const T minus_N8_2 = T(2.1056) * (minus_U8_33 - minus_U8_11) - (T(3.7710000000000004) * U8_13 + T(6.60175) * U8_31)
+      + T(1.6812) * U8_12 - T(4.716) * U8_32 - T(10.6) * Pddot8_3;
+  const T minus_N8_3 = T(10.6) * Pddot8_2 - T(8.46) * Pddot8_1 + T(6.60175) * U8_21 - T(3.7710000000000004) * U8_12 +
+      T(4.716) * (minus_U8_11 - minus_U8_22) + T(2.1056) * U8_23 - T(1.6812) * U8_13;
 
   // ---- body 9 (body_9) on body 8
   const T theta9 = x[8];
@@ -1256,26 +1230,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U9_32 = t9_6 + omegadot8_1;
   const T minus_U9_33 = t9_2 + t9_5;
   // Pddot9 = E9 (U8 q9 + Pddot8): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot9_1 = U8_12 * T(0.45) - minus_U8_11 * T(0.3) + U8_13 * T(0.1) + Pddot8_1;
-  const T t9_7 = U8_21 * T(0.3) - minus_U8_22 * T(0.45) + U8_23 * T(0.1) + Pddot8_2;
-  const T t9_8 = U8_31 * T(0.3) + U8_32 * T(0.45) - minus_U8_33 * T(0.1) + Pddot8_3;
+  const T Pddot9_1 = U8_12 * T(0.45) + U8_13 * T(0.2) + Pddot8_1;
+  const T t9_7 = U8_23 * T(0.2) - minus_U8_22 * T(0.45) + Pddot8_2;
+  const T t9_8 = U8_32 * T(0.45) - minus_U8_33 * T(0.2) + Pddot8_3;
   const T Pddot9_2 = E9_22 * t9_7 + E9_23 * t9_8;
   const T Pddot9_3 = E9_22 * t9_8 - E9_23 * t9_7;
-  // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a9_1 = U9_12 * T(0.2) - minus_U9_11 * T(0.1) + U9_13 * T(0.05) + Pddot9_1;
-  const T a9_2 = U9_21 * T(0.1) - minus_U9_22 * T(0.2) + U9_23 * T(0.05) + Pddot9_2;
-  const T a9_3 = U9_31 * T(0.1) + U9_32 * T(0.2) - minus_U9_33 * T(0.05) + Pddot9_3;
-  // G9 = -m9 a9: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G9_1 = T(1.9) * a9_1;
-  const T minus_G9_2 = T(1.9) * a9_2;
-  const T minus_G9_3 = T(1.9) * a9_3;
-  // N9 = -axial(U9 (tr(I9)/2 - I9)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N9_1 = T(0.056999999999999995) * U9_32 - T(0.133) * U9_23 + T(0.0076) * (minus_U9_22 - minus_U9_33) -
-      T(0.0095) * U9_31 + T(0.0057) * U9_21;
-  const T minus_N9_2 = T(0.133) * U9_13 - T(0.095) * U9_31 - T(0.0057) * (minus_U9_33 - minus_U9_11) + T(0.0076) *
-      U9_12 + T(0.0095) * U9_32;
-  const T minus_N9_3 = T(0.095) * U9_21 - T(0.056999999999999995) * U9_12 - T(0.0095) * (minus_U9_11 - minus_U9_22) -
-      T(0.0057) * U9_23 - T(0.0076) * U9_13;
+  // G9 = -U9 h_own_9: applied less inertia force, body axes [N]
+  const T minus_G9_1 = U9_12 * T(16.585) + U9_13 * T(1.705);
+  const T minus_G9_2 = U9_23 * T(1.705) - minus_U9_22 * T(16.585);
+  const T minus_G9_3 = U9_32 * T(16.585) - minus_U9_33 * T(1.705);
+  // N9 = -h_own_9~ Pddot9 - axial(U9 (tr(J_own_9)/2 - J_own_9)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N9_1 = T(16.585) * Pddot9_3 - T(1.705) * Pddot9_2 + T(18.10725) * U9_32 - T(0.29875) * U9_23 +
+      T(1.6471000000000002) * (minus_U9_22 - minus_U9_33) + T(9.8655) * U9_31 - T(0.9983000000000001) * U9_21;
+  const T minus_N9_2 = T(1.705) * Pddot9_1 + T(0.29875) * U9_13 + T(0.29875) * U9_31 + T(0.9983000000000001) *
+      (minus_U9_33 - minus_U9_11) + T(1.6471000000000002) * U9_12 - T(9.8655) * U9_32;
+  const T minus_N9_3 = T(9.8655) * (minus_U9_11 - minus_U9_22) - (T(0.29875) * U9_21 + T(18.10725) * U9_12) +
+      T(0.9983000000000001) * U9_23 - T(1.6471000000000002) * U9_13 - T(16.585) * Pddot9_1;
 
   // ---- body 10 (body_10) on body 9
   const T theta10 = x[9];
@@ -1308,26 +1279,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U10_32 = t10_6 + omegadot10_1;
   const T minus_U10_33 = t10_2 + t10_5;
   // Pddot10 = E10 (U9 q10 + Pddot9): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t10_7 = U9_12 * T(0.5) - minus_U9_11 * T(0.3) + U9_13 * T(0.1) + Pddot9_1;
-  const T t10_8 = U9_31 * T(0.3) + U9_32 * T(0.5) - minus_U9_33 * T(0.1) + Pddot9_3;
+  const T t10_7 = U9_13 * T(0.1) - minus_U9_11 * T(0.6) + Pddot9_1;
+  const T t10_8 = U9_31 * T(0.6) - minus_U9_33 * T(0.1) + Pddot9_3;
   const T Pddot10_1 = E10_11 * t10_7 - minus_E10_13 * t10_8;
-  const T Pddot10_2 = U9_21 * T(0.3) - minus_U9_22 * T(0.5) + U9_23 * T(0.1) + Pddot9_2;
+  const T Pddot10_2 = U9_21 * T(0.6) + U9_23 * T(0.1) + Pddot9_2;
   const T Pddot10_3 = minus_E10_13 * t10_7 + E10_11 * t10_8;
-  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_12 * T(0.2) - minus_U10_11 * T(0.1) + U10_13 * T(0.05) + Pddot10_1;
-  const T a10_2 = U10_21 * T(0.1) - minus_U10_22 * T(0.2) + U10_23 * T(0.05) + Pddot10_2;
-  const T a10_3 = U10_31 * T(0.1) + U10_32 * T(0.2) - minus_U10_33 * T(0.05) + Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G10_1 = T(2) * a10_1;
-  const T minus_G10_2 = T(2) * a10_2;
-  const T minus_G10_3 = T(2) * a10_3;
-  // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N10_1 = T(0.06000000000000001) * U10_32 - T(0.14) * U10_23 + T(0.008) * (minus_U10_22 - minus_U10_33)
-      - T(0.01) * U10_31 + T(0.006) * U10_21;
-  const T minus_N10_2 = T(0.14) * U10_13 - T(0.09999999999999999) * U10_31 - T(0.006) * (minus_U10_33 - minus_U10_11)
-      + T(0.008) * U10_12 + T(0.01) * U10_32;
-  const T minus_N10_3 = T(0.09999999999999999) * U10_21 - T(0.06000000000000001) * U10_12 - T(0.01) * (minus_U10_11 -
-      minus_U10_22) - T(0.006) * U10_23 - T(0.008) * U10_13;
+  // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
+  const T minus_G10_1 = U10_13 * T(2.8150000000000004) - minus_U10_11 * T(4.43);
+  const T minus_G10_2 = U10_21 * T(4.43) + U10_23 * T(2.8150000000000004);
+  const T minus_G10_3 = U10_31 * T(4.43) - minus_U10_33 * T(2.8150000000000004);
+  // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N10_1 = T(2.9287500000000004) * (minus_U10_22 - minus_U10_33) - (T(1.389) * U10_32 + T(5.28625) *
+      U10_23) + T(4.5715) * U10_31 - T(0.8185) * U10_21 - T(2.8150000000000004) * Pddot10_2;
+  const T minus_N10_2 = T(2.8150000000000004) * Pddot10_1 - T(4.43) * Pddot10_3 + T(5.28625) * U10_13 - T(1.389) *
+      U10_31 + T(0.8185) * (minus_U10_33 - minus_U10_11) + T(2.9287500000000004) * U10_12 - T(4.5715) * U10_32;
+  const T minus_N10_3 = T(4.43) * Pddot10_2 + T(1.389) * U10_21 + T(1.389) * U10_12 + T(4.5715) * (minus_U10_11 -
+      minus_U10_22) + T(0.8185) * U10_23 - T(2.9287500000000004) * U10_13;
 
   // ---- body 11 (body_11) on body 10
   const T theta11 = x[10];
@@ -1360,26 +1328,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U11_32 = t11_6 + omegadot11_1;
   const T minus_U11_33 = t11_2 + t11_5;
   // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t11_7 = U10_12 * T(0.55) - minus_U10_11 * T(0.3) + U10_13 * T(0.1) + Pddot10_1;
-  const T t11_8 = U10_21 * T(0.3) - minus_U10_22 * T(0.55) + U10_23 * T(0.1) + Pddot10_2;
+  const T t11_7 = U10_12 * T(1.05) - minus_U10_11 * T(0.3) + Pddot10_1;
+  const T t11_8 = U10_21 * T(0.3) - minus_U10_22 * T(1.05) + Pddot10_2;
   const T Pddot11_1 = E11_11 * t11_7 + E11_12 * t11_8;
   const T Pddot11_2 = E11_11 * t11_8 - E11_12 * t11_7;
-  const T Pddot11_3 = U10_31 * T(0.3) + U10_32 * T(0.55) - minus_U10_33 * T(0.1) + Pddot10_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_12 * T(0.2) - minus_U11_11 * T(0.1) + U11_13 * T(0.05) + Pddot11_1;
-  const T a11_2 = U11_21 * T(0.1) - minus_U11_22 * T(0.2) + U11_23 * T(0.05) + Pddot11_2;
-  const T a11_3 = U11_31 * T(0.1) + U11_32 * T(0.2) - minus_U11_33 * T(0.05) + Pddot11_3;
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G11_1 = T(2.1) * a11_1;
-  const T minus_G11_2 = T(2.1) * a11_2;
-  const T minus_G11_3 = T(2.1) * a11_3;
-  // N11 = -axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N11_1 = T(0.063) * U11_32 - T(0.147) * U11_23 + T(0.0084) * (minus_U11_22 - minus_U11_33) - T(0.0105)
-      * U11_31 + T(0.0063) * U11_21;
-  const T minus_N11_2 = T(0.147) * U11_13 - T(0.10500000000000001) * U11_31 - T(0.0063) * (minus_U11_33 -
-      minus_U11_11) + T(0.0084) * U11_12 + T(0.0105) * U11_32;
-  const T minus_N11_3 = T(0.10500000000000001) * U11_21 - T(0.063) * U11_12 - T(0.0105) * (minus_U11_11 -
-      minus_U11_22) - T(0.0063) * U11_23 - T(0.0084) * U11_13;
+  const T Pddot11_3 = U10_31 * T(0.3) + U10_32 * T(1.05) + Pddot10_3;
+  // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
+  const T minus_G11_1 = U11_12 * T(7.62) - minus_U11_11 * T(6.97);
+  const T minus_G11_2 = U11_21 * T(6.97) - minus_U11_22 * T(7.62);
+  const T minus_G11_3 = U11_31 * T(6.97) + U11_32 * T(7.62);
+  // N11 = -h_own_11~ Pddot11 - axial(U11 (tr(J_own_11)/2 - J_own_11)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N11_1 = T(7.62) * Pddot11_3 + T(4.467) * U11_32 + T(4.467) * U11_23 + T(1.5114) * (minus_U11_22 -
+      minus_U11_33) + T(4.0874999999999995) * U11_31 - T(1.3772) * U11_21;
+  const T minus_N11_2 = T(1.3772) * (minus_U11_33 - minus_U11_11) - (T(4.467) * U11_13 + T(4.3735) * U11_31) +
+      T(1.5114) * U11_12 - T(4.0874999999999995) * U11_32 - T(6.97) * Pddot11_3;
+  const T minus_N11_3 = T(6.97) * Pddot11_2 - T(7.62) * Pddot11_1 + T(4.3735) * U11_21 - T(4.467) * U11_12 +
+      T(4.0874999999999995) * (minus_U11_11 - minus_U11_22) + T(1.3772) * U11_23 - T(1.5114) * U11_13;
 
   // ---- body 12 (body_12) on body 11
   const T theta12 = x[11];
@@ -1412,26 +1377,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U12_32 = t12_6 + omegadot11_1;
   const T minus_U12_33 = t12_2 + t12_5;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot12_1 = U11_12 * T(0.6) - minus_U11_11 * T(0.3) + U11_13 * T(0.1) + Pddot11_1;
-  const T t12_7 = U11_21 * T(0.3) - minus_U11_22 * T(0.6) + U11_23 * T(0.1) + Pddot11_2;
-  const T t12_8 = U11_31 * T(0.3) + U11_32 * T(0.6) - minus_U11_33 * T(0.1) + Pddot11_3;
+  const T Pddot12_1 = U11_12 * T(0.6) + U11_13 * T(0.2) + Pddot11_1;
+  const T t12_7 = U11_23 * T(0.2) - minus_U11_22 * T(0.6) + Pddot11_2;
+  const T t12_8 = U11_32 * T(0.6) - minus_U11_33 * T(0.2) + Pddot11_3;
   const T Pddot12_2 = E12_22 * t12_7 + E12_23 * t12_8;
   const T Pddot12_3 = E12_22 * t12_8 - E12_23 * t12_7;
-  // a12 = U12 r12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = U12_12 * T(0.2) - minus_U12_11 * T(0.1) + U12_13 * T(0.05) + Pddot12_1;
-  const T a12_2 = U12_21 * T(0.1) - minus_U12_22 * T(0.2) + U12_23 * T(0.05) + Pddot12_2;
-  const T a12_3 = U12_31 * T(0.1) + U12_32 * T(0.2) - minus_U12_33 * T(0.05) + Pddot12_3;
-  // G12 = -m12 a12: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G12_1 = T(2.2) * a12_1;
-  const T minus_G12_2 = T(2.2) * a12_2;
-  const T minus_G12_3 = T(2.2) * a12_3;
-  // N12 = -axial(U12 (tr(I12)/2 - I12)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N12_1 = T(0.06599999999999999) * U12_32 - T(0.15400000000000003) * U12_23 + T(0.0088) * (minus_U12_22
-      - minus_U12_33) - T(0.011) * U12_31 + T(0.0066) * U12_21;
-  const T minus_N12_2 = T(0.15400000000000003) * U12_13 - T(0.11) * U12_31 - T(0.0066) * (minus_U12_33 - minus_U12_11)
-      + T(0.0088) * U12_12 + T(0.011) * U12_32;
-  const T minus_N12_3 = T(0.11) * U12_21 - T(0.06599999999999999) * U12_12 - T(0.011) * (minus_U12_11 - minus_U12_22)
-      - T(0.0066) * U12_23 - T(0.0088) * U12_13;
+  // G12 = -U12 h_own_12: applied less inertia force, body axes [N]
+  const T minus_G12_1 = U12_12 * T(12.52) + U12_13 * T(1.09);
+  const T minus_G12_2 = U12_23 * T(1.09) - minus_U12_22 * T(12.52);
+  const T minus_G12_3 = U12_32 * T(12.52) - minus_U12_33 * T(1.09);
+  // N12 = -h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N12_1 = T(12.52) * Pddot12_3 - T(1.09) * Pddot12_2 + T(16.3665) * U12_32 - T(0.2575) * U12_23 +
+      T(1.2388000000000001) * (minus_U12_22 - minus_U12_33) + T(7.412999999999999) * U12_31 - T(0.6254) * U12_21;
+  const T minus_N12_2 = T(1.09) * Pddot12_1 + T(0.2575) * U12_13 + T(0.2575) * U12_31 + T(0.6254) * (minus_U12_33 -
+      minus_U12_11) + T(1.2388000000000001) * U12_12 - T(7.412999999999999) * U12_32;
+  const T minus_N12_3 = T(7.412999999999999) * (minus_U12_11 - minus_U12_22) - (T(0.2575) * U12_21 + T(16.3665) *
+      U12_12) + T(0.6254) * U12_23 - T(1.2388000000000001) * U12_13 - T(12.52) * Pddot12_1;
 
   // ---- body 13 (body_13) on body 12
   const T theta13 = x[12];
@@ -1464,26 +1426,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U13_32 = t13_6 + omegadot13_1;
   const T minus_U13_33 = t13_2 + t13_5;
   // Pddot13 = E13 (U12 q13 + Pddot12): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t13_7 = U12_12 * T(0.65) - minus_U12_11 * T(0.3) + U12_13 * T(0.1) + Pddot12_1;
-  const T t13_8 = U12_31 * T(0.3) + U12_32 * T(0.65) - minus_U12_33 * T(0.1) + Pddot12_3;
+  const T t13_7 = U12_13 * T(0.1) - minus_U12_11 * T(0.6) + Pddot12_1;
+  const T t13_8 = U12_31 * T(0.6) - minus_U12_33 * T(0.1) + Pddot12_3;
   const T Pddot13_1 = E13_11 * t13_7 - minus_E13_13 * t13_8;
-  const T Pddot13_2 = U12_21 * T(0.3) - minus_U12_22 * T(0.65) + U12_23 * T(0.1) + Pddot12_2;
+  const T Pddot13_2 = U12_21 * T(0.6) + U12_23 * T(0.1) + Pddot12_2;
   const T Pddot13_3 = minus_E13_13 * t13_7 + E13_11 * t13_8;
-  // a13 = U13 r13 + Pddot13: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a13_1 = U13_12 * T(0.2) - minus_U13_11 * T(0.1) + U13_13 * T(0.05) + Pddot13_1;
-  const T a13_2 = U13_21 * T(0.1) - minus_U13_22 * T(0.2) + U13_23 * T(0.05) + Pddot13_2;
-  const T a13_3 = U13_31 * T(0.1) + U13_32 * T(0.2) - minus_U13_33 * T(0.05) + Pddot13_3;
-  // G13 = -m13 a13: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G13_1 = T(2.3) * a13_1;
-  const T minus_G13_2 = T(2.3) * a13_2;
-  const T minus_G13_3 = T(2.3) * a13_3;
-  // N13 = -axial(U13 (tr(I13)/2 - I13)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N13_1 = T(0.06899999999999999) * U13_32 - T(0.16100000000000003) * U13_23 + T(0.0092) * (minus_U13_22
-      - minus_U13_33) - T(0.0115) * U13_31 + T(0.0069) * U13_21;
-  const T minus_N13_2 = T(0.16100000000000003) * U13_13 - T(0.115) * U13_31 - T(0.0069) * (minus_U13_33 -
-      minus_U13_11) + T(0.0092) * U13_12 + T(0.0115) * U13_32;
-  const T minus_N13_3 = T(0.115) * U13_21 - T(0.06899999999999999) * U13_12 - T(0.0115) * (minus_U13_11 -
-      minus_U13_22) - T(0.0069) * U13_23 - T(0.0092) * U13_13;
+  // G13 = -U13 h_own_13: applied less inertia force, body axes [N]
+  const T minus_G13_1 = U13_13 * T(1.495) - minus_U13_11 * T(2.48);
+  const T minus_G13_2 = U13_21 * T(2.48) + U13_23 * T(1.495);
+  const T minus_G13_3 = U13_31 * T(2.48) - minus_U13_33 * T(1.495);
+  // N13 = -h_own_13~ Pddot13 - axial(U13 (tr(J_own_13)/2 - J_own_13)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N13_1 = T(1.96995) * (minus_U13_22 - minus_U13_33) - (T(0.813) * U13_32 + T(3.6295) * U13_23) +
+      T(3.2215) * U13_31 - T(0.4186) * U13_21 - T(1.495) * Pddot13_2;
+  const T minus_N13_2 = T(1.495) * Pddot13_1 - T(2.48) * Pddot13_3 + T(3.6295) * U13_13 - T(0.813) * U13_31 +
+      T(0.4186) * (minus_U13_33 - minus_U13_11) + T(1.96995) * U13_12 - T(3.2215) * U13_32;
+  const T minus_N13_3 = T(2.48) * Pddot13_2 + T(0.813) * U13_21 + T(0.813) * U13_12 + T(3.2215) * (minus_U13_11 -
+      minus_U13_22) + T(0.4186) * U13_23 - T(1.96995) * U13_13;
 
   // ---- body 14 (body_14) on body 13
   const T theta14 = x[13];
@@ -1516,26 +1475,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U14_32 = t14_6 + omegadot14_1;
   const T minus_U14_33 = t14_2 + t14_5;
   // Pddot14 = E14 (U13 q14 + Pddot13): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t14_7 = U13_12 * T(0.7) - minus_U13_11 * T(0.3) + U13_13 * T(0.1) + Pddot13_1;
-  const T t14_8 = U13_21 * T(0.3) - minus_U13_22 * T(0.7) + U13_23 * T(0.1) + Pddot13_2;
+  const T t14_7 = U13_12 * T(1.35) - minus_U13_11 * T(0.3) + Pddot13_1;
+  const T t14_8 = U13_21 * T(0.3) - minus_U13_22 * T(1.35) + Pddot13_2;
   const T Pddot14_1 = E14_11 * t14_7 + E14_12 * t14_8;
   const T Pddot14_2 = E14_11 * t14_8 - E14_12 * t14_7;
-  const T Pddot14_3 = U13_31 * T(0.3) + U13_32 * T(0.7) - minus_U13_33 * T(0.1) + Pddot13_3;
-  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a14_1 = U14_12 * T(0.2) - minus_U14_11 * T(0.1) + U14_13 * T(0.05) + Pddot14_1;
-  const T a14_2 = U14_21 * T(0.1) - minus_U14_22 * T(0.2) + U14_23 * T(0.05) + Pddot14_2;
-  const T a14_3 = U14_31 * T(0.1) + U14_32 * T(0.2) - minus_U14_33 * T(0.05) + Pddot14_3;
-  // G14 = -m14 a14: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G14_1 = T(2.4) * a14_1;
-  const T minus_G14_2 = T(2.4) * a14_2;
-  const T minus_G14_3 = T(2.4) * a14_3;
-  // N14 = -axial(U14 (tr(I14)/2 - I14)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N14_1 = T(0.07200000000000001) * U14_32 - T(0.16799999999999998) * U14_23 + T(0.0096) * (minus_U14_22
-      - minus_U14_33) - T(0.012) * U14_31 + T(0.0072) * U14_21;
-  const T minus_N14_2 = T(0.16799999999999998) * U14_13 - T(0.12) * U14_31 - T(0.0072) * (minus_U14_33 - minus_U14_11)
-      + T(0.0096) * U14_12 + T(0.012) * U14_32;
-  const T minus_N14_3 = T(0.12) * U14_21 - T(0.07200000000000001) * U14_12 - T(0.012) * (minus_U14_11 - minus_U14_22)
-      - T(0.0072) * U14_23 - T(0.0096) * U14_13;
+  const T Pddot14_3 = U13_31 * T(0.3) + U13_32 * T(1.35) + Pddot13_3;
+  // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
+  const T minus_G14_1 = U14_12 * T(4.305) - minus_U14_11 * T(2.8);
+  const T minus_G14_2 = U14_21 * T(2.8) - minus_U14_22 * T(4.305);
+  const T minus_G14_3 = U14_31 * T(2.8) + U14_32 * T(4.305);
+  // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N14_1 = T(4.305) * Pddot14_3 + T(3.03675) * U14_32 + T(3.03675) * U14_23 + T(0.8466) * (minus_U14_22 -
+      minus_U14_33) + T(1.956) * U14_31 - T(0.5408000000000001) * U14_21;
+  const T minus_N14_2 = T(0.5408000000000001) * (minus_U14_33 - minus_U14_11) - (T(3.03675) * U14_13 + T(1.81225) *
+      U14_31) + T(0.8466) * U14_12 - T(1.956) * U14_32 - T(2.8) * Pddot14_3;
+  const T minus_N14_3 = T(2.8) * Pddot14_2 - T(4.305) * Pddot14_1 + T(1.81225) * U14_21 - T(3.03675) * U14_12 +
+      T(1.956) * (minus_U14_11 - minus_U14_22) + T(0.5408000000000001) * U14_23 - T(0.8466) * U14_13;
 
   // ---- body 15 (body_15) on body 14
   const T theta15 = x[14];
@@ -1568,26 +1524,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U15_32 = t15_6 + omegadot14_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot15_1 = U14_12 * T(0.75) - minus_U14_11 * T(0.3) + U14_13 * T(0.1) + Pddot14_1;
-  const T t15_7 = U14_21 * T(0.3) - minus_U14_22 * T(0.75) + U14_23 * T(0.1) + Pddot14_2;
-  const T t15_8 = U14_31 * T(0.3) + U14_32 * T(0.75) - minus_U14_33 * T(0.1) + Pddot14_3;
+  const T Pddot15_1 = U14_12 * T(0.75) + U14_13 * T(0.2) + Pddot14_1;
+  const T t15_7 = U14_23 * T(0.2) - minus_U14_22 * T(0.75) + Pddot14_2;
+  const T t15_8 = U14_32 * T(0.75) - minus_U14_33 * T(0.2) + Pddot14_3;
   const T Pddot15_2 = E15_22 * t15_7 + E15_23 * t15_8;
   const T Pddot15_3 = E15_22 * t15_8 - E15_23 * t15_7;
-  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a15_1 = U15_12 * T(0.2) - minus_U15_11 * T(0.1) + U15_13 * T(0.05) + Pddot15_1;
-  const T a15_2 = U15_21 * T(0.1) - minus_U15_22 * T(0.2) + U15_23 * T(0.05) + Pddot15_2;
-  const T a15_3 = U15_31 * T(0.1) + U15_32 * T(0.2) - minus_U15_33 * T(0.05) + Pddot15_3;
-  // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G15_1 = T(2.5) * a15_1;
-  const T minus_G15_2 = T(2.5) * a15_2;
-  const T minus_G15_3 = T(2.5) * a15_3;
-  // N15 = -axial(U15 (tr(I15)/2 - I15)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N15_1 = T(0.07500000000000001) * U15_32 - T(0.175) * U15_23 + T(0.01) * (minus_U15_22 - minus_U15_33)
-      - T(0.0125) * U15_31 + T(0.0075) * U15_21;
-  const T minus_N15_2 = T(0.175) * U15_13 - T(0.125) * U15_31 - T(0.0075) * (minus_U15_33 - minus_U15_11) + T(0.01) *
-      U15_12 + T(0.0125) * U15_32;
-  const T minus_N15_3 = T(0.125) * U15_21 - T(0.07500000000000001) * U15_12 - T(0.0125) * (minus_U15_11 -
-      minus_U15_22) - T(0.0075) * U15_23 - T(0.01) * U15_13;
+  // G15 = -U15 h_own_15: applied less inertia force, body axes [N]
+  const T minus_G15_1 = U15_12 * T(3.1) + U15_13 * T(0.385);
+  const T minus_G15_2 = U15_23 * T(0.385) - minus_U15_22 * T(3.1);
+  const T minus_G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
+  // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0090000000000003) * U15_32 - T(0.20725) *
+      U15_23 + T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
+  const T minus_N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
+      minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
+  const T minus_N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0090000000000003) *
+      U15_12) + T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T theta16 = x[15];
@@ -1620,2131 +1573,1719 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U16_32 = t16_6 + omegadot16_1;
   const T minus_U16_33 = t16_2 + t16_5;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_7 = U15_12 * T(0.8) - minus_U15_11 * T(0.3) + U15_13 * T(0.1) + Pddot15_1;
-  const T t16_8 = U15_31 * T(0.3) + U15_32 * T(0.8) - minus_U15_33 * T(0.1) + Pddot15_3;
+  const T t16_7 = U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1;
+  const T t16_8 = U15_31 * T(0.6) - minus_U15_33 * T(0.1) + Pddot15_3;
   const T Pddot16_1 = E16_11 * t16_7 - minus_E16_13 * t16_8;
-  const T Pddot16_2 = U15_21 * T(0.3) - minus_U15_22 * T(0.8) + U15_23 * T(0.1) + Pddot15_2;
+  const T Pddot16_2 = U15_21 * T(0.6) + U15_23 * T(0.1) + Pddot15_2;
   const T Pddot16_3 = minus_E16_13 * t16_7 + E16_11 * t16_8;
-  // a16 = U16 r16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = U16_12 * T(0.2) - minus_U16_11 * T(0.1) + U16_13 * T(0.05) + Pddot16_1;
-  const T a16_2 = U16_21 * T(0.1) - minus_U16_22 * T(0.2) + U16_23 * T(0.05) + Pddot16_2;
-  const T a16_3 = U16_31 * T(0.1) + U16_32 * T(0.2) - minus_U16_33 * T(0.05) + Pddot16_3;
-  // G16 = -m16 a16: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G16_1 = T(2.6) * a16_1;
-  const T minus_G16_2 = T(2.6) * a16_2;
-  const T minus_G16_3 = T(2.6) * a16_3;
-  // N16 = -axial(U16 (tr(I16)/2 - I16)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N16_1 = T(0.078) * U16_32 - T(0.182) * U16_23 + T(0.0104) * (minus_U16_22 - minus_U16_33) - T(0.013) *
-      U16_31 + T(0.0078) * U16_21;
-  const T minus_N16_2 = T(0.182) * U16_13 - T(0.13) * U16_31 - T(0.0078) * (minus_U16_33 - minus_U16_11) + T(0.0104) *
-      U16_12 + T(0.013) * U16_32;
-  const T minus_N16_3 = T(0.13) * U16_21 - T(0.078) * U16_12 - T(0.013) * (minus_U16_11 - minus_U16_22) - T(0.0078) *
-      U16_23 - T(0.0104) * U16_13;
+  // G16 = -U16 h_own_16: applied less inertia force, body axes [N]
+  const T minus_G16_1 = U16_13 * T(0.13) - minus_U16_11 * T(0.26);
+  const T minus_G16_2 = U16_21 * T(0.26) + U16_23 * T(0.13);
+  const T minus_G16_3 = U16_31 * T(0.26) - minus_U16_33 * T(0.13);
+  // N16 = -h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N16_1 = T(0.14040000000000002) * (minus_U16_22 - minus_U16_33) - (T(0.156) * U16_32 + T(0.1885) *
+      U16_23) + T(0.24700000000000003) * U16_31 - T(0.005200000000000002) * U16_21 - T(0.13) * Pddot16_2;
+  const T minus_N16_2 = T(0.13) * Pddot16_1 - T(0.26) * Pddot16_3 + T(0.1885) * U16_13 - T(0.156) * U16_31 +
+      T(0.005200000000000002) * (minus_U16_33 - minus_U16_11) + T(0.14040000000000002) * U16_12 -
+      T(0.24700000000000003) * U16_32;
+  const T minus_N16_3 = T(0.26) * Pddot16_2 + T(0.156) * U16_21 + T(0.156) * U16_12 + T(0.24700000000000003) *
+      (minus_U16_11 - minus_U16_22) + T(0.005200000000000002) * U16_23 - T(0.14040000000000002) * U16_13;
 
   // ---- body 16 (body_16) and what it carries
-  // rho16 = r16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho16_1 = T(0.05) * minus_G16_2 - T(0.2) * minus_G16_3 - minus_N16_1;
-  const T rho16_2 = T(0.1) * minus_G16_3 - T(0.05) * minus_G16_1 - minus_N16_2;
-  const T b16_1 = T(0.1) * minus_G16_2;
-  const T rho16_3 = T(0.2) * minus_G16_1 - b16_1 - minus_N16_3;
-  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc16_1 = minus_E16_13 * T(0.13) + E16_11 * T(0.26);
-  const T hc16_3 = E16_11 * T(0.13) - minus_E16_13 * T(0.26);
+  // u_16 = b16 . N16 + tau_body_16_: drives it [N m]
+  const T u_16 = u.tau_16 - minus_N16_2;
+  // v16 = invD16 u_16: u/D
+  const T v16 = T(2.9027576197387517) * u_16;
+  // gt16 = G16 - v16 B16: force with the turn solved [N]
+  const T minus_gt16_1 = v16 * T(0.13) + minus_G16_1;
+  const T gt16_3 = v16 * T(0.26) - minus_G16_3;
+  // nt16 = -tau_body_16_ b16 + P_b16 (N16 - v16 K16): moment with the turn solved [N m]
+  const T nt16_1 = v16 * T(0.24700000000000003) - minus_N16_1;
+  const T nt16_3 = v16 * T(0.14040000000000002) - minus_N16_3;
+  // Mp16 = E16^T M16 E16: M passed on, lower body's axes [kg]
+  const T b16_1 = T(2) * E16_11;
+  const T b16_2 = b16_1 * T(0.09811320754716983) - minus_E16_13 * T(0.14716981132075474);
+  const T b16_3 = minus_E16_13 * b16_2;
+  const T Mp16_11 = b16_3 - T(0.049056603773584916);
+  const T Mp16_13 = E16_11 * b16_2 - T(0.09811320754716983);
+  const T minus_Mp16_33 = T(0.19622641509433966) + b16_3;
+  // gp16 = E16^T gt16: force passed on, lower body's axes [N]
+  const T gp16_1 = minus_E16_13 * gt16_3 - E16_11 * minus_gt16_1;
+  const T gp16_3 = minus_E16_13 * minus_gt16_1 + E16_11 * gt16_3;
+  // Hp16 = E16^T H16 E16: H passed on, lower body's axes [kg m]
+  const T b16_4 = minus_E16_13 * T(0.19916981132075476) + E16_11 * T(0.13343396226415097);
+  const T b16_5 = minus_E16_13 * b16_4;
+  const T Hp16_11 = T(0.09320754716981135) - b16_5;
+  const T Hp16_12 = minus_E16_13 * T(0.26) - E16_11 * T(0.13);
+  const T b16_6 = E16_11 * b16_4;
+  const T minus_Hp16_13 = b16_6 + T(0.05298113207547171);
+  const T Hp16_31 = T(0.1864150943396227) - b16_6;
+  const T Hp16_32 = E16_11 * T(0.26) + minus_E16_13 * T(0.13);
+  const T Hp16_33 = b16_5 - T(0.10596226415094342);
+  // Jp16 = E16^T J16 E16: J passed on, lower body's axes [kg m^2]
+  const T b16_7 = minus_E16_13 * T(0.0873747169811321) - b16_1 * T(0.10586415094339625);
+  const T b16_8 = minus_E16_13 * b16_7;
+  const T Jp16_11 = b16_8 - T(0.14459433962264154);
+  const T Jp16_13 = E16_11 * b16_7 + T(0.10586415094339625);
+  const T minus_Jp16_33 = T(0.05721962264150945) + b16_8;
+  // np16 = E16^T nt16: moment passed on, lower body's axes [N m]
+  const T np16_1 = E16_11 * nt16_1 + minus_E16_13 * nt16_3;
+  const T np16_3 = E16_11 * nt16_3 - minus_E16_13 * nt16_1;
+  // Hb16 = q16~ Mp16 + Hp16: H of the joint at the lower body's origin, its axes
+  const T Hb16_21 = T(0.1) * Mp16_11 - T(0.6) * Mp16_13;
+  const T Hb16_23 = T(0.1) * Mp16_13 + T(0.6) * minus_Mp16_33;
 
   // ---- body 15 (body_15) and what it carries
-  // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = E16_11 * minus_G16_1 + minus_E16_13 * minus_G16_3;
-  const T minus_S15_1 = b15_1 + minus_G15_1;
-  const T minus_S15_2 = minus_G16_2 + minus_G15_2;
-  const T b15_2 = minus_E16_13 * minus_G16_1 - E16_11 * minus_G16_3;
-  const T S15_3 = b15_2 - minus_G15_3;
-  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho15_1 = b16_1 + T(0.8) * b15_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.05) * minus_G15_2 -
-      T(0.2) * minus_G15_3 - minus_N15_1;
-  const T rho15_2 = rho16_2 - T(0.1) * b15_1 - T(0.3) * b15_2 + T(0.1) * minus_G15_3 - T(0.05) * minus_G15_1 -
-      minus_N15_2;
-  const T rho15_3 = T(0.8) * b15_1 - T(0.3) * minus_G16_2 + E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.2) *
-      minus_G15_1 - T(0.1) * minus_G15_2 - minus_N15_3;
-  // h15 = m15 r15 + m16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h15_1 = T(1.03) + hc16_1;
-  const T h15_3 = T(0.385) + hc16_3;
-  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m16 q16~ - hc16~) q16~: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b15_3 = minus_E16_13 * T(0.005200000000000002);
-  const T b15_4 = E16_11 * T(0.37050000000000005) - b15_3;
-  const T b15_5 = E16_11 * T(0.005200000000000002);
-  const T b15_6 = minus_E16_13 * T(0.338) - b15_5;
-  const T b15_7 = T(0.1) * hc16_3;
-  const T b15_8 = hc16_3 + T(0.26);
-  const T b15_9 = b15_8 * T(0.1);
-  const T J15_11 = b15_4 * E16_11 + b15_6 * minus_E16_13 + b15_7 + T(2.85225) + b15_9;
-  const T b15_10 = E16_11 * T(0.03900000000000001) + minus_E16_13 * T(0.0364);
-  const T b15_11 = T(0.8) * hc16_1 + b15_10;
-  const T minus_J15_12 = T(0.8175) + b15_11;
-  const T b15_12 = b15_6 * E16_11 - b15_4 * minus_E16_13 - T(0.005000000000000002);
-  const T J15_13 = b15_12 - T(0.1) * hc16_1 - b15_8 * T(0.3);
-  const T b15_13 = hc16_1 + T(0.78);
-  const T minus_J15_21 = T(0.1935) + b15_10 + b15_13 * T(0.8);
-  const T b15_14 = T(0.3) * hc16_1;
-  const T b15_15 = b15_7 + b15_14 + T(0.34450000000000003);
-  const T b15_16 = b15_13 * T(0.3);
-  const T J15_22 = b15_15 + T(0.33125) + b15_9 + b15_16;
-  const T b15_17 = minus_E16_13 * T(0.03900000000000001) - E16_11 * T(0.0364);
-  const T J15_23 = b15_17 - T(0.08700000000000001) - b15_8 * T(0.8);
-  const T J15_31 = b15_12 - T(0.3) * hc16_3 - b15_13 * T(0.1);
-  const T b15_18 = b15_17 - T(0.8) * hc16_3;
-  const T J15_32 = b15_18 - T(0.29500000000000004);
-  const T J15_33 = (minus_E16_13 * T(0.37050000000000005) + b15_5) * minus_E16_13 + (b15_3 + E16_11 * T(0.338)) *
-      E16_11 + T(2.821) + b15_14 + b15_16;
-  // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc15_2 = E15_22 * T(3.1) - E15_23 * h15_3;
-  const T hc15_3 = E15_22 * h15_3 + E15_23 * T(3.1);
-  // D_thetaddot15: pivots of L D L^T
-  const T b15_19 = b15_11 * T(2.9027576197387517);
-  const T D_thetaddot15 = J15_11 - b15_19 * b15_11;
+  // HA15 = h_own_15~ + Hb16: moment for an acceleration of the origin, body axes [kg m]
+  const T HA15_12 = Hp16_12 - T(0.385);
+  const T HA15_13 = T(3.1) - minus_Hp16_13;
+  const T HA15_21 = T(0.385) + Hb16_21;
+  const T HA15_31 = Hp16_31 - T(3.1);
+  // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA15_11 = T(3.2162500000000005) - T(0.2) * Hp16_12 + Jp16_11;
+  const T JA15_12 = T(0.1) * Hp16_11 + T(0.6) * minus_Hp16_13 - T(1.7475);
+  const T JA15_13 = Jp16_13 - (T(0.1) * Hp16_32 + T(0.1985)) + T(0.6) * Hp16_12;
+  const T minus_JA15_22 = Hb16_23 * T(0.6) - Hb16_21 * T(0.1);
+  const T JA15_23 = T(0.1) * Hp16_31 - T(0.6) * Hp16_33 - T(0.29500000000000004);
+  const T JA15_33 = T(1.2) * Hp16_32 + T(2.80175) - minus_Jp16_33;
+  // g15 = G15 + gp16: force that drives it, home axes [N]
+  const T g15_1 = gp16_1 - minus_G15_1;
+  const T minus_g15_2 = minus_G16_2 + minus_G15_2;
+  const T g15_3 = gp16_3 - minus_G15_3;
+  // n15 = q16~ gp16 + N15 + np16: moment that drives it, body axes [N m]
+  const T n15_1 = T(0.1) * minus_G16_2 - minus_N15_1 + np16_1;
+  const T n15_2 = T(0.1) * gp16_1 - T(0.6) * gp16_3 - minus_N15_2 - u.tau_16;
+  const T n15_3 = np16_3 - (T(0.6) * minus_G16_2 + minus_N15_3);
+  // invD15 = D15^-1: 1/D
+  const T invD15 = T(1) / JA15_11;
+  // kB15 = invD15 B15: B/D
+  const T kB15_1 = invD15 * Hp16_11;
+  const T kB15_2 = invD15 * HA15_12;
+  const T kB15_3 = invD15 * HA15_13;
+  // kK15 = invD15 K15: K/D
+  const T kK15_2 = invD15 * JA15_12;
+  const T kK15_3 = invD15 * JA15_13;
+  // u_15 = b15 . n15 + tau_body_15_: drives it [N m]
+  const T u_15 = n15_1 + u.tau_15;
+  // v15 = invD15 u_15: u/D
+  const T v15 = invD15 * u_15;
+  // M15 = Mp16 - kB15 B15^T: MA less what the turn takes up [kg]
+  const T M15_11 = Mp16_11 - kB15_1 * Hp16_11;
+  const T minus_M15_12 = kB15_1 * HA15_12;
+  const T M15_13 = Mp16_13 - kB15_1 * HA15_13;
+  const T minus_M15_22 = kB15_2 * HA15_12;
+  const T minus_M15_23 = kB15_2 * HA15_13;
+  const T minus_M15_33 = minus_Mp16_33 + kB15_3 * HA15_13;
+  // H15 = P_b15 (HA15 - kK15 B15^T): HA less what the turn takes up [kg m]
+  const T H15_21 = HA15_21 - kK15_2 * Hp16_11;
+  const T minus_H15_22 = kK15_2 * HA15_12;
+  const T H15_23 = Hb16_23 - kK15_2 * HA15_13;
+  const T H15_31 = HA15_31 - kK15_3 * Hp16_11;
+  const T H15_32 = Hp16_32 - kK15_3 * HA15_12;
+  const T H15_33 = Hp16_33 - kK15_3 * HA15_13;
+  // J15 = P_b15 (JA15 - kK15 K15^T) P_b15: JA less what the turn takes up [kg m^2]
+  const T minus_J15_22 = minus_JA15_22 + kK15_2 * JA15_12;
+  const T J15_23 = JA15_23 - kK15_2 * JA15_13;
+  const T J15_33 = JA15_33 - kK15_3 * JA15_13;
+  // gt15 = g15 - v15 B15: force with the turn solved [N]
+  const T gt15_1 = g15_1 - v15 * Hp16_11;
+  const T minus_gt15_2 = minus_g15_2 + v15 * HA15_12;
+  const T gt15_3 = g15_3 - v15 * HA15_13;
+  // nt15 = -tau_body_15_ b15 + P_b15 (n15 - v15 K15): moment with the turn solved [N m]
+  const T nt15_2 = n15_2 - v15 * JA15_12;
+  const T nt15_3 = n15_3 - v15 * JA15_13;
+  // Mp15 = E15^T M15 E15: M passed on, lower body's axes [kg]
+  const T minus_Mp15_12 = E15_22 * minus_M15_12 + E15_23 * M15_13;
+  const T Mp15_13 = E15_22 * M15_13 - E15_23 * minus_M15_12;
+  const T b15_1 = T(2) * E15_22;
+  const T b15_2 = E15_23 * (minus_M15_33 - minus_M15_22) - b15_1 * minus_M15_23;
+  const T b15_3 = E15_23 * b15_2;
+  const T minus_Mp15_22 = minus_M15_22 + b15_3;
+  const T Mp15_23 = E15_22 * b15_2 + minus_M15_23;
+  const T Mp15_33 = b15_3 - minus_M15_33;
+  // gp15 = E15^T gt15: force passed on, lower body's axes [N]
+  const T minus_gp15_2 = E15_22 * minus_gt15_2 + E15_23 * gt15_3;
+  const T gp15_3 = E15_22 * gt15_3 - E15_23 * minus_gt15_2;
+  // Hp15 = E15^T H15 E15: H passed on, lower body's axes [kg m]
+  const T Hp15_21 = E15_22 * H15_21 - E15_23 * H15_31;
+  const T b15_4 = E15_22 * (H15_23 + H15_32) - E15_23 * (minus_H15_22 + H15_33);
+  const T b15_5 = E15_23 * b15_4;
+  const T minus_Hp15_22 = minus_H15_22 + b15_5;
+  const T b15_6 = E15_22 * b15_4;
+  const T Hp15_23 = b15_6 - H15_32;
+  const T Hp15_31 = E15_23 * H15_21 + E15_22 * H15_31;
+  const T Hp15_32 = b15_6 - H15_23;
+  const T Hp15_33 = H15_33 + b15_5;
+  // Jp15 = E15^T J15 E15: J passed on, lower body's axes [kg m^2]
+  const T b15_7 = b15_1 * J15_23 - E15_23 * (minus_J15_22 + J15_33);
+  const T b15_8 = E15_23 * b15_7;
+  const T minus_Jp15_22 = minus_J15_22 + b15_8;
+  const T Jp15_23 = E15_22 * b15_7 - J15_23;
+  const T Jp15_33 = J15_33 + b15_8;
+  // np15 = E15^T nt15: moment passed on, lower body's axes [N m]
+  const T np15_2 = E15_22 * nt15_2 - E15_23 * nt15_3;
+  const T np15_3 = E15_23 * nt15_2 + E15_22 * nt15_3;
+  // Hb15 = q15~ Mp15 + Hp15: H of the joint at the lower body's origin, its axes
+  const T b15_9 = T(0.2) * minus_Mp15_12;
+  const T b15_10 = T(0.75) * Mp15_13;
+  const T Hb15_11 = b15_9 + b15_10;
+  const T Hb15_12 = T(0.2) * minus_Mp15_22 + T(0.75) * Mp15_23;
+  const T Hb15_13 = T(0.75) * Mp15_33 - T(0.2) * Mp15_23;
+  const T Hb15_21 = T(0.2) * M15_11 + Hp15_21;
+  const T minus_Hb15_22 = minus_Hp15_22 + b15_9;
+  const T Hb15_23 = T(0.2) * Mp15_13 + Hp15_23;
+  const T Hb15_31 = Hp15_31 - T(0.75) * M15_11;
+  const T Hb15_32 = T(0.75) * minus_Mp15_12 + Hp15_32;
+  const T Hb15_33 = Hp15_33 - b15_10;
 
   // ---- body 14 (body_14) and what it carries
-  // S14 = E15^T S15 + G14: sum of the force balances of the subtree, body axes [N]
-  const T minus_S14_1 = minus_S15_1 + minus_G14_1;
-  const T b14_1 = E15_22 * minus_S15_2 + E15_23 * S15_3;
-  const T minus_S14_2 = b14_1 + minus_G14_2;
-  const T b14_2 = E15_22 * S15_3 - E15_23 * minus_S15_2;
-  const T S14_3 = b14_2 - minus_G14_3;
-  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho14_1 = T(0.1) * b14_1 + T(0.75) * b14_2 + rho15_1 + T(0.05) * minus_G14_2 - T(0.2) * minus_G14_3 -
-      minus_N14_1;
-  const T rho14_2 = E15_22 * rho15_2 - E15_23 * rho15_3 - T(0.1) * minus_S15_1 - T(0.3) * b14_2 + T(0.1) * minus_G14_3
-      - T(0.05) * minus_G14_1 - minus_N14_2;
-  const T rho14_3 = T(0.75) * minus_S15_1 - T(0.3) * b14_1 + E15_23 * rho15_2 + E15_22 * rho15_3 + T(0.2) *
-      minus_G14_1 - T(0.1) * minus_G14_2 - minus_N14_3;
-  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h14_1 = T(1.77) + h15_1;
-  const T h14_2 = T(4.305) + hc15_2;
-  const T h14_3 = T(0.63) + hc15_3;
-  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b14_3 = T(0.1) * hc15_3;
-  const T b14_4 = T(0.75) * hc15_2;
-  const T b14_5 = b14_3 + b14_4 + J15_11;
-  const T b14_6 = hc15_3 + T(0.51);
-  const T b14_7 = b14_6 * T(0.1);
-  const T b14_8 = T(3.825) + hc15_2;
-  const T b14_9 = b14_8 * T(0.75);
-  const T J14_11 = b14_5 + T(0.342) + b14_7 + b14_9;
-  const T b14_10 = minus_J15_12 * E15_22 + J15_13 * E15_23 + T(0.036000000000000004);
-  const T minus_J14_12 = b14_10 + T(0.75) * h15_1 + b14_8 * T(0.3);
-  const T J14_13 = J15_13 * E15_22 - minus_J15_12 * E15_23 - T(0.1) * h15_1 - T(0.004800000000000001) - b14_6 *
-      T(0.3);
-  const T b14_11 = T(0.3) * hc15_2;
-  const T b14_12 = h15_1 + T(1.53);
-  const T minus_J14_21 = b14_10 + b14_11 + b14_12 * T(0.75);
-  const T b14_13 = E15_22 * J15_22 - E15_23 * J15_32;
-  const T b14_14 = E15_22 * J15_23 - E15_23 * J15_33;
-  const T b14_15 = T(0.3) * h15_1 + b14_12 * T(0.3);
-  const T J14_22 = b14_13 * E15_22 - b14_14 * E15_23 + b14_3 + b14_15 + T(0.318) + b14_7;
-  const T J14_23 = b14_13 * E15_23 + b14_14 * E15_22 - T(0.1) * hc15_2 - T(0.0336) - b14_6 * T(0.75);
-  const T J14_33 = (E15_23 * J15_22 + E15_22 * J15_32) * E15_23 + (E15_23 * J15_23 + E15_22 * J15_33) * E15_22 + b14_4
-      + b14_15 + T(0.312) + b14_9;
-  // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc14_1 = E14_11 * h14_1 - E14_12 * h14_2;
-  const T hc14_2 = E14_11 * h14_2 + E14_12 * h14_1;
-  // B_thetadot16_14 = E15^T B_thetadot16_15
-  const T B_thetadot16_14_2 = E15_23 * hc16_1;
-  const T minus_B_thetadot16_14_3 = E15_22 * hc16_1;
-  // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T minus_K_thetadot16_14_1 = T(0.1) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3 + b15_11;
-  const T b14_16 = T(0.3) * minus_B_thetadot16_14_3;
-  const T K_thetadot16_14_2 = b15_7 + b14_16 + E15_22 * b15_15 - E15_23 * b15_18;
-  const T K_thetadot16_14_3 = T(0.3) * B_thetadot16_14_2 - T(0.75) * hc16_3 + E15_23 * b15_15 + E15_22 * b15_18;
-  // K_thetadot15_14 = q15~ E15^T B_thetadot15_15 + E15^T K_thetadot15_15
-  const T minus_K_thetadot15_14_2 = E15_22 * minus_J15_21 + E15_23 * J15_31 + b14_11;
-  const T K_thetadot15_14_3 = E15_22 * J15_31 - E15_23 * minus_J15_21 - T(0.3) * hc15_3;
-  // D_thetaddot14: pivots of L D L^T
-  const T b14_17 = K_thetadot16_14_3 * T(2.9027576197387517);
-  const T b14_18 = K_thetadot15_14_3 + b14_17 * b15_11;
-  const T b14_19 = T(1) / D_thetaddot15;
-  const T b14_20 = b14_18 * b14_19;
-  const T D_thetaddot14 = J14_33 - b14_17 * K_thetadot16_14_3 - b14_20 * b14_18;
+  // HA14 = h_own_14~ + Hb15: moment for an acceleration of the origin, body axes [kg m]
+  const T HA14_13 = T(4.305) + Hb15_13;
+  const T HA14_23 = Hb15_23 - T(2.8);
+  const T HA14_31 = Hb15_31 - T(4.305);
+  const T HA14_32 = T(2.8) + Hb15_32;
+  // JA14 = q15~ Hp15^T + J_own_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA14_11 = Hb15_12 * T(0.2) - Hb15_13 * T(0.75);
+  const T JA14_12 = T(0.2) * minus_Hp15_22 + T(0.75) * Hp15_23 - T(1.956) + Hb15_11 * T(0.2);
+  const T JA14_13 = T(0.75) * Hp15_33 - T(0.2) * Hp15_32 - T(0.5408000000000001) - Hb15_11 * T(0.75);
+  const T JA14_22 = T(0.2) * Hp15_21 - T(1.2245000000000001) - minus_Jp15_22 + Hb15_21 * T(0.2);
+  const T JA14_23 = T(0.2) * Hp15_31 - T(0.8466) + Jp15_23 - Hb15_21 * T(0.75);
+  const T JA14_33 = T(4.849) - T(0.75) * Hp15_31 + Jp15_33 - Hb15_31 * T(0.75);
+  // g14 = G14 + gp15: force that drives it, home axes [N]
+  const T g14_1 = gt15_1 - minus_G14_1;
+  const T minus_g14_2 = minus_gp15_2 + minus_G14_2;
+  const T g14_3 = gp15_3 - minus_G14_3;
+  // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
+  const T n14_1 = T(0.2) * minus_gp15_2 + T(0.75) * gp15_3 - minus_N14_1 - u.tau_15;
+  const T n14_2 = T(0.2) * gt15_1 - minus_N14_2 + np15_2;
+  const T n14_3 = np15_3 - (T(0.75) * gt15_1 + minus_N14_3);
+  // invD14 = D14^-1: 1/D
+  const T invD14 = T(1) / JA14_33;
+  // kB14 = invD14 B14: B/D
+  const T kB14_1 = invD14 * HA14_31;
+  const T kB14_2 = invD14 * HA14_32;
+  const T kB14_3 = invD14 * Hb15_33;
+  // kK14 = invD14 K14: K/D
+  const T kK14_1 = invD14 * JA14_13;
+  const T kK14_2 = invD14 * JA14_23;
+  // u_14 = b14 . n14 + tau_body_14_: drives it [N m]
+  const T u_14 = n14_3 + u.tau_14;
+  // v14 = invD14 u_14: u/D
+  const T v14 = invD14 * u_14;
+  // M14 = Mp15 - kB14 B14^T: MA less what the turn takes up [kg]
+  const T M14_11 = M15_11 - kB14_1 * HA14_31;
+  const T minus_M14_12 = minus_Mp15_12 + kB14_1 * HA14_32;
+  const T M14_13 = Mp15_13 - kB14_1 * Hb15_33;
+  const T minus_M14_22 = minus_Mp15_22 + kB14_2 * HA14_32;
+  const T M14_23 = Mp15_23 - kB14_2 * Hb15_33;
+  const T M14_33 = Mp15_33 - kB14_3 * Hb15_33;
+  // H14 = P_b14 (HA14 - kK14 B14^T): HA less what the turn takes up [kg m]
+  const T H14_11 = Hb15_11 - kK14_1 * HA14_31;
+  const T H14_12 = Hb15_12 - kK14_1 * HA14_32;
+  const T H14_13 = HA14_13 - kK14_1 * Hb15_33;
+  const T H14_21 = Hb15_21 - kK14_2 * HA14_31;
+  const T minus_H14_22 = minus_Hb15_22 + kK14_2 * HA14_32;
+  const T H14_23 = HA14_23 - kK14_2 * Hb15_33;
+  // J14 = P_b14 (JA14 - kK14 K14^T) P_b14: JA less what the turn takes up [kg m^2]
+  const T minus_J14_11 = minus_JA14_11 + kK14_1 * JA14_13;
+  const T J14_12 = JA14_12 - kK14_1 * JA14_23;
+  const T J14_22 = JA14_22 - kK14_2 * JA14_23;
+  // gt14 = g14 - v14 B14: force with the turn solved [N]
+  const T gt14_1 = g14_1 - v14 * HA14_31;
+  const T minus_gt14_2 = minus_g14_2 + v14 * HA14_32;
+  const T gt14_3 = g14_3 - v14 * Hb15_33;
+  // nt14 = -tau_body_14_ b14 + P_b14 (n14 - v14 K14): moment with the turn solved [N m]
+  const T nt14_1 = n14_1 - v14 * JA14_13;
+  const T nt14_2 = n14_2 - v14 * JA14_23;
+  // Mp14 = E14^T M14 E14: M passed on, lower body's axes [kg]
+  const T b14_1 = T(2) * E14_11;
+  const T b14_2 = E14_12 * (M14_11 + minus_M14_22) - b14_1 * minus_M14_12;
+  const T b14_3 = E14_12 * b14_2;
+  const T Mp14_11 = M14_11 - b14_3;
+  const T Mp14_12 = E14_11 * b14_2 + minus_M14_12;
+  const T Mp14_13 = E14_11 * M14_13 - E14_12 * M14_23;
+  const T Mp14_22 = b14_3 - minus_M14_22;
+  const T Mp14_23 = E14_12 * M14_13 + E14_11 * M14_23;
+  // gp14 = E14^T gt14: force passed on, lower body's axes [N]
+  const T gp14_1 = E14_11 * gt14_1 + E14_12 * minus_gt14_2;
+  const T gp14_2 = E14_12 * gt14_1 - E14_11 * minus_gt14_2;
+  // Hp14 = E14^T H14 E14: H passed on, lower body's axes [kg m]
+  const T b14_4 = E14_12 * (H14_11 + minus_H14_22) + E14_11 * (H14_12 + H14_21);
+  const T b14_5 = E14_12 * b14_4;
+  const T Hp14_11 = H14_11 - b14_5;
+  const T b14_6 = E14_11 * b14_4;
+  const T Hp14_12 = b14_6 - H14_21;
+  const T Hp14_13 = E14_11 * H14_13 - E14_12 * H14_23;
+  const T Hp14_21 = b14_6 - H14_12;
+  const T Hp14_22 = b14_5 - minus_H14_22;
+  const T Hp14_23 = E14_12 * H14_13 + E14_11 * H14_23;
+  // Jp14 = E14^T J14 E14: J passed on, lower body's axes [kg m^2]
+  const T b14_7 = b14_1 * J14_12 - E14_12 * (minus_J14_11 + J14_22);
+  const T b14_8 = E14_12 * b14_7;
+  const T minus_Jp14_11 = minus_J14_11 + b14_8;
+  const T Jp14_12 = E14_11 * b14_7 - J14_12;
+  const T Jp14_22 = J14_22 + b14_8;
+  // np14 = E14^T nt14: moment passed on, lower body's axes [N m]
+  const T np14_1 = E14_11 * nt14_1 - E14_12 * nt14_2;
+  const T np14_2 = E14_12 * nt14_1 + E14_11 * nt14_2;
+  // Hb14 = q14~ Mp14 + Hp14: H of the joint at the lower body's origin, its axes
+  const T b14_9 = T(1.35) * Mp14_13;
+  const T Hb14_11 = b14_9 + Hp14_11;
+  const T Hb14_12 = T(1.35) * Mp14_23 + Hp14_12;
+  const T Hb14_13 = T(1.35) * M14_33 + Hp14_13;
+  const T Hb14_21 = Hp14_21 - T(0.3) * Mp14_13;
+  const T b14_10 = T(0.3) * Mp14_23;
+  const T Hb14_22 = Hp14_22 - b14_10;
+  const T Hb14_23 = Hp14_23 - T(0.3) * M14_33;
+  const T Hb14_31 = T(0.3) * Mp14_12 - T(1.35) * Mp14_11;
+  const T Hb14_32 = T(0.3) * Mp14_22 - T(1.35) * Mp14_12;
+  const T Hb14_33 = b14_10 - b14_9;
 
   // ---- body 13 (body_13) and what it carries
-  // S13 = E14^T S14 + G13: sum of the force balances of the subtree, body axes [N]
-  const T b13_1 = E14_12 * minus_S14_2 - E14_11 * minus_S14_1;
-  const T S13_1 = b13_1 - minus_G13_1;
-  const T b13_2 = E14_12 * minus_S14_1 + E14_11 * minus_S14_2;
-  const T minus_S13_2 = b13_2 + minus_G13_2;
-  const T S13_3 = S14_3 - minus_G13_3;
-  // rho13 = q14~ E14^T S14 + E14^T rho14 + r13~ G13 + N13: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho13_1 = T(0.1) * b13_2 + T(0.7) * S14_3 + E14_11 * rho14_1 - E14_12 * rho14_2 + T(0.05) * minus_G13_2 -
-      T(0.2) * minus_G13_3 - minus_N13_1;
-  const T rho13_2 = T(0.1) * b13_1 - T(0.3) * S14_3 + E14_12 * rho14_1 + E14_11 * rho14_2 + T(0.1) * minus_G13_3 -
-      T(0.05) * minus_G13_1 - minus_N13_2;
-  const T rho13_3 = rho14_3 - T(0.3) * b13_2 - T(0.7) * b13_1 + T(0.2) * minus_G13_1 - T(0.1) * minus_G13_2 -
-      minus_N13_3;
-  // h13 = m13 r13 + m_sub14 q14 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h13_1 = T(2.48) + hc14_1;
-  const T h13_2 = T(5.71) + hc14_2;
-  const T h13_3 = T(0.865) + h14_3;
-  // J13 = -q14~ hc14~ + E14^T J14 E14 - m13 r13~ r13~ + I13 + (-m_sub14 q14~ - hc14~) q14~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b13_3 = E14_11 * J14_11 + E14_12 * minus_J14_21;
-  const T b13_4 = E14_11 * minus_J14_12 + E14_12 * J14_22;
-  const T b13_5 = h14_3 + T(0.75);
-  const T b13_6 = T(0.1) * h14_3 + b13_5 * T(0.1);
-  const T b13_7 = T(0.7) * hc14_2;
-  const T b13_8 = T(5.25) + hc14_2;
-  const T b13_9 = b13_8 * T(0.7);
-  const T J13_11 = b13_3 * E14_11 + b13_4 * E14_12 + b13_6 + b13_7 + T(0.32775) + b13_9;
-  const T b13_10 = b13_3 * E14_12 - b13_4 * E14_11 - T(0.0345);
-  const T J13_12 = b13_10 - T(0.7) * hc14_1 - b13_8 * T(0.3);
-  const T b13_11 = E14_11 * J14_13 - E14_12 * J14_23;
-  const T b13_12 = T(0.1) * hc14_1;
-  const T b13_13 = b13_11 - b13_12;
-  const T J13_13 = b13_13 - T(0.004600000000000001) - b13_5 * T(0.3);
-  const T b13_14 = hc14_1 + T(2.25);
-  const T J13_21 = b13_10 - T(0.3) * hc14_2 - b13_14 * T(0.7);
-  const T b13_15 = T(0.3) * hc14_1;
-  const T b13_16 = b13_14 * T(0.3);
-  const T J13_22 = (E14_12 * J14_11 - E14_11 * minus_J14_21) * E14_12 + (E14_11 * J14_22 - E14_12 * minus_J14_12) *
-      E14_11 + b13_6 + b13_15 + T(0.30475) + b13_16;
-  const T b13_17 = E14_12 * J14_13 + E14_11 * J14_23;
-  const T b13_18 = b13_17 - T(0.1) * hc14_2;
-  const T J13_23 = b13_18 - T(0.0322) - b13_5 * T(0.7);
-  const T J13_31 = b13_11 - T(0.3) * h14_3 - T(0.004600000000000001) - b13_14 * T(0.1);
-  const T J13_32 = b13_17 - T(0.7) * h14_3 - T(0.0322) - b13_8 * T(0.1);
-  const T b13_19 = b13_15 + b13_7 + J14_33;
-  const T J13_33 = b13_19 + T(0.299) + b13_9 + b13_16;
-  // hc13 = E13^T h13: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc13_1 = minus_E13_13 * h13_3 + E13_11 * h13_1;
-  const T hc13_3 = E13_11 * h13_3 - minus_E13_13 * h13_1;
-  // B_thetadot16_13 = E14^T B_thetadot16_14
-  const T B_thetadot16_13_1 = E14_11 * hc16_3 - E14_12 * B_thetadot16_14_2;
-  const T B_thetadot16_13_2 = E14_12 * hc16_3 + E14_11 * B_thetadot16_14_2;
-  // K_thetadot16_13 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
-  const T b13_20 = T(0.1) * B_thetadot16_13_2;
-  const T minus_K_thetadot16_13_1 = b13_20 + T(0.7) * minus_B_thetadot16_14_3 + E14_11 * minus_K_thetadot16_14_1 +
-      E14_12 * K_thetadot16_14_2;
-  const T K_thetadot16_13_2 = T(0.1) * B_thetadot16_13_1 + b14_16 + E14_11 * K_thetadot16_14_2 - E14_12 *
-      minus_K_thetadot16_14_1;
-  const T b13_21 = T(0.3) * B_thetadot16_13_2;
-  const T K_thetadot16_13_3 = b13_21 - T(0.7) * B_thetadot16_13_1 + K_thetadot16_14_3;
-  // B_thetadot15_13 = E14^T B_thetadot15_14
-  const T B_thetadot15_13_1 = E14_12 * hc15_3;
-  const T minus_B_thetadot15_13_2 = E14_11 * hc15_3;
-  // K_thetadot15_13 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T b13_22 = T(0.1) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_1 = b13_22 + T(0.7) * hc15_2 + E14_11 * b14_5 + E14_12 * minus_K_thetadot15_14_2;
-  const T K_thetadot15_13_2 = T(0.1) * B_thetadot15_13_1 - b14_11 + E14_12 * b14_5 - E14_11 * minus_K_thetadot15_14_2;
-  const T b13_23 = T(0.3) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_3 = K_thetadot15_14_3 - b13_23 - T(0.7) * B_thetadot15_13_1;
-  // D_thetaddot13: pivots of L D L^T
-  const T b13_24 = K_thetadot16_13_2 * T(2.9027576197387517);
-  const T b13_25 = K_thetadot15_13_2 + b13_24 * b15_11;
-  const T b13_26 = b13_25 * b14_19;
-  const T b13_27 = b13_18 - b13_24 * K_thetadot16_14_3 - b13_26 * b14_18;
-  const T b13_28 = T(1) / D_thetaddot14;
-  const T b13_29 = b13_27 * b13_28;
-  const T D_thetaddot13 = J13_22 - b13_24 * K_thetadot16_13_2 - b13_26 * b13_25 - b13_29 * b13_27;
+  // HA13 = h_own_13~ + Hb14: moment for an acceleration of the origin, body axes [kg m]
+  const T HA13_12 = Hb14_12 - T(1.495);
+  const T HA13_21 = T(1.495) + Hb14_21;
+  const T HA13_23 = Hb14_23 - T(2.48);
+  const T HA13_32 = T(2.48) + Hb14_32;
+  // JA13 = q14~ Hp14^T + J_own_13 + Jp14 - Hb14 q14~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA13_11 = T(1.35) * Hp14_13 + T(2.8165) - minus_Jp14_11 + Hb14_13 * T(1.35);
+  const T JA13_12 = T(1.35) * Hp14_23 - T(3.2215) + Jp14_12 - Hb14_13 * T(0.3);
+  const T minus_JA13_13 = T(0.4186) + Hb14_11 * T(1.35) - Hb14_12 * T(0.3);
+  const T JA13_22 = T(4.4425) - T(0.3) * Hp14_23 + Jp14_22 - Hb14_23 * T(0.3);
+  const T minus_JA13_23 = T(1.96995) + Hb14_21 * T(1.35) - Hb14_22 * T(0.3);
+  const T minus_JA13_33 = Hb14_31 * T(1.35) - Hb14_32 * T(0.3);
+  // g13 = G13 + gp14: force that drives it, home axes [N]
+  const T g13_1 = gp14_1 - minus_G13_1;
+  const T g13_2 = gp14_2 - minus_G13_2;
+  const T g13_3 = gt14_3 - minus_G13_3;
+  // n13 = q14~ gp14 + N13 + np14: moment that drives it, body axes [N m]
+  const T n13_1 = T(1.35) * gt14_3 - minus_N13_1 + np14_1;
+  const T n13_2 = np14_2 - (T(0.3) * gt14_3 + minus_N13_2);
+  const T n13_3 = T(0.3) * gp14_2 - T(1.35) * gp14_1 - minus_N13_3 - u.tau_14;
+  // invD13 = D13^-1: 1/D
+  const T invD13 = T(1) / JA13_22;
+  // kB13 = invD13 B13: B/D
+  const T kB13_1 = invD13 * HA13_21;
+  const T kB13_2 = invD13 * Hb14_22;
+  const T kB13_3 = invD13 * HA13_23;
+  // kK13 = invD13 K13: K/D
+  const T kK13_1 = invD13 * JA13_12;
+  const T minus_kK13_3 = invD13 * minus_JA13_23;
+  // u_13 = b13 . n13 + tau_body_13_: drives it [N m]
+  const T u_13 = n13_2 + u.tau_13;
+  // v13 = invD13 u_13: u/D
+  const T v13 = invD13 * u_13;
+  // M13 = Mp14 - kB13 B13^T: MA less what the turn takes up [kg]
+  const T M13_11 = Mp14_11 - kB13_1 * HA13_21;
+  const T M13_12 = Mp14_12 - kB13_1 * Hb14_22;
+  const T M13_13 = Mp14_13 - kB13_1 * HA13_23;
+  const T M13_22 = Mp14_22 - kB13_2 * Hb14_22;
+  const T M13_23 = Mp14_23 - kB13_2 * HA13_23;
+  const T M13_33 = M14_33 - kB13_3 * HA13_23;
+  // H13 = P_b13 (HA13 - kK13 B13^T): HA less what the turn takes up [kg m]
+  const T H13_11 = Hb14_11 - kK13_1 * HA13_21;
+  const T H13_12 = HA13_12 - kK13_1 * Hb14_22;
+  const T H13_13 = Hb14_13 - kK13_1 * HA13_23;
+  const T H13_31 = Hb14_31 + minus_kK13_3 * HA13_21;
+  const T H13_32 = HA13_32 + minus_kK13_3 * Hb14_22;
+  const T H13_33 = Hb14_33 + minus_kK13_3 * HA13_23;
+  // J13 = P_b13 (JA13 - kK13 K13^T) P_b13: JA less what the turn takes up [kg m^2]
+  const T J13_11 = JA13_11 - kK13_1 * JA13_12;
+  const T J13_13 = kK13_1 * minus_JA13_23 - minus_JA13_13;
+  const T minus_J13_33 = minus_JA13_33 + minus_kK13_3 * minus_JA13_23;
+  // gt13 = g13 - v13 B13: force with the turn solved [N]
+  const T gt13_1 = g13_1 - v13 * HA13_21;
+  const T gt13_2 = g13_2 - v13 * Hb14_22;
+  const T gt13_3 = g13_3 - v13 * HA13_23;
+  // nt13 = -tau_body_13_ b13 + P_b13 (n13 - v13 K13): moment with the turn solved [N m]
+  const T nt13_1 = n13_1 - v13 * JA13_12;
+  const T nt13_3 = n13_3 + v13 * minus_JA13_23;
+  // Mp13 = E13^T M13 E13: M passed on, lower body's axes [kg]
+  const T b13_1 = T(2) * E13_11;
+  const T b13_2 = minus_E13_13 * (M13_33 - M13_11) + b13_1 * M13_13;
+  const T b13_3 = minus_E13_13 * b13_2;
+  const T Mp13_11 = M13_11 + b13_3;
+  const T Mp13_12 = minus_E13_13 * M13_23 + E13_11 * M13_12;
+  const T Mp13_13 = E13_11 * b13_2 - M13_13;
+  const T Mp13_23 = E13_11 * M13_23 - minus_E13_13 * M13_12;
+  const T Mp13_33 = M13_33 - b13_3;
+  // gp13 = E13^T gt13: force passed on, lower body's axes [N]
+  const T gp13_1 = E13_11 * gt13_1 + minus_E13_13 * gt13_3;
+  const T gp13_3 = E13_11 * gt13_3 - minus_E13_13 * gt13_1;
+  // Hp13 = E13^T H13 E13: H passed on, lower body's axes [kg m]
+  const T b13_4 = minus_E13_13 * (H13_33 - H13_11) + E13_11 * (H13_31 + H13_13);
+  const T b13_5 = minus_E13_13 * b13_4;
+  const T Hp13_11 = H13_11 + b13_5;
+  const T Hp13_12 = minus_E13_13 * H13_32 + E13_11 * H13_12;
+  const T b13_6 = E13_11 * b13_4;
+  const T Hp13_13 = b13_6 - H13_31;
+  const T Hp13_31 = b13_6 - H13_13;
+  const T Hp13_32 = E13_11 * H13_32 - minus_E13_13 * H13_12;
+  const T Hp13_33 = H13_33 - b13_5;
+  // Jp13 = E13^T J13 E13: J passed on, lower body's axes [kg m^2]
+  const T b13_7 = b13_1 * J13_13 - minus_E13_13 * (minus_J13_33 + J13_11);
+  const T b13_8 = minus_E13_13 * b13_7;
+  const T Jp13_11 = J13_11 + b13_8;
+  const T Jp13_13 = E13_11 * b13_7 - J13_13;
+  const T minus_Jp13_33 = minus_J13_33 + b13_8;
+  // np13 = E13^T nt13: moment passed on, lower body's axes [N m]
+  const T np13_1 = E13_11 * nt13_1 + minus_E13_13 * nt13_3;
+  const T np13_3 = E13_11 * nt13_3 - minus_E13_13 * nt13_1;
+  // Hb13 = q13~ Mp13 + Hp13: H of the joint at the lower body's origin, its axes
+  const T b13_9 = T(0.1) * Mp13_12;
+  const T Hb13_11 = Hp13_11 - b13_9;
+  const T Hb13_12 = Hp13_12 - T(0.1) * M13_22;
+  const T Hb13_13 = Hp13_13 - T(0.1) * Mp13_23;
+  const T Hb13_21 = T(0.1) * Mp13_11 - T(0.6) * Mp13_13;
+  const T b13_10 = T(0.6) * Mp13_23;
+  const T Hb13_22 = b13_9 - b13_10;
+  const T Hb13_23 = T(0.1) * Mp13_13 - T(0.6) * Mp13_33;
+  const T Hb13_31 = T(0.6) * Mp13_12 + Hp13_31;
+  const T Hb13_32 = T(0.6) * M13_22 + Hp13_32;
+  const T Hb13_33 = b13_10 + Hp13_33;
 
   // ---- body 12 (body_12) and what it carries
-  // S12 = E13^T S13 + G12: sum of the force balances of the subtree, body axes [N]
-  const T b12_1 = E13_11 * S13_1 + minus_E13_13 * S13_3;
-  const T S12_1 = b12_1 - minus_G12_1;
-  const T minus_S12_2 = minus_S13_2 + minus_G12_2;
-  const T b12_2 = E13_11 * S13_3 - minus_E13_13 * S13_1;
-  const T S12_3 = b12_2 - minus_G12_3;
-  // rho12 = q13~ E13^T S13 + E13^T rho13 + r12~ G12 + N12: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho12_1 = T(0.1) * minus_S13_2 + T(0.65) * b12_2 + E13_11 * rho13_1 + minus_E13_13 * rho13_3 + T(0.05) *
-      minus_G12_2 - T(0.2) * minus_G12_3 - minus_N12_1;
-  const T rho12_2 = T(0.1) * b12_1 - T(0.3) * b12_2 + rho13_2 + T(0.1) * minus_G12_3 - T(0.05) * minus_G12_1 -
-      minus_N12_2;
-  const T rho12_3 = E13_11 * rho13_3 - minus_E13_13 * rho13_1 - T(0.3) * minus_S13_2 - T(0.65) * b12_1 + T(0.2) *
-      minus_G12_1 - T(0.1) * minus_G12_2 - minus_N12_3;
-  // h12 = m12 r12 + m_sub13 q13 + hc13: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h12_1 = T(3.1599999999999997) + hc13_1;
-  const T h12_2 = T(6.8100000000000005) + h13_2;
-  const T h12_3 = T(1.09) + hc13_3;
-  // J12 = -q13~ hc13~ + E13^T J13 E13 - m12 r12~ r12~ + I12 + (-m_sub13 q13~ - hc13~) q13~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b12_3 = E13_11 * J13_11 + minus_E13_13 * J13_31;
-  const T b12_4 = E13_11 * J13_13 + minus_E13_13 * J13_33;
-  const T b12_5 = T(0.1) * hc13_3;
-  const T b12_6 = T(6.37) + h13_2;
-  const T b12_7 = T(0.65) * h13_2 + b12_6 * T(0.65);
-  const T b12_8 = hc13_3 + T(0.98);
-  const T b12_9 = b12_8 * T(0.1);
-  const T J12_11 = b12_3 * E13_11 + b12_4 * minus_E13_13 + b12_5 + b12_7 + T(0.3135) + b12_9;
-  const T b12_10 = E13_11 * J13_12 + minus_E13_13 * J13_32;
-  const T b12_11 = b12_10 - T(0.65) * hc13_1;
-  const T J12_12 = b12_11 - T(0.03300000000000001) - b12_6 * T(0.3);
-  const T b12_12 = b12_4 * E13_11 - b12_3 * minus_E13_13 - T(0.004400000000000002);
-  const T J12_13 = b12_12 - T(0.1) * hc13_1 - b12_8 * T(0.3);
-  const T b12_13 = hc13_1 + T(2.94);
-  const T J12_21 = b12_10 - T(0.3) * h13_2 - T(0.03300000000000001) - b12_13 * T(0.65);
-  const T b12_14 = T(0.3) * hc13_1;
-  const T b12_15 = b12_5 + b12_14 + J13_22;
-  const T b12_16 = b12_13 * T(0.3);
-  const T J12_22 = b12_15 + T(0.29150000000000004) + b12_9 + b12_16;
-  const T b12_17 = J13_23 * E13_11 - J13_21 * minus_E13_13 - T(0.030800000000000004);
-  const T J12_23 = b12_17 - T(0.1) * h13_2 - b12_8 * T(0.65);
-  const T J12_31 = b12_12 - T(0.3) * hc13_3 - b12_13 * T(0.1);
-  const T b12_18 = T(0.65) * hc13_3;
-  const T J12_32 = b12_17 - b12_18 - b12_6 * T(0.1);
-  const T J12_33 = (E13_11 * J13_33 - minus_E13_13 * J13_13) * E13_11 - (E13_11 * J13_31 - minus_E13_13 * J13_11) *
-      minus_E13_13 + b12_7 + b12_14 + T(0.28600000000000003) + b12_16;
-  // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc12_2 = E12_22 * h12_2 - E12_23 * h12_3;
-  const T hc12_3 = E12_22 * h12_3 + E12_23 * h12_2;
-  // B_thetadot16_12 = E13^T B_thetadot16_13
-  const T B_thetadot16_12_1 = E13_11 * B_thetadot16_13_1 - minus_E13_13 * minus_B_thetadot16_14_3;
-  const T minus_B_thetadot16_12_3 = minus_E13_13 * B_thetadot16_13_1 + E13_11 * minus_B_thetadot16_14_3;
-  // K_thetadot16_12 = q13~ E13^T B_thetadot16_13 + E13^T K_thetadot16_13
-  const T K_thetadot16_12_1 = minus_E13_13 * K_thetadot16_13_3 - E13_11 * minus_K_thetadot16_13_1 - b13_20 - T(0.65) *
-      minus_B_thetadot16_12_3;
-  const T b12_19 = T(0.1) * B_thetadot16_12_1;
-  const T K_thetadot16_12_2 = b12_19 + T(0.3) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
-  const T K_thetadot16_12_3 = b13_21 - T(0.65) * B_thetadot16_12_1 + minus_E13_13 * minus_K_thetadot16_13_1 + E13_11 *
-      K_thetadot16_13_3;
-  // B_thetadot15_12 = E13^T B_thetadot15_13
-  const T B_thetadot15_12_1 = E13_11 * B_thetadot15_13_1 + minus_E13_13 * hc15_2;
-  const T B_thetadot15_12_3 = E13_11 * hc15_2 - minus_E13_13 * B_thetadot15_13_1;
-  // K_thetadot15_12 = q13~ E13^T B_thetadot15_13 + E13^T K_thetadot15_13
-  const T K_thetadot15_12_1 = b13_22 + T(0.65) * B_thetadot15_12_3 + E13_11 * K_thetadot15_13_1 + minus_E13_13 *
-      K_thetadot15_13_3;
-  const T b12_20 = T(0.1) * B_thetadot15_12_1;
-  const T K_thetadot15_12_2 = b12_20 - T(0.3) * B_thetadot15_12_3 + K_thetadot15_13_2;
-  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - minus_E13_13 * K_thetadot15_13_1 - b13_23 - T(0.65) *
-      B_thetadot15_12_1;
-  // B_thetadot14_12 = E13^T B_thetadot14_13
-  const T minus_B_thetadot14_12_1 = E13_11 * hc14_2;
-  const T B_thetadot14_12_3 = minus_E13_13 * hc14_2;
-  // K_thetadot14_12 = q13~ E13^T B_thetadot14_13 + E13^T K_thetadot14_13
-  const T K_thetadot14_12_1 = T(0.65) * B_thetadot14_12_3 - b13_12 + E13_11 * b13_13 + minus_E13_13 * b13_19;
-  const T b12_21 = T(0.1) * minus_B_thetadot14_12_1;
-  const T K_thetadot14_12_2 = b13_18 - b12_21 - T(0.3) * B_thetadot14_12_3;
-  const T K_thetadot14_12_3 = b13_15 + T(0.65) * minus_B_thetadot14_12_1 + E13_11 * b13_19 - minus_E13_13 * b13_13;
-  // K_thetadot13_12 = q13~ E13^T B_thetadot13_13 + E13^T K_thetadot13_13
-  const T K_thetadot13_12_3 = E13_11 * J13_32 - minus_E13_13 * J13_12 - b12_18;
-  // D_thetaddot12: pivots of L D L^T
-  const T b12_22 = K_thetadot16_12_1 * T(2.9027576197387517);
-  const T b12_23 = K_thetadot15_12_1 + b12_22 * b15_11;
-  const T b12_24 = b12_23 * b14_19;
-  const T b12_25 = K_thetadot14_12_1 - b12_22 * K_thetadot16_14_3 - b12_24 * b14_18;
-  const T b12_26 = b12_25 * b13_28;
-  const T b12_27 = b12_11 - b12_22 * K_thetadot16_13_2 - b12_24 * b13_25 - b12_26 * b13_27;
-  const T b12_28 = T(1) / D_thetaddot13;
-  const T b12_29 = b12_27 * b12_28;
-  const T D_thetaddot12 = J12_11 - b12_22 * K_thetadot16_12_1 - b12_24 * b12_23 - b12_26 * b12_25 - b12_29 * b12_27;
+  // HA12 = h_own_12~ + Hb13: moment for an acceleration of the origin, body axes [kg m]
+  const T HA12_12 = Hb13_12 - T(1.09);
+  const T HA12_13 = T(12.52) + Hb13_13;
+  const T HA12_21 = T(1.09) + Hb13_21;
+  const T HA12_31 = Hb13_31 - T(12.52);
+  // JA12 = q13~ Hp13^T + J_own_12 + Jp13 - Hb13 q13~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA12_11 = T(16.624) - T(0.1) * Hp13_12 + Jp13_11 - Hb13_12 * T(0.1);
+  const T minus_JA12_12 = T(7.412999999999999) + Hb13_13 * T(0.6) - Hb13_11 * T(0.1);
+  const T JA12_13 = Jp13_13 - (T(0.1) * Hp13_32 + T(0.6254)) + Hb13_12 * T(0.6);
+  const T minus_JA12_22 = Hb13_23 * T(0.6) - Hb13_21 * T(0.1);
+  const T JA12_23 = T(0.1) * Hp13_31 - T(0.6) * Hp13_33 - T(1.2388000000000001) + Hb13_22 * T(0.6);
+  const T JA12_33 = T(0.6) * Hp13_32 + T(16.108999999999998) - minus_Jp13_33 + Hb13_32 * T(0.6);
+  // g12 = G12 + gp13: force that drives it, home axes [N]
+  const T g12_1 = gp13_1 - minus_G12_1;
+  const T g12_2 = gt13_2 - minus_G12_2;
+  const T g12_3 = gp13_3 - minus_G12_3;
+  // n12 = q13~ gp13 + N12 + np13: moment that drives it, body axes [N m]
+  const T n12_1 = np13_1 - (T(0.1) * gt13_2 + minus_N12_1);
+  const T n12_2 = T(0.1) * gp13_1 - T(0.6) * gp13_3 - minus_N12_2 - u.tau_13;
+  const T n12_3 = T(0.6) * gt13_2 - minus_N12_3 + np13_3;
+  // invD12 = D12^-1: 1/D
+  const T invD12 = T(1) / JA12_11;
+  // kB12 = invD12 B12: B/D
+  const T kB12_1 = invD12 * Hb13_11;
+  const T kB12_2 = invD12 * HA12_12;
+  const T kB12_3 = invD12 * HA12_13;
+  // kK12 = invD12 K12: K/D
+  const T minus_kK12_2 = invD12 * minus_JA12_12;
+  const T kK12_3 = invD12 * JA12_13;
+  // u_12 = b12 . n12 + tau_body_12_: drives it [N m]
+  const T u_12 = n12_1 + u.tau_12;
+  // v12 = invD12 u_12: u/D
+  const T v12 = invD12 * u_12;
+  // M12 = Mp13 - kB12 B12^T: MA less what the turn takes up [kg]
+  const T M12_11 = Mp13_11 - kB12_1 * Hb13_11;
+  const T M12_12 = Mp13_12 - kB12_1 * HA12_12;
+  const T M12_13 = Mp13_13 - kB12_1 * HA12_13;
+  const T M12_22 = M13_22 - kB12_2 * HA12_12;
+  const T M12_23 = Mp13_23 - kB12_2 * HA12_13;
+  const T M12_33 = Mp13_33 - kB12_3 * HA12_13;
+  // H12 = P_b12 (HA12 - kK12 B12^T): HA less what the turn takes up [kg m]
+  const T H12_21 = HA12_21 + minus_kK12_2 * Hb13_11;
+  const T H12_22 = Hb13_22 + minus_kK12_2 * HA12_12;
+  const T H12_23 = Hb13_23 + minus_kK12_2 * HA12_13;
+  const T H12_31 = HA12_31 - kK12_3 * Hb13_11;
+  const T H12_32 = Hb13_32 - kK12_3 * HA12_12;
+  const T H12_33 = Hb13_33 - kK12_3 * HA12_13;
+  // J12 = P_b12 (JA12 - kK12 K12^T) P_b12: JA less what the turn takes up [kg m^2]
+  const T minus_J12_22 = minus_JA12_22 + minus_kK12_2 * minus_JA12_12;
+  const T J12_23 = JA12_23 + minus_kK12_2 * JA12_13;
+  const T J12_33 = JA12_33 - kK12_3 * JA12_13;
+  // gt12 = g12 - v12 B12: force with the turn solved [N]
+  const T gt12_1 = g12_1 - v12 * Hb13_11;
+  const T gt12_2 = g12_2 - v12 * HA12_12;
+  const T gt12_3 = g12_3 - v12 * HA12_13;
+  // nt12 = -tau_body_12_ b12 + P_b12 (n12 - v12 K12): moment with the turn solved [N m]
+  const T nt12_2 = n12_2 + v12 * minus_JA12_12;
+  const T nt12_3 = n12_3 - v12 * JA12_13;
+  // Mp12 = E12^T M12 E12: M passed on, lower body's axes [kg]
+  const T Mp12_12 = E12_22 * M12_12 - E12_23 * M12_13;
+  const T Mp12_13 = E12_23 * M12_12 + E12_22 * M12_13;
+  const T b12_1 = T(2) * E12_22;
+  const T b12_2 = E12_23 * (M12_22 - M12_33) + b12_1 * M12_23;
+  const T b12_3 = E12_23 * b12_2;
+  const T Mp12_22 = M12_22 - b12_3;
+  const T Mp12_23 = E12_22 * b12_2 - M12_23;
+  const T Mp12_33 = M12_33 + b12_3;
+  // gp12 = E12^T gt12: force passed on, lower body's axes [N]
+  const T gp12_2 = E12_22 * gt12_2 - E12_23 * gt12_3;
+  const T gp12_3 = E12_23 * gt12_2 + E12_22 * gt12_3;
+  // Hp12 = E12^T H12 E12: H passed on, lower body's axes [kg m]
+  const T Hp12_21 = E12_22 * H12_21 - E12_23 * H12_31;
+  const T b12_4 = E12_23 * (H12_22 - H12_33) + E12_22 * (H12_23 + H12_32);
+  const T b12_5 = E12_23 * b12_4;
+  const T Hp12_22 = H12_22 - b12_5;
+  const T b12_6 = E12_22 * b12_4;
+  const T Hp12_23 = b12_6 - H12_32;
+  const T Hp12_31 = E12_23 * H12_21 + E12_22 * H12_31;
+  const T Hp12_32 = b12_6 - H12_23;
+  const T Hp12_33 = H12_33 + b12_5;
+  // Jp12 = E12^T J12 E12: J passed on, lower body's axes [kg m^2]
+  const T b12_7 = b12_1 * J12_23 - E12_23 * (minus_J12_22 + J12_33);
+  const T b12_8 = E12_23 * b12_7;
+  const T minus_Jp12_22 = minus_J12_22 + b12_8;
+  const T Jp12_23 = E12_22 * b12_7 - J12_23;
+  const T Jp12_33 = J12_33 + b12_8;
+  // np12 = E12^T nt12: moment passed on, lower body's axes [N m]
+  const T np12_2 = E12_22 * nt12_2 - E12_23 * nt12_3;
+  const T np12_3 = E12_23 * nt12_2 + E12_22 * nt12_3;
+  // Hb12 = q12~ Mp12 + Hp12: H of the joint at the lower body's origin, its axes
+  const T b12_9 = T(0.6) * Mp12_13;
+  const T b12_10 = T(0.2) * Mp12_12;
+  const T Hb12_11 = b12_9 - b12_10;
+  const T Hb12_12 = T(0.6) * Mp12_23 - T(0.2) * Mp12_22;
+  const T Hb12_13 = T(0.6) * Mp12_33 - T(0.2) * Mp12_23;
+  const T Hb12_21 = T(0.2) * M12_11 + Hp12_21;
+  const T Hb12_22 = b12_10 + Hp12_22;
+  const T Hb12_23 = T(0.2) * Mp12_13 + Hp12_23;
+  const T Hb12_31 = Hp12_31 - T(0.6) * M12_11;
+  const T Hb12_32 = Hp12_32 - T(0.6) * Mp12_12;
+  const T Hb12_33 = Hp12_33 - b12_9;
 
   // ---- body 11 (body_11) and what it carries
-  // S11 = E12^T S12 + G11: sum of the force balances of the subtree, body axes [N]
-  const T S11_1 = S12_1 - minus_G11_1;
-  const T b11_1 = E12_22 * minus_S12_2 + E12_23 * S12_3;
-  const T minus_S11_2 = b11_1 + minus_G11_2;
-  const T b11_2 = E12_22 * S12_3 - E12_23 * minus_S12_2;
-  const T S11_3 = b11_2 - minus_G11_3;
-  // rho11 = q12~ E12^T S12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho11_1 = T(0.1) * b11_1 + T(0.6) * b11_2 + rho12_1 + T(0.05) * minus_G11_2 - T(0.2) * minus_G11_3 -
-      minus_N11_1;
-  const T rho11_2 = T(0.1) * S12_1 - T(0.3) * b11_2 + E12_22 * rho12_2 - E12_23 * rho12_3 + T(0.1) * minus_G11_3 -
-      T(0.05) * minus_G11_1 - minus_N11_2;
-  const T rho11_3 = E12_23 * rho12_2 + E12_22 * rho12_3 - T(0.3) * b11_1 - T(0.6) * S12_1 + T(0.2) * minus_G11_1 -
-      T(0.1) * minus_G11_2 - minus_N11_3;
-  // h11 = m11 r11 + m_sub12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h11_1 = T(3.81) + h12_1;
-  const T h11_2 = T(7.62) + hc12_2;
-  const T h11_3 = T(1.3050000000000002) + hc12_3;
-  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_sub12 q12~ - hc12~) q12~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b11_3 = T(0.1) * hc12_3;
-  const T b11_4 = T(0.6) * hc12_2;
-  const T b11_5 = b11_3 + b11_4 + J12_11;
-  const T b11_6 = hc12_3 + T(1.2000000000000002);
-  const T b11_7 = b11_6 * T(0.1);
-  const T b11_8 = T(7.199999999999999) + hc12_2;
-  const T b11_9 = b11_8 * T(0.6);
-  const T J11_11 = b11_5 + T(0.29925) + b11_7 + b11_9;
-  const T b11_10 = J12_12 * E12_22 - J12_13 * E12_23 - T(0.03150000000000001);
-  const T J11_12 = b11_10 - T(0.6) * h12_1 - b11_8 * T(0.3);
-  const T J11_13 = J12_12 * E12_23 + J12_13 * E12_22 - T(0.1) * h12_1 - T(0.0042000000000000015) - b11_6 * T(0.3);
-  const T b11_11 = T(0.3) * hc12_2;
-  const T b11_12 = h12_1 + T(3.5999999999999996);
-  const T J11_21 = b11_10 - b11_11 - b11_12 * T(0.6);
-  const T b11_13 = E12_22 * J12_22 - E12_23 * J12_32;
-  const T b11_14 = E12_22 * J12_23 - E12_23 * J12_33;
-  const T b11_15 = T(0.3) * h12_1 + b11_12 * T(0.3);
-  const T J11_22 = b11_13 * E12_22 - b11_14 * E12_23 + b11_3 + b11_15 + T(0.27825) + b11_7;
-  const T J11_23 = b11_13 * E12_23 + b11_14 * E12_22 - T(0.1) * hc12_2 - T(0.029400000000000003) - b11_6 * T(0.6);
-  const T J11_33 = (E12_23 * J12_22 + E12_22 * J12_32) * E12_23 + (E12_23 * J12_23 + E12_22 * J12_33) * E12_22 + b11_4
-      + b11_15 + T(0.273) + b11_9;
-  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc11_1 = E11_11 * h11_1 - E11_12 * h11_2;
-  const T hc11_2 = E11_11 * h11_2 + E11_12 * h11_1;
-  // B_thetadot16_11 = E12^T B_thetadot16_12
-  const T B_thetadot16_11_2 = E12_22 * B_thetadot16_13_2 + E12_23 * minus_B_thetadot16_12_3;
-  const T B_thetadot16_11_3 = E12_23 * B_thetadot16_13_2 - E12_22 * minus_B_thetadot16_12_3;
-  // K_thetadot16_11 = q12~ E12^T B_thetadot16_12 + E12^T K_thetadot16_12
-  const T K_thetadot16_11_1 = T(0.6) * B_thetadot16_11_3 - T(0.1) * B_thetadot16_11_2 + K_thetadot16_12_1;
-  const T b11_16 = T(0.3) * B_thetadot16_11_3;
-  const T K_thetadot16_11_2 = b12_19 - b11_16 + E12_22 * K_thetadot16_12_2 - E12_23 * K_thetadot16_12_3;
-  const T K_thetadot16_11_3 = T(0.3) * B_thetadot16_11_2 - T(0.6) * B_thetadot16_12_1 + E12_23 * K_thetadot16_12_2 +
-      E12_22 * K_thetadot16_12_3;
-  // B_thetadot15_11 = E12^T B_thetadot15_12
-  const T minus_B_thetadot15_11_2 = E12_22 * minus_B_thetadot15_13_2 + E12_23 * B_thetadot15_12_3;
-  const T B_thetadot15_11_3 = E12_22 * B_thetadot15_12_3 - E12_23 * minus_B_thetadot15_13_2;
-  // K_thetadot15_11 = q12~ E12^T B_thetadot15_12 + E12^T K_thetadot15_12
-  const T K_thetadot15_11_1 = T(0.1) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
-  const T b11_17 = T(0.3) * B_thetadot15_11_3;
-  const T K_thetadot15_11_2 = b12_20 - b11_17 + E12_22 * K_thetadot15_12_2 - E12_23 * K_thetadot15_12_3;
-  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 + E12_22 * K_thetadot15_12_3 - T(0.3) *
-      minus_B_thetadot15_11_2 - T(0.6) * B_thetadot15_12_1;
-  // B_thetadot14_11 = E12^T B_thetadot14_12
-  const T B_thetadot14_11_2 = E12_22 * hc14_1 - E12_23 * B_thetadot14_12_3;
-  const T B_thetadot14_11_3 = E12_23 * hc14_1 + E12_22 * B_thetadot14_12_3;
-  // K_thetadot14_11 = q12~ E12^T B_thetadot14_12 + E12^T K_thetadot14_12
-  const T K_thetadot14_11_1 = T(0.6) * B_thetadot14_11_3 - T(0.1) * B_thetadot14_11_2 + K_thetadot14_12_1;
-  const T b11_18 = T(0.3) * B_thetadot14_11_3;
-  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - E12_23 * K_thetadot14_12_3 - b12_21 - b11_18;
-  const T K_thetadot14_11_3 = T(0.3) * B_thetadot14_11_2 + T(0.6) * minus_B_thetadot14_12_1 + E12_23 *
-      K_thetadot14_12_2 + E12_22 * K_thetadot14_12_3;
-  // B_thetadot13_11 = E12^T B_thetadot13_12
-  const T B_thetadot13_11_2 = E12_23 * hc13_1;
-  const T minus_B_thetadot13_11_3 = E12_22 * hc13_1;
-  // K_thetadot13_11 = q12~ E12^T B_thetadot13_12 + E12^T K_thetadot13_12
-  const T K_thetadot13_11_1 = b12_11 - T(0.1) * B_thetadot13_11_2 - T(0.6) * minus_B_thetadot13_11_3;
-  const T b11_19 = T(0.3) * minus_B_thetadot13_11_3;
-  const T K_thetadot13_11_2 = b12_5 + b11_19 + E12_22 * b12_15 - E12_23 * K_thetadot13_12_3;
-  const T K_thetadot13_11_3 = T(0.3) * B_thetadot13_11_2 - T(0.6) * hc13_3 + E12_23 * b12_15 + E12_22 *
-      K_thetadot13_12_3;
-  // K_thetadot12_11 = q12~ E12^T B_thetadot12_12 + E12^T K_thetadot12_12
-  const T K_thetadot12_11_2 = E12_22 * J12_21 - E12_23 * J12_31 - b11_11;
-  const T K_thetadot12_11_3 = E12_23 * J12_21 + E12_22 * J12_31 - T(0.3) * hc12_3;
-  // D_thetaddot11: pivots of L D L^T
-  const T b11_20 = K_thetadot16_11_3 * T(2.9027576197387517);
-  const T b11_21 = K_thetadot15_11_3 + b11_20 * b15_11;
-  const T b11_22 = b11_21 * b14_19;
-  const T b11_23 = K_thetadot14_11_3 - b11_20 * K_thetadot16_14_3 - b11_22 * b14_18;
-  const T b11_24 = b11_23 * b13_28;
-  const T b11_25 = K_thetadot13_11_3 - b11_20 * K_thetadot16_13_2 - b11_22 * b13_25 - b11_24 * b13_27;
-  const T b11_26 = b11_25 * b12_28;
-  const T b11_27 = K_thetadot12_11_3 - b11_20 * K_thetadot16_12_1 - b11_22 * b12_23 - b11_24 * b12_25 - b11_26 *
-      b12_27;
-  const T b11_28 = T(1) / D_thetaddot12;
-  const T b11_29 = b11_27 * b11_28;
-  const T D_thetaddot11 = J11_33 - b11_20 * K_thetadot16_11_3 - b11_22 * b11_21 - b11_24 * b11_23 - b11_26 * b11_25 -
-      b11_29 * b11_27;
+  // HA11 = h_own_11~ + Hb12: moment for an acceleration of the origin, body axes [kg m]
+  const T HA11_13 = T(7.62) + Hb12_13;
+  const T HA11_23 = Hb12_23 - T(6.97);
+  const T HA11_31 = Hb12_31 - T(7.62);
+  const T HA11_32 = T(6.97) + Hb12_32;
+  // JA11 = q12~ Hp12^T + J_own_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA11_11 = Hb12_12 * T(0.2) - Hb12_13 * T(0.6);
+  const T JA11_12 = T(0.6) * Hp12_23 - T(0.2) * Hp12_22 - T(4.0874999999999995) + Hb12_11 * T(0.2);
+  const T JA11_13 = T(0.6) * Hp12_33 - T(0.2) * Hp12_32 - T(1.3772) - Hb12_11 * T(0.6);
+  const T JA11_22 = T(0.2) * Hp12_21 - T(0.09349999999999996) - minus_Jp12_22 + Hb12_21 * T(0.2);
+  const T JA11_23 = T(0.2) * Hp12_31 - T(1.5114) + Jp12_23 - Hb12_21 * T(0.6);
+  const T JA11_33 = T(8.840499999999999) - T(0.6) * Hp12_31 + Jp12_33 - Hb12_31 * T(0.6);
+  // g11 = G11 + gp12: force that drives it, home axes [N]
+  const T g11_1 = gt12_1 - minus_G11_1;
+  const T g11_2 = gp12_2 - minus_G11_2;
+  const T g11_3 = gp12_3 - minus_G11_3;
+  // n11 = q12~ gp12 + N11 + np12: moment that drives it, body axes [N m]
+  const T n11_1 = T(0.6) * gp12_3 - T(0.2) * gp12_2 - minus_N11_1 - u.tau_12;
+  const T n11_2 = T(0.2) * gt12_1 - minus_N11_2 + np12_2;
+  const T n11_3 = np12_3 - (T(0.6) * gt12_1 + minus_N11_3);
+  // invD11 = D11^-1: 1/D
+  const T invD11 = T(1) / JA11_33;
+  // kB11 = invD11 B11: B/D
+  const T kB11_1 = invD11 * HA11_31;
+  const T kB11_2 = invD11 * HA11_32;
+  const T kB11_3 = invD11 * Hb12_33;
+  // kK11 = invD11 K11: K/D
+  const T kK11_1 = invD11 * JA11_13;
+  const T kK11_2 = invD11 * JA11_23;
+  // u_11 = b11 . n11 + tau_body_11_: drives it [N m]
+  const T u_11 = n11_3 + u.tau_11;
+  // v11 = invD11 u_11: u/D
+  const T v11 = invD11 * u_11;
+  // M11 = Mp12 - kB11 B11^T: MA less what the turn takes up [kg]
+  const T M11_11 = M12_11 - kB11_1 * HA11_31;
+  const T M11_12 = Mp12_12 - kB11_1 * HA11_32;
+  const T M11_13 = Mp12_13 - kB11_1 * Hb12_33;
+  const T M11_22 = Mp12_22 - kB11_2 * HA11_32;
+  const T M11_23 = Mp12_23 - kB11_2 * Hb12_33;
+  const T M11_33 = Mp12_33 - kB11_3 * Hb12_33;
+  // H11 = P_b11 (HA11 - kK11 B11^T): HA less what the turn takes up [kg m]
+  const T H11_11 = Hb12_11 - kK11_1 * HA11_31;
+  const T H11_12 = Hb12_12 - kK11_1 * HA11_32;
+  const T H11_13 = HA11_13 - kK11_1 * Hb12_33;
+  const T H11_21 = Hb12_21 - kK11_2 * HA11_31;
+  const T H11_22 = Hb12_22 - kK11_2 * HA11_32;
+  const T H11_23 = HA11_23 - kK11_2 * Hb12_33;
+  // J11 = P_b11 (JA11 - kK11 K11^T) P_b11: JA less what the turn takes up [kg m^2]
+  const T minus_J11_11 = minus_JA11_11 + kK11_1 * JA11_13;
+  const T J11_12 = JA11_12 - kK11_1 * JA11_23;
+  const T J11_22 = JA11_22 - kK11_2 * JA11_23;
+  // gt11 = g11 - v11 B11: force with the turn solved [N]
+  const T gt11_1 = g11_1 - v11 * HA11_31;
+  const T gt11_2 = g11_2 - v11 * HA11_32;
+  const T gt11_3 = g11_3 - v11 * Hb12_33;
+  // nt11 = -tau_body_11_ b11 + P_b11 (n11 - v11 K11): moment with the turn solved [N m]
+  const T nt11_1 = n11_1 - v11 * JA11_13;
+  const T nt11_2 = n11_2 - v11 * JA11_23;
+  // Mp11 = E11^T M11 E11: M passed on, lower body's axes [kg]
+  const T b11_1 = T(2) * E11_11;
+  const T b11_2 = E11_12 * (M11_11 - M11_22) + b11_1 * M11_12;
+  const T b11_3 = E11_12 * b11_2;
+  const T Mp11_11 = M11_11 - b11_3;
+  const T Mp11_12 = E11_11 * b11_2 - M11_12;
+  const T Mp11_13 = E11_11 * M11_13 - E11_12 * M11_23;
+  const T Mp11_22 = M11_22 + b11_3;
+  const T Mp11_23 = E11_12 * M11_13 + E11_11 * M11_23;
+  // gp11 = E11^T gt11: force passed on, lower body's axes [N]
+  const T gp11_1 = E11_11 * gt11_1 - E11_12 * gt11_2;
+  const T gp11_2 = E11_12 * gt11_1 + E11_11 * gt11_2;
+  // Hp11 = E11^T H11 E11: H passed on, lower body's axes [kg m]
+  const T b11_4 = E11_12 * (H11_11 - H11_22) + E11_11 * (H11_12 + H11_21);
+  const T b11_5 = E11_12 * b11_4;
+  const T Hp11_11 = H11_11 - b11_5;
+  const T b11_6 = E11_11 * b11_4;
+  const T Hp11_12 = b11_6 - H11_21;
+  const T Hp11_13 = E11_11 * H11_13 - E11_12 * H11_23;
+  const T Hp11_21 = b11_6 - H11_12;
+  const T Hp11_22 = H11_22 + b11_5;
+  const T Hp11_23 = E11_12 * H11_13 + E11_11 * H11_23;
+  // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
+  const T b11_7 = b11_1 * J11_12 - E11_12 * (minus_J11_11 + J11_22);
+  const T b11_8 = E11_12 * b11_7;
+  const T minus_Jp11_11 = minus_J11_11 + b11_8;
+  const T Jp11_12 = E11_11 * b11_7 - J11_12;
+  const T Jp11_22 = J11_22 + b11_8;
+  // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
+  const T np11_1 = E11_11 * nt11_1 - E11_12 * nt11_2;
+  const T np11_2 = E11_12 * nt11_1 + E11_11 * nt11_2;
+  // Hb11 = q11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
+  const T b11_9 = T(1.05) * Mp11_13;
+  const T Hb11_11 = b11_9 + Hp11_11;
+  const T Hb11_12 = T(1.05) * Mp11_23 + Hp11_12;
+  const T Hb11_13 = T(1.05) * M11_33 + Hp11_13;
+  const T Hb11_21 = Hp11_21 - T(0.3) * Mp11_13;
+  const T b11_10 = T(0.3) * Mp11_23;
+  const T Hb11_22 = Hp11_22 - b11_10;
+  const T Hb11_23 = Hp11_23 - T(0.3) * M11_33;
+  const T Hb11_31 = T(0.3) * Mp11_12 - T(1.05) * Mp11_11;
+  const T Hb11_32 = T(0.3) * Mp11_22 - T(1.05) * Mp11_12;
+  const T Hb11_33 = b11_10 - b11_9;
 
   // ---- body 10 (body_10) and what it carries
-  // S10 = E11^T S11 + G10: sum of the force balances of the subtree, body axes [N]
-  const T b10_1 = E11_11 * S11_1 + E11_12 * minus_S11_2;
-  const T S10_1 = b10_1 - minus_G10_1;
-  const T b10_2 = E11_12 * S11_1 - E11_11 * minus_S11_2;
-  const T S10_2 = b10_2 - minus_G10_2;
-  const T S10_3 = S11_3 - minus_G10_3;
-  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho10_1 = T(0.55) * S11_3 - T(0.1) * b10_2 + E11_11 * rho11_1 - E11_12 * rho11_2 + T(0.05) * minus_G10_2 -
-      T(0.2) * minus_G10_3 - minus_N10_1;
-  const T rho10_2 = T(0.1) * b10_1 - T(0.3) * S11_3 + E11_12 * rho11_1 + E11_11 * rho11_2 + T(0.1) * minus_G10_3 -
-      T(0.05) * minus_G10_1 - minus_N10_2;
-  const T rho10_3 = T(0.3) * b10_2 - T(0.55) * b10_1 + rho11_3 + T(0.2) * minus_G10_1 - T(0.1) * minus_G10_2 -
-      minus_N10_3;
-  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h10_1 = T(4.43) + hc11_1;
-  const T h10_2 = T(8.155000000000001) + hc11_2;
-  const T h10_3 = T(1.51) + h11_3;
-  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b10_3 = E11_11 * J11_11 - E11_12 * J11_21;
-  const T b10_4 = E11_11 * J11_12 - E11_12 * J11_22;
-  const T b10_5 = h11_3 + T(1.4100000000000001);
-  const T b10_6 = T(0.1) * h11_3 + b10_5 * T(0.1);
-  const T b10_7 = T(0.55) * hc11_2;
-  const T b10_8 = T(7.755000000000001) + hc11_2;
-  const T b10_9 = b10_8 * T(0.55);
-  const T J10_11 = b10_3 * E11_11 - b10_4 * E11_12 + b10_6 + b10_7 + T(0.28500000000000003) + b10_9;
-  const T b10_10 = b10_3 * E11_12 + b10_4 * E11_11 - T(0.030000000000000006);
-  const T J10_12 = b10_10 - T(0.55) * hc11_1 - b10_8 * T(0.3);
-  const T b10_11 = E11_11 * J11_13 - E11_12 * J11_23;
-  const T b10_12 = T(0.1) * hc11_1;
-  const T b10_13 = b10_11 - b10_12;
-  const T J10_13 = b10_13 - T(0.004000000000000001) - b10_5 * T(0.3);
-  const T b10_14 = hc11_1 + T(4.2299999999999995);
-  const T J10_21 = b10_10 - T(0.3) * hc11_2 - b10_14 * T(0.55);
-  const T b10_15 = T(0.3) * hc11_1;
-  const T b10_16 = b10_14 * T(0.3);
-  const T J10_22 = (E11_12 * J11_11 + E11_11 * J11_21) * E11_12 + (E11_12 * J11_12 + E11_11 * J11_22) * E11_11 + b10_6
-      + b10_15 + T(0.265) + b10_16;
-  const T b10_17 = E11_12 * J11_13 + E11_11 * J11_23;
-  const T b10_18 = b10_17 - T(0.1) * hc11_2;
-  const T J10_23 = b10_18 - T(0.028000000000000004) - b10_5 * T(0.55);
-  const T J10_31 = b10_11 - T(0.3) * h11_3 - T(0.004000000000000001) - b10_14 * T(0.1);
-  const T J10_32 = b10_17 - T(0.55) * h11_3 - T(0.028000000000000004) - b10_8 * T(0.1);
-  const T b10_19 = b10_15 + b10_7 + J11_33;
-  const T J10_33 = b10_19 + T(0.26) + b10_9 + b10_16;
-  // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc10_1 = minus_E10_13 * h10_3 + E10_11 * h10_1;
-  const T hc10_3 = E10_11 * h10_3 - minus_E10_13 * h10_1;
-  // B_thetadot16_10 = E11^T B_thetadot16_11
-  const T B_thetadot16_10_1 = E11_11 * B_thetadot16_12_1 - E11_12 * B_thetadot16_11_2;
-  const T B_thetadot16_10_2 = E11_12 * B_thetadot16_12_1 + E11_11 * B_thetadot16_11_2;
-  // K_thetadot16_10 = q11~ E11^T B_thetadot16_11 + E11^T K_thetadot16_11
-  const T b10_20 = T(0.1) * B_thetadot16_10_2;
-  const T K_thetadot16_10_1 = T(0.55) * B_thetadot16_11_3 - b10_20 + E11_11 * K_thetadot16_11_1 - E11_12 *
-      K_thetadot16_11_2;
-  const T K_thetadot16_10_2 = T(0.1) * B_thetadot16_10_1 - b11_16 + E11_12 * K_thetadot16_11_1 + E11_11 *
-      K_thetadot16_11_2;
-  const T b10_21 = T(0.3) * B_thetadot16_10_2;
-  const T K_thetadot16_10_3 = b10_21 - T(0.55) * B_thetadot16_10_1 + K_thetadot16_11_3;
-  // B_thetadot15_10 = E11^T B_thetadot15_11
-  const T B_thetadot15_10_1 = E11_11 * B_thetadot15_12_1 + E11_12 * minus_B_thetadot15_11_2;
-  const T B_thetadot15_10_2 = E11_12 * B_thetadot15_12_1 - E11_11 * minus_B_thetadot15_11_2;
-  // K_thetadot15_10 = q11~ E11^T B_thetadot15_11 + E11^T K_thetadot15_11
-  const T b10_22 = T(0.1) * B_thetadot15_10_2;
-  const T K_thetadot15_10_1 = T(0.55) * B_thetadot15_11_3 - b10_22 + E11_11 * K_thetadot15_11_1 - E11_12 *
-      K_thetadot15_11_2;
-  const T K_thetadot15_10_2 = T(0.1) * B_thetadot15_10_1 - b11_17 + E11_12 * K_thetadot15_11_1 + E11_11 *
-      K_thetadot15_11_2;
-  const T b10_23 = T(0.3) * B_thetadot15_10_2;
-  const T K_thetadot15_10_3 = b10_23 - T(0.55) * B_thetadot15_10_1 + K_thetadot15_11_3;
-  // B_thetadot14_10 = E11^T B_thetadot14_11
-  const T minus_B_thetadot14_10_1 = E11_11 * minus_B_thetadot14_12_1 + E11_12 * B_thetadot14_11_2;
-  const T B_thetadot14_10_2 = E11_11 * B_thetadot14_11_2 - E11_12 * minus_B_thetadot14_12_1;
-  // K_thetadot14_10 = q11~ E11^T B_thetadot14_11 + E11^T K_thetadot14_11
-  const T b10_24 = T(0.1) * B_thetadot14_10_2;
-  const T K_thetadot14_10_1 = T(0.55) * B_thetadot14_11_3 - b10_24 + E11_11 * K_thetadot14_11_1 - E11_12 *
-      K_thetadot14_11_2;
-  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 + E11_11 * K_thetadot14_11_2 - T(0.1) *
-      minus_B_thetadot14_10_1 - b11_18;
-  const T b10_25 = T(0.3) * B_thetadot14_10_2;
-  const T K_thetadot14_10_3 = b10_25 + T(0.55) * minus_B_thetadot14_10_1 + K_thetadot14_11_3;
-  // B_thetadot13_10 = E11^T B_thetadot13_11
-  const T B_thetadot13_10_1 = E11_11 * hc13_3 - E11_12 * B_thetadot13_11_2;
-  const T B_thetadot13_10_2 = E11_12 * hc13_3 + E11_11 * B_thetadot13_11_2;
-  // K_thetadot13_10 = q11~ E11^T B_thetadot13_11 + E11^T K_thetadot13_11
-  const T b10_26 = T(0.1) * B_thetadot13_10_2;
-  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - E11_12 * K_thetadot13_11_2 - b10_26 - T(0.55) *
-      minus_B_thetadot13_11_3;
-  const T K_thetadot13_10_2 = T(0.1) * B_thetadot13_10_1 + b11_19 + E11_12 * K_thetadot13_11_1 + E11_11 *
-      K_thetadot13_11_2;
-  const T b10_27 = T(0.3) * B_thetadot13_10_2;
-  const T K_thetadot13_10_3 = b10_27 - T(0.55) * B_thetadot13_10_1 + K_thetadot13_11_3;
-  // B_thetadot12_10 = E11^T B_thetadot12_11
-  const T B_thetadot12_10_1 = E11_12 * hc12_3;
-  const T minus_B_thetadot12_10_2 = E11_11 * hc12_3;
-  // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
-  const T b10_28 = T(0.1) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_1 = b10_28 + T(0.55) * hc12_2 + E11_11 * b11_5 - E11_12 * K_thetadot12_11_2;
-  const T K_thetadot12_10_2 = T(0.1) * B_thetadot12_10_1 - b11_11 + E11_12 * b11_5 + E11_11 * K_thetadot12_11_2;
-  const T b10_29 = T(0.3) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_3 = K_thetadot12_11_3 - b10_29 - T(0.55) * B_thetadot12_10_1;
-  // D_thetaddot10: pivots of L D L^T
-  const T b10_30 = K_thetadot16_10_2 * T(2.9027576197387517);
-  const T b10_31 = K_thetadot15_10_2 + b10_30 * b15_11;
-  const T b10_32 = b10_31 * b14_19;
-  const T b10_33 = K_thetadot14_10_2 - b10_30 * K_thetadot16_14_3 - b10_32 * b14_18;
-  const T b10_34 = b10_33 * b13_28;
-  const T b10_35 = K_thetadot13_10_2 - b10_30 * K_thetadot16_13_2 - b10_32 * b13_25 - b10_34 * b13_27;
-  const T b10_36 = b10_35 * b12_28;
-  const T b10_37 = K_thetadot12_10_2 - b10_30 * K_thetadot16_12_1 - b10_32 * b12_23 - b10_34 * b12_25 - b10_36 *
-      b12_27;
-  const T b10_38 = b10_37 * b11_28;
-  const T b10_39 = b10_18 - b10_30 * K_thetadot16_11_3 - b10_32 * b11_21 - b10_34 * b11_23 - b10_36 * b11_25 - b10_38
-      * b11_27;
-  const T b10_40 = T(1) / D_thetaddot11;
-  const T b10_41 = b10_39 * b10_40;
-  const T D_thetaddot10 = J10_22 - b10_30 * K_thetadot16_10_2 - b10_32 * b10_31 - b10_34 * b10_33 - b10_36 * b10_35 -
-      b10_38 * b10_37 - b10_41 * b10_39;
+  // HA10 = h_own_10~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
+  const T HA10_12 = Hb11_12 - T(2.8150000000000004);
+  const T HA10_21 = T(2.8150000000000004) + Hb11_21;
+  const T HA10_23 = Hb11_23 - T(4.43);
+  const T HA10_32 = T(4.43) + Hb11_32;
+  // JA10 = q11~ Hp11^T + J_own_10 + Jp11 - Hb11 q11~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA10_11 = T(1.05) * Hp11_13 + T(3.8972499999999997) - minus_Jp11_11 + Hb11_13 * T(1.05);
+  const T JA10_12 = T(1.05) * Hp11_23 - T(4.5715) + Jp11_12 - Hb11_13 * T(0.3);
+  const T minus_JA10_13 = T(0.8185) + Hb11_11 * T(1.05) - Hb11_12 * T(0.3);
+  const T JA10_22 = T(6.675249999999999) - T(0.3) * Hp11_23 + Jp11_22 - Hb11_23 * T(0.3);
+  const T minus_JA10_23 = T(2.9287500000000004) + Hb11_21 * T(1.05) - Hb11_22 * T(0.3);
+  const T minus_JA10_33 = Hb11_31 * T(1.05) - Hb11_32 * T(0.3);
+  // g10 = G10 + gp11: force that drives it, home axes [N]
+  const T g10_1 = gp11_1 - minus_G10_1;
+  const T g10_2 = gp11_2 - minus_G10_2;
+  const T g10_3 = gt11_3 - minus_G10_3;
+  // n10 = q11~ gp11 + N10 + np11: moment that drives it, body axes [N m]
+  const T n10_1 = T(1.05) * gt11_3 - minus_N10_1 + np11_1;
+  const T n10_2 = np11_2 - (T(0.3) * gt11_3 + minus_N10_2);
+  const T n10_3 = T(0.3) * gp11_2 - T(1.05) * gp11_1 - minus_N10_3 - u.tau_11;
+  // invD10 = D10^-1: 1/D
+  const T invD10 = T(1) / JA10_22;
+  // kB10 = invD10 B10: B/D
+  const T kB10_1 = invD10 * HA10_21;
+  const T kB10_2 = invD10 * Hb11_22;
+  const T kB10_3 = invD10 * HA10_23;
+  // kK10 = invD10 K10: K/D
+  const T kK10_1 = invD10 * JA10_12;
+  const T minus_kK10_3 = invD10 * minus_JA10_23;
+  // u_10 = b10 . n10 + tau_body_10_: drives it [N m]
+  const T u_10 = n10_2 + u.tau_10;
+  // v10 = invD10 u_10: u/D
+  const T v10 = invD10 * u_10;
+  // M10 = Mp11 - kB10 B10^T: MA less what the turn takes up [kg]
+  const T M10_11 = Mp11_11 - kB10_1 * HA10_21;
+  const T M10_12 = Mp11_12 - kB10_1 * Hb11_22;
+  const T M10_13 = Mp11_13 - kB10_1 * HA10_23;
+  const T M10_22 = Mp11_22 - kB10_2 * Hb11_22;
+  const T M10_23 = Mp11_23 - kB10_2 * HA10_23;
+  const T M10_33 = M11_33 - kB10_3 * HA10_23;
+  // H10 = P_b10 (HA10 - kK10 B10^T): HA less what the turn takes up [kg m]
+  const T H10_11 = Hb11_11 - kK10_1 * HA10_21;
+  const T H10_12 = HA10_12 - kK10_1 * Hb11_22;
+  const T H10_13 = Hb11_13 - kK10_1 * HA10_23;
+  const T H10_31 = Hb11_31 + minus_kK10_3 * HA10_21;
+  const T H10_32 = HA10_32 + minus_kK10_3 * Hb11_22;
+  const T H10_33 = Hb11_33 + minus_kK10_3 * HA10_23;
+  // J10 = P_b10 (JA10 - kK10 K10^T) P_b10: JA less what the turn takes up [kg m^2]
+  const T J10_11 = JA10_11 - kK10_1 * JA10_12;
+  const T J10_13 = kK10_1 * minus_JA10_23 - minus_JA10_13;
+  const T minus_J10_33 = minus_JA10_33 + minus_kK10_3 * minus_JA10_23;
+  // gt10 = g10 - v10 B10: force with the turn solved [N]
+  const T gt10_1 = g10_1 - v10 * HA10_21;
+  const T gt10_2 = g10_2 - v10 * Hb11_22;
+  const T gt10_3 = g10_3 - v10 * HA10_23;
+  // nt10 = -tau_body_10_ b10 + P_b10 (n10 - v10 K10): moment with the turn solved [N m]
+  const T nt10_1 = n10_1 - v10 * JA10_12;
+  const T nt10_3 = n10_3 + v10 * minus_JA10_23;
+  // Mp10 = E10^T M10 E10: M passed on, lower body's axes [kg]
+  const T b10_1 = T(2) * E10_11;
+  const T b10_2 = minus_E10_13 * (M10_33 - M10_11) + b10_1 * M10_13;
+  const T b10_3 = minus_E10_13 * b10_2;
+  const T Mp10_11 = M10_11 + b10_3;
+  const T Mp10_12 = minus_E10_13 * M10_23 + E10_11 * M10_12;
+  const T Mp10_13 = E10_11 * b10_2 - M10_13;
+  const T Mp10_23 = E10_11 * M10_23 - minus_E10_13 * M10_12;
+  const T Mp10_33 = M10_33 - b10_3;
+  // gp10 = E10^T gt10: force passed on, lower body's axes [N]
+  const T gp10_1 = E10_11 * gt10_1 + minus_E10_13 * gt10_3;
+  const T gp10_3 = E10_11 * gt10_3 - minus_E10_13 * gt10_1;
+  // Hp10 = E10^T H10 E10: H passed on, lower body's axes [kg m]
+  const T b10_4 = minus_E10_13 * (H10_33 - H10_11) + E10_11 * (H10_31 + H10_13);
+  const T b10_5 = minus_E10_13 * b10_4;
+  const T Hp10_11 = H10_11 + b10_5;
+  const T Hp10_12 = minus_E10_13 * H10_32 + E10_11 * H10_12;
+  const T b10_6 = E10_11 * b10_4;
+  const T Hp10_13 = b10_6 - H10_31;
+  const T Hp10_31 = b10_6 - H10_13;
+  const T Hp10_32 = E10_11 * H10_32 - minus_E10_13 * H10_12;
+  const T Hp10_33 = H10_33 - b10_5;
+  // Jp10 = E10^T J10 E10: J passed on, lower body's axes [kg m^2]
+  const T b10_7 = b10_1 * J10_13 - minus_E10_13 * (minus_J10_33 + J10_11);
+  const T b10_8 = minus_E10_13 * b10_7;
+  const T Jp10_11 = J10_11 + b10_8;
+  const T Jp10_13 = E10_11 * b10_7 - J10_13;
+  const T minus_Jp10_33 = minus_J10_33 + b10_8;
+  // np10 = E10^T nt10: moment passed on, lower body's axes [N m]
+  const T np10_1 = E10_11 * nt10_1 + minus_E10_13 * nt10_3;
+  const T np10_3 = E10_11 * nt10_3 - minus_E10_13 * nt10_1;
+  // Hb10 = q10~ Mp10 + Hp10: H of the joint at the lower body's origin, its axes
+  const T b10_9 = T(0.1) * Mp10_12;
+  const T Hb10_11 = Hp10_11 - b10_9;
+  const T Hb10_12 = Hp10_12 - T(0.1) * M10_22;
+  const T Hb10_13 = Hp10_13 - T(0.1) * Mp10_23;
+  const T Hb10_21 = T(0.1) * Mp10_11 - T(0.6) * Mp10_13;
+  const T b10_10 = T(0.6) * Mp10_23;
+  const T Hb10_22 = b10_9 - b10_10;
+  const T Hb10_23 = T(0.1) * Mp10_13 - T(0.6) * Mp10_33;
+  const T Hb10_31 = T(0.6) * Mp10_12 + Hp10_31;
+  const T Hb10_32 = T(0.6) * M10_22 + Hp10_32;
+  const T Hb10_33 = b10_10 + Hp10_33;
 
   // ---- body 9 (body_9) and what it carries
-  // S9 = E10^T S10 + G9: sum of the force balances of the subtree, body axes [N]
-  const T b9_1 = E10_11 * S10_1 + minus_E10_13 * S10_3;
-  const T S9_1 = b9_1 - minus_G9_1;
-  const T S9_2 = S10_2 - minus_G9_2;
-  const T b9_2 = E10_11 * S10_3 - minus_E10_13 * S10_1;
-  const T S9_3 = b9_2 - minus_G9_3;
-  // rho9 = q10~ E10^T S10 + E10^T rho10 + r9~ G9 + N9: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho9_1 = T(0.5) * b9_2 - T(0.1) * S10_2 + E10_11 * rho10_1 + minus_E10_13 * rho10_3 + T(0.05) * minus_G9_2 -
-      T(0.2) * minus_G9_3 - minus_N9_1;
-  const T rho9_2 = T(0.1) * b9_1 - T(0.3) * b9_2 + rho10_2 + T(0.1) * minus_G9_3 - T(0.05) * minus_G9_1 - minus_N9_2;
-  const T rho9_3 = T(0.3) * S10_2 - T(0.5) * b9_1 + E10_11 * rho10_3 - minus_E10_13 * rho10_1 + T(0.2) * minus_G9_1 -
-      T(0.1) * minus_G9_2 - minus_N9_3;
-  // h9 = m9 r9 + m_sub10 q10 + hc10: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h9_1 = T(5.02) + hc10_1;
-  const T h9_2 = T(8.43) + h10_2;
-  const T h9_3 = T(1.705) + hc10_3;
-  // J9 = -q10~ hc10~ + E10^T J10 E10 - m9 r9~ r9~ + I9 + (-m_sub10 q10~ - hc10~) q10~: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b9_3 = E10_11 * J10_11 + minus_E10_13 * J10_31;
-  const T b9_4 = E10_11 * J10_13 + minus_E10_13 * J10_33;
-  const T b9_5 = T(0.1) * hc10_3;
-  const T b9_6 = T(8.05) + h10_2;
-  const T b9_7 = T(0.5) * h10_2 + b9_6 * T(0.5);
-  const T b9_8 = hc10_3 + T(1.61);
-  const T b9_9 = b9_8 * T(0.1);
-  const T J9_11 = b9_3 * E10_11 + b9_4 * minus_E10_13 + b9_5 + b9_7 + T(0.27075) + b9_9;
-  const T b9_10 = E10_11 * J10_12 + minus_E10_13 * J10_32;
-  const T b9_11 = b9_10 - T(0.5) * hc10_1;
-  const T J9_12 = b9_11 - T(0.0285) - b9_6 * T(0.3);
-  const T b9_12 = b9_4 * E10_11 - b9_3 * minus_E10_13 - T(0.0038000000000000004);
-  const T J9_13 = b9_12 - T(0.1) * hc10_1 - b9_8 * T(0.3);
-  const T b9_13 = hc10_1 + T(4.83);
-  const T J9_21 = b9_10 - T(0.3) * h10_2 - T(0.0285) - b9_13 * T(0.5);
-  const T b9_14 = T(0.3) * hc10_1;
-  const T b9_15 = b9_5 + b9_14 + J10_22;
-  const T b9_16 = b9_13 * T(0.3);
-  const T J9_22 = b9_15 + T(0.25175000000000003) + b9_9 + b9_16;
-  const T b9_17 = J10_23 * E10_11 - J10_21 * minus_E10_13 - T(0.026600000000000002);
-  const T J9_23 = b9_17 - T(0.1) * h10_2 - b9_8 * T(0.5);
-  const T J9_31 = b9_12 - T(0.3) * hc10_3 - b9_13 * T(0.1);
-  const T b9_18 = T(0.5) * hc10_3;
-  const T J9_32 = b9_17 - b9_18 - b9_6 * T(0.1);
-  const T J9_33 = (E10_11 * J10_33 - minus_E10_13 * J10_13) * E10_11 - (E10_11 * J10_31 - minus_E10_13 * J10_11) *
-      minus_E10_13 + b9_7 + b9_14 + T(0.247) + b9_16;
-  // hc9 = E9^T h9: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc9_2 = E9_22 * h9_2 - E9_23 * h9_3;
-  const T hc9_3 = E9_22 * h9_3 + E9_23 * h9_2;
-  // B_thetadot16_9 = E10^T B_thetadot16_10
-  const T B_thetadot16_9_1 = E10_11 * B_thetadot16_10_1 + minus_E10_13 * B_thetadot16_11_3;
-  const T B_thetadot16_9_3 = E10_11 * B_thetadot16_11_3 - minus_E10_13 * B_thetadot16_10_1;
-  // K_thetadot16_9 = q10~ E10^T B_thetadot16_10 + E10^T K_thetadot16_10
-  const T K_thetadot16_9_1 = T(0.5) * B_thetadot16_9_3 - b10_20 + E10_11 * K_thetadot16_10_1 + minus_E10_13 *
-      K_thetadot16_10_3;
-  const T b9_19 = T(0.1) * B_thetadot16_9_1;
-  const T K_thetadot16_9_2 = b9_19 - T(0.3) * B_thetadot16_9_3 + K_thetadot16_10_2;
-  const T K_thetadot16_9_3 = b10_21 - T(0.5) * B_thetadot16_9_1 + E10_11 * K_thetadot16_10_3 - minus_E10_13 *
-      K_thetadot16_10_1;
-  // B_thetadot15_9 = E10^T B_thetadot15_10
-  const T B_thetadot15_9_1 = E10_11 * B_thetadot15_10_1 + minus_E10_13 * B_thetadot15_11_3;
-  const T B_thetadot15_9_3 = E10_11 * B_thetadot15_11_3 - minus_E10_13 * B_thetadot15_10_1;
-  // K_thetadot15_9 = q10~ E10^T B_thetadot15_10 + E10^T K_thetadot15_10
-  const T K_thetadot15_9_1 = T(0.5) * B_thetadot15_9_3 - b10_22 + E10_11 * K_thetadot15_10_1 + minus_E10_13 *
-      K_thetadot15_10_3;
-  const T b9_20 = T(0.1) * B_thetadot15_9_1;
-  const T K_thetadot15_9_2 = b9_20 - T(0.3) * B_thetadot15_9_3 + K_thetadot15_10_2;
-  const T K_thetadot15_9_3 = b10_23 - T(0.5) * B_thetadot15_9_1 + E10_11 * K_thetadot15_10_3 - minus_E10_13 *
-      K_thetadot15_10_1;
-  // B_thetadot14_9 = E10^T B_thetadot14_10
-  const T B_thetadot14_9_1 = minus_E10_13 * B_thetadot14_11_3 - E10_11 * minus_B_thetadot14_10_1;
-  const T B_thetadot14_9_3 = minus_E10_13 * minus_B_thetadot14_10_1 + E10_11 * B_thetadot14_11_3;
-  // K_thetadot14_9 = q10~ E10^T B_thetadot14_10 + E10^T K_thetadot14_10
-  const T K_thetadot14_9_1 = T(0.5) * B_thetadot14_9_3 - b10_24 + E10_11 * K_thetadot14_10_1 + minus_E10_13 *
-      K_thetadot14_10_3;
-  const T b9_21 = T(0.1) * B_thetadot14_9_1;
-  const T K_thetadot14_9_2 = b9_21 - T(0.3) * B_thetadot14_9_3 + K_thetadot14_10_2;
-  const T K_thetadot14_9_3 = b10_25 - T(0.5) * B_thetadot14_9_1 + E10_11 * K_thetadot14_10_3 - minus_E10_13 *
-      K_thetadot14_10_1;
-  // B_thetadot13_9 = E10^T B_thetadot13_10
-  const T B_thetadot13_9_1 = E10_11 * B_thetadot13_10_1 - minus_E10_13 * minus_B_thetadot13_11_3;
-  const T minus_B_thetadot13_9_3 = minus_E10_13 * B_thetadot13_10_1 + E10_11 * minus_B_thetadot13_11_3;
-  // K_thetadot13_9 = q10~ E10^T B_thetadot13_10 + E10^T K_thetadot13_10
-  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 + minus_E10_13 * K_thetadot13_10_3 - b10_26 - T(0.5) *
-      minus_B_thetadot13_9_3;
-  const T b9_22 = T(0.1) * B_thetadot13_9_1;
-  const T K_thetadot13_9_2 = b9_22 + T(0.3) * minus_B_thetadot13_9_3 + K_thetadot13_10_2;
-  const T K_thetadot13_9_3 = b10_27 - T(0.5) * B_thetadot13_9_1 + E10_11 * K_thetadot13_10_3 - minus_E10_13 *
-      K_thetadot13_10_1;
-  // B_thetadot12_9 = E10^T B_thetadot12_10
-  const T B_thetadot12_9_1 = E10_11 * B_thetadot12_10_1 + minus_E10_13 * hc12_2;
-  const T B_thetadot12_9_3 = E10_11 * hc12_2 - minus_E10_13 * B_thetadot12_10_1;
-  // K_thetadot12_9 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
-  const T K_thetadot12_9_1 = b10_28 + T(0.5) * B_thetadot12_9_3 + E10_11 * K_thetadot12_10_1 + minus_E10_13 *
-      K_thetadot12_10_3;
-  const T b9_23 = T(0.1) * B_thetadot12_9_1;
-  const T K_thetadot12_9_2 = b9_23 - T(0.3) * B_thetadot12_9_3 + K_thetadot12_10_2;
-  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - minus_E10_13 * K_thetadot12_10_1 - b10_29 - T(0.5) *
-      B_thetadot12_9_1;
-  // B_thetadot11_9 = E10^T B_thetadot11_10
-  const T minus_B_thetadot11_9_1 = E10_11 * hc11_2;
-  const T B_thetadot11_9_3 = minus_E10_13 * hc11_2;
-  // K_thetadot11_9 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
-  const T K_thetadot11_9_1 = T(0.5) * B_thetadot11_9_3 - b10_12 + E10_11 * b10_13 + minus_E10_13 * b10_19;
-  const T b9_24 = T(0.1) * minus_B_thetadot11_9_1;
-  const T K_thetadot11_9_2 = b10_18 - b9_24 - T(0.3) * B_thetadot11_9_3;
-  const T K_thetadot11_9_3 = b10_15 + T(0.5) * minus_B_thetadot11_9_1 + E10_11 * b10_19 - minus_E10_13 * b10_13;
-  // K_thetadot10_9 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
-  const T K_thetadot10_9_3 = E10_11 * J10_32 - minus_E10_13 * J10_12 - b9_18;
-  // D_thetaddot9: pivots of L D L^T
-  const T b9_25 = K_thetadot16_9_1 * T(2.9027576197387517);
-  const T b9_26 = K_thetadot15_9_1 + b9_25 * b15_11;
-  const T b9_27 = b9_26 * b14_19;
-  const T b9_28 = K_thetadot14_9_1 - b9_25 * K_thetadot16_14_3 - b9_27 * b14_18;
-  const T b9_29 = b9_28 * b13_28;
-  const T b9_30 = K_thetadot13_9_1 - b9_25 * K_thetadot16_13_2 - b9_27 * b13_25 - b9_29 * b13_27;
-  const T b9_31 = b9_30 * b12_28;
-  const T b9_32 = K_thetadot12_9_1 - b9_25 * K_thetadot16_12_1 - b9_27 * b12_23 - b9_29 * b12_25 - b9_31 * b12_27;
-  const T b9_33 = b9_32 * b11_28;
-  const T b9_34 = K_thetadot11_9_1 - b9_25 * K_thetadot16_11_3 - b9_27 * b11_21 - b9_29 * b11_23 - b9_31 * b11_25 -
-      b9_33 * b11_27;
-  const T b9_35 = b9_34 * b10_40;
-  const T b9_36 = b9_11 - b9_25 * K_thetadot16_10_2 - b9_27 * b10_31 - b9_29 * b10_33 - b9_31 * b10_35 - b9_33 *
-      b10_37 - b9_35 * b10_39;
-  const T b9_37 = T(1) / D_thetaddot10;
-  const T b9_38 = b9_36 * b9_37;
-  const T D_thetaddot9 = J9_11 - b9_25 * K_thetadot16_9_1 - b9_27 * b9_26 - b9_29 * b9_28 - b9_31 * b9_30 - b9_33 *
-      b9_32 - b9_35 * b9_34 - b9_38 * b9_36;
+  // HA9 = h_own_9~ + Hb10: moment for an acceleration of the origin, body axes [kg m]
+  const T HA9_12 = Hb10_12 - T(1.705);
+  const T HA9_13 = T(16.585) + Hb10_13;
+  const T HA9_21 = T(1.705) + Hb10_21;
+  const T HA9_31 = Hb10_31 - T(16.585);
+  // JA9 = q10~ Hp10^T + J_own_9 + Jp10 - Hb10 q10~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA9_11 = T(18.406000000000002) - T(0.1) * Hp10_12 + Jp10_11 - Hb10_12 * T(0.1);
+  const T minus_JA9_12 = T(9.8655) + Hb10_13 * T(0.6) - Hb10_11 * T(0.1);
+  const T JA9_13 = Jp10_13 - (T(0.1) * Hp10_32 + T(0.9983000000000001)) + Hb10_12 * T(0.6);
+  const T minus_JA9_22 = Hb10_23 * T(0.6) - Hb10_21 * T(0.1);
+  const T JA9_23 = T(0.1) * Hp10_31 - T(0.6) * Hp10_33 - T(1.6471000000000002) + Hb10_22 * T(0.6);
+  const T JA9_33 = T(0.6) * Hp10_32 + T(17.808500000000002) - minus_Jp10_33 + Hb10_32 * T(0.6);
+  // g9 = G9 + gp10: force that drives it, home axes [N]
+  const T g9_1 = gp10_1 - minus_G9_1;
+  const T g9_2 = gt10_2 - minus_G9_2;
+  const T g9_3 = gp10_3 - minus_G9_3;
+  // n9 = q10~ gp10 + N9 + np10: moment that drives it, body axes [N m]
+  const T n9_1 = np10_1 - (T(0.1) * gt10_2 + minus_N9_1);
+  const T n9_2 = T(0.1) * gp10_1 - T(0.6) * gp10_3 - minus_N9_2 - u.tau_10;
+  const T n9_3 = T(0.6) * gt10_2 - minus_N9_3 + np10_3;
+  // invD9 = D9^-1: 1/D
+  const T invD9 = T(1) / JA9_11;
+  // kB9 = invD9 B9: B/D
+  const T kB9_1 = invD9 * Hb10_11;
+  const T kB9_2 = invD9 * HA9_12;
+  const T kB9_3 = invD9 * HA9_13;
+  // kK9 = invD9 K9: K/D
+  const T minus_kK9_2 = invD9 * minus_JA9_12;
+  const T kK9_3 = invD9 * JA9_13;
+  // u_9 = b9 . n9 + tau_body_9_: drives it [N m]
+  const T u_9 = n9_1 + u.tau_9;
+  // v9 = invD9 u_9: u/D
+  const T v9 = invD9 * u_9;
+  // M9 = Mp10 - kB9 B9^T: MA less what the turn takes up [kg]
+  const T M9_11 = Mp10_11 - kB9_1 * Hb10_11;
+  const T M9_12 = Mp10_12 - kB9_1 * HA9_12;
+  const T M9_13 = Mp10_13 - kB9_1 * HA9_13;
+  const T M9_22 = M10_22 - kB9_2 * HA9_12;
+  const T M9_23 = Mp10_23 - kB9_2 * HA9_13;
+  const T M9_33 = Mp10_33 - kB9_3 * HA9_13;
+  // H9 = P_b9 (HA9 - kK9 B9^T): HA less what the turn takes up [kg m]
+  const T H9_21 = HA9_21 + minus_kK9_2 * Hb10_11;
+  const T H9_22 = Hb10_22 + minus_kK9_2 * HA9_12;
+  const T H9_23 = Hb10_23 + minus_kK9_2 * HA9_13;
+  const T H9_31 = HA9_31 - kK9_3 * Hb10_11;
+  const T H9_32 = Hb10_32 - kK9_3 * HA9_12;
+  const T H9_33 = Hb10_33 - kK9_3 * HA9_13;
+  // J9 = P_b9 (JA9 - kK9 K9^T) P_b9: JA less what the turn takes up [kg m^2]
+  const T minus_J9_22 = minus_JA9_22 + minus_kK9_2 * minus_JA9_12;
+  const T J9_23 = JA9_23 + minus_kK9_2 * JA9_13;
+  const T J9_33 = JA9_33 - kK9_3 * JA9_13;
+  // gt9 = g9 - v9 B9: force with the turn solved [N]
+  const T gt9_1 = g9_1 - v9 * Hb10_11;
+  const T gt9_2 = g9_2 - v9 * HA9_12;
+  const T gt9_3 = g9_3 - v9 * HA9_13;
+  // nt9 = -tau_body_9_ b9 + P_b9 (n9 - v9 K9): moment with the turn solved [N m]
+  const T nt9_2 = n9_2 + v9 * minus_JA9_12;
+  const T nt9_3 = n9_3 - v9 * JA9_13;
+  // Mp9 = E9^T M9 E9: M passed on, lower body's axes [kg]
+  const T Mp9_12 = E9_22 * M9_12 - E9_23 * M9_13;
+  const T Mp9_13 = E9_23 * M9_12 + E9_22 * M9_13;
+  const T b9_1 = T(2) * E9_22;
+  const T b9_2 = E9_23 * (M9_22 - M9_33) + b9_1 * M9_23;
+  const T b9_3 = E9_23 * b9_2;
+  const T Mp9_22 = M9_22 - b9_3;
+  const T Mp9_23 = E9_22 * b9_2 - M9_23;
+  const T Mp9_33 = M9_33 + b9_3;
+  // gp9 = E9^T gt9: force passed on, lower body's axes [N]
+  const T gp9_2 = E9_22 * gt9_2 - E9_23 * gt9_3;
+  const T gp9_3 = E9_23 * gt9_2 + E9_22 * gt9_3;
+  // Hp9 = E9^T H9 E9: H passed on, lower body's axes [kg m]
+  const T Hp9_21 = E9_22 * H9_21 - E9_23 * H9_31;
+  const T b9_4 = E9_23 * (H9_22 - H9_33) + E9_22 * (H9_23 + H9_32);
+  const T b9_5 = E9_23 * b9_4;
+  const T Hp9_22 = H9_22 - b9_5;
+  const T b9_6 = E9_22 * b9_4;
+  const T Hp9_23 = b9_6 - H9_32;
+  const T Hp9_31 = E9_23 * H9_21 + E9_22 * H9_31;
+  const T Hp9_32 = b9_6 - H9_23;
+  const T Hp9_33 = H9_33 + b9_5;
+  // Jp9 = E9^T J9 E9: J passed on, lower body's axes [kg m^2]
+  const T b9_7 = b9_1 * J9_23 - E9_23 * (minus_J9_22 + J9_33);
+  const T b9_8 = E9_23 * b9_7;
+  const T minus_Jp9_22 = minus_J9_22 + b9_8;
+  const T Jp9_23 = E9_22 * b9_7 - J9_23;
+  const T Jp9_33 = J9_33 + b9_8;
+  // np9 = E9^T nt9: moment passed on, lower body's axes [N m]
+  const T np9_2 = E9_22 * nt9_2 - E9_23 * nt9_3;
+  const T np9_3 = E9_23 * nt9_2 + E9_22 * nt9_3;
+  // Hb9 = q9~ Mp9 + Hp9: H of the joint at the lower body's origin, its axes
+  const T b9_9 = T(0.45) * Mp9_13;
+  const T b9_10 = T(0.2) * Mp9_12;
+  const T Hb9_11 = b9_9 - b9_10;
+  const T Hb9_12 = T(0.45) * Mp9_23 - T(0.2) * Mp9_22;
+  const T Hb9_13 = T(0.45) * Mp9_33 - T(0.2) * Mp9_23;
+  const T Hb9_21 = T(0.2) * M9_11 + Hp9_21;
+  const T Hb9_22 = b9_10 + Hp9_22;
+  const T Hb9_23 = T(0.2) * Mp9_13 + Hp9_23;
+  const T Hb9_31 = Hp9_31 - T(0.45) * M9_11;
+  const T Hb9_32 = Hp9_32 - T(0.45) * Mp9_12;
+  const T Hb9_33 = Hp9_33 - b9_9;
 
   // ---- body 8 (body_8) and what it carries
-  // S8 = E9^T S9 + G8: sum of the force balances of the subtree, body axes [N]
-  const T S8_1 = S9_1 - minus_G8_1;
-  const T b8_1 = E9_22 * S9_2 - E9_23 * S9_3;
-  const T S8_2 = b8_1 - minus_G8_2;
-  const T b8_2 = E9_23 * S9_2 + E9_22 * S9_3;
-  const T S8_3 = b8_2 - minus_G8_3;
-  // rho8 = q9~ E9^T S9 + E9^T rho9 + r8~ G8 + N8: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho8_1 = T(0.45) * b8_2 - T(0.1) * b8_1 + rho9_1 + T(0.05) * minus_G8_2 - T(0.2) * minus_G8_3 - minus_N8_1;
-  const T rho8_2 = T(0.1) * S9_1 - T(0.3) * b8_2 + E9_22 * rho9_2 - E9_23 * rho9_3 + T(0.1) * minus_G8_3 - T(0.05) *
-      minus_G8_1 - minus_N8_2;
-  const T rho8_3 = T(0.3) * b8_1 - T(0.45) * S9_1 + E9_23 * rho9_2 + E9_22 * rho9_3 + T(0.2) * minus_G8_1 - T(0.1) *
-      minus_G8_2 - minus_N8_3;
-  // h8 = m8 r8 + m_sub9 q9 + hc9: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h8_1 = T(5.58) + h9_1;
-  const T h8_2 = T(8.46) + hc9_2;
-  const T h8_3 = T(1.8900000000000001) + hc9_3;
-  // J8 = -q9~ hc9~ + E9^T J9 E9 - m8 r8~ r8~ + I8 + (-m_sub9 q9~ - hc9~) q9~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b8_3 = T(0.1) * hc9_3;
-  const T b8_4 = T(0.45) * hc9_2;
-  const T b8_5 = b8_3 + b8_4 + J9_11;
-  const T b8_6 = hc9_3 + T(1.8);
-  const T b8_7 = b8_6 * T(0.1);
-  const T b8_8 = T(8.1) + hc9_2;
-  const T b8_9 = b8_8 * T(0.45);
-  const T J8_11 = b8_5 + T(0.2565) + b8_7 + b8_9;
-  const T b8_10 = J9_12 * E9_22 - J9_13 * E9_23 - T(0.027000000000000007);
-  const T J8_12 = b8_10 - T(0.45) * h9_1 - b8_8 * T(0.3);
-  const T J8_13 = J9_12 * E9_23 + J9_13 * E9_22 - T(0.1) * h9_1 - T(0.0036000000000000008) - b8_6 * T(0.3);
-  const T b8_11 = T(0.3) * hc9_2;
-  const T b8_12 = h9_1 + T(5.3999999999999995);
-  const T J8_21 = b8_10 - b8_11 - b8_12 * T(0.45);
-  const T b8_13 = E9_22 * J9_22 - E9_23 * J9_32;
-  const T b8_14 = E9_22 * J9_23 - E9_23 * J9_33;
-  const T b8_15 = T(0.3) * h9_1 + b8_12 * T(0.3);
-  const T J8_22 = b8_13 * E9_22 - b8_14 * E9_23 + b8_3 + b8_15 + T(0.2385) + b8_7;
-  const T J8_23 = b8_13 * E9_23 + b8_14 * E9_22 - T(0.1) * hc9_2 - T(0.025200000000000004) - b8_6 * T(0.45);
-  const T J8_33 = (E9_23 * J9_22 + E9_22 * J9_32) * E9_23 + (E9_23 * J9_23 + E9_22 * J9_33) * E9_22 + b8_4 + b8_15 +
-      T(0.234) + b8_9;
-  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc8_1 = E8_11 * h8_1 - E8_12 * h8_2;
-  const T hc8_2 = E8_11 * h8_2 + E8_12 * h8_1;
-  // B_thetadot16_8 = E9^T B_thetadot16_9
-  const T B_thetadot16_8_2 = E9_22 * B_thetadot16_10_2 - E9_23 * B_thetadot16_9_3;
-  const T B_thetadot16_8_3 = E9_23 * B_thetadot16_10_2 + E9_22 * B_thetadot16_9_3;
-  // K_thetadot16_8 = q9~ E9^T B_thetadot16_9 + E9^T K_thetadot16_9
-  const T K_thetadot16_8_1 = T(0.45) * B_thetadot16_8_3 - T(0.1) * B_thetadot16_8_2 + K_thetadot16_9_1;
-  const T b8_16 = T(0.3) * B_thetadot16_8_3;
-  const T K_thetadot16_8_2 = b9_19 - b8_16 + E9_22 * K_thetadot16_9_2 - E9_23 * K_thetadot16_9_3;
-  const T K_thetadot16_8_3 = T(0.3) * B_thetadot16_8_2 - T(0.45) * B_thetadot16_9_1 + E9_23 * K_thetadot16_9_2 + E9_22
-      * K_thetadot16_9_3;
-  // B_thetadot15_8 = E9^T B_thetadot15_9
-  const T B_thetadot15_8_2 = E9_22 * B_thetadot15_10_2 - E9_23 * B_thetadot15_9_3;
-  const T B_thetadot15_8_3 = E9_23 * B_thetadot15_10_2 + E9_22 * B_thetadot15_9_3;
-  // K_thetadot15_8 = q9~ E9^T B_thetadot15_9 + E9^T K_thetadot15_9
-  const T K_thetadot15_8_1 = T(0.45) * B_thetadot15_8_3 - T(0.1) * B_thetadot15_8_2 + K_thetadot15_9_1;
-  const T b8_17 = T(0.3) * B_thetadot15_8_3;
-  const T K_thetadot15_8_2 = b9_20 - b8_17 + E9_22 * K_thetadot15_9_2 - E9_23 * K_thetadot15_9_3;
-  const T K_thetadot15_8_3 = T(0.3) * B_thetadot15_8_2 - T(0.45) * B_thetadot15_9_1 + E9_23 * K_thetadot15_9_2 + E9_22
-      * K_thetadot15_9_3;
-  // B_thetadot14_8 = E9^T B_thetadot14_9
-  const T B_thetadot14_8_2 = E9_22 * B_thetadot14_10_2 - E9_23 * B_thetadot14_9_3;
-  const T B_thetadot14_8_3 = E9_23 * B_thetadot14_10_2 + E9_22 * B_thetadot14_9_3;
-  // K_thetadot14_8 = q9~ E9^T B_thetadot14_9 + E9^T K_thetadot14_9
-  const T K_thetadot14_8_1 = T(0.45) * B_thetadot14_8_3 - T(0.1) * B_thetadot14_8_2 + K_thetadot14_9_1;
-  const T b8_18 = T(0.3) * B_thetadot14_8_3;
-  const T K_thetadot14_8_2 = b9_21 - b8_18 + E9_22 * K_thetadot14_9_2 - E9_23 * K_thetadot14_9_3;
-  const T K_thetadot14_8_3 = T(0.3) * B_thetadot14_8_2 - T(0.45) * B_thetadot14_9_1 + E9_23 * K_thetadot14_9_2 + E9_22
-      * K_thetadot14_9_3;
-  // B_thetadot13_8 = E9^T B_thetadot13_9
-  const T B_thetadot13_8_2 = E9_22 * B_thetadot13_10_2 + E9_23 * minus_B_thetadot13_9_3;
-  const T B_thetadot13_8_3 = E9_23 * B_thetadot13_10_2 - E9_22 * minus_B_thetadot13_9_3;
-  // K_thetadot13_8 = q9~ E9^T B_thetadot13_9 + E9^T K_thetadot13_9
-  const T K_thetadot13_8_1 = T(0.45) * B_thetadot13_8_3 - T(0.1) * B_thetadot13_8_2 + K_thetadot13_9_1;
-  const T b8_19 = T(0.3) * B_thetadot13_8_3;
-  const T K_thetadot13_8_2 = b9_22 - b8_19 + E9_22 * K_thetadot13_9_2 - E9_23 * K_thetadot13_9_3;
-  const T K_thetadot13_8_3 = T(0.3) * B_thetadot13_8_2 - T(0.45) * B_thetadot13_9_1 + E9_23 * K_thetadot13_9_2 + E9_22
-      * K_thetadot13_9_3;
-  // B_thetadot12_8 = E9^T B_thetadot12_9
-  const T minus_B_thetadot12_8_2 = E9_22 * minus_B_thetadot12_10_2 + E9_23 * B_thetadot12_9_3;
-  const T B_thetadot12_8_3 = E9_22 * B_thetadot12_9_3 - E9_23 * minus_B_thetadot12_10_2;
-  // K_thetadot12_8 = q9~ E9^T B_thetadot12_9 + E9^T K_thetadot12_9
-  const T K_thetadot12_8_1 = T(0.1) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_8_3 + K_thetadot12_9_1;
-  const T b8_20 = T(0.3) * B_thetadot12_8_3;
-  const T K_thetadot12_8_2 = b9_23 - b8_20 + E9_22 * K_thetadot12_9_2 - E9_23 * K_thetadot12_9_3;
-  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 + E9_22 * K_thetadot12_9_3 - T(0.3) * minus_B_thetadot12_8_2 -
-      T(0.45) * B_thetadot12_9_1;
-  // B_thetadot11_8 = E9^T B_thetadot11_9
-  const T B_thetadot11_8_2 = E9_22 * hc11_1 - E9_23 * B_thetadot11_9_3;
-  const T B_thetadot11_8_3 = E9_23 * hc11_1 + E9_22 * B_thetadot11_9_3;
-  // K_thetadot11_8 = q9~ E9^T B_thetadot11_9 + E9^T K_thetadot11_9
-  const T K_thetadot11_8_1 = T(0.45) * B_thetadot11_8_3 - T(0.1) * B_thetadot11_8_2 + K_thetadot11_9_1;
-  const T b8_21 = T(0.3) * B_thetadot11_8_3;
-  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - E9_23 * K_thetadot11_9_3 - b9_24 - b8_21;
-  const T K_thetadot11_8_3 = T(0.3) * B_thetadot11_8_2 + T(0.45) * minus_B_thetadot11_9_1 + E9_23 * K_thetadot11_9_2 +
-      E9_22 * K_thetadot11_9_3;
-  // B_thetadot10_8 = E9^T B_thetadot10_9
-  const T B_thetadot10_8_2 = E9_23 * hc10_1;
-  const T minus_B_thetadot10_8_3 = E9_22 * hc10_1;
-  // K_thetadot10_8 = q9~ E9^T B_thetadot10_9 + E9^T K_thetadot10_9
-  const T K_thetadot10_8_1 = b9_11 - T(0.1) * B_thetadot10_8_2 - T(0.45) * minus_B_thetadot10_8_3;
-  const T b8_22 = T(0.3) * minus_B_thetadot10_8_3;
-  const T K_thetadot10_8_2 = b9_5 + b8_22 + E9_22 * b9_15 - E9_23 * K_thetadot10_9_3;
-  const T K_thetadot10_8_3 = T(0.3) * B_thetadot10_8_2 - T(0.45) * hc10_3 + E9_23 * b9_15 + E9_22 * K_thetadot10_9_3;
-  // K_thetadot9_8 = q9~ E9^T B_thetadot9_9 + E9^T K_thetadot9_9
-  const T K_thetadot9_8_2 = E9_22 * J9_21 - E9_23 * J9_31 - b8_11;
-  const T K_thetadot9_8_3 = E9_23 * J9_21 + E9_22 * J9_31 - T(0.3) * hc9_3;
-  // D_thetaddot8: pivots of L D L^T
-  const T b8_23 = K_thetadot16_8_3 * T(2.9027576197387517);
-  const T b8_24 = K_thetadot15_8_3 + b8_23 * b15_11;
-  const T b8_25 = b8_24 * b14_19;
-  const T b8_26 = K_thetadot14_8_3 - b8_23 * K_thetadot16_14_3 - b8_25 * b14_18;
-  const T b8_27 = b8_26 * b13_28;
-  const T b8_28 = K_thetadot13_8_3 - b8_23 * K_thetadot16_13_2 - b8_25 * b13_25 - b8_27 * b13_27;
-  const T b8_29 = b8_28 * b12_28;
-  const T b8_30 = K_thetadot12_8_3 - b8_23 * K_thetadot16_12_1 - b8_25 * b12_23 - b8_27 * b12_25 - b8_29 * b12_27;
-  const T b8_31 = b8_30 * b11_28;
-  const T b8_32 = K_thetadot11_8_3 - b8_23 * K_thetadot16_11_3 - b8_25 * b11_21 - b8_27 * b11_23 - b8_29 * b11_25 -
-      b8_31 * b11_27;
-  const T b8_33 = b8_32 * b10_40;
-  const T b8_34 = K_thetadot10_8_3 - b8_23 * K_thetadot16_10_2 - b8_25 * b10_31 - b8_27 * b10_33 - b8_29 * b10_35 -
-      b8_31 * b10_37 - b8_33 * b10_39;
-  const T b8_35 = b8_34 * b9_37;
-  const T b8_36 = K_thetadot9_8_3 - b8_23 * K_thetadot16_9_1 - b8_25 * b9_26 - b8_27 * b9_28 - b8_29 * b9_30 - b8_31 *
-      b9_32 - b8_33 * b9_34 - b8_35 * b9_36;
-  const T b8_37 = T(1) / D_thetaddot9;
-  const T b8_38 = b8_36 * b8_37;
-  const T D_thetaddot8 = J8_33 - b8_23 * K_thetadot16_8_3 - b8_25 * b8_24 - b8_27 * b8_26 - b8_29 * b8_28 - b8_31 *
-      b8_30 - b8_33 * b8_32 - b8_35 * b8_34 - b8_38 * b8_36;
+  // HA8 = h_own_8~ + Hb9: moment for an acceleration of the origin, body axes [kg m]
+  const T HA8_13 = T(8.46) + Hb9_13;
+  const T HA8_23 = Hb9_23 - T(10.6);
+  const T HA8_31 = Hb9_31 - T(8.46);
+  const T HA8_32 = T(10.6) + Hb9_32;
+  // JA8 = q9~ Hp9^T + J_own_8 + Jp9 - Hb9 q9~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA8_11 = Hb9_12 * T(0.2) - Hb9_13 * T(0.45);
+  const T JA8_12 = T(0.45) * Hp9_23 - T(0.2) * Hp9_22 - T(4.716) + Hb9_11 * T(0.2);
+  const T JA8_13 = T(0.45) * Hp9_33 - T(0.2) * Hp9_32 - T(2.1056) - Hb9_11 * T(0.45);
+  const T JA8_22 = T(0.2) * Hp9_21 + T(2.830749999999999) - minus_Jp9_22 + Hb9_21 * T(0.2);
+  const T JA8_23 = T(0.2) * Hp9_31 - T(1.6812) + Jp9_23 - Hb9_21 * T(0.45);
+  const T JA8_33 = T(10.37275) - T(0.45) * Hp9_31 + Jp9_33 - Hb9_31 * T(0.45);
+  // g8 = G8 + gp9: force that drives it, home axes [N]
+  const T g8_1 = gt9_1 - minus_G8_1;
+  const T g8_2 = gp9_2 - minus_G8_2;
+  const T g8_3 = gp9_3 - minus_G8_3;
+  // n8 = q9~ gp9 + N8 + np9: moment that drives it, body axes [N m]
+  const T n8_1 = T(0.45) * gp9_3 - T(0.2) * gp9_2 - minus_N8_1 - u.tau_9;
+  const T n8_2 = T(0.2) * gt9_1 - minus_N8_2 + np9_2;
+  const T n8_3 = np9_3 - (T(0.45) * gt9_1 + minus_N8_3);
+  // invD8 = D8^-1: 1/D
+  const T invD8 = T(1) / JA8_33;
+  // kB8 = invD8 B8: B/D
+  const T kB8_1 = invD8 * HA8_31;
+  const T kB8_2 = invD8 * HA8_32;
+  const T kB8_3 = invD8 * Hb9_33;
+  // kK8 = invD8 K8: K/D
+  const T kK8_1 = invD8 * JA8_13;
+  const T kK8_2 = invD8 * JA8_23;
+  // u_8 = b8 . n8 + tau_body_8_: drives it [N m]
+  const T u_8 = n8_3 + u.tau_8;
+  // v8 = invD8 u_8: u/D
+  const T v8 = invD8 * u_8;
+  // M8 = Mp9 - kB8 B8^T: MA less what the turn takes up [kg]
+  const T M8_11 = M9_11 - kB8_1 * HA8_31;
+  const T M8_12 = Mp9_12 - kB8_1 * HA8_32;
+  const T M8_13 = Mp9_13 - kB8_1 * Hb9_33;
+  const T M8_22 = Mp9_22 - kB8_2 * HA8_32;
+  const T M8_23 = Mp9_23 - kB8_2 * Hb9_33;
+  const T M8_33 = Mp9_33 - kB8_3 * Hb9_33;
+  // H8 = P_b8 (HA8 - kK8 B8^T): HA less what the turn takes up [kg m]
+  const T H8_11 = Hb9_11 - kK8_1 * HA8_31;
+  const T H8_12 = Hb9_12 - kK8_1 * HA8_32;
+  const T H8_13 = HA8_13 - kK8_1 * Hb9_33;
+  const T H8_21 = Hb9_21 - kK8_2 * HA8_31;
+  const T H8_22 = Hb9_22 - kK8_2 * HA8_32;
+  const T H8_23 = HA8_23 - kK8_2 * Hb9_33;
+  // J8 = P_b8 (JA8 - kK8 K8^T) P_b8: JA less what the turn takes up [kg m^2]
+  const T minus_J8_11 = minus_JA8_11 + kK8_1 * JA8_13;
+  const T J8_12 = JA8_12 - kK8_1 * JA8_23;
+  const T J8_22 = JA8_22 - kK8_2 * JA8_23;
+  // gt8 = g8 - v8 B8: force with the turn solved [N]
+  const T gt8_1 = g8_1 - v8 * HA8_31;
+  const T gt8_2 = g8_2 - v8 * HA8_32;
+  const T gt8_3 = g8_3 - v8 * Hb9_33;
+  // nt8 = -tau_body_8_ b8 + P_b8 (n8 - v8 K8): moment with the turn solved [N m]
+  const T nt8_1 = n8_1 - v8 * JA8_13;
+  const T nt8_2 = n8_2 - v8 * JA8_23;
+  // Mp8 = E8^T M8 E8: M passed on, lower body's axes [kg]
+  const T b8_1 = T(2) * E8_11;
+  const T b8_2 = E8_12 * (M8_11 - M8_22) + b8_1 * M8_12;
+  const T b8_3 = E8_12 * b8_2;
+  const T Mp8_11 = M8_11 - b8_3;
+  const T Mp8_12 = E8_11 * b8_2 - M8_12;
+  const T Mp8_13 = E8_11 * M8_13 - E8_12 * M8_23;
+  const T Mp8_22 = M8_22 + b8_3;
+  const T Mp8_23 = E8_12 * M8_13 + E8_11 * M8_23;
+  // gp8 = E8^T gt8: force passed on, lower body's axes [N]
+  const T gp8_1 = E8_11 * gt8_1 - E8_12 * gt8_2;
+  const T gp8_2 = E8_12 * gt8_1 + E8_11 * gt8_2;
+  // Hp8 = E8^T H8 E8: H passed on, lower body's axes [kg m]
+  const T b8_4 = E8_12 * (H8_11 - H8_22) + E8_11 * (H8_12 + H8_21);
+  const T b8_5 = E8_12 * b8_4;
+  const T Hp8_11 = H8_11 - b8_5;
+  const T b8_6 = E8_11 * b8_4;
+  const T Hp8_12 = b8_6 - H8_21;
+  const T Hp8_13 = E8_11 * H8_13 - E8_12 * H8_23;
+  const T Hp8_21 = b8_6 - H8_12;
+  const T Hp8_22 = H8_22 + b8_5;
+  const T Hp8_23 = E8_12 * H8_13 + E8_11 * H8_23;
+  // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
+  const T b8_7 = b8_1 * J8_12 - E8_12 * (minus_J8_11 + J8_22);
+  const T b8_8 = E8_12 * b8_7;
+  const T minus_Jp8_11 = minus_J8_11 + b8_8;
+  const T Jp8_12 = E8_11 * b8_7 - J8_12;
+  const T Jp8_22 = J8_22 + b8_8;
+  // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
+  const T np8_1 = E8_11 * nt8_1 - E8_12 * nt8_2;
+  const T np8_2 = E8_12 * nt8_1 + E8_11 * nt8_2;
+  // Hb8 = q8~ Mp8 + Hp8: H of the joint at the lower body's origin, its axes
+  const T b8_9 = T(0.75) * Mp8_13;
+  const T Hb8_11 = b8_9 + Hp8_11;
+  const T Hb8_12 = T(0.75) * Mp8_23 + Hp8_12;
+  const T Hb8_13 = T(0.75) * M8_33 + Hp8_13;
+  const T Hb8_21 = Hp8_21 - T(0.3) * Mp8_13;
+  const T b8_10 = T(0.3) * Mp8_23;
+  const T Hb8_22 = Hp8_22 - b8_10;
+  const T Hb8_23 = Hp8_23 - T(0.3) * M8_33;
+  const T Hb8_31 = T(0.3) * Mp8_12 - T(0.75) * Mp8_11;
+  const T Hb8_32 = T(0.3) * Mp8_22 - T(0.75) * Mp8_12;
+  const T Hb8_33 = b8_10 - b8_9;
 
   // ---- body 7 (body_7) and what it carries
-  // S7 = E8^T S8 + G7: sum of the force balances of the subtree, body axes [N]
-  const T b7_1 = E8_11 * S8_1 - E8_12 * S8_2;
-  const T S7_1 = b7_1 - minus_G7_1;
-  const T b7_2 = E8_12 * S8_1 + E8_11 * S8_2;
-  const T S7_2 = b7_2 - minus_G7_2;
-  const T S7_3 = S8_3 - minus_G7_3;
-  // rho7 = q8~ E8^T S8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho7_1 = T(0.4) * S8_3 - T(0.1) * b7_2 + E8_11 * rho8_1 - E8_12 * rho8_2 + T(0.05) * minus_G7_2 - T(0.2) *
-      minus_G7_3 - minus_N7_1;
-  const T rho7_2 = T(0.1) * b7_1 - T(0.3) * S8_3 + E8_12 * rho8_1 + E8_11 * rho8_2 + T(0.1) * minus_G7_3 - T(0.05) *
-      minus_G7_1 - minus_N7_2;
-  const T rho7_3 = T(0.3) * b7_2 - T(0.4) * b7_1 + rho8_3 + T(0.2) * minus_G7_1 - T(0.1) * minus_G7_2 - minus_N7_3;
-  // h7 = m7 r7 + m_sub8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h7_1 = T(6.109999999999999) + hc8_1;
-  const T h7_2 = T(8.26) + hc8_2;
-  const T h7_3 = T(2.065) + h8_3;
-  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_sub8 q8~ - hc8~) q8~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b7_3 = E8_11 * J8_11 - E8_12 * J8_21;
-  const T b7_4 = E8_11 * J8_12 - E8_12 * J8_22;
-  const T b7_5 = h8_3 + T(1.9800000000000002);
-  const T b7_6 = T(0.1) * h8_3 + b7_5 * T(0.1);
-  const T b7_7 = T(0.4) * hc8_2;
-  const T b7_8 = T(7.920000000000001) + hc8_2;
-  const T b7_9 = b7_8 * T(0.4);
-  const T J7_11 = b7_3 * E8_11 - b7_4 * E8_12 + b7_6 + b7_7 + T(0.24225000000000002) + b7_9;
-  const T b7_10 = b7_3 * E8_12 + b7_4 * E8_11 - T(0.025500000000000002);
-  const T J7_12 = b7_10 - T(0.4) * hc8_1 - b7_8 * T(0.3);
-  const T b7_11 = E8_11 * J8_13 - E8_12 * J8_23;
-  const T b7_12 = T(0.1) * hc8_1;
-  const T b7_13 = b7_11 - b7_12;
-  const T J7_13 = b7_13 - T(0.0034000000000000002) - b7_5 * T(0.3);
-  const T b7_14 = hc8_1 + T(5.9399999999999995);
-  const T J7_21 = b7_10 - T(0.3) * hc8_2 - b7_14 * T(0.4);
-  const T b7_15 = T(0.3) * hc8_1;
-  const T b7_16 = b7_14 * T(0.3);
-  const T J7_22 = (E8_12 * J8_11 + E8_11 * J8_21) * E8_12 + (E8_12 * J8_12 + E8_11 * J8_22) * E8_11 + b7_6 + b7_15 +
-      T(0.22524999999999998) + b7_16;
-  const T b7_17 = E8_12 * J8_13 + E8_11 * J8_23;
-  const T b7_18 = b7_17 - T(0.1) * hc8_2;
-  const T J7_23 = b7_18 - T(0.0238) - b7_5 * T(0.4);
-  const T J7_31 = b7_11 - T(0.3) * h8_3 - T(0.0034000000000000002) - b7_14 * T(0.1);
-  const T J7_32 = b7_17 - T(0.4) * h8_3 - T(0.0238) - b7_8 * T(0.1);
-  const T b7_19 = b7_15 + b7_7 + J8_33;
-  const T J7_33 = b7_19 + T(0.22100000000000003) + b7_9 + b7_16;
-  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc7_1 = minus_E7_13 * h7_3 + E7_11 * h7_1;
-  const T hc7_3 = E7_11 * h7_3 - minus_E7_13 * h7_1;
-  // B_thetadot16_7 = E8^T B_thetadot16_8
-  const T B_thetadot16_7_1 = E8_11 * B_thetadot16_9_1 - E8_12 * B_thetadot16_8_2;
-  const T B_thetadot16_7_2 = E8_12 * B_thetadot16_9_1 + E8_11 * B_thetadot16_8_2;
-  // K_thetadot16_7 = q8~ E8^T B_thetadot16_8 + E8^T K_thetadot16_8
-  const T b7_20 = T(0.1) * B_thetadot16_7_2;
-  const T K_thetadot16_7_1 = T(0.4) * B_thetadot16_8_3 - b7_20 + E8_11 * K_thetadot16_8_1 - E8_12 * K_thetadot16_8_2;
-  const T K_thetadot16_7_2 = T(0.1) * B_thetadot16_7_1 - b8_16 + E8_12 * K_thetadot16_8_1 + E8_11 * K_thetadot16_8_2;
-  const T b7_21 = T(0.3) * B_thetadot16_7_2;
-  const T K_thetadot16_7_3 = b7_21 - T(0.4) * B_thetadot16_7_1 + K_thetadot16_8_3;
-  // B_thetadot15_7 = E8^T B_thetadot15_8
-  const T B_thetadot15_7_1 = E8_11 * B_thetadot15_9_1 - E8_12 * B_thetadot15_8_2;
-  const T B_thetadot15_7_2 = E8_12 * B_thetadot15_9_1 + E8_11 * B_thetadot15_8_2;
-  // K_thetadot15_7 = q8~ E8^T B_thetadot15_8 + E8^T K_thetadot15_8
-  const T b7_22 = T(0.1) * B_thetadot15_7_2;
-  const T K_thetadot15_7_1 = T(0.4) * B_thetadot15_8_3 - b7_22 + E8_11 * K_thetadot15_8_1 - E8_12 * K_thetadot15_8_2;
-  const T K_thetadot15_7_2 = T(0.1) * B_thetadot15_7_1 - b8_17 + E8_12 * K_thetadot15_8_1 + E8_11 * K_thetadot15_8_2;
-  const T b7_23 = T(0.3) * B_thetadot15_7_2;
-  const T K_thetadot15_7_3 = b7_23 - T(0.4) * B_thetadot15_7_1 + K_thetadot15_8_3;
-  // B_thetadot14_7 = E8^T B_thetadot14_8
-  const T B_thetadot14_7_1 = E8_11 * B_thetadot14_9_1 - E8_12 * B_thetadot14_8_2;
-  const T B_thetadot14_7_2 = E8_12 * B_thetadot14_9_1 + E8_11 * B_thetadot14_8_2;
-  // K_thetadot14_7 = q8~ E8^T B_thetadot14_8 + E8^T K_thetadot14_8
-  const T b7_24 = T(0.1) * B_thetadot14_7_2;
-  const T K_thetadot14_7_1 = T(0.4) * B_thetadot14_8_3 - b7_24 + E8_11 * K_thetadot14_8_1 - E8_12 * K_thetadot14_8_2;
-  const T K_thetadot14_7_2 = T(0.1) * B_thetadot14_7_1 - b8_18 + E8_12 * K_thetadot14_8_1 + E8_11 * K_thetadot14_8_2;
-  const T b7_25 = T(0.3) * B_thetadot14_7_2;
-  const T K_thetadot14_7_3 = b7_25 - T(0.4) * B_thetadot14_7_1 + K_thetadot14_8_3;
-  // B_thetadot13_7 = E8^T B_thetadot13_8
-  const T B_thetadot13_7_1 = E8_11 * B_thetadot13_9_1 - E8_12 * B_thetadot13_8_2;
-  const T B_thetadot13_7_2 = E8_12 * B_thetadot13_9_1 + E8_11 * B_thetadot13_8_2;
-  // K_thetadot13_7 = q8~ E8^T B_thetadot13_8 + E8^T K_thetadot13_8
-  const T b7_26 = T(0.1) * B_thetadot13_7_2;
-  const T K_thetadot13_7_1 = T(0.4) * B_thetadot13_8_3 - b7_26 + E8_11 * K_thetadot13_8_1 - E8_12 * K_thetadot13_8_2;
-  const T K_thetadot13_7_2 = T(0.1) * B_thetadot13_7_1 - b8_19 + E8_12 * K_thetadot13_8_1 + E8_11 * K_thetadot13_8_2;
-  const T b7_27 = T(0.3) * B_thetadot13_7_2;
-  const T K_thetadot13_7_3 = b7_27 - T(0.4) * B_thetadot13_7_1 + K_thetadot13_8_3;
-  // B_thetadot12_7 = E8^T B_thetadot12_8
-  const T B_thetadot12_7_1 = E8_11 * B_thetadot12_9_1 + E8_12 * minus_B_thetadot12_8_2;
-  const T B_thetadot12_7_2 = E8_12 * B_thetadot12_9_1 - E8_11 * minus_B_thetadot12_8_2;
-  // K_thetadot12_7 = q8~ E8^T B_thetadot12_8 + E8^T K_thetadot12_8
-  const T b7_28 = T(0.1) * B_thetadot12_7_2;
-  const T K_thetadot12_7_1 = T(0.4) * B_thetadot12_8_3 - b7_28 + E8_11 * K_thetadot12_8_1 - E8_12 * K_thetadot12_8_2;
-  const T K_thetadot12_7_2 = T(0.1) * B_thetadot12_7_1 - b8_20 + E8_12 * K_thetadot12_8_1 + E8_11 * K_thetadot12_8_2;
-  const T b7_29 = T(0.3) * B_thetadot12_7_2;
-  const T K_thetadot12_7_3 = b7_29 - T(0.4) * B_thetadot12_7_1 + K_thetadot12_8_3;
-  // B_thetadot11_7 = E8^T B_thetadot11_8
-  const T minus_B_thetadot11_7_1 = E8_11 * minus_B_thetadot11_9_1 + E8_12 * B_thetadot11_8_2;
-  const T B_thetadot11_7_2 = E8_11 * B_thetadot11_8_2 - E8_12 * minus_B_thetadot11_9_1;
-  // K_thetadot11_7 = q8~ E8^T B_thetadot11_8 + E8^T K_thetadot11_8
-  const T b7_30 = T(0.1) * B_thetadot11_7_2;
-  const T K_thetadot11_7_1 = T(0.4) * B_thetadot11_8_3 - b7_30 + E8_11 * K_thetadot11_8_1 - E8_12 * K_thetadot11_8_2;
-  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_2 - T(0.1) * minus_B_thetadot11_7_1 -
-      b8_21;
-  const T b7_31 = T(0.3) * B_thetadot11_7_2;
-  const T K_thetadot11_7_3 = b7_31 + T(0.4) * minus_B_thetadot11_7_1 + K_thetadot11_8_3;
-  // B_thetadot10_7 = E8^T B_thetadot10_8
-  const T B_thetadot10_7_1 = E8_11 * hc10_3 - E8_12 * B_thetadot10_8_2;
-  const T B_thetadot10_7_2 = E8_12 * hc10_3 + E8_11 * B_thetadot10_8_2;
-  // K_thetadot10_7 = q8~ E8^T B_thetadot10_8 + E8^T K_thetadot10_8
-  const T b7_32 = T(0.1) * B_thetadot10_7_2;
-  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - E8_12 * K_thetadot10_8_2 - b7_32 - T(0.4) *
-      minus_B_thetadot10_8_3;
-  const T K_thetadot10_7_2 = T(0.1) * B_thetadot10_7_1 + b8_22 + E8_12 * K_thetadot10_8_1 + E8_11 * K_thetadot10_8_2;
-  const T b7_33 = T(0.3) * B_thetadot10_7_2;
-  const T K_thetadot10_7_3 = b7_33 - T(0.4) * B_thetadot10_7_1 + K_thetadot10_8_3;
-  // B_thetadot9_7 = E8^T B_thetadot9_8
-  const T B_thetadot9_7_1 = E8_12 * hc9_3;
-  const T minus_B_thetadot9_7_2 = E8_11 * hc9_3;
-  // K_thetadot9_7 = q8~ E8^T B_thetadot9_8 + E8^T K_thetadot9_8
-  const T b7_34 = T(0.1) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_1 = b7_34 + T(0.4) * hc9_2 + E8_11 * b8_5 - E8_12 * K_thetadot9_8_2;
-  const T K_thetadot9_7_2 = T(0.1) * B_thetadot9_7_1 - b8_11 + E8_12 * b8_5 + E8_11 * K_thetadot9_8_2;
-  const T b7_35 = T(0.3) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_3 = K_thetadot9_8_3 - b7_35 - T(0.4) * B_thetadot9_7_1;
-  // D_thetaddot7: pivots of L D L^T
-  const T b7_36 = K_thetadot16_7_2 * T(2.9027576197387517);
-  const T b7_37 = K_thetadot15_7_2 + b7_36 * b15_11;
-  const T b7_38 = b7_37 * b14_19;
-  const T b7_39 = K_thetadot14_7_2 - b7_36 * K_thetadot16_14_3 - b7_38 * b14_18;
-  const T b7_40 = b7_39 * b13_28;
-  const T b7_41 = K_thetadot13_7_2 - b7_36 * K_thetadot16_13_2 - b7_38 * b13_25 - b7_40 * b13_27;
-  const T b7_42 = b7_41 * b12_28;
-  const T b7_43 = K_thetadot12_7_2 - b7_36 * K_thetadot16_12_1 - b7_38 * b12_23 - b7_40 * b12_25 - b7_42 * b12_27;
-  const T b7_44 = b7_43 * b11_28;
-  const T b7_45 = K_thetadot11_7_2 - b7_36 * K_thetadot16_11_3 - b7_38 * b11_21 - b7_40 * b11_23 - b7_42 * b11_25 -
-      b7_44 * b11_27;
-  const T b7_46 = b7_45 * b10_40;
-  const T b7_47 = K_thetadot10_7_2 - b7_36 * K_thetadot16_10_2 - b7_38 * b10_31 - b7_40 * b10_33 - b7_42 * b10_35 -
-      b7_44 * b10_37 - b7_46 * b10_39;
-  const T b7_48 = b7_47 * b9_37;
-  const T b7_49 = K_thetadot9_7_2 - b7_36 * K_thetadot16_9_1 - b7_38 * b9_26 - b7_40 * b9_28 - b7_42 * b9_30 - b7_44 *
-      b9_32 - b7_46 * b9_34 - b7_48 * b9_36;
-  const T b7_50 = b7_49 * b8_37;
-  const T b7_51 = b7_18 - b7_36 * K_thetadot16_8_3 - b7_38 * b8_24 - b7_40 * b8_26 - b7_42 * b8_28 - b7_44 * b8_30 -
-      b7_46 * b8_32 - b7_48 * b8_34 - b7_50 * b8_36;
-  const T b7_52 = T(1) / D_thetaddot8;
-  const T b7_53 = b7_51 * b7_52;
-  const T D_thetaddot7 = J7_22 - b7_36 * K_thetadot16_7_2 - b7_38 * b7_37 - b7_40 * b7_39 - b7_42 * b7_41 - b7_44 *
-      b7_43 - b7_46 * b7_45 - b7_48 * b7_47 - b7_50 * b7_49 - b7_53 * b7_51;
+  // HA7 = h_own_7~ + Hb8: moment for an acceleration of the origin, body axes [kg m]
+  const T HA7_12 = Hb8_12 - T(3.955);
+  const T HA7_21 = T(3.955) + Hb8_21;
+  const T HA7_23 = Hb8_23 - T(6.109999999999999);
+  const T HA7_32 = T(6.109999999999999) + Hb8_32;
+  // JA7 = q8~ Hp8^T + J_own_7 + Jp8 - Hb8 q8~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA7_11 = T(0.75) * Hp8_13 + T(2.8967500000000004) - minus_Jp8_11 + Hb8_13 * T(0.75);
+  const T JA7_12 = T(0.75) * Hp8_23 - T(4.54) + Jp8_12 - Hb8_13 * T(0.3);
+  const T minus_JA7_13 = T(1.1644) + Hb8_11 * T(0.75) - Hb8_12 * T(0.3);
+  const T JA7_22 = T(6.66475) - T(0.3) * Hp8_23 + Jp8_22 - Hb8_23 * T(0.3);
+  const T minus_JA7_23 = T(2.9560500000000003) + Hb8_21 * T(0.75) - Hb8_22 * T(0.3);
+  const T minus_JA7_33 = Hb8_31 * T(0.75) - Hb8_32 * T(0.3);
+  // g7 = G7 + gp8: force that drives it, home axes [N]
+  const T g7_1 = gp8_1 - minus_G7_1;
+  const T g7_2 = gp8_2 - minus_G7_2;
+  const T g7_3 = gt8_3 - minus_G7_3;
+  // n7 = q8~ gp8 + N7 + np8: moment that drives it, body axes [N m]
+  const T n7_1 = T(0.75) * gt8_3 - minus_N7_1 + np8_1;
+  const T n7_2 = np8_2 - (T(0.3) * gt8_3 + minus_N7_2);
+  const T n7_3 = T(0.3) * gp8_2 - T(0.75) * gp8_1 - minus_N7_3 - u.tau_8;
+  // invD7 = D7^-1: 1/D
+  const T invD7 = T(1) / JA7_22;
+  // kB7 = invD7 B7: B/D
+  const T kB7_1 = invD7 * HA7_21;
+  const T kB7_2 = invD7 * Hb8_22;
+  const T kB7_3 = invD7 * HA7_23;
+  // kK7 = invD7 K7: K/D
+  const T kK7_1 = invD7 * JA7_12;
+  const T minus_kK7_3 = invD7 * minus_JA7_23;
+  // u_7 = b7 . n7 + tau_body_7_: drives it [N m]
+  const T u_7 = n7_2 + u.tau_7;
+  // v7 = invD7 u_7: u/D
+  const T v7 = invD7 * u_7;
+  // M7 = Mp8 - kB7 B7^T: MA less what the turn takes up [kg]
+  const T M7_11 = Mp8_11 - kB7_1 * HA7_21;
+  const T M7_12 = Mp8_12 - kB7_1 * Hb8_22;
+  const T M7_13 = Mp8_13 - kB7_1 * HA7_23;
+  const T M7_22 = Mp8_22 - kB7_2 * Hb8_22;
+  const T M7_23 = Mp8_23 - kB7_2 * HA7_23;
+  const T M7_33 = M8_33 - kB7_3 * HA7_23;
+  // H7 = P_b7 (HA7 - kK7 B7^T): HA less what the turn takes up [kg m]
+  const T H7_11 = Hb8_11 - kK7_1 * HA7_21;
+  const T H7_12 = HA7_12 - kK7_1 * Hb8_22;
+  const T H7_13 = Hb8_13 - kK7_1 * HA7_23;
+  const T H7_31 = Hb8_31 + minus_kK7_3 * HA7_21;
+  const T H7_32 = HA7_32 + minus_kK7_3 * Hb8_22;
+  const T H7_33 = Hb8_33 + minus_kK7_3 * HA7_23;
+  // J7 = P_b7 (JA7 - kK7 K7^T) P_b7: JA less what the turn takes up [kg m^2]
+  const T J7_11 = JA7_11 - kK7_1 * JA7_12;
+  const T J7_13 = kK7_1 * minus_JA7_23 - minus_JA7_13;
+  const T minus_J7_33 = minus_JA7_33 + minus_kK7_3 * minus_JA7_23;
+  // gt7 = g7 - v7 B7: force with the turn solved [N]
+  const T gt7_1 = g7_1 - v7 * HA7_21;
+  const T gt7_2 = g7_2 - v7 * Hb8_22;
+  const T gt7_3 = g7_3 - v7 * HA7_23;
+  // nt7 = -tau_body_7_ b7 + P_b7 (n7 - v7 K7): moment with the turn solved [N m]
+  const T nt7_1 = n7_1 - v7 * JA7_12;
+  const T nt7_3 = n7_3 + v7 * minus_JA7_23;
+  // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
+  const T b7_1 = T(2) * E7_11;
+  const T b7_2 = minus_E7_13 * (M7_33 - M7_11) + b7_1 * M7_13;
+  const T b7_3 = minus_E7_13 * b7_2;
+  const T Mp7_11 = M7_11 + b7_3;
+  const T Mp7_12 = minus_E7_13 * M7_23 + E7_11 * M7_12;
+  const T Mp7_13 = E7_11 * b7_2 - M7_13;
+  const T Mp7_23 = E7_11 * M7_23 - minus_E7_13 * M7_12;
+  const T Mp7_33 = M7_33 - b7_3;
+  // gp7 = E7^T gt7: force passed on, lower body's axes [N]
+  const T gp7_1 = E7_11 * gt7_1 + minus_E7_13 * gt7_3;
+  const T gp7_3 = E7_11 * gt7_3 - minus_E7_13 * gt7_1;
+  // Hp7 = E7^T H7 E7: H passed on, lower body's axes [kg m]
+  const T b7_4 = minus_E7_13 * (H7_33 - H7_11) + E7_11 * (H7_31 + H7_13);
+  const T b7_5 = minus_E7_13 * b7_4;
+  const T Hp7_11 = H7_11 + b7_5;
+  const T Hp7_12 = minus_E7_13 * H7_32 + E7_11 * H7_12;
+  const T b7_6 = E7_11 * b7_4;
+  const T Hp7_13 = b7_6 - H7_31;
+  const T Hp7_31 = b7_6 - H7_13;
+  const T Hp7_32 = E7_11 * H7_32 - minus_E7_13 * H7_12;
+  const T Hp7_33 = H7_33 - b7_5;
+  // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
+  const T b7_7 = b7_1 * J7_13 - minus_E7_13 * (minus_J7_33 + J7_11);
+  const T b7_8 = minus_E7_13 * b7_7;
+  const T Jp7_11 = J7_11 + b7_8;
+  const T Jp7_13 = E7_11 * b7_7 - J7_13;
+  const T minus_Jp7_33 = minus_J7_33 + b7_8;
+  // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
+  const T np7_1 = E7_11 * nt7_1 + minus_E7_13 * nt7_3;
+  const T np7_3 = E7_11 * nt7_3 - minus_E7_13 * nt7_1;
+  // Hb7 = q7~ Mp7 + Hp7: H of the joint at the lower body's origin, its axes
+  const T b7_9 = T(0.1) * Mp7_12;
+  const T Hb7_11 = Hp7_11 - b7_9;
+  const T Hb7_12 = Hp7_12 - T(0.1) * M7_22;
+  const T Hb7_13 = Hp7_13 - T(0.1) * Mp7_23;
+  const T Hb7_21 = T(0.1) * Mp7_11 - T(0.6) * Mp7_13;
+  const T b7_10 = T(0.6) * Mp7_23;
+  const T Hb7_22 = b7_9 - b7_10;
+  const T Hb7_23 = T(0.1) * Mp7_13 - T(0.6) * Mp7_33;
+  const T Hb7_31 = T(0.6) * Mp7_12 + Hp7_31;
+  const T Hb7_32 = T(0.6) * M7_22 + Hp7_32;
+  const T Hb7_33 = b7_10 + Hp7_33;
 
   // ---- body 6 (body_6) and what it carries
-  // S6 = E7^T S7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * S7_1 + minus_E7_13 * S7_3;
-  const T S6_1 = b6_1 - minus_G6_1;
-  const T S6_2 = S7_2 - minus_G6_2;
-  const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
-  const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.35) * b6_2 - T(0.1) * S7_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 -
-      T(0.2) * minus_G6_3 - minus_N6_1;
-  const T rho6_2 = T(0.1) * b6_1 - T(0.3) * b6_2 + rho7_2 + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(0.3) * S7_2 - T(0.35) * b6_1 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1 -
-      T(0.1) * minus_G6_2 - minus_N6_3;
-  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h6_1 = T(6.609999999999999) + hc7_1;
-  const T h6_2 = T(7.845) + h7_2;
-  const T h6_3 = T(2.23) + hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_3 = E7_11 * J7_11 + minus_E7_13 * J7_31;
-  const T b6_4 = E7_11 * J7_13 + minus_E7_13 * J7_33;
-  const T b6_5 = T(0.1) * hc7_3;
-  const T b6_6 = T(7.5249999999999995) + h7_2;
-  const T b6_7 = T(0.35) * h7_2 + b6_6 * T(0.35);
-  const T b6_8 = hc7_3 + T(2.15);
-  const T b6_9 = b6_8 * T(0.1);
-  const T J6_11 = b6_3 * E7_11 + b6_4 * minus_E7_13 + b6_5 + b6_7 + T(0.228) + b6_9;
-  const T b6_10 = E7_11 * J7_12 + minus_E7_13 * J7_32;
-  const T b6_11 = b6_10 - T(0.35) * hc7_1;
-  const T J6_12 = b6_11 - T(0.024000000000000004) - b6_6 * T(0.3);
-  const T b6_12 = b6_4 * E7_11 - b6_3 * minus_E7_13 - T(0.003200000000000002);
-  const T J6_13 = b6_12 - T(0.1) * hc7_1 - b6_8 * T(0.3);
-  const T b6_13 = hc7_1 + T(6.45);
-  const T J6_21 = b6_10 - T(0.3) * h7_2 - T(0.024000000000000004) - b6_13 * T(0.35);
-  const T b6_14 = T(0.3) * hc7_1;
-  const T b6_15 = b6_5 + b6_14 + J7_22;
-  const T b6_16 = b6_13 * T(0.3);
-  const T J6_22 = b6_15 + T(0.212) + b6_9 + b6_16;
-  const T b6_17 = J7_23 * E7_11 - J7_21 * minus_E7_13 - T(0.022400000000000003);
-  const T J6_23 = b6_17 - T(0.1) * h7_2 - b6_8 * T(0.35);
-  const T b6_18 = T(0.3) * hc7_3;
-  const T J6_31 = b6_12 - b6_18 - b6_13 * T(0.1);
-  const T b6_19 = T(0.35) * hc7_3;
-  const T J6_32 = b6_17 - b6_19 - b6_6 * T(0.1);
-  const T J6_33 = (E7_11 * J7_33 - minus_E7_13 * J7_13) * E7_11 - (E7_11 * J7_31 - minus_E7_13 * J7_11) * minus_E7_13
-      + b6_7 + b6_14 + T(0.20800000000000002) + b6_16;
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * h6_2 - E6_23 * h6_3;
-  const T hc6_3 = E6_22 * h6_3 + E6_23 * h6_2;
-  // B_thetadot16_6 = E7^T B_thetadot16_7
-  const T B_thetadot16_6_1 = E7_11 * B_thetadot16_7_1 + minus_E7_13 * B_thetadot16_8_3;
-  const T B_thetadot16_6_3 = E7_11 * B_thetadot16_8_3 - minus_E7_13 * B_thetadot16_7_1;
-  // K_thetadot16_6 = q7~ E7^T B_thetadot16_7 + E7^T K_thetadot16_7
-  const T K_thetadot16_6_1 = T(0.35) * B_thetadot16_6_3 - b7_20 + E7_11 * K_thetadot16_7_1 + minus_E7_13 *
-      K_thetadot16_7_3;
-  const T b6_20 = T(0.1) * B_thetadot16_6_1;
-  const T K_thetadot16_6_2 = b6_20 - T(0.3) * B_thetadot16_6_3 + K_thetadot16_7_2;
-  const T K_thetadot16_6_3 = b7_21 - T(0.35) * B_thetadot16_6_1 + E7_11 * K_thetadot16_7_3 - minus_E7_13 *
-      K_thetadot16_7_1;
-  // B_thetadot15_6 = E7^T B_thetadot15_7
-  const T B_thetadot15_6_1 = E7_11 * B_thetadot15_7_1 + minus_E7_13 * B_thetadot15_8_3;
-  const T B_thetadot15_6_3 = E7_11 * B_thetadot15_8_3 - minus_E7_13 * B_thetadot15_7_1;
-  // K_thetadot15_6 = q7~ E7^T B_thetadot15_7 + E7^T K_thetadot15_7
-  const T K_thetadot15_6_1 = T(0.35) * B_thetadot15_6_3 - b7_22 + E7_11 * K_thetadot15_7_1 + minus_E7_13 *
-      K_thetadot15_7_3;
-  const T b6_21 = T(0.1) * B_thetadot15_6_1;
-  const T K_thetadot15_6_2 = b6_21 - T(0.3) * B_thetadot15_6_3 + K_thetadot15_7_2;
-  const T K_thetadot15_6_3 = b7_23 - T(0.35) * B_thetadot15_6_1 + E7_11 * K_thetadot15_7_3 - minus_E7_13 *
-      K_thetadot15_7_1;
-  // B_thetadot14_6 = E7^T B_thetadot14_7
-  const T B_thetadot14_6_1 = E7_11 * B_thetadot14_7_1 + minus_E7_13 * B_thetadot14_8_3;
-  const T B_thetadot14_6_3 = E7_11 * B_thetadot14_8_3 - minus_E7_13 * B_thetadot14_7_1;
-  // K_thetadot14_6 = q7~ E7^T B_thetadot14_7 + E7^T K_thetadot14_7
-  const T K_thetadot14_6_1 = T(0.35) * B_thetadot14_6_3 - b7_24 + E7_11 * K_thetadot14_7_1 + minus_E7_13 *
-      K_thetadot14_7_3;
-  const T b6_22 = T(0.1) * B_thetadot14_6_1;
-  const T K_thetadot14_6_2 = b6_22 - T(0.3) * B_thetadot14_6_3 + K_thetadot14_7_2;
-  const T K_thetadot14_6_3 = b7_25 - T(0.35) * B_thetadot14_6_1 + E7_11 * K_thetadot14_7_3 - minus_E7_13 *
-      K_thetadot14_7_1;
-  // B_thetadot13_6 = E7^T B_thetadot13_7
-  const T B_thetadot13_6_1 = E7_11 * B_thetadot13_7_1 + minus_E7_13 * B_thetadot13_8_3;
-  const T B_thetadot13_6_3 = E7_11 * B_thetadot13_8_3 - minus_E7_13 * B_thetadot13_7_1;
-  // K_thetadot13_6 = q7~ E7^T B_thetadot13_7 + E7^T K_thetadot13_7
-  const T K_thetadot13_6_1 = T(0.35) * B_thetadot13_6_3 - b7_26 + E7_11 * K_thetadot13_7_1 + minus_E7_13 *
-      K_thetadot13_7_3;
-  const T b6_23 = T(0.1) * B_thetadot13_6_1;
-  const T K_thetadot13_6_2 = b6_23 - T(0.3) * B_thetadot13_6_3 + K_thetadot13_7_2;
-  const T K_thetadot13_6_3 = b7_27 - T(0.35) * B_thetadot13_6_1 + E7_11 * K_thetadot13_7_3 - minus_E7_13 *
-      K_thetadot13_7_1;
-  // B_thetadot12_6 = E7^T B_thetadot12_7
-  const T B_thetadot12_6_1 = E7_11 * B_thetadot12_7_1 + minus_E7_13 * B_thetadot12_8_3;
-  const T B_thetadot12_6_3 = E7_11 * B_thetadot12_8_3 - minus_E7_13 * B_thetadot12_7_1;
-  // K_thetadot12_6 = q7~ E7^T B_thetadot12_7 + E7^T K_thetadot12_7
-  const T K_thetadot12_6_1 = T(0.35) * B_thetadot12_6_3 - b7_28 + E7_11 * K_thetadot12_7_1 + minus_E7_13 *
-      K_thetadot12_7_3;
-  const T b6_24 = T(0.1) * B_thetadot12_6_1;
-  const T K_thetadot12_6_2 = b6_24 - T(0.3) * B_thetadot12_6_3 + K_thetadot12_7_2;
-  const T K_thetadot12_6_3 = b7_29 - T(0.35) * B_thetadot12_6_1 + E7_11 * K_thetadot12_7_3 - minus_E7_13 *
-      K_thetadot12_7_1;
-  // B_thetadot11_6 = E7^T B_thetadot11_7
-  const T B_thetadot11_6_1 = minus_E7_13 * B_thetadot11_8_3 - E7_11 * minus_B_thetadot11_7_1;
-  const T B_thetadot11_6_3 = minus_E7_13 * minus_B_thetadot11_7_1 + E7_11 * B_thetadot11_8_3;
-  // K_thetadot11_6 = q7~ E7^T B_thetadot11_7 + E7^T K_thetadot11_7
-  const T K_thetadot11_6_1 = T(0.35) * B_thetadot11_6_3 - b7_30 + E7_11 * K_thetadot11_7_1 + minus_E7_13 *
-      K_thetadot11_7_3;
-  const T b6_25 = T(0.1) * B_thetadot11_6_1;
-  const T K_thetadot11_6_2 = b6_25 - T(0.3) * B_thetadot11_6_3 + K_thetadot11_7_2;
-  const T K_thetadot11_6_3 = b7_31 - T(0.35) * B_thetadot11_6_1 + E7_11 * K_thetadot11_7_3 - minus_E7_13 *
-      K_thetadot11_7_1;
-  // B_thetadot10_6 = E7^T B_thetadot10_7
-  const T B_thetadot10_6_1 = E7_11 * B_thetadot10_7_1 - minus_E7_13 * minus_B_thetadot10_8_3;
-  const T minus_B_thetadot10_6_3 = minus_E7_13 * B_thetadot10_7_1 + E7_11 * minus_B_thetadot10_8_3;
-  // K_thetadot10_6 = q7~ E7^T B_thetadot10_7 + E7^T K_thetadot10_7
-  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 + minus_E7_13 * K_thetadot10_7_3 - b7_32 - T(0.35) *
-      minus_B_thetadot10_6_3;
-  const T b6_26 = T(0.1) * B_thetadot10_6_1;
-  const T K_thetadot10_6_2 = b6_26 + T(0.3) * minus_B_thetadot10_6_3 + K_thetadot10_7_2;
-  const T K_thetadot10_6_3 = b7_33 - T(0.35) * B_thetadot10_6_1 + E7_11 * K_thetadot10_7_3 - minus_E7_13 *
-      K_thetadot10_7_1;
-  // B_thetadot9_6 = E7^T B_thetadot9_7
-  const T B_thetadot9_6_1 = E7_11 * B_thetadot9_7_1 + minus_E7_13 * hc9_2;
-  const T B_thetadot9_6_3 = E7_11 * hc9_2 - minus_E7_13 * B_thetadot9_7_1;
-  // K_thetadot9_6 = q7~ E7^T B_thetadot9_7 + E7^T K_thetadot9_7
-  const T K_thetadot9_6_1 = b7_34 + T(0.35) * B_thetadot9_6_3 + E7_11 * K_thetadot9_7_1 + minus_E7_13 *
-      K_thetadot9_7_3;
-  const T b6_27 = T(0.1) * B_thetadot9_6_1;
-  const T K_thetadot9_6_2 = b6_27 - T(0.3) * B_thetadot9_6_3 + K_thetadot9_7_2;
-  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - minus_E7_13 * K_thetadot9_7_1 - b7_35 - T(0.35) *
-      B_thetadot9_6_1;
-  // B_thetadot8_6 = E7^T B_thetadot8_7
-  const T minus_B_thetadot8_6_1 = E7_11 * hc8_2;
-  const T B_thetadot8_6_3 = minus_E7_13 * hc8_2;
-  // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
-  const T K_thetadot8_6_1 = T(0.35) * B_thetadot8_6_3 - b7_12 + E7_11 * b7_13 + minus_E7_13 * b7_19;
-  const T b6_28 = T(0.1) * minus_B_thetadot8_6_1;
-  const T K_thetadot8_6_2 = b7_18 - b6_28 - T(0.3) * B_thetadot8_6_3;
-  const T K_thetadot8_6_3 = b7_15 + T(0.35) * minus_B_thetadot8_6_1 + E7_11 * b7_19 - minus_E7_13 * b7_13;
-  // K_thetadot7_6 = q7~ E7^T B_thetadot7_7 + E7^T K_thetadot7_7
-  const T K_thetadot7_6_3 = E7_11 * J7_32 - minus_E7_13 * J7_12 - b6_19;
-  // D_thetaddot6: pivots of L D L^T
-  const T b6_29 = K_thetadot16_6_1 * T(2.9027576197387517);
-  const T b6_30 = K_thetadot15_6_1 + b6_29 * b15_11;
-  const T b6_31 = b6_30 * b14_19;
-  const T b6_32 = K_thetadot14_6_1 - b6_29 * K_thetadot16_14_3 - b6_31 * b14_18;
-  const T b6_33 = b6_32 * b13_28;
-  const T b6_34 = K_thetadot13_6_1 - b6_29 * K_thetadot16_13_2 - b6_31 * b13_25 - b6_33 * b13_27;
-  const T b6_35 = b6_34 * b12_28;
-  const T b6_36 = K_thetadot12_6_1 - b6_29 * K_thetadot16_12_1 - b6_31 * b12_23 - b6_33 * b12_25 - b6_35 * b12_27;
-  const T b6_37 = b6_36 * b11_28;
-  const T b6_38 = K_thetadot11_6_1 - b6_29 * K_thetadot16_11_3 - b6_31 * b11_21 - b6_33 * b11_23 - b6_35 * b11_25 -
-      b6_37 * b11_27;
-  const T b6_39 = b6_38 * b10_40;
-  const T b6_40 = K_thetadot10_6_1 - b6_29 * K_thetadot16_10_2 - b6_31 * b10_31 - b6_33 * b10_33 - b6_35 * b10_35 -
-      b6_37 * b10_37 - b6_39 * b10_39;
-  const T b6_41 = b6_40 * b9_37;
-  const T b6_42 = K_thetadot9_6_1 - b6_29 * K_thetadot16_9_1 - b6_31 * b9_26 - b6_33 * b9_28 - b6_35 * b9_30 - b6_37 *
-      b9_32 - b6_39 * b9_34 - b6_41 * b9_36;
-  const T b6_43 = b6_42 * b8_37;
-  const T b6_44 = K_thetadot8_6_1 - b6_29 * K_thetadot16_8_3 - b6_31 * b8_24 - b6_33 * b8_26 - b6_35 * b8_28 - b6_37 *
-      b8_30 - b6_39 * b8_32 - b6_41 * b8_34 - b6_43 * b8_36;
-  const T b6_45 = b6_44 * b7_52;
-  const T b6_46 = b6_11 - b6_29 * K_thetadot16_7_2 - b6_31 * b7_37 - b6_33 * b7_39 - b6_35 * b7_41 - b6_37 * b7_43 -
-      b6_39 * b7_45 - b6_41 * b7_47 - b6_43 * b7_49 - b6_45 * b7_51;
-  const T b6_47 = T(1) / D_thetaddot7;
-  const T b6_48 = b6_46 * b6_47;
-  const T D_thetaddot6 = J6_11 - b6_29 * K_thetadot16_6_1 - b6_31 * b6_30 - b6_33 * b6_32 - b6_35 * b6_34 - b6_37 *
-      b6_36 - b6_39 * b6_38 - b6_41 * b6_40 - b6_43 * b6_42 - b6_45 * b6_44 - b6_48 * b6_46;
+  // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
+  const T HA6_12 = Hb7_12 - T(2.23);
+  const T HA6_13 = T(16.105) + Hb7_13;
+  const T HA6_21 = T(2.23) + Hb7_21;
+  const T HA6_31 = Hb7_31 - T(16.105);
+  // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA6_11 = T(14.02975) - T(0.1) * Hp7_12 + Jp7_11 - Hb7_12 * T(0.1);
+  const T minus_JA6_12 = T(9.591) + Hb7_13 * T(0.6) - Hb7_11 * T(0.1);
+  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(1.3172)) + Hb7_12 * T(0.6);
+  const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
+  const T JA6_23 = T(0.1) * Hp7_31 - T(0.6) * Hp7_33 - T(1.6009) + Hb7_22 * T(0.6);
+  const T JA6_33 = T(0.6) * Hp7_32 + T(13.36775) - minus_Jp7_33 + Hb7_32 * T(0.6);
+  // g6 = G6 + gp7: force that drives it, home axes [N]
+  const T g6_1 = gp7_1 - minus_G6_1;
+  const T g6_2 = gt7_2 - minus_G6_2;
+  const T g6_3 = gp7_3 - minus_G6_3;
+  // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
+  const T n6_1 = np7_1 - (T(0.1) * gt7_2 + minus_N6_1);
+  const T n6_2 = T(0.1) * gp7_1 - T(0.6) * gp7_3 - minus_N6_2 - u.tau_7;
+  const T n6_3 = T(0.6) * gt7_2 - minus_N6_3 + np7_3;
+  // invD6 = D6^-1: 1/D
+  const T invD6 = T(1) / JA6_11;
+  // kB6 = invD6 B6: B/D
+  const T kB6_1 = invD6 * Hb7_11;
+  const T kB6_2 = invD6 * HA6_12;
+  const T kB6_3 = invD6 * HA6_13;
+  // kK6 = invD6 K6: K/D
+  const T minus_kK6_2 = invD6 * minus_JA6_12;
+  const T kK6_3 = invD6 * JA6_13;
+  // u_6 = b6 . n6 + tau_body_6_: drives it [N m]
+  const T u_6 = n6_1 + u.tau_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = invD6 * u_6;
+  // M6 = Mp7 - kB6 B6^T: MA less what the turn takes up [kg]
+  const T M6_11 = Mp7_11 - kB6_1 * Hb7_11;
+  const T M6_12 = Mp7_12 - kB6_1 * HA6_12;
+  const T M6_13 = Mp7_13 - kB6_1 * HA6_13;
+  const T M6_22 = M7_22 - kB6_2 * HA6_12;
+  const T M6_23 = Mp7_23 - kB6_2 * HA6_13;
+  const T M6_33 = Mp7_33 - kB6_3 * HA6_13;
+  // H6 = P_b6 (HA6 - kK6 B6^T): HA less what the turn takes up [kg m]
+  const T H6_21 = HA6_21 + minus_kK6_2 * Hb7_11;
+  const T H6_22 = Hb7_22 + minus_kK6_2 * HA6_12;
+  const T H6_23 = Hb7_23 + minus_kK6_2 * HA6_13;
+  const T H6_31 = HA6_31 - kK6_3 * Hb7_11;
+  const T H6_32 = Hb7_32 - kK6_3 * HA6_12;
+  const T H6_33 = Hb7_33 - kK6_3 * HA6_13;
+  // J6 = P_b6 (JA6 - kK6 K6^T) P_b6: JA less what the turn takes up [kg m^2]
+  const T minus_J6_22 = minus_JA6_22 + minus_kK6_2 * minus_JA6_12;
+  const T J6_23 = JA6_23 + minus_kK6_2 * JA6_13;
+  const T J6_33 = JA6_33 - kK6_3 * JA6_13;
+  // gt6 = g6 - v6 B6: force with the turn solved [N]
+  const T gt6_1 = g6_1 - v6 * Hb7_11;
+  const T gt6_2 = g6_2 - v6 * HA6_12;
+  const T gt6_3 = g6_3 - v6 * HA6_13;
+  // nt6 = -tau_body_6_ b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
+  const T nt6_2 = n6_2 + v6 * minus_JA6_12;
+  const T nt6_3 = n6_3 - v6 * JA6_13;
+  // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
+  const T Mp6_12 = E6_22 * M6_12 - E6_23 * M6_13;
+  const T Mp6_13 = E6_23 * M6_12 + E6_22 * M6_13;
+  const T b6_1 = T(2) * E6_22;
+  const T b6_2 = E6_23 * (M6_22 - M6_33) + b6_1 * M6_23;
+  const T b6_3 = E6_23 * b6_2;
+  const T Mp6_22 = M6_22 - b6_3;
+  const T Mp6_23 = E6_22 * b6_2 - M6_23;
+  const T Mp6_33 = M6_33 + b6_3;
+  // gp6 = E6^T gt6: force passed on, lower body's axes [N]
+  const T gp6_2 = E6_22 * gt6_2 - E6_23 * gt6_3;
+  const T gp6_3 = E6_23 * gt6_2 + E6_22 * gt6_3;
+  // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
+  const T Hp6_21 = E6_22 * H6_21 - E6_23 * H6_31;
+  const T b6_4 = E6_23 * (H6_22 - H6_33) + E6_22 * (H6_23 + H6_32);
+  const T b6_5 = E6_23 * b6_4;
+  const T Hp6_22 = H6_22 - b6_5;
+  const T b6_6 = E6_22 * b6_4;
+  const T Hp6_23 = b6_6 - H6_32;
+  const T Hp6_31 = E6_23 * H6_21 + E6_22 * H6_31;
+  const T Hp6_32 = b6_6 - H6_23;
+  const T Hp6_33 = H6_33 + b6_5;
+  // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
+  const T b6_7 = b6_1 * J6_23 - E6_23 * (minus_J6_22 + J6_33);
+  const T b6_8 = E6_23 * b6_7;
+  const T minus_Jp6_22 = minus_J6_22 + b6_8;
+  const T Jp6_23 = E6_22 * b6_7 - J6_23;
+  const T Jp6_33 = J6_33 + b6_8;
+  // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
+  const T np6_2 = E6_22 * nt6_2 - E6_23 * nt6_3;
+  const T np6_3 = E6_23 * nt6_2 + E6_22 * nt6_3;
+  // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
+  const T b6_9 = T(0.3) * Mp6_13;
+  const T b6_10 = T(0.2) * Mp6_12;
+  const T Hb6_11 = b6_9 - b6_10;
+  const T Hb6_12 = T(0.3) * Mp6_23 - T(0.2) * Mp6_22;
+  const T Hb6_13 = T(0.3) * Mp6_33 - T(0.2) * Mp6_23;
+  const T Hb6_21 = T(0.2) * M6_11 + Hp6_21;
+  const T Hb6_22 = b6_10 + Hp6_22;
+  const T Hb6_23 = T(0.2) * Mp6_13 + Hp6_23;
+  const T Hb6_31 = Hp6_31 - T(0.3) * M6_11;
+  const T Hb6_32 = Hp6_32 - T(0.3) * Mp6_12;
+  const T Hb6_33 = Hp6_33 - b6_9;
 
   // ---- body 5 (body_5) and what it carries
-  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = S6_1 - minus_G5_1;
-  const T b5_1 = E6_22 * S6_2 - E6_23 * S6_3;
-  const T S5_2 = b5_1 - minus_G5_2;
-  const T b5_2 = E6_23 * S6_2 + E6_22 * S6_3;
-  const T S5_3 = b5_2 - minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = b5_3 - T(0.1) * b5_1 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = T(0.1) * S6_1 - b5_3 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) * minus_G5_1
-      - minus_N5_2;
-  const T rho5_3 = T(0.3) * b5_1 - T(0.3) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 - T(0.1) *
-      minus_G5_2 - minus_N5_3;
-  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = T(7.08) + h6_1;
-  const T h5_2 = T(7.2299999999999995) + hc6_2;
-  const T h5_3 = T(2.3850000000000002) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_4 = T(0.1) * hc6_3;
-  const T b5_5 = T(0.3) * hc6_2;
-  const T b5_6 = b5_4 + b5_5 + J6_11;
-  const T b5_7 = hc6_3 + T(2.31);
-  const T b5_8 = b5_7 * T(0.1);
-  const T b5_9 = (T(6.93) + hc6_2) * T(0.3);
-  const T J5_11 = b5_6 + T(0.21375) + b5_8 + b5_9;
-  const T b5_10 = J6_12 * E6_22 - J6_13 * E6_23 - T(0.022500000000000003);
-  const T b5_11 = T(0.3) * h6_1;
-  const T b5_12 = b5_11 + b5_9;
-  const T J5_12 = b5_10 - b5_12;
-  const T b5_13 = b5_7 * T(0.3);
-  const T J5_13 = J6_12 * E6_23 + J6_13 * E6_22 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_13;
-  const T b5_14 = (h6_1 + T(6.93)) * T(0.3);
-  const T b5_15 = b5_5 + b5_14;
-  const T J5_21 = b5_10 - b5_15;
-  const T b5_16 = E6_22 * J6_22 - E6_23 * J6_32;
-  const T b5_17 = E6_22 * J6_23 - E6_23 * J6_33;
-  const T J5_22 = b5_16 * E6_22 - b5_17 * E6_23 + b5_4 + b5_11 + T(0.19874999999999998) + b5_8 + b5_14;
-  const T J5_23 = b5_16 * E6_23 + b5_17 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_13;
-  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_15 + b5_12 +
-      T(0.195);
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
-  const T hc5_2 = E5_11 * h5_2 + E5_12 * h5_1;
-  // B_thetadot16_5 = E6^T B_thetadot16_6
-  const T B_thetadot16_5_2 = E6_22 * B_thetadot16_7_2 - E6_23 * B_thetadot16_6_3;
-  const T B_thetadot16_5_3 = E6_23 * B_thetadot16_7_2 + E6_22 * B_thetadot16_6_3;
-  // K_thetadot16_5 = q6~ E6^T B_thetadot16_6 + E6^T K_thetadot16_6
-  const T b5_18 = T(0.3) * B_thetadot16_5_3;
-  const T K_thetadot16_5_1 = b5_18 - T(0.1) * B_thetadot16_5_2 + K_thetadot16_6_1;
-  const T K_thetadot16_5_2 = b6_20 - b5_18 + E6_22 * K_thetadot16_6_2 - E6_23 * K_thetadot16_6_3;
-  const T K_thetadot16_5_3 = T(0.3) * B_thetadot16_5_2 - T(0.3) * B_thetadot16_6_1 + E6_23 * K_thetadot16_6_2 + E6_22
-      * K_thetadot16_6_3;
-  // B_thetadot15_5 = E6^T B_thetadot15_6
-  const T B_thetadot15_5_2 = E6_22 * B_thetadot15_7_2 - E6_23 * B_thetadot15_6_3;
-  const T B_thetadot15_5_3 = E6_23 * B_thetadot15_7_2 + E6_22 * B_thetadot15_6_3;
-  // K_thetadot15_5 = q6~ E6^T B_thetadot15_6 + E6^T K_thetadot15_6
-  const T b5_19 = T(0.3) * B_thetadot15_5_3;
-  const T K_thetadot15_5_1 = b5_19 - T(0.1) * B_thetadot15_5_2 + K_thetadot15_6_1;
-  const T K_thetadot15_5_2 = b6_21 - b5_19 + E6_22 * K_thetadot15_6_2 - E6_23 * K_thetadot15_6_3;
-  const T K_thetadot15_5_3 = T(0.3) * B_thetadot15_5_2 - T(0.3) * B_thetadot15_6_1 + E6_23 * K_thetadot15_6_2 + E6_22
-      * K_thetadot15_6_3;
-  // B_thetadot14_5 = E6^T B_thetadot14_6
-  const T B_thetadot14_5_2 = E6_22 * B_thetadot14_7_2 - E6_23 * B_thetadot14_6_3;
-  const T B_thetadot14_5_3 = E6_23 * B_thetadot14_7_2 + E6_22 * B_thetadot14_6_3;
-  // K_thetadot14_5 = q6~ E6^T B_thetadot14_6 + E6^T K_thetadot14_6
-  const T b5_20 = T(0.3) * B_thetadot14_5_3;
-  const T K_thetadot14_5_1 = b5_20 - T(0.1) * B_thetadot14_5_2 + K_thetadot14_6_1;
-  const T K_thetadot14_5_2 = b6_22 - b5_20 + E6_22 * K_thetadot14_6_2 - E6_23 * K_thetadot14_6_3;
-  const T K_thetadot14_5_3 = T(0.3) * B_thetadot14_5_2 - T(0.3) * B_thetadot14_6_1 + E6_23 * K_thetadot14_6_2 + E6_22
-      * K_thetadot14_6_3;
-  // B_thetadot13_5 = E6^T B_thetadot13_6
-  const T B_thetadot13_5_2 = E6_22 * B_thetadot13_7_2 - E6_23 * B_thetadot13_6_3;
-  const T B_thetadot13_5_3 = E6_23 * B_thetadot13_7_2 + E6_22 * B_thetadot13_6_3;
-  // K_thetadot13_5 = q6~ E6^T B_thetadot13_6 + E6^T K_thetadot13_6
-  const T b5_21 = T(0.3) * B_thetadot13_5_3;
-  const T K_thetadot13_5_1 = b5_21 - T(0.1) * B_thetadot13_5_2 + K_thetadot13_6_1;
-  const T K_thetadot13_5_2 = b6_23 - b5_21 + E6_22 * K_thetadot13_6_2 - E6_23 * K_thetadot13_6_3;
-  const T K_thetadot13_5_3 = T(0.3) * B_thetadot13_5_2 - T(0.3) * B_thetadot13_6_1 + E6_23 * K_thetadot13_6_2 + E6_22
-      * K_thetadot13_6_3;
-  // B_thetadot12_5 = E6^T B_thetadot12_6
-  const T B_thetadot12_5_2 = E6_22 * B_thetadot12_7_2 - E6_23 * B_thetadot12_6_3;
-  const T B_thetadot12_5_3 = E6_23 * B_thetadot12_7_2 + E6_22 * B_thetadot12_6_3;
-  // K_thetadot12_5 = q6~ E6^T B_thetadot12_6 + E6^T K_thetadot12_6
-  const T b5_22 = T(0.3) * B_thetadot12_5_3;
-  const T K_thetadot12_5_1 = b5_22 - T(0.1) * B_thetadot12_5_2 + K_thetadot12_6_1;
-  const T K_thetadot12_5_2 = b6_24 - b5_22 + E6_22 * K_thetadot12_6_2 - E6_23 * K_thetadot12_6_3;
-  const T K_thetadot12_5_3 = T(0.3) * B_thetadot12_5_2 - T(0.3) * B_thetadot12_6_1 + E6_23 * K_thetadot12_6_2 + E6_22
-      * K_thetadot12_6_3;
-  // B_thetadot11_5 = E6^T B_thetadot11_6
-  const T B_thetadot11_5_2 = E6_22 * B_thetadot11_7_2 - E6_23 * B_thetadot11_6_3;
-  const T B_thetadot11_5_3 = E6_23 * B_thetadot11_7_2 + E6_22 * B_thetadot11_6_3;
-  // K_thetadot11_5 = q6~ E6^T B_thetadot11_6 + E6^T K_thetadot11_6
-  const T b5_23 = T(0.3) * B_thetadot11_5_3;
-  const T K_thetadot11_5_1 = b5_23 - T(0.1) * B_thetadot11_5_2 + K_thetadot11_6_1;
-  const T K_thetadot11_5_2 = b6_25 - b5_23 + E6_22 * K_thetadot11_6_2 - E6_23 * K_thetadot11_6_3;
-  const T K_thetadot11_5_3 = T(0.3) * B_thetadot11_5_2 - T(0.3) * B_thetadot11_6_1 + E6_23 * K_thetadot11_6_2 + E6_22
-      * K_thetadot11_6_3;
-  // B_thetadot10_5 = E6^T B_thetadot10_6
-  const T B_thetadot10_5_2 = E6_22 * B_thetadot10_7_2 + E6_23 * minus_B_thetadot10_6_3;
-  const T B_thetadot10_5_3 = E6_23 * B_thetadot10_7_2 - E6_22 * minus_B_thetadot10_6_3;
-  // K_thetadot10_5 = q6~ E6^T B_thetadot10_6 + E6^T K_thetadot10_6
-  const T b5_24 = T(0.3) * B_thetadot10_5_3;
-  const T K_thetadot10_5_1 = b5_24 - T(0.1) * B_thetadot10_5_2 + K_thetadot10_6_1;
-  const T K_thetadot10_5_2 = b6_26 - b5_24 + E6_22 * K_thetadot10_6_2 - E6_23 * K_thetadot10_6_3;
-  const T K_thetadot10_5_3 = T(0.3) * B_thetadot10_5_2 - T(0.3) * B_thetadot10_6_1 + E6_23 * K_thetadot10_6_2 + E6_22
-      * K_thetadot10_6_3;
-  // B_thetadot9_5 = E6^T B_thetadot9_6
-  const T minus_B_thetadot9_5_2 = E6_22 * minus_B_thetadot9_7_2 + E6_23 * B_thetadot9_6_3;
-  const T B_thetadot9_5_3 = E6_22 * B_thetadot9_6_3 - E6_23 * minus_B_thetadot9_7_2;
-  // K_thetadot9_5 = q6~ E6^T B_thetadot9_6 + E6^T K_thetadot9_6
-  const T b5_25 = T(0.3) * B_thetadot9_5_3;
-  const T K_thetadot9_5_1 = T(0.1) * minus_B_thetadot9_5_2 + b5_25 + K_thetadot9_6_1;
-  const T K_thetadot9_5_2 = b6_27 - b5_25 + E6_22 * K_thetadot9_6_2 - E6_23 * K_thetadot9_6_3;
-  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 + E6_22 * K_thetadot9_6_3 - T(0.3) * minus_B_thetadot9_5_2 -
-      T(0.3) * B_thetadot9_6_1;
-  // B_thetadot8_5 = E6^T B_thetadot8_6
-  const T B_thetadot8_5_2 = E6_22 * hc8_1 - E6_23 * B_thetadot8_6_3;
-  const T B_thetadot8_5_3 = E6_23 * hc8_1 + E6_22 * B_thetadot8_6_3;
-  // K_thetadot8_5 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
-  const T b5_26 = T(0.3) * B_thetadot8_5_3;
-  const T K_thetadot8_5_1 = b5_26 - T(0.1) * B_thetadot8_5_2 + K_thetadot8_6_1;
-  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3 - b6_28 - b5_26;
-  const T K_thetadot8_5_3 = T(0.3) * B_thetadot8_5_2 + T(0.3) * minus_B_thetadot8_6_1 + E6_23 * K_thetadot8_6_2 +
-      E6_22 * K_thetadot8_6_3;
-  // B_thetadot7_5 = E6^T B_thetadot7_6
-  const T B_thetadot7_5_2 = E6_23 * hc7_1;
-  const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
-  // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T b5_27 = T(0.3) * minus_B_thetadot7_5_3;
-  const T K_thetadot7_5_1 = b6_11 - T(0.1) * B_thetadot7_5_2 - b5_27;
-  const T K_thetadot7_5_2 = b6_5 + b5_27 + E6_22 * b6_15 - E6_23 * K_thetadot7_6_3;
-  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_18 + E6_23 * b6_15 + E6_22 * K_thetadot7_6_3;
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T K_thetadot6_5_2 = E6_22 * J6_21 - E6_23 * J6_31 - b5_5;
-  const T K_thetadot6_5_3 = E6_23 * J6_21 + E6_22 * J6_31 - T(0.3) * hc6_3;
-  // D_thetaddot5: pivots of L D L^T
-  const T b5_28 = K_thetadot16_5_3 * T(2.9027576197387517);
-  const T b5_29 = K_thetadot15_5_3 + b5_28 * b15_11;
-  const T b5_30 = b5_29 * b14_19;
-  const T b5_31 = K_thetadot14_5_3 - b5_28 * K_thetadot16_14_3 - b5_30 * b14_18;
-  const T b5_32 = b5_31 * b13_28;
-  const T b5_33 = K_thetadot13_5_3 - b5_28 * K_thetadot16_13_2 - b5_30 * b13_25 - b5_32 * b13_27;
-  const T b5_34 = b5_33 * b12_28;
-  const T b5_35 = K_thetadot12_5_3 - b5_28 * K_thetadot16_12_1 - b5_30 * b12_23 - b5_32 * b12_25 - b5_34 * b12_27;
-  const T b5_36 = b5_35 * b11_28;
-  const T b5_37 = K_thetadot11_5_3 - b5_28 * K_thetadot16_11_3 - b5_30 * b11_21 - b5_32 * b11_23 - b5_34 * b11_25 -
-      b5_36 * b11_27;
-  const T b5_38 = b5_37 * b10_40;
-  const T b5_39 = K_thetadot10_5_3 - b5_28 * K_thetadot16_10_2 - b5_30 * b10_31 - b5_32 * b10_33 - b5_34 * b10_35 -
-      b5_36 * b10_37 - b5_38 * b10_39;
-  const T b5_40 = b5_39 * b9_37;
-  const T b5_41 = K_thetadot9_5_3 - b5_28 * K_thetadot16_9_1 - b5_30 * b9_26 - b5_32 * b9_28 - b5_34 * b9_30 - b5_36 *
-      b9_32 - b5_38 * b9_34 - b5_40 * b9_36;
-  const T b5_42 = b5_41 * b8_37;
-  const T b5_43 = K_thetadot8_5_3 - b5_28 * K_thetadot16_8_3 - b5_30 * b8_24 - b5_32 * b8_26 - b5_34 * b8_28 - b5_36 *
-      b8_30 - b5_38 * b8_32 - b5_40 * b8_34 - b5_42 * b8_36;
-  const T b5_44 = b5_43 * b7_52;
-  const T b5_45 = K_thetadot7_5_3 - b5_28 * K_thetadot16_7_2 - b5_30 * b7_37 - b5_32 * b7_39 - b5_34 * b7_41 - b5_36 *
-      b7_43 - b5_38 * b7_45 - b5_40 * b7_47 - b5_42 * b7_49 - b5_44 * b7_51;
-  const T b5_46 = b5_45 * b6_47;
-  const T b5_47 = K_thetadot6_5_3 - b5_28 * K_thetadot16_6_1 - b5_30 * b6_30 - b5_32 * b6_32 - b5_34 * b6_34 - b5_36 *
-      b6_36 - b5_38 * b6_38 - b5_40 * b6_40 - b5_42 * b6_42 - b5_44 * b6_44 - b5_46 * b6_46;
-  const T b5_48 = T(1) / D_thetaddot6;
-  const T b5_49 = b5_47 * b5_48;
-  const T D_thetaddot5 = J5_33 - b5_28 * K_thetadot16_5_3 - b5_30 * b5_29 - b5_32 * b5_31 - b5_34 * b5_33 - b5_36 *
-      b5_35 - b5_38 * b5_37 - b5_40 * b5_39 - b5_42 * b5_41 - b5_44 * b5_43 - b5_46 * b5_45 - b5_49 * b5_47;
+  // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T HA5_13 = T(7.2299999999999995) + Hb6_13;
+  const T HA5_23 = Hb6_23 - T(13.69);
+  const T HA5_31 = Hb6_31 - T(7.2299999999999995);
+  const T HA5_32 = T(13.69) + Hb6_32;
+  // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
+  const T JA5_12 = T(0.3) * Hp6_23 - T(0.2) * Hp6_22 - T(4.084499999999999) + Hb6_11 * T(0.2);
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(2.726) - Hb6_11 * T(0.3);
+  const T JA5_22 = T(0.2) * Hp6_21 + T(6.313) - minus_Jp6_22 + Hb6_21 * T(0.2);
+  const T JA5_23 = T(0.2) * Hp6_31 - T(1.437) + Jp6_23 - Hb6_21 * T(0.3);
+  const T JA5_33 = T(10.681) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
+  // g5 = G5 + gp6: force that drives it, home axes [N]
+  const T g5_1 = gt6_1 - minus_G5_1;
+  const T g5_2 = gp6_2 - minus_G5_2;
+  const T g5_3 = gp6_3 - minus_G5_3;
+  // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
+  const T n5_1 = T(0.3) * gp6_3 - T(0.2) * gp6_2 - minus_N5_1 - u.tau_6;
+  const T n5_2 = T(0.2) * gt6_1 - minus_N5_2 + np6_2;
+  const T n5_3 = np6_3 - (T(0.3) * gt6_1 + minus_N5_3);
+  // invD5 = D5^-1: 1/D
+  const T invD5 = T(1) / JA5_33;
+  // kB5 = invD5 B5: B/D
+  const T kB5_1 = invD5 * HA5_31;
+  const T kB5_2 = invD5 * HA5_32;
+  const T kB5_3 = invD5 * Hb6_33;
+  // kK5 = invD5 K5: K/D
+  const T kK5_1 = invD5 * JA5_13;
+  const T kK5_2 = invD5 * JA5_23;
+  // u_5 = b5 . n5 + tau_body_5_: drives it [N m]
+  const T u_5 = n5_3 + u.tau_5;
+  // v5 = invD5 u_5: u/D
+  const T v5 = invD5 * u_5;
+  // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
+  const T M5_11 = M6_11 - kB5_1 * HA5_31;
+  const T M5_12 = Mp6_12 - kB5_1 * HA5_32;
+  const T M5_13 = Mp6_13 - kB5_1 * Hb6_33;
+  const T M5_22 = Mp6_22 - kB5_2 * HA5_32;
+  const T M5_23 = Mp6_23 - kB5_2 * Hb6_33;
+  const T M5_33 = Mp6_33 - kB5_3 * Hb6_33;
+  // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
+  const T H5_11 = Hb6_11 - kK5_1 * HA5_31;
+  const T H5_12 = Hb6_12 - kK5_1 * HA5_32;
+  const T H5_13 = HA5_13 - kK5_1 * Hb6_33;
+  const T H5_21 = Hb6_21 - kK5_2 * HA5_31;
+  const T H5_22 = Hb6_22 - kK5_2 * HA5_32;
+  const T H5_23 = HA5_23 - kK5_2 * Hb6_33;
+  // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
+  const T minus_J5_11 = minus_JA5_11 + kK5_1 * JA5_13;
+  const T J5_12 = JA5_12 - kK5_1 * JA5_23;
+  const T J5_22 = JA5_22 - kK5_2 * JA5_23;
+  // gt5 = g5 - v5 B5: force with the turn solved [N]
+  const T gt5_1 = g5_1 - v5 * HA5_31;
+  const T gt5_2 = g5_2 - v5 * HA5_32;
+  const T gt5_3 = g5_3 - v5 * Hb6_33;
+  // nt5 = -tau_body_5_ b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
+  const T nt5_1 = n5_1 - v5 * JA5_13;
+  const T nt5_2 = n5_2 - v5 * JA5_23;
+  // Mp5 = E5^T M5 E5: M passed on, lower body's axes [kg]
+  const T b5_1 = T(2) * E5_11;
+  const T b5_2 = E5_12 * (M5_11 - M5_22) + b5_1 * M5_12;
+  const T b5_3 = E5_12 * b5_2;
+  const T Mp5_11 = M5_11 - b5_3;
+  const T Mp5_12 = E5_11 * b5_2 - M5_12;
+  const T Mp5_13 = E5_11 * M5_13 - E5_12 * M5_23;
+  const T Mp5_22 = M5_22 + b5_3;
+  const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
+  // gp5 = E5^T gt5: force passed on, lower body's axes [N]
+  const T gp5_1 = E5_11 * gt5_1 - E5_12 * gt5_2;
+  const T gp5_2 = E5_12 * gt5_1 + E5_11 * gt5_2;
+  // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
+  const T b5_4 = E5_12 * (H5_11 - H5_22) + E5_11 * (H5_12 + H5_21);
+  const T b5_5 = E5_12 * b5_4;
+  const T Hp5_11 = H5_11 - b5_5;
+  const T b5_6 = E5_11 * b5_4;
+  const T Hp5_12 = b5_6 - H5_21;
+  const T Hp5_13 = E5_11 * H5_13 - E5_12 * H5_23;
+  const T Hp5_21 = b5_6 - H5_12;
+  const T Hp5_22 = H5_22 + b5_5;
+  const T Hp5_23 = E5_12 * H5_13 + E5_11 * H5_23;
+  // Jp5 = E5^T J5 E5: J passed on, lower body's axes [kg m^2]
+  const T b5_7 = b5_1 * J5_12 - E5_12 * (minus_J5_11 + J5_22);
+  const T b5_8 = E5_12 * b5_7;
+  const T minus_Jp5_11 = minus_J5_11 + b5_8;
+  const T Jp5_12 = E5_11 * b5_7 - J5_12;
+  const T Jp5_22 = J5_22 + b5_8;
+  // np5 = E5^T nt5: moment passed on, lower body's axes [N m]
+  const T np5_1 = E5_11 * nt5_1 - E5_12 * nt5_2;
+  const T np5_2 = E5_12 * nt5_1 + E5_11 * nt5_2;
+  // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
+  const T b5_9 = T(0.45) * Mp5_13;
+  const T Hb5_11 = b5_9 + Hp5_11;
+  const T Hb5_12 = T(0.45) * Mp5_23 + Hp5_12;
+  const T Hb5_13 = T(0.45) * M5_33 + Hp5_13;
+  const T Hb5_21 = Hp5_21 - T(0.3) * Mp5_13;
+  const T b5_10 = T(0.3) * Mp5_23;
+  const T Hb5_22 = Hp5_22 - b5_10;
+  const T Hb5_23 = Hp5_23 - T(0.3) * M5_33;
+  const T Hb5_31 = T(0.3) * Mp5_12 - T(0.45) * Mp5_11;
+  const T Hb5_32 = T(0.3) * Mp5_22 - T(0.45) * Mp5_12;
+  const T Hb5_33 = b5_10 - b5_9;
 
   // ---- body 4 (body_4) and what it carries
-  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T b4_1 = E5_11 * S5_1 - E5_12 * S5_2;
-  const T S4_1 = b4_1 - minus_G4_1;
-  const T b4_2 = E5_12 * S5_1 + E5_11 * S5_2;
-  const T S4_2 = b4_2 - minus_G4_2;
-  const T S4_3 = S5_3 - minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho4_1 = T(0.25) * S5_3 - T(0.1) * b4_2 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.05) * minus_G4_2 - T(0.2) *
-      minus_G4_3 - minus_N4_1;
-  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
-      minus_G4_1 - minus_N4_2;
-  const T rho4_3 = T(0.3) * b4_2 - T(0.25) * b4_1 + rho5_3 + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
-  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h4_1 = T(7.52) + hc5_1;
-  const T h4_2 = T(6.43) + hc5_2;
-  const T h4_3 = T(2.5300000000000002) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b4_3 = E5_11 * J5_11 - E5_12 * J5_21;
-  const T b4_4 = E5_11 * J5_12 - E5_12 * J5_22;
-  const T b4_5 = h5_3 + T(2.46);
-  const T b4_6 = T(0.1) * h5_3 + b4_5 * T(0.1);
-  const T b4_7 = T(0.25) * hc5_2;
-  const T b4_8 = T(6.15) + hc5_2;
-  const T b4_9 = b4_8 * T(0.25);
-  const T J4_11 = b4_3 * E5_11 - b4_4 * E5_12 + b4_6 + b4_7 + T(0.1995) + b4_9;
-  const T b4_10 = b4_3 * E5_12 + b4_4 * E5_11 - T(0.021);
-  const T J4_12 = b4_10 - T(0.25) * hc5_1 - b4_8 * T(0.3);
-  const T b4_11 = E5_11 * J5_13 - E5_12 * J5_23;
-  const T b4_12 = T(0.1) * hc5_1;
-  const T b4_13 = b4_11 - b4_12;
-  const T J4_13 = b4_13 - T(0.0028000000000000004) - b4_5 * T(0.3);
-  const T b4_14 = hc5_1 + T(7.38);
-  const T J4_21 = b4_10 - T(0.3) * hc5_2 - b4_14 * T(0.25);
-  const T b4_15 = T(0.3) * hc5_1;
-  const T b4_16 = b4_14 * T(0.3);
-  const T J4_22 = (E5_12 * J5_11 + E5_11 * J5_21) * E5_12 + (E5_12 * J5_12 + E5_11 * J5_22) * E5_11 + b4_6 + b4_15 +
-      T(0.1855) + b4_16;
-  const T b4_17 = E5_12 * J5_13 + E5_11 * J5_23;
-  const T b4_18 = b4_17 - T(0.1) * hc5_2;
-  const T J4_23 = b4_18 - T(0.0196) - b4_5 * T(0.25);
-  const T J4_31 = b4_11 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_14 * T(0.1);
-  const T J4_32 = b4_17 - T(0.25) * h5_3 - T(0.0196) - b4_8 * T(0.1);
-  const T b4_19 = b4_15 + b4_7 + J5_33;
-  const T J4_33 = b4_19 + T(0.182) + b4_9 + b4_16;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
-  const T hc4_3 = E4_11 * h4_3 - minus_E4_13 * h4_1;
-  // B_thetadot16_4 = E5^T B_thetadot16_5
-  const T B_thetadot16_4_1 = E5_11 * B_thetadot16_6_1 - E5_12 * B_thetadot16_5_2;
-  const T B_thetadot16_4_2 = E5_12 * B_thetadot16_6_1 + E5_11 * B_thetadot16_5_2;
-  // K_thetadot16_4 = q5~ E5^T B_thetadot16_5 + E5^T K_thetadot16_5
-  const T b4_20 = T(0.1) * B_thetadot16_4_2;
-  const T K_thetadot16_4_1 = T(0.25) * B_thetadot16_5_3 - b4_20 + E5_11 * K_thetadot16_5_1 - E5_12 * K_thetadot16_5_2;
-  const T K_thetadot16_4_2 = T(0.1) * B_thetadot16_4_1 - b5_18 + E5_12 * K_thetadot16_5_1 + E5_11 * K_thetadot16_5_2;
-  const T b4_21 = T(0.3) * B_thetadot16_4_2;
-  const T K_thetadot16_4_3 = b4_21 - T(0.25) * B_thetadot16_4_1 + K_thetadot16_5_3;
-  // B_thetadot15_4 = E5^T B_thetadot15_5
-  const T B_thetadot15_4_1 = E5_11 * B_thetadot15_6_1 - E5_12 * B_thetadot15_5_2;
-  const T B_thetadot15_4_2 = E5_12 * B_thetadot15_6_1 + E5_11 * B_thetadot15_5_2;
-  // K_thetadot15_4 = q5~ E5^T B_thetadot15_5 + E5^T K_thetadot15_5
-  const T b4_22 = T(0.1) * B_thetadot15_4_2;
-  const T K_thetadot15_4_1 = T(0.25) * B_thetadot15_5_3 - b4_22 + E5_11 * K_thetadot15_5_1 - E5_12 * K_thetadot15_5_2;
-  const T K_thetadot15_4_2 = T(0.1) * B_thetadot15_4_1 - b5_19 + E5_12 * K_thetadot15_5_1 + E5_11 * K_thetadot15_5_2;
-  const T b4_23 = T(0.3) * B_thetadot15_4_2;
-  const T K_thetadot15_4_3 = b4_23 - T(0.25) * B_thetadot15_4_1 + K_thetadot15_5_3;
-  // B_thetadot14_4 = E5^T B_thetadot14_5
-  const T B_thetadot14_4_1 = E5_11 * B_thetadot14_6_1 - E5_12 * B_thetadot14_5_2;
-  const T B_thetadot14_4_2 = E5_12 * B_thetadot14_6_1 + E5_11 * B_thetadot14_5_2;
-  // K_thetadot14_4 = q5~ E5^T B_thetadot14_5 + E5^T K_thetadot14_5
-  const T b4_24 = T(0.1) * B_thetadot14_4_2;
-  const T K_thetadot14_4_1 = T(0.25) * B_thetadot14_5_3 - b4_24 + E5_11 * K_thetadot14_5_1 - E5_12 * K_thetadot14_5_2;
-  const T K_thetadot14_4_2 = T(0.1) * B_thetadot14_4_1 - b5_20 + E5_12 * K_thetadot14_5_1 + E5_11 * K_thetadot14_5_2;
-  const T b4_25 = T(0.3) * B_thetadot14_4_2;
-  const T K_thetadot14_4_3 = b4_25 - T(0.25) * B_thetadot14_4_1 + K_thetadot14_5_3;
-  // B_thetadot13_4 = E5^T B_thetadot13_5
-  const T B_thetadot13_4_1 = E5_11 * B_thetadot13_6_1 - E5_12 * B_thetadot13_5_2;
-  const T B_thetadot13_4_2 = E5_12 * B_thetadot13_6_1 + E5_11 * B_thetadot13_5_2;
-  // K_thetadot13_4 = q5~ E5^T B_thetadot13_5 + E5^T K_thetadot13_5
-  const T b4_26 = T(0.1) * B_thetadot13_4_2;
-  const T K_thetadot13_4_1 = T(0.25) * B_thetadot13_5_3 - b4_26 + E5_11 * K_thetadot13_5_1 - E5_12 * K_thetadot13_5_2;
-  const T K_thetadot13_4_2 = T(0.1) * B_thetadot13_4_1 - b5_21 + E5_12 * K_thetadot13_5_1 + E5_11 * K_thetadot13_5_2;
-  const T b4_27 = T(0.3) * B_thetadot13_4_2;
-  const T K_thetadot13_4_3 = b4_27 - T(0.25) * B_thetadot13_4_1 + K_thetadot13_5_3;
-  // B_thetadot12_4 = E5^T B_thetadot12_5
-  const T B_thetadot12_4_1 = E5_11 * B_thetadot12_6_1 - E5_12 * B_thetadot12_5_2;
-  const T B_thetadot12_4_2 = E5_12 * B_thetadot12_6_1 + E5_11 * B_thetadot12_5_2;
-  // K_thetadot12_4 = q5~ E5^T B_thetadot12_5 + E5^T K_thetadot12_5
-  const T b4_28 = T(0.1) * B_thetadot12_4_2;
-  const T K_thetadot12_4_1 = T(0.25) * B_thetadot12_5_3 - b4_28 + E5_11 * K_thetadot12_5_1 - E5_12 * K_thetadot12_5_2;
-  const T K_thetadot12_4_2 = T(0.1) * B_thetadot12_4_1 - b5_22 + E5_12 * K_thetadot12_5_1 + E5_11 * K_thetadot12_5_2;
-  const T b4_29 = T(0.3) * B_thetadot12_4_2;
-  const T K_thetadot12_4_3 = b4_29 - T(0.25) * B_thetadot12_4_1 + K_thetadot12_5_3;
-  // B_thetadot11_4 = E5^T B_thetadot11_5
-  const T B_thetadot11_4_1 = E5_11 * B_thetadot11_6_1 - E5_12 * B_thetadot11_5_2;
-  const T B_thetadot11_4_2 = E5_12 * B_thetadot11_6_1 + E5_11 * B_thetadot11_5_2;
-  // K_thetadot11_4 = q5~ E5^T B_thetadot11_5 + E5^T K_thetadot11_5
-  const T b4_30 = T(0.1) * B_thetadot11_4_2;
-  const T K_thetadot11_4_1 = T(0.25) * B_thetadot11_5_3 - b4_30 + E5_11 * K_thetadot11_5_1 - E5_12 * K_thetadot11_5_2;
-  const T K_thetadot11_4_2 = T(0.1) * B_thetadot11_4_1 - b5_23 + E5_12 * K_thetadot11_5_1 + E5_11 * K_thetadot11_5_2;
-  const T b4_31 = T(0.3) * B_thetadot11_4_2;
-  const T K_thetadot11_4_3 = b4_31 - T(0.25) * B_thetadot11_4_1 + K_thetadot11_5_3;
-  // B_thetadot10_4 = E5^T B_thetadot10_5
-  const T B_thetadot10_4_1 = E5_11 * B_thetadot10_6_1 - E5_12 * B_thetadot10_5_2;
-  const T B_thetadot10_4_2 = E5_12 * B_thetadot10_6_1 + E5_11 * B_thetadot10_5_2;
-  // K_thetadot10_4 = q5~ E5^T B_thetadot10_5 + E5^T K_thetadot10_5
-  const T b4_32 = T(0.1) * B_thetadot10_4_2;
-  const T K_thetadot10_4_1 = T(0.25) * B_thetadot10_5_3 - b4_32 + E5_11 * K_thetadot10_5_1 - E5_12 * K_thetadot10_5_2;
-  const T K_thetadot10_4_2 = T(0.1) * B_thetadot10_4_1 - b5_24 + E5_12 * K_thetadot10_5_1 + E5_11 * K_thetadot10_5_2;
-  const T b4_33 = T(0.3) * B_thetadot10_4_2;
-  const T K_thetadot10_4_3 = b4_33 - T(0.25) * B_thetadot10_4_1 + K_thetadot10_5_3;
-  // B_thetadot9_4 = E5^T B_thetadot9_5
-  const T B_thetadot9_4_1 = E5_11 * B_thetadot9_6_1 + E5_12 * minus_B_thetadot9_5_2;
-  const T B_thetadot9_4_2 = E5_12 * B_thetadot9_6_1 - E5_11 * minus_B_thetadot9_5_2;
-  // K_thetadot9_4 = q5~ E5^T B_thetadot9_5 + E5^T K_thetadot9_5
-  const T b4_34 = T(0.1) * B_thetadot9_4_2;
-  const T K_thetadot9_4_1 = T(0.25) * B_thetadot9_5_3 - b4_34 + E5_11 * K_thetadot9_5_1 - E5_12 * K_thetadot9_5_2;
-  const T K_thetadot9_4_2 = T(0.1) * B_thetadot9_4_1 - b5_25 + E5_12 * K_thetadot9_5_1 + E5_11 * K_thetadot9_5_2;
-  const T b4_35 = T(0.3) * B_thetadot9_4_2;
-  const T K_thetadot9_4_3 = b4_35 - T(0.25) * B_thetadot9_4_1 + K_thetadot9_5_3;
-  // B_thetadot8_4 = E5^T B_thetadot8_5
-  const T minus_B_thetadot8_4_1 = E5_11 * minus_B_thetadot8_6_1 + E5_12 * B_thetadot8_5_2;
-  const T B_thetadot8_4_2 = E5_11 * B_thetadot8_5_2 - E5_12 * minus_B_thetadot8_6_1;
-  // K_thetadot8_4 = q5~ E5^T B_thetadot8_5 + E5^T K_thetadot8_5
-  const T b4_36 = T(0.1) * B_thetadot8_4_2;
-  const T K_thetadot8_4_1 = T(0.25) * B_thetadot8_5_3 - b4_36 + E5_11 * K_thetadot8_5_1 - E5_12 * K_thetadot8_5_2;
-  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 + E5_11 * K_thetadot8_5_2 - T(0.1) * minus_B_thetadot8_4_1 -
-      b5_26;
-  const T b4_37 = T(0.3) * B_thetadot8_4_2;
-  const T K_thetadot8_4_3 = b4_37 + T(0.25) * minus_B_thetadot8_4_1 + K_thetadot8_5_3;
-  // B_thetadot7_4 = E5^T B_thetadot7_5
-  const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
-  const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
-  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T b4_38 = T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - E5_12 * K_thetadot7_5_2 - b4_38 - T(0.25) *
-      minus_B_thetadot7_5_3;
-  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_27 + E5_12 * K_thetadot7_5_1 + E5_11 * K_thetadot7_5_2;
-  const T b4_39 = T(0.3) * B_thetadot7_4_2;
-  const T K_thetadot7_4_3 = b4_39 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
-  // B_thetadot6_4 = E5^T B_thetadot6_5
-  const T B_thetadot6_4_1 = E5_12 * hc6_3;
-  const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
-  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T b4_40 = T(0.1) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_1 = b4_40 + T(0.25) * hc6_2 + E5_11 * b5_6 - E5_12 * K_thetadot6_5_2;
-  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 + E5_11 * K_thetadot6_5_2;
-  const T b4_41 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_41 - T(0.25) * B_thetadot6_4_1;
-  // D_thetaddot4: pivots of L D L^T
-  const T b4_42 = K_thetadot16_4_2 * T(2.9027576197387517);
-  const T b4_43 = K_thetadot15_4_2 + b4_42 * b15_11;
-  const T b4_44 = b4_43 * b14_19;
-  const T b4_45 = K_thetadot14_4_2 - b4_42 * K_thetadot16_14_3 - b4_44 * b14_18;
-  const T b4_46 = b4_45 * b13_28;
-  const T b4_47 = K_thetadot13_4_2 - b4_42 * K_thetadot16_13_2 - b4_44 * b13_25 - b4_46 * b13_27;
-  const T b4_48 = b4_47 * b12_28;
-  const T b4_49 = K_thetadot12_4_2 - b4_42 * K_thetadot16_12_1 - b4_44 * b12_23 - b4_46 * b12_25 - b4_48 * b12_27;
-  const T b4_50 = b4_49 * b11_28;
-  const T b4_51 = K_thetadot11_4_2 - b4_42 * K_thetadot16_11_3 - b4_44 * b11_21 - b4_46 * b11_23 - b4_48 * b11_25 -
-      b4_50 * b11_27;
-  const T b4_52 = b4_51 * b10_40;
-  const T b4_53 = K_thetadot10_4_2 - b4_42 * K_thetadot16_10_2 - b4_44 * b10_31 - b4_46 * b10_33 - b4_48 * b10_35 -
-      b4_50 * b10_37 - b4_52 * b10_39;
-  const T b4_54 = b4_53 * b9_37;
-  const T b4_55 = K_thetadot9_4_2 - b4_42 * K_thetadot16_9_1 - b4_44 * b9_26 - b4_46 * b9_28 - b4_48 * b9_30 - b4_50 *
-      b9_32 - b4_52 * b9_34 - b4_54 * b9_36;
-  const T b4_56 = b4_55 * b8_37;
-  const T b4_57 = K_thetadot8_4_2 - b4_42 * K_thetadot16_8_3 - b4_44 * b8_24 - b4_46 * b8_26 - b4_48 * b8_28 - b4_50 *
-      b8_30 - b4_52 * b8_32 - b4_54 * b8_34 - b4_56 * b8_36;
-  const T b4_58 = b4_57 * b7_52;
-  const T b4_59 = K_thetadot7_4_2 - b4_42 * K_thetadot16_7_2 - b4_44 * b7_37 - b4_46 * b7_39 - b4_48 * b7_41 - b4_50 *
-      b7_43 - b4_52 * b7_45 - b4_54 * b7_47 - b4_56 * b7_49 - b4_58 * b7_51;
-  const T b4_60 = b4_59 * b6_47;
-  const T b4_61 = K_thetadot6_4_2 - b4_42 * K_thetadot16_6_1 - b4_44 * b6_30 - b4_46 * b6_32 - b4_48 * b6_34 - b4_50 *
-      b6_36 - b4_52 * b6_38 - b4_54 * b6_40 - b4_56 * b6_42 - b4_58 * b6_44 - b4_60 * b6_46;
-  const T b4_62 = b4_61 * b5_48;
-  const T b4_63 = b4_18 - b4_42 * K_thetadot16_5_3 - b4_44 * b5_29 - b4_46 * b5_31 - b4_48 * b5_33 - b4_50 * b5_35 -
-      b4_52 * b5_37 - b4_54 * b5_39 - b4_56 * b5_41 - b4_58 * b5_43 - b4_60 * b5_45 - b4_62 * b5_47;
-  const T b4_64 = T(1) / D_thetaddot5;
-  const T b4_65 = b4_63 * b4_64;
-  const T D_thetaddot4 = J4_22 - b4_42 * K_thetadot16_4_2 - b4_44 * b4_43 - b4_46 * b4_45 - b4_48 * b4_47 - b4_50 *
-      b4_49 - b4_52 * b4_51 - b4_54 * b4_53 - b4_56 * b4_55 - b4_58 * b4_57 - b4_60 * b4_59 - b4_62 * b4_61 - b4_65 *
-      b4_63;
+  // HA4 = h_own_4~ + Hb5: moment for an acceleration of the origin, body axes [kg m]
+  const T HA4_12 = Hb5_12 - T(4.915);
+  const T HA4_21 = T(4.915) + Hb5_21;
+  const T HA4_23 = Hb5_23 - T(7.52);
+  const T HA4_32 = T(7.52) + Hb5_32;
+  // JA4 = q5~ Hp5^T + J_own_4 + Jp5 - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA4_11 = T(0.45) * Hp5_13 + T(1.0502500000000001) - minus_Jp5_11 + Hb5_13 * T(0.45);
+  const T JA4_12 = T(0.45) * Hp5_23 - T(3.37) + Jp5_12 - Hb5_13 * T(0.3);
+  const T minus_JA4_13 = T(1.4563) + Hb5_11 * T(0.45) - Hb5_12 * T(0.3);
+  const T JA4_22 = T(5.64625) - T(0.3) * Hp5_23 + Jp5_22 - Hb5_23 * T(0.3);
+  const T minus_JA4_23 = T(2.2138500000000003) + Hb5_21 * T(0.45) - Hb5_22 * T(0.3);
+  const T minus_JA4_33 = Hb5_31 * T(0.45) - Hb5_32 * T(0.3);
+  // g4 = G4 + gp5: force that drives it, home axes [N]
+  const T g4_1 = gp5_1 - minus_G4_1;
+  const T g4_2 = gp5_2 - minus_G4_2;
+  const T g4_3 = gt5_3 - minus_G4_3;
+  // n4 = q5~ gp5 + N4 + np5: moment that drives it, body axes [N m]
+  const T n4_1 = T(0.45) * gt5_3 - minus_N4_1 + np5_1;
+  const T n4_2 = np5_2 - (T(0.3) * gt5_3 + minus_N4_2);
+  const T n4_3 = T(0.3) * gp5_2 - T(0.45) * gp5_1 - minus_N4_3 - u.tau_5;
+  // invD4 = D4^-1: 1/D
+  const T invD4 = T(1) / JA4_22;
+  // kB4 = invD4 B4: B/D
+  const T kB4_1 = invD4 * HA4_21;
+  const T kB4_2 = invD4 * Hb5_22;
+  const T kB4_3 = invD4 * HA4_23;
+  // kK4 = invD4 K4: K/D
+  const T kK4_1 = invD4 * JA4_12;
+  const T minus_kK4_3 = invD4 * minus_JA4_23;
+  // u_4 = b4 . n4 + tau_body_4_: drives it [N m]
+  const T u_4 = n4_2 + u.tau_4;
+  // v4 = invD4 u_4: u/D
+  const T v4 = invD4 * u_4;
+  // M4 = Mp5 - kB4 B4^T: MA less what the turn takes up [kg]
+  const T M4_11 = Mp5_11 - kB4_1 * HA4_21;
+  const T M4_12 = Mp5_12 - kB4_1 * Hb5_22;
+  const T M4_13 = Mp5_13 - kB4_1 * HA4_23;
+  const T M4_22 = Mp5_22 - kB4_2 * Hb5_22;
+  const T M4_23 = Mp5_23 - kB4_2 * HA4_23;
+  const T M4_33 = M5_33 - kB4_3 * HA4_23;
+  // H4 = P_b4 (HA4 - kK4 B4^T): HA less what the turn takes up [kg m]
+  const T H4_11 = Hb5_11 - kK4_1 * HA4_21;
+  const T H4_12 = HA4_12 - kK4_1 * Hb5_22;
+  const T H4_13 = Hb5_13 - kK4_1 * HA4_23;
+  const T H4_31 = Hb5_31 + minus_kK4_3 * HA4_21;
+  const T H4_32 = HA4_32 + minus_kK4_3 * Hb5_22;
+  const T H4_33 = Hb5_33 + minus_kK4_3 * HA4_23;
+  // J4 = P_b4 (JA4 - kK4 K4^T) P_b4: JA less what the turn takes up [kg m^2]
+  const T J4_11 = JA4_11 - kK4_1 * JA4_12;
+  const T J4_13 = kK4_1 * minus_JA4_23 - minus_JA4_13;
+  const T minus_J4_33 = minus_JA4_33 + minus_kK4_3 * minus_JA4_23;
+  // gt4 = g4 - v4 B4: force with the turn solved [N]
+  const T gt4_1 = g4_1 - v4 * HA4_21;
+  const T gt4_2 = g4_2 - v4 * Hb5_22;
+  const T gt4_3 = g4_3 - v4 * HA4_23;
+  // nt4 = -tau_body_4_ b4 + P_b4 (n4 - v4 K4): moment with the turn solved [N m]
+  const T nt4_1 = n4_1 - v4 * JA4_12;
+  const T nt4_3 = n4_3 + v4 * minus_JA4_23;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = T(2) * E4_11;
+  const T b4_2 = minus_E4_13 * (M4_33 - M4_11) + b4_1 * M4_13;
+  const T b4_3 = minus_E4_13 * b4_2;
+  const T Mp4_11 = M4_11 + b4_3;
+  const T Mp4_12 = minus_E4_13 * M4_23 + E4_11 * M4_12;
+  const T Mp4_13 = E4_11 * b4_2 - M4_13;
+  const T Mp4_23 = E4_11 * M4_23 - minus_E4_13 * M4_12;
+  const T Mp4_33 = M4_33 - b4_3;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = E4_11 * gt4_1 + minus_E4_13 * gt4_3;
+  const T gp4_3 = E4_11 * gt4_3 - minus_E4_13 * gt4_1;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_4 = minus_E4_13 * (H4_33 - H4_11) + E4_11 * (H4_31 + H4_13);
+  const T b4_5 = minus_E4_13 * b4_4;
+  const T Hp4_11 = H4_11 + b4_5;
+  const T Hp4_12 = minus_E4_13 * H4_32 + E4_11 * H4_12;
+  const T b4_6 = E4_11 * b4_4;
+  const T Hp4_13 = b4_6 - H4_31;
+  const T Hp4_31 = b4_6 - H4_13;
+  const T Hp4_32 = E4_11 * H4_32 - minus_E4_13 * H4_12;
+  const T Hp4_33 = H4_33 - b4_5;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_7 = b4_1 * J4_13 - minus_E4_13 * (minus_J4_33 + J4_11);
+  const T b4_8 = minus_E4_13 * b4_7;
+  const T Jp4_11 = J4_11 + b4_8;
+  const T Jp4_13 = E4_11 * b4_7 - J4_13;
+  const T minus_Jp4_33 = minus_J4_33 + b4_8;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T np4_1 = E4_11 * nt4_1 + minus_E4_13 * nt4_3;
+  const T np4_3 = E4_11 * nt4_3 - minus_E4_13 * nt4_1;
+  // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
+  const T b4_9 = T(0.1) * Mp4_12;
+  const T Hb4_11 = Hp4_11 - b4_9;
+  const T Hb4_12 = Hp4_12 - T(0.1) * M4_22;
+  const T Hb4_13 = Hp4_13 - T(0.1) * Mp4_23;
+  const T Hb4_21 = T(0.1) * Mp4_11 - T(0.6) * Mp4_13;
+  const T b4_10 = T(0.6) * Mp4_23;
+  const T Hb4_22 = b4_9 - b4_10;
+  const T Hb4_23 = T(0.1) * Mp4_13 - T(0.6) * Mp4_33;
+  const T Hb4_31 = T(0.6) * Mp4_12 + Hp4_31;
+  const T Hb4_32 = T(0.6) * M4_22 + Hp4_32;
+  const T Hb4_33 = b4_10 + Hp4_33;
 
   // ---- body 3 (body_3) and what it carries
-  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + minus_E4_13 * S4_3;
-  const T S3_1 = b3_1 - minus_G3_1;
-  const T S3_2 = S4_2 - minus_G3_2;
-  const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
-  const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * b3_2 - T(0.1) * S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2 -
-      T(0.2) * minus_G3_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = T(0.3) * S4_2 - T(0.2) * b3_1 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.2) * minus_G3_1 -
-      T(0.1) * minus_G3_2 - minus_N3_3;
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = T(7.93) + hc4_1;
-  const T h3_2 = T(5.46) + h4_2;
-  const T h3_3 = T(2.665) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_3 = E4_11 * J4_11 + minus_E4_13 * J4_31;
-  const T b3_4 = E4_11 * J4_13 + minus_E4_13 * J4_33;
-  const T b3_5 = T(0.1) * hc4_3;
-  const T b3_6 = T(5.2) + h4_2;
-  const T b3_7 = T(0.2) * h4_2 + b3_6 * T(0.2);
-  const T b3_8 = hc4_3 + T(2.6);
-  const T b3_9 = b3_8 * T(0.1);
-  const T J3_11 = b3_3 * E4_11 + b3_4 * minus_E4_13 + b3_5 + b3_7 + T(0.18525000000000003) + b3_9;
-  const T b3_10 = E4_11 * J4_12 + minus_E4_13 * J4_32;
-  const T b3_11 = b3_10 - T(0.2) * hc4_1;
-  const T J3_12 = b3_11 - T(0.019500000000000003) - b3_6 * T(0.3);
-  const T b3_12 = b3_4 * E4_11 - b3_3 * minus_E4_13 - T(0.002600000000000001);
-  const T J3_13 = b3_12 - T(0.1) * hc4_1 - b3_8 * T(0.3);
-  const T b3_13 = hc4_1 + T(7.8);
-  const T J3_21 = b3_10 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_13 * T(0.2);
-  const T b3_14 = T(0.3) * hc4_1;
-  const T b3_15 = b3_5 + b3_14 + J4_22;
-  const T b3_16 = b3_13 * T(0.3);
-  const T J3_22 = b3_15 + T(0.17225000000000001) + b3_9 + b3_16;
-  const T b3_17 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
-  const T J3_23 = b3_17 - T(0.1) * h4_2 - b3_8 * T(0.2);
-  const T J3_31 = b3_12 - T(0.3) * hc4_3 - b3_13 * T(0.1);
-  const T b3_18 = T(0.2) * hc4_3;
-  const T J3_32 = b3_17 - b3_18 - b3_6 * T(0.1);
-  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
-      + b3_7 + b3_14 + T(0.169) + b3_16;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
-  const T hc3_3 = E3_22 * h3_3 + E3_23 * h3_2;
-  // B_thetadot16_3 = E4^T B_thetadot16_4
-  const T B_thetadot16_3_1 = E4_11 * B_thetadot16_4_1 + minus_E4_13 * B_thetadot16_5_3;
-  const T B_thetadot16_3_3 = E4_11 * B_thetadot16_5_3 - minus_E4_13 * B_thetadot16_4_1;
-  // K_thetadot16_3 = q4~ E4^T B_thetadot16_4 + E4^T K_thetadot16_4
-  const T K_thetadot16_3_1 = T(0.2) * B_thetadot16_3_3 - b4_20 + E4_11 * K_thetadot16_4_1 + minus_E4_13 *
-      K_thetadot16_4_3;
-  const T b3_19 = T(0.1) * B_thetadot16_3_1;
-  const T K_thetadot16_3_2 = b3_19 - T(0.3) * B_thetadot16_3_3 + K_thetadot16_4_2;
-  const T K_thetadot16_3_3 = b4_21 - T(0.2) * B_thetadot16_3_1 + E4_11 * K_thetadot16_4_3 - minus_E4_13 *
-      K_thetadot16_4_1;
-  // B_thetadot15_3 = E4^T B_thetadot15_4
-  const T B_thetadot15_3_1 = E4_11 * B_thetadot15_4_1 + minus_E4_13 * B_thetadot15_5_3;
-  const T B_thetadot15_3_3 = E4_11 * B_thetadot15_5_3 - minus_E4_13 * B_thetadot15_4_1;
-  // K_thetadot15_3 = q4~ E4^T B_thetadot15_4 + E4^T K_thetadot15_4
-  const T K_thetadot15_3_1 = T(0.2) * B_thetadot15_3_3 - b4_22 + E4_11 * K_thetadot15_4_1 + minus_E4_13 *
-      K_thetadot15_4_3;
-  const T b3_20 = T(0.1) * B_thetadot15_3_1;
-  const T K_thetadot15_3_2 = b3_20 - T(0.3) * B_thetadot15_3_3 + K_thetadot15_4_2;
-  const T K_thetadot15_3_3 = b4_23 - T(0.2) * B_thetadot15_3_1 + E4_11 * K_thetadot15_4_3 - minus_E4_13 *
-      K_thetadot15_4_1;
-  // B_thetadot14_3 = E4^T B_thetadot14_4
-  const T B_thetadot14_3_1 = E4_11 * B_thetadot14_4_1 + minus_E4_13 * B_thetadot14_5_3;
-  const T B_thetadot14_3_3 = E4_11 * B_thetadot14_5_3 - minus_E4_13 * B_thetadot14_4_1;
-  // K_thetadot14_3 = q4~ E4^T B_thetadot14_4 + E4^T K_thetadot14_4
-  const T K_thetadot14_3_1 = T(0.2) * B_thetadot14_3_3 - b4_24 + E4_11 * K_thetadot14_4_1 + minus_E4_13 *
-      K_thetadot14_4_3;
-  const T b3_21 = T(0.1) * B_thetadot14_3_1;
-  const T K_thetadot14_3_2 = b3_21 - T(0.3) * B_thetadot14_3_3 + K_thetadot14_4_2;
-  const T K_thetadot14_3_3 = b4_25 - T(0.2) * B_thetadot14_3_1 + E4_11 * K_thetadot14_4_3 - minus_E4_13 *
-      K_thetadot14_4_1;
-  // B_thetadot13_3 = E4^T B_thetadot13_4
-  const T B_thetadot13_3_1 = E4_11 * B_thetadot13_4_1 + minus_E4_13 * B_thetadot13_5_3;
-  const T B_thetadot13_3_3 = E4_11 * B_thetadot13_5_3 - minus_E4_13 * B_thetadot13_4_1;
-  // K_thetadot13_3 = q4~ E4^T B_thetadot13_4 + E4^T K_thetadot13_4
-  const T K_thetadot13_3_1 = T(0.2) * B_thetadot13_3_3 - b4_26 + E4_11 * K_thetadot13_4_1 + minus_E4_13 *
-      K_thetadot13_4_3;
-  const T b3_22 = T(0.1) * B_thetadot13_3_1;
-  const T K_thetadot13_3_2 = b3_22 - T(0.3) * B_thetadot13_3_3 + K_thetadot13_4_2;
-  const T K_thetadot13_3_3 = b4_27 - T(0.2) * B_thetadot13_3_1 + E4_11 * K_thetadot13_4_3 - minus_E4_13 *
-      K_thetadot13_4_1;
-  // B_thetadot12_3 = E4^T B_thetadot12_4
-  const T B_thetadot12_3_1 = E4_11 * B_thetadot12_4_1 + minus_E4_13 * B_thetadot12_5_3;
-  const T B_thetadot12_3_3 = E4_11 * B_thetadot12_5_3 - minus_E4_13 * B_thetadot12_4_1;
-  // K_thetadot12_3 = q4~ E4^T B_thetadot12_4 + E4^T K_thetadot12_4
-  const T K_thetadot12_3_1 = T(0.2) * B_thetadot12_3_3 - b4_28 + E4_11 * K_thetadot12_4_1 + minus_E4_13 *
-      K_thetadot12_4_3;
-  const T b3_23 = T(0.1) * B_thetadot12_3_1;
-  const T K_thetadot12_3_2 = b3_23 - T(0.3) * B_thetadot12_3_3 + K_thetadot12_4_2;
-  const T K_thetadot12_3_3 = b4_29 - T(0.2) * B_thetadot12_3_1 + E4_11 * K_thetadot12_4_3 - minus_E4_13 *
-      K_thetadot12_4_1;
-  // B_thetadot11_3 = E4^T B_thetadot11_4
-  const T B_thetadot11_3_1 = E4_11 * B_thetadot11_4_1 + minus_E4_13 * B_thetadot11_5_3;
-  const T B_thetadot11_3_3 = E4_11 * B_thetadot11_5_3 - minus_E4_13 * B_thetadot11_4_1;
-  // K_thetadot11_3 = q4~ E4^T B_thetadot11_4 + E4^T K_thetadot11_4
-  const T K_thetadot11_3_1 = T(0.2) * B_thetadot11_3_3 - b4_30 + E4_11 * K_thetadot11_4_1 + minus_E4_13 *
-      K_thetadot11_4_3;
-  const T b3_24 = T(0.1) * B_thetadot11_3_1;
-  const T K_thetadot11_3_2 = b3_24 - T(0.3) * B_thetadot11_3_3 + K_thetadot11_4_2;
-  const T K_thetadot11_3_3 = b4_31 - T(0.2) * B_thetadot11_3_1 + E4_11 * K_thetadot11_4_3 - minus_E4_13 *
-      K_thetadot11_4_1;
-  // B_thetadot10_3 = E4^T B_thetadot10_4
-  const T B_thetadot10_3_1 = E4_11 * B_thetadot10_4_1 + minus_E4_13 * B_thetadot10_5_3;
-  const T B_thetadot10_3_3 = E4_11 * B_thetadot10_5_3 - minus_E4_13 * B_thetadot10_4_1;
-  // K_thetadot10_3 = q4~ E4^T B_thetadot10_4 + E4^T K_thetadot10_4
-  const T K_thetadot10_3_1 = T(0.2) * B_thetadot10_3_3 - b4_32 + E4_11 * K_thetadot10_4_1 + minus_E4_13 *
-      K_thetadot10_4_3;
-  const T b3_25 = T(0.1) * B_thetadot10_3_1;
-  const T K_thetadot10_3_2 = b3_25 - T(0.3) * B_thetadot10_3_3 + K_thetadot10_4_2;
-  const T K_thetadot10_3_3 = b4_33 - T(0.2) * B_thetadot10_3_1 + E4_11 * K_thetadot10_4_3 - minus_E4_13 *
-      K_thetadot10_4_1;
-  // B_thetadot9_3 = E4^T B_thetadot9_4
-  const T B_thetadot9_3_1 = E4_11 * B_thetadot9_4_1 + minus_E4_13 * B_thetadot9_5_3;
-  const T B_thetadot9_3_3 = E4_11 * B_thetadot9_5_3 - minus_E4_13 * B_thetadot9_4_1;
-  // K_thetadot9_3 = q4~ E4^T B_thetadot9_4 + E4^T K_thetadot9_4
-  const T K_thetadot9_3_1 = T(0.2) * B_thetadot9_3_3 - b4_34 + E4_11 * K_thetadot9_4_1 + minus_E4_13 *
-      K_thetadot9_4_3;
-  const T b3_26 = T(0.1) * B_thetadot9_3_1;
-  const T K_thetadot9_3_2 = b3_26 - T(0.3) * B_thetadot9_3_3 + K_thetadot9_4_2;
-  const T K_thetadot9_3_3 = b4_35 - T(0.2) * B_thetadot9_3_1 + E4_11 * K_thetadot9_4_3 - minus_E4_13 *
-      K_thetadot9_4_1;
-  // B_thetadot8_3 = E4^T B_thetadot8_4
-  const T B_thetadot8_3_1 = minus_E4_13 * B_thetadot8_5_3 - E4_11 * minus_B_thetadot8_4_1;
-  const T B_thetadot8_3_3 = minus_E4_13 * minus_B_thetadot8_4_1 + E4_11 * B_thetadot8_5_3;
-  // K_thetadot8_3 = q4~ E4^T B_thetadot8_4 + E4^T K_thetadot8_4
-  const T K_thetadot8_3_1 = T(0.2) * B_thetadot8_3_3 - b4_36 + E4_11 * K_thetadot8_4_1 + minus_E4_13 *
-      K_thetadot8_4_3;
-  const T b3_27 = T(0.1) * B_thetadot8_3_1;
-  const T K_thetadot8_3_2 = b3_27 - T(0.3) * B_thetadot8_3_3 + K_thetadot8_4_2;
-  const T K_thetadot8_3_3 = b4_37 - T(0.2) * B_thetadot8_3_1 + E4_11 * K_thetadot8_4_3 - minus_E4_13 *
-      K_thetadot8_4_1;
-  // B_thetadot7_3 = E4^T B_thetadot7_4
-  const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
-  const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
-  // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 + minus_E4_13 * K_thetadot7_4_3 - b4_38 - T(0.2) *
-      minus_B_thetadot7_3_3;
-  const T b3_28 = T(0.1) * B_thetadot7_3_1;
-  const T K_thetadot7_3_2 = b3_28 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
-  const T K_thetadot7_3_3 = b4_39 - T(0.2) * B_thetadot7_3_1 + E4_11 * K_thetadot7_4_3 - minus_E4_13 *
-      K_thetadot7_4_1;
-  // B_thetadot6_3 = E4^T B_thetadot6_4
-  const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
-  const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
-  // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = b4_40 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
-      K_thetadot6_4_3;
-  const T b3_29 = T(0.1) * B_thetadot6_3_1;
-  const T K_thetadot6_3_2 = b3_29 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_41 - T(0.2) *
-      B_thetadot6_3_1;
-  // B_thetadot5_3 = E4^T B_thetadot5_4
-  const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
-  const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
-  // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
-  const T b3_30 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_18 - b3_30 - T(0.3) * B_thetadot5_3_3;
-  const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
-  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
-  // D_thetaddot3: pivots of L D L^T
-  const T b3_31 = K_thetadot16_3_1 * T(2.9027576197387517);
-  const T b3_32 = K_thetadot15_3_1 + b3_31 * b15_11;
-  const T b3_33 = b3_32 * b14_19;
-  const T b3_34 = K_thetadot14_3_1 - b3_31 * K_thetadot16_14_3 - b3_33 * b14_18;
-  const T b3_35 = b3_34 * b13_28;
-  const T b3_36 = K_thetadot13_3_1 - b3_31 * K_thetadot16_13_2 - b3_33 * b13_25 - b3_35 * b13_27;
-  const T b3_37 = b3_36 * b12_28;
-  const T b3_38 = K_thetadot12_3_1 - b3_31 * K_thetadot16_12_1 - b3_33 * b12_23 - b3_35 * b12_25 - b3_37 * b12_27;
-  const T b3_39 = b3_38 * b11_28;
-  const T b3_40 = K_thetadot11_3_1 - b3_31 * K_thetadot16_11_3 - b3_33 * b11_21 - b3_35 * b11_23 - b3_37 * b11_25 -
-      b3_39 * b11_27;
-  const T b3_41 = b3_40 * b10_40;
-  const T b3_42 = K_thetadot10_3_1 - b3_31 * K_thetadot16_10_2 - b3_33 * b10_31 - b3_35 * b10_33 - b3_37 * b10_35 -
-      b3_39 * b10_37 - b3_41 * b10_39;
-  const T b3_43 = b3_42 * b9_37;
-  const T b3_44 = K_thetadot9_3_1 - b3_31 * K_thetadot16_9_1 - b3_33 * b9_26 - b3_35 * b9_28 - b3_37 * b9_30 - b3_39 *
-      b9_32 - b3_41 * b9_34 - b3_43 * b9_36;
-  const T b3_45 = b3_44 * b8_37;
-  const T b3_46 = K_thetadot8_3_1 - b3_31 * K_thetadot16_8_3 - b3_33 * b8_24 - b3_35 * b8_26 - b3_37 * b8_28 - b3_39 *
-      b8_30 - b3_41 * b8_32 - b3_43 * b8_34 - b3_45 * b8_36;
-  const T b3_47 = b3_46 * b7_52;
-  const T b3_48 = K_thetadot7_3_1 - b3_31 * K_thetadot16_7_2 - b3_33 * b7_37 - b3_35 * b7_39 - b3_37 * b7_41 - b3_39 *
-      b7_43 - b3_41 * b7_45 - b3_43 * b7_47 - b3_45 * b7_49 - b3_47 * b7_51;
-  const T b3_49 = b3_48 * b6_47;
-  const T b3_50 = K_thetadot6_3_1 - b3_31 * K_thetadot16_6_1 - b3_33 * b6_30 - b3_35 * b6_32 - b3_37 * b6_34 - b3_39 *
-      b6_36 - b3_41 * b6_38 - b3_43 * b6_40 - b3_45 * b6_42 - b3_47 * b6_44 - b3_49 * b6_46;
-  const T b3_51 = b3_50 * b5_48;
-  const T b3_52 = K_thetadot5_3_1 - b3_31 * K_thetadot16_5_3 - b3_33 * b5_29 - b3_35 * b5_31 - b3_37 * b5_33 - b3_39 *
-      b5_35 - b3_41 * b5_37 - b3_43 * b5_39 - b3_45 * b5_41 - b3_47 * b5_43 - b3_49 * b5_45 - b3_51 * b5_47;
-  const T b3_53 = b3_52 * b4_64;
-  const T b3_54 = b3_11 - b3_31 * K_thetadot16_4_2 - b3_33 * b4_43 - b3_35 * b4_45 - b3_37 * b4_47 - b3_39 * b4_49 -
-      b3_41 * b4_51 - b3_43 * b4_53 - b3_45 * b4_55 - b3_47 * b4_57 - b3_49 * b4_59 - b3_51 * b4_61 - b3_53 * b4_63;
-  const T b3_55 = T(1) / D_thetaddot4;
-  const T b3_56 = b3_54 * b3_55;
-  const T D_thetaddot3 = J3_11 - b3_31 * K_thetadot16_3_1 - b3_33 * b3_32 - b3_35 * b3_34 - b3_37 * b3_36 - b3_39 *
-      b3_38 - b3_41 * b3_40 - b3_43 * b3_42 - b3_45 * b3_44 - b3_47 * b3_46 - b3_49 * b3_48 - b3_51 * b3_50 - b3_53 *
-      b3_52 - b3_56 * b3_54;
+  // HA3 = h_own_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
+  const T HA3_12 = Hb4_12 - T(2.665);
+  const T HA3_13 = T(11.89) + Hb4_13;
+  const T HA3_21 = T(2.665) + Hb4_21;
+  const T HA3_31 = Hb4_31 - T(11.89);
+  // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_11 = T(7.99075) - T(0.1) * Hp4_12 + Jp4_11 - Hb4_12 * T(0.1);
+  const T minus_JA3_12 = T(7.0755) + Hb4_13 * T(0.6) - Hb4_11 * T(0.1);
+  const T JA3_13 = Jp4_13 - (T(0.1) * Hp4_32 + T(1.5821)) + Hb4_12 * T(0.6);
+  const T minus_JA3_22 = Hb4_23 * T(0.6) - Hb4_21 * T(0.1);
+  const T JA3_23 = T(0.1) * Hp4_31 - T(0.6) * Hp4_33 - T(1.1812) + Hb4_22 * T(0.6);
+  const T JA3_33 = T(0.6) * Hp4_32 + T(7.28225) - minus_Jp4_33 + Hb4_32 * T(0.6);
+  // g3 = G3 + gp4: force that drives it, home axes [N]
+  const T g3_1 = gp4_1 - minus_G3_1;
+  const T g3_2 = gt4_2 - minus_G3_2;
+  const T g3_3 = gp4_3 - minus_G3_3;
+  // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
+  const T n3_1 = np4_1 - (T(0.1) * gt4_2 + minus_N3_1);
+  const T n3_2 = T(0.1) * gp4_1 - T(0.6) * gp4_3 - minus_N3_2 - u.tau_4;
+  const T n3_3 = T(0.6) * gt4_2 - minus_N3_3 + np4_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / JA3_11;
+  // kB3 = invD3 B3: B/D
+  const T kB3_1 = invD3 * Hb4_11;
+  const T kB3_2 = invD3 * HA3_12;
+  const T kB3_3 = invD3 * HA3_13;
+  // kK3 = invD3 K3: K/D
+  const T minus_kK3_2 = invD3 * minus_JA3_12;
+  const T kK3_3 = invD3 * JA3_13;
+  // u_3 = b3 . n3 + tau_body_3_: drives it [N m]
+  const T u_3 = n3_1 + u.tau_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // M3 = Mp4 - kB3 B3^T: MA less what the turn takes up [kg]
+  const T M3_11 = Mp4_11 - kB3_1 * Hb4_11;
+  const T M3_12 = Mp4_12 - kB3_1 * HA3_12;
+  const T M3_13 = Mp4_13 - kB3_1 * HA3_13;
+  const T M3_22 = M4_22 - kB3_2 * HA3_12;
+  const T M3_23 = Mp4_23 - kB3_2 * HA3_13;
+  const T M3_33 = Mp4_33 - kB3_3 * HA3_13;
+  // H3 = P_b3 (HA3 - kK3 B3^T): HA less what the turn takes up [kg m]
+  const T H3_21 = HA3_21 + minus_kK3_2 * Hb4_11;
+  const T H3_22 = Hb4_22 + minus_kK3_2 * HA3_12;
+  const T H3_23 = Hb4_23 + minus_kK3_2 * HA3_13;
+  const T H3_31 = HA3_31 - kK3_3 * Hb4_11;
+  const T H3_32 = Hb4_32 - kK3_3 * HA3_12;
+  const T H3_33 = Hb4_33 - kK3_3 * HA3_13;
+  // J3 = P_b3 (JA3 - kK3 K3^T) P_b3: JA less what the turn takes up [kg m^2]
+  const T minus_J3_22 = minus_JA3_22 + minus_kK3_2 * minus_JA3_12;
+  const T J3_23 = JA3_23 + minus_kK3_2 * JA3_13;
+  const T J3_33 = JA3_33 - kK3_3 * JA3_13;
+  // gt3 = g3 - v3 B3: force with the turn solved [N]
+  const T gt3_1 = g3_1 - v3 * Hb4_11;
+  const T gt3_2 = g3_2 - v3 * HA3_12;
+  const T gt3_3 = g3_3 - v3 * HA3_13;
+  // nt3 = -tau_body_3_ b3 + P_b3 (n3 - v3 K3): moment with the turn solved [N m]
+  const T nt3_2 = n3_2 + v3 * minus_JA3_12;
+  const T nt3_3 = n3_3 - v3 * JA3_13;
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T Mp3_12 = E3_22 * M3_12 - E3_23 * M3_13;
+  const T Mp3_13 = E3_23 * M3_12 + E3_22 * M3_13;
+  const T b3_1 = T(2) * E3_22;
+  const T b3_2 = E3_23 * (M3_22 - M3_33) + b3_1 * M3_23;
+  const T b3_3 = E3_23 * b3_2;
+  const T Mp3_22 = M3_22 - b3_3;
+  const T Mp3_23 = E3_22 * b3_2 - M3_23;
+  const T Mp3_33 = M3_33 + b3_3;
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_2 = E3_22 * gt3_2 - E3_23 * gt3_3;
+  const T gp3_3 = E3_23 * gt3_2 + E3_22 * gt3_3;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T Hp3_21 = E3_22 * H3_21 - E3_23 * H3_31;
+  const T b3_4 = E3_23 * (H3_22 - H3_33) + E3_22 * (H3_23 + H3_32);
+  const T b3_5 = E3_23 * b3_4;
+  const T Hp3_22 = H3_22 - b3_5;
+  const T b3_6 = E3_22 * b3_4;
+  const T Hp3_23 = b3_6 - H3_32;
+  const T Hp3_31 = E3_23 * H3_21 + E3_22 * H3_31;
+  const T Hp3_32 = b3_6 - H3_23;
+  const T Hp3_33 = H3_33 + b3_5;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_7 = b3_1 * J3_23 - E3_23 * (minus_J3_22 + J3_33);
+  const T b3_8 = E3_23 * b3_7;
+  const T minus_Jp3_22 = minus_J3_22 + b3_8;
+  const T Jp3_23 = E3_22 * b3_7 - J3_23;
+  const T Jp3_33 = J3_33 + b3_8;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_2 = E3_22 * nt3_2 - E3_23 * nt3_3;
+  const T np3_3 = E3_23 * nt3_2 + E3_22 * nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T b3_9 = T(0.15) * Mp3_13;
+  const T Hb3_11 = b3_9 - T(0.2) * Mp3_12;
+  const T Hb3_12 = T(0.15) * Mp3_23 - T(0.2) * Mp3_22;
+  const T Hb3_13 = T(0.15) * Mp3_33 - T(0.2) * Mp3_23;
+  const T Hb3_21 = T(0.2) * M3_11 + Hp3_21;
+  const T Hb3_23 = T(0.2) * Mp3_13 + Hp3_23;
+  const T Hb3_31 = Hp3_31 - T(0.15) * M3_11;
+  const T Hb3_33 = Hp3_33 - b3_9;
 
   // ---- body 2 (body_2) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T S2_1 = S3_1 - minus_G2_1;
-  const T b2_1 = E3_22 * S3_2 - E3_23 * S3_3;
-  const T S2_2 = b2_1 - minus_G2_2;
-  const T b2_2 = E3_23 * S3_2 + E3_22 * S3_3;
-  const T S2_3 = b2_2 - minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.15) * b2_2 - T(0.1) * b2_1 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
-  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
-      minus_G2_1 - minus_N2_2;
-  const T rho2_3 = T(0.3) * b2_1 - T(0.15) * S3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.2) * minus_G2_1 - T(0.1) *
-      minus_G2_2 - minus_N2_3;
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(8.31) + h3_1;
-  const T h2_2 = T(4.335) + hc3_2;
-  const T h2_3 = T(2.79) + hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_3 = T(0.1) * hc3_3;
-  const T b2_4 = T(0.15) * hc3_2;
-  const T b2_5 = b2_3 + b2_4 + J3_11;
-  const T b2_6 = hc3_3 + T(2.73);
-  const T b2_7 = b2_6 * T(0.1);
-  const T b2_8 = T(4.095) + hc3_2;
-  const T b2_9 = b2_8 * T(0.15);
-  const T J2_11 = b2_5 + T(0.171) + b2_7 + b2_9;
-  const T b2_10 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
-  const T J2_12 = b2_10 - T(0.15) * h3_1 - b2_8 * T(0.3);
-  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_6 * T(0.3);
-  const T b2_11 = T(0.3) * hc3_2;
-  const T b2_12 = h3_1 + T(8.19);
-  const T J2_21 = b2_10 - b2_11 - b2_12 * T(0.15);
-  const T b2_13 = E3_22 * J3_22 - E3_23 * J3_32;
-  const T b2_14 = E3_22 * J3_23 - E3_23 * J3_33;
-  const T b2_15 = T(0.3) * h3_1 + b2_12 * T(0.3);
-  const T J2_22 = b2_13 * E3_22 - b2_14 * E3_23 + b2_3 + b2_15 + T(0.159) + b2_7;
-  const T J2_23 = b2_13 * E3_23 + b2_14 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_6 * T(0.15);
-  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_4 + b2_15 +
-      T(0.156) + b2_9;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
-  // B_thetadot16_2 = E3^T B_thetadot16_3
-  const T B_thetadot16_2_2 = E3_22 * B_thetadot16_4_2 - E3_23 * B_thetadot16_3_3;
-  const T B_thetadot16_2_3 = E3_23 * B_thetadot16_4_2 + E3_22 * B_thetadot16_3_3;
-  // K_thetadot16_2 = q3~ E3^T B_thetadot16_3 + E3^T K_thetadot16_3
-  const T K_thetadot16_2_1 = T(0.15) * B_thetadot16_2_3 - T(0.1) * B_thetadot16_2_2 + K_thetadot16_3_1;
-  const T b2_16 = T(0.3) * B_thetadot16_2_3;
-  const T K_thetadot16_2_2 = b3_19 - b2_16 + E3_22 * K_thetadot16_3_2 - E3_23 * K_thetadot16_3_3;
-  const T K_thetadot16_2_3 = T(0.3) * B_thetadot16_2_2 - T(0.15) * B_thetadot16_3_1 + E3_23 * K_thetadot16_3_2 + E3_22
-      * K_thetadot16_3_3;
-  // B_thetadot15_2 = E3^T B_thetadot15_3
-  const T B_thetadot15_2_2 = E3_22 * B_thetadot15_4_2 - E3_23 * B_thetadot15_3_3;
-  const T B_thetadot15_2_3 = E3_23 * B_thetadot15_4_2 + E3_22 * B_thetadot15_3_3;
-  // K_thetadot15_2 = q3~ E3^T B_thetadot15_3 + E3^T K_thetadot15_3
-  const T K_thetadot15_2_1 = T(0.15) * B_thetadot15_2_3 - T(0.1) * B_thetadot15_2_2 + K_thetadot15_3_1;
-  const T b2_17 = T(0.3) * B_thetadot15_2_3;
-  const T K_thetadot15_2_2 = b3_20 - b2_17 + E3_22 * K_thetadot15_3_2 - E3_23 * K_thetadot15_3_3;
-  const T K_thetadot15_2_3 = T(0.3) * B_thetadot15_2_2 - T(0.15) * B_thetadot15_3_1 + E3_23 * K_thetadot15_3_2 + E3_22
-      * K_thetadot15_3_3;
-  // B_thetadot14_2 = E3^T B_thetadot14_3
-  const T B_thetadot14_2_2 = E3_22 * B_thetadot14_4_2 - E3_23 * B_thetadot14_3_3;
-  const T B_thetadot14_2_3 = E3_23 * B_thetadot14_4_2 + E3_22 * B_thetadot14_3_3;
-  // K_thetadot14_2 = q3~ E3^T B_thetadot14_3 + E3^T K_thetadot14_3
-  const T K_thetadot14_2_1 = T(0.15) * B_thetadot14_2_3 - T(0.1) * B_thetadot14_2_2 + K_thetadot14_3_1;
-  const T b2_18 = T(0.3) * B_thetadot14_2_3;
-  const T K_thetadot14_2_2 = b3_21 - b2_18 + E3_22 * K_thetadot14_3_2 - E3_23 * K_thetadot14_3_3;
-  const T K_thetadot14_2_3 = T(0.3) * B_thetadot14_2_2 - T(0.15) * B_thetadot14_3_1 + E3_23 * K_thetadot14_3_2 + E3_22
-      * K_thetadot14_3_3;
-  // B_thetadot13_2 = E3^T B_thetadot13_3
-  const T B_thetadot13_2_2 = E3_22 * B_thetadot13_4_2 - E3_23 * B_thetadot13_3_3;
-  const T B_thetadot13_2_3 = E3_23 * B_thetadot13_4_2 + E3_22 * B_thetadot13_3_3;
-  // K_thetadot13_2 = q3~ E3^T B_thetadot13_3 + E3^T K_thetadot13_3
-  const T K_thetadot13_2_1 = T(0.15) * B_thetadot13_2_3 - T(0.1) * B_thetadot13_2_2 + K_thetadot13_3_1;
-  const T b2_19 = T(0.3) * B_thetadot13_2_3;
-  const T K_thetadot13_2_2 = b3_22 - b2_19 + E3_22 * K_thetadot13_3_2 - E3_23 * K_thetadot13_3_3;
-  const T K_thetadot13_2_3 = T(0.3) * B_thetadot13_2_2 - T(0.15) * B_thetadot13_3_1 + E3_23 * K_thetadot13_3_2 + E3_22
-      * K_thetadot13_3_3;
-  // B_thetadot12_2 = E3^T B_thetadot12_3
-  const T B_thetadot12_2_2 = E3_22 * B_thetadot12_4_2 - E3_23 * B_thetadot12_3_3;
-  const T B_thetadot12_2_3 = E3_23 * B_thetadot12_4_2 + E3_22 * B_thetadot12_3_3;
-  // K_thetadot12_2 = q3~ E3^T B_thetadot12_3 + E3^T K_thetadot12_3
-  const T K_thetadot12_2_1 = T(0.15) * B_thetadot12_2_3 - T(0.1) * B_thetadot12_2_2 + K_thetadot12_3_1;
-  const T b2_20 = T(0.3) * B_thetadot12_2_3;
-  const T K_thetadot12_2_2 = b3_23 - b2_20 + E3_22 * K_thetadot12_3_2 - E3_23 * K_thetadot12_3_3;
-  const T K_thetadot12_2_3 = T(0.3) * B_thetadot12_2_2 - T(0.15) * B_thetadot12_3_1 + E3_23 * K_thetadot12_3_2 + E3_22
-      * K_thetadot12_3_3;
-  // B_thetadot11_2 = E3^T B_thetadot11_3
-  const T B_thetadot11_2_2 = E3_22 * B_thetadot11_4_2 - E3_23 * B_thetadot11_3_3;
-  const T B_thetadot11_2_3 = E3_23 * B_thetadot11_4_2 + E3_22 * B_thetadot11_3_3;
-  // K_thetadot11_2 = q3~ E3^T B_thetadot11_3 + E3^T K_thetadot11_3
-  const T K_thetadot11_2_1 = T(0.15) * B_thetadot11_2_3 - T(0.1) * B_thetadot11_2_2 + K_thetadot11_3_1;
-  const T b2_21 = T(0.3) * B_thetadot11_2_3;
-  const T K_thetadot11_2_2 = b3_24 - b2_21 + E3_22 * K_thetadot11_3_2 - E3_23 * K_thetadot11_3_3;
-  const T K_thetadot11_2_3 = T(0.3) * B_thetadot11_2_2 - T(0.15) * B_thetadot11_3_1 + E3_23 * K_thetadot11_3_2 + E3_22
-      * K_thetadot11_3_3;
-  // B_thetadot10_2 = E3^T B_thetadot10_3
-  const T B_thetadot10_2_2 = E3_22 * B_thetadot10_4_2 - E3_23 * B_thetadot10_3_3;
-  const T B_thetadot10_2_3 = E3_23 * B_thetadot10_4_2 + E3_22 * B_thetadot10_3_3;
-  // K_thetadot10_2 = q3~ E3^T B_thetadot10_3 + E3^T K_thetadot10_3
-  const T K_thetadot10_2_1 = T(0.15) * B_thetadot10_2_3 - T(0.1) * B_thetadot10_2_2 + K_thetadot10_3_1;
-  const T b2_22 = T(0.3) * B_thetadot10_2_3;
-  const T K_thetadot10_2_2 = b3_25 - b2_22 + E3_22 * K_thetadot10_3_2 - E3_23 * K_thetadot10_3_3;
-  const T K_thetadot10_2_3 = T(0.3) * B_thetadot10_2_2 - T(0.15) * B_thetadot10_3_1 + E3_23 * K_thetadot10_3_2 + E3_22
-      * K_thetadot10_3_3;
-  // B_thetadot9_2 = E3^T B_thetadot9_3
-  const T B_thetadot9_2_2 = E3_22 * B_thetadot9_4_2 - E3_23 * B_thetadot9_3_3;
-  const T B_thetadot9_2_3 = E3_23 * B_thetadot9_4_2 + E3_22 * B_thetadot9_3_3;
-  // K_thetadot9_2 = q3~ E3^T B_thetadot9_3 + E3^T K_thetadot9_3
-  const T K_thetadot9_2_1 = T(0.15) * B_thetadot9_2_3 - T(0.1) * B_thetadot9_2_2 + K_thetadot9_3_1;
-  const T b2_23 = T(0.3) * B_thetadot9_2_3;
-  const T K_thetadot9_2_2 = b3_26 - b2_23 + E3_22 * K_thetadot9_3_2 - E3_23 * K_thetadot9_3_3;
-  const T K_thetadot9_2_3 = T(0.3) * B_thetadot9_2_2 - T(0.15) * B_thetadot9_3_1 + E3_23 * K_thetadot9_3_2 + E3_22 *
-      K_thetadot9_3_3;
-  // B_thetadot8_2 = E3^T B_thetadot8_3
-  const T B_thetadot8_2_2 = E3_22 * B_thetadot8_4_2 - E3_23 * B_thetadot8_3_3;
-  const T B_thetadot8_2_3 = E3_23 * B_thetadot8_4_2 + E3_22 * B_thetadot8_3_3;
-  // K_thetadot8_2 = q3~ E3^T B_thetadot8_3 + E3^T K_thetadot8_3
-  const T K_thetadot8_2_1 = T(0.15) * B_thetadot8_2_3 - T(0.1) * B_thetadot8_2_2 + K_thetadot8_3_1;
-  const T b2_24 = T(0.3) * B_thetadot8_2_3;
-  const T K_thetadot8_2_2 = b3_27 - b2_24 + E3_22 * K_thetadot8_3_2 - E3_23 * K_thetadot8_3_3;
-  const T K_thetadot8_2_3 = T(0.3) * B_thetadot8_2_2 - T(0.15) * B_thetadot8_3_1 + E3_23 * K_thetadot8_3_2 + E3_22 *
-      K_thetadot8_3_3;
-  // B_thetadot7_2 = E3^T B_thetadot7_3
-  const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
-  const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
-  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
-  const T b2_25 = T(0.3) * B_thetadot7_2_3;
-  const T K_thetadot7_2_2 = b3_28 - b2_25 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
-  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
-      K_thetadot7_3_3;
-  // B_thetadot6_2 = E3^T B_thetadot6_3
-  const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
-  const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
-  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
-  const T b2_26 = T(0.3) * B_thetadot6_2_3;
-  const T K_thetadot6_2_2 = b3_29 - b2_26 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
-      T(0.15) * B_thetadot6_3_1;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
-  const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
-  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
-  const T b2_27 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_30 - b2_27;
-  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
-      E3_22 * K_thetadot5_3_3;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T B_thetadot4_2_2 = E3_23 * hc4_1;
-  const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
-  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_11 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
-  const T b2_28 = T(0.3) * minus_B_thetadot4_2_3;
-  const T K_thetadot4_2_2 = b3_5 + b2_28 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
-  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_11;
-  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
-  // D_thetaddot2: pivots of L D L^T
-  const T b2_29 = K_thetadot16_2_3 * T(2.9027576197387517);
-  const T b2_30 = K_thetadot15_2_3 + b2_29 * b15_11;
-  const T b2_31 = b2_30 * b14_19;
-  const T b2_32 = K_thetadot14_2_3 - b2_29 * K_thetadot16_14_3 - b2_31 * b14_18;
-  const T b2_33 = b2_32 * b13_28;
-  const T b2_34 = K_thetadot13_2_3 - b2_29 * K_thetadot16_13_2 - b2_31 * b13_25 - b2_33 * b13_27;
-  const T b2_35 = b2_34 * b12_28;
-  const T b2_36 = K_thetadot12_2_3 - b2_29 * K_thetadot16_12_1 - b2_31 * b12_23 - b2_33 * b12_25 - b2_35 * b12_27;
-  const T b2_37 = b2_36 * b11_28;
-  const T b2_38 = K_thetadot11_2_3 - b2_29 * K_thetadot16_11_3 - b2_31 * b11_21 - b2_33 * b11_23 - b2_35 * b11_25 -
-      b2_37 * b11_27;
-  const T b2_39 = b2_38 * b10_40;
-  const T b2_40 = K_thetadot10_2_3 - b2_29 * K_thetadot16_10_2 - b2_31 * b10_31 - b2_33 * b10_33 - b2_35 * b10_35 -
-      b2_37 * b10_37 - b2_39 * b10_39;
-  const T b2_41 = b2_40 * b9_37;
-  const T b2_42 = K_thetadot9_2_3 - b2_29 * K_thetadot16_9_1 - b2_31 * b9_26 - b2_33 * b9_28 - b2_35 * b9_30 - b2_37 *
-      b9_32 - b2_39 * b9_34 - b2_41 * b9_36;
-  const T b2_43 = b2_42 * b8_37;
-  const T b2_44 = K_thetadot8_2_3 - b2_29 * K_thetadot16_8_3 - b2_31 * b8_24 - b2_33 * b8_26 - b2_35 * b8_28 - b2_37 *
-      b8_30 - b2_39 * b8_32 - b2_41 * b8_34 - b2_43 * b8_36;
-  const T b2_45 = b2_44 * b7_52;
-  const T b2_46 = K_thetadot7_2_3 - b2_29 * K_thetadot16_7_2 - b2_31 * b7_37 - b2_33 * b7_39 - b2_35 * b7_41 - b2_37 *
-      b7_43 - b2_39 * b7_45 - b2_41 * b7_47 - b2_43 * b7_49 - b2_45 * b7_51;
-  const T b2_47 = b2_46 * b6_47;
-  const T b2_48 = K_thetadot6_2_3 - b2_29 * K_thetadot16_6_1 - b2_31 * b6_30 - b2_33 * b6_32 - b2_35 * b6_34 - b2_37 *
-      b6_36 - b2_39 * b6_38 - b2_41 * b6_40 - b2_43 * b6_42 - b2_45 * b6_44 - b2_47 * b6_46;
-  const T b2_49 = b2_48 * b5_48;
-  const T b2_50 = K_thetadot5_2_3 - b2_29 * K_thetadot16_5_3 - b2_31 * b5_29 - b2_33 * b5_31 - b2_35 * b5_33 - b2_37 *
-      b5_35 - b2_39 * b5_37 - b2_41 * b5_39 - b2_43 * b5_41 - b2_45 * b5_43 - b2_47 * b5_45 - b2_49 * b5_47;
-  const T b2_51 = b2_50 * b4_64;
-  const T b2_52 = K_thetadot4_2_3 - b2_29 * K_thetadot16_4_2 - b2_31 * b4_43 - b2_33 * b4_45 - b2_35 * b4_47 - b2_37 *
-      b4_49 - b2_39 * b4_51 - b2_41 * b4_53 - b2_43 * b4_55 - b2_45 * b4_57 - b2_47 * b4_59 - b2_49 * b4_61 - b2_51 *
-      b4_63;
-  const T b2_53 = b2_52 * b3_55;
-  const T b2_54 = K_thetadot3_2_3 - b2_29 * K_thetadot16_3_1 - b2_31 * b3_32 - b2_33 * b3_34 - b2_35 * b3_36 - b2_37 *
-      b3_38 - b2_39 * b3_40 - b2_41 * b3_42 - b2_43 * b3_44 - b2_45 * b3_46 - b2_47 * b3_48 - b2_49 * b3_50 - b2_51 *
-      b3_52 - b2_53 * b3_54;
-  const T b2_55 = T(1) / D_thetaddot3;
-  const T b2_56 = b2_54 * b2_55;
-  const T D_thetaddot2 = J2_33 - b2_29 * K_thetadot16_2_3 - b2_31 * b2_30 - b2_33 * b2_32 - b2_35 * b2_34 - b2_37 *
-      b2_36 - b2_39 * b2_38 - b2_41 * b2_40 - b2_43 * b2_42 - b2_45 * b2_44 - b2_47 * b2_46 - b2_49 * b2_48 - b2_51 *
-      b2_50 - b2_53 * b2_52 - b2_56 * b2_54;
+  // HA2 = h_own_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA2_13 = T(4.335) + Hb3_13;
+  const T HA2_23 = Hb3_23 - T(16.24);
+  // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA2_11 = Hb3_12 * T(0.2) - Hb3_13 * T(0.15);
+  const T JA2_12 = T(0.15) * Hp3_23 - T(0.2) * Hp3_22 - T(2.436) + Hb3_11 * T(0.2);
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(3.2384) - Hb3_11 * T(0.15);
+  const T JA2_22 = T(0.2) * Hp3_21 + T(9.360999999999999) - minus_Jp3_22 + Hb3_21 * T(0.2);
+  const T JA2_23 = T(0.2) * Hp3_31 - T(0.8598) + Jp3_23 - Hb3_21 * T(0.15);
+  const T JA2_33 = T(10.757499999999999) - T(0.15) * Hp3_31 + Jp3_33 - Hb3_31 * T(0.15);
+  // g2 = G2 + gp3: force that drives it, home axes [N]
+  const T g2_3 = gp3_3 - minus_G2_3;
+  // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
+  const T n2_1 = T(0.15) * gp3_3 - T(0.2) * gp3_2 - minus_N2_1 - u.tau_3;
+  const T n2_2 = T(0.2) * gt3_1 - minus_N2_2 + np3_2;
+  const T n2_3 = np3_3 - (T(0.15) * gt3_1 + minus_N2_3);
+  // invD2 = D2^-1: 1/D
+  const T invD2 = T(1) / JA2_33;
+  // kB2 = invD2 B2: B/D
+  const T kB2_3 = invD2 * Hb3_33;
+  // kK2 = invD2 K2: K/D
+  const T kK2_1 = invD2 * JA2_13;
+  const T kK2_2 = invD2 * JA2_23;
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m]
+  const T u_2 = n2_3 + u.tau_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = invD2 * u_2;
+  // M2 = Mp3 - kB2 B2^T: MA less what the turn takes up [kg]
+  const T M2_33 = Mp3_33 - kB2_3 * Hb3_33;
+  // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
+  const T H2_13 = HA2_13 - kK2_1 * Hb3_33;
+  const T H2_23 = HA2_23 - kK2_2 * Hb3_33;
+  // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
+  const T minus_J2_11 = minus_JA2_11 + kK2_1 * JA2_13;
+  const T J2_12 = JA2_12 - kK2_1 * JA2_23;
+  const T J2_22 = JA2_22 - kK2_2 * JA2_23;
+  // gt2 = g2 - v2 B2: force with the turn solved [N]
+  const T gt2_3 = g2_3 - v2 * Hb3_33;
+  // nt2 = -tau_body_2_ b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
+  const T nt2_1 = n2_1 - v2 * JA2_13;
+  const T nt2_2 = n2_2 - v2 * JA2_23;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_23 = E2_12 * H2_13 + E2_11 * H2_23;
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T Jp2_22 = J2_22 + E2_12 * (T(2) * E2_11 * J2_12 - E2_12 * (minus_J2_11 + J2_22));
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T np2_2 = E2_12 * nt2_1 + E2_11 * nt2_2;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_23 = Hp2_23 - T(0.3) * M2_33;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = T(0.1) * (E2_11 * S2_1 - E2_12 * S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 + T(0.05)
-      * G1_1 + T(0.1) * minus_G1_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
-      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(2.85)) * T(0.1) + (hc2_1 + T(8.549999999999999)) * T(0.3);
-  // K_thetadot16_1 = q2~ E2^T B_thetadot16_2 + E2^T K_thetadot16_2
-  const T K_thetadot16_1_2 = T(0.1) * (E2_11 * B_thetadot16_3_1 - E2_12 * B_thetadot16_2_2) - b2_16 + E2_12 *
-      K_thetadot16_2_1 + E2_11 * K_thetadot16_2_2;
-  // K_thetadot15_1 = q2~ E2^T B_thetadot15_2 + E2^T K_thetadot15_2
-  const T K_thetadot15_1_2 = T(0.1) * (E2_11 * B_thetadot15_3_1 - E2_12 * B_thetadot15_2_2) - b2_17 + E2_12 *
-      K_thetadot15_2_1 + E2_11 * K_thetadot15_2_2;
-  // K_thetadot14_1 = q2~ E2^T B_thetadot14_2 + E2^T K_thetadot14_2
-  const T K_thetadot14_1_2 = T(0.1) * (E2_11 * B_thetadot14_3_1 - E2_12 * B_thetadot14_2_2) - b2_18 + E2_12 *
-      K_thetadot14_2_1 + E2_11 * K_thetadot14_2_2;
-  // K_thetadot13_1 = q2~ E2^T B_thetadot13_2 + E2^T K_thetadot13_2
-  const T K_thetadot13_1_2 = T(0.1) * (E2_11 * B_thetadot13_3_1 - E2_12 * B_thetadot13_2_2) - b2_19 + E2_12 *
-      K_thetadot13_2_1 + E2_11 * K_thetadot13_2_2;
-  // K_thetadot12_1 = q2~ E2^T B_thetadot12_2 + E2^T K_thetadot12_2
-  const T K_thetadot12_1_2 = T(0.1) * (E2_11 * B_thetadot12_3_1 - E2_12 * B_thetadot12_2_2) - b2_20 + E2_12 *
-      K_thetadot12_2_1 + E2_11 * K_thetadot12_2_2;
-  // K_thetadot11_1 = q2~ E2^T B_thetadot11_2 + E2^T K_thetadot11_2
-  const T K_thetadot11_1_2 = T(0.1) * (E2_11 * B_thetadot11_3_1 - E2_12 * B_thetadot11_2_2) - b2_21 + E2_12 *
-      K_thetadot11_2_1 + E2_11 * K_thetadot11_2_2;
-  // K_thetadot10_1 = q2~ E2^T B_thetadot10_2 + E2^T K_thetadot10_2
-  const T K_thetadot10_1_2 = T(0.1) * (E2_11 * B_thetadot10_3_1 - E2_12 * B_thetadot10_2_2) - b2_22 + E2_12 *
-      K_thetadot10_2_1 + E2_11 * K_thetadot10_2_2;
-  // K_thetadot9_1 = q2~ E2^T B_thetadot9_2 + E2^T K_thetadot9_2
-  const T K_thetadot9_1_2 = T(0.1) * (E2_11 * B_thetadot9_3_1 - E2_12 * B_thetadot9_2_2) - b2_23 + E2_12 *
-      K_thetadot9_2_1 + E2_11 * K_thetadot9_2_2;
-  // K_thetadot8_1 = q2~ E2^T B_thetadot8_2 + E2^T K_thetadot8_2
-  const T K_thetadot8_1_2 = T(0.1) * (E2_11 * B_thetadot8_3_1 - E2_12 * B_thetadot8_2_2) - b2_24 + E2_12 *
-      K_thetadot8_2_1 + E2_11 * K_thetadot8_2_2;
-  // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_25 + E2_12 *
-      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
-  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_26 + E2_12 *
-      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
-  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
-      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_27;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_28 + E2_12 * K_thetadot4_2_1 +
-      E2_11 * K_thetadot4_2_2;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_11 + E2_12 * b2_5 + E2_11 * K_thetadot3_2_2;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
-  // D_thetaddot1: pivots of L D L^T
-  const T b1_1 = K_thetadot16_1_2 * T(2.9027576197387517);
-  const T b1_2 = K_thetadot15_1_2 + b1_1 * b15_11;
-  const T b1_3 = b1_2 * b14_19;
-  const T b1_4 = K_thetadot14_1_2 - b1_1 * K_thetadot16_14_3 - b1_3 * b14_18;
-  const T b1_5 = b1_4 * b13_28;
-  const T b1_6 = K_thetadot13_1_2 - b1_1 * K_thetadot16_13_2 - b1_3 * b13_25 - b1_5 * b13_27;
-  const T b1_7 = b1_6 * b12_28;
-  const T b1_8 = K_thetadot12_1_2 - b1_1 * K_thetadot16_12_1 - b1_3 * b12_23 - b1_5 * b12_25 - b1_7 * b12_27;
-  const T b1_9 = b1_8 * b11_28;
-  const T b1_10 = K_thetadot11_1_2 - b1_1 * K_thetadot16_11_3 - b1_3 * b11_21 - b1_5 * b11_23 - b1_7 * b11_25 - b1_9 *
-      b11_27;
-  const T b1_11 = b1_10 * b10_40;
-  const T b1_12 = K_thetadot10_1_2 - b1_1 * K_thetadot16_10_2 - b1_3 * b10_31 - b1_5 * b10_33 - b1_7 * b10_35 - b1_9 *
-      b10_37 - b1_11 * b10_39;
-  const T b1_13 = b1_12 * b9_37;
-  const T b1_14 = K_thetadot9_1_2 - b1_1 * K_thetadot16_9_1 - b1_3 * b9_26 - b1_5 * b9_28 - b1_7 * b9_30 - b1_9 *
-      b9_32 - b1_11 * b9_34 - b1_13 * b9_36;
-  const T b1_15 = b1_14 * b8_37;
-  const T b1_16 = K_thetadot8_1_2 - b1_1 * K_thetadot16_8_3 - b1_3 * b8_24 - b1_5 * b8_26 - b1_7 * b8_28 - b1_9 *
-      b8_30 - b1_11 * b8_32 - b1_13 * b8_34 - b1_15 * b8_36;
-  const T b1_17 = b1_16 * b7_52;
-  const T b1_18 = K_thetadot7_1_2 - b1_1 * K_thetadot16_7_2 - b1_3 * b7_37 - b1_5 * b7_39 - b1_7 * b7_41 - b1_9 *
-      b7_43 - b1_11 * b7_45 - b1_13 * b7_47 - b1_15 * b7_49 - b1_17 * b7_51;
-  const T b1_19 = b1_18 * b6_47;
-  const T b1_20 = K_thetadot6_1_2 - b1_1 * K_thetadot16_6_1 - b1_3 * b6_30 - b1_5 * b6_32 - b1_7 * b6_34 - b1_9 *
-      b6_36 - b1_11 * b6_38 - b1_13 * b6_40 - b1_15 * b6_42 - b1_17 * b6_44 - b1_19 * b6_46;
-  const T b1_21 = b1_20 * b5_48;
-  const T b1_22 = K_thetadot5_1_2 - b1_1 * K_thetadot16_5_3 - b1_3 * b5_29 - b1_5 * b5_31 - b1_7 * b5_33 - b1_9 *
-      b5_35 - b1_11 * b5_37 - b1_13 * b5_39 - b1_15 * b5_41 - b1_17 * b5_43 - b1_19 * b5_45 - b1_21 * b5_47;
-  const T b1_23 = b1_22 * b4_64;
-  const T b1_24 = K_thetadot4_1_2 - b1_1 * K_thetadot16_4_2 - b1_3 * b4_43 - b1_5 * b4_45 - b1_7 * b4_47 - b1_9 *
-      b4_49 - b1_11 * b4_51 - b1_13 * b4_53 - b1_15 * b4_55 - b1_17 * b4_57 - b1_19 * b4_59 - b1_21 * b4_61 - b1_23 *
-      b4_63;
-  const T b1_25 = b1_24 * b3_55;
-  const T b1_26 = K_thetadot3_1_2 - b1_1 * K_thetadot16_3_1 - b1_3 * b3_32 - b1_5 * b3_34 - b1_7 * b3_36 - b1_9 *
-      b3_38 - b1_11 * b3_40 - b1_13 * b3_42 - b1_15 * b3_44 - b1_17 * b3_46 - b1_19 * b3_48 - b1_21 * b3_50 - b1_23 *
-      b3_52 - b1_25 * b3_54;
-  const T b1_27 = b1_26 * b2_55;
-  const T b1_28 = K_thetadot2_1_2 - b1_1 * K_thetadot16_2_3 - b1_3 * b2_30 - b1_5 * b2_32 - b1_7 * b2_34 - b1_9 *
-      b2_36 - b1_11 * b2_38 - b1_13 * b2_40 - b1_15 * b2_42 - b1_17 * b2_44 - b1_19 * b2_46 - b1_21 * b2_48 - b1_23 *
-      b2_50 - b1_25 * b2_52 - b1_27 * b2_54;
-  const T b1_29 = T(1) / D_thetaddot2;
-  const T b1_30 = b1_28 * b1_29;
-  const T D_thetaddot1 = J1_22 - b1_1 * K_thetadot16_1_2 - b1_3 * b1_2 - b1_5 * b1_4 - b1_7 * b1_6 - b1_9 * b1_8 -
-      b1_11 * b1_10 - b1_13 * b1_12 - b1_15 * b1_14 - b1_17 * b1_16 - b1_19 * b1_18 - b1_21 * b1_20 - b1_23 * b1_22 -
-      b1_25 * b1_24 - b1_27 * b1_26 - b1_30 * b1_28;
-
-  // ---- body 1 (body_1), solved
-  // thetaddot1: from A ydot = f by elimination
-  const T z1_1 = rho16_2 + u.tau_16;
-  const T z1_2 = rho15_1 + u.tau_15 + b15_19 * z1_1;
-  const T z1_3 = rho14_3 + u.tau_14 - b14_17 * z1_1 - b14_20 * z1_2;
-  const T z1_4 = rho13_2 + u.tau_13 - b13_24 * z1_1 - b13_26 * z1_2 - b13_29 * z1_3;
-  const T z1_5 = rho12_1 + u.tau_12 - b12_22 * z1_1 - b12_24 * z1_2 - b12_26 * z1_3 - b12_29 * z1_4;
-  const T z1_6 = rho11_3 + u.tau_11 - b11_20 * z1_1 - b11_22 * z1_2 - b11_24 * z1_3 - b11_26 * z1_4 - b11_29 * z1_5;
-  const T z1_7 = rho10_2 + u.tau_10 - b10_30 * z1_1 - b10_32 * z1_2 - b10_34 * z1_3 - b10_36 * z1_4 - b10_38 * z1_5 -
-      b10_41 * z1_6;
-  const T z1_8 = rho9_1 + u.tau_9 - b9_25 * z1_1 - b9_27 * z1_2 - b9_29 * z1_3 - b9_31 * z1_4 - b9_33 * z1_5 - b9_35 *
-      z1_6 - b9_38 * z1_7;
-  const T z1_9 = rho8_3 + u.tau_8 - b8_23 * z1_1 - b8_25 * z1_2 - b8_27 * z1_3 - b8_29 * z1_4 - b8_31 * z1_5 - b8_33 *
-      z1_6 - b8_35 * z1_7 - b8_38 * z1_8;
-  const T z1_10 = rho7_2 + u.tau_7 - b7_36 * z1_1 - b7_38 * z1_2 - b7_40 * z1_3 - b7_42 * z1_4 - b7_44 * z1_5 - b7_46
-      * z1_6 - b7_48 * z1_7 - b7_50 * z1_8 - b7_53 * z1_9;
-  const T z1_11 = rho6_1 + u.tau_6 - b6_29 * z1_1 - b6_31 * z1_2 - b6_33 * z1_3 - b6_35 * z1_4 - b6_37 * z1_5 - b6_39
-      * z1_6 - b6_41 * z1_7 - b6_43 * z1_8 - b6_45 * z1_9 - b6_48 * z1_10;
-  const T z1_12 = rho5_3 + u.tau_5 - b5_28 * z1_1 - b5_30 * z1_2 - b5_32 * z1_3 - b5_34 * z1_4 - b5_36 * z1_5 - b5_38
-      * z1_6 - b5_40 * z1_7 - b5_42 * z1_8 - b5_44 * z1_9 - b5_46 * z1_10 - b5_49 * z1_11;
-  const T z1_13 = rho4_2 + u.tau_4 - b4_42 * z1_1 - b4_44 * z1_2 - b4_46 * z1_3 - b4_48 * z1_4 - b4_50 * z1_5 - b4_52
-      * z1_6 - b4_54 * z1_7 - b4_56 * z1_8 - b4_58 * z1_9 - b4_60 * z1_10 - b4_62 * z1_11 - b4_65 * z1_12;
-  const T z1_14 = rho3_1 + u.tau_3 - b3_31 * z1_1 - b3_33 * z1_2 - b3_35 * z1_3 - b3_37 * z1_4 - b3_39 * z1_5 - b3_41
-      * z1_6 - b3_43 * z1_7 - b3_45 * z1_8 - b3_47 * z1_9 - b3_49 * z1_10 - b3_51 * z1_11 - b3_53 * z1_12 - b3_56 *
-      z1_13;
-  const T z1_15 = rho2_3 + u.tau_2 - b2_29 * z1_1 - b2_31 * z1_2 - b2_33 * z1_3 - b2_35 * z1_4 - b2_37 * z1_5 - b2_39
-      * z1_6 - b2_41 * z1_7 - b2_43 * z1_8 - b2_45 * z1_9 - b2_47 * z1_10 - b2_49 * z1_11 - b2_51 * z1_12 - b2_53 *
-      z1_13 - b2_56 * z1_14;
-  const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_2 + u.tau_1 - b1_1 * z1_1 - b1_3 * z1_2 - b1_5 * z1_3 - b1_7 * z1_4
-      - b1_9 * z1_5 - b1_11 * z1_6 - b1_13 * z1_7 - b1_15 * z1_8 - b1_17 * z1_9 - b1_19 * z1_10 - b1_21 * z1_11 -
-      b1_23 * z1_12 - b1_25 * z1_13 - b1_27 * z1_14 - b1_30 * z1_15);
-  ydot[0] = thetaddot1;
+  // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA1_22 = T(4.612) - T(0.3) * Hp2_23 + Jp2_22 - Hb2_23 * T(0.3);
+  // n1 = q2~ gp2 + N1 + np2: moment that drives it, body axes [N m]
+  const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
+  // invD1 = D1^-1: 1/D
+  const T invD1 = T(1) / JA1_22;
+  // u_1 = b1 . n1 + tau_body_1_: drives it [N m]
+  const T u_1 = n1_2 + u.tau_1;
+  // v1 = invD1 u_1: u/D
+  const T v1 = invD1 * u_1;
+  ydot[0] = v1;
 
   // ---- body 2 (body_2), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_15 * b1_29 - b1_30 * thetaddot1;
-  ydot[1] = thetaddot2;
+  // beta2 = -E2 q2~ alpha1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta2_3 = T(0.3) * v1;
+  // alphaL2 = E2 alpha1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL2_1 = E2_12 * v1;
+  const T alphaL2_2 = E2_11 * v1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T phi2 = v2 + kB2_3 * minus_beta2_3 - kK2_1 * alphaL2_1 - kK2_2 * alphaL2_2;
+  ydot[1] = phi2;
 
   // ---- body 3 (body_3), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_14 * b2_55 - b2_56 * thetaddot2 - b1_27 * thetaddot1;
+  // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta3_1 = T(0.15) * phi2 - T(0.2) * alphaL2_2;
+  const T z3_1 = T(0.2) * alphaL2_1;
+  const T z3_2 = T(0.15) * alphaL2_1;
+  const T minus_beta3_2 = E3_22 * z3_1 - E3_23 * z3_2 + E3_23 * minus_beta2_3;
+  const T beta3_3 = E3_23 * z3_1 + E3_22 * z3_2 - E3_22 * minus_beta2_3;
+  // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_2 = E3_22 * alphaL2_2 + E3_23 * phi2;
+  const T alphaL3_3 = E3_22 * phi2 - E3_23 * alphaL2_2;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = kB3_1 * minus_beta3_1 + kB3_2 * minus_beta3_2 - kB3_3 * beta3_3 + v3 - kK3_3 * alphaL3_3 +
+      minus_kK3_2 * alphaL3_2;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - alphaL2_1;
   ydot[2] = thetaddot3;
 
   // ---- body 4 (body_4), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_13 * b3_55 - b3_56 * thetaddot3 - b2_53 * thetaddot2 - b1_25 * thetaddot1;
+  // beta4 = -E4 q4~ alpha3 + E4 beta3: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = T(0.1) * alphaL3_2;
+  const T z4_2 = T(0.6) * alphaL3_2;
+  const T minus_beta4_1 = E4_11 * minus_beta3_1 - (E4_11 * z4_1 + minus_E4_13 * z4_2) + minus_E4_13 * beta3_3;
+  const T minus_beta4_2 = minus_beta3_2 + T(0.1) * phi3 - T(0.6) * alphaL3_3;
+  const T beta4_3 = minus_E4_13 * z4_1 - E4_11 * z4_2 + E4_11 * beta3_3 - minus_E4_13 * minus_beta3_1;
+  // alphaL4 = E4 alpha3: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * phi3 - minus_E4_13 * alphaL3_3;
+  const T alphaL4_3 = minus_E4_13 * phi3 + E4_11 * alphaL3_3;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
+  const T phi4 = kB4_2 * minus_beta4_2 + kB4_1 * minus_beta4_1 - kB4_3 * beta4_3 + v4 - kK4_1 * alphaL4_1 +
+      minus_kK4_3 * alphaL4_3;
+  // thetaddot4 = -b4 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - alphaL3_2;
   ydot[3] = thetaddot4;
 
   // ---- body 5 (body_5), solved
-  // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_12 * b4_64 - b4_65 * thetaddot4 - b3_53 * thetaddot3 - b2_51 * thetaddot2 - b1_23 *
-      thetaddot1;
+  // beta5 = -E5 q5~ alpha4 + E5 beta4: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z5_1 = T(0.45) * alphaL4_3;
+  const T z5_2 = T(0.3) * alphaL4_3;
+  const T minus_beta5_1 = E5_12 * minus_beta4_2 + E5_11 * minus_beta4_1 + E5_11 * z5_1 - E5_12 * z5_2;
+  const T beta5_2 = E5_12 * minus_beta4_1 - E5_11 * minus_beta4_2 + E5_11 * z5_2 + E5_12 * z5_1;
+  const T beta5_3 = T(0.45) * alphaL4_1 - T(0.3) * phi4 + beta4_3;
+  // alphaL5 = E5 alpha4: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5_1 = E5_11 * alphaL4_1 + E5_12 * phi4;
+  const T alphaL5_2 = E5_11 * phi4 - E5_12 * alphaL4_1;
+  // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
+  const T phi5 = kB5_1 * minus_beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 + v5 - kK5_1 * alphaL5_1 - kK5_2 *
+      alphaL5_2;
+  // thetaddot5 = -b5 . alphaL5 + phi5
+  const T thetaddot5 = phi5 - alphaL4_3;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (body_6), solved
-  // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_11 * b5_48 - b5_49 * thetaddot5 - b4_62 * thetaddot4 - b3_51 * thetaddot3 - b2_49 *
-      thetaddot2 - b1_21 * thetaddot1;
+  // beta6 = -E6 q6~ alpha5 + E6 beta5: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta6_1 = minus_beta5_1 + T(0.3) * phi5 - T(0.2) * alphaL5_2;
+  const T z6_1 = T(0.3) * alphaL5_1;
+  const T z6_2 = T(0.2) * alphaL5_1;
+  const T beta6_2 = E6_23 * z6_1 - E6_22 * z6_2 + E6_22 * beta5_2 + E6_23 * beta5_3;
+  const T beta6_3 = E6_22 * beta5_3 - E6_23 * beta5_2 + E6_23 * z6_2 + E6_22 * z6_1;
+  // alphaL6 = E6 alpha5: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
+  const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
+  // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
+  const T phi6 = kB6_1 * minus_beta6_1 - kB6_2 * beta6_2 - kB6_3 * beta6_3 + v6 - kK6_3 * alphaL6_3 + minus_kK6_2 *
+      alphaL6_2;
+  // thetaddot6 = -b6 . alphaL6 + phi6
+  const T thetaddot6 = phi6 - alphaL5_1;
   ydot[5] = thetaddot6;
 
   // ---- body 7 (body_7), solved
-  // thetaddot7: from A ydot = f by elimination
-  const T thetaddot7 = z1_10 * b6_47 - b6_48 * thetaddot6 - b5_46 * thetaddot5 - b4_60 * thetaddot4 - b3_49 *
-      thetaddot3 - b2_47 * thetaddot2 - b1_19 * thetaddot1;
+  // beta7 = -E7 q7~ alpha6 + E7 beta6: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z7_1 = T(0.1) * alphaL6_2;
+  const T z7_2 = T(0.6) * alphaL6_2;
+  const T beta7_1 = E7_11 * z7_1 + minus_E7_13 * z7_2 - E7_11 * minus_beta6_1 - minus_E7_13 * beta6_3;
+  const T beta7_2 = T(0.6) * alphaL6_3 - T(0.1) * phi6 + beta6_2;
+  const T beta7_3 = minus_E7_13 * z7_1 - E7_11 * z7_2 + E7_11 * beta6_3 - minus_E7_13 * minus_beta6_1;
+  // alphaL7 = E7 alpha6: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
+  const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
+  // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
+  const T phi7 = v7 - (kB7_1 * beta7_1 + kB7_2 * beta7_2 + kB7_3 * beta7_3) - kK7_1 * alphaL7_1 + minus_kK7_3 *
+      alphaL7_3;
+  // thetaddot7 = -b7 . alphaL7 + phi7
+  const T thetaddot7 = phi7 - alphaL6_2;
   ydot[6] = thetaddot7;
 
   // ---- body 8 (body_8), solved
-  // thetaddot8: from A ydot = f by elimination
-  const T thetaddot8 = z1_9 * b7_52 - b7_53 * thetaddot7 - b6_45 * thetaddot6 - b5_44 * thetaddot5 - b4_58 *
-      thetaddot4 - b3_47 * thetaddot3 - b2_45 * thetaddot2 - b1_17 * thetaddot1;
+  // beta8 = -E8 q8~ alpha7 + E8 beta7: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z8_1 = T(0.3) * alphaL7_3;
+  const T z8_2 = T(0.75) * alphaL7_3;
+  const T beta8_1 = E8_12 * z8_1 - E8_11 * z8_2 + E8_11 * beta7_1 + E8_12 * beta7_2;
+  const T beta8_2 = E8_11 * beta7_2 - E8_12 * beta7_1 + E8_11 * z8_1 + E8_12 * z8_2;
+  const T beta8_3 = T(0.75) * alphaL7_1 - T(0.3) * phi7 + beta7_3;
+  // alphaL8 = E8 alpha7: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL8_1 = E8_11 * alphaL7_1 + E8_12 * phi7;
+  const T alphaL8_2 = E8_11 * phi7 - E8_12 * alphaL7_1;
+  // phi8 = -kB8 . beta8 + v8 - (P_b8 kK8) . alphaL8
+  const T phi8 = v8 - (kB8_1 * beta8_1 + kB8_2 * beta8_2 + kB8_3 * beta8_3) - kK8_1 * alphaL8_1 - kK8_2 * alphaL8_2;
+  // thetaddot8 = -b8 . alphaL8 + phi8
+  const T thetaddot8 = phi8 - alphaL7_3;
   ydot[7] = thetaddot8;
 
   // ---- body 9 (body_9), solved
-  // thetaddot9: from A ydot = f by elimination
-  const T thetaddot9 = z1_8 * b8_37 - b8_38 * thetaddot8 - b7_50 * thetaddot7 - b6_43 * thetaddot6 - b5_42 *
-      thetaddot5 - b4_56 * thetaddot4 - b3_45 * thetaddot3 - b2_43 * thetaddot2 - b1_15 * thetaddot1;
+  // beta9 = -E9 q9~ alpha8 + E9 beta8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta9_1 = T(0.2) * alphaL8_2 - T(0.45) * phi8 + beta8_1;
+  const T z9_1 = T(0.45) * alphaL8_1;
+  const T z9_2 = T(0.2) * alphaL8_1;
+  const T beta9_2 = E9_23 * z9_1 - E9_22 * z9_2 + E9_22 * beta8_2 + E9_23 * beta8_3;
+  const T beta9_3 = E9_22 * beta8_3 - E9_23 * beta8_2 + E9_23 * z9_2 + E9_22 * z9_1;
+  // alphaL9 = E9 alpha8: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL9_2 = E9_22 * alphaL8_2 + E9_23 * phi8;
+  const T alphaL9_3 = E9_22 * phi8 - E9_23 * alphaL8_2;
+  // phi9 = -kB9 . beta9 + v9 - (P_b9 kK9) . alphaL9
+  const T phi9 = v9 - (kB9_1 * beta9_1 + kB9_2 * beta9_2 + kB9_3 * beta9_3) - kK9_3 * alphaL9_3 + minus_kK9_2 *
+      alphaL9_2;
+  // thetaddot9 = -b9 . alphaL9 + phi9
+  const T thetaddot9 = phi9 - alphaL8_1;
   ydot[8] = thetaddot9;
 
   // ---- body 10 (body_10), solved
-  // thetaddot10: from A ydot = f by elimination
-  const T thetaddot10 = z1_7 * b9_37 - b9_38 * thetaddot9 - b8_35 * thetaddot8 - b7_48 * thetaddot7 - b6_41 *
-      thetaddot6 - b5_40 * thetaddot5 - b4_54 * thetaddot4 - b3_43 * thetaddot3 - b2_41 * thetaddot2 - b1_13 *
-      thetaddot1;
+  // beta10 = -E10 q10~ alpha9 + E10 beta9: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z10_1 = T(0.1) * alphaL9_2;
+  const T z10_2 = T(0.6) * alphaL9_2;
+  const T beta10_1 = E10_11 * beta9_1 - minus_E10_13 * beta9_3 + E10_11 * z10_1 + minus_E10_13 * z10_2;
+  const T beta10_2 = T(0.6) * alphaL9_3 - T(0.1) * phi9 + beta9_2;
+  const T beta10_3 = minus_E10_13 * z10_1 - E10_11 * z10_2 + minus_E10_13 * beta9_1 + E10_11 * beta9_3;
+  // alphaL10 = E10 alpha9: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL10_1 = E10_11 * phi9 - minus_E10_13 * alphaL9_3;
+  const T alphaL10_3 = minus_E10_13 * phi9 + E10_11 * alphaL9_3;
+  // phi10 = -kB10 . beta10 + v10 - (P_b10 kK10) . alphaL10
+  const T phi10 = v10 - (kB10_1 * beta10_1 + kB10_2 * beta10_2 + kB10_3 * beta10_3) - kK10_1 * alphaL10_1 +
+      minus_kK10_3 * alphaL10_3;
+  // thetaddot10 = -b10 . alphaL10 + phi10
+  const T thetaddot10 = phi10 - alphaL9_2;
   ydot[9] = thetaddot10;
 
   // ---- body 11 (body_11), solved
-  // thetaddot11: from A ydot = f by elimination
-  const T thetaddot11 = z1_6 * b10_40 - b10_41 * thetaddot10 - b9_35 * thetaddot9 - b8_33 * thetaddot8 - b7_46 *
-      thetaddot7 - b6_39 * thetaddot6 - b5_38 * thetaddot5 - b4_52 * thetaddot4 - b3_41 * thetaddot3 - b2_39 *
-      thetaddot2 - b1_11 * thetaddot1;
+  // beta11 = -E11 q11~ alpha10 + E11 beta10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z11_1 = T(0.3) * alphaL10_3;
+  const T z11_2 = T(1.05) * alphaL10_3;
+  const T beta11_1 = E11_12 * z11_1 - E11_11 * z11_2 + E11_11 * beta10_1 + E11_12 * beta10_2;
+  const T beta11_2 = E11_11 * beta10_2 - E11_12 * beta10_1 + E11_11 * z11_1 + E11_12 * z11_2;
+  const T beta11_3 = T(1.05) * alphaL10_1 - T(0.3) * phi10 + beta10_3;
+  // alphaL11 = E11 alpha10: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL11_1 = E11_11 * alphaL10_1 + E11_12 * phi10;
+  const T alphaL11_2 = E11_11 * phi10 - E11_12 * alphaL10_1;
+  // phi11 = -kB11 . beta11 + v11 - (P_b11 kK11) . alphaL11
+  const T phi11 = v11 - (kB11_1 * beta11_1 + kB11_2 * beta11_2 + kB11_3 * beta11_3) - kK11_1 * alphaL11_1 - kK11_2 *
+      alphaL11_2;
+  // thetaddot11 = -b11 . alphaL11 + phi11
+  const T thetaddot11 = phi11 - alphaL10_3;
   ydot[10] = thetaddot11;
 
   // ---- body 12 (body_12), solved
-  // thetaddot12: from A ydot = f by elimination
-  const T thetaddot12 = z1_5 * b11_28 - b11_29 * thetaddot11 - b10_38 * thetaddot10 - b9_33 * thetaddot9 - b8_31 *
-      thetaddot8 - b7_44 * thetaddot7 - b6_37 * thetaddot6 - b5_36 * thetaddot5 - b4_50 * thetaddot4 - b3_39 *
-      thetaddot3 - b2_37 * thetaddot2 - b1_9 * thetaddot1;
+  // beta12 = -E12 q12~ alpha11 + E12 beta11: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta12_1 = T(0.2) * alphaL11_2 - T(0.6) * phi11 + beta11_1;
+  const T z12_1 = T(0.6) * alphaL11_1;
+  const T z12_2 = T(0.2) * alphaL11_1;
+  const T beta12_2 = E12_23 * z12_1 - E12_22 * z12_2 + E12_22 * beta11_2 + E12_23 * beta11_3;
+  const T beta12_3 = E12_22 * beta11_3 - E12_23 * beta11_2 + E12_23 * z12_2 + E12_22 * z12_1;
+  // alphaL12 = E12 alpha11: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL12_2 = E12_22 * alphaL11_2 + E12_23 * phi11;
+  const T alphaL12_3 = E12_22 * phi11 - E12_23 * alphaL11_2;
+  // phi12 = -kB12 . beta12 + v12 - (P_b12 kK12) . alphaL12
+  const T phi12 = v12 - (kB12_1 * beta12_1 + kB12_2 * beta12_2 + kB12_3 * beta12_3) - kK12_3 * alphaL12_3 +
+      minus_kK12_2 * alphaL12_2;
+  // thetaddot12 = -b12 . alphaL12 + phi12
+  const T thetaddot12 = phi12 - alphaL11_1;
   ydot[11] = thetaddot12;
 
   // ---- body 13 (body_13), solved
-  // thetaddot13: from A ydot = f by elimination
-  const T thetaddot13 = z1_4 * b12_28 - b12_29 * thetaddot12 - b11_26 * thetaddot11 - b10_36 * thetaddot10 - b9_31 *
-      thetaddot9 - b8_29 * thetaddot8 - b7_42 * thetaddot7 - b6_35 * thetaddot6 - b5_34 * thetaddot5 - b4_48 *
-      thetaddot4 - b3_37 * thetaddot3 - b2_35 * thetaddot2 - b1_7 * thetaddot1;
+  // beta13 = -E13 q13~ alpha12 + E13 beta12: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z13_1 = T(0.1) * alphaL12_2;
+  const T z13_2 = T(0.6) * alphaL12_2;
+  const T beta13_1 = E13_11 * beta12_1 - minus_E13_13 * beta12_3 + E13_11 * z13_1 + minus_E13_13 * z13_2;
+  const T beta13_2 = T(0.6) * alphaL12_3 - T(0.1) * phi12 + beta12_2;
+  const T beta13_3 = minus_E13_13 * z13_1 - E13_11 * z13_2 + minus_E13_13 * beta12_1 + E13_11 * beta12_3;
+  // alphaL13 = E13 alpha12: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL13_1 = E13_11 * phi12 - minus_E13_13 * alphaL12_3;
+  const T alphaL13_3 = minus_E13_13 * phi12 + E13_11 * alphaL12_3;
+  // phi13 = -kB13 . beta13 + v13 - (P_b13 kK13) . alphaL13
+  const T phi13 = v13 - (kB13_1 * beta13_1 + kB13_2 * beta13_2 + kB13_3 * beta13_3) - kK13_1 * alphaL13_1 +
+      minus_kK13_3 * alphaL13_3;
+  // thetaddot13 = -b13 . alphaL13 + phi13
+  const T thetaddot13 = phi13 - alphaL12_2;
   ydot[12] = thetaddot13;
 
   // ---- body 14 (body_14), solved
-  // thetaddot14: from A ydot = f by elimination
-  const T thetaddot14 = z1_3 * b13_28 - b13_29 * thetaddot13 - b12_26 * thetaddot12 - b11_24 * thetaddot11 - b10_34 *
-      thetaddot10 - b9_29 * thetaddot9 - b8_27 * thetaddot8 - b7_40 * thetaddot7 - b6_33 * thetaddot6 - b5_32 *
-      thetaddot5 - b4_46 * thetaddot4 - b3_35 * thetaddot3 - b2_33 * thetaddot2 - b1_5 * thetaddot1;
+  // beta14 = -E14 q14~ alpha13 + E14 beta13: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z14_1 = T(0.3) * alphaL13_3;
+  const T z14_2 = T(1.35) * alphaL13_3;
+  const T beta14_1 = E14_12 * z14_1 - E14_11 * z14_2 + E14_11 * beta13_1 + E14_12 * beta13_2;
+  const T beta14_2 = E14_11 * beta13_2 - E14_12 * beta13_1 + E14_11 * z14_1 + E14_12 * z14_2;
+  const T beta14_3 = T(1.35) * alphaL13_1 - T(0.3) * phi13 + beta13_3;
+  // alphaL14 = E14 alpha13: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL14_1 = E14_11 * alphaL13_1 + E14_12 * phi13;
+  const T alphaL14_2 = E14_11 * phi13 - E14_12 * alphaL13_1;
+  // phi14 = -kB14 . beta14 + v14 - (P_b14 kK14) . alphaL14
+  const T phi14 = v14 - (kB14_1 * beta14_1 + kB14_2 * beta14_2 + kB14_3 * beta14_3) - kK14_1 * alphaL14_1 - kK14_2 *
+      alphaL14_2;
+  // thetaddot14 = -b14 . alphaL14 + phi14
+  const T thetaddot14 = phi14 - alphaL13_3;
   ydot[13] = thetaddot14;
 
   // ---- body 15 (body_15), solved
-  // thetaddot15: from A ydot = f by elimination
-  const T thetaddot15 = z1_2 * b14_19 - b14_20 * thetaddot14 - b13_26 * thetaddot13 - b12_24 * thetaddot12 - b11_22 *
-      thetaddot11 - b10_32 * thetaddot10 - b9_27 * thetaddot9 - b8_25 * thetaddot8 - b7_38 * thetaddot7 - b6_31 *
-      thetaddot6 - b5_30 * thetaddot5 - b4_44 * thetaddot4 - b3_33 * thetaddot3 - b2_31 * thetaddot2 - b1_3 *
-      thetaddot1;
+  // beta15 = -E15 q15~ alpha14 + E15 beta14: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta15_1 = T(0.2) * alphaL14_2 - T(0.75) * phi14 + beta14_1;
+  const T z15_1 = T(0.75) * alphaL14_1;
+  const T z15_2 = T(0.2) * alphaL14_1;
+  const T beta15_2 = E15_23 * z15_1 - E15_22 * z15_2 + E15_22 * beta14_2 + E15_23 * beta14_3;
+  const T beta15_3 = E15_22 * beta14_3 - E15_23 * beta14_2 + E15_23 * z15_2 + E15_22 * z15_1;
+  // alphaL15 = E15 alpha14: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL15_2 = E15_22 * alphaL14_2 + E15_23 * phi14;
+  const T alphaL15_3 = E15_22 * phi14 - E15_23 * alphaL14_2;
+  // phi15 = -kB15 . beta15 + v15 - (P_b15 kK15) . alphaL15
+  const T phi15 = v15 - (kB15_1 * beta15_1 + kB15_2 * beta15_2 + kB15_3 * beta15_3) - kK15_2 * alphaL15_2 - kK15_3 *
+      alphaL15_3;
+  // thetaddot15 = -b15 . alphaL15 + phi15
+  const T thetaddot15 = phi15 - alphaL14_1;
   ydot[14] = thetaddot15;
 
   // ---- body 16 (body_16), solved
-  // thetaddot16: from A ydot = f by elimination
-  const T thetaddot16 = z1_1 * T(2.9027576197387517) + b15_19 * thetaddot15 - b14_17 * thetaddot14 - b13_24 *
-      thetaddot13 - b12_22 * thetaddot12 - b11_20 * thetaddot11 - b10_30 * thetaddot10 - b9_25 * thetaddot9 - b8_23 *
-      thetaddot8 - b7_36 * thetaddot7 - b6_29 * thetaddot6 - b5_28 * thetaddot5 - b4_42 * thetaddot4 - b3_31 *
-      thetaddot3 - b2_29 * thetaddot2 - b1_1 * thetaddot1;
+  // beta16 = -E16 q16~ alpha15 + E16 beta15: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z16_1 = T(0.1) * alphaL15_2;
+  const T z16_2 = T(0.6) * alphaL15_2;
+  const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 + E16_11 * z16_1 + minus_E16_13 * z16_2;
+  const T beta16_3 = minus_E16_13 * z16_1 - E16_11 * z16_2 + minus_E16_13 * beta15_1 + E16_11 * beta15_3;
+  // alphaL16 = E16 alpha15: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL16_1 = E16_11 * phi15 - minus_E16_13 * alphaL15_3;
+  const T alphaL16_3 = minus_E16_13 * phi15 + E16_11 * alphaL15_3;
+  // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
+  const T phi16 = T(0.7547169811320755) * beta16_3 - T(0.37735849056603776) * beta16_1 + v16 + T(0.7169811320754718) *
+      alphaL16_1 + T(0.40754716981132083) * alphaL16_3;
+  // thetaddot16 = -b16 . alphaL16 + phi16
+  const T thetaddot16 = phi16 - alphaL15_2;
   ydot[15] = thetaddot16;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 1105 add, 1124 multiply, 32 sine or cosine
+// 906 add, 926 multiply, 32 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -3763,16 +3304,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_1 = minus_U1_11 * T(0.1);
-  const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
-  const T t1_2 = thetaddot1 * T(0.1);
-  const T a1_3 = Pddot1_3 - t1_2 - minus_U1_11 * T(0.05);
-  // G1 = m1 a1: force balance, body axes [N]
-  const T G1_1 = T(1.1) * a1_1;
-  const T G1_3 = T(1.1) * a1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_2 = T(0.132) * thetaddot1;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(4.612) * thetaddot1 - T(8.66) * Pddot1_3 - T(5.695) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -3805,25 +3339,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_1 + omegadot2_1;
   const T minus_U2_33 = t2_4 + t2_6;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
-  const T Pddot2_1 = E2_11 * t2_7;
-  const T minus_Pddot2_2 = E2_12 * t2_7;
-  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3) - t1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
-  const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
-  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(1.2) * a2_1;
-  const T G2_2 = T(1.2) * a2_2;
-  const T G2_3 = T(1.2) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21;
-  const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32;
-  const T N2_3 = T(0.06) * U2_21 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) -
-      T(0.0036) * U2_23 - T(0.0048) * U2_13;
+  const T t2_7 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
+  const T minus_Pddot2_1 = E2_11 * t2_7;
+  const T Pddot2_2 = E2_12 * t2_7;
+  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3);
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_3 = U2_31 * T(16.24) + U2_32 * T(4.335);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(4.335) * Pddot2_3 + T(0.6982499999999999) * U2_32 + T(0.6982499999999999) * U2_23 + T(0.8598) *
+      (minus_U2_22 - minus_U2_33) + T(2.436) * U2_31 - T(3.2384) * U2_21;
+  const T N2_2 = T(3.2384) * (minus_U2_33 - minus_U2_11) - (T(0.6982499999999999) * U2_13 + T(10.059249999999999) *
+      U2_31) + T(0.8598) * U2_12 - T(2.436) * U2_32 - T(16.24) * Pddot2_3;
+  const T N2_3 = T(16.24) * Pddot2_2 + T(4.335) * minus_Pddot2_1 + T(10.059249999999999) * U2_21 -
+      T(0.6982499999999999) * U2_12 + T(2.436) * (minus_U2_11 - minus_U2_22) + T(3.2384) * U2_23 - T(0.8598) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -3858,29 +3387,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
-  const T t3_7 = U2_21 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) - minus_Pddot2_2;
-  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) + U2_13 * T(0.2) - minus_Pddot2_1;
+  const T t3_7 = U2_23 * T(0.2) - minus_U2_22 * T(0.15) + Pddot2_2;
+  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot2_3;
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
-  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
-  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
-  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
-  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
-  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(1.3) * a3_1;
-  const T G3_2 = T(1.3) * a3_2;
-  const T G3_3 = T(1.3) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
-      T(0.0039) * U3_21;
-  const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
-      T(0.0065) * U3_32;
-  const T N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) * U3_23 -
-      T(0.0052) * U3_13;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T G3_1 = U3_12 * T(11.89) + U3_13 * T(2.665);
+  const T G3_2 = U3_23 * T(2.665) - minus_U3_22 * T(11.89);
+  const T G3_3 = U3_32 * T(11.89) - minus_U3_33 * T(2.665);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(11.89) * Pddot3_3 - T(2.665) * Pddot3_2 + T(7.6365) * U3_32 - T(0.35425) * U3_23 + T(1.1812) *
+      (minus_U3_22 - minus_U3_33) + T(7.0755) * U3_31 - T(1.5821) * U3_21;
+  const T N3_2 = T(2.665) * Pddot3_1 + T(0.35425) * U3_13 + T(0.35425) * U3_31 + T(1.5821) * (minus_U3_33 -
+      minus_U3_11) + T(1.1812) * U3_12 - T(7.0755) * U3_32;
+  const T N3_3 = T(7.0755) * (minus_U3_11 - minus_U3_22) - (T(0.35425) * U3_21 + T(7.6365) * U3_12) + T(1.5821) *
+      U3_23 - T(1.1812) * U3_13 - T(11.89) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -3915,26 +3438,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
-  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
+  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
-  const T G4_1 = T(1.4) * a4_1;
-  const T G4_2 = T(1.4) * a4_2;
-  const T G4_3 = T(1.4) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
-  const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
-      T(0.0042) * U4_21;
-  const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
-      T(0.007) * U4_32;
-  const T N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23 -
-      T(0.0056) * U4_13;
+  // G4 = U4 h_own_4: inertia less applied force, body axes [N]
+  const T G4_1 = U4_13 * T(4.915) - minus_U4_11 * T(7.52);
+  const T G4_2 = U4_21 * T(7.52) + U4_23 * T(4.915);
+  const T G4_3 = U4_31 * T(7.52) - minus_U4_33 * T(4.915);
+  // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = T(2.2138500000000003) * (minus_U4_22 - minus_U4_33) - (T(2.298) * U4_32 + T(3.34825) * U4_23) +
+      T(3.37) * U4_31 - T(1.4563) * U4_21 - T(4.915) * Pddot4_2;
+  const T N4_2 = T(4.915) * Pddot4_1 - T(7.52) * Pddot4_3 + T(3.34825) * U4_13 - T(2.298) * U4_31 + T(1.4563) *
+      (minus_U4_33 - minus_U4_11) + T(2.2138500000000003) * U4_12 - T(3.37) * U4_32;
+  const T N4_3 = T(7.52) * Pddot4_2 + T(2.298) * U4_21 + T(2.298) * U4_12 + T(3.37) * (minus_U4_11 - minus_U4_22) +
+      T(1.4563) * U4_23 - T(2.2138500000000003) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -3969,26 +3489,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = m5 a5: force balance, body axes [N]
-  const T G5_1 = T(1.5) * a5_1;
-  const T G5_2 = T(1.5) * a5_2;
-  const T G5_3 = T(1.5) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
-      T(0.0045) * U5_21;
-  const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
-      T(0.0075) * U5_32;
-  const T N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 -
-      T(0.006) * U5_13;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  // G5 = U5 h_own_5: inertia less applied force, body axes [N]
+  const T G5_1 = U5_12 * T(7.2299999999999995) - minus_U5_11 * T(13.69);
+  const T G5_2 = U5_21 * T(13.69) - minus_U5_22 * T(7.2299999999999995);
+  const T G5_3 = U5_31 * T(13.69) + U5_32 * T(7.2299999999999995);
+  // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = T(7.2299999999999995) * Pddot5_3 + T(2.1839999999999997) * U5_32 + T(2.1839999999999997) * U5_23 +
+      T(1.437) * (minus_U5_22 - minus_U5_33) + T(4.084499999999999) * U5_31 - T(2.726) * U5_21;
+  const T N5_2 = T(2.726) * (minus_U5_33 - minus_U5_11) - (T(2.1839999999999997) * U5_13 + T(8.497) * U5_31) +
+      T(1.437) * U5_12 - T(4.084499999999999) * U5_32 - T(13.69) * Pddot5_3;
+  const T N5_3 = T(13.69) * Pddot5_2 - T(7.2299999999999995) * Pddot5_1 + T(8.497) * U5_21 - T(2.1839999999999997) *
+      U5_12 + T(4.084499999999999) * (minus_U5_11 - minus_U5_22) + T(2.726) * U5_23 - T(1.437) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -4023,26 +3540,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_6 + omegadot6_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = m6 a6: force balance, body axes [N]
-  const T G6_1 = T(1.6) * a6_1;
-  const T G6_2 = T(1.6) * a6_2;
-  const T G6_3 = T(1.6) * a6_3;
-  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
-      T(0.0048) * U6_21;
-  const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
-      T(0.008) * U6_32;
-  const T N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23 -
-      T(0.0064) * U6_13;
+  // G6 = U6 h_own_6: inertia less applied force, body axes [N]
+  const T G6_1 = U6_12 * T(16.105) + U6_13 * T(2.23);
+  const T G6_2 = U6_23 * T(2.23) - minus_U6_22 * T(16.105);
+  const T G6_3 = U6_32 * T(16.105) - minus_U6_33 * T(2.23);
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(16.105) * Pddot6_3 - T(2.23) * Pddot6_2 + T(13.69875) * U6_32 - T(0.331) * U6_23 + T(1.6009) *
+      (minus_U6_22 - minus_U6_33) + T(9.591) * U6_31 - T(1.3172) * U6_21;
+  const T N6_2 = T(2.23) * Pddot6_1 + T(0.331) * U6_13 + T(0.331) * U6_31 + T(1.3172) * (minus_U6_33 - minus_U6_11) +
+      T(1.6009) * U6_12 - T(9.591) * U6_32;
+  const T N6_3 = T(9.591) * (minus_U6_11 - minus_U6_22) - (T(0.331) * U6_21 + T(13.69875) * U6_12) + T(1.3172) * U6_23
+      - T(1.6009) * U6_13 - T(16.105) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -4077,26 +3591,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
-  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
-  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
-  // G7 = m7 a7: force balance, body axes [N]
-  const T G7_1 = T(1.7) * a7_1;
-  const T G7_2 = T(1.7) * a7_2;
-  const T G7_3 = T(1.7) * a7_3;
-  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
-  const T N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
-      T(0.0085) * U7_31 + T(0.0051) * U7_21;
-  const T N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
-      T(0.0068) * U7_12 + T(0.0085) * U7_32;
-  const T N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
-      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+  // G7 = U7 h_own_7: inertia less applied force, body axes [N]
+  const T G7_1 = U7_13 * T(3.955) - minus_U7_11 * T(6.109999999999999);
+  const T G7_2 = U7_21 * T(6.109999999999999) + U7_23 * T(3.955);
+  const T G7_3 = U7_31 * T(6.109999999999999) - minus_U7_33 * T(3.955);
+  // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N7_1 = T(2.9560500000000003) * (minus_U7_22 - minus_U7_33) - (T(1.884) * U7_32 + T(4.78075) * U7_23) +
+      T(4.54) * U7_31 - T(1.1644) * U7_21 - T(3.955) * Pddot7_2;
+  const T N7_2 = T(3.955) * Pddot7_1 - T(6.109999999999999) * Pddot7_3 + T(4.78075) * U7_13 - T(1.884) * U7_31 +
+      T(1.1644) * (minus_U7_33 - minus_U7_11) + T(2.9560500000000003) * U7_12 - T(4.54) * U7_32;
+  const T N7_3 = T(6.109999999999999) * Pddot7_2 + T(1.884) * U7_21 + T(1.884) * U7_12 + T(4.54) * (minus_U7_11 -
+      minus_U7_22) + T(1.1644) * U7_23 - T(2.9560500000000003) * U7_13;
 
   // ---- body 8 (body_8) on body 7
   const T theta8 = x[7];
@@ -4131,26 +3642,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U8_32 = t8_6 + omegadot8_1;
   const T minus_U8_33 = t8_2 + t8_5;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_7 = U7_12 * T(0.4) - minus_U7_11 * T(0.3) + U7_13 * T(0.1) + Pddot7_1;
-  const T t8_8 = U7_21 * T(0.3) - minus_U7_22 * T(0.4) + U7_23 * T(0.1) + Pddot7_2;
+  const T t8_7 = U7_12 * T(0.75) - minus_U7_11 * T(0.3) + Pddot7_1;
+  const T t8_8 = U7_21 * T(0.3) - minus_U7_22 * T(0.75) + Pddot7_2;
   const T Pddot8_1 = E8_11 * t8_7 + E8_12 * t8_8;
   const T Pddot8_2 = E8_11 * t8_8 - E8_12 * t8_7;
-  const T Pddot8_3 = U7_31 * T(0.3) + U7_32 * T(0.4) - minus_U7_33 * T(0.1) + Pddot7_3;
-  // a8 = U8 r8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = U8_12 * T(0.2) - minus_U8_11 * T(0.1) + U8_13 * T(0.05) + Pddot8_1;
-  const T a8_2 = U8_21 * T(0.1) - minus_U8_22 * T(0.2) + U8_23 * T(0.05) + Pddot8_2;
-  const T a8_3 = U8_31 * T(0.1) + U8_32 * T(0.2) - minus_U8_33 * T(0.05) + Pddot8_3;
-  // G8 = m8 a8: force balance, body axes [N]
-  const T G8_1 = T(1.8) * a8_1;
-  const T G8_2 = T(1.8) * a8_2;
-  const T G8_3 = T(1.8) * a8_3;
-  // N8 = axial(U8 (tr(I8)/2 - I8)): moment balance about the mass centre, body axes [N m]
-  const T N8_1 = T(0.05399999999999999) * U8_32 - T(0.126) * U8_23 + T(0.0072) * (minus_U8_22 - minus_U8_33) -
-      T(0.009) * U8_31 + T(0.0054) * U8_21;
-  const T N8_2 = T(0.126) * U8_13 - T(0.09) * U8_31 - T(0.0054) * (minus_U8_33 - minus_U8_11) + T(0.0072) * U8_12 +
-      T(0.009) * U8_32;
-  const T N8_3 = T(0.09) * U8_21 - T(0.05399999999999999) * U8_12 - T(0.009) * (minus_U8_11 - minus_U8_22) - T(0.0054)
-      * U8_23 - T(0.0072) * U8_13;
+  const T Pddot8_3 = U7_31 * T(0.3) + U7_32 * T(0.75) + Pddot7_3;
+  // G8 = U8 h_own_8: inertia less applied force, body axes [N]
+  const T G8_1 = U8_12 * T(8.46) - minus_U8_11 * T(10.6);
+  const T G8_2 = U8_21 * T(10.6) - minus_U8_22 * T(8.46);
+  const T G8_3 = U8_31 * T(10.6) + U8_32 * T(8.46);
+  // N8 = h_own_8~ Pddot8 + axial(U8 (tr(J_own_8)/2 - J_own_8)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N8_1 = T(8.46) * Pddot8_3 + T(3.7710000000000004) * U8_32 + T(3.7710000000000004) * U8_23 + T(1.6812) *
+      (minus_U8_22 - minus_U8_33) + T(4.716) * U8_31 - T(2.1056) * U8_21;
+  const T N8_2 = T(2.1056) * (minus_U8_33 - minus_U8_11) - (T(3.7710000000000004) * U8_13 + T(6.60175) * U8_31) +
+      T(1.6812) * U8_12 - T(4.716) * U8_32 - T(10.6) * Pddot8_3;
+  const T N8_3 = T(10.6) * Pddot8_2 - T(8.46) * Pddot8_1 + T(6.60175) * U8_21 - T(3.7710000000000004) * U8_12 +
+      T(4.716) * (minus_U8_11 - minus_U8_22) + T(2.1056) * U8_23 - T(1.6812) * U8_13;
 
   // ---- body 9 (body_9) on body 8
   const T theta9 = x[8];
@@ -4185,26 +3693,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U9_32 = t9_6 + omegadot9_1;
   const T minus_U9_33 = t9_2 + t9_5;
   // Pddot9 = E9 (U8 q9 + Pddot8): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot9_1 = U8_12 * T(0.45) - minus_U8_11 * T(0.3) + U8_13 * T(0.1) + Pddot8_1;
-  const T t9_7 = U8_21 * T(0.3) - minus_U8_22 * T(0.45) + U8_23 * T(0.1) + Pddot8_2;
-  const T t9_8 = U8_31 * T(0.3) + U8_32 * T(0.45) - minus_U8_33 * T(0.1) + Pddot8_3;
+  const T Pddot9_1 = U8_12 * T(0.45) + U8_13 * T(0.2) + Pddot8_1;
+  const T t9_7 = U8_23 * T(0.2) - minus_U8_22 * T(0.45) + Pddot8_2;
+  const T t9_8 = U8_32 * T(0.45) - minus_U8_33 * T(0.2) + Pddot8_3;
   const T Pddot9_2 = E9_22 * t9_7 + E9_23 * t9_8;
   const T Pddot9_3 = E9_22 * t9_8 - E9_23 * t9_7;
-  // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a9_1 = U9_12 * T(0.2) - minus_U9_11 * T(0.1) + U9_13 * T(0.05) + Pddot9_1;
-  const T a9_2 = U9_21 * T(0.1) - minus_U9_22 * T(0.2) + U9_23 * T(0.05) + Pddot9_2;
-  const T a9_3 = U9_31 * T(0.1) + U9_32 * T(0.2) - minus_U9_33 * T(0.05) + Pddot9_3;
-  // G9 = m9 a9: force balance, body axes [N]
-  const T G9_1 = T(1.9) * a9_1;
-  const T G9_2 = T(1.9) * a9_2;
-  const T G9_3 = T(1.9) * a9_3;
-  // N9 = axial(U9 (tr(I9)/2 - I9)): moment balance about the mass centre, body axes [N m]
-  const T N9_1 = T(0.056999999999999995) * U9_32 - T(0.133) * U9_23 + T(0.0076) * (minus_U9_22 - minus_U9_33) -
-      T(0.0095) * U9_31 + T(0.0057) * U9_21;
-  const T N9_2 = T(0.133) * U9_13 - T(0.095) * U9_31 - T(0.0057) * (minus_U9_33 - minus_U9_11) + T(0.0076) * U9_12 +
-      T(0.0095) * U9_32;
-  const T N9_3 = T(0.095) * U9_21 - T(0.056999999999999995) * U9_12 - T(0.0095) * (minus_U9_11 - minus_U9_22) -
-      T(0.0057) * U9_23 - T(0.0076) * U9_13;
+  // G9 = U9 h_own_9: inertia less applied force, body axes [N]
+  const T G9_1 = U9_12 * T(16.585) + U9_13 * T(1.705);
+  const T G9_2 = U9_23 * T(1.705) - minus_U9_22 * T(16.585);
+  const T G9_3 = U9_32 * T(16.585) - minus_U9_33 * T(1.705);
+  // N9 = h_own_9~ Pddot9 + axial(U9 (tr(J_own_9)/2 - J_own_9)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N9_1 = T(16.585) * Pddot9_3 - T(1.705) * Pddot9_2 + T(18.10725) * U9_32 - T(0.29875) * U9_23 +
+      T(1.6471000000000002) * (minus_U9_22 - minus_U9_33) + T(9.8655) * U9_31 - T(0.9983000000000001) * U9_21;
+  const T N9_2 = T(1.705) * Pddot9_1 + T(0.29875) * U9_13 + T(0.29875) * U9_31 + T(0.9983000000000001) * (minus_U9_33
+      - minus_U9_11) + T(1.6471000000000002) * U9_12 - T(9.8655) * U9_32;
+  const T N9_3 = T(9.8655) * (minus_U9_11 - minus_U9_22) - (T(0.29875) * U9_21 + T(18.10725) * U9_12) +
+      T(0.9983000000000001) * U9_23 - T(1.6471000000000002) * U9_13 - T(16.585) * Pddot9_1;
 
   // ---- body 10 (body_10) on body 9
   const T theta10 = x[9];
@@ -4240,26 +3745,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U10_32 = t10_6 + omegadot10_1;
   const T minus_U10_33 = t10_2 + t10_5;
   // Pddot10 = E10 (U9 q10 + Pddot9): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t10_7 = U9_12 * T(0.5) - minus_U9_11 * T(0.3) + U9_13 * T(0.1) + Pddot9_1;
-  const T t10_8 = U9_31 * T(0.3) + U9_32 * T(0.5) - minus_U9_33 * T(0.1) + Pddot9_3;
+  const T t10_7 = U9_13 * T(0.1) - minus_U9_11 * T(0.6) + Pddot9_1;
+  const T t10_8 = U9_31 * T(0.6) - minus_U9_33 * T(0.1) + Pddot9_3;
   const T Pddot10_1 = E10_11 * t10_7 - minus_E10_13 * t10_8;
-  const T Pddot10_2 = U9_21 * T(0.3) - minus_U9_22 * T(0.5) + U9_23 * T(0.1) + Pddot9_2;
+  const T Pddot10_2 = U9_21 * T(0.6) + U9_23 * T(0.1) + Pddot9_2;
   const T Pddot10_3 = minus_E10_13 * t10_7 + E10_11 * t10_8;
-  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_12 * T(0.2) - minus_U10_11 * T(0.1) + U10_13 * T(0.05) + Pddot10_1;
-  const T a10_2 = U10_21 * T(0.1) - minus_U10_22 * T(0.2) + U10_23 * T(0.05) + Pddot10_2;
-  const T a10_3 = U10_31 * T(0.1) + U10_32 * T(0.2) - minus_U10_33 * T(0.05) + Pddot10_3;
-  // G10 = m10 a10: force balance, body axes [N]
-  const T G10_1 = T(2) * a10_1;
-  const T G10_2 = T(2) * a10_2;
-  const T G10_3 = T(2) * a10_3;
-  // N10 = axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
-  const T N10_1 = T(0.06000000000000001) * U10_32 - T(0.14) * U10_23 + T(0.008) * (minus_U10_22 - minus_U10_33) -
-      T(0.01) * U10_31 + T(0.006) * U10_21;
-  const T N10_2 = T(0.14) * U10_13 - T(0.09999999999999999) * U10_31 - T(0.006) * (minus_U10_33 - minus_U10_11) +
-      T(0.008) * U10_12 + T(0.01) * U10_32;
-  const T N10_3 = T(0.09999999999999999) * U10_21 - T(0.06000000000000001) * U10_12 - T(0.01) * (minus_U10_11 -
-      minus_U10_22) - T(0.006) * U10_23 - T(0.008) * U10_13;
+  // G10 = U10 h_own_10: inertia less applied force, body axes [N]
+  const T G10_1 = U10_13 * T(2.8150000000000004) - minus_U10_11 * T(4.43);
+  const T G10_2 = U10_21 * T(4.43) + U10_23 * T(2.8150000000000004);
+  const T G10_3 = U10_31 * T(4.43) - minus_U10_33 * T(2.8150000000000004);
+  // N10 = h_own_10~ Pddot10 + axial(U10 (tr(J_own_10)/2 - J_own_10)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N10_1 = T(2.9287500000000004) * (minus_U10_22 - minus_U10_33) - (T(1.389) * U10_32 + T(5.28625) * U10_23) +
+      T(4.5715) * U10_31 - T(0.8185) * U10_21 - T(2.8150000000000004) * Pddot10_2;
+  const T N10_2 = T(2.8150000000000004) * Pddot10_1 - T(4.43) * Pddot10_3 + T(5.28625) * U10_13 - T(1.389) * U10_31 +
+      T(0.8185) * (minus_U10_33 - minus_U10_11) + T(2.9287500000000004) * U10_12 - T(4.5715) * U10_32;
+  const T N10_3 = T(4.43) * Pddot10_2 + T(1.389) * U10_21 + T(1.389) * U10_12 + T(4.5715) * (minus_U10_11 -
+      minus_U10_22) + T(0.8185) * U10_23 - T(2.9287500000000004) * U10_13;
 
   // ---- body 11 (body_11) on body 10
   const T theta11 = x[10];
@@ -4295,26 +3797,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U11_32 = t11_6 + omegadot11_1;
   const T minus_U11_33 = t11_2 + t11_5;
   // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t11_7 = U10_12 * T(0.55) - minus_U10_11 * T(0.3) + U10_13 * T(0.1) + Pddot10_1;
-  const T t11_8 = U10_21 * T(0.3) - minus_U10_22 * T(0.55) + U10_23 * T(0.1) + Pddot10_2;
+  const T t11_7 = U10_12 * T(1.05) - minus_U10_11 * T(0.3) + Pddot10_1;
+  const T t11_8 = U10_21 * T(0.3) - minus_U10_22 * T(1.05) + Pddot10_2;
   const T Pddot11_1 = E11_11 * t11_7 + E11_12 * t11_8;
   const T Pddot11_2 = E11_11 * t11_8 - E11_12 * t11_7;
-  const T Pddot11_3 = U10_31 * T(0.3) + U10_32 * T(0.55) - minus_U10_33 * T(0.1) + Pddot10_3;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_12 * T(0.2) - minus_U11_11 * T(0.1) + U11_13 * T(0.05) + Pddot11_1;
-  const T a11_2 = U11_21 * T(0.1) - minus_U11_22 * T(0.2) + U11_23 * T(0.05) + Pddot11_2;
-  const T a11_3 = U11_31 * T(0.1) + U11_32 * T(0.2) - minus_U11_33 * T(0.05) + Pddot11_3;
-  // G11 = m11 a11: force balance, body axes [N]
-  const T G11_1 = T(2.1) * a11_1;
-  const T G11_2 = T(2.1) * a11_2;
-  const T G11_3 = T(2.1) * a11_3;
-  // N11 = axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
-  const T N11_1 = T(0.063) * U11_32 - T(0.147) * U11_23 + T(0.0084) * (minus_U11_22 - minus_U11_33) - T(0.0105) *
-      U11_31 + T(0.0063) * U11_21;
-  const T N11_2 = T(0.147) * U11_13 - T(0.10500000000000001) * U11_31 - T(0.0063) * (minus_U11_33 - minus_U11_11) +
-      T(0.0084) * U11_12 + T(0.0105) * U11_32;
-  const T N11_3 = T(0.10500000000000001) * U11_21 - T(0.063) * U11_12 - T(0.0105) * (minus_U11_11 - minus_U11_22) -
-      T(0.0063) * U11_23 - T(0.0084) * U11_13;
+  const T Pddot11_3 = U10_31 * T(0.3) + U10_32 * T(1.05) + Pddot10_3;
+  // G11 = U11 h_own_11: inertia less applied force, body axes [N]
+  const T G11_1 = U11_12 * T(7.62) - minus_U11_11 * T(6.97);
+  const T G11_2 = U11_21 * T(6.97) - minus_U11_22 * T(7.62);
+  const T G11_3 = U11_31 * T(6.97) + U11_32 * T(7.62);
+  // N11 = h_own_11~ Pddot11 + axial(U11 (tr(J_own_11)/2 - J_own_11)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N11_1 = T(7.62) * Pddot11_3 + T(4.467) * U11_32 + T(4.467) * U11_23 + T(1.5114) * (minus_U11_22 -
+      minus_U11_33) + T(4.0874999999999995) * U11_31 - T(1.3772) * U11_21;
+  const T N11_2 = T(1.3772) * (minus_U11_33 - minus_U11_11) - (T(4.467) * U11_13 + T(4.3735) * U11_31) + T(1.5114) *
+      U11_12 - T(4.0874999999999995) * U11_32 - T(6.97) * Pddot11_3;
+  const T N11_3 = T(6.97) * Pddot11_2 - T(7.62) * Pddot11_1 + T(4.3735) * U11_21 - T(4.467) * U11_12 +
+      T(4.0874999999999995) * (minus_U11_11 - minus_U11_22) + T(1.3772) * U11_23 - T(1.5114) * U11_13;
 
   // ---- body 12 (body_12) on body 11
   const T theta12 = x[11];
@@ -4350,26 +3849,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U12_32 = t12_6 + omegadot12_1;
   const T minus_U12_33 = t12_2 + t12_5;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot12_1 = U11_12 * T(0.6) - minus_U11_11 * T(0.3) + U11_13 * T(0.1) + Pddot11_1;
-  const T t12_7 = U11_21 * T(0.3) - minus_U11_22 * T(0.6) + U11_23 * T(0.1) + Pddot11_2;
-  const T t12_8 = U11_31 * T(0.3) + U11_32 * T(0.6) - minus_U11_33 * T(0.1) + Pddot11_3;
+  const T Pddot12_1 = U11_12 * T(0.6) + U11_13 * T(0.2) + Pddot11_1;
+  const T t12_7 = U11_23 * T(0.2) - minus_U11_22 * T(0.6) + Pddot11_2;
+  const T t12_8 = U11_32 * T(0.6) - minus_U11_33 * T(0.2) + Pddot11_3;
   const T Pddot12_2 = E12_22 * t12_7 + E12_23 * t12_8;
   const T Pddot12_3 = E12_22 * t12_8 - E12_23 * t12_7;
-  // a12 = U12 r12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = U12_12 * T(0.2) - minus_U12_11 * T(0.1) + U12_13 * T(0.05) + Pddot12_1;
-  const T a12_2 = U12_21 * T(0.1) - minus_U12_22 * T(0.2) + U12_23 * T(0.05) + Pddot12_2;
-  const T a12_3 = U12_31 * T(0.1) + U12_32 * T(0.2) - minus_U12_33 * T(0.05) + Pddot12_3;
-  // G12 = m12 a12: force balance, body axes [N]
-  const T G12_1 = T(2.2) * a12_1;
-  const T G12_2 = T(2.2) * a12_2;
-  const T G12_3 = T(2.2) * a12_3;
-  // N12 = axial(U12 (tr(I12)/2 - I12)): moment balance about the mass centre, body axes [N m]
-  const T N12_1 = T(0.06599999999999999) * U12_32 - T(0.15400000000000003) * U12_23 + T(0.0088) * (minus_U12_22 -
-      minus_U12_33) - T(0.011) * U12_31 + T(0.0066) * U12_21;
-  const T N12_2 = T(0.15400000000000003) * U12_13 - T(0.11) * U12_31 - T(0.0066) * (minus_U12_33 - minus_U12_11) +
-      T(0.0088) * U12_12 + T(0.011) * U12_32;
-  const T N12_3 = T(0.11) * U12_21 - T(0.06599999999999999) * U12_12 - T(0.011) * (minus_U12_11 - minus_U12_22) -
-      T(0.0066) * U12_23 - T(0.0088) * U12_13;
+  // G12 = U12 h_own_12: inertia less applied force, body axes [N]
+  const T G12_1 = U12_12 * T(12.52) + U12_13 * T(1.09);
+  const T G12_2 = U12_23 * T(1.09) - minus_U12_22 * T(12.52);
+  const T G12_3 = U12_32 * T(12.52) - minus_U12_33 * T(1.09);
+  // N12 = h_own_12~ Pddot12 + axial(U12 (tr(J_own_12)/2 - J_own_12)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N12_1 = T(12.52) * Pddot12_3 - T(1.09) * Pddot12_2 + T(16.3665) * U12_32 - T(0.2575) * U12_23 +
+      T(1.2388000000000001) * (minus_U12_22 - minus_U12_33) + T(7.412999999999999) * U12_31 - T(0.6254) * U12_21;
+  const T N12_2 = T(1.09) * Pddot12_1 + T(0.2575) * U12_13 + T(0.2575) * U12_31 + T(0.6254) * (minus_U12_33 -
+      minus_U12_11) + T(1.2388000000000001) * U12_12 - T(7.412999999999999) * U12_32;
+  const T N12_3 = T(7.412999999999999) * (minus_U12_11 - minus_U12_22) - (T(0.2575) * U12_21 + T(16.3665) * U12_12) +
+      T(0.6254) * U12_23 - T(1.2388000000000001) * U12_13 - T(12.52) * Pddot12_1;
 
   // ---- body 13 (body_13) on body 12
   const T theta13 = x[12];
@@ -4405,26 +3901,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U13_32 = t13_6 + omegadot13_1;
   const T minus_U13_33 = t13_2 + t13_5;
   // Pddot13 = E13 (U12 q13 + Pddot12): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t13_7 = U12_12 * T(0.65) - minus_U12_11 * T(0.3) + U12_13 * T(0.1) + Pddot12_1;
-  const T t13_8 = U12_31 * T(0.3) + U12_32 * T(0.65) - minus_U12_33 * T(0.1) + Pddot12_3;
+  const T t13_7 = U12_13 * T(0.1) - minus_U12_11 * T(0.6) + Pddot12_1;
+  const T t13_8 = U12_31 * T(0.6) - minus_U12_33 * T(0.1) + Pddot12_3;
   const T Pddot13_1 = E13_11 * t13_7 - minus_E13_13 * t13_8;
-  const T Pddot13_2 = U12_21 * T(0.3) - minus_U12_22 * T(0.65) + U12_23 * T(0.1) + Pddot12_2;
+  const T Pddot13_2 = U12_21 * T(0.6) + U12_23 * T(0.1) + Pddot12_2;
   const T Pddot13_3 = minus_E13_13 * t13_7 + E13_11 * t13_8;
-  // a13 = U13 r13 + Pddot13: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a13_1 = U13_12 * T(0.2) - minus_U13_11 * T(0.1) + U13_13 * T(0.05) + Pddot13_1;
-  const T a13_2 = U13_21 * T(0.1) - minus_U13_22 * T(0.2) + U13_23 * T(0.05) + Pddot13_2;
-  const T a13_3 = U13_31 * T(0.1) + U13_32 * T(0.2) - minus_U13_33 * T(0.05) + Pddot13_3;
-  // G13 = m13 a13: force balance, body axes [N]
-  const T G13_1 = T(2.3) * a13_1;
-  const T G13_2 = T(2.3) * a13_2;
-  const T G13_3 = T(2.3) * a13_3;
-  // N13 = axial(U13 (tr(I13)/2 - I13)): moment balance about the mass centre, body axes [N m]
-  const T N13_1 = T(0.06899999999999999) * U13_32 - T(0.16100000000000003) * U13_23 + T(0.0092) * (minus_U13_22 -
-      minus_U13_33) - T(0.0115) * U13_31 + T(0.0069) * U13_21;
-  const T N13_2 = T(0.16100000000000003) * U13_13 - T(0.115) * U13_31 - T(0.0069) * (minus_U13_33 - minus_U13_11) +
-      T(0.0092) * U13_12 + T(0.0115) * U13_32;
-  const T N13_3 = T(0.115) * U13_21 - T(0.06899999999999999) * U13_12 - T(0.0115) * (minus_U13_11 - minus_U13_22) -
-      T(0.0069) * U13_23 - T(0.0092) * U13_13;
+  // G13 = U13 h_own_13: inertia less applied force, body axes [N]
+  const T G13_1 = U13_13 * T(1.495) - minus_U13_11 * T(2.48);
+  const T G13_2 = U13_21 * T(2.48) + U13_23 * T(1.495);
+  const T G13_3 = U13_31 * T(2.48) - minus_U13_33 * T(1.495);
+  // N13 = h_own_13~ Pddot13 + axial(U13 (tr(J_own_13)/2 - J_own_13)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N13_1 = T(1.96995) * (minus_U13_22 - minus_U13_33) - (T(0.813) * U13_32 + T(3.6295) * U13_23) + T(3.2215) *
+      U13_31 - T(0.4186) * U13_21 - T(1.495) * Pddot13_2;
+  const T N13_2 = T(1.495) * Pddot13_1 - T(2.48) * Pddot13_3 + T(3.6295) * U13_13 - T(0.813) * U13_31 + T(0.4186) *
+      (minus_U13_33 - minus_U13_11) + T(1.96995) * U13_12 - T(3.2215) * U13_32;
+  const T N13_3 = T(2.48) * Pddot13_2 + T(0.813) * U13_21 + T(0.813) * U13_12 + T(3.2215) * (minus_U13_11 -
+      minus_U13_22) + T(0.4186) * U13_23 - T(1.96995) * U13_13;
 
   // ---- body 14 (body_14) on body 13
   const T theta14 = x[13];
@@ -4460,26 +3953,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U14_32 = t14_6 + omegadot14_1;
   const T minus_U14_33 = t14_2 + t14_5;
   // Pddot14 = E14 (U13 q14 + Pddot13): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t14_7 = U13_12 * T(0.7) - minus_U13_11 * T(0.3) + U13_13 * T(0.1) + Pddot13_1;
-  const T t14_8 = U13_21 * T(0.3) - minus_U13_22 * T(0.7) + U13_23 * T(0.1) + Pddot13_2;
+  const T t14_7 = U13_12 * T(1.35) - minus_U13_11 * T(0.3) + Pddot13_1;
+  const T t14_8 = U13_21 * T(0.3) - minus_U13_22 * T(1.35) + Pddot13_2;
   const T Pddot14_1 = E14_11 * t14_7 + E14_12 * t14_8;
   const T Pddot14_2 = E14_11 * t14_8 - E14_12 * t14_7;
-  const T Pddot14_3 = U13_31 * T(0.3) + U13_32 * T(0.7) - minus_U13_33 * T(0.1) + Pddot13_3;
-  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a14_1 = U14_12 * T(0.2) - minus_U14_11 * T(0.1) + U14_13 * T(0.05) + Pddot14_1;
-  const T a14_2 = U14_21 * T(0.1) - minus_U14_22 * T(0.2) + U14_23 * T(0.05) + Pddot14_2;
-  const T a14_3 = U14_31 * T(0.1) + U14_32 * T(0.2) - minus_U14_33 * T(0.05) + Pddot14_3;
-  // G14 = m14 a14: force balance, body axes [N]
-  const T G14_1 = T(2.4) * a14_1;
-  const T G14_2 = T(2.4) * a14_2;
-  const T G14_3 = T(2.4) * a14_3;
-  // N14 = axial(U14 (tr(I14)/2 - I14)): moment balance about the mass centre, body axes [N m]
-  const T N14_1 = T(0.07200000000000001) * U14_32 - T(0.16799999999999998) * U14_23 + T(0.0096) * (minus_U14_22 -
-      minus_U14_33) - T(0.012) * U14_31 + T(0.0072) * U14_21;
-  const T N14_2 = T(0.16799999999999998) * U14_13 - T(0.12) * U14_31 - T(0.0072) * (minus_U14_33 - minus_U14_11) +
-      T(0.0096) * U14_12 + T(0.012) * U14_32;
-  const T N14_3 = T(0.12) * U14_21 - T(0.07200000000000001) * U14_12 - T(0.012) * (minus_U14_11 - minus_U14_22) -
-      T(0.0072) * U14_23 - T(0.0096) * U14_13;
+  const T Pddot14_3 = U13_31 * T(0.3) + U13_32 * T(1.35) + Pddot13_3;
+  // G14 = U14 h_own_14: inertia less applied force, body axes [N]
+  const T G14_1 = U14_12 * T(4.305) - minus_U14_11 * T(2.8);
+  const T G14_2 = U14_21 * T(2.8) - minus_U14_22 * T(4.305);
+  const T G14_3 = U14_31 * T(2.8) + U14_32 * T(4.305);
+  // N14 = h_own_14~ Pddot14 + axial(U14 (tr(J_own_14)/2 - J_own_14)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N14_1 = T(4.305) * Pddot14_3 + T(3.03675) * U14_32 + T(3.03675) * U14_23 + T(0.8466) * (minus_U14_22 -
+      minus_U14_33) + T(1.956) * U14_31 - T(0.5408000000000001) * U14_21;
+  const T N14_2 = T(0.5408000000000001) * (minus_U14_33 - minus_U14_11) - (T(3.03675) * U14_13 + T(1.81225) * U14_31)
+      + T(0.8466) * U14_12 - T(1.956) * U14_32 - T(2.8) * Pddot14_3;
+  const T N14_3 = T(2.8) * Pddot14_2 - T(4.305) * Pddot14_1 + T(1.81225) * U14_21 - T(3.03675) * U14_12 + T(1.956) *
+      (minus_U14_11 - minus_U14_22) + T(0.5408000000000001) * U14_23 - T(0.8466) * U14_13;
 
   // ---- body 15 (body_15) on body 14
   const T theta15 = x[14];
@@ -4515,26 +4005,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U15_32 = t15_6 + omegadot15_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot15_1 = U14_12 * T(0.75) - minus_U14_11 * T(0.3) + U14_13 * T(0.1) + Pddot14_1;
-  const T t15_7 = U14_21 * T(0.3) - minus_U14_22 * T(0.75) + U14_23 * T(0.1) + Pddot14_2;
-  const T t15_8 = U14_31 * T(0.3) + U14_32 * T(0.75) - minus_U14_33 * T(0.1) + Pddot14_3;
+  const T Pddot15_1 = U14_12 * T(0.75) + U14_13 * T(0.2) + Pddot14_1;
+  const T t15_7 = U14_23 * T(0.2) - minus_U14_22 * T(0.75) + Pddot14_2;
+  const T t15_8 = U14_32 * T(0.75) - minus_U14_33 * T(0.2) + Pddot14_3;
   const T Pddot15_2 = E15_22 * t15_7 + E15_23 * t15_8;
   const T Pddot15_3 = E15_22 * t15_8 - E15_23 * t15_7;
-  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a15_1 = U15_12 * T(0.2) - minus_U15_11 * T(0.1) + U15_13 * T(0.05) + Pddot15_1;
-  const T a15_2 = U15_21 * T(0.1) - minus_U15_22 * T(0.2) + U15_23 * T(0.05) + Pddot15_2;
-  const T a15_3 = U15_31 * T(0.1) + U15_32 * T(0.2) - minus_U15_33 * T(0.05) + Pddot15_3;
-  // G15 = m15 a15: force balance, body axes [N]
-  const T G15_1 = T(2.5) * a15_1;
-  const T G15_2 = T(2.5) * a15_2;
-  const T G15_3 = T(2.5) * a15_3;
-  // N15 = axial(U15 (tr(I15)/2 - I15)): moment balance about the mass centre, body axes [N m]
-  const T N15_1 = T(0.07500000000000001) * U15_32 - T(0.175) * U15_23 + T(0.01) * (minus_U15_22 - minus_U15_33) -
-      T(0.0125) * U15_31 + T(0.0075) * U15_21;
-  const T N15_2 = T(0.175) * U15_13 - T(0.125) * U15_31 - T(0.0075) * (minus_U15_33 - minus_U15_11) + T(0.01) * U15_12
-      + T(0.0125) * U15_32;
-  const T N15_3 = T(0.125) * U15_21 - T(0.07500000000000001) * U15_12 - T(0.0125) * (minus_U15_11 - minus_U15_22) -
-      T(0.0075) * U15_23 - T(0.01) * U15_13;
+  // G15 = U15 h_own_15: inertia less applied force, body axes [N]
+  const T G15_1 = U15_12 * T(3.1) + U15_13 * T(0.385);
+  const T G15_2 = U15_23 * T(0.385) - minus_U15_22 * T(3.1);
+  const T G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
+  // N15 = h_own_15~ Pddot15 + axial(U15 (tr(J_own_15)/2 - J_own_15)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0090000000000003) * U15_32 - T(0.20725) * U15_23 +
+      T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
+  const T N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
+      minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
+  const T N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0090000000000003) * U15_12) +
+      T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T theta16 = x[15];
@@ -4570,35 +4057,28 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U16_32 = t16_6 + omegadot16_1;
   const T minus_U16_33 = t16_2 + t16_5;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_7 = U15_12 * T(0.8) - minus_U15_11 * T(0.3) + U15_13 * T(0.1) + Pddot15_1;
-  const T t16_8 = U15_31 * T(0.3) + U15_32 * T(0.8) - minus_U15_33 * T(0.1) + Pddot15_3;
+  const T t16_7 = U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1;
+  const T t16_8 = U15_31 * T(0.6) - minus_U15_33 * T(0.1) + Pddot15_3;
   const T Pddot16_1 = E16_11 * t16_7 - minus_E16_13 * t16_8;
-  const T Pddot16_2 = U15_21 * T(0.3) - minus_U15_22 * T(0.8) + U15_23 * T(0.1) + Pddot15_2;
+  const T Pddot16_2 = U15_21 * T(0.6) + U15_23 * T(0.1) + Pddot15_2;
   const T Pddot16_3 = minus_E16_13 * t16_7 + E16_11 * t16_8;
-  // a16 = U16 r16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = U16_12 * T(0.2) - minus_U16_11 * T(0.1) + U16_13 * T(0.05) + Pddot16_1;
-  const T a16_2 = U16_21 * T(0.1) - minus_U16_22 * T(0.2) + U16_23 * T(0.05) + Pddot16_2;
-  const T a16_3 = U16_31 * T(0.1) + U16_32 * T(0.2) - minus_U16_33 * T(0.05) + Pddot16_3;
-  // G16 = m16 a16: force balance, body axes [N]
-  const T G16_1 = T(2.6) * a16_1;
-  const T G16_2 = T(2.6) * a16_2;
-  const T G16_3 = T(2.6) * a16_3;
-  // N16 = axial(U16 (tr(I16)/2 - I16)): moment balance about the mass centre, body axes [N m]
-  const T N16_1 = T(0.078) * U16_32 - T(0.182) * U16_23 + T(0.0104) * (minus_U16_22 - minus_U16_33) - T(0.013) *
-      U16_31 + T(0.0078) * U16_21;
-  const T N16_2 = T(0.182) * U16_13 - T(0.13) * U16_31 - T(0.0078) * (minus_U16_33 - minus_U16_11) + T(0.0104) *
-      U16_12 + T(0.013) * U16_32;
-  const T N16_3 = T(0.13) * U16_21 - T(0.078) * U16_12 - T(0.013) * (minus_U16_11 - minus_U16_22) - T(0.0078) * U16_23
-      - T(0.0104) * U16_13;
+  // G16 = U16 h_own_16: inertia less applied force, body axes [N]
+  const T G16_1 = U16_13 * T(0.13) - minus_U16_11 * T(0.26);
+  const T G16_2 = U16_21 * T(0.26) + U16_23 * T(0.13);
+  const T G16_3 = U16_31 * T(0.26) - minus_U16_33 * T(0.13);
+  // N16 = h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N16_1 = T(0.14040000000000002) * (minus_U16_22 - minus_U16_33) - (T(0.156) * U16_32 + T(0.1885) * U16_23) +
+      T(0.24700000000000003) * U16_31 - T(0.005200000000000002) * U16_21 - T(0.13) * Pddot16_2;
+  const T N16_2 = T(0.13) * Pddot16_1 - T(0.26) * Pddot16_3 + T(0.1885) * U16_13 - T(0.156) * U16_31 +
+      T(0.005200000000000002) * (minus_U16_33 - minus_U16_11) + T(0.14040000000000002) * U16_12 -
+      T(0.24700000000000003) * U16_32;
+  const T N16_3 = T(0.26) * Pddot16_2 + T(0.156) * U16_21 + T(0.156) * U16_12 + T(0.24700000000000003) * (minus_U16_11
+      - minus_U16_22) + T(0.005200000000000002) * U16_23 - T(0.14040000000000002) * U16_13;
 
   // ---- body 16 (body_16) and what it carries
-  // rho16 = r16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho16_1 = T(0.2) * G16_3 - T(0.05) * G16_2 + N16_1;
-  const T rho16_2 = T(0.05) * G16_1 - T(0.1) * G16_3 + N16_2;
-  const T b16_1 = T(0.1) * G16_2;
-  const T rho16_3 = b16_1 - T(0.2) * G16_1 + N16_3;
-  // r_theta16 = b16 . rho16 - tau_body_16_: Kane's equation of the angle [N m]
-  const T r_theta16 = rho16_2 - u.tau_16;
+  // r_theta16 = b16 . N16 - tau_body_16_: Kane's equation of the angle [N m]
+  const T r_theta16 = N16_2 - u.tau_16;
   r[15] = r_theta16;
 
   // ---- body 15 (body_15) and what it carries
@@ -4608,13 +4088,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S15_2 = G16_2 + G15_2;
   const T b15_2 = E16_11 * G16_3 - minus_E16_13 * G16_1;
   const T S15_3 = b15_2 + G15_3;
-  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho15_1 = T(0.8) * b15_2 - b16_1 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.2) * G15_3 - T(0.05) *
-      G15_2 + N15_1;
-  const T rho15_2 = T(0.1) * b15_1 - T(0.3) * b15_2 + rho16_2 + T(0.05) * G15_1 - T(0.1) * G15_3 + N15_2;
-  const T rho15_3 = T(0.3) * G16_2 - T(0.8) * b15_1 + E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.1) * G15_2 -
-      T(0.2) * G15_1 + N15_3;
+  // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho15_1 = E16_11 * N16_1 + minus_E16_13 * N16_3 - T(0.1) * G16_2 + N15_1;
+  const T rho15_2 = T(0.1) * b15_1 - T(0.6) * b15_2 + N16_2 + N15_2;
+  const T rho15_3 = T(0.6) * G16_2 + E16_11 * N16_3 - minus_E16_13 * N16_1 + N15_3;
   // r_theta15 = b15 . rho15 - tau_body_15_: Kane's equation of the angle [N m]
   const T r_theta15 = rho15_1 - u.tau_15;
   r[14] = r_theta15;
@@ -4626,13 +4104,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S14_2 = b14_1 + G14_2;
   const T b14_2 = E15_23 * S15_2 + E15_22 * S15_3;
   const T S14_3 = b14_2 + G14_3;
-  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho14_1 = T(0.75) * b14_2 - T(0.1) * b14_1 + rho15_1 + T(0.2) * G14_3 - T(0.05) * G14_2 + N14_1;
-  const T rho14_2 = T(0.1) * S15_1 - T(0.3) * b14_2 + E15_22 * rho15_2 - E15_23 * rho15_3 + T(0.05) * G14_1 - T(0.1) *
-      G14_3 + N14_2;
-  const T rho14_3 = T(0.3) * b14_1 - T(0.75) * S15_1 + E15_23 * rho15_2 + E15_22 * rho15_3 + T(0.1) * G14_2 - T(0.2) *
-      G14_1 + N14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + N14: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho14_1 = T(0.75) * b14_2 - T(0.2) * b14_1 + rho15_1 + N14_1;
+  const T rho14_2 = T(0.2) * S15_1 + E15_22 * rho15_2 - E15_23 * rho15_3 + N14_2;
+  const T rho14_3 = E15_23 * rho15_2 + E15_22 * rho15_3 - T(0.75) * S15_1 + N14_3;
   // r_theta14 = b14 . rho14 - tau_body_14_: Kane's equation of the angle [N m]
   const T r_theta14 = rho14_3 - u.tau_14;
   r[13] = r_theta14;
@@ -4644,13 +4120,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b13_2 = E14_12 * S14_1 + E14_11 * S14_2;
   const T S13_2 = b13_2 + G13_2;
   const T S13_3 = S14_3 + G13_3;
-  // rho13 = q14~ E14^T S14 + E14^T rho14 + r13~ G13 + N13: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho13_1 = T(0.7) * S14_3 - T(0.1) * b13_2 + E14_11 * rho14_1 - E14_12 * rho14_2 + T(0.2) * G13_3 - T(0.05) *
-      G13_2 + N13_1;
-  const T rho13_2 = T(0.1) * b13_1 - T(0.3) * S14_3 + E14_12 * rho14_1 + E14_11 * rho14_2 + T(0.05) * G13_1 - T(0.1) *
-      G13_3 + N13_2;
-  const T rho13_3 = T(0.3) * b13_2 - T(0.7) * b13_1 + rho14_3 + T(0.1) * G13_2 - T(0.2) * G13_1 + N13_3;
+  // rho13 = q14~ E14^T S14 + E14^T rho14 + N13: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho13_1 = T(1.35) * S14_3 + E14_11 * rho14_1 - E14_12 * rho14_2 + N13_1;
+  const T rho13_2 = E14_12 * rho14_1 + E14_11 * rho14_2 - T(0.3) * S14_3 + N13_2;
+  const T rho13_3 = T(0.3) * b13_2 - T(1.35) * b13_1 + rho14_3 + N13_3;
   // r_theta13 = b13 . rho13 - tau_body_13_: Kane's equation of the angle [N m]
   const T r_theta13 = rho13_2 - u.tau_13;
   r[12] = r_theta13;
@@ -4662,13 +4136,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S12_2 = S13_2 + G12_2;
   const T b12_2 = E13_11 * S13_3 - minus_E13_13 * S13_1;
   const T S12_3 = b12_2 + G12_3;
-  // rho12 = q13~ E13^T S13 + E13^T rho13 + r12~ G12 + N12: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho12_1 = T(0.65) * b12_2 - T(0.1) * S13_2 + E13_11 * rho13_1 + minus_E13_13 * rho13_3 + T(0.2) * G12_3 -
-      T(0.05) * G12_2 + N12_1;
-  const T rho12_2 = T(0.1) * b12_1 - T(0.3) * b12_2 + rho13_2 + T(0.05) * G12_1 - T(0.1) * G12_3 + N12_2;
-  const T rho12_3 = T(0.3) * S13_2 - T(0.65) * b12_1 + E13_11 * rho13_3 - minus_E13_13 * rho13_1 + T(0.1) * G12_2 -
-      T(0.2) * G12_1 + N12_3;
+  // rho12 = q13~ E13^T S13 + E13^T rho13 + N12: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho12_1 = E13_11 * rho13_1 + minus_E13_13 * rho13_3 - T(0.1) * S13_2 + N12_1;
+  const T rho12_2 = T(0.1) * b12_1 - T(0.6) * b12_2 + rho13_2 + N12_2;
+  const T rho12_3 = T(0.6) * S13_2 + E13_11 * rho13_3 - minus_E13_13 * rho13_1 + N12_3;
   // r_theta12 = b12 . rho12 - tau_body_12_: Kane's equation of the angle [N m]
   const T r_theta12 = rho12_1 - u.tau_12;
   r[11] = r_theta12;
@@ -4680,13 +4152,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S11_2 = b11_1 + G11_2;
   const T b11_2 = E12_23 * S12_2 + E12_22 * S12_3;
   const T S11_3 = b11_2 + G11_3;
-  // rho11 = q12~ E12^T S12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho11_1 = T(0.6) * b11_2 - T(0.1) * b11_1 + rho12_1 + T(0.2) * G11_3 - T(0.05) * G11_2 + N11_1;
-  const T rho11_2 = T(0.1) * S12_1 - T(0.3) * b11_2 + E12_22 * rho12_2 - E12_23 * rho12_3 + T(0.05) * G11_1 - T(0.1) *
-      G11_3 + N11_2;
-  const T rho11_3 = T(0.3) * b11_1 - T(0.6) * S12_1 + E12_23 * rho12_2 + E12_22 * rho12_3 + T(0.1) * G11_2 - T(0.2) *
-      G11_1 + N11_3;
+  // rho11 = q12~ E12^T S12 + E12^T rho12 + N11: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho11_1 = T(0.6) * b11_2 - T(0.2) * b11_1 + rho12_1 + N11_1;
+  const T rho11_2 = T(0.2) * S12_1 + E12_22 * rho12_2 - E12_23 * rho12_3 + N11_2;
+  const T rho11_3 = E12_23 * rho12_2 + E12_22 * rho12_3 - T(0.6) * S12_1 + N11_3;
   // r_theta11 = b11 . rho11 - tau_body_11_: Kane's equation of the angle [N m]
   const T r_theta11 = rho11_3 - u.tau_11;
   r[10] = r_theta11;
@@ -4698,13 +4168,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b10_2 = E11_12 * S11_1 + E11_11 * S11_2;
   const T S10_2 = b10_2 + G10_2;
   const T S10_3 = S11_3 + G10_3;
-  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho10_1 = T(0.55) * S11_3 - T(0.1) * b10_2 + E11_11 * rho11_1 - E11_12 * rho11_2 + T(0.2) * G10_3 - T(0.05)
-      * G10_2 + N10_1;
-  const T rho10_2 = T(0.1) * b10_1 - T(0.3) * S11_3 + E11_12 * rho11_1 + E11_11 * rho11_2 + T(0.05) * G10_1 - T(0.1) *
-      G10_3 + N10_2;
-  const T rho10_3 = T(0.3) * b10_2 - T(0.55) * b10_1 + rho11_3 + T(0.1) * G10_2 - T(0.2) * G10_1 + N10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + N10: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho10_1 = T(1.05) * S11_3 + E11_11 * rho11_1 - E11_12 * rho11_2 + N10_1;
+  const T rho10_2 = E11_12 * rho11_1 + E11_11 * rho11_2 - T(0.3) * S11_3 + N10_2;
+  const T rho10_3 = T(0.3) * b10_2 - T(1.05) * b10_1 + rho11_3 + N10_3;
   // r_theta10 = b10 . rho10 - tau_body_10_: Kane's equation of the angle [N m]
   const T r_theta10 = rho10_2 - u.tau_10;
   r[9] = r_theta10;
@@ -4716,13 +4184,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S9_2 = S10_2 + G9_2;
   const T b9_2 = E10_11 * S10_3 - minus_E10_13 * S10_1;
   const T S9_3 = b9_2 + G9_3;
-  // rho9 = q10~ E10^T S10 + E10^T rho10 + r9~ G9 + N9: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho9_1 = T(0.5) * b9_2 - T(0.1) * S10_2 + E10_11 * rho10_1 + minus_E10_13 * rho10_3 + T(0.2) * G9_3 -
-      T(0.05) * G9_2 + N9_1;
-  const T rho9_2 = T(0.1) * b9_1 - T(0.3) * b9_2 + rho10_2 + T(0.05) * G9_1 - T(0.1) * G9_3 + N9_2;
-  const T rho9_3 = T(0.3) * S10_2 - T(0.5) * b9_1 + E10_11 * rho10_3 - minus_E10_13 * rho10_1 + T(0.1) * G9_2 - T(0.2)
-      * G9_1 + N9_3;
+  // rho9 = q10~ E10^T S10 + E10^T rho10 + N9: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho9_1 = E10_11 * rho10_1 + minus_E10_13 * rho10_3 - T(0.1) * S10_2 + N9_1;
+  const T rho9_2 = T(0.1) * b9_1 - T(0.6) * b9_2 + rho10_2 + N9_2;
+  const T rho9_3 = T(0.6) * S10_2 + E10_11 * rho10_3 - minus_E10_13 * rho10_1 + N9_3;
   // r_theta9 = b9 . rho9 - tau_body_9_: Kane's equation of the angle [N m]
   const T r_theta9 = rho9_1 - u.tau_9;
   r[8] = r_theta9;
@@ -4734,13 +4200,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S8_2 = b8_1 + G8_2;
   const T b8_2 = E9_23 * S9_2 + E9_22 * S9_3;
   const T S8_3 = b8_2 + G8_3;
-  // rho8 = q9~ E9^T S9 + E9^T rho9 + r8~ G8 + N8: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho8_1 = T(0.45) * b8_2 - T(0.1) * b8_1 + rho9_1 + T(0.2) * G8_3 - T(0.05) * G8_2 + N8_1;
-  const T rho8_2 = T(0.1) * S9_1 - T(0.3) * b8_2 + E9_22 * rho9_2 - E9_23 * rho9_3 + T(0.05) * G8_1 - T(0.1) * G8_3 +
-      N8_2;
-  const T rho8_3 = T(0.3) * b8_1 - T(0.45) * S9_1 + E9_23 * rho9_2 + E9_22 * rho9_3 + T(0.1) * G8_2 - T(0.2) * G8_1 +
-      N8_3;
+  // rho8 = q9~ E9^T S9 + E9^T rho9 + N8: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho8_1 = T(0.45) * b8_2 - T(0.2) * b8_1 + rho9_1 + N8_1;
+  const T rho8_2 = T(0.2) * S9_1 + E9_22 * rho9_2 - E9_23 * rho9_3 + N8_2;
+  const T rho8_3 = E9_23 * rho9_2 + E9_22 * rho9_3 - T(0.45) * S9_1 + N8_3;
   // r_theta8 = b8 . rho8 - tau_body_8_: Kane's equation of the angle [N m]
   const T r_theta8 = rho8_3 - u.tau_8;
   r[7] = r_theta8;
@@ -4752,13 +4216,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b7_2 = E8_12 * S8_1 + E8_11 * S8_2;
   const T S7_2 = b7_2 + G7_2;
   const T S7_3 = S8_3 + G7_3;
-  // rho7 = q8~ E8^T S8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho7_1 = T(0.4) * S8_3 - T(0.1) * b7_2 + E8_11 * rho8_1 - E8_12 * rho8_2 + T(0.2) * G7_3 - T(0.05) * G7_2 +
-      N7_1;
-  const T rho7_2 = T(0.1) * b7_1 - T(0.3) * S8_3 + E8_12 * rho8_1 + E8_11 * rho8_2 + T(0.05) * G7_1 - T(0.1) * G7_3 +
-      N7_2;
-  const T rho7_3 = T(0.3) * b7_2 - T(0.4) * b7_1 + rho8_3 + T(0.1) * G7_2 - T(0.2) * G7_1 + N7_3;
+  // rho7 = q8~ E8^T S8 + E8^T rho8 + N7: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho7_1 = T(0.75) * S8_3 + E8_11 * rho8_1 - E8_12 * rho8_2 + N7_1;
+  const T rho7_2 = E8_12 * rho8_1 + E8_11 * rho8_2 - T(0.3) * S8_3 + N7_2;
+  const T rho7_3 = T(0.3) * b7_2 - T(0.75) * b7_1 + rho8_3 + N7_3;
   // r_theta7 = b7 . rho7 - tau_body_7_: Kane's equation of the angle [N m]
   const T r_theta7 = rho7_2 - u.tau_7;
   r[6] = r_theta7;
@@ -4770,13 +4232,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S6_2 = S7_2 + G6_2;
   const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
   const T S6_3 = b6_2 + G6_3;
-  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.35) * b6_2 - T(0.1) * S7_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.2) * G6_3 - T(0.05) *
-      G6_2 + N6_1;
-  const T rho6_2 = T(0.1) * b6_1 - T(0.3) * b6_2 + rho7_2 + T(0.05) * G6_1 - T(0.1) * G6_3 + N6_2;
-  const T rho6_3 = T(0.3) * S7_2 - T(0.35) * b6_1 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.1) * G6_2 - T(0.2) *
-      G6_1 + N6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + N6: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho6_1 = E7_11 * rho7_1 + minus_E7_13 * rho7_3 - T(0.1) * S7_2 + N6_1;
+  const T rho6_2 = T(0.1) * b6_1 - T(0.6) * b6_2 + rho7_2 + N6_2;
+  const T rho6_3 = T(0.6) * S7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + N6_3;
   // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - u.tau_6;
   r[5] = r_theta6;
@@ -4788,13 +4248,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_2 = b5_1 + G5_2;
   const T b5_2 = E6_23 * S6_2 + E6_22 * S6_3;
   const T S5_3 = b5_2 + G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = b5_3 - T(0.1) * b5_1 + rho6_1 + T(0.2) * G5_3 - T(0.05) * G5_2 + N5_1;
-  const T rho5_2 = T(0.1) * S6_1 - b5_3 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.05) * G5_1 - T(0.1) * G5_3 + N5_2;
-  const T rho5_3 = T(0.3) * b5_1 - T(0.3) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.1) * G5_2 - T(0.2) * G5_1 +
-      N5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = T(0.3) * b5_2 - T(0.2) * b5_1 + rho6_1 + N5_1;
+  const T rho5_2 = T(0.2) * S6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + N5_2;
+  const T rho5_3 = E6_23 * rho6_2 + E6_22 * rho6_3 - T(0.3) * S6_1 + N5_3;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - u.tau_5;
   r[4] = r_theta5;
@@ -4806,13 +4264,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b4_2 = E5_12 * S5_1 + E5_11 * S5_2;
   const T S4_2 = b4_2 + G4_2;
   const T S4_3 = S5_3 + G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho4_1 = T(0.25) * S5_3 - T(0.1) * b4_2 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G4_3 - T(0.05) * G4_2 +
-      N4_1;
-  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G4_1 - T(0.1) * G4_3 +
-      N4_2;
-  const T rho4_3 = T(0.3) * b4_2 - T(0.25) * b4_1 + rho5_3 + T(0.1) * G4_2 - T(0.2) * G4_1 + N4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + N4_1;
+  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.3) * S5_3 + N4_2;
+  const T rho4_3 = T(0.3) * b4_2 - T(0.45) * b4_1 + rho5_3 + N4_3;
   // r_theta4 = b4 . rho4 - tau_body_4_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_2 - u.tau_4;
   r[3] = r_theta4;
@@ -4824,40 +4280,32 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S3_2 = S4_2 + G3_2;
   const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
   const T S3_3 = b3_2 + G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * b3_2 - T(0.1) * S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.2) * G3_3 - T(0.05) *
-      G3_2 + N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.05) * G3_1 - T(0.1) * G3_3 + N3_2;
-  const T rho3_3 = T(0.3) * S4_2 - T(0.2) * b3_1 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.1) * G3_2 - T(0.2) *
-      G3_1 + N3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.1) * S4_2 + N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 + N3_2;
+  const T rho3_3 = T(0.6) * S4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + N3_3;
   // r_theta3 = b3 . rho3 - tau_body_3_: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_1 - u.tau_3;
   r[2] = r_theta3;
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T S2_1 = S3_1 + G2_1;
-  const T b2_1 = E3_22 * S3_2 - E3_23 * S3_3;
-  const T S2_2 = b2_1 + G2_2;
-  const T b2_2 = E3_23 * S3_2 + E3_22 * S3_3;
-  const T S2_3 = b2_2 + G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.15) * b2_2 - T(0.1) * b2_1 + rho3_1 + T(0.2) * G2_3 - T(0.05) * G2_2 + N2_1;
-  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.05) * G2_1 - T(0.1) * G2_3 +
-      N2_2;
-  const T rho2_3 = T(0.3) * b2_1 - T(0.15) * S3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.1) * G2_2 - T(0.2) * G2_1 +
-      N2_3;
+  const T b2_1 = E3_23 * S3_2 + E3_22 * S3_3;
+  const T S2_3 = b2_1 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = T(0.15) * b2_1 - T(0.2) * (E3_22 * S3_2 - E3_23 * S3_3) + rho3_1 + N2_1;
+  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 + N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 + N2_3;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_3 - u.tau_2;
   r[1] = r_theta2;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = T(0.1) * (E2_11 * S2_1 - E2_12 * S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 + T(0.05)
-      * G1_1 - T(0.1) * G1_3 + N1_2;
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
   // r_theta1 = b1 . rho1 - tau_body_1_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_2 - u.tau_1;
   r[0] = r_theta1;
@@ -4865,7 +4313,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 1609 add, 1762 multiply, 30 sine or cosine
+// 1080 add, 1385 multiply, 30 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -4961,78 +4409,53 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_E16_13 = sin(theta16);
 
   // ---- body 16 (body_16) and what it carries
-  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc16 = E16^T h_own_16: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc16_1 = minus_E16_13 * T(0.13) + E16_11 * T(0.26);
   const T hc16_3 = E16_11 * T(0.13) - minus_E16_13 * T(0.26);
 
   // ---- body 15 (body_15) and what it carries
-  // h15 = m15 r15 + m16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h15_1 = T(1.03) + hc16_1;
+  // h15 = h_own_15 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
   const T h15_3 = T(0.385) + hc16_3;
-  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m16 q16~ - hc16~) q16~: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b15_1 = minus_E16_13 * T(0.005200000000000002);
-  const T b15_2 = E16_11 * T(0.37050000000000005) - b15_1;
-  const T b15_3 = E16_11 * T(0.005200000000000002);
-  const T b15_4 = minus_E16_13 * T(0.338) - b15_3;
-  const T b15_5 = T(0.1) * hc16_3;
-  const T b15_6 = hc16_3 + T(0.26);
-  const T b15_7 = b15_6 * T(0.1);
-  const T J15_11 = b15_2 * E16_11 + b15_4 * minus_E16_13 + b15_5 + T(2.85225) + b15_7;
-  const T b15_8 = E16_11 * T(0.03900000000000001) + minus_E16_13 * T(0.0364);
-  const T b15_9 = T(0.8) * hc16_1 + b15_8;
-  const T minus_J15_12 = T(0.8175) + b15_9;
-  const T b15_10 = b15_4 * E16_11 - b15_2 * minus_E16_13 - T(0.005000000000000002);
-  const T J15_13 = b15_10 - T(0.1) * hc16_1 - b15_6 * T(0.3);
-  const T b15_11 = hc16_1 + T(0.78);
-  const T minus_J15_21 = T(0.1935) + b15_8 + b15_11 * T(0.8);
-  const T b15_12 = T(0.3) * hc16_1;
-  const T b15_13 = b15_5 + b15_12 + T(0.34450000000000003);
-  const T b15_14 = b15_11 * T(0.3);
-  const T J15_22 = b15_13 + T(0.33125) + b15_7 + b15_14;
-  const T b15_15 = minus_E16_13 * T(0.03900000000000001) - E16_11 * T(0.0364);
-  const T J15_23 = b15_15 - T(0.08700000000000001) - b15_6 * T(0.8);
-  const T J15_31 = b15_10 - T(0.3) * hc16_3 - b15_11 * T(0.1);
-  const T b15_16 = b15_15 - T(0.8) * hc16_3;
-  const T J15_32 = b15_16 - T(0.29500000000000004);
-  const T J15_33 = (minus_E16_13 * T(0.37050000000000005) + b15_3) * minus_E16_13 + (b15_1 + E16_11 * T(0.338)) *
-      E16_11 + T(2.821) + b15_12 + b15_14;
+  // J15 = -q16~ hc16~ + E16^T J_own_16 E16 + J_own_15 - hc16~ q16~: inertia carried, about the body origin, body axes
+  //   [kg m^2]
+  const T b15_1 = minus_E16_13 * T(0.032500000000000015) + T(2) * E16_11 * T(0.005200000000000002);
+  const T b15_2 = minus_E16_13 * b15_1;
+  const T b15_3 = T(0.2) * hc16_3;
+  const T J15_11 = T(3.2487500000000002) - b15_2 + b15_3;
+  const T b15_4 = E16_11 * T(0.24700000000000003) + minus_E16_13 * T(0.14040000000000002);
+  const T minus_J15_12 = b15_4 + T(1.7475);
+  const T minus_J15_13 = T(0.1933) + E16_11 * b15_1 + T(0.1) * hc16_1 + T(0.6) * hc16_3;
+  const T b15_5 = T(0.1) * hc16_3 + T(0.6) * hc16_1;
+  const T b15_6 = b15_5 + T(0.34450000000000003);
+  const T J15_22 = b15_6 + b15_5;
+  const T b15_7 = minus_E16_13 * T(0.24700000000000003) - E16_11 * T(0.14040000000000002);
+  const T J15_23 = b15_7 - T(0.29500000000000004);
+  const T J15_33 = b15_2 + T(1.2) * hc16_1 + T(2.80175);
   A[238] = J15_11;
   // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc15_2 = E15_22 * T(3.1) - E15_23 * h15_3;
   const T hc15_3 = E15_22 * h15_3 + E15_23 * T(3.1);
-  A[239] = -b15_9;
-  A[254] = -b15_9;
+  A[239] = -b15_4;
+  A[254] = -b15_4;
 
   // ---- body 14 (body_14) and what it carries
-  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h14_1 = T(1.77) + h15_1;
+  // h14 = h_own_14 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h14_1 = T(2.8) + hc16_1;
   const T h14_2 = T(4.305) + hc15_2;
-  const T h14_3 = T(0.63) + hc15_3;
-  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b14_1 = T(0.1) * hc15_3;
-  const T b14_2 = T(0.75) * hc15_2;
-  const T b14_3 = b14_1 + b14_2 + J15_11;
-  const T b14_4 = hc15_3 + T(0.51);
-  const T b14_5 = b14_4 * T(0.1);
-  const T b14_6 = T(3.825) + hc15_2;
-  const T b14_7 = b14_6 * T(0.75);
-  const T J14_11 = b14_3 + T(0.342) + b14_5 + b14_7;
-  const T b14_8 = minus_J15_12 * E15_22 + J15_13 * E15_23 + T(0.036000000000000004);
-  const T minus_J14_12 = b14_8 + T(0.75) * h15_1 + b14_6 * T(0.3);
-  const T J14_13 = J15_13 * E15_22 - minus_J15_12 * E15_23 - T(0.1) * h15_1 - T(0.004800000000000001) - b14_4 *
-      T(0.3);
-  const T b14_9 = T(0.3) * hc15_2;
-  const T b14_10 = h15_1 + T(1.53);
-  const T minus_J14_21 = b14_8 + b14_9 + b14_10 * T(0.75);
-  const T b14_11 = E15_22 * J15_22 - E15_23 * J15_32;
-  const T b14_12 = E15_22 * J15_23 - E15_23 * J15_33;
-  const T b14_13 = T(0.3) * h15_1 + b14_10 * T(0.3);
-  const T J14_22 = b14_11 * E15_22 - b14_12 * E15_23 + b14_1 + b14_13 + T(0.318) + b14_5;
-  const T J14_23 = b14_11 * E15_23 + b14_12 * E15_22 - T(0.1) * hc15_2 - T(0.0336) - b14_4 * T(0.75);
-  const T J14_33 = (E15_23 * J15_22 + E15_22 * J15_32) * E15_23 + (E15_23 * J15_23 + E15_22 * J15_33) * E15_22 + b14_2
-      + b14_13 + T(0.312) + b14_7;
+  // J14 = -q15~ hc15~ + E15^T J15 E15 + J_own_14 - hc15~ q15~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b14_1 = T(0.2) * hc15_3 + T(0.75) * hc15_2;
+  const T b14_2 = b14_1 + J15_11;
+  const T J14_11 = b14_2 + b14_1;
+  const T b14_3 = E15_22 * minus_J15_12 - E15_23 * minus_J15_13;
+  const T minus_J14_12 = b14_3 + T(0.75) * hc16_1 + T(1.956);
+  const T b14_4 = E15_22 * minus_J15_13 + E15_23 * minus_J15_12;
+  const T minus_J14_13 = b14_4 + T(0.2) * hc16_1 + T(0.5408000000000001);
+  const T b14_5 = E15_23 * (J15_22 - J15_33) + T(2) * E15_22 * J15_23;
+  const T b14_6 = E15_23 * b14_5;
+  const T J14_22 = J15_22 - b14_6 + T(0.4) * hc15_3 - T(1.2245000000000001);
+  const T J14_23 = E15_22 * b14_5 - J15_23 - T(0.2) * hc15_2 - T(0.8466) - T(0.75) * hc15_3;
+  const T J14_33 = J15_33 + b14_6 + T(1.5) * hc15_2 + T(4.849);
   A[221] = J14_33;
   // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc14_1 = E14_11 * h14_1 - E14_12 * h14_2;
@@ -5041,52 +4464,33 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_14_2 = E15_23 * hc16_1;
   const T minus_B_thetadot16_14_3 = E15_22 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T minus_K_thetadot16_14_1 = T(0.1) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3 + b15_9;
-  const T b14_14 = T(0.3) * minus_B_thetadot16_14_3;
-  const T K_thetadot16_14_2 = b15_5 + b14_14 + E15_22 * b15_13 - E15_23 * b15_16;
-  const T K_thetadot16_14_3 = T(0.3) * B_thetadot16_14_2 - T(0.75) * hc16_3 + E15_23 * b15_13 + E15_22 * b15_16;
+  const T minus_K_thetadot16_14_1 = T(0.2) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3 + b15_4;
+  const T K_thetadot16_14_2 = b15_3 + E15_22 * b15_6 - E15_23 * b15_7;
+  const T K_thetadot16_14_3 = E15_23 * b15_6 + E15_22 * b15_7 - T(0.75) * hc16_3;
   A[223] = K_thetadot16_14_3;
   A[253] = K_thetadot16_14_3;
-  // K_thetadot15_14 = q15~ E15^T B_thetadot15_15 + E15^T K_thetadot15_15
-  const T minus_K_thetadot15_14_2 = E15_22 * minus_J15_21 + E15_23 * J15_31 + b14_9;
-  const T K_thetadot15_14_3 = E15_22 * J15_31 - E15_23 * minus_J15_21 - T(0.3) * hc15_3;
-  A[222] = K_thetadot15_14_3;
-  A[237] = K_thetadot15_14_3;
+  A[222] = -b14_4;
+  A[237] = -b14_4;
 
   // ---- body 13 (body_13) and what it carries
-  // h13 = m13 r13 + m_sub14 q14 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
+  // h13 = h_own_13 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
   const T h13_1 = T(2.48) + hc14_1;
-  const T h13_2 = T(5.71) + hc14_2;
-  const T h13_3 = T(0.865) + h14_3;
-  // J13 = -q14~ hc14~ + E14^T J14 E14 - m13 r13~ r13~ + I13 + (-m_sub14 q14~ - hc14~) q14~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b13_1 = E14_11 * J14_11 + E14_12 * minus_J14_21;
-  const T b13_2 = E14_11 * minus_J14_12 + E14_12 * J14_22;
-  const T b13_3 = h14_3 + T(0.75);
-  const T b13_4 = T(0.1) * h14_3 + b13_3 * T(0.1);
-  const T b13_5 = T(0.7) * hc14_2;
-  const T b13_6 = T(5.25) + hc14_2;
-  const T b13_7 = b13_6 * T(0.7);
-  const T J13_11 = b13_1 * E14_11 + b13_2 * E14_12 + b13_4 + b13_5 + T(0.32775) + b13_7;
-  const T b13_8 = b13_1 * E14_12 - b13_2 * E14_11 - T(0.0345);
-  const T J13_12 = b13_8 - T(0.7) * hc14_1 - b13_6 * T(0.3);
-  const T b13_9 = E14_11 * J14_13 - E14_12 * J14_23;
-  const T b13_10 = T(0.1) * hc14_1;
-  const T b13_11 = b13_9 - b13_10;
-  const T J13_13 = b13_11 - T(0.004600000000000001) - b13_3 * T(0.3);
-  const T b13_12 = hc14_1 + T(2.25);
-  const T J13_21 = b13_8 - T(0.3) * hc14_2 - b13_12 * T(0.7);
-  const T b13_13 = T(0.3) * hc14_1;
-  const T b13_14 = b13_12 * T(0.3);
-  const T J13_22 = (E14_12 * J14_11 - E14_11 * minus_J14_21) * E14_12 + (E14_11 * J14_22 - E14_12 * minus_J14_12) *
-      E14_11 + b13_4 + b13_13 + T(0.30475) + b13_14;
-  const T b13_15 = E14_12 * J14_13 + E14_11 * J14_23;
-  const T b13_16 = b13_15 - T(0.1) * hc14_2;
-  const T J13_23 = b13_16 - T(0.0322) - b13_3 * T(0.7);
-  const T J13_31 = b13_9 - T(0.3) * h14_3 - T(0.004600000000000001) - b13_12 * T(0.1);
-  const T J13_32 = b13_15 - T(0.7) * h14_3 - T(0.0322) - b13_6 * T(0.1);
-  const T b13_17 = b13_13 + b13_5 + J14_33;
-  const T J13_33 = b13_17 + T(0.299) + b13_7 + b13_14;
+  const T h13_3 = T(1.495) + hc15_3;
+  // J13 = -q14~ hc14~ + E14^T J14 E14 + J_own_13 - hc14~ q14~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b13_1 = E14_12 * (J14_11 - J14_22) - T(2) * E14_11 * minus_J14_12;
+  const T b13_2 = E14_12 * b13_1;
+  const T J13_11 = J14_11 - b13_2 + T(2.7) * hc14_2 + T(2.8165);
+  const T J13_12 = E14_11 * b13_1 + minus_J14_12 - T(1.35) * hc14_1 - T(3.2215) - T(0.3) * hc14_2;
+  const T b13_3 = E14_11 * minus_J14_13 + E14_12 * J14_23;
+  const T minus_J13_13 = b13_3 + T(0.4186) + T(0.3) * hc15_3;
+  const T b13_4 = T(0.6) * hc14_1;
+  const T J13_22 = J14_22 + b13_2 + b13_4 + T(4.4425);
+  const T b13_5 = E14_11 * J14_23 - E14_12 * minus_J14_13;
+  const T J13_23 = b13_5 - T(1.96995) - T(1.35) * hc15_3;
+  const T b13_6 = T(0.3) * hc14_1 + T(1.35) * hc14_2;
+  const T b13_7 = b13_6 + J14_33;
+  const T J13_33 = b13_7 + b13_6;
   A[204] = J13_22;
   // hc13 = E13^T h13: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc13_1 = minus_E13_13 * h13_3 + E13_11 * h13_1;
@@ -5095,62 +4499,46 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_13_1 = E14_11 * hc16_3 - E14_12 * B_thetadot16_14_2;
   const T B_thetadot16_13_2 = E14_12 * hc16_3 + E14_11 * B_thetadot16_14_2;
   // K_thetadot16_13 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
-  const T b13_18 = T(0.1) * B_thetadot16_13_2;
-  const T minus_K_thetadot16_13_1 = b13_18 + T(0.7) * minus_B_thetadot16_14_3 + E14_11 * minus_K_thetadot16_14_1 +
-      E14_12 * K_thetadot16_14_2;
-  const T K_thetadot16_13_2 = T(0.1) * B_thetadot16_13_1 + b14_14 + E14_11 * K_thetadot16_14_2 - E14_12 *
+  const T minus_K_thetadot16_13_1 = T(1.35) * minus_B_thetadot16_14_3 + E14_11 * minus_K_thetadot16_14_1 + E14_12 *
+      K_thetadot16_14_2;
+  const T K_thetadot16_13_2 = T(0.3) * minus_B_thetadot16_14_3 + E14_11 * K_thetadot16_14_2 - E14_12 *
       minus_K_thetadot16_14_1;
-  const T b13_19 = T(0.3) * B_thetadot16_13_2;
-  const T K_thetadot16_13_3 = b13_19 - T(0.7) * B_thetadot16_13_1 + K_thetadot16_14_3;
+  const T K_thetadot16_13_3 = T(0.3) * B_thetadot16_13_2 - T(1.35) * B_thetadot16_13_1 + K_thetadot16_14_3;
   A[207] = K_thetadot16_13_2;
   A[252] = K_thetadot16_13_2;
   // B_thetadot15_13 = E14^T B_thetadot15_14
   const T B_thetadot15_13_1 = E14_12 * hc15_3;
   const T minus_B_thetadot15_13_2 = E14_11 * hc15_3;
   // K_thetadot15_13 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T b13_20 = T(0.1) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_1 = b13_20 + T(0.7) * hc15_2 + E14_11 * b14_3 + E14_12 * minus_K_thetadot15_14_2;
-  const T K_thetadot15_13_2 = T(0.1) * B_thetadot15_13_1 - b14_9 + E14_12 * b14_3 - E14_11 * minus_K_thetadot15_14_2;
-  const T b13_21 = T(0.3) * minus_B_thetadot15_13_2;
-  const T K_thetadot15_13_3 = K_thetadot15_14_3 - b13_21 - T(0.7) * B_thetadot15_13_1;
+  const T K_thetadot15_13_1 = T(1.35) * hc15_2 + E14_11 * b14_2 + E14_12 * b14_3;
+  const T K_thetadot15_13_2 = E14_12 * b14_2 - E14_11 * b14_3 - T(0.3) * hc15_2;
+  const T minus_K_thetadot15_13_3 = b14_4 + T(0.3) * minus_B_thetadot15_13_2 + T(1.35) * B_thetadot15_13_1;
   A[206] = K_thetadot15_13_2;
   A[236] = K_thetadot15_13_2;
-  A[205] = b13_16;
-  A[220] = b13_16;
+  A[205] = b13_5;
+  A[220] = b13_5;
 
   // ---- body 12 (body_12) and what it carries
-  // h12 = m12 r12 + m_sub13 q13 + hc13: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h12_1 = T(3.1599999999999997) + hc13_1;
-  const T h12_2 = T(6.8100000000000005) + h13_2;
+  // h12 = h_own_12 + hc13: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h12_2 = T(12.52) + hc14_2;
   const T h12_3 = T(1.09) + hc13_3;
-  // J12 = -q13~ hc13~ + E13^T J13 E13 - m12 r12~ r12~ + I12 + (-m_sub13 q13~ - hc13~) q13~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b12_1 = E13_11 * J13_11 + minus_E13_13 * J13_31;
-  const T b12_2 = E13_11 * J13_13 + minus_E13_13 * J13_33;
-  const T b12_3 = T(0.1) * hc13_3;
-  const T b12_4 = T(6.37) + h13_2;
-  const T b12_5 = T(0.65) * h13_2 + b12_4 * T(0.65);
-  const T b12_6 = hc13_3 + T(0.98);
-  const T b12_7 = b12_6 * T(0.1);
-  const T J12_11 = b12_1 * E13_11 + b12_2 * minus_E13_13 + b12_3 + b12_5 + T(0.3135) + b12_7;
-  const T b12_8 = E13_11 * J13_12 + minus_E13_13 * J13_32;
-  const T b12_9 = b12_8 - T(0.65) * hc13_1;
-  const T J12_12 = b12_9 - T(0.03300000000000001) - b12_4 * T(0.3);
-  const T b12_10 = b12_2 * E13_11 - b12_1 * minus_E13_13 - T(0.004400000000000002);
-  const T J12_13 = b12_10 - T(0.1) * hc13_1 - b12_6 * T(0.3);
-  const T b12_11 = hc13_1 + T(2.94);
-  const T J12_21 = b12_8 - T(0.3) * h13_2 - T(0.03300000000000001) - b12_11 * T(0.65);
-  const T b12_12 = T(0.3) * hc13_1;
-  const T b12_13 = b12_3 + b12_12 + J13_22;
-  const T b12_14 = b12_11 * T(0.3);
-  const T J12_22 = b12_13 + T(0.29150000000000004) + b12_7 + b12_14;
-  const T b12_15 = J13_23 * E13_11 - J13_21 * minus_E13_13 - T(0.030800000000000004);
-  const T J12_23 = b12_15 - T(0.1) * h13_2 - b12_6 * T(0.65);
-  const T J12_31 = b12_10 - T(0.3) * hc13_3 - b12_11 * T(0.1);
-  const T b12_16 = T(0.65) * hc13_3;
-  const T J12_32 = b12_15 - b12_16 - b12_4 * T(0.1);
-  const T J12_33 = (E13_11 * J13_33 - minus_E13_13 * J13_13) * E13_11 - (E13_11 * J13_31 - minus_E13_13 * J13_11) *
-      minus_E13_13 + b12_5 + b12_12 + T(0.28600000000000003) + b12_14;
+  // J12 = -q13~ hc13~ + E13^T J13 E13 + J_own_12 - hc13~ q13~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b12_1 = minus_E13_13 * (J13_33 - J13_11) - T(2) * E13_11 * minus_J13_13;
+  const T b12_2 = minus_E13_13 * b12_1;
+  const T b12_3 = T(0.2) * hc13_3;
+  const T J12_11 = J13_11 + b12_2 + b12_3 + T(16.624);
+  const T b12_4 = E13_11 * J13_12 + minus_E13_13 * J13_23;
+  const T J12_12 = b12_4 - T(7.412999999999999) - T(0.6) * hc14_2;
+  const T b12_5 = T(0.6) * hc13_3;
+  const T J12_13 = E13_11 * b12_1 + minus_J13_13 - T(0.1) * hc13_1 - T(0.6254) - b12_5;
+  const T b12_6 = T(0.6) * hc13_1;
+  const T b12_7 = T(0.1) * hc13_3 + b12_6;
+  const T b12_8 = b12_7 + J13_22;
+  const T J12_22 = b12_8 + b12_7;
+  const T b12_9 = E13_11 * J13_23 - minus_E13_13 * J13_12;
+  const T J12_23 = b12_9 - T(0.1) * hc14_2 - T(1.2388000000000001);
+  const T J12_33 = J13_33 - b12_2 + T(1.2) * hc13_1 + T(16.108999999999998);
   A[187] = J12_11;
   // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc12_2 = E12_22 * h12_2 - E12_23 * h12_3;
@@ -5159,11 +4547,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_12_1 = E13_11 * B_thetadot16_13_1 - minus_E13_13 * minus_B_thetadot16_14_3;
   const T minus_B_thetadot16_12_3 = minus_E13_13 * B_thetadot16_13_1 + E13_11 * minus_B_thetadot16_14_3;
   // K_thetadot16_12 = q13~ E13^T B_thetadot16_13 + E13^T K_thetadot16_13
-  const T K_thetadot16_12_1 = minus_E13_13 * K_thetadot16_13_3 - E13_11 * minus_K_thetadot16_13_1 - b13_18 - T(0.65) *
-      minus_B_thetadot16_12_3;
-  const T b12_17 = T(0.1) * B_thetadot16_12_1;
-  const T K_thetadot16_12_2 = b12_17 + T(0.3) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
-  const T K_thetadot16_12_3 = b13_19 - T(0.65) * B_thetadot16_12_1 + minus_E13_13 * minus_K_thetadot16_13_1 + E13_11 *
+  const T K_thetadot16_12_1 = minus_E13_13 * K_thetadot16_13_3 - E13_11 * minus_K_thetadot16_13_1 - T(0.1) *
+      B_thetadot16_13_2;
+  const T K_thetadot16_12_2 = T(0.1) * B_thetadot16_12_1 + T(0.6) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
+  const T K_thetadot16_12_3 = T(0.6) * B_thetadot16_13_2 + minus_E13_13 * minus_K_thetadot16_13_1 + E13_11 *
       K_thetadot16_13_3;
   A[191] = K_thetadot16_12_1;
   A[251] = K_thetadot16_12_1;
@@ -5171,57 +4558,43 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot15_12_1 = E13_11 * B_thetadot15_13_1 + minus_E13_13 * hc15_2;
   const T B_thetadot15_12_3 = E13_11 * hc15_2 - minus_E13_13 * B_thetadot15_13_1;
   // K_thetadot15_12 = q13~ E13^T B_thetadot15_13 + E13^T K_thetadot15_13
-  const T K_thetadot15_12_1 = b13_20 + T(0.65) * B_thetadot15_12_3 + E13_11 * K_thetadot15_13_1 + minus_E13_13 *
-      K_thetadot15_13_3;
-  const T b12_18 = T(0.1) * B_thetadot15_12_1;
-  const T K_thetadot15_12_2 = b12_18 - T(0.3) * B_thetadot15_12_3 + K_thetadot15_13_2;
-  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - minus_E13_13 * K_thetadot15_13_1 - b13_21 - T(0.65) *
-      B_thetadot15_12_1;
+  const T K_thetadot15_12_1 = T(0.1) * minus_B_thetadot15_13_2 + E13_11 * K_thetadot15_13_1 - minus_E13_13 *
+      minus_K_thetadot15_13_3;
+  const T K_thetadot15_12_2 = T(0.1) * B_thetadot15_12_1 - T(0.6) * B_thetadot15_12_3 + K_thetadot15_13_2;
+  const T minus_K_thetadot15_12_3 = E13_11 * minus_K_thetadot15_13_3 + minus_E13_13 * K_thetadot15_13_1 + T(0.6) *
+      minus_B_thetadot15_13_2;
   A[190] = K_thetadot15_12_1;
   A[235] = K_thetadot15_12_1;
   // B_thetadot14_12 = E13^T B_thetadot14_13
   const T minus_B_thetadot14_12_1 = E13_11 * hc14_2;
   const T B_thetadot14_12_3 = minus_E13_13 * hc14_2;
   // K_thetadot14_12 = q13~ E13^T B_thetadot14_13 + E13^T K_thetadot14_13
-  const T K_thetadot14_12_1 = T(0.65) * B_thetadot14_12_3 - b13_10 + E13_11 * b13_11 + minus_E13_13 * b13_17;
-  const T b12_19 = T(0.1) * minus_B_thetadot14_12_1;
-  const T K_thetadot14_12_2 = b13_16 - b12_19 - T(0.3) * B_thetadot14_12_3;
-  const T K_thetadot14_12_3 = b13_13 + T(0.65) * minus_B_thetadot14_12_1 + E13_11 * b13_17 - minus_E13_13 * b13_11;
+  const T K_thetadot14_12_1 = minus_E13_13 * b13_7 - E13_11 * b13_3 - T(0.1) * hc14_1;
+  const T K_thetadot14_12_2 = b13_5 - (T(0.1) * minus_B_thetadot14_12_1 + T(0.6) * B_thetadot14_12_3);
+  const T K_thetadot14_12_3 = b13_4 + E13_11 * b13_7 + minus_E13_13 * b13_3;
   A[189] = K_thetadot14_12_1;
   A[219] = K_thetadot14_12_1;
-  // K_thetadot13_12 = q13~ E13^T B_thetadot13_13 + E13^T K_thetadot13_13
-  const T K_thetadot13_12_3 = E13_11 * J13_32 - minus_E13_13 * J13_12 - b12_16;
-  A[188] = b12_9;
-  A[203] = b12_9;
+  A[188] = b12_4;
+  A[203] = b12_4;
 
   // ---- body 11 (body_11) and what it carries
-  // h11 = m11 r11 + m_sub12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h11_1 = T(3.81) + h12_1;
+  // h11 = h_own_11 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h11_1 = T(6.97) + hc13_1;
   const T h11_2 = T(7.62) + hc12_2;
-  const T h11_3 = T(1.3050000000000002) + hc12_3;
-  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_sub12 q12~ - hc12~) q12~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b11_1 = T(0.1) * hc12_3;
-  const T b11_2 = T(0.6) * hc12_2;
-  const T b11_3 = b11_1 + b11_2 + J12_11;
-  const T b11_4 = hc12_3 + T(1.2000000000000002);
-  const T b11_5 = b11_4 * T(0.1);
-  const T b11_6 = T(7.199999999999999) + hc12_2;
-  const T b11_7 = b11_6 * T(0.6);
-  const T J11_11 = b11_3 + T(0.29925) + b11_5 + b11_7;
-  const T b11_8 = J12_12 * E12_22 - J12_13 * E12_23 - T(0.03150000000000001);
-  const T J11_12 = b11_8 - T(0.6) * h12_1 - b11_6 * T(0.3);
-  const T J11_13 = J12_12 * E12_23 + J12_13 * E12_22 - T(0.1) * h12_1 - T(0.0042000000000000015) - b11_4 * T(0.3);
-  const T b11_9 = T(0.3) * hc12_2;
-  const T b11_10 = h12_1 + T(3.5999999999999996);
-  const T J11_21 = b11_8 - b11_9 - b11_10 * T(0.6);
-  const T b11_11 = E12_22 * J12_22 - E12_23 * J12_32;
-  const T b11_12 = E12_22 * J12_23 - E12_23 * J12_33;
-  const T b11_13 = T(0.3) * h12_1 + b11_10 * T(0.3);
-  const T J11_22 = b11_11 * E12_22 - b11_12 * E12_23 + b11_1 + b11_13 + T(0.27825) + b11_5;
-  const T J11_23 = b11_11 * E12_23 + b11_12 * E12_22 - T(0.1) * hc12_2 - T(0.029400000000000003) - b11_4 * T(0.6);
-  const T J11_33 = (E12_23 * J12_22 + E12_22 * J12_32) * E12_23 + (E12_23 * J12_23 + E12_22 * J12_33) * E12_22 + b11_2
-      + b11_13 + T(0.273) + b11_7;
+  // J11 = -q12~ hc12~ + E12^T J12 E12 + J_own_11 - hc12~ q12~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b11_1 = T(0.2) * hc12_3 + T(0.6) * hc12_2;
+  const T b11_2 = b11_1 + J12_11;
+  const T J11_11 = b11_2 + b11_1;
+  const T b11_3 = E12_22 * J12_12 - E12_23 * J12_13;
+  const T J11_12 = b11_3 - b12_6 - T(4.0874999999999995);
+  const T b11_4 = E12_23 * J12_12 + E12_22 * J12_13;
+  const T J11_13 = b11_4 - T(0.2) * hc13_1 - T(1.3772);
+  const T b11_5 = E12_23 * (J12_22 - J12_33) + T(2) * E12_22 * J12_23;
+  const T b11_6 = E12_23 * b11_5;
+  const T J11_22 = J12_22 - b11_6 + T(0.4) * hc12_3 - T(0.09349999999999996);
+  const T J11_23 = E12_22 * b11_5 - J12_23 - T(0.2) * hc12_2 - T(1.5114) - T(0.6) * hc12_3;
+  const T J11_33 = J12_33 + b11_6 + T(1.2) * hc12_2 + T(8.840499999999999);
   A[170] = J11_33;
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc11_1 = E11_11 * h11_1 - E11_12 * h11_2;
@@ -5230,86 +4603,64 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_11_2 = E12_22 * B_thetadot16_13_2 + E12_23 * minus_B_thetadot16_12_3;
   const T B_thetadot16_11_3 = E12_23 * B_thetadot16_13_2 - E12_22 * minus_B_thetadot16_12_3;
   // K_thetadot16_11 = q12~ E12^T B_thetadot16_12 + E12^T K_thetadot16_12
-  const T K_thetadot16_11_1 = T(0.6) * B_thetadot16_11_3 - T(0.1) * B_thetadot16_11_2 + K_thetadot16_12_1;
-  const T b11_14 = T(0.3) * B_thetadot16_11_3;
-  const T K_thetadot16_11_2 = b12_17 - b11_14 + E12_22 * K_thetadot16_12_2 - E12_23 * K_thetadot16_12_3;
-  const T K_thetadot16_11_3 = T(0.3) * B_thetadot16_11_2 - T(0.6) * B_thetadot16_12_1 + E12_23 * K_thetadot16_12_2 +
-      E12_22 * K_thetadot16_12_3;
+  const T K_thetadot16_11_1 = T(0.6) * B_thetadot16_11_3 - T(0.2) * B_thetadot16_11_2 + K_thetadot16_12_1;
+  const T K_thetadot16_11_2 = T(0.2) * B_thetadot16_12_1 + E12_22 * K_thetadot16_12_2 - E12_23 * K_thetadot16_12_3;
+  const T K_thetadot16_11_3 = E12_23 * K_thetadot16_12_2 + E12_22 * K_thetadot16_12_3 - T(0.6) * B_thetadot16_12_1;
   A[175] = K_thetadot16_11_3;
   A[250] = K_thetadot16_11_3;
   // B_thetadot15_11 = E12^T B_thetadot15_12
   const T minus_B_thetadot15_11_2 = E12_22 * minus_B_thetadot15_13_2 + E12_23 * B_thetadot15_12_3;
   const T B_thetadot15_11_3 = E12_22 * B_thetadot15_12_3 - E12_23 * minus_B_thetadot15_13_2;
   // K_thetadot15_11 = q12~ E12^T B_thetadot15_12 + E12^T K_thetadot15_12
-  const T K_thetadot15_11_1 = T(0.1) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
-  const T b11_15 = T(0.3) * B_thetadot15_11_3;
-  const T K_thetadot15_11_2 = b12_18 - b11_15 + E12_22 * K_thetadot15_12_2 - E12_23 * K_thetadot15_12_3;
-  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 + E12_22 * K_thetadot15_12_3 - T(0.3) *
-      minus_B_thetadot15_11_2 - T(0.6) * B_thetadot15_12_1;
+  const T K_thetadot15_11_1 = T(0.2) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
+  const T K_thetadot15_11_2 = T(0.2) * B_thetadot15_12_1 + E12_22 * K_thetadot15_12_2 + E12_23 *
+      minus_K_thetadot15_12_3;
+  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 - E12_22 * minus_K_thetadot15_12_3 - T(0.6) *
+      B_thetadot15_12_1;
   A[174] = K_thetadot15_11_3;
   A[234] = K_thetadot15_11_3;
   // B_thetadot14_11 = E12^T B_thetadot14_12
   const T B_thetadot14_11_2 = E12_22 * hc14_1 - E12_23 * B_thetadot14_12_3;
   const T B_thetadot14_11_3 = E12_23 * hc14_1 + E12_22 * B_thetadot14_12_3;
   // K_thetadot14_11 = q12~ E12^T B_thetadot14_12 + E12^T K_thetadot14_12
-  const T K_thetadot14_11_1 = T(0.6) * B_thetadot14_11_3 - T(0.1) * B_thetadot14_11_2 + K_thetadot14_12_1;
-  const T b11_16 = T(0.3) * B_thetadot14_11_3;
-  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - E12_23 * K_thetadot14_12_3 - b12_19 - b11_16;
-  const T K_thetadot14_11_3 = T(0.3) * B_thetadot14_11_2 + T(0.6) * minus_B_thetadot14_12_1 + E12_23 *
-      K_thetadot14_12_2 + E12_22 * K_thetadot14_12_3;
+  const T K_thetadot14_11_1 = T(0.6) * B_thetadot14_11_3 - T(0.2) * B_thetadot14_11_2 + K_thetadot14_12_1;
+  const T K_thetadot14_11_2 = E12_22 * K_thetadot14_12_2 - E12_23 * K_thetadot14_12_3 - T(0.2) *
+      minus_B_thetadot14_12_1;
+  const T K_thetadot14_11_3 = T(0.6) * minus_B_thetadot14_12_1 + E12_23 * K_thetadot14_12_2 + E12_22 *
+      K_thetadot14_12_3;
   A[173] = K_thetadot14_11_3;
   A[218] = K_thetadot14_11_3;
   // B_thetadot13_11 = E12^T B_thetadot13_12
   const T B_thetadot13_11_2 = E12_23 * hc13_1;
   const T minus_B_thetadot13_11_3 = E12_22 * hc13_1;
   // K_thetadot13_11 = q12~ E12^T B_thetadot13_12 + E12^T K_thetadot13_12
-  const T K_thetadot13_11_1 = b12_9 - T(0.1) * B_thetadot13_11_2 - T(0.6) * minus_B_thetadot13_11_3;
-  const T b11_17 = T(0.3) * minus_B_thetadot13_11_3;
-  const T K_thetadot13_11_2 = b12_3 + b11_17 + E12_22 * b12_13 - E12_23 * K_thetadot13_12_3;
-  const T K_thetadot13_11_3 = T(0.3) * B_thetadot13_11_2 - T(0.6) * hc13_3 + E12_23 * b12_13 + E12_22 *
-      K_thetadot13_12_3;
+  const T K_thetadot13_11_1 = b12_4 - (T(0.2) * B_thetadot13_11_2 + T(0.6) * minus_B_thetadot13_11_3);
+  const T K_thetadot13_11_2 = b12_3 + E12_22 * b12_8 - E12_23 * b12_9;
+  const T K_thetadot13_11_3 = E12_23 * b12_8 + E12_22 * b12_9 - b12_5;
   A[172] = K_thetadot13_11_3;
   A[202] = K_thetadot13_11_3;
-  // K_thetadot12_11 = q12~ E12^T B_thetadot12_12 + E12^T K_thetadot12_12
-  const T K_thetadot12_11_2 = E12_22 * J12_21 - E12_23 * J12_31 - b11_9;
-  const T K_thetadot12_11_3 = E12_23 * J12_21 + E12_22 * J12_31 - T(0.3) * hc12_3;
-  A[171] = K_thetadot12_11_3;
-  A[186] = K_thetadot12_11_3;
+  A[171] = b11_4;
+  A[186] = b11_4;
 
   // ---- body 10 (body_10) and what it carries
-  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  // h10 = h_own_10 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
   const T h10_1 = T(4.43) + hc11_1;
-  const T h10_2 = T(8.155000000000001) + hc11_2;
-  const T h10_3 = T(1.51) + h11_3;
-  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b10_1 = E11_11 * J11_11 - E11_12 * J11_21;
-  const T b10_2 = E11_11 * J11_12 - E11_12 * J11_22;
-  const T b10_3 = h11_3 + T(1.4100000000000001);
-  const T b10_4 = T(0.1) * h11_3 + b10_3 * T(0.1);
-  const T b10_5 = T(0.55) * hc11_2;
-  const T b10_6 = T(7.755000000000001) + hc11_2;
-  const T b10_7 = b10_6 * T(0.55);
-  const T J10_11 = b10_1 * E11_11 - b10_2 * E11_12 + b10_4 + b10_5 + T(0.28500000000000003) + b10_7;
-  const T b10_8 = b10_1 * E11_12 + b10_2 * E11_11 - T(0.030000000000000006);
-  const T J10_12 = b10_8 - T(0.55) * hc11_1 - b10_6 * T(0.3);
-  const T b10_9 = E11_11 * J11_13 - E11_12 * J11_23;
-  const T b10_10 = T(0.1) * hc11_1;
-  const T b10_11 = b10_9 - b10_10;
-  const T J10_13 = b10_11 - T(0.004000000000000001) - b10_3 * T(0.3);
-  const T b10_12 = hc11_1 + T(4.2299999999999995);
-  const T J10_21 = b10_8 - T(0.3) * hc11_2 - b10_12 * T(0.55);
-  const T b10_13 = T(0.3) * hc11_1;
-  const T b10_14 = b10_12 * T(0.3);
-  const T J10_22 = (E11_12 * J11_11 + E11_11 * J11_21) * E11_12 + (E11_12 * J11_12 + E11_11 * J11_22) * E11_11 + b10_4
-      + b10_13 + T(0.265) + b10_14;
-  const T b10_15 = E11_12 * J11_13 + E11_11 * J11_23;
-  const T b10_16 = b10_15 - T(0.1) * hc11_2;
-  const T J10_23 = b10_16 - T(0.028000000000000004) - b10_3 * T(0.55);
-  const T J10_31 = b10_9 - T(0.3) * h11_3 - T(0.004000000000000001) - b10_12 * T(0.1);
-  const T J10_32 = b10_15 - T(0.55) * h11_3 - T(0.028000000000000004) - b10_6 * T(0.1);
-  const T b10_17 = b10_13 + b10_5 + J11_33;
-  const T J10_33 = b10_17 + T(0.26) + b10_7 + b10_14;
+  const T h10_3 = T(2.8150000000000004) + hc12_3;
+  // J10 = -q11~ hc11~ + E11^T J11 E11 + J_own_10 - hc11~ q11~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b10_1 = E11_12 * (J11_11 - J11_22) + T(2) * E11_11 * J11_12;
+  const T b10_2 = E11_12 * b10_1;
+  const T J10_11 = J11_11 - b10_2 + T(2.1) * hc11_2 + T(3.8972499999999997);
+  const T J10_12 = E11_11 * b10_1 - J11_12 - T(1.05) * hc11_1 - T(4.5715) - T(0.3) * hc11_2;
+  const T b10_3 = E11_11 * J11_13 - E11_12 * J11_23;
+  const T J10_13 = b10_3 - T(0.8185) - T(0.3) * hc12_3;
+  const T b10_4 = T(0.6) * hc11_1;
+  const T J10_22 = J11_22 + b10_2 + b10_4 + T(6.675249999999999);
+  const T b10_5 = E11_12 * J11_13 + E11_11 * J11_23;
+  const T J10_23 = b10_5 - T(2.9287500000000004) - T(1.05) * hc12_3;
+  const T b10_6 = T(0.3) * hc11_1 + T(1.05) * hc11_2;
+  const T b10_7 = b10_6 + J11_33;
+  const T J10_33 = b10_7 + b10_6;
   A[153] = J10_22;
   // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc10_1 = minus_E10_13 * h10_3 + E10_11 * h10_1;
@@ -5318,101 +4669,71 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_10_1 = E11_11 * B_thetadot16_12_1 - E11_12 * B_thetadot16_11_2;
   const T B_thetadot16_10_2 = E11_12 * B_thetadot16_12_1 + E11_11 * B_thetadot16_11_2;
   // K_thetadot16_10 = q11~ E11^T B_thetadot16_11 + E11^T K_thetadot16_11
-  const T b10_18 = T(0.1) * B_thetadot16_10_2;
-  const T K_thetadot16_10_1 = T(0.55) * B_thetadot16_11_3 - b10_18 + E11_11 * K_thetadot16_11_1 - E11_12 *
-      K_thetadot16_11_2;
-  const T K_thetadot16_10_2 = T(0.1) * B_thetadot16_10_1 - b11_14 + E11_12 * K_thetadot16_11_1 + E11_11 *
-      K_thetadot16_11_2;
-  const T b10_19 = T(0.3) * B_thetadot16_10_2;
-  const T K_thetadot16_10_3 = b10_19 - T(0.55) * B_thetadot16_10_1 + K_thetadot16_11_3;
+  const T K_thetadot16_10_1 = T(1.05) * B_thetadot16_11_3 + E11_11 * K_thetadot16_11_1 - E11_12 * K_thetadot16_11_2;
+  const T K_thetadot16_10_2 = E11_12 * K_thetadot16_11_1 + E11_11 * K_thetadot16_11_2 - T(0.3) * B_thetadot16_11_3;
+  const T K_thetadot16_10_3 = T(0.3) * B_thetadot16_10_2 - T(1.05) * B_thetadot16_10_1 + K_thetadot16_11_3;
   A[159] = K_thetadot16_10_2;
   A[249] = K_thetadot16_10_2;
   // B_thetadot15_10 = E11^T B_thetadot15_11
   const T B_thetadot15_10_1 = E11_11 * B_thetadot15_12_1 + E11_12 * minus_B_thetadot15_11_2;
   const T B_thetadot15_10_2 = E11_12 * B_thetadot15_12_1 - E11_11 * minus_B_thetadot15_11_2;
   // K_thetadot15_10 = q11~ E11^T B_thetadot15_11 + E11^T K_thetadot15_11
-  const T b10_20 = T(0.1) * B_thetadot15_10_2;
-  const T K_thetadot15_10_1 = T(0.55) * B_thetadot15_11_3 - b10_20 + E11_11 * K_thetadot15_11_1 - E11_12 *
-      K_thetadot15_11_2;
-  const T K_thetadot15_10_2 = T(0.1) * B_thetadot15_10_1 - b11_15 + E11_12 * K_thetadot15_11_1 + E11_11 *
-      K_thetadot15_11_2;
-  const T b10_21 = T(0.3) * B_thetadot15_10_2;
-  const T K_thetadot15_10_3 = b10_21 - T(0.55) * B_thetadot15_10_1 + K_thetadot15_11_3;
+  const T K_thetadot15_10_1 = T(1.05) * B_thetadot15_11_3 + E11_11 * K_thetadot15_11_1 - E11_12 * K_thetadot15_11_2;
+  const T K_thetadot15_10_2 = E11_12 * K_thetadot15_11_1 + E11_11 * K_thetadot15_11_2 - T(0.3) * B_thetadot15_11_3;
+  const T K_thetadot15_10_3 = T(0.3) * B_thetadot15_10_2 - T(1.05) * B_thetadot15_10_1 + K_thetadot15_11_3;
   A[158] = K_thetadot15_10_2;
   A[233] = K_thetadot15_10_2;
   // B_thetadot14_10 = E11^T B_thetadot14_11
   const T minus_B_thetadot14_10_1 = E11_11 * minus_B_thetadot14_12_1 + E11_12 * B_thetadot14_11_2;
   const T B_thetadot14_10_2 = E11_11 * B_thetadot14_11_2 - E11_12 * minus_B_thetadot14_12_1;
   // K_thetadot14_10 = q11~ E11^T B_thetadot14_11 + E11^T K_thetadot14_11
-  const T b10_22 = T(0.1) * B_thetadot14_10_2;
-  const T K_thetadot14_10_1 = T(0.55) * B_thetadot14_11_3 - b10_22 + E11_11 * K_thetadot14_11_1 - E11_12 *
-      K_thetadot14_11_2;
-  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 + E11_11 * K_thetadot14_11_2 - T(0.1) *
-      minus_B_thetadot14_10_1 - b11_16;
-  const T b10_23 = T(0.3) * B_thetadot14_10_2;
-  const T K_thetadot14_10_3 = b10_23 + T(0.55) * minus_B_thetadot14_10_1 + K_thetadot14_11_3;
+  const T K_thetadot14_10_1 = T(1.05) * B_thetadot14_11_3 + E11_11 * K_thetadot14_11_1 - E11_12 * K_thetadot14_11_2;
+  const T K_thetadot14_10_2 = E11_12 * K_thetadot14_11_1 + E11_11 * K_thetadot14_11_2 - T(0.3) * B_thetadot14_11_3;
+  const T K_thetadot14_10_3 = T(0.3) * B_thetadot14_10_2 + T(1.05) * minus_B_thetadot14_10_1 + K_thetadot14_11_3;
   A[157] = K_thetadot14_10_2;
   A[217] = K_thetadot14_10_2;
   // B_thetadot13_10 = E11^T B_thetadot13_11
   const T B_thetadot13_10_1 = E11_11 * hc13_3 - E11_12 * B_thetadot13_11_2;
   const T B_thetadot13_10_2 = E11_12 * hc13_3 + E11_11 * B_thetadot13_11_2;
   // K_thetadot13_10 = q11~ E11^T B_thetadot13_11 + E11^T K_thetadot13_11
-  const T b10_24 = T(0.1) * B_thetadot13_10_2;
-  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - E11_12 * K_thetadot13_11_2 - b10_24 - T(0.55) *
+  const T K_thetadot13_10_1 = E11_11 * K_thetadot13_11_1 - E11_12 * K_thetadot13_11_2 - T(1.05) *
       minus_B_thetadot13_11_3;
-  const T K_thetadot13_10_2 = T(0.1) * B_thetadot13_10_1 + b11_17 + E11_12 * K_thetadot13_11_1 + E11_11 *
+  const T K_thetadot13_10_2 = T(0.3) * minus_B_thetadot13_11_3 + E11_12 * K_thetadot13_11_1 + E11_11 *
       K_thetadot13_11_2;
-  const T b10_25 = T(0.3) * B_thetadot13_10_2;
-  const T K_thetadot13_10_3 = b10_25 - T(0.55) * B_thetadot13_10_1 + K_thetadot13_11_3;
+  const T K_thetadot13_10_3 = T(0.3) * B_thetadot13_10_2 - T(1.05) * B_thetadot13_10_1 + K_thetadot13_11_3;
   A[156] = K_thetadot13_10_2;
   A[201] = K_thetadot13_10_2;
   // B_thetadot12_10 = E11^T B_thetadot12_11
   const T B_thetadot12_10_1 = E11_12 * hc12_3;
   const T minus_B_thetadot12_10_2 = E11_11 * hc12_3;
   // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
-  const T b10_26 = T(0.1) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_1 = b10_26 + T(0.55) * hc12_2 + E11_11 * b11_3 - E11_12 * K_thetadot12_11_2;
-  const T K_thetadot12_10_2 = T(0.1) * B_thetadot12_10_1 - b11_9 + E11_12 * b11_3 + E11_11 * K_thetadot12_11_2;
-  const T b10_27 = T(0.3) * minus_B_thetadot12_10_2;
-  const T K_thetadot12_10_3 = K_thetadot12_11_3 - b10_27 - T(0.55) * B_thetadot12_10_1;
+  const T K_thetadot12_10_1 = T(1.05) * hc12_2 + E11_11 * b11_2 - E11_12 * b11_3;
+  const T K_thetadot12_10_2 = E11_12 * b11_2 + E11_11 * b11_3 - T(0.3) * hc12_2;
+  const T K_thetadot12_10_3 = b11_4 - (T(0.3) * minus_B_thetadot12_10_2 + T(1.05) * B_thetadot12_10_1);
   A[155] = K_thetadot12_10_2;
   A[185] = K_thetadot12_10_2;
-  A[154] = b10_16;
-  A[169] = b10_16;
+  A[154] = b10_5;
+  A[169] = b10_5;
 
   // ---- body 9 (body_9) and what it carries
-  // h9 = m9 r9 + m_sub10 q10 + hc10: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h9_1 = T(5.02) + hc10_1;
-  const T h9_2 = T(8.43) + h10_2;
+  // h9 = h_own_9 + hc10: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h9_2 = T(16.585) + hc11_2;
   const T h9_3 = T(1.705) + hc10_3;
-  // J9 = -q10~ hc10~ + E10^T J10 E10 - m9 r9~ r9~ + I9 + (-m_sub10 q10~ - hc10~) q10~: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b9_1 = E10_11 * J10_11 + minus_E10_13 * J10_31;
-  const T b9_2 = E10_11 * J10_13 + minus_E10_13 * J10_33;
-  const T b9_3 = T(0.1) * hc10_3;
-  const T b9_4 = T(8.05) + h10_2;
-  const T b9_5 = T(0.5) * h10_2 + b9_4 * T(0.5);
-  const T b9_6 = hc10_3 + T(1.61);
-  const T b9_7 = b9_6 * T(0.1);
-  const T J9_11 = b9_1 * E10_11 + b9_2 * minus_E10_13 + b9_3 + b9_5 + T(0.27075) + b9_7;
-  const T b9_8 = E10_11 * J10_12 + minus_E10_13 * J10_32;
-  const T b9_9 = b9_8 - T(0.5) * hc10_1;
-  const T J9_12 = b9_9 - T(0.0285) - b9_4 * T(0.3);
-  const T b9_10 = b9_2 * E10_11 - b9_1 * minus_E10_13 - T(0.0038000000000000004);
-  const T J9_13 = b9_10 - T(0.1) * hc10_1 - b9_6 * T(0.3);
-  const T b9_11 = hc10_1 + T(4.83);
-  const T J9_21 = b9_8 - T(0.3) * h10_2 - T(0.0285) - b9_11 * T(0.5);
-  const T b9_12 = T(0.3) * hc10_1;
-  const T b9_13 = b9_3 + b9_12 + J10_22;
-  const T b9_14 = b9_11 * T(0.3);
-  const T J9_22 = b9_13 + T(0.25175000000000003) + b9_7 + b9_14;
-  const T b9_15 = J10_23 * E10_11 - J10_21 * minus_E10_13 - T(0.026600000000000002);
-  const T J9_23 = b9_15 - T(0.1) * h10_2 - b9_6 * T(0.5);
-  const T J9_31 = b9_10 - T(0.3) * hc10_3 - b9_11 * T(0.1);
-  const T b9_16 = T(0.5) * hc10_3;
-  const T J9_32 = b9_15 - b9_16 - b9_4 * T(0.1);
-  const T J9_33 = (E10_11 * J10_33 - minus_E10_13 * J10_13) * E10_11 - (E10_11 * J10_31 - minus_E10_13 * J10_11) *
-      minus_E10_13 + b9_5 + b9_12 + T(0.247) + b9_14;
+  // J9 = -q10~ hc10~ + E10^T J10 E10 + J_own_9 - hc10~ q10~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b9_1 = minus_E10_13 * (J10_33 - J10_11) + T(2) * E10_11 * J10_13;
+  const T b9_2 = minus_E10_13 * b9_1;
+  const T b9_3 = T(0.2) * hc10_3;
+  const T J9_11 = J10_11 + b9_2 + b9_3 + T(18.406000000000002);
+  const T b9_4 = E10_11 * J10_12 + minus_E10_13 * J10_23;
+  const T J9_12 = b9_4 - T(9.8655) - T(0.6) * hc11_2;
+  const T J9_13 = E10_11 * b9_1 - J10_13 - T(0.1) * hc10_1 - T(0.9983000000000001) - T(0.6) * hc10_3;
+  const T b9_5 = T(0.1) * hc10_3 + T(0.6) * hc10_1;
+  const T b9_6 = b9_5 + J10_22;
+  const T J9_22 = b9_6 + b9_5;
+  const T b9_7 = E10_11 * J10_23 - minus_E10_13 * J10_12;
+  const T J9_23 = b9_7 - T(0.1) * hc11_2 - T(1.6471000000000002);
+  const T J9_33 = J10_33 - b9_2 + T(1.2) * hc10_1 + T(17.808500000000002);
   A[136] = J9_11;
   // hc9 = E9^T h9: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc9_2 = E9_22 * h9_2 - E9_23 * h9_3;
@@ -5421,11 +4742,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_9_1 = E10_11 * B_thetadot16_10_1 + minus_E10_13 * B_thetadot16_11_3;
   const T B_thetadot16_9_3 = E10_11 * B_thetadot16_11_3 - minus_E10_13 * B_thetadot16_10_1;
   // K_thetadot16_9 = q10~ E10^T B_thetadot16_10 + E10^T K_thetadot16_10
-  const T K_thetadot16_9_1 = T(0.5) * B_thetadot16_9_3 - b10_18 + E10_11 * K_thetadot16_10_1 + minus_E10_13 *
-      K_thetadot16_10_3;
-  const T b9_17 = T(0.1) * B_thetadot16_9_1;
-  const T K_thetadot16_9_2 = b9_17 - T(0.3) * B_thetadot16_9_3 + K_thetadot16_10_2;
-  const T K_thetadot16_9_3 = b10_19 - T(0.5) * B_thetadot16_9_1 + E10_11 * K_thetadot16_10_3 - minus_E10_13 *
+  const T K_thetadot16_9_1 = E10_11 * K_thetadot16_10_1 + minus_E10_13 * K_thetadot16_10_3 - T(0.1) *
+      B_thetadot16_10_2;
+  const T K_thetadot16_9_2 = T(0.1) * B_thetadot16_9_1 - T(0.6) * B_thetadot16_9_3 + K_thetadot16_10_2;
+  const T K_thetadot16_9_3 = T(0.6) * B_thetadot16_10_2 + E10_11 * K_thetadot16_10_3 - minus_E10_13 *
       K_thetadot16_10_1;
   A[143] = K_thetadot16_9_1;
   A[248] = K_thetadot16_9_1;
@@ -5433,11 +4753,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot15_9_1 = E10_11 * B_thetadot15_10_1 + minus_E10_13 * B_thetadot15_11_3;
   const T B_thetadot15_9_3 = E10_11 * B_thetadot15_11_3 - minus_E10_13 * B_thetadot15_10_1;
   // K_thetadot15_9 = q10~ E10^T B_thetadot15_10 + E10^T K_thetadot15_10
-  const T K_thetadot15_9_1 = T(0.5) * B_thetadot15_9_3 - b10_20 + E10_11 * K_thetadot15_10_1 + minus_E10_13 *
-      K_thetadot15_10_3;
-  const T b9_18 = T(0.1) * B_thetadot15_9_1;
-  const T K_thetadot15_9_2 = b9_18 - T(0.3) * B_thetadot15_9_3 + K_thetadot15_10_2;
-  const T K_thetadot15_9_3 = b10_21 - T(0.5) * B_thetadot15_9_1 + E10_11 * K_thetadot15_10_3 - minus_E10_13 *
+  const T K_thetadot15_9_1 = E10_11 * K_thetadot15_10_1 + minus_E10_13 * K_thetadot15_10_3 - T(0.1) *
+      B_thetadot15_10_2;
+  const T K_thetadot15_9_2 = T(0.1) * B_thetadot15_9_1 - T(0.6) * B_thetadot15_9_3 + K_thetadot15_10_2;
+  const T K_thetadot15_9_3 = T(0.6) * B_thetadot15_10_2 + E10_11 * K_thetadot15_10_3 - minus_E10_13 *
       K_thetadot15_10_1;
   A[142] = K_thetadot15_9_1;
   A[232] = K_thetadot15_9_1;
@@ -5445,11 +4764,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot14_9_1 = minus_E10_13 * B_thetadot14_11_3 - E10_11 * minus_B_thetadot14_10_1;
   const T B_thetadot14_9_3 = minus_E10_13 * minus_B_thetadot14_10_1 + E10_11 * B_thetadot14_11_3;
   // K_thetadot14_9 = q10~ E10^T B_thetadot14_10 + E10^T K_thetadot14_10
-  const T K_thetadot14_9_1 = T(0.5) * B_thetadot14_9_3 - b10_22 + E10_11 * K_thetadot14_10_1 + minus_E10_13 *
-      K_thetadot14_10_3;
-  const T b9_19 = T(0.1) * B_thetadot14_9_1;
-  const T K_thetadot14_9_2 = b9_19 - T(0.3) * B_thetadot14_9_3 + K_thetadot14_10_2;
-  const T K_thetadot14_9_3 = b10_23 - T(0.5) * B_thetadot14_9_1 + E10_11 * K_thetadot14_10_3 - minus_E10_13 *
+  const T K_thetadot14_9_1 = E10_11 * K_thetadot14_10_1 + minus_E10_13 * K_thetadot14_10_3 - T(0.1) *
+      B_thetadot14_10_2;
+  const T K_thetadot14_9_2 = T(0.1) * B_thetadot14_9_1 - T(0.6) * B_thetadot14_9_3 + K_thetadot14_10_2;
+  const T K_thetadot14_9_3 = T(0.6) * B_thetadot14_10_2 + E10_11 * K_thetadot14_10_3 - minus_E10_13 *
       K_thetadot14_10_1;
   A[141] = K_thetadot14_9_1;
   A[216] = K_thetadot14_9_1;
@@ -5457,11 +4775,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot13_9_1 = E10_11 * B_thetadot13_10_1 - minus_E10_13 * minus_B_thetadot13_11_3;
   const T minus_B_thetadot13_9_3 = minus_E10_13 * B_thetadot13_10_1 + E10_11 * minus_B_thetadot13_11_3;
   // K_thetadot13_9 = q10~ E10^T B_thetadot13_10 + E10^T K_thetadot13_10
-  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 + minus_E10_13 * K_thetadot13_10_3 - b10_24 - T(0.5) *
-      minus_B_thetadot13_9_3;
-  const T b9_20 = T(0.1) * B_thetadot13_9_1;
-  const T K_thetadot13_9_2 = b9_20 + T(0.3) * minus_B_thetadot13_9_3 + K_thetadot13_10_2;
-  const T K_thetadot13_9_3 = b10_25 - T(0.5) * B_thetadot13_9_1 + E10_11 * K_thetadot13_10_3 - minus_E10_13 *
+  const T K_thetadot13_9_1 = E10_11 * K_thetadot13_10_1 + minus_E10_13 * K_thetadot13_10_3 - T(0.1) *
+      B_thetadot13_10_2;
+  const T K_thetadot13_9_2 = T(0.1) * B_thetadot13_9_1 + T(0.6) * minus_B_thetadot13_9_3 + K_thetadot13_10_2;
+  const T K_thetadot13_9_3 = T(0.6) * B_thetadot13_10_2 + E10_11 * K_thetadot13_10_3 - minus_E10_13 *
       K_thetadot13_10_1;
   A[140] = K_thetadot13_9_1;
   A[200] = K_thetadot13_9_1;
@@ -5469,57 +4786,42 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot12_9_1 = E10_11 * B_thetadot12_10_1 + minus_E10_13 * hc12_2;
   const T B_thetadot12_9_3 = E10_11 * hc12_2 - minus_E10_13 * B_thetadot12_10_1;
   // K_thetadot12_9 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
-  const T K_thetadot12_9_1 = b10_26 + T(0.5) * B_thetadot12_9_3 + E10_11 * K_thetadot12_10_1 + minus_E10_13 *
+  const T K_thetadot12_9_1 = T(0.1) * minus_B_thetadot12_10_2 + E10_11 * K_thetadot12_10_1 + minus_E10_13 *
       K_thetadot12_10_3;
-  const T b9_21 = T(0.1) * B_thetadot12_9_1;
-  const T K_thetadot12_9_2 = b9_21 - T(0.3) * B_thetadot12_9_3 + K_thetadot12_10_2;
-  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - minus_E10_13 * K_thetadot12_10_1 - b10_27 - T(0.5) *
-      B_thetadot12_9_1;
+  const T K_thetadot12_9_2 = T(0.1) * B_thetadot12_9_1 - T(0.6) * B_thetadot12_9_3 + K_thetadot12_10_2;
+  const T K_thetadot12_9_3 = E10_11 * K_thetadot12_10_3 - minus_E10_13 * K_thetadot12_10_1 - T(0.6) *
+      minus_B_thetadot12_10_2;
   A[139] = K_thetadot12_9_1;
   A[184] = K_thetadot12_9_1;
   // B_thetadot11_9 = E10^T B_thetadot11_10
   const T minus_B_thetadot11_9_1 = E10_11 * hc11_2;
   const T B_thetadot11_9_3 = minus_E10_13 * hc11_2;
   // K_thetadot11_9 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
-  const T K_thetadot11_9_1 = T(0.5) * B_thetadot11_9_3 - b10_10 + E10_11 * b10_11 + minus_E10_13 * b10_17;
-  const T b9_22 = T(0.1) * minus_B_thetadot11_9_1;
-  const T K_thetadot11_9_2 = b10_16 - b9_22 - T(0.3) * B_thetadot11_9_3;
-  const T K_thetadot11_9_3 = b10_13 + T(0.5) * minus_B_thetadot11_9_1 + E10_11 * b10_17 - minus_E10_13 * b10_11;
+  const T K_thetadot11_9_1 = E10_11 * b10_3 + minus_E10_13 * b10_7 - T(0.1) * hc11_1;
+  const T K_thetadot11_9_2 = b10_5 - (T(0.1) * minus_B_thetadot11_9_1 + T(0.6) * B_thetadot11_9_3);
+  const T K_thetadot11_9_3 = b10_4 + E10_11 * b10_7 - minus_E10_13 * b10_3;
   A[138] = K_thetadot11_9_1;
   A[168] = K_thetadot11_9_1;
-  // K_thetadot10_9 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
-  const T K_thetadot10_9_3 = E10_11 * J10_32 - minus_E10_13 * J10_12 - b9_16;
-  A[137] = b9_9;
-  A[152] = b9_9;
+  A[137] = b9_4;
+  A[152] = b9_4;
 
   // ---- body 8 (body_8) and what it carries
-  // h8 = m8 r8 + m_sub9 q9 + hc9: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h8_1 = T(5.58) + h9_1;
+  // h8 = h_own_8 + hc9: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h8_1 = T(10.6) + hc10_1;
   const T h8_2 = T(8.46) + hc9_2;
-  const T h8_3 = T(1.8900000000000001) + hc9_3;
-  // J8 = -q9~ hc9~ + E9^T J9 E9 - m8 r8~ r8~ + I8 + (-m_sub9 q9~ - hc9~) q9~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b8_1 = T(0.1) * hc9_3;
-  const T b8_2 = T(0.45) * hc9_2;
-  const T b8_3 = b8_1 + b8_2 + J9_11;
-  const T b8_4 = hc9_3 + T(1.8);
-  const T b8_5 = b8_4 * T(0.1);
-  const T b8_6 = T(8.1) + hc9_2;
-  const T b8_7 = b8_6 * T(0.45);
-  const T J8_11 = b8_3 + T(0.2565) + b8_5 + b8_7;
-  const T b8_8 = J9_12 * E9_22 - J9_13 * E9_23 - T(0.027000000000000007);
-  const T J8_12 = b8_8 - T(0.45) * h9_1 - b8_6 * T(0.3);
-  const T J8_13 = J9_12 * E9_23 + J9_13 * E9_22 - T(0.1) * h9_1 - T(0.0036000000000000008) - b8_4 * T(0.3);
-  const T b8_9 = T(0.3) * hc9_2;
-  const T b8_10 = h9_1 + T(5.3999999999999995);
-  const T J8_21 = b8_8 - b8_9 - b8_10 * T(0.45);
-  const T b8_11 = E9_22 * J9_22 - E9_23 * J9_32;
-  const T b8_12 = E9_22 * J9_23 - E9_23 * J9_33;
-  const T b8_13 = T(0.3) * h9_1 + b8_10 * T(0.3);
-  const T J8_22 = b8_11 * E9_22 - b8_12 * E9_23 + b8_1 + b8_13 + T(0.2385) + b8_5;
-  const T J8_23 = b8_11 * E9_23 + b8_12 * E9_22 - T(0.1) * hc9_2 - T(0.025200000000000004) - b8_4 * T(0.45);
-  const T J8_33 = (E9_23 * J9_22 + E9_22 * J9_32) * E9_23 + (E9_23 * J9_23 + E9_22 * J9_33) * E9_22 + b8_2 + b8_13 +
-      T(0.234) + b8_7;
+  // J8 = -q9~ hc9~ + E9^T J9 E9 + J_own_8 - hc9~ q9~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b8_1 = T(0.2) * hc9_3 + T(0.45) * hc9_2;
+  const T b8_2 = b8_1 + J9_11;
+  const T J8_11 = b8_2 + b8_1;
+  const T b8_3 = E9_22 * J9_12 - E9_23 * J9_13;
+  const T J8_12 = b8_3 - T(0.45) * hc10_1 - T(4.716);
+  const T b8_4 = E9_23 * J9_12 + E9_22 * J9_13;
+  const T J8_13 = b8_4 - T(0.2) * hc10_1 - T(2.1056);
+  const T b8_5 = E9_23 * (J9_22 - J9_33) + T(2) * E9_22 * J9_23;
+  const T b8_6 = E9_23 * b8_5;
+  const T J8_22 = J9_22 - b8_6 + T(0.4) * hc9_3 + T(2.830749999999999);
+  const T J8_23 = E9_22 * b8_5 - J9_23 - T(0.2) * hc9_2 - T(1.6812) - T(0.45) * hc9_3;
+  const T J8_33 = J9_33 + b8_6 + T(0.9) * hc9_2 + T(10.37275);
   A[119] = J8_33;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc8_1 = E8_11 * h8_1 - E8_12 * h8_2;
@@ -5528,118 +4830,86 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_8_2 = E9_22 * B_thetadot16_10_2 - E9_23 * B_thetadot16_9_3;
   const T B_thetadot16_8_3 = E9_23 * B_thetadot16_10_2 + E9_22 * B_thetadot16_9_3;
   // K_thetadot16_8 = q9~ E9^T B_thetadot16_9 + E9^T K_thetadot16_9
-  const T K_thetadot16_8_1 = T(0.45) * B_thetadot16_8_3 - T(0.1) * B_thetadot16_8_2 + K_thetadot16_9_1;
-  const T b8_14 = T(0.3) * B_thetadot16_8_3;
-  const T K_thetadot16_8_2 = b9_17 - b8_14 + E9_22 * K_thetadot16_9_2 - E9_23 * K_thetadot16_9_3;
-  const T K_thetadot16_8_3 = T(0.3) * B_thetadot16_8_2 - T(0.45) * B_thetadot16_9_1 + E9_23 * K_thetadot16_9_2 + E9_22
-      * K_thetadot16_9_3;
+  const T K_thetadot16_8_1 = T(0.45) * B_thetadot16_8_3 - T(0.2) * B_thetadot16_8_2 + K_thetadot16_9_1;
+  const T K_thetadot16_8_2 = T(0.2) * B_thetadot16_9_1 + E9_22 * K_thetadot16_9_2 - E9_23 * K_thetadot16_9_3;
+  const T K_thetadot16_8_3 = E9_23 * K_thetadot16_9_2 + E9_22 * K_thetadot16_9_3 - T(0.45) * B_thetadot16_9_1;
   A[127] = K_thetadot16_8_3;
   A[247] = K_thetadot16_8_3;
   // B_thetadot15_8 = E9^T B_thetadot15_9
   const T B_thetadot15_8_2 = E9_22 * B_thetadot15_10_2 - E9_23 * B_thetadot15_9_3;
   const T B_thetadot15_8_3 = E9_23 * B_thetadot15_10_2 + E9_22 * B_thetadot15_9_3;
   // K_thetadot15_8 = q9~ E9^T B_thetadot15_9 + E9^T K_thetadot15_9
-  const T K_thetadot15_8_1 = T(0.45) * B_thetadot15_8_3 - T(0.1) * B_thetadot15_8_2 + K_thetadot15_9_1;
-  const T b8_15 = T(0.3) * B_thetadot15_8_3;
-  const T K_thetadot15_8_2 = b9_18 - b8_15 + E9_22 * K_thetadot15_9_2 - E9_23 * K_thetadot15_9_3;
-  const T K_thetadot15_8_3 = T(0.3) * B_thetadot15_8_2 - T(0.45) * B_thetadot15_9_1 + E9_23 * K_thetadot15_9_2 + E9_22
-      * K_thetadot15_9_3;
+  const T K_thetadot15_8_1 = T(0.45) * B_thetadot15_8_3 - T(0.2) * B_thetadot15_8_2 + K_thetadot15_9_1;
+  const T K_thetadot15_8_2 = T(0.2) * B_thetadot15_9_1 + E9_22 * K_thetadot15_9_2 - E9_23 * K_thetadot15_9_3;
+  const T K_thetadot15_8_3 = E9_23 * K_thetadot15_9_2 + E9_22 * K_thetadot15_9_3 - T(0.45) * B_thetadot15_9_1;
   A[126] = K_thetadot15_8_3;
   A[231] = K_thetadot15_8_3;
   // B_thetadot14_8 = E9^T B_thetadot14_9
   const T B_thetadot14_8_2 = E9_22 * B_thetadot14_10_2 - E9_23 * B_thetadot14_9_3;
   const T B_thetadot14_8_3 = E9_23 * B_thetadot14_10_2 + E9_22 * B_thetadot14_9_3;
   // K_thetadot14_8 = q9~ E9^T B_thetadot14_9 + E9^T K_thetadot14_9
-  const T K_thetadot14_8_1 = T(0.45) * B_thetadot14_8_3 - T(0.1) * B_thetadot14_8_2 + K_thetadot14_9_1;
-  const T b8_16 = T(0.3) * B_thetadot14_8_3;
-  const T K_thetadot14_8_2 = b9_19 - b8_16 + E9_22 * K_thetadot14_9_2 - E9_23 * K_thetadot14_9_3;
-  const T K_thetadot14_8_3 = T(0.3) * B_thetadot14_8_2 - T(0.45) * B_thetadot14_9_1 + E9_23 * K_thetadot14_9_2 + E9_22
-      * K_thetadot14_9_3;
+  const T K_thetadot14_8_1 = T(0.45) * B_thetadot14_8_3 - T(0.2) * B_thetadot14_8_2 + K_thetadot14_9_1;
+  const T K_thetadot14_8_2 = T(0.2) * B_thetadot14_9_1 + E9_22 * K_thetadot14_9_2 - E9_23 * K_thetadot14_9_3;
+  const T K_thetadot14_8_3 = E9_23 * K_thetadot14_9_2 + E9_22 * K_thetadot14_9_3 - T(0.45) * B_thetadot14_9_1;
   A[125] = K_thetadot14_8_3;
   A[215] = K_thetadot14_8_3;
   // B_thetadot13_8 = E9^T B_thetadot13_9
   const T B_thetadot13_8_2 = E9_22 * B_thetadot13_10_2 + E9_23 * minus_B_thetadot13_9_3;
   const T B_thetadot13_8_3 = E9_23 * B_thetadot13_10_2 - E9_22 * minus_B_thetadot13_9_3;
   // K_thetadot13_8 = q9~ E9^T B_thetadot13_9 + E9^T K_thetadot13_9
-  const T K_thetadot13_8_1 = T(0.45) * B_thetadot13_8_3 - T(0.1) * B_thetadot13_8_2 + K_thetadot13_9_1;
-  const T b8_17 = T(0.3) * B_thetadot13_8_3;
-  const T K_thetadot13_8_2 = b9_20 - b8_17 + E9_22 * K_thetadot13_9_2 - E9_23 * K_thetadot13_9_3;
-  const T K_thetadot13_8_3 = T(0.3) * B_thetadot13_8_2 - T(0.45) * B_thetadot13_9_1 + E9_23 * K_thetadot13_9_2 + E9_22
-      * K_thetadot13_9_3;
+  const T K_thetadot13_8_1 = T(0.45) * B_thetadot13_8_3 - T(0.2) * B_thetadot13_8_2 + K_thetadot13_9_1;
+  const T K_thetadot13_8_2 = T(0.2) * B_thetadot13_9_1 + E9_22 * K_thetadot13_9_2 - E9_23 * K_thetadot13_9_3;
+  const T K_thetadot13_8_3 = E9_23 * K_thetadot13_9_2 + E9_22 * K_thetadot13_9_3 - T(0.45) * B_thetadot13_9_1;
   A[124] = K_thetadot13_8_3;
   A[199] = K_thetadot13_8_3;
   // B_thetadot12_8 = E9^T B_thetadot12_9
   const T minus_B_thetadot12_8_2 = E9_22 * minus_B_thetadot12_10_2 + E9_23 * B_thetadot12_9_3;
   const T B_thetadot12_8_3 = E9_22 * B_thetadot12_9_3 - E9_23 * minus_B_thetadot12_10_2;
   // K_thetadot12_8 = q9~ E9^T B_thetadot12_9 + E9^T K_thetadot12_9
-  const T K_thetadot12_8_1 = T(0.1) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_8_3 + K_thetadot12_9_1;
-  const T b8_18 = T(0.3) * B_thetadot12_8_3;
-  const T K_thetadot12_8_2 = b9_21 - b8_18 + E9_22 * K_thetadot12_9_2 - E9_23 * K_thetadot12_9_3;
-  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 + E9_22 * K_thetadot12_9_3 - T(0.3) * minus_B_thetadot12_8_2 -
-      T(0.45) * B_thetadot12_9_1;
+  const T K_thetadot12_8_1 = T(0.2) * minus_B_thetadot12_8_2 + T(0.45) * B_thetadot12_8_3 + K_thetadot12_9_1;
+  const T K_thetadot12_8_2 = T(0.2) * B_thetadot12_9_1 + E9_22 * K_thetadot12_9_2 - E9_23 * K_thetadot12_9_3;
+  const T K_thetadot12_8_3 = E9_23 * K_thetadot12_9_2 + E9_22 * K_thetadot12_9_3 - T(0.45) * B_thetadot12_9_1;
   A[123] = K_thetadot12_8_3;
   A[183] = K_thetadot12_8_3;
   // B_thetadot11_8 = E9^T B_thetadot11_9
   const T B_thetadot11_8_2 = E9_22 * hc11_1 - E9_23 * B_thetadot11_9_3;
   const T B_thetadot11_8_3 = E9_23 * hc11_1 + E9_22 * B_thetadot11_9_3;
   // K_thetadot11_8 = q9~ E9^T B_thetadot11_9 + E9^T K_thetadot11_9
-  const T K_thetadot11_8_1 = T(0.45) * B_thetadot11_8_3 - T(0.1) * B_thetadot11_8_2 + K_thetadot11_9_1;
-  const T b8_19 = T(0.3) * B_thetadot11_8_3;
-  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - E9_23 * K_thetadot11_9_3 - b9_22 - b8_19;
-  const T K_thetadot11_8_3 = T(0.3) * B_thetadot11_8_2 + T(0.45) * minus_B_thetadot11_9_1 + E9_23 * K_thetadot11_9_2 +
-      E9_22 * K_thetadot11_9_3;
+  const T K_thetadot11_8_1 = T(0.45) * B_thetadot11_8_3 - T(0.2) * B_thetadot11_8_2 + K_thetadot11_9_1;
+  const T K_thetadot11_8_2 = E9_22 * K_thetadot11_9_2 - E9_23 * K_thetadot11_9_3 - T(0.2) * minus_B_thetadot11_9_1;
+  const T K_thetadot11_8_3 = T(0.45) * minus_B_thetadot11_9_1 + E9_23 * K_thetadot11_9_2 + E9_22 * K_thetadot11_9_3;
   A[122] = K_thetadot11_8_3;
   A[167] = K_thetadot11_8_3;
   // B_thetadot10_8 = E9^T B_thetadot10_9
   const T B_thetadot10_8_2 = E9_23 * hc10_1;
   const T minus_B_thetadot10_8_3 = E9_22 * hc10_1;
   // K_thetadot10_8 = q9~ E9^T B_thetadot10_9 + E9^T K_thetadot10_9
-  const T K_thetadot10_8_1 = b9_9 - T(0.1) * B_thetadot10_8_2 - T(0.45) * minus_B_thetadot10_8_3;
-  const T b8_20 = T(0.3) * minus_B_thetadot10_8_3;
-  const T K_thetadot10_8_2 = b9_3 + b8_20 + E9_22 * b9_13 - E9_23 * K_thetadot10_9_3;
-  const T K_thetadot10_8_3 = T(0.3) * B_thetadot10_8_2 - T(0.45) * hc10_3 + E9_23 * b9_13 + E9_22 * K_thetadot10_9_3;
+  const T K_thetadot10_8_1 = b9_4 - (T(0.2) * B_thetadot10_8_2 + T(0.45) * minus_B_thetadot10_8_3);
+  const T K_thetadot10_8_2 = b9_3 + E9_22 * b9_6 - E9_23 * b9_7;
+  const T K_thetadot10_8_3 = E9_23 * b9_6 + E9_22 * b9_7 - T(0.45) * hc10_3;
   A[121] = K_thetadot10_8_3;
   A[151] = K_thetadot10_8_3;
-  // K_thetadot9_8 = q9~ E9^T B_thetadot9_9 + E9^T K_thetadot9_9
-  const T K_thetadot9_8_2 = E9_22 * J9_21 - E9_23 * J9_31 - b8_9;
-  const T K_thetadot9_8_3 = E9_23 * J9_21 + E9_22 * J9_31 - T(0.3) * hc9_3;
-  A[120] = K_thetadot9_8_3;
-  A[135] = K_thetadot9_8_3;
+  A[120] = b8_4;
+  A[135] = b8_4;
 
   // ---- body 7 (body_7) and what it carries
-  // h7 = m7 r7 + m_sub8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
+  // h7 = h_own_7 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
   const T h7_1 = T(6.109999999999999) + hc8_1;
-  const T h7_2 = T(8.26) + hc8_2;
-  const T h7_3 = T(2.065) + h8_3;
-  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_sub8 q8~ - hc8~) q8~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b7_1 = E8_11 * J8_11 - E8_12 * J8_21;
-  const T b7_2 = E8_11 * J8_12 - E8_12 * J8_22;
-  const T b7_3 = h8_3 + T(1.9800000000000002);
-  const T b7_4 = T(0.1) * h8_3 + b7_3 * T(0.1);
-  const T b7_5 = T(0.4) * hc8_2;
-  const T b7_6 = T(7.920000000000001) + hc8_2;
-  const T b7_7 = b7_6 * T(0.4);
-  const T J7_11 = b7_1 * E8_11 - b7_2 * E8_12 + b7_4 + b7_5 + T(0.24225000000000002) + b7_7;
-  const T b7_8 = b7_1 * E8_12 + b7_2 * E8_11 - T(0.025500000000000002);
-  const T J7_12 = b7_8 - T(0.4) * hc8_1 - b7_6 * T(0.3);
-  const T b7_9 = E8_11 * J8_13 - E8_12 * J8_23;
-  const T b7_10 = T(0.1) * hc8_1;
-  const T b7_11 = b7_9 - b7_10;
-  const T J7_13 = b7_11 - T(0.0034000000000000002) - b7_3 * T(0.3);
-  const T b7_12 = hc8_1 + T(5.9399999999999995);
-  const T J7_21 = b7_8 - T(0.3) * hc8_2 - b7_12 * T(0.4);
-  const T b7_13 = T(0.3) * hc8_1;
-  const T b7_14 = b7_12 * T(0.3);
-  const T J7_22 = (E8_12 * J8_11 + E8_11 * J8_21) * E8_12 + (E8_12 * J8_12 + E8_11 * J8_22) * E8_11 + b7_4 + b7_13 +
-      T(0.22524999999999998) + b7_14;
-  const T b7_15 = E8_12 * J8_13 + E8_11 * J8_23;
-  const T b7_16 = b7_15 - T(0.1) * hc8_2;
-  const T J7_23 = b7_16 - T(0.0238) - b7_3 * T(0.4);
-  const T J7_31 = b7_9 - T(0.3) * h8_3 - T(0.0034000000000000002) - b7_12 * T(0.1);
-  const T J7_32 = b7_15 - T(0.4) * h8_3 - T(0.0238) - b7_6 * T(0.1);
-  const T b7_17 = b7_13 + b7_5 + J8_33;
-  const T J7_33 = b7_17 + T(0.22100000000000003) + b7_7 + b7_14;
+  const T h7_3 = T(3.955) + hc9_3;
+  // J7 = -q8~ hc8~ + E8^T J8 E8 + J_own_7 - hc8~ q8~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b7_1 = E8_12 * (J8_11 - J8_22) + T(2) * E8_11 * J8_12;
+  const T b7_2 = E8_12 * b7_1;
+  const T J7_11 = J8_11 - b7_2 + T(1.5) * hc8_2 + T(2.8967500000000004);
+  const T J7_12 = E8_11 * b7_1 - J8_12 - T(0.75) * hc8_1 - T(4.54) - T(0.3) * hc8_2;
+  const T b7_3 = E8_11 * J8_13 - E8_12 * J8_23;
+  const T J7_13 = b7_3 - T(1.1644) - T(0.3) * hc9_3;
+  const T b7_4 = T(0.6) * hc8_1;
+  const T J7_22 = J8_22 + b7_2 + b7_4 + T(6.66475);
+  const T b7_5 = E8_12 * J8_13 + E8_11 * J8_23;
+  const T J7_23 = b7_5 - T(2.9560500000000003) - T(0.75) * hc9_3;
+  const T b7_6 = T(0.3) * hc8_1 + T(0.75) * hc8_2;
+  const T b7_7 = b7_6 + J8_33;
+  const T J7_33 = b7_7 + b7_6;
   A[102] = J7_22;
   // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc7_1 = minus_E7_13 * h7_3 + E7_11 * h7_1;
@@ -5648,129 +4918,95 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_7_1 = E8_11 * B_thetadot16_9_1 - E8_12 * B_thetadot16_8_2;
   const T B_thetadot16_7_2 = E8_12 * B_thetadot16_9_1 + E8_11 * B_thetadot16_8_2;
   // K_thetadot16_7 = q8~ E8^T B_thetadot16_8 + E8^T K_thetadot16_8
-  const T b7_18 = T(0.1) * B_thetadot16_7_2;
-  const T K_thetadot16_7_1 = T(0.4) * B_thetadot16_8_3 - b7_18 + E8_11 * K_thetadot16_8_1 - E8_12 * K_thetadot16_8_2;
-  const T K_thetadot16_7_2 = T(0.1) * B_thetadot16_7_1 - b8_14 + E8_12 * K_thetadot16_8_1 + E8_11 * K_thetadot16_8_2;
-  const T b7_19 = T(0.3) * B_thetadot16_7_2;
-  const T K_thetadot16_7_3 = b7_19 - T(0.4) * B_thetadot16_7_1 + K_thetadot16_8_3;
+  const T K_thetadot16_7_1 = T(0.75) * B_thetadot16_8_3 + E8_11 * K_thetadot16_8_1 - E8_12 * K_thetadot16_8_2;
+  const T K_thetadot16_7_2 = E8_12 * K_thetadot16_8_1 + E8_11 * K_thetadot16_8_2 - T(0.3) * B_thetadot16_8_3;
+  const T K_thetadot16_7_3 = T(0.3) * B_thetadot16_7_2 - T(0.75) * B_thetadot16_7_1 + K_thetadot16_8_3;
   A[111] = K_thetadot16_7_2;
   A[246] = K_thetadot16_7_2;
   // B_thetadot15_7 = E8^T B_thetadot15_8
   const T B_thetadot15_7_1 = E8_11 * B_thetadot15_9_1 - E8_12 * B_thetadot15_8_2;
   const T B_thetadot15_7_2 = E8_12 * B_thetadot15_9_1 + E8_11 * B_thetadot15_8_2;
   // K_thetadot15_7 = q8~ E8^T B_thetadot15_8 + E8^T K_thetadot15_8
-  const T b7_20 = T(0.1) * B_thetadot15_7_2;
-  const T K_thetadot15_7_1 = T(0.4) * B_thetadot15_8_3 - b7_20 + E8_11 * K_thetadot15_8_1 - E8_12 * K_thetadot15_8_2;
-  const T K_thetadot15_7_2 = T(0.1) * B_thetadot15_7_1 - b8_15 + E8_12 * K_thetadot15_8_1 + E8_11 * K_thetadot15_8_2;
-  const T b7_21 = T(0.3) * B_thetadot15_7_2;
-  const T K_thetadot15_7_3 = b7_21 - T(0.4) * B_thetadot15_7_1 + K_thetadot15_8_3;
+  const T K_thetadot15_7_1 = T(0.75) * B_thetadot15_8_3 + E8_11 * K_thetadot15_8_1 - E8_12 * K_thetadot15_8_2;
+  const T K_thetadot15_7_2 = E8_12 * K_thetadot15_8_1 + E8_11 * K_thetadot15_8_2 - T(0.3) * B_thetadot15_8_3;
+  const T K_thetadot15_7_3 = T(0.3) * B_thetadot15_7_2 - T(0.75) * B_thetadot15_7_1 + K_thetadot15_8_3;
   A[110] = K_thetadot15_7_2;
   A[230] = K_thetadot15_7_2;
   // B_thetadot14_7 = E8^T B_thetadot14_8
   const T B_thetadot14_7_1 = E8_11 * B_thetadot14_9_1 - E8_12 * B_thetadot14_8_2;
   const T B_thetadot14_7_2 = E8_12 * B_thetadot14_9_1 + E8_11 * B_thetadot14_8_2;
   // K_thetadot14_7 = q8~ E8^T B_thetadot14_8 + E8^T K_thetadot14_8
-  const T b7_22 = T(0.1) * B_thetadot14_7_2;
-  const T K_thetadot14_7_1 = T(0.4) * B_thetadot14_8_3 - b7_22 + E8_11 * K_thetadot14_8_1 - E8_12 * K_thetadot14_8_2;
-  const T K_thetadot14_7_2 = T(0.1) * B_thetadot14_7_1 - b8_16 + E8_12 * K_thetadot14_8_1 + E8_11 * K_thetadot14_8_2;
-  const T b7_23 = T(0.3) * B_thetadot14_7_2;
-  const T K_thetadot14_7_3 = b7_23 - T(0.4) * B_thetadot14_7_1 + K_thetadot14_8_3;
+  const T K_thetadot14_7_1 = T(0.75) * B_thetadot14_8_3 + E8_11 * K_thetadot14_8_1 - E8_12 * K_thetadot14_8_2;
+  const T K_thetadot14_7_2 = E8_12 * K_thetadot14_8_1 + E8_11 * K_thetadot14_8_2 - T(0.3) * B_thetadot14_8_3;
+  const T K_thetadot14_7_3 = T(0.3) * B_thetadot14_7_2 - T(0.75) * B_thetadot14_7_1 + K_thetadot14_8_3;
   A[109] = K_thetadot14_7_2;
   A[214] = K_thetadot14_7_2;
   // B_thetadot13_7 = E8^T B_thetadot13_8
   const T B_thetadot13_7_1 = E8_11 * B_thetadot13_9_1 - E8_12 * B_thetadot13_8_2;
   const T B_thetadot13_7_2 = E8_12 * B_thetadot13_9_1 + E8_11 * B_thetadot13_8_2;
   // K_thetadot13_7 = q8~ E8^T B_thetadot13_8 + E8^T K_thetadot13_8
-  const T b7_24 = T(0.1) * B_thetadot13_7_2;
-  const T K_thetadot13_7_1 = T(0.4) * B_thetadot13_8_3 - b7_24 + E8_11 * K_thetadot13_8_1 - E8_12 * K_thetadot13_8_2;
-  const T K_thetadot13_7_2 = T(0.1) * B_thetadot13_7_1 - b8_17 + E8_12 * K_thetadot13_8_1 + E8_11 * K_thetadot13_8_2;
-  const T b7_25 = T(0.3) * B_thetadot13_7_2;
-  const T K_thetadot13_7_3 = b7_25 - T(0.4) * B_thetadot13_7_1 + K_thetadot13_8_3;
+  const T K_thetadot13_7_1 = T(0.75) * B_thetadot13_8_3 + E8_11 * K_thetadot13_8_1 - E8_12 * K_thetadot13_8_2;
+  const T K_thetadot13_7_2 = E8_12 * K_thetadot13_8_1 + E8_11 * K_thetadot13_8_2 - T(0.3) * B_thetadot13_8_3;
+  const T K_thetadot13_7_3 = T(0.3) * B_thetadot13_7_2 - T(0.75) * B_thetadot13_7_1 + K_thetadot13_8_3;
   A[108] = K_thetadot13_7_2;
   A[198] = K_thetadot13_7_2;
   // B_thetadot12_7 = E8^T B_thetadot12_8
   const T B_thetadot12_7_1 = E8_11 * B_thetadot12_9_1 + E8_12 * minus_B_thetadot12_8_2;
   const T B_thetadot12_7_2 = E8_12 * B_thetadot12_9_1 - E8_11 * minus_B_thetadot12_8_2;
   // K_thetadot12_7 = q8~ E8^T B_thetadot12_8 + E8^T K_thetadot12_8
-  const T b7_26 = T(0.1) * B_thetadot12_7_2;
-  const T K_thetadot12_7_1 = T(0.4) * B_thetadot12_8_3 - b7_26 + E8_11 * K_thetadot12_8_1 - E8_12 * K_thetadot12_8_2;
-  const T K_thetadot12_7_2 = T(0.1) * B_thetadot12_7_1 - b8_18 + E8_12 * K_thetadot12_8_1 + E8_11 * K_thetadot12_8_2;
-  const T b7_27 = T(0.3) * B_thetadot12_7_2;
-  const T K_thetadot12_7_3 = b7_27 - T(0.4) * B_thetadot12_7_1 + K_thetadot12_8_3;
+  const T K_thetadot12_7_1 = T(0.75) * B_thetadot12_8_3 + E8_11 * K_thetadot12_8_1 - E8_12 * K_thetadot12_8_2;
+  const T K_thetadot12_7_2 = E8_12 * K_thetadot12_8_1 + E8_11 * K_thetadot12_8_2 - T(0.3) * B_thetadot12_8_3;
+  const T K_thetadot12_7_3 = T(0.3) * B_thetadot12_7_2 - T(0.75) * B_thetadot12_7_1 + K_thetadot12_8_3;
   A[107] = K_thetadot12_7_2;
   A[182] = K_thetadot12_7_2;
   // B_thetadot11_7 = E8^T B_thetadot11_8
   const T minus_B_thetadot11_7_1 = E8_11 * minus_B_thetadot11_9_1 + E8_12 * B_thetadot11_8_2;
   const T B_thetadot11_7_2 = E8_11 * B_thetadot11_8_2 - E8_12 * minus_B_thetadot11_9_1;
   // K_thetadot11_7 = q8~ E8^T B_thetadot11_8 + E8^T K_thetadot11_8
-  const T b7_28 = T(0.1) * B_thetadot11_7_2;
-  const T K_thetadot11_7_1 = T(0.4) * B_thetadot11_8_3 - b7_28 + E8_11 * K_thetadot11_8_1 - E8_12 * K_thetadot11_8_2;
-  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_2 - T(0.1) * minus_B_thetadot11_7_1 -
-      b8_19;
-  const T b7_29 = T(0.3) * B_thetadot11_7_2;
-  const T K_thetadot11_7_3 = b7_29 + T(0.4) * minus_B_thetadot11_7_1 + K_thetadot11_8_3;
+  const T K_thetadot11_7_1 = T(0.75) * B_thetadot11_8_3 + E8_11 * K_thetadot11_8_1 - E8_12 * K_thetadot11_8_2;
+  const T K_thetadot11_7_2 = E8_12 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_2 - T(0.3) * B_thetadot11_8_3;
+  const T K_thetadot11_7_3 = T(0.3) * B_thetadot11_7_2 + T(0.75) * minus_B_thetadot11_7_1 + K_thetadot11_8_3;
   A[106] = K_thetadot11_7_2;
   A[166] = K_thetadot11_7_2;
   // B_thetadot10_7 = E8^T B_thetadot10_8
   const T B_thetadot10_7_1 = E8_11 * hc10_3 - E8_12 * B_thetadot10_8_2;
   const T B_thetadot10_7_2 = E8_12 * hc10_3 + E8_11 * B_thetadot10_8_2;
   // K_thetadot10_7 = q8~ E8^T B_thetadot10_8 + E8^T K_thetadot10_8
-  const T b7_30 = T(0.1) * B_thetadot10_7_2;
-  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - E8_12 * K_thetadot10_8_2 - b7_30 - T(0.4) *
-      minus_B_thetadot10_8_3;
-  const T K_thetadot10_7_2 = T(0.1) * B_thetadot10_7_1 + b8_20 + E8_12 * K_thetadot10_8_1 + E8_11 * K_thetadot10_8_2;
-  const T b7_31 = T(0.3) * B_thetadot10_7_2;
-  const T K_thetadot10_7_3 = b7_31 - T(0.4) * B_thetadot10_7_1 + K_thetadot10_8_3;
+  const T K_thetadot10_7_1 = E8_11 * K_thetadot10_8_1 - E8_12 * K_thetadot10_8_2 - T(0.75) * minus_B_thetadot10_8_3;
+  const T K_thetadot10_7_2 = T(0.3) * minus_B_thetadot10_8_3 + E8_12 * K_thetadot10_8_1 + E8_11 * K_thetadot10_8_2;
+  const T K_thetadot10_7_3 = T(0.3) * B_thetadot10_7_2 - T(0.75) * B_thetadot10_7_1 + K_thetadot10_8_3;
   A[105] = K_thetadot10_7_2;
   A[150] = K_thetadot10_7_2;
   // B_thetadot9_7 = E8^T B_thetadot9_8
   const T B_thetadot9_7_1 = E8_12 * hc9_3;
   const T minus_B_thetadot9_7_2 = E8_11 * hc9_3;
   // K_thetadot9_7 = q8~ E8^T B_thetadot9_8 + E8^T K_thetadot9_8
-  const T b7_32 = T(0.1) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_1 = b7_32 + T(0.4) * hc9_2 + E8_11 * b8_3 - E8_12 * K_thetadot9_8_2;
-  const T K_thetadot9_7_2 = T(0.1) * B_thetadot9_7_1 - b8_9 + E8_12 * b8_3 + E8_11 * K_thetadot9_8_2;
-  const T b7_33 = T(0.3) * minus_B_thetadot9_7_2;
-  const T K_thetadot9_7_3 = K_thetadot9_8_3 - b7_33 - T(0.4) * B_thetadot9_7_1;
+  const T K_thetadot9_7_1 = T(0.75) * hc9_2 + E8_11 * b8_2 - E8_12 * b8_3;
+  const T K_thetadot9_7_2 = E8_12 * b8_2 + E8_11 * b8_3 - T(0.3) * hc9_2;
+  const T K_thetadot9_7_3 = b8_4 - (T(0.3) * minus_B_thetadot9_7_2 + T(0.75) * B_thetadot9_7_1);
   A[104] = K_thetadot9_7_2;
   A[134] = K_thetadot9_7_2;
-  A[103] = b7_16;
-  A[118] = b7_16;
+  A[103] = b7_5;
+  A[118] = b7_5;
 
   // ---- body 6 (body_6) and what it carries
-  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h6_1 = T(6.609999999999999) + hc7_1;
-  const T h6_2 = T(7.845) + h7_2;
+  // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h6_2 = T(16.105) + hc8_2;
   const T h6_3 = T(2.23) + hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_1 = E7_11 * J7_11 + minus_E7_13 * J7_31;
-  const T b6_2 = E7_11 * J7_13 + minus_E7_13 * J7_33;
-  const T b6_3 = T(0.1) * hc7_3;
-  const T b6_4 = T(7.5249999999999995) + h7_2;
-  const T b6_5 = T(0.35) * h7_2 + b6_4 * T(0.35);
-  const T b6_6 = hc7_3 + T(2.15);
-  const T b6_7 = b6_6 * T(0.1);
-  const T J6_11 = b6_1 * E7_11 + b6_2 * minus_E7_13 + b6_3 + b6_5 + T(0.228) + b6_7;
-  const T b6_8 = E7_11 * J7_12 + minus_E7_13 * J7_32;
-  const T b6_9 = b6_8 - T(0.35) * hc7_1;
-  const T J6_12 = b6_9 - T(0.024000000000000004) - b6_4 * T(0.3);
-  const T b6_10 = b6_2 * E7_11 - b6_1 * minus_E7_13 - T(0.003200000000000002);
-  const T J6_13 = b6_10 - T(0.1) * hc7_1 - b6_6 * T(0.3);
-  const T b6_11 = hc7_1 + T(6.45);
-  const T J6_21 = b6_8 - T(0.3) * h7_2 - T(0.024000000000000004) - b6_11 * T(0.35);
-  const T b6_12 = T(0.3) * hc7_1;
-  const T b6_13 = b6_3 + b6_12 + J7_22;
-  const T b6_14 = b6_11 * T(0.3);
-  const T J6_22 = b6_13 + T(0.212) + b6_7 + b6_14;
-  const T b6_15 = J7_23 * E7_11 - J7_21 * minus_E7_13 - T(0.022400000000000003);
-  const T J6_23 = b6_15 - T(0.1) * h7_2 - b6_6 * T(0.35);
-  const T b6_16 = T(0.3) * hc7_3;
-  const T J6_31 = b6_10 - b6_16 - b6_11 * T(0.1);
-  const T b6_17 = T(0.35) * hc7_3;
-  const T J6_32 = b6_15 - b6_17 - b6_4 * T(0.1);
-  const T J6_33 = (E7_11 * J7_33 - minus_E7_13 * J7_13) * E7_11 - (E7_11 * J7_31 - minus_E7_13 * J7_11) * minus_E7_13
-      + b6_5 + b6_12 + T(0.20800000000000002) + b6_14;
+  // J6 = -q7~ hc7~ + E7^T J7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b6_1 = minus_E7_13 * (J7_33 - J7_11) + T(2) * E7_11 * J7_13;
+  const T b6_2 = minus_E7_13 * b6_1;
+  const T b6_3 = T(0.2) * hc7_3;
+  const T J6_11 = J7_11 + b6_2 + b6_3 + T(14.02975);
+  const T b6_4 = E7_11 * J7_12 + minus_E7_13 * J7_23;
+  const T J6_12 = b6_4 - T(9.591) - T(0.6) * hc8_2;
+  const T J6_13 = E7_11 * b6_1 - J7_13 - T(0.1) * hc7_1 - T(1.3172) - T(0.6) * hc7_3;
+  const T b6_5 = T(0.1) * hc7_3 + T(0.6) * hc7_1;
+  const T b6_6 = b6_5 + J7_22;
+  const T J6_22 = b6_6 + b6_5;
+  const T b6_7 = E7_11 * J7_23 - minus_E7_13 * J7_12;
+  const T J6_23 = b6_7 - T(0.1) * hc8_2 - T(1.6009);
+  const T J6_33 = J7_33 - b6_2 + T(1.2) * hc7_1 + T(13.36775);
   A[85] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * h6_2 - E6_23 * h6_3;
@@ -5779,142 +5015,105 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_6_1 = E7_11 * B_thetadot16_7_1 + minus_E7_13 * B_thetadot16_8_3;
   const T B_thetadot16_6_3 = E7_11 * B_thetadot16_8_3 - minus_E7_13 * B_thetadot16_7_1;
   // K_thetadot16_6 = q7~ E7^T B_thetadot16_7 + E7^T K_thetadot16_7
-  const T K_thetadot16_6_1 = T(0.35) * B_thetadot16_6_3 - b7_18 + E7_11 * K_thetadot16_7_1 + minus_E7_13 *
-      K_thetadot16_7_3;
-  const T b6_18 = T(0.1) * B_thetadot16_6_1;
-  const T K_thetadot16_6_2 = b6_18 - T(0.3) * B_thetadot16_6_3 + K_thetadot16_7_2;
-  const T K_thetadot16_6_3 = b7_19 - T(0.35) * B_thetadot16_6_1 + E7_11 * K_thetadot16_7_3 - minus_E7_13 *
-      K_thetadot16_7_1;
+  const T K_thetadot16_6_1 = E7_11 * K_thetadot16_7_1 + minus_E7_13 * K_thetadot16_7_3 - T(0.1) * B_thetadot16_7_2;
+  const T K_thetadot16_6_2 = T(0.1) * B_thetadot16_6_1 - T(0.6) * B_thetadot16_6_3 + K_thetadot16_7_2;
+  const T K_thetadot16_6_3 = T(0.6) * B_thetadot16_7_2 + E7_11 * K_thetadot16_7_3 - minus_E7_13 * K_thetadot16_7_1;
   A[95] = K_thetadot16_6_1;
   A[245] = K_thetadot16_6_1;
   // B_thetadot15_6 = E7^T B_thetadot15_7
   const T B_thetadot15_6_1 = E7_11 * B_thetadot15_7_1 + minus_E7_13 * B_thetadot15_8_3;
   const T B_thetadot15_6_3 = E7_11 * B_thetadot15_8_3 - minus_E7_13 * B_thetadot15_7_1;
   // K_thetadot15_6 = q7~ E7^T B_thetadot15_7 + E7^T K_thetadot15_7
-  const T K_thetadot15_6_1 = T(0.35) * B_thetadot15_6_3 - b7_20 + E7_11 * K_thetadot15_7_1 + minus_E7_13 *
-      K_thetadot15_7_3;
-  const T b6_19 = T(0.1) * B_thetadot15_6_1;
-  const T K_thetadot15_6_2 = b6_19 - T(0.3) * B_thetadot15_6_3 + K_thetadot15_7_2;
-  const T K_thetadot15_6_3 = b7_21 - T(0.35) * B_thetadot15_6_1 + E7_11 * K_thetadot15_7_3 - minus_E7_13 *
-      K_thetadot15_7_1;
+  const T K_thetadot15_6_1 = E7_11 * K_thetadot15_7_1 + minus_E7_13 * K_thetadot15_7_3 - T(0.1) * B_thetadot15_7_2;
+  const T K_thetadot15_6_2 = T(0.1) * B_thetadot15_6_1 - T(0.6) * B_thetadot15_6_3 + K_thetadot15_7_2;
+  const T K_thetadot15_6_3 = T(0.6) * B_thetadot15_7_2 + E7_11 * K_thetadot15_7_3 - minus_E7_13 * K_thetadot15_7_1;
   A[94] = K_thetadot15_6_1;
   A[229] = K_thetadot15_6_1;
   // B_thetadot14_6 = E7^T B_thetadot14_7
   const T B_thetadot14_6_1 = E7_11 * B_thetadot14_7_1 + minus_E7_13 * B_thetadot14_8_3;
   const T B_thetadot14_6_3 = E7_11 * B_thetadot14_8_3 - minus_E7_13 * B_thetadot14_7_1;
   // K_thetadot14_6 = q7~ E7^T B_thetadot14_7 + E7^T K_thetadot14_7
-  const T K_thetadot14_6_1 = T(0.35) * B_thetadot14_6_3 - b7_22 + E7_11 * K_thetadot14_7_1 + minus_E7_13 *
-      K_thetadot14_7_3;
-  const T b6_20 = T(0.1) * B_thetadot14_6_1;
-  const T K_thetadot14_6_2 = b6_20 - T(0.3) * B_thetadot14_6_3 + K_thetadot14_7_2;
-  const T K_thetadot14_6_3 = b7_23 - T(0.35) * B_thetadot14_6_1 + E7_11 * K_thetadot14_7_3 - minus_E7_13 *
-      K_thetadot14_7_1;
+  const T K_thetadot14_6_1 = E7_11 * K_thetadot14_7_1 + minus_E7_13 * K_thetadot14_7_3 - T(0.1) * B_thetadot14_7_2;
+  const T K_thetadot14_6_2 = T(0.1) * B_thetadot14_6_1 - T(0.6) * B_thetadot14_6_3 + K_thetadot14_7_2;
+  const T K_thetadot14_6_3 = T(0.6) * B_thetadot14_7_2 + E7_11 * K_thetadot14_7_3 - minus_E7_13 * K_thetadot14_7_1;
   A[93] = K_thetadot14_6_1;
   A[213] = K_thetadot14_6_1;
   // B_thetadot13_6 = E7^T B_thetadot13_7
   const T B_thetadot13_6_1 = E7_11 * B_thetadot13_7_1 + minus_E7_13 * B_thetadot13_8_3;
   const T B_thetadot13_6_3 = E7_11 * B_thetadot13_8_3 - minus_E7_13 * B_thetadot13_7_1;
   // K_thetadot13_6 = q7~ E7^T B_thetadot13_7 + E7^T K_thetadot13_7
-  const T K_thetadot13_6_1 = T(0.35) * B_thetadot13_6_3 - b7_24 + E7_11 * K_thetadot13_7_1 + minus_E7_13 *
-      K_thetadot13_7_3;
-  const T b6_21 = T(0.1) * B_thetadot13_6_1;
-  const T K_thetadot13_6_2 = b6_21 - T(0.3) * B_thetadot13_6_3 + K_thetadot13_7_2;
-  const T K_thetadot13_6_3 = b7_25 - T(0.35) * B_thetadot13_6_1 + E7_11 * K_thetadot13_7_3 - minus_E7_13 *
-      K_thetadot13_7_1;
+  const T K_thetadot13_6_1 = E7_11 * K_thetadot13_7_1 + minus_E7_13 * K_thetadot13_7_3 - T(0.1) * B_thetadot13_7_2;
+  const T K_thetadot13_6_2 = T(0.1) * B_thetadot13_6_1 - T(0.6) * B_thetadot13_6_3 + K_thetadot13_7_2;
+  const T K_thetadot13_6_3 = T(0.6) * B_thetadot13_7_2 + E7_11 * K_thetadot13_7_3 - minus_E7_13 * K_thetadot13_7_1;
   A[92] = K_thetadot13_6_1;
   A[197] = K_thetadot13_6_1;
   // B_thetadot12_6 = E7^T B_thetadot12_7
   const T B_thetadot12_6_1 = E7_11 * B_thetadot12_7_1 + minus_E7_13 * B_thetadot12_8_3;
   const T B_thetadot12_6_3 = E7_11 * B_thetadot12_8_3 - minus_E7_13 * B_thetadot12_7_1;
   // K_thetadot12_6 = q7~ E7^T B_thetadot12_7 + E7^T K_thetadot12_7
-  const T K_thetadot12_6_1 = T(0.35) * B_thetadot12_6_3 - b7_26 + E7_11 * K_thetadot12_7_1 + minus_E7_13 *
-      K_thetadot12_7_3;
-  const T b6_22 = T(0.1) * B_thetadot12_6_1;
-  const T K_thetadot12_6_2 = b6_22 - T(0.3) * B_thetadot12_6_3 + K_thetadot12_7_2;
-  const T K_thetadot12_6_3 = b7_27 - T(0.35) * B_thetadot12_6_1 + E7_11 * K_thetadot12_7_3 - minus_E7_13 *
-      K_thetadot12_7_1;
+  const T K_thetadot12_6_1 = E7_11 * K_thetadot12_7_1 + minus_E7_13 * K_thetadot12_7_3 - T(0.1) * B_thetadot12_7_2;
+  const T K_thetadot12_6_2 = T(0.1) * B_thetadot12_6_1 - T(0.6) * B_thetadot12_6_3 + K_thetadot12_7_2;
+  const T K_thetadot12_6_3 = T(0.6) * B_thetadot12_7_2 + E7_11 * K_thetadot12_7_3 - minus_E7_13 * K_thetadot12_7_1;
   A[91] = K_thetadot12_6_1;
   A[181] = K_thetadot12_6_1;
   // B_thetadot11_6 = E7^T B_thetadot11_7
   const T B_thetadot11_6_1 = minus_E7_13 * B_thetadot11_8_3 - E7_11 * minus_B_thetadot11_7_1;
   const T B_thetadot11_6_3 = minus_E7_13 * minus_B_thetadot11_7_1 + E7_11 * B_thetadot11_8_3;
   // K_thetadot11_6 = q7~ E7^T B_thetadot11_7 + E7^T K_thetadot11_7
-  const T K_thetadot11_6_1 = T(0.35) * B_thetadot11_6_3 - b7_28 + E7_11 * K_thetadot11_7_1 + minus_E7_13 *
-      K_thetadot11_7_3;
-  const T b6_23 = T(0.1) * B_thetadot11_6_1;
-  const T K_thetadot11_6_2 = b6_23 - T(0.3) * B_thetadot11_6_3 + K_thetadot11_7_2;
-  const T K_thetadot11_6_3 = b7_29 - T(0.35) * B_thetadot11_6_1 + E7_11 * K_thetadot11_7_3 - minus_E7_13 *
-      K_thetadot11_7_1;
+  const T K_thetadot11_6_1 = E7_11 * K_thetadot11_7_1 + minus_E7_13 * K_thetadot11_7_3 - T(0.1) * B_thetadot11_7_2;
+  const T K_thetadot11_6_2 = T(0.1) * B_thetadot11_6_1 - T(0.6) * B_thetadot11_6_3 + K_thetadot11_7_2;
+  const T K_thetadot11_6_3 = T(0.6) * B_thetadot11_7_2 + E7_11 * K_thetadot11_7_3 - minus_E7_13 * K_thetadot11_7_1;
   A[90] = K_thetadot11_6_1;
   A[165] = K_thetadot11_6_1;
   // B_thetadot10_6 = E7^T B_thetadot10_7
   const T B_thetadot10_6_1 = E7_11 * B_thetadot10_7_1 - minus_E7_13 * minus_B_thetadot10_8_3;
   const T minus_B_thetadot10_6_3 = minus_E7_13 * B_thetadot10_7_1 + E7_11 * minus_B_thetadot10_8_3;
   // K_thetadot10_6 = q7~ E7^T B_thetadot10_7 + E7^T K_thetadot10_7
-  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 + minus_E7_13 * K_thetadot10_7_3 - b7_30 - T(0.35) *
-      minus_B_thetadot10_6_3;
-  const T b6_24 = T(0.1) * B_thetadot10_6_1;
-  const T K_thetadot10_6_2 = b6_24 + T(0.3) * minus_B_thetadot10_6_3 + K_thetadot10_7_2;
-  const T K_thetadot10_6_3 = b7_31 - T(0.35) * B_thetadot10_6_1 + E7_11 * K_thetadot10_7_3 - minus_E7_13 *
-      K_thetadot10_7_1;
+  const T K_thetadot10_6_1 = E7_11 * K_thetadot10_7_1 + minus_E7_13 * K_thetadot10_7_3 - T(0.1) * B_thetadot10_7_2;
+  const T K_thetadot10_6_2 = T(0.1) * B_thetadot10_6_1 + T(0.6) * minus_B_thetadot10_6_3 + K_thetadot10_7_2;
+  const T K_thetadot10_6_3 = T(0.6) * B_thetadot10_7_2 + E7_11 * K_thetadot10_7_3 - minus_E7_13 * K_thetadot10_7_1;
   A[89] = K_thetadot10_6_1;
   A[149] = K_thetadot10_6_1;
   // B_thetadot9_6 = E7^T B_thetadot9_7
   const T B_thetadot9_6_1 = E7_11 * B_thetadot9_7_1 + minus_E7_13 * hc9_2;
   const T B_thetadot9_6_3 = E7_11 * hc9_2 - minus_E7_13 * B_thetadot9_7_1;
   // K_thetadot9_6 = q7~ E7^T B_thetadot9_7 + E7^T K_thetadot9_7
-  const T K_thetadot9_6_1 = b7_32 + T(0.35) * B_thetadot9_6_3 + E7_11 * K_thetadot9_7_1 + minus_E7_13 *
-      K_thetadot9_7_3;
-  const T b6_25 = T(0.1) * B_thetadot9_6_1;
-  const T K_thetadot9_6_2 = b6_25 - T(0.3) * B_thetadot9_6_3 + K_thetadot9_7_2;
-  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - minus_E7_13 * K_thetadot9_7_1 - b7_33 - T(0.35) *
-      B_thetadot9_6_1;
+  const T K_thetadot9_6_1 = T(0.1) * minus_B_thetadot9_7_2 + E7_11 * K_thetadot9_7_1 + minus_E7_13 * K_thetadot9_7_3;
+  const T K_thetadot9_6_2 = T(0.1) * B_thetadot9_6_1 - T(0.6) * B_thetadot9_6_3 + K_thetadot9_7_2;
+  const T K_thetadot9_6_3 = E7_11 * K_thetadot9_7_3 - minus_E7_13 * K_thetadot9_7_1 - T(0.6) * minus_B_thetadot9_7_2;
   A[88] = K_thetadot9_6_1;
   A[133] = K_thetadot9_6_1;
   // B_thetadot8_6 = E7^T B_thetadot8_7
   const T minus_B_thetadot8_6_1 = E7_11 * hc8_2;
   const T B_thetadot8_6_3 = minus_E7_13 * hc8_2;
   // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
-  const T K_thetadot8_6_1 = T(0.35) * B_thetadot8_6_3 - b7_10 + E7_11 * b7_11 + minus_E7_13 * b7_17;
-  const T b6_26 = T(0.1) * minus_B_thetadot8_6_1;
-  const T K_thetadot8_6_2 = b7_16 - b6_26 - T(0.3) * B_thetadot8_6_3;
-  const T K_thetadot8_6_3 = b7_13 + T(0.35) * minus_B_thetadot8_6_1 + E7_11 * b7_17 - minus_E7_13 * b7_11;
+  const T K_thetadot8_6_1 = E7_11 * b7_3 + minus_E7_13 * b7_7 - T(0.1) * hc8_1;
+  const T K_thetadot8_6_2 = b7_5 - (T(0.1) * minus_B_thetadot8_6_1 + T(0.6) * B_thetadot8_6_3);
+  const T K_thetadot8_6_3 = b7_4 + E7_11 * b7_7 - minus_E7_13 * b7_3;
   A[87] = K_thetadot8_6_1;
   A[117] = K_thetadot8_6_1;
-  // K_thetadot7_6 = q7~ E7^T B_thetadot7_7 + E7^T K_thetadot7_7
-  const T K_thetadot7_6_3 = E7_11 * J7_32 - minus_E7_13 * J7_12 - b6_17;
-  A[86] = b6_9;
-  A[101] = b6_9;
+  A[86] = b6_4;
+  A[101] = b6_4;
 
   // ---- body 5 (body_5) and what it carries
-  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = T(7.08) + h6_1;
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h5_1 = T(13.69) + hc7_1;
   const T h5_2 = T(7.2299999999999995) + hc6_2;
-  const T h5_3 = T(2.3850000000000002) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_1 = T(0.1) * hc6_3;
-  const T b5_2 = T(0.3) * hc6_2;
-  const T b5_3 = b5_1 + b5_2 + J6_11;
-  const T b5_4 = hc6_3 + T(2.31);
-  const T b5_5 = b5_4 * T(0.1);
-  const T b5_6 = (T(6.93) + hc6_2) * T(0.3);
-  const T J5_11 = b5_3 + T(0.21375) + b5_5 + b5_6;
-  const T b5_7 = J6_12 * E6_22 - J6_13 * E6_23 - T(0.022500000000000003);
-  const T b5_8 = T(0.3) * h6_1;
-  const T b5_9 = b5_8 + b5_6;
-  const T J5_12 = b5_7 - b5_9;
-  const T b5_10 = b5_4 * T(0.3);
-  const T J5_13 = J6_12 * E6_23 + J6_13 * E6_22 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_10;
-  const T b5_11 = (h6_1 + T(6.93)) * T(0.3);
-  const T b5_12 = b5_2 + b5_11;
-  const T J5_21 = b5_7 - b5_12;
-  const T b5_13 = E6_22 * J6_22 - E6_23 * J6_32;
-  const T b5_14 = E6_22 * J6_23 - E6_23 * J6_33;
-  const T J5_22 = b5_13 * E6_22 - b5_14 * E6_23 + b5_1 + b5_8 + T(0.19874999999999998) + b5_5 + b5_11;
-  const T J5_23 = b5_13 * E6_23 + b5_14 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_10;
-  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_12 + b5_9 +
-      T(0.195);
+  // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_1 = T(0.3) * hc6_2;
+  const T b5_2 = T(0.2) * hc6_3 + b5_1;
+  const T b5_3 = b5_2 + J6_11;
+  const T J5_11 = b5_3 + b5_2;
+  const T b5_4 = E6_22 * J6_12 - E6_23 * J6_13;
+  const T J5_12 = b5_4 - T(0.3) * hc7_1 - T(4.084499999999999);
+  const T b5_5 = E6_23 * J6_12 + E6_22 * J6_13;
+  const T J5_13 = b5_5 - T(0.2) * hc7_1 - T(2.726);
+  const T b5_6 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
+  const T b5_7 = E6_23 * b5_6;
+  const T J5_22 = J6_22 - b5_7 + T(0.4) * hc6_3 + T(6.313);
+  const T b5_8 = T(0.3) * hc6_3;
+  const T J5_23 = E6_22 * b5_6 - J6_23 - T(0.2) * hc6_2 - T(1.437) - b5_8;
+  const T J5_33 = J6_33 + b5_7 + T(0.6) * hc6_2 + T(10.681);
   A[68] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
@@ -5923,151 +5122,123 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_5_2 = E6_22 * B_thetadot16_7_2 - E6_23 * B_thetadot16_6_3;
   const T B_thetadot16_5_3 = E6_23 * B_thetadot16_7_2 + E6_22 * B_thetadot16_6_3;
   // K_thetadot16_5 = q6~ E6^T B_thetadot16_6 + E6^T K_thetadot16_6
-  const T b5_15 = T(0.3) * B_thetadot16_5_3;
-  const T K_thetadot16_5_1 = b5_15 - T(0.1) * B_thetadot16_5_2 + K_thetadot16_6_1;
-  const T K_thetadot16_5_2 = b6_18 - b5_15 + E6_22 * K_thetadot16_6_2 - E6_23 * K_thetadot16_6_3;
-  const T K_thetadot16_5_3 = T(0.3) * B_thetadot16_5_2 - T(0.3) * B_thetadot16_6_1 + E6_23 * K_thetadot16_6_2 + E6_22
-      * K_thetadot16_6_3;
+  const T b5_9 = T(0.3) * B_thetadot16_5_3;
+  const T K_thetadot16_5_1 = b5_9 - T(0.2) * B_thetadot16_5_2 + K_thetadot16_6_1;
+  const T K_thetadot16_5_2 = T(0.2) * B_thetadot16_6_1 + E6_22 * K_thetadot16_6_2 - E6_23 * K_thetadot16_6_3;
+  const T K_thetadot16_5_3 = E6_23 * K_thetadot16_6_2 + E6_22 * K_thetadot16_6_3 - T(0.3) * B_thetadot16_6_1;
   A[79] = K_thetadot16_5_3;
   A[244] = K_thetadot16_5_3;
   // B_thetadot15_5 = E6^T B_thetadot15_6
   const T B_thetadot15_5_2 = E6_22 * B_thetadot15_7_2 - E6_23 * B_thetadot15_6_3;
   const T B_thetadot15_5_3 = E6_23 * B_thetadot15_7_2 + E6_22 * B_thetadot15_6_3;
   // K_thetadot15_5 = q6~ E6^T B_thetadot15_6 + E6^T K_thetadot15_6
-  const T b5_16 = T(0.3) * B_thetadot15_5_3;
-  const T K_thetadot15_5_1 = b5_16 - T(0.1) * B_thetadot15_5_2 + K_thetadot15_6_1;
-  const T K_thetadot15_5_2 = b6_19 - b5_16 + E6_22 * K_thetadot15_6_2 - E6_23 * K_thetadot15_6_3;
-  const T K_thetadot15_5_3 = T(0.3) * B_thetadot15_5_2 - T(0.3) * B_thetadot15_6_1 + E6_23 * K_thetadot15_6_2 + E6_22
-      * K_thetadot15_6_3;
+  const T b5_10 = T(0.3) * B_thetadot15_5_3;
+  const T K_thetadot15_5_1 = b5_10 - T(0.2) * B_thetadot15_5_2 + K_thetadot15_6_1;
+  const T K_thetadot15_5_2 = T(0.2) * B_thetadot15_6_1 + E6_22 * K_thetadot15_6_2 - E6_23 * K_thetadot15_6_3;
+  const T K_thetadot15_5_3 = E6_23 * K_thetadot15_6_2 + E6_22 * K_thetadot15_6_3 - T(0.3) * B_thetadot15_6_1;
   A[78] = K_thetadot15_5_3;
   A[228] = K_thetadot15_5_3;
   // B_thetadot14_5 = E6^T B_thetadot14_6
   const T B_thetadot14_5_2 = E6_22 * B_thetadot14_7_2 - E6_23 * B_thetadot14_6_3;
   const T B_thetadot14_5_3 = E6_23 * B_thetadot14_7_2 + E6_22 * B_thetadot14_6_3;
   // K_thetadot14_5 = q6~ E6^T B_thetadot14_6 + E6^T K_thetadot14_6
-  const T b5_17 = T(0.3) * B_thetadot14_5_3;
-  const T K_thetadot14_5_1 = b5_17 - T(0.1) * B_thetadot14_5_2 + K_thetadot14_6_1;
-  const T K_thetadot14_5_2 = b6_20 - b5_17 + E6_22 * K_thetadot14_6_2 - E6_23 * K_thetadot14_6_3;
-  const T K_thetadot14_5_3 = T(0.3) * B_thetadot14_5_2 - T(0.3) * B_thetadot14_6_1 + E6_23 * K_thetadot14_6_2 + E6_22
-      * K_thetadot14_6_3;
+  const T b5_11 = T(0.3) * B_thetadot14_5_3;
+  const T K_thetadot14_5_1 = b5_11 - T(0.2) * B_thetadot14_5_2 + K_thetadot14_6_1;
+  const T K_thetadot14_5_2 = T(0.2) * B_thetadot14_6_1 + E6_22 * K_thetadot14_6_2 - E6_23 * K_thetadot14_6_3;
+  const T K_thetadot14_5_3 = E6_23 * K_thetadot14_6_2 + E6_22 * K_thetadot14_6_3 - T(0.3) * B_thetadot14_6_1;
   A[77] = K_thetadot14_5_3;
   A[212] = K_thetadot14_5_3;
   // B_thetadot13_5 = E6^T B_thetadot13_6
   const T B_thetadot13_5_2 = E6_22 * B_thetadot13_7_2 - E6_23 * B_thetadot13_6_3;
   const T B_thetadot13_5_3 = E6_23 * B_thetadot13_7_2 + E6_22 * B_thetadot13_6_3;
   // K_thetadot13_5 = q6~ E6^T B_thetadot13_6 + E6^T K_thetadot13_6
-  const T b5_18 = T(0.3) * B_thetadot13_5_3;
-  const T K_thetadot13_5_1 = b5_18 - T(0.1) * B_thetadot13_5_2 + K_thetadot13_6_1;
-  const T K_thetadot13_5_2 = b6_21 - b5_18 + E6_22 * K_thetadot13_6_2 - E6_23 * K_thetadot13_6_3;
-  const T K_thetadot13_5_3 = T(0.3) * B_thetadot13_5_2 - T(0.3) * B_thetadot13_6_1 + E6_23 * K_thetadot13_6_2 + E6_22
-      * K_thetadot13_6_3;
+  const T b5_12 = T(0.3) * B_thetadot13_5_3;
+  const T K_thetadot13_5_1 = b5_12 - T(0.2) * B_thetadot13_5_2 + K_thetadot13_6_1;
+  const T K_thetadot13_5_2 = T(0.2) * B_thetadot13_6_1 + E6_22 * K_thetadot13_6_2 - E6_23 * K_thetadot13_6_3;
+  const T K_thetadot13_5_3 = E6_23 * K_thetadot13_6_2 + E6_22 * K_thetadot13_6_3 - T(0.3) * B_thetadot13_6_1;
   A[76] = K_thetadot13_5_3;
   A[196] = K_thetadot13_5_3;
   // B_thetadot12_5 = E6^T B_thetadot12_6
   const T B_thetadot12_5_2 = E6_22 * B_thetadot12_7_2 - E6_23 * B_thetadot12_6_3;
   const T B_thetadot12_5_3 = E6_23 * B_thetadot12_7_2 + E6_22 * B_thetadot12_6_3;
   // K_thetadot12_5 = q6~ E6^T B_thetadot12_6 + E6^T K_thetadot12_6
-  const T b5_19 = T(0.3) * B_thetadot12_5_3;
-  const T K_thetadot12_5_1 = b5_19 - T(0.1) * B_thetadot12_5_2 + K_thetadot12_6_1;
-  const T K_thetadot12_5_2 = b6_22 - b5_19 + E6_22 * K_thetadot12_6_2 - E6_23 * K_thetadot12_6_3;
-  const T K_thetadot12_5_3 = T(0.3) * B_thetadot12_5_2 - T(0.3) * B_thetadot12_6_1 + E6_23 * K_thetadot12_6_2 + E6_22
-      * K_thetadot12_6_3;
+  const T b5_13 = T(0.3) * B_thetadot12_5_3;
+  const T K_thetadot12_5_1 = b5_13 - T(0.2) * B_thetadot12_5_2 + K_thetadot12_6_1;
+  const T K_thetadot12_5_2 = T(0.2) * B_thetadot12_6_1 + E6_22 * K_thetadot12_6_2 - E6_23 * K_thetadot12_6_3;
+  const T K_thetadot12_5_3 = E6_23 * K_thetadot12_6_2 + E6_22 * K_thetadot12_6_3 - T(0.3) * B_thetadot12_6_1;
   A[75] = K_thetadot12_5_3;
   A[180] = K_thetadot12_5_3;
   // B_thetadot11_5 = E6^T B_thetadot11_6
   const T B_thetadot11_5_2 = E6_22 * B_thetadot11_7_2 - E6_23 * B_thetadot11_6_3;
   const T B_thetadot11_5_3 = E6_23 * B_thetadot11_7_2 + E6_22 * B_thetadot11_6_3;
   // K_thetadot11_5 = q6~ E6^T B_thetadot11_6 + E6^T K_thetadot11_6
-  const T b5_20 = T(0.3) * B_thetadot11_5_3;
-  const T K_thetadot11_5_1 = b5_20 - T(0.1) * B_thetadot11_5_2 + K_thetadot11_6_1;
-  const T K_thetadot11_5_2 = b6_23 - b5_20 + E6_22 * K_thetadot11_6_2 - E6_23 * K_thetadot11_6_3;
-  const T K_thetadot11_5_3 = T(0.3) * B_thetadot11_5_2 - T(0.3) * B_thetadot11_6_1 + E6_23 * K_thetadot11_6_2 + E6_22
-      * K_thetadot11_6_3;
+  const T b5_14 = T(0.3) * B_thetadot11_5_3;
+  const T K_thetadot11_5_1 = b5_14 - T(0.2) * B_thetadot11_5_2 + K_thetadot11_6_1;
+  const T K_thetadot11_5_2 = T(0.2) * B_thetadot11_6_1 + E6_22 * K_thetadot11_6_2 - E6_23 * K_thetadot11_6_3;
+  const T K_thetadot11_5_3 = E6_23 * K_thetadot11_6_2 + E6_22 * K_thetadot11_6_3 - T(0.3) * B_thetadot11_6_1;
   A[74] = K_thetadot11_5_3;
   A[164] = K_thetadot11_5_3;
   // B_thetadot10_5 = E6^T B_thetadot10_6
   const T B_thetadot10_5_2 = E6_22 * B_thetadot10_7_2 + E6_23 * minus_B_thetadot10_6_3;
   const T B_thetadot10_5_3 = E6_23 * B_thetadot10_7_2 - E6_22 * minus_B_thetadot10_6_3;
   // K_thetadot10_5 = q6~ E6^T B_thetadot10_6 + E6^T K_thetadot10_6
-  const T b5_21 = T(0.3) * B_thetadot10_5_3;
-  const T K_thetadot10_5_1 = b5_21 - T(0.1) * B_thetadot10_5_2 + K_thetadot10_6_1;
-  const T K_thetadot10_5_2 = b6_24 - b5_21 + E6_22 * K_thetadot10_6_2 - E6_23 * K_thetadot10_6_3;
-  const T K_thetadot10_5_3 = T(0.3) * B_thetadot10_5_2 - T(0.3) * B_thetadot10_6_1 + E6_23 * K_thetadot10_6_2 + E6_22
-      * K_thetadot10_6_3;
+  const T b5_15 = T(0.3) * B_thetadot10_5_3;
+  const T K_thetadot10_5_1 = b5_15 - T(0.2) * B_thetadot10_5_2 + K_thetadot10_6_1;
+  const T K_thetadot10_5_2 = T(0.2) * B_thetadot10_6_1 + E6_22 * K_thetadot10_6_2 - E6_23 * K_thetadot10_6_3;
+  const T K_thetadot10_5_3 = E6_23 * K_thetadot10_6_2 + E6_22 * K_thetadot10_6_3 - T(0.3) * B_thetadot10_6_1;
   A[73] = K_thetadot10_5_3;
   A[148] = K_thetadot10_5_3;
   // B_thetadot9_5 = E6^T B_thetadot9_6
   const T minus_B_thetadot9_5_2 = E6_22 * minus_B_thetadot9_7_2 + E6_23 * B_thetadot9_6_3;
   const T B_thetadot9_5_3 = E6_22 * B_thetadot9_6_3 - E6_23 * minus_B_thetadot9_7_2;
   // K_thetadot9_5 = q6~ E6^T B_thetadot9_6 + E6^T K_thetadot9_6
-  const T b5_22 = T(0.3) * B_thetadot9_5_3;
-  const T K_thetadot9_5_1 = T(0.1) * minus_B_thetadot9_5_2 + b5_22 + K_thetadot9_6_1;
-  const T K_thetadot9_5_2 = b6_25 - b5_22 + E6_22 * K_thetadot9_6_2 - E6_23 * K_thetadot9_6_3;
-  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 + E6_22 * K_thetadot9_6_3 - T(0.3) * minus_B_thetadot9_5_2 -
-      T(0.3) * B_thetadot9_6_1;
+  const T b5_16 = T(0.3) * B_thetadot9_5_3;
+  const T K_thetadot9_5_1 = T(0.2) * minus_B_thetadot9_5_2 + b5_16 + K_thetadot9_6_1;
+  const T K_thetadot9_5_2 = T(0.2) * B_thetadot9_6_1 + E6_22 * K_thetadot9_6_2 - E6_23 * K_thetadot9_6_3;
+  const T K_thetadot9_5_3 = E6_23 * K_thetadot9_6_2 + E6_22 * K_thetadot9_6_3 - T(0.3) * B_thetadot9_6_1;
   A[72] = K_thetadot9_5_3;
   A[132] = K_thetadot9_5_3;
   // B_thetadot8_5 = E6^T B_thetadot8_6
   const T B_thetadot8_5_2 = E6_22 * hc8_1 - E6_23 * B_thetadot8_6_3;
   const T B_thetadot8_5_3 = E6_23 * hc8_1 + E6_22 * B_thetadot8_6_3;
   // K_thetadot8_5 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
-  const T b5_23 = T(0.3) * B_thetadot8_5_3;
-  const T K_thetadot8_5_1 = b5_23 - T(0.1) * B_thetadot8_5_2 + K_thetadot8_6_1;
-  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3 - b6_26 - b5_23;
-  const T K_thetadot8_5_3 = T(0.3) * B_thetadot8_5_2 + T(0.3) * minus_B_thetadot8_6_1 + E6_23 * K_thetadot8_6_2 +
-      E6_22 * K_thetadot8_6_3;
+  const T b5_17 = T(0.3) * B_thetadot8_5_3;
+  const T K_thetadot8_5_1 = b5_17 - T(0.2) * B_thetadot8_5_2 + K_thetadot8_6_1;
+  const T K_thetadot8_5_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3 - T(0.2) * minus_B_thetadot8_6_1;
+  const T K_thetadot8_5_3 = T(0.3) * minus_B_thetadot8_6_1 + E6_23 * K_thetadot8_6_2 + E6_22 * K_thetadot8_6_3;
   A[71] = K_thetadot8_5_3;
   A[116] = K_thetadot8_5_3;
   // B_thetadot7_5 = E6^T B_thetadot7_6
   const T B_thetadot7_5_2 = E6_23 * hc7_1;
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T b5_24 = T(0.3) * minus_B_thetadot7_5_3;
-  const T K_thetadot7_5_1 = b6_9 - T(0.1) * B_thetadot7_5_2 - b5_24;
-  const T K_thetadot7_5_2 = b6_3 + b5_24 + E6_22 * b6_13 - E6_23 * K_thetadot7_6_3;
-  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_16 + E6_23 * b6_13 + E6_22 * K_thetadot7_6_3;
+  const T b5_18 = T(0.3) * minus_B_thetadot7_5_3;
+  const T K_thetadot7_5_1 = b6_4 - (T(0.2) * B_thetadot7_5_2 + b5_18);
+  const T K_thetadot7_5_2 = b6_3 + E6_22 * b6_6 - E6_23 * b6_7;
+  const T K_thetadot7_5_3 = E6_23 * b6_6 + E6_22 * b6_7 - T(0.3) * hc7_3;
   A[70] = K_thetadot7_5_3;
   A[100] = K_thetadot7_5_3;
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T K_thetadot6_5_2 = E6_22 * J6_21 - E6_23 * J6_31 - b5_2;
-  const T K_thetadot6_5_3 = E6_23 * J6_21 + E6_22 * J6_31 - T(0.3) * hc6_3;
-  A[69] = K_thetadot6_5_3;
-  A[84] = K_thetadot6_5_3;
+  A[69] = b5_5;
+  A[84] = b5_5;
 
   // ---- body 4 (body_4) and what it carries
-  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  // h4 = h_own_4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h4_1 = T(7.52) + hc5_1;
-  const T h4_2 = T(6.43) + hc5_2;
-  const T h4_3 = T(2.5300000000000002) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b4_1 = E5_11 * J5_11 - E5_12 * J5_21;
-  const T b4_2 = E5_11 * J5_12 - E5_12 * J5_22;
-  const T b4_3 = h5_3 + T(2.46);
-  const T b4_4 = T(0.1) * h5_3 + b4_3 * T(0.1);
-  const T b4_5 = T(0.25) * hc5_2;
-  const T b4_6 = T(6.15) + hc5_2;
-  const T b4_7 = b4_6 * T(0.25);
-  const T J4_11 = b4_1 * E5_11 - b4_2 * E5_12 + b4_4 + b4_5 + T(0.1995) + b4_7;
-  const T b4_8 = b4_1 * E5_12 + b4_2 * E5_11 - T(0.021);
-  const T J4_12 = b4_8 - T(0.25) * hc5_1 - b4_6 * T(0.3);
-  const T b4_9 = E5_11 * J5_13 - E5_12 * J5_23;
-  const T b4_10 = T(0.1) * hc5_1;
-  const T b4_11 = b4_9 - b4_10;
-  const T J4_13 = b4_11 - T(0.0028000000000000004) - b4_3 * T(0.3);
-  const T b4_12 = hc5_1 + T(7.38);
-  const T J4_21 = b4_8 - T(0.3) * hc5_2 - b4_12 * T(0.25);
-  const T b4_13 = T(0.3) * hc5_1;
-  const T b4_14 = b4_12 * T(0.3);
-  const T J4_22 = (E5_12 * J5_11 + E5_11 * J5_21) * E5_12 + (E5_12 * J5_12 + E5_11 * J5_22) * E5_11 + b4_4 + b4_13 +
-      T(0.1855) + b4_14;
-  const T b4_15 = E5_12 * J5_13 + E5_11 * J5_23;
-  const T b4_16 = b4_15 - T(0.1) * hc5_2;
-  const T J4_23 = b4_16 - T(0.0196) - b4_3 * T(0.25);
-  const T J4_31 = b4_9 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_12 * T(0.1);
-  const T J4_32 = b4_15 - T(0.25) * h5_3 - T(0.0196) - b4_6 * T(0.1);
-  const T b4_17 = b4_13 + b4_5 + J5_33;
-  const T J4_33 = b4_17 + T(0.182) + b4_7 + b4_14;
+  const T h4_3 = T(4.915) + hc6_3;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = E5_12 * (J5_11 - J5_22) + T(2) * E5_11 * J5_12;
+  const T b4_2 = E5_12 * b4_1;
+  const T J4_11 = J5_11 - b4_2 + T(0.9) * hc5_2 + T(1.0502500000000001);
+  const T J4_12 = E5_11 * b4_1 - J5_12 - T(0.45) * hc5_1 - T(3.37) - T(0.3) * hc5_2;
+  const T b4_3 = E5_11 * J5_13 - E5_12 * J5_23;
+  const T J4_13 = b4_3 - T(1.4563) - b5_8;
+  const T b4_4 = T(0.6) * hc5_1;
+  const T J4_22 = J5_22 + b4_2 + b4_4 + T(5.64625);
+  const T b4_5 = E5_12 * J5_13 + E5_11 * J5_23;
+  const T J4_23 = b4_5 - T(2.2138500000000003) - T(0.45) * hc6_3;
+  const T b4_6 = T(0.3) * hc5_1 + T(0.45) * hc5_2;
+  const T b4_7 = b4_6 + J5_33;
+  const T J4_33 = b4_7 + b4_6;
   A[51] = J4_22;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
@@ -6076,161 +5247,122 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_4_1 = E5_11 * B_thetadot16_6_1 - E5_12 * B_thetadot16_5_2;
   const T B_thetadot16_4_2 = E5_12 * B_thetadot16_6_1 + E5_11 * B_thetadot16_5_2;
   // K_thetadot16_4 = q5~ E5^T B_thetadot16_5 + E5^T K_thetadot16_5
-  const T b4_18 = T(0.1) * B_thetadot16_4_2;
-  const T K_thetadot16_4_1 = T(0.25) * B_thetadot16_5_3 - b4_18 + E5_11 * K_thetadot16_5_1 - E5_12 * K_thetadot16_5_2;
-  const T K_thetadot16_4_2 = T(0.1) * B_thetadot16_4_1 - b5_15 + E5_12 * K_thetadot16_5_1 + E5_11 * K_thetadot16_5_2;
-  const T b4_19 = T(0.3) * B_thetadot16_4_2;
-  const T K_thetadot16_4_3 = b4_19 - T(0.25) * B_thetadot16_4_1 + K_thetadot16_5_3;
+  const T K_thetadot16_4_1 = T(0.45) * B_thetadot16_5_3 + E5_11 * K_thetadot16_5_1 - E5_12 * K_thetadot16_5_2;
+  const T K_thetadot16_4_2 = E5_12 * K_thetadot16_5_1 + E5_11 * K_thetadot16_5_2 - b5_9;
+  const T K_thetadot16_4_3 = T(0.3) * B_thetadot16_4_2 - T(0.45) * B_thetadot16_4_1 + K_thetadot16_5_3;
   A[63] = K_thetadot16_4_2;
   A[243] = K_thetadot16_4_2;
   // B_thetadot15_4 = E5^T B_thetadot15_5
   const T B_thetadot15_4_1 = E5_11 * B_thetadot15_6_1 - E5_12 * B_thetadot15_5_2;
   const T B_thetadot15_4_2 = E5_12 * B_thetadot15_6_1 + E5_11 * B_thetadot15_5_2;
   // K_thetadot15_4 = q5~ E5^T B_thetadot15_5 + E5^T K_thetadot15_5
-  const T b4_20 = T(0.1) * B_thetadot15_4_2;
-  const T K_thetadot15_4_1 = T(0.25) * B_thetadot15_5_3 - b4_20 + E5_11 * K_thetadot15_5_1 - E5_12 * K_thetadot15_5_2;
-  const T K_thetadot15_4_2 = T(0.1) * B_thetadot15_4_1 - b5_16 + E5_12 * K_thetadot15_5_1 + E5_11 * K_thetadot15_5_2;
-  const T b4_21 = T(0.3) * B_thetadot15_4_2;
-  const T K_thetadot15_4_3 = b4_21 - T(0.25) * B_thetadot15_4_1 + K_thetadot15_5_3;
+  const T K_thetadot15_4_1 = T(0.45) * B_thetadot15_5_3 + E5_11 * K_thetadot15_5_1 - E5_12 * K_thetadot15_5_2;
+  const T K_thetadot15_4_2 = E5_12 * K_thetadot15_5_1 + E5_11 * K_thetadot15_5_2 - b5_10;
+  const T K_thetadot15_4_3 = T(0.3) * B_thetadot15_4_2 - T(0.45) * B_thetadot15_4_1 + K_thetadot15_5_3;
   A[62] = K_thetadot15_4_2;
   A[227] = K_thetadot15_4_2;
   // B_thetadot14_4 = E5^T B_thetadot14_5
   const T B_thetadot14_4_1 = E5_11 * B_thetadot14_6_1 - E5_12 * B_thetadot14_5_2;
   const T B_thetadot14_4_2 = E5_12 * B_thetadot14_6_1 + E5_11 * B_thetadot14_5_2;
   // K_thetadot14_4 = q5~ E5^T B_thetadot14_5 + E5^T K_thetadot14_5
-  const T b4_22 = T(0.1) * B_thetadot14_4_2;
-  const T K_thetadot14_4_1 = T(0.25) * B_thetadot14_5_3 - b4_22 + E5_11 * K_thetadot14_5_1 - E5_12 * K_thetadot14_5_2;
-  const T K_thetadot14_4_2 = T(0.1) * B_thetadot14_4_1 - b5_17 + E5_12 * K_thetadot14_5_1 + E5_11 * K_thetadot14_5_2;
-  const T b4_23 = T(0.3) * B_thetadot14_4_2;
-  const T K_thetadot14_4_3 = b4_23 - T(0.25) * B_thetadot14_4_1 + K_thetadot14_5_3;
+  const T K_thetadot14_4_1 = T(0.45) * B_thetadot14_5_3 + E5_11 * K_thetadot14_5_1 - E5_12 * K_thetadot14_5_2;
+  const T K_thetadot14_4_2 = E5_12 * K_thetadot14_5_1 + E5_11 * K_thetadot14_5_2 - b5_11;
+  const T K_thetadot14_4_3 = T(0.3) * B_thetadot14_4_2 - T(0.45) * B_thetadot14_4_1 + K_thetadot14_5_3;
   A[61] = K_thetadot14_4_2;
   A[211] = K_thetadot14_4_2;
   // B_thetadot13_4 = E5^T B_thetadot13_5
   const T B_thetadot13_4_1 = E5_11 * B_thetadot13_6_1 - E5_12 * B_thetadot13_5_2;
   const T B_thetadot13_4_2 = E5_12 * B_thetadot13_6_1 + E5_11 * B_thetadot13_5_2;
   // K_thetadot13_4 = q5~ E5^T B_thetadot13_5 + E5^T K_thetadot13_5
-  const T b4_24 = T(0.1) * B_thetadot13_4_2;
-  const T K_thetadot13_4_1 = T(0.25) * B_thetadot13_5_3 - b4_24 + E5_11 * K_thetadot13_5_1 - E5_12 * K_thetadot13_5_2;
-  const T K_thetadot13_4_2 = T(0.1) * B_thetadot13_4_1 - b5_18 + E5_12 * K_thetadot13_5_1 + E5_11 * K_thetadot13_5_2;
-  const T b4_25 = T(0.3) * B_thetadot13_4_2;
-  const T K_thetadot13_4_3 = b4_25 - T(0.25) * B_thetadot13_4_1 + K_thetadot13_5_3;
+  const T K_thetadot13_4_1 = T(0.45) * B_thetadot13_5_3 + E5_11 * K_thetadot13_5_1 - E5_12 * K_thetadot13_5_2;
+  const T K_thetadot13_4_2 = E5_12 * K_thetadot13_5_1 + E5_11 * K_thetadot13_5_2 - b5_12;
+  const T K_thetadot13_4_3 = T(0.3) * B_thetadot13_4_2 - T(0.45) * B_thetadot13_4_1 + K_thetadot13_5_3;
   A[60] = K_thetadot13_4_2;
   A[195] = K_thetadot13_4_2;
   // B_thetadot12_4 = E5^T B_thetadot12_5
   const T B_thetadot12_4_1 = E5_11 * B_thetadot12_6_1 - E5_12 * B_thetadot12_5_2;
   const T B_thetadot12_4_2 = E5_12 * B_thetadot12_6_1 + E5_11 * B_thetadot12_5_2;
   // K_thetadot12_4 = q5~ E5^T B_thetadot12_5 + E5^T K_thetadot12_5
-  const T b4_26 = T(0.1) * B_thetadot12_4_2;
-  const T K_thetadot12_4_1 = T(0.25) * B_thetadot12_5_3 - b4_26 + E5_11 * K_thetadot12_5_1 - E5_12 * K_thetadot12_5_2;
-  const T K_thetadot12_4_2 = T(0.1) * B_thetadot12_4_1 - b5_19 + E5_12 * K_thetadot12_5_1 + E5_11 * K_thetadot12_5_2;
-  const T b4_27 = T(0.3) * B_thetadot12_4_2;
-  const T K_thetadot12_4_3 = b4_27 - T(0.25) * B_thetadot12_4_1 + K_thetadot12_5_3;
+  const T K_thetadot12_4_1 = T(0.45) * B_thetadot12_5_3 + E5_11 * K_thetadot12_5_1 - E5_12 * K_thetadot12_5_2;
+  const T K_thetadot12_4_2 = E5_12 * K_thetadot12_5_1 + E5_11 * K_thetadot12_5_2 - b5_13;
+  const T K_thetadot12_4_3 = T(0.3) * B_thetadot12_4_2 - T(0.45) * B_thetadot12_4_1 + K_thetadot12_5_3;
   A[59] = K_thetadot12_4_2;
   A[179] = K_thetadot12_4_2;
   // B_thetadot11_4 = E5^T B_thetadot11_5
   const T B_thetadot11_4_1 = E5_11 * B_thetadot11_6_1 - E5_12 * B_thetadot11_5_2;
   const T B_thetadot11_4_2 = E5_12 * B_thetadot11_6_1 + E5_11 * B_thetadot11_5_2;
   // K_thetadot11_4 = q5~ E5^T B_thetadot11_5 + E5^T K_thetadot11_5
-  const T b4_28 = T(0.1) * B_thetadot11_4_2;
-  const T K_thetadot11_4_1 = T(0.25) * B_thetadot11_5_3 - b4_28 + E5_11 * K_thetadot11_5_1 - E5_12 * K_thetadot11_5_2;
-  const T K_thetadot11_4_2 = T(0.1) * B_thetadot11_4_1 - b5_20 + E5_12 * K_thetadot11_5_1 + E5_11 * K_thetadot11_5_2;
-  const T b4_29 = T(0.3) * B_thetadot11_4_2;
-  const T K_thetadot11_4_3 = b4_29 - T(0.25) * B_thetadot11_4_1 + K_thetadot11_5_3;
+  const T K_thetadot11_4_1 = T(0.45) * B_thetadot11_5_3 + E5_11 * K_thetadot11_5_1 - E5_12 * K_thetadot11_5_2;
+  const T K_thetadot11_4_2 = E5_12 * K_thetadot11_5_1 + E5_11 * K_thetadot11_5_2 - b5_14;
+  const T K_thetadot11_4_3 = T(0.3) * B_thetadot11_4_2 - T(0.45) * B_thetadot11_4_1 + K_thetadot11_5_3;
   A[58] = K_thetadot11_4_2;
   A[163] = K_thetadot11_4_2;
   // B_thetadot10_4 = E5^T B_thetadot10_5
   const T B_thetadot10_4_1 = E5_11 * B_thetadot10_6_1 - E5_12 * B_thetadot10_5_2;
   const T B_thetadot10_4_2 = E5_12 * B_thetadot10_6_1 + E5_11 * B_thetadot10_5_2;
   // K_thetadot10_4 = q5~ E5^T B_thetadot10_5 + E5^T K_thetadot10_5
-  const T b4_30 = T(0.1) * B_thetadot10_4_2;
-  const T K_thetadot10_4_1 = T(0.25) * B_thetadot10_5_3 - b4_30 + E5_11 * K_thetadot10_5_1 - E5_12 * K_thetadot10_5_2;
-  const T K_thetadot10_4_2 = T(0.1) * B_thetadot10_4_1 - b5_21 + E5_12 * K_thetadot10_5_1 + E5_11 * K_thetadot10_5_2;
-  const T b4_31 = T(0.3) * B_thetadot10_4_2;
-  const T K_thetadot10_4_3 = b4_31 - T(0.25) * B_thetadot10_4_1 + K_thetadot10_5_3;
+  const T K_thetadot10_4_1 = T(0.45) * B_thetadot10_5_3 + E5_11 * K_thetadot10_5_1 - E5_12 * K_thetadot10_5_2;
+  const T K_thetadot10_4_2 = E5_12 * K_thetadot10_5_1 + E5_11 * K_thetadot10_5_2 - b5_15;
+  const T K_thetadot10_4_3 = T(0.3) * B_thetadot10_4_2 - T(0.45) * B_thetadot10_4_1 + K_thetadot10_5_3;
   A[57] = K_thetadot10_4_2;
   A[147] = K_thetadot10_4_2;
   // B_thetadot9_4 = E5^T B_thetadot9_5
   const T B_thetadot9_4_1 = E5_11 * B_thetadot9_6_1 + E5_12 * minus_B_thetadot9_5_2;
   const T B_thetadot9_4_2 = E5_12 * B_thetadot9_6_1 - E5_11 * minus_B_thetadot9_5_2;
   // K_thetadot9_4 = q5~ E5^T B_thetadot9_5 + E5^T K_thetadot9_5
-  const T b4_32 = T(0.1) * B_thetadot9_4_2;
-  const T K_thetadot9_4_1 = T(0.25) * B_thetadot9_5_3 - b4_32 + E5_11 * K_thetadot9_5_1 - E5_12 * K_thetadot9_5_2;
-  const T K_thetadot9_4_2 = T(0.1) * B_thetadot9_4_1 - b5_22 + E5_12 * K_thetadot9_5_1 + E5_11 * K_thetadot9_5_2;
-  const T b4_33 = T(0.3) * B_thetadot9_4_2;
-  const T K_thetadot9_4_3 = b4_33 - T(0.25) * B_thetadot9_4_1 + K_thetadot9_5_3;
+  const T K_thetadot9_4_1 = T(0.45) * B_thetadot9_5_3 + E5_11 * K_thetadot9_5_1 - E5_12 * K_thetadot9_5_2;
+  const T K_thetadot9_4_2 = E5_12 * K_thetadot9_5_1 + E5_11 * K_thetadot9_5_2 - b5_16;
+  const T K_thetadot9_4_3 = T(0.3) * B_thetadot9_4_2 - T(0.45) * B_thetadot9_4_1 + K_thetadot9_5_3;
   A[56] = K_thetadot9_4_2;
   A[131] = K_thetadot9_4_2;
   // B_thetadot8_4 = E5^T B_thetadot8_5
   const T minus_B_thetadot8_4_1 = E5_11 * minus_B_thetadot8_6_1 + E5_12 * B_thetadot8_5_2;
   const T B_thetadot8_4_2 = E5_11 * B_thetadot8_5_2 - E5_12 * minus_B_thetadot8_6_1;
   // K_thetadot8_4 = q5~ E5^T B_thetadot8_5 + E5^T K_thetadot8_5
-  const T b4_34 = T(0.1) * B_thetadot8_4_2;
-  const T K_thetadot8_4_1 = T(0.25) * B_thetadot8_5_3 - b4_34 + E5_11 * K_thetadot8_5_1 - E5_12 * K_thetadot8_5_2;
-  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 + E5_11 * K_thetadot8_5_2 - T(0.1) * minus_B_thetadot8_4_1 -
-      b5_23;
-  const T b4_35 = T(0.3) * B_thetadot8_4_2;
-  const T K_thetadot8_4_3 = b4_35 + T(0.25) * minus_B_thetadot8_4_1 + K_thetadot8_5_3;
+  const T K_thetadot8_4_1 = T(0.45) * B_thetadot8_5_3 + E5_11 * K_thetadot8_5_1 - E5_12 * K_thetadot8_5_2;
+  const T K_thetadot8_4_2 = E5_12 * K_thetadot8_5_1 + E5_11 * K_thetadot8_5_2 - b5_17;
+  const T K_thetadot8_4_3 = T(0.3) * B_thetadot8_4_2 + T(0.45) * minus_B_thetadot8_4_1 + K_thetadot8_5_3;
   A[55] = K_thetadot8_4_2;
   A[115] = K_thetadot8_4_2;
   // B_thetadot7_4 = E5^T B_thetadot7_5
   const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
   const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
   // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T b4_36 = T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - E5_12 * K_thetadot7_5_2 - b4_36 - T(0.25) *
-      minus_B_thetadot7_5_3;
-  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_24 + E5_12 * K_thetadot7_5_1 + E5_11 * K_thetadot7_5_2;
-  const T b4_37 = T(0.3) * B_thetadot7_4_2;
-  const T K_thetadot7_4_3 = b4_37 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  const T K_thetadot7_4_1 = E5_11 * K_thetadot7_5_1 - E5_12 * K_thetadot7_5_2 - T(0.45) * minus_B_thetadot7_5_3;
+  const T K_thetadot7_4_2 = b5_18 + E5_12 * K_thetadot7_5_1 + E5_11 * K_thetadot7_5_2;
+  const T K_thetadot7_4_3 = T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1 + K_thetadot7_5_3;
   A[54] = K_thetadot7_4_2;
   A[99] = K_thetadot7_4_2;
   // B_thetadot6_4 = E5^T B_thetadot6_5
   const T B_thetadot6_4_1 = E5_12 * hc6_3;
   const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
   // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T b4_38 = T(0.1) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_1 = b4_38 + T(0.25) * hc6_2 + E5_11 * b5_3 - E5_12 * K_thetadot6_5_2;
-  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_2 + E5_12 * b5_3 + E5_11 * K_thetadot6_5_2;
-  const T b4_39 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - b4_39 - T(0.25) * B_thetadot6_4_1;
+  const T K_thetadot6_4_1 = T(0.45) * hc6_2 + E5_11 * b5_3 - E5_12 * b5_4;
+  const T K_thetadot6_4_2 = E5_12 * b5_3 + E5_11 * b5_4 - b5_1;
+  const T K_thetadot6_4_3 = b5_5 - (T(0.3) * minus_B_thetadot6_4_2 + T(0.45) * B_thetadot6_4_1);
   A[53] = K_thetadot6_4_2;
   A[83] = K_thetadot6_4_2;
-  A[52] = b4_16;
-  A[67] = b4_16;
+  A[52] = b4_5;
+  A[67] = b4_5;
 
   // ---- body 3 (body_3) and what it carries
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = T(7.93) + hc4_1;
-  const T h3_2 = T(5.46) + h4_2;
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_2 = T(11.89) + hc5_2;
   const T h3_3 = T(2.665) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_1 = E4_11 * J4_11 + minus_E4_13 * J4_31;
-  const T b3_2 = E4_11 * J4_13 + minus_E4_13 * J4_33;
-  const T b3_3 = T(0.1) * hc4_3;
-  const T b3_4 = T(5.2) + h4_2;
-  const T b3_5 = T(0.2) * h4_2 + b3_4 * T(0.2);
-  const T b3_6 = hc4_3 + T(2.6);
-  const T b3_7 = b3_6 * T(0.1);
-  const T J3_11 = b3_1 * E4_11 + b3_2 * minus_E4_13 + b3_3 + b3_5 + T(0.18525000000000003) + b3_7;
-  const T b3_8 = E4_11 * J4_12 + minus_E4_13 * J4_32;
-  const T b3_9 = b3_8 - T(0.2) * hc4_1;
-  const T J3_12 = b3_9 - T(0.019500000000000003) - b3_4 * T(0.3);
-  const T b3_10 = b3_2 * E4_11 - b3_1 * minus_E4_13 - T(0.002600000000000001);
-  const T J3_13 = b3_10 - T(0.1) * hc4_1 - b3_6 * T(0.3);
-  const T b3_11 = hc4_1 + T(7.8);
-  const T J3_21 = b3_8 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_11 * T(0.2);
-  const T b3_12 = T(0.3) * hc4_1;
-  const T b3_13 = b3_3 + b3_12 + J4_22;
-  const T b3_14 = b3_11 * T(0.3);
-  const T J3_22 = b3_13 + T(0.17225000000000001) + b3_7 + b3_14;
-  const T b3_15 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
-  const T J3_23 = b3_15 - T(0.1) * h4_2 - b3_6 * T(0.2);
-  const T J3_31 = b3_10 - T(0.3) * hc4_3 - b3_11 * T(0.1);
-  const T b3_16 = T(0.2) * hc4_3;
-  const T J3_32 = b3_15 - b3_16 - b3_4 * T(0.1);
-  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
-      + b3_5 + b3_12 + T(0.169) + b3_14;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_1 = minus_E4_13 * (J4_33 - J4_11) + T(2) * E4_11 * J4_13;
+  const T b3_2 = minus_E4_13 * b3_1;
+  const T b3_3 = T(0.2) * hc4_3;
+  const T J3_11 = J4_11 + b3_2 + b3_3 + T(7.99075);
+  const T b3_4 = E4_11 * J4_12 + minus_E4_13 * J4_23;
+  const T J3_12 = b3_4 - T(7.0755) - T(0.6) * hc5_2;
+  const T J3_13 = E4_11 * b3_1 - J4_13 - T(0.1) * hc4_1 - T(1.5821) - T(0.6) * hc4_3;
+  const T b3_5 = T(0.1) * hc4_3 + T(0.6) * hc4_1;
+  const T b3_6 = b3_5 + J4_22;
+  const T J3_22 = b3_6 + b3_5;
+  const T b3_7 = E4_11 * J4_23 - minus_E4_13 * J4_12;
+  const T J3_23 = b3_7 - T(0.1) * hc5_2 - T(1.1812);
+  const T J3_33 = J4_33 - b3_2 + T(1.2) * hc4_1 + T(7.28225);
   A[34] = J3_11;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
@@ -6239,406 +5371,316 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_3_1 = E4_11 * B_thetadot16_4_1 + minus_E4_13 * B_thetadot16_5_3;
   const T B_thetadot16_3_3 = E4_11 * B_thetadot16_5_3 - minus_E4_13 * B_thetadot16_4_1;
   // K_thetadot16_3 = q4~ E4^T B_thetadot16_4 + E4^T K_thetadot16_4
-  const T K_thetadot16_3_1 = T(0.2) * B_thetadot16_3_3 - b4_18 + E4_11 * K_thetadot16_4_1 + minus_E4_13 *
-      K_thetadot16_4_3;
-  const T b3_17 = T(0.1) * B_thetadot16_3_1;
-  const T K_thetadot16_3_2 = b3_17 - T(0.3) * B_thetadot16_3_3 + K_thetadot16_4_2;
-  const T K_thetadot16_3_3 = b4_19 - T(0.2) * B_thetadot16_3_1 + E4_11 * K_thetadot16_4_3 - minus_E4_13 *
-      K_thetadot16_4_1;
+  const T K_thetadot16_3_1 = E4_11 * K_thetadot16_4_1 + minus_E4_13 * K_thetadot16_4_3 - T(0.1) * B_thetadot16_4_2;
+  const T K_thetadot16_3_2 = T(0.1) * B_thetadot16_3_1 - T(0.6) * B_thetadot16_3_3 + K_thetadot16_4_2;
+  const T K_thetadot16_3_3 = T(0.6) * B_thetadot16_4_2 + E4_11 * K_thetadot16_4_3 - minus_E4_13 * K_thetadot16_4_1;
   A[47] = K_thetadot16_3_1;
   A[242] = K_thetadot16_3_1;
   // B_thetadot15_3 = E4^T B_thetadot15_4
   const T B_thetadot15_3_1 = E4_11 * B_thetadot15_4_1 + minus_E4_13 * B_thetadot15_5_3;
   const T B_thetadot15_3_3 = E4_11 * B_thetadot15_5_3 - minus_E4_13 * B_thetadot15_4_1;
   // K_thetadot15_3 = q4~ E4^T B_thetadot15_4 + E4^T K_thetadot15_4
-  const T K_thetadot15_3_1 = T(0.2) * B_thetadot15_3_3 - b4_20 + E4_11 * K_thetadot15_4_1 + minus_E4_13 *
-      K_thetadot15_4_3;
-  const T b3_18 = T(0.1) * B_thetadot15_3_1;
-  const T K_thetadot15_3_2 = b3_18 - T(0.3) * B_thetadot15_3_3 + K_thetadot15_4_2;
-  const T K_thetadot15_3_3 = b4_21 - T(0.2) * B_thetadot15_3_1 + E4_11 * K_thetadot15_4_3 - minus_E4_13 *
-      K_thetadot15_4_1;
+  const T K_thetadot15_3_1 = E4_11 * K_thetadot15_4_1 + minus_E4_13 * K_thetadot15_4_3 - T(0.1) * B_thetadot15_4_2;
+  const T K_thetadot15_3_2 = T(0.1) * B_thetadot15_3_1 - T(0.6) * B_thetadot15_3_3 + K_thetadot15_4_2;
+  const T K_thetadot15_3_3 = T(0.6) * B_thetadot15_4_2 + E4_11 * K_thetadot15_4_3 - minus_E4_13 * K_thetadot15_4_1;
   A[46] = K_thetadot15_3_1;
   A[226] = K_thetadot15_3_1;
   // B_thetadot14_3 = E4^T B_thetadot14_4
   const T B_thetadot14_3_1 = E4_11 * B_thetadot14_4_1 + minus_E4_13 * B_thetadot14_5_3;
   const T B_thetadot14_3_3 = E4_11 * B_thetadot14_5_3 - minus_E4_13 * B_thetadot14_4_1;
   // K_thetadot14_3 = q4~ E4^T B_thetadot14_4 + E4^T K_thetadot14_4
-  const T K_thetadot14_3_1 = T(0.2) * B_thetadot14_3_3 - b4_22 + E4_11 * K_thetadot14_4_1 + minus_E4_13 *
-      K_thetadot14_4_3;
-  const T b3_19 = T(0.1) * B_thetadot14_3_1;
-  const T K_thetadot14_3_2 = b3_19 - T(0.3) * B_thetadot14_3_3 + K_thetadot14_4_2;
-  const T K_thetadot14_3_3 = b4_23 - T(0.2) * B_thetadot14_3_1 + E4_11 * K_thetadot14_4_3 - minus_E4_13 *
-      K_thetadot14_4_1;
+  const T K_thetadot14_3_1 = E4_11 * K_thetadot14_4_1 + minus_E4_13 * K_thetadot14_4_3 - T(0.1) * B_thetadot14_4_2;
+  const T K_thetadot14_3_2 = T(0.1) * B_thetadot14_3_1 - T(0.6) * B_thetadot14_3_3 + K_thetadot14_4_2;
+  const T K_thetadot14_3_3 = T(0.6) * B_thetadot14_4_2 + E4_11 * K_thetadot14_4_3 - minus_E4_13 * K_thetadot14_4_1;
   A[45] = K_thetadot14_3_1;
   A[210] = K_thetadot14_3_1;
   // B_thetadot13_3 = E4^T B_thetadot13_4
   const T B_thetadot13_3_1 = E4_11 * B_thetadot13_4_1 + minus_E4_13 * B_thetadot13_5_3;
   const T B_thetadot13_3_3 = E4_11 * B_thetadot13_5_3 - minus_E4_13 * B_thetadot13_4_1;
   // K_thetadot13_3 = q4~ E4^T B_thetadot13_4 + E4^T K_thetadot13_4
-  const T K_thetadot13_3_1 = T(0.2) * B_thetadot13_3_3 - b4_24 + E4_11 * K_thetadot13_4_1 + minus_E4_13 *
-      K_thetadot13_4_3;
-  const T b3_20 = T(0.1) * B_thetadot13_3_1;
-  const T K_thetadot13_3_2 = b3_20 - T(0.3) * B_thetadot13_3_3 + K_thetadot13_4_2;
-  const T K_thetadot13_3_3 = b4_25 - T(0.2) * B_thetadot13_3_1 + E4_11 * K_thetadot13_4_3 - minus_E4_13 *
-      K_thetadot13_4_1;
+  const T K_thetadot13_3_1 = E4_11 * K_thetadot13_4_1 + minus_E4_13 * K_thetadot13_4_3 - T(0.1) * B_thetadot13_4_2;
+  const T K_thetadot13_3_2 = T(0.1) * B_thetadot13_3_1 - T(0.6) * B_thetadot13_3_3 + K_thetadot13_4_2;
+  const T K_thetadot13_3_3 = T(0.6) * B_thetadot13_4_2 + E4_11 * K_thetadot13_4_3 - minus_E4_13 * K_thetadot13_4_1;
   A[44] = K_thetadot13_3_1;
   A[194] = K_thetadot13_3_1;
   // B_thetadot12_3 = E4^T B_thetadot12_4
   const T B_thetadot12_3_1 = E4_11 * B_thetadot12_4_1 + minus_E4_13 * B_thetadot12_5_3;
   const T B_thetadot12_3_3 = E4_11 * B_thetadot12_5_3 - minus_E4_13 * B_thetadot12_4_1;
   // K_thetadot12_3 = q4~ E4^T B_thetadot12_4 + E4^T K_thetadot12_4
-  const T K_thetadot12_3_1 = T(0.2) * B_thetadot12_3_3 - b4_26 + E4_11 * K_thetadot12_4_1 + minus_E4_13 *
-      K_thetadot12_4_3;
-  const T b3_21 = T(0.1) * B_thetadot12_3_1;
-  const T K_thetadot12_3_2 = b3_21 - T(0.3) * B_thetadot12_3_3 + K_thetadot12_4_2;
-  const T K_thetadot12_3_3 = b4_27 - T(0.2) * B_thetadot12_3_1 + E4_11 * K_thetadot12_4_3 - minus_E4_13 *
-      K_thetadot12_4_1;
+  const T K_thetadot12_3_1 = E4_11 * K_thetadot12_4_1 + minus_E4_13 * K_thetadot12_4_3 - T(0.1) * B_thetadot12_4_2;
+  const T K_thetadot12_3_2 = T(0.1) * B_thetadot12_3_1 - T(0.6) * B_thetadot12_3_3 + K_thetadot12_4_2;
+  const T K_thetadot12_3_3 = T(0.6) * B_thetadot12_4_2 + E4_11 * K_thetadot12_4_3 - minus_E4_13 * K_thetadot12_4_1;
   A[43] = K_thetadot12_3_1;
   A[178] = K_thetadot12_3_1;
   // B_thetadot11_3 = E4^T B_thetadot11_4
   const T B_thetadot11_3_1 = E4_11 * B_thetadot11_4_1 + minus_E4_13 * B_thetadot11_5_3;
   const T B_thetadot11_3_3 = E4_11 * B_thetadot11_5_3 - minus_E4_13 * B_thetadot11_4_1;
   // K_thetadot11_3 = q4~ E4^T B_thetadot11_4 + E4^T K_thetadot11_4
-  const T K_thetadot11_3_1 = T(0.2) * B_thetadot11_3_3 - b4_28 + E4_11 * K_thetadot11_4_1 + minus_E4_13 *
-      K_thetadot11_4_3;
-  const T b3_22 = T(0.1) * B_thetadot11_3_1;
-  const T K_thetadot11_3_2 = b3_22 - T(0.3) * B_thetadot11_3_3 + K_thetadot11_4_2;
-  const T K_thetadot11_3_3 = b4_29 - T(0.2) * B_thetadot11_3_1 + E4_11 * K_thetadot11_4_3 - minus_E4_13 *
-      K_thetadot11_4_1;
+  const T K_thetadot11_3_1 = E4_11 * K_thetadot11_4_1 + minus_E4_13 * K_thetadot11_4_3 - T(0.1) * B_thetadot11_4_2;
+  const T K_thetadot11_3_2 = T(0.1) * B_thetadot11_3_1 - T(0.6) * B_thetadot11_3_3 + K_thetadot11_4_2;
+  const T K_thetadot11_3_3 = T(0.6) * B_thetadot11_4_2 + E4_11 * K_thetadot11_4_3 - minus_E4_13 * K_thetadot11_4_1;
   A[42] = K_thetadot11_3_1;
   A[162] = K_thetadot11_3_1;
   // B_thetadot10_3 = E4^T B_thetadot10_4
   const T B_thetadot10_3_1 = E4_11 * B_thetadot10_4_1 + minus_E4_13 * B_thetadot10_5_3;
   const T B_thetadot10_3_3 = E4_11 * B_thetadot10_5_3 - minus_E4_13 * B_thetadot10_4_1;
   // K_thetadot10_3 = q4~ E4^T B_thetadot10_4 + E4^T K_thetadot10_4
-  const T K_thetadot10_3_1 = T(0.2) * B_thetadot10_3_3 - b4_30 + E4_11 * K_thetadot10_4_1 + minus_E4_13 *
-      K_thetadot10_4_3;
-  const T b3_23 = T(0.1) * B_thetadot10_3_1;
-  const T K_thetadot10_3_2 = b3_23 - T(0.3) * B_thetadot10_3_3 + K_thetadot10_4_2;
-  const T K_thetadot10_3_3 = b4_31 - T(0.2) * B_thetadot10_3_1 + E4_11 * K_thetadot10_4_3 - minus_E4_13 *
-      K_thetadot10_4_1;
+  const T K_thetadot10_3_1 = E4_11 * K_thetadot10_4_1 + minus_E4_13 * K_thetadot10_4_3 - T(0.1) * B_thetadot10_4_2;
+  const T K_thetadot10_3_2 = T(0.1) * B_thetadot10_3_1 - T(0.6) * B_thetadot10_3_3 + K_thetadot10_4_2;
+  const T K_thetadot10_3_3 = T(0.6) * B_thetadot10_4_2 + E4_11 * K_thetadot10_4_3 - minus_E4_13 * K_thetadot10_4_1;
   A[41] = K_thetadot10_3_1;
   A[146] = K_thetadot10_3_1;
   // B_thetadot9_3 = E4^T B_thetadot9_4
   const T B_thetadot9_3_1 = E4_11 * B_thetadot9_4_1 + minus_E4_13 * B_thetadot9_5_3;
   const T B_thetadot9_3_3 = E4_11 * B_thetadot9_5_3 - minus_E4_13 * B_thetadot9_4_1;
   // K_thetadot9_3 = q4~ E4^T B_thetadot9_4 + E4^T K_thetadot9_4
-  const T K_thetadot9_3_1 = T(0.2) * B_thetadot9_3_3 - b4_32 + E4_11 * K_thetadot9_4_1 + minus_E4_13 *
-      K_thetadot9_4_3;
-  const T b3_24 = T(0.1) * B_thetadot9_3_1;
-  const T K_thetadot9_3_2 = b3_24 - T(0.3) * B_thetadot9_3_3 + K_thetadot9_4_2;
-  const T K_thetadot9_3_3 = b4_33 - T(0.2) * B_thetadot9_3_1 + E4_11 * K_thetadot9_4_3 - minus_E4_13 *
-      K_thetadot9_4_1;
+  const T K_thetadot9_3_1 = E4_11 * K_thetadot9_4_1 + minus_E4_13 * K_thetadot9_4_3 - T(0.1) * B_thetadot9_4_2;
+  const T K_thetadot9_3_2 = T(0.1) * B_thetadot9_3_1 - T(0.6) * B_thetadot9_3_3 + K_thetadot9_4_2;
+  const T K_thetadot9_3_3 = T(0.6) * B_thetadot9_4_2 + E4_11 * K_thetadot9_4_3 - minus_E4_13 * K_thetadot9_4_1;
   A[40] = K_thetadot9_3_1;
   A[130] = K_thetadot9_3_1;
   // B_thetadot8_3 = E4^T B_thetadot8_4
   const T B_thetadot8_3_1 = minus_E4_13 * B_thetadot8_5_3 - E4_11 * minus_B_thetadot8_4_1;
   const T B_thetadot8_3_3 = minus_E4_13 * minus_B_thetadot8_4_1 + E4_11 * B_thetadot8_5_3;
   // K_thetadot8_3 = q4~ E4^T B_thetadot8_4 + E4^T K_thetadot8_4
-  const T K_thetadot8_3_1 = T(0.2) * B_thetadot8_3_3 - b4_34 + E4_11 * K_thetadot8_4_1 + minus_E4_13 *
-      K_thetadot8_4_3;
-  const T b3_25 = T(0.1) * B_thetadot8_3_1;
-  const T K_thetadot8_3_2 = b3_25 - T(0.3) * B_thetadot8_3_3 + K_thetadot8_4_2;
-  const T K_thetadot8_3_3 = b4_35 - T(0.2) * B_thetadot8_3_1 + E4_11 * K_thetadot8_4_3 - minus_E4_13 *
-      K_thetadot8_4_1;
+  const T K_thetadot8_3_1 = E4_11 * K_thetadot8_4_1 + minus_E4_13 * K_thetadot8_4_3 - T(0.1) * B_thetadot8_4_2;
+  const T K_thetadot8_3_2 = T(0.1) * B_thetadot8_3_1 - T(0.6) * B_thetadot8_3_3 + K_thetadot8_4_2;
+  const T K_thetadot8_3_3 = T(0.6) * B_thetadot8_4_2 + E4_11 * K_thetadot8_4_3 - minus_E4_13 * K_thetadot8_4_1;
   A[39] = K_thetadot8_3_1;
   A[114] = K_thetadot8_3_1;
   // B_thetadot7_3 = E4^T B_thetadot7_4
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 + minus_E4_13 * K_thetadot7_4_3 - b4_36 - T(0.2) *
-      minus_B_thetadot7_3_3;
-  const T b3_26 = T(0.1) * B_thetadot7_3_1;
-  const T K_thetadot7_3_2 = b3_26 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
-  const T K_thetadot7_3_3 = b4_37 - T(0.2) * B_thetadot7_3_1 + E4_11 * K_thetadot7_4_3 - minus_E4_13 *
-      K_thetadot7_4_1;
+  const T K_thetadot7_3_1 = E4_11 * K_thetadot7_4_1 + minus_E4_13 * K_thetadot7_4_3 - T(0.1) * B_thetadot7_4_2;
+  const T K_thetadot7_3_2 = T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_3 = T(0.6) * B_thetadot7_4_2 + E4_11 * K_thetadot7_4_3 - minus_E4_13 * K_thetadot7_4_1;
   A[38] = K_thetadot7_3_1;
   A[98] = K_thetadot7_3_1;
   // B_thetadot6_3 = E4^T B_thetadot6_4
   const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
   const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = b4_38 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
-      K_thetadot6_4_3;
-  const T b3_27 = T(0.1) * B_thetadot6_3_1;
-  const T K_thetadot6_3_2 = b3_27 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - b4_39 - T(0.2) *
-      B_thetadot6_3_1;
+  const T K_thetadot6_3_1 = T(0.1) * minus_B_thetadot6_4_2 + E4_11 * K_thetadot6_4_1 + minus_E4_13 * K_thetadot6_4_3;
+  const T K_thetadot6_3_2 = T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - minus_E4_13 * K_thetadot6_4_1 - T(0.6) * minus_B_thetadot6_4_2;
   A[37] = K_thetadot6_3_1;
   A[82] = K_thetadot6_3_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_10 + E4_11 * b4_11 + minus_E4_13 * b4_17;
-  const T b3_28 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_16 - b3_28 - T(0.3) * B_thetadot5_3_3;
-  const T K_thetadot5_3_3 = b4_13 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_17 - minus_E4_13 * b4_11;
+  const T K_thetadot5_3_1 = E4_11 * b4_3 + minus_E4_13 * b4_7 - T(0.1) * hc5_1;
+  const T K_thetadot5_3_2 = b4_5 - (T(0.1) * minus_B_thetadot5_3_1 + T(0.6) * B_thetadot5_3_3);
+  const T K_thetadot5_3_3 = b4_4 + E4_11 * b4_7 - minus_E4_13 * b4_3;
   A[36] = K_thetadot5_3_1;
   A[66] = K_thetadot5_3_1;
-  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_16;
-  A[35] = b3_9;
-  A[50] = b3_9;
+  A[35] = b3_4;
+  A[50] = b3_4;
 
   // ---- body 2 (body_2) and what it carries
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(8.31) + h3_1;
+  // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h2_1 = T(16.24) + hc4_1;
   const T h2_2 = T(4.335) + hc3_2;
-  const T h2_3 = T(2.79) + hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_1 = T(0.1) * hc3_3;
-  const T b2_2 = T(0.15) * hc3_2;
-  const T b2_3 = b2_1 + b2_2 + J3_11;
-  const T b2_4 = hc3_3 + T(2.73);
-  const T b2_5 = b2_4 * T(0.1);
-  const T b2_6 = T(4.095) + hc3_2;
-  const T b2_7 = b2_6 * T(0.15);
-  const T J2_11 = b2_3 + T(0.171) + b2_5 + b2_7;
-  const T b2_8 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
-  const T J2_12 = b2_8 - T(0.15) * h3_1 - b2_6 * T(0.3);
-  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_4 * T(0.3);
-  const T b2_9 = T(0.3) * hc3_2;
-  const T b2_10 = h3_1 + T(8.19);
-  const T J2_21 = b2_8 - b2_9 - b2_10 * T(0.15);
-  const T b2_11 = E3_22 * J3_22 - E3_23 * J3_32;
-  const T b2_12 = E3_22 * J3_23 - E3_23 * J3_33;
-  const T b2_13 = T(0.3) * h3_1 + b2_10 * T(0.3);
-  const T J2_22 = b2_11 * E3_22 - b2_12 * E3_23 + b2_1 + b2_13 + T(0.159) + b2_5;
-  const T J2_23 = b2_11 * E3_23 + b2_12 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_4 * T(0.15);
-  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_2 + b2_13 +
-      T(0.156) + b2_7;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
+  const T b2_2 = b2_1 + J3_11;
+  const T J2_11 = b2_2 + b2_1;
+  const T b2_3 = E3_22 * J3_12 - E3_23 * J3_13;
+  const T J2_12 = b2_3 - T(0.15) * hc4_1 - T(2.436);
+  const T b2_4 = E3_23 * J3_12 + E3_22 * J3_13;
+  const T J2_13 = b2_4 - T(0.2) * hc4_1 - T(3.2384);
+  const T b2_5 = E3_23 * (J3_22 - J3_33) + T(2) * E3_22 * J3_23;
+  const T b2_6 = E3_23 * b2_5;
+  const T J2_22 = J3_22 - b2_6 + T(0.4) * hc3_3 + T(9.360999999999999);
+  const T J2_23 = E3_22 * b2_5 - J3_23 - T(0.2) * hc3_2 - T(0.8598) - T(0.15) * hc3_3;
+  const T b2_7 = T(0.3) * hc3_2;
+  const T J2_33 = J3_33 + b2_6 + b2_7 + T(10.757499999999999);
   A[17] = J2_33;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // B_thetadot16_2 = E3^T B_thetadot16_3
   const T B_thetadot16_2_2 = E3_22 * B_thetadot16_4_2 - E3_23 * B_thetadot16_3_3;
   const T B_thetadot16_2_3 = E3_23 * B_thetadot16_4_2 + E3_22 * B_thetadot16_3_3;
   // K_thetadot16_2 = q3~ E3^T B_thetadot16_3 + E3^T K_thetadot16_3
-  const T K_thetadot16_2_1 = T(0.15) * B_thetadot16_2_3 - T(0.1) * B_thetadot16_2_2 + K_thetadot16_3_1;
-  const T b2_14 = T(0.3) * B_thetadot16_2_3;
-  const T K_thetadot16_2_2 = b3_17 - b2_14 + E3_22 * K_thetadot16_3_2 - E3_23 * K_thetadot16_3_3;
-  const T K_thetadot16_2_3 = T(0.3) * B_thetadot16_2_2 - T(0.15) * B_thetadot16_3_1 + E3_23 * K_thetadot16_3_2 + E3_22
-      * K_thetadot16_3_3;
+  const T K_thetadot16_2_1 = T(0.15) * B_thetadot16_2_3 - T(0.2) * B_thetadot16_2_2 + K_thetadot16_3_1;
+  const T K_thetadot16_2_2 = T(0.2) * B_thetadot16_3_1 + E3_22 * K_thetadot16_3_2 - E3_23 * K_thetadot16_3_3;
+  const T K_thetadot16_2_3 = E3_23 * K_thetadot16_3_2 + E3_22 * K_thetadot16_3_3 - T(0.15) * B_thetadot16_3_1;
   A[31] = K_thetadot16_2_3;
   A[241] = K_thetadot16_2_3;
   // B_thetadot15_2 = E3^T B_thetadot15_3
   const T B_thetadot15_2_2 = E3_22 * B_thetadot15_4_2 - E3_23 * B_thetadot15_3_3;
   const T B_thetadot15_2_3 = E3_23 * B_thetadot15_4_2 + E3_22 * B_thetadot15_3_3;
   // K_thetadot15_2 = q3~ E3^T B_thetadot15_3 + E3^T K_thetadot15_3
-  const T K_thetadot15_2_1 = T(0.15) * B_thetadot15_2_3 - T(0.1) * B_thetadot15_2_2 + K_thetadot15_3_1;
-  const T b2_15 = T(0.3) * B_thetadot15_2_3;
-  const T K_thetadot15_2_2 = b3_18 - b2_15 + E3_22 * K_thetadot15_3_2 - E3_23 * K_thetadot15_3_3;
-  const T K_thetadot15_2_3 = T(0.3) * B_thetadot15_2_2 - T(0.15) * B_thetadot15_3_1 + E3_23 * K_thetadot15_3_2 + E3_22
-      * K_thetadot15_3_3;
+  const T K_thetadot15_2_1 = T(0.15) * B_thetadot15_2_3 - T(0.2) * B_thetadot15_2_2 + K_thetadot15_3_1;
+  const T K_thetadot15_2_2 = T(0.2) * B_thetadot15_3_1 + E3_22 * K_thetadot15_3_2 - E3_23 * K_thetadot15_3_3;
+  const T K_thetadot15_2_3 = E3_23 * K_thetadot15_3_2 + E3_22 * K_thetadot15_3_3 - T(0.15) * B_thetadot15_3_1;
   A[30] = K_thetadot15_2_3;
   A[225] = K_thetadot15_2_3;
   // B_thetadot14_2 = E3^T B_thetadot14_3
   const T B_thetadot14_2_2 = E3_22 * B_thetadot14_4_2 - E3_23 * B_thetadot14_3_3;
   const T B_thetadot14_2_3 = E3_23 * B_thetadot14_4_2 + E3_22 * B_thetadot14_3_3;
   // K_thetadot14_2 = q3~ E3^T B_thetadot14_3 + E3^T K_thetadot14_3
-  const T K_thetadot14_2_1 = T(0.15) * B_thetadot14_2_3 - T(0.1) * B_thetadot14_2_2 + K_thetadot14_3_1;
-  const T b2_16 = T(0.3) * B_thetadot14_2_3;
-  const T K_thetadot14_2_2 = b3_19 - b2_16 + E3_22 * K_thetadot14_3_2 - E3_23 * K_thetadot14_3_3;
-  const T K_thetadot14_2_3 = T(0.3) * B_thetadot14_2_2 - T(0.15) * B_thetadot14_3_1 + E3_23 * K_thetadot14_3_2 + E3_22
-      * K_thetadot14_3_3;
+  const T K_thetadot14_2_1 = T(0.15) * B_thetadot14_2_3 - T(0.2) * B_thetadot14_2_2 + K_thetadot14_3_1;
+  const T K_thetadot14_2_2 = T(0.2) * B_thetadot14_3_1 + E3_22 * K_thetadot14_3_2 - E3_23 * K_thetadot14_3_3;
+  const T K_thetadot14_2_3 = E3_23 * K_thetadot14_3_2 + E3_22 * K_thetadot14_3_3 - T(0.15) * B_thetadot14_3_1;
   A[29] = K_thetadot14_2_3;
   A[209] = K_thetadot14_2_3;
   // B_thetadot13_2 = E3^T B_thetadot13_3
   const T B_thetadot13_2_2 = E3_22 * B_thetadot13_4_2 - E3_23 * B_thetadot13_3_3;
   const T B_thetadot13_2_3 = E3_23 * B_thetadot13_4_2 + E3_22 * B_thetadot13_3_3;
   // K_thetadot13_2 = q3~ E3^T B_thetadot13_3 + E3^T K_thetadot13_3
-  const T K_thetadot13_2_1 = T(0.15) * B_thetadot13_2_3 - T(0.1) * B_thetadot13_2_2 + K_thetadot13_3_1;
-  const T b2_17 = T(0.3) * B_thetadot13_2_3;
-  const T K_thetadot13_2_2 = b3_20 - b2_17 + E3_22 * K_thetadot13_3_2 - E3_23 * K_thetadot13_3_3;
-  const T K_thetadot13_2_3 = T(0.3) * B_thetadot13_2_2 - T(0.15) * B_thetadot13_3_1 + E3_23 * K_thetadot13_3_2 + E3_22
-      * K_thetadot13_3_3;
+  const T K_thetadot13_2_1 = T(0.15) * B_thetadot13_2_3 - T(0.2) * B_thetadot13_2_2 + K_thetadot13_3_1;
+  const T K_thetadot13_2_2 = T(0.2) * B_thetadot13_3_1 + E3_22 * K_thetadot13_3_2 - E3_23 * K_thetadot13_3_3;
+  const T K_thetadot13_2_3 = E3_23 * K_thetadot13_3_2 + E3_22 * K_thetadot13_3_3 - T(0.15) * B_thetadot13_3_1;
   A[28] = K_thetadot13_2_3;
   A[193] = K_thetadot13_2_3;
   // B_thetadot12_2 = E3^T B_thetadot12_3
   const T B_thetadot12_2_2 = E3_22 * B_thetadot12_4_2 - E3_23 * B_thetadot12_3_3;
   const T B_thetadot12_2_3 = E3_23 * B_thetadot12_4_2 + E3_22 * B_thetadot12_3_3;
   // K_thetadot12_2 = q3~ E3^T B_thetadot12_3 + E3^T K_thetadot12_3
-  const T K_thetadot12_2_1 = T(0.15) * B_thetadot12_2_3 - T(0.1) * B_thetadot12_2_2 + K_thetadot12_3_1;
-  const T b2_18 = T(0.3) * B_thetadot12_2_3;
-  const T K_thetadot12_2_2 = b3_21 - b2_18 + E3_22 * K_thetadot12_3_2 - E3_23 * K_thetadot12_3_3;
-  const T K_thetadot12_2_3 = T(0.3) * B_thetadot12_2_2 - T(0.15) * B_thetadot12_3_1 + E3_23 * K_thetadot12_3_2 + E3_22
-      * K_thetadot12_3_3;
+  const T K_thetadot12_2_1 = T(0.15) * B_thetadot12_2_3 - T(0.2) * B_thetadot12_2_2 + K_thetadot12_3_1;
+  const T K_thetadot12_2_2 = T(0.2) * B_thetadot12_3_1 + E3_22 * K_thetadot12_3_2 - E3_23 * K_thetadot12_3_3;
+  const T K_thetadot12_2_3 = E3_23 * K_thetadot12_3_2 + E3_22 * K_thetadot12_3_3 - T(0.15) * B_thetadot12_3_1;
   A[27] = K_thetadot12_2_3;
   A[177] = K_thetadot12_2_3;
   // B_thetadot11_2 = E3^T B_thetadot11_3
   const T B_thetadot11_2_2 = E3_22 * B_thetadot11_4_2 - E3_23 * B_thetadot11_3_3;
   const T B_thetadot11_2_3 = E3_23 * B_thetadot11_4_2 + E3_22 * B_thetadot11_3_3;
   // K_thetadot11_2 = q3~ E3^T B_thetadot11_3 + E3^T K_thetadot11_3
-  const T K_thetadot11_2_1 = T(0.15) * B_thetadot11_2_3 - T(0.1) * B_thetadot11_2_2 + K_thetadot11_3_1;
-  const T b2_19 = T(0.3) * B_thetadot11_2_3;
-  const T K_thetadot11_2_2 = b3_22 - b2_19 + E3_22 * K_thetadot11_3_2 - E3_23 * K_thetadot11_3_3;
-  const T K_thetadot11_2_3 = T(0.3) * B_thetadot11_2_2 - T(0.15) * B_thetadot11_3_1 + E3_23 * K_thetadot11_3_2 + E3_22
-      * K_thetadot11_3_3;
+  const T K_thetadot11_2_1 = T(0.15) * B_thetadot11_2_3 - T(0.2) * B_thetadot11_2_2 + K_thetadot11_3_1;
+  const T K_thetadot11_2_2 = T(0.2) * B_thetadot11_3_1 + E3_22 * K_thetadot11_3_2 - E3_23 * K_thetadot11_3_3;
+  const T K_thetadot11_2_3 = E3_23 * K_thetadot11_3_2 + E3_22 * K_thetadot11_3_3 - T(0.15) * B_thetadot11_3_1;
   A[26] = K_thetadot11_2_3;
   A[161] = K_thetadot11_2_3;
   // B_thetadot10_2 = E3^T B_thetadot10_3
   const T B_thetadot10_2_2 = E3_22 * B_thetadot10_4_2 - E3_23 * B_thetadot10_3_3;
   const T B_thetadot10_2_3 = E3_23 * B_thetadot10_4_2 + E3_22 * B_thetadot10_3_3;
   // K_thetadot10_2 = q3~ E3^T B_thetadot10_3 + E3^T K_thetadot10_3
-  const T K_thetadot10_2_1 = T(0.15) * B_thetadot10_2_3 - T(0.1) * B_thetadot10_2_2 + K_thetadot10_3_1;
-  const T b2_20 = T(0.3) * B_thetadot10_2_3;
-  const T K_thetadot10_2_2 = b3_23 - b2_20 + E3_22 * K_thetadot10_3_2 - E3_23 * K_thetadot10_3_3;
-  const T K_thetadot10_2_3 = T(0.3) * B_thetadot10_2_2 - T(0.15) * B_thetadot10_3_1 + E3_23 * K_thetadot10_3_2 + E3_22
-      * K_thetadot10_3_3;
+  const T K_thetadot10_2_1 = T(0.15) * B_thetadot10_2_3 - T(0.2) * B_thetadot10_2_2 + K_thetadot10_3_1;
+  const T K_thetadot10_2_2 = T(0.2) * B_thetadot10_3_1 + E3_22 * K_thetadot10_3_2 - E3_23 * K_thetadot10_3_3;
+  const T K_thetadot10_2_3 = E3_23 * K_thetadot10_3_2 + E3_22 * K_thetadot10_3_3 - T(0.15) * B_thetadot10_3_1;
   A[25] = K_thetadot10_2_3;
   A[145] = K_thetadot10_2_3;
   // B_thetadot9_2 = E3^T B_thetadot9_3
   const T B_thetadot9_2_2 = E3_22 * B_thetadot9_4_2 - E3_23 * B_thetadot9_3_3;
   const T B_thetadot9_2_3 = E3_23 * B_thetadot9_4_2 + E3_22 * B_thetadot9_3_3;
   // K_thetadot9_2 = q3~ E3^T B_thetadot9_3 + E3^T K_thetadot9_3
-  const T K_thetadot9_2_1 = T(0.15) * B_thetadot9_2_3 - T(0.1) * B_thetadot9_2_2 + K_thetadot9_3_1;
-  const T b2_21 = T(0.3) * B_thetadot9_2_3;
-  const T K_thetadot9_2_2 = b3_24 - b2_21 + E3_22 * K_thetadot9_3_2 - E3_23 * K_thetadot9_3_3;
-  const T K_thetadot9_2_3 = T(0.3) * B_thetadot9_2_2 - T(0.15) * B_thetadot9_3_1 + E3_23 * K_thetadot9_3_2 + E3_22 *
-      K_thetadot9_3_3;
+  const T K_thetadot9_2_1 = T(0.15) * B_thetadot9_2_3 - T(0.2) * B_thetadot9_2_2 + K_thetadot9_3_1;
+  const T K_thetadot9_2_2 = T(0.2) * B_thetadot9_3_1 + E3_22 * K_thetadot9_3_2 - E3_23 * K_thetadot9_3_3;
+  const T K_thetadot9_2_3 = E3_23 * K_thetadot9_3_2 + E3_22 * K_thetadot9_3_3 - T(0.15) * B_thetadot9_3_1;
   A[24] = K_thetadot9_2_3;
   A[129] = K_thetadot9_2_3;
   // B_thetadot8_2 = E3^T B_thetadot8_3
   const T B_thetadot8_2_2 = E3_22 * B_thetadot8_4_2 - E3_23 * B_thetadot8_3_3;
   const T B_thetadot8_2_3 = E3_23 * B_thetadot8_4_2 + E3_22 * B_thetadot8_3_3;
   // K_thetadot8_2 = q3~ E3^T B_thetadot8_3 + E3^T K_thetadot8_3
-  const T K_thetadot8_2_1 = T(0.15) * B_thetadot8_2_3 - T(0.1) * B_thetadot8_2_2 + K_thetadot8_3_1;
-  const T b2_22 = T(0.3) * B_thetadot8_2_3;
-  const T K_thetadot8_2_2 = b3_25 - b2_22 + E3_22 * K_thetadot8_3_2 - E3_23 * K_thetadot8_3_3;
-  const T K_thetadot8_2_3 = T(0.3) * B_thetadot8_2_2 - T(0.15) * B_thetadot8_3_1 + E3_23 * K_thetadot8_3_2 + E3_22 *
-      K_thetadot8_3_3;
+  const T K_thetadot8_2_1 = T(0.15) * B_thetadot8_2_3 - T(0.2) * B_thetadot8_2_2 + K_thetadot8_3_1;
+  const T K_thetadot8_2_2 = T(0.2) * B_thetadot8_3_1 + E3_22 * K_thetadot8_3_2 - E3_23 * K_thetadot8_3_3;
+  const T K_thetadot8_2_3 = E3_23 * K_thetadot8_3_2 + E3_22 * K_thetadot8_3_3 - T(0.15) * B_thetadot8_3_1;
   A[23] = K_thetadot8_2_3;
   A[113] = K_thetadot8_2_3;
   // B_thetadot7_2 = E3^T B_thetadot7_3
   const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
   const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
   // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
-  const T b2_23 = T(0.3) * B_thetadot7_2_3;
-  const T K_thetadot7_2_2 = b3_26 - b2_23 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
-  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
-      K_thetadot7_3_3;
+  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T K_thetadot7_2_2 = T(0.2) * B_thetadot7_3_1 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
+  const T K_thetadot7_2_3 = E3_23 * K_thetadot7_3_2 + E3_22 * K_thetadot7_3_3 - T(0.15) * B_thetadot7_3_1;
   A[22] = K_thetadot7_2_3;
   A[97] = K_thetadot7_2_3;
   // B_thetadot6_2 = E3^T B_thetadot6_3
   const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
   const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
-  const T b2_24 = T(0.3) * B_thetadot6_2_3;
-  const T K_thetadot6_2_2 = b3_27 - b2_24 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.3) * minus_B_thetadot6_2_2 -
-      T(0.15) * B_thetadot6_3_1;
+  const T K_thetadot6_2_1 = T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T K_thetadot6_2_2 = T(0.2) * B_thetadot6_3_1 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 + E3_22 * K_thetadot6_3_3 - T(0.15) * B_thetadot6_3_1;
   A[21] = K_thetadot6_2_3;
   A[81] = K_thetadot6_2_3;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
-  const T b2_25 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - b3_28 - b2_25;
-  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
-      E3_22 * K_thetadot5_3_3;
+  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - T(0.2) * minus_B_thetadot5_3_1;
+  const T K_thetadot5_2_3 = T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 + E3_22 * K_thetadot5_3_3;
   A[20] = K_thetadot5_2_3;
   A[65] = K_thetadot5_2_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_9 - T(0.1) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
-  const T b2_26 = T(0.3) * minus_B_thetadot4_2_3;
-  const T K_thetadot4_2_2 = b3_3 + b2_26 + E3_22 * b3_13 - E3_23 * K_thetadot4_3_3;
-  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_13 + E3_22 * K_thetadot4_3_3;
+  const T K_thetadot4_2_1 = b3_4 - (T(0.2) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
+  const T K_thetadot4_2_2 = b3_3 + E3_22 * b3_6 - E3_23 * b3_7;
+  const T K_thetadot4_2_3 = E3_23 * b3_6 + E3_22 * b3_7 - T(0.15) * hc4_3;
   A[19] = K_thetadot4_2_3;
   A[49] = K_thetadot4_2_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_9;
-  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
-  A[18] = K_thetadot3_2_3;
-  A[33] = K_thetadot3_2_3;
+  A[18] = b2_4;
+  A[33] = b2_4;
 
   // ---- body 1 (body_1) and what it carries
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
-      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(2.85)) * T(0.1) + (hc2_1 + T(8.549999999999999)) * T(0.3);
+  // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1 + T(4.612);
   A[0] = J1_22;
   // K_thetadot16_1 = q2~ E2^T B_thetadot16_2 + E2^T K_thetadot16_2
-  const T K_thetadot16_1_2 = T(0.1) * (E2_11 * B_thetadot16_3_1 - E2_12 * B_thetadot16_2_2) - b2_14 + E2_12 *
-      K_thetadot16_2_1 + E2_11 * K_thetadot16_2_2;
+  const T K_thetadot16_1_2 = E2_12 * K_thetadot16_2_1 + E2_11 * K_thetadot16_2_2 - T(0.3) * B_thetadot16_2_3;
   A[15] = K_thetadot16_1_2;
   A[240] = K_thetadot16_1_2;
   // K_thetadot15_1 = q2~ E2^T B_thetadot15_2 + E2^T K_thetadot15_2
-  const T K_thetadot15_1_2 = T(0.1) * (E2_11 * B_thetadot15_3_1 - E2_12 * B_thetadot15_2_2) - b2_15 + E2_12 *
-      K_thetadot15_2_1 + E2_11 * K_thetadot15_2_2;
+  const T K_thetadot15_1_2 = E2_12 * K_thetadot15_2_1 + E2_11 * K_thetadot15_2_2 - T(0.3) * B_thetadot15_2_3;
   A[14] = K_thetadot15_1_2;
   A[224] = K_thetadot15_1_2;
   // K_thetadot14_1 = q2~ E2^T B_thetadot14_2 + E2^T K_thetadot14_2
-  const T K_thetadot14_1_2 = T(0.1) * (E2_11 * B_thetadot14_3_1 - E2_12 * B_thetadot14_2_2) - b2_16 + E2_12 *
-      K_thetadot14_2_1 + E2_11 * K_thetadot14_2_2;
+  const T K_thetadot14_1_2 = E2_12 * K_thetadot14_2_1 + E2_11 * K_thetadot14_2_2 - T(0.3) * B_thetadot14_2_3;
   A[13] = K_thetadot14_1_2;
   A[208] = K_thetadot14_1_2;
   // K_thetadot13_1 = q2~ E2^T B_thetadot13_2 + E2^T K_thetadot13_2
-  const T K_thetadot13_1_2 = T(0.1) * (E2_11 * B_thetadot13_3_1 - E2_12 * B_thetadot13_2_2) - b2_17 + E2_12 *
-      K_thetadot13_2_1 + E2_11 * K_thetadot13_2_2;
+  const T K_thetadot13_1_2 = E2_12 * K_thetadot13_2_1 + E2_11 * K_thetadot13_2_2 - T(0.3) * B_thetadot13_2_3;
   A[12] = K_thetadot13_1_2;
   A[192] = K_thetadot13_1_2;
   // K_thetadot12_1 = q2~ E2^T B_thetadot12_2 + E2^T K_thetadot12_2
-  const T K_thetadot12_1_2 = T(0.1) * (E2_11 * B_thetadot12_3_1 - E2_12 * B_thetadot12_2_2) - b2_18 + E2_12 *
-      K_thetadot12_2_1 + E2_11 * K_thetadot12_2_2;
+  const T K_thetadot12_1_2 = E2_12 * K_thetadot12_2_1 + E2_11 * K_thetadot12_2_2 - T(0.3) * B_thetadot12_2_3;
   A[11] = K_thetadot12_1_2;
   A[176] = K_thetadot12_1_2;
   // K_thetadot11_1 = q2~ E2^T B_thetadot11_2 + E2^T K_thetadot11_2
-  const T K_thetadot11_1_2 = T(0.1) * (E2_11 * B_thetadot11_3_1 - E2_12 * B_thetadot11_2_2) - b2_19 + E2_12 *
-      K_thetadot11_2_1 + E2_11 * K_thetadot11_2_2;
+  const T K_thetadot11_1_2 = E2_12 * K_thetadot11_2_1 + E2_11 * K_thetadot11_2_2 - T(0.3) * B_thetadot11_2_3;
   A[10] = K_thetadot11_1_2;
   A[160] = K_thetadot11_1_2;
   // K_thetadot10_1 = q2~ E2^T B_thetadot10_2 + E2^T K_thetadot10_2
-  const T K_thetadot10_1_2 = T(0.1) * (E2_11 * B_thetadot10_3_1 - E2_12 * B_thetadot10_2_2) - b2_20 + E2_12 *
-      K_thetadot10_2_1 + E2_11 * K_thetadot10_2_2;
+  const T K_thetadot10_1_2 = E2_12 * K_thetadot10_2_1 + E2_11 * K_thetadot10_2_2 - T(0.3) * B_thetadot10_2_3;
   A[9] = K_thetadot10_1_2;
   A[144] = K_thetadot10_1_2;
   // K_thetadot9_1 = q2~ E2^T B_thetadot9_2 + E2^T K_thetadot9_2
-  const T K_thetadot9_1_2 = T(0.1) * (E2_11 * B_thetadot9_3_1 - E2_12 * B_thetadot9_2_2) - b2_21 + E2_12 *
-      K_thetadot9_2_1 + E2_11 * K_thetadot9_2_2;
+  const T K_thetadot9_1_2 = E2_12 * K_thetadot9_2_1 + E2_11 * K_thetadot9_2_2 - T(0.3) * B_thetadot9_2_3;
   A[8] = K_thetadot9_1_2;
   A[128] = K_thetadot9_1_2;
   // K_thetadot8_1 = q2~ E2^T B_thetadot8_2 + E2^T K_thetadot8_2
-  const T K_thetadot8_1_2 = T(0.1) * (E2_11 * B_thetadot8_3_1 - E2_12 * B_thetadot8_2_2) - b2_22 + E2_12 *
-      K_thetadot8_2_1 + E2_11 * K_thetadot8_2_2;
+  const T K_thetadot8_1_2 = E2_12 * K_thetadot8_2_1 + E2_11 * K_thetadot8_2_2 - T(0.3) * B_thetadot8_2_3;
   A[7] = K_thetadot8_1_2;
   A[112] = K_thetadot8_1_2;
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_23 + E2_12 *
-      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
+  const T K_thetadot7_1_2 = E2_12 * K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2 - T(0.3) * B_thetadot7_2_3;
   A[6] = K_thetadot7_1_2;
   A[96] = K_thetadot7_1_2;
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_24 + E2_12 *
-      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  const T K_thetadot6_1_2 = E2_12 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2 - T(0.3) * B_thetadot6_2_3;
   A[5] = K_thetadot6_1_2;
   A[80] = K_thetadot6_1_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.1) * (E2_11 *
-      minus_B_thetadot5_3_1 + E2_12 * B_thetadot5_2_2) - b2_25;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.3) * B_thetadot5_2_3;
   A[4] = K_thetadot5_1_2;
   A[64] = K_thetadot5_1_2;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_26 + E2_12 * K_thetadot4_2_1 +
-      E2_11 * K_thetadot4_2_2;
+  const T K_thetadot4_1_2 = T(0.3) * minus_B_thetadot4_2_3 + E2_12 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
   A[3] = K_thetadot4_1_2;
   A[48] = K_thetadot4_1_2;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_9 + E2_12 * b2_3 + E2_11 * K_thetadot3_2_2;
+  const T K_thetadot3_1_2 = E2_12 * b2_2 + E2_11 * b2_3 - b2_7;
   A[2] = K_thetadot3_1_2;
   A[32] = K_thetadot3_1_2;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
+  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23;
   A[1] = K_thetadot2_1_2;
   A[16] = K_thetadot2_1_2;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0fda9edd3b9eb375 of bench_cr7/scene.toml; the usual functions
+// model 236d179aa694e9a0 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -27,10 +27,10 @@
 //   energy                  679 (289 add, 390 multiply, 14 sine or cosine)
 //   momentum                915 (421 add, 494 multiply, 14 sine or cosine)
 //   power                   13 (6 add, 7 multiply)
-//   accelerations           1759 (853 add, 900 multiply, 6 divide, 14 sine or cosine)
-//   residual                870 (430 add, 440 multiply, 14 sine or cosine)
-//   forcing                 828 (403 add, 425 multiply, 14 sine or cosine)
-//   mass_matrix             701 (352 add, 349 multiply, 12 sine or cosine)
+//   accelerations           1341 (631 add, 704 multiply, 6 divide, 14 sine or cosine)
+//   residual                707 (348 add, 359 multiply, 14 sine or cosine)
+//   forcing                 672 (326 add, 346 multiply, 14 sine or cosine)
+//   mass_matrix             439 (207 add, 232 multiply, 12 sine or cosine)
 //   partial_velocities      1070 (472 add, 598 multiply, 14 sine or cosine)
 //   partial_velocity_rates  2362 (1017 add, 1345 multiply, 14 sine or cosine)
 #pragma once
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "0fda9edd3b9eb375";
+inline constexpr char model_hash[] = "236d179aa694e9a0";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -262,7 +262,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   pose[48] = R5_11;
   pose[60] = R5_11;
   pose[49] = R5_12;
@@ -532,7 +532,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -874,7 +874,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -1071,7 +1071,8 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 853 add, 900 multiply, 6 divide, 14 sine or cosine
+// 631 add, 704 multiply, 6 divide, 14 sine or cosine
+// by: composite; articulated would take 726 add, 791 multiply, 6 divide, 14 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1083,16 +1084,14 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
   const T E1_11 = cos(theta1);
   const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_1 = thetadot1 * T(0.1) * thetadot1;
-  const T minus_a1_1 = t1_1 + minus_Pddot1_1;
-  const T a1_3 = Pddot1_3 - thetadot1 * T(0.05) * thetadot1;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.1) * minus_a1_1;
-  const T minus_G1_3 = T(1.1) * a1_3;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(2.7199999999999998) * Pddot1_3 + T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -1117,25 +1116,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_31 = minus_omegadot2_2 + minus_omegadot2_2;
   const T U2_32 = omegadot2_1 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = thetadot1 * T(0.3) * thetadot1 + minus_Pddot1_1;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
-  const T Pddot2_3 = Pddot1_3 - t1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) - minus_Pddot2_1;
-  const T a2_2 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + Pddot2_2;
-  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(1.2) * a2_1;
-  const T minus_G2_2 = T(1.2) * a2_2;
-  const T minus_G2_3 = T(1.2) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
-      T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
-      U2_32;
-  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = U2_31 * T(4.359999999999999) + U2_32 * T(1.365);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(1.365) * Pddot1_3 + T(0.25275) * U2_32 + T(0.2658) * (minus_U2_22 - minus_U2_33) +
+      T(0.6539999999999999) * U2_31 - T(0.8624) * U2_12;
+  const T minus_N2_2 = T(0.8624) * (minus_U2_33 - minus_U2_11) - T(2.73325) * U2_31 + T(0.2658) * U2_12 -
+      T(0.6539999999999999) * U2_32 - T(4.359999999999999) * Pddot1_3;
+  const T minus_N2_3 = T(4.359999999999999) * Pddot2_2 + T(1.365) * minus_Pddot2_1 + T(2.4804999999999997) * U2_12 +
+      T(0.6539999999999999) * (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -1168,29 +1162,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_32 = t3_6 + omegadot2_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) - minus_Pddot2_1;
-  const T t3_7 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1;
+  const T t3_7 = Pddot2_2 - minus_U2_22 * T(0.15);
+  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot1_3;
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
-  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
-  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
-  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
-  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
-  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.3) * a3_1;
-  const T minus_G3_2 = T(1.3) * a3_2;
-  const T minus_G3_3 = T(1.3) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
-      U3_31 + T(0.0039) * U3_21;
-  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
-      U3_12 + T(0.0065) * U3_32;
-  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
-      U3_23 - T(0.0052) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(2.98) + U3_13 * T(0.685);
+  const T minus_G3_2 = U3_23 * T(0.685) - minus_U3_22 * T(2.98);
+  const T minus_G3_3 = U3_32 * T(2.98) - minus_U3_33 * T(0.685);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(2.98) * Pddot3_3 - T(0.685) * Pddot3_2 + T(1.845) * U3_32 - T(0.15625) * U3_23 + T(0.2902) *
+      (minus_U3_22 - minus_U3_33) + T(1.7295) * U3_31 - T(0.3941) * U3_21;
+  const T minus_N3_2 = T(0.685) * Pddot3_1 + T(0.15625) * U3_13 + T(0.15625) * U3_31 + T(0.3941) * (minus_U3_33 -
+      minus_U3_11) + T(0.2902) * U3_12 - T(1.7295) * U3_32;
+  const T minus_N3_3 = T(1.7295) * (minus_U3_11 - minus_U3_22) - (T(0.15625) * U3_21 + T(1.845) * U3_12) + T(0.3941) *
+      U3_23 - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -1223,26 +1211,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
-  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
+  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(1.4) * a4_1;
-  const T minus_G4_2 = T(1.4) * a4_2;
-  const T minus_G4_3 = T(1.4) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
-      U4_31 + T(0.0042) * U4_21;
-  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
-      U4_12 + T(0.007) * U4_32;
-  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
-      - T(0.0056) * U4_13;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
+  const T minus_G4_2 = U4_21 * T(1.5799999999999998) + U4_23 * T(0.9550000000000001);
+  const T minus_G4_3 = U4_31 * T(1.5799999999999998) - minus_U4_33 * T(0.9550000000000001);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(0.43185) * (minus_U4_22 - minus_U4_33) - (T(0.516) * U4_32 + T(0.77425) * U4_23) + T(0.697) *
+      U4_31 - T(0.2683) * U4_21 - T(0.9550000000000001) * Pddot4_2;
+  const T minus_N4_2 = T(0.9550000000000001) * Pddot4_1 - T(1.5799999999999998) * Pddot4_3 + T(0.77425) * U4_13 -
+      T(0.516) * U4_31 + T(0.2683) * (minus_U4_33 - minus_U4_11) + T(0.43185) * U4_12 - T(0.697) * U4_32;
+  const T minus_N4_3 = T(1.5799999999999998) * Pddot4_2 + T(0.516) * U4_21 + T(0.516) * U4_12 + T(0.697) *
+      (minus_U4_11 - minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -1275,26 +1260,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(1.5) * a5_1;
-  const T minus_G5_2 = T(1.5) * a5_2;
-  const T minus_G5_3 = T(1.5) * a5_3;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
-      U5_31 + T(0.0045) * U5_21;
-  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
-      U5_12 + T(0.0075) * U5_32;
-  const T minus_N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
-      U5_23 - T(0.006) * U5_13;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
+  const T minus_G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
+  const T minus_G5_3 = U5_31 * T(1.81) + U5_32 * T(1.29);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(1.29) * Pddot5_3 + T(0.40199999999999997) * U5_32 + T(0.40199999999999997) * U5_23 + T(0.249)
+      * (minus_U5_22 - minus_U5_33) + T(0.5205) * U5_31 - T(0.35000000000000003) * U5_21;
+  const T minus_N5_2 = T(0.35000000000000003) * (minus_U5_33 - minus_U5_11) - (T(0.40199999999999997) * U5_13 +
+      T(1.171) * U5_31) + T(0.249) * U5_12 - T(0.5205) * U5_32 - T(1.81) * Pddot5_3;
+  const T minus_N5_3 = T(1.81) * Pddot5_2 - T(1.29) * Pddot5_1 + T(1.171) * U5_21 - T(0.40199999999999997) * U5_12 +
+      T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -1327,26 +1309,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.6) * a6_1;
-  const T minus_G6_2 = T(1.6) * a6_2;
-  const T minus_G6_3 = T(1.6) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
-      U6_31 + T(0.0048) * U6_21;
-  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
-      U6_12 + T(0.008) * U6_32;
-  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
-      - T(0.0064) * U6_13;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
+  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
+  const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
+      minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
+  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -1379,34 +1358,26 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
-  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
-  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.7) * a7_1;
-  const T minus_G7_2 = T(1.7) * a7_2;
-  const T minus_G7_3 = T(1.7) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
-      T(0.0085) * U7_31 + T(0.0051) * U7_21;
-  const T minus_N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
-      T(0.0068) * U7_12 + T(0.0085) * U7_32;
-  const T minus_N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
-      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+  // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
+  const T minus_G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
+  const T minus_G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
+  const T minus_G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) *
+      U7_31 - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
+  const T minus_N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
+      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
+  const T minus_N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 -
+      minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = T(0.05) * minus_G7_2 - T(0.2) * minus_G7_3 - minus_N7_1;
-  const T rho7_2 = T(0.1) * minus_G7_3 - T(0.05) * minus_G7_1 - minus_N7_2;
-  const T b7_1 = T(0.1) * minus_G7_2;
-  const T rho7_3 = T(0.2) * minus_G7_1 - b7_1 - minus_N7_3;
-  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc7 = E7^T h_own_7: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc7_1 = minus_E7_13 * T(0.085) + E7_11 * T(0.17);
   const T hc7_3 = E7_11 * T(0.085) - minus_E7_13 * T(0.17);
 
@@ -1417,51 +1388,33 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_S6_2 = minus_G7_2 + minus_G6_2;
   const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
   const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - (T(0.1) * b6_1 + T(0.3) * b6_2) + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
-      - T(0.1) * minus_G6_2 - minus_N6_3;
-  // h6 = m6 r6 + m7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h6_1 = T(0.67) + hc7_1;
+  // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho6_1 = T(0.1) * minus_G7_2 - (E7_11 * minus_N7_1 + minus_E7_13 * minus_N7_3) - minus_N6_1;
+  const T minus_rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + minus_N7_2 + minus_N6_2;
+  const T rho6_3 = minus_E7_13 * minus_N7_1 - E7_11 * minus_N7_3 - T(0.6) * minus_G7_2 - minus_N6_3;
+  // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
   const T h6_3 = T(0.25) + hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_3 = minus_E7_13 * T(0.0034000000000000002);
-  const T b6_4 = E7_11 * T(0.24225000000000002) - b6_3;
-  const T b6_5 = E7_11 * T(0.0034000000000000002);
-  const T b6_6 = minus_E7_13 * T(0.22100000000000003) - b6_5;
-  const T b6_7 = T(0.1) * hc7_3;
-  const T b6_8 = hc7_3 + T(0.17);
-  const T b6_9 = b6_8 * T(0.1);
-  const T J6_11 = b6_4 * E7_11 + b6_6 * minus_E7_13 + b6_7 + T(0.67425) + b6_9;
-  const T b6_10 = E7_11 * T(0.025500000000000002) + minus_E7_13 * T(0.0238);
-  const T b6_11 = T(0.35) * hc7_1 + b6_10;
-  const T minus_J6_12 = T(0.3045) + b6_11;
-  const T b6_12 = b6_6 * E7_11 - b6_4 * minus_E7_13 - T(0.003200000000000002);
-  const T J6_13 = b6_12 - T(0.1) * hc7_1 - b6_8 * T(0.3);
-  const T b6_13 = hc7_1 + T(0.51);
-  const T minus_J6_21 = T(0.126) + b6_10 + b6_13 * T(0.35);
-  const T b6_14 = T(0.3) * hc7_1;
-  const T b6_15 = b6_7 + b6_14 + T(0.22524999999999998);
-  const T b6_16 = b6_13 * T(0.3);
-  const T J6_22 = b6_15 + T(0.212) + b6_9 + b6_16;
-  const T b6_17 = minus_E7_13 * T(0.025500000000000002) - E7_11 * T(0.0238);
-  const T J6_23 = b6_17 - T(0.056400000000000006) - b6_8 * T(0.35);
-  const T b6_18 = T(0.3) * hc7_3;
-  const T J6_31 = b6_12 - b6_18 - b6_13 * T(0.1);
-  const T b6_19 = b6_17 - T(0.35) * hc7_3;
-  const T J6_32 = b6_19 - T(0.1159);
-  const T J6_33 = (minus_E7_13 * T(0.24225000000000002) + b6_5) * minus_E7_13 + (b6_3 + E7_11 *
-      T(0.22100000000000003)) * E7_11 + T(0.65425) + b6_14 + b6_16;
+  // J6 = -q7~ hc7~ + E7^T J_own_7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b6_3 = minus_E7_13 * T(0.02125) + T(2) * E7_11 * T(0.0034000000000000002);
+  const T b6_4 = minus_E7_13 * b6_3;
+  const T b6_5 = T(0.2) * hc7_3;
+  const T J6_11 = T(0.9335) - b6_4 + b6_5;
+  const T b6_6 = E7_11 * T(0.085) + minus_E7_13 * T(0.05355);
+  const T minus_J6_12 = b6_6 + T(0.6809999999999999);
+  const T minus_J6_13 = T(0.1258) + E7_11 * b6_3 + T(0.1) * hc7_1 + T(0.6) * hc7_3;
+  const T b6_7 = T(0.1) * hc7_3 + T(0.6) * hc7_1;
+  const T b6_8 = b6_7 + T(0.22524999999999998);
+  const T J6_22 = b6_8 + b6_7;
+  const T b6_9 = minus_E7_13 * T(0.085) - E7_11 * T(0.05355);
+  const T J6_23 = b6_9 - T(0.1159);
+  const T J6_33 = b6_4 + T(1.2) * hc7_1 + T(0.64625);
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
   const T hc6_3 = E6_22 * h6_3 + E6_23 * T(1.255);
   // D_thetaddot6: pivots of L D L^T
-  const T b6_20 = b6_11 * T(4.439511653718092);
-  const T D_thetaddot6 = J6_11 - b6_20 * b6_11;
+  const T b6_10 = b6_6 * T(4.439511653718092);
+  const T D_thetaddot6 = J6_11 - b6_10 * b6_6;
 
   // ---- body 5 (body_5) and what it carries
   // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
@@ -1470,42 +1423,29 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_S5_2 = b5_1 + minus_G5_2;
   const T b5_2 = E6_22 * S6_3 - E6_23 * minus_S6_2;
   const T S5_3 = b5_2 - minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = E6_22 * rho6_2 - (T(0.1) * minus_S6_1 + b5_3) - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
-      minus_G5_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
-      T(0.1) * minus_G5_2 - minus_N5_3;
-  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = T(1.14) + h6_1;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + rho6_1 - minus_N5_1;
+  const T minus_rho5_2 = T(0.2) * minus_S6_1 + E6_22 * minus_rho6_2 + E6_23 * rho6_3 + minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_S6_1 + E6_22 * rho6_3 - E6_23 * minus_rho6_2 - minus_N5_3;
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h5_1 = T(1.81) + hc7_1;
   const T h5_2 = T(1.29) + hc6_2;
-  const T h5_3 = T(0.405) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_4 = T(0.1) * hc6_3;
-  const T b5_5 = T(0.3) * hc6_2;
-  const T b5_6 = b5_4 + b5_5 + J6_11;
-  const T b5_7 = hc6_3 + T(0.33);
-  const T b5_8 = b5_7 * T(0.1);
-  const T b5_9 = (T(0.99) + hc6_2) * T(0.3);
-  const T J5_11 = b5_6 + T(0.21375) + b5_8 + b5_9;
-  const T b5_10 = minus_J6_12 * E6_22 + J6_13 * E6_23 + T(0.022500000000000003);
-  const T b5_11 = T(0.3) * h6_1;
-  const T b5_12 = b5_11 + b5_9;
-  const T minus_J5_12 = b5_10 + b5_12;
-  const T b5_13 = b5_7 * T(0.3);
-  const T J5_13 = J6_13 * E6_22 - minus_J6_12 * E6_23 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_13;
-  const T b5_14 = (h6_1 + T(0.99)) * T(0.3);
-  const T b5_15 = b5_5 + b5_14;
-  const T minus_J5_21 = b5_10 + b5_15;
-  const T b5_16 = E6_22 * J6_22 - E6_23 * J6_32;
-  const T b5_17 = E6_22 * J6_23 - E6_23 * J6_33;
-  const T J5_22 = b5_16 * E6_22 - b5_17 * E6_23 + b5_4 + b5_11 + T(0.19874999999999998) + b5_8 + b5_14;
-  const T J5_23 = b5_16 * E6_23 + b5_17 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_13;
-  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_15 + b5_12 +
-      T(0.195);
+  // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_3 = T(0.3) * hc6_2;
+  const T b5_4 = T(0.2) * hc6_3 + b5_3;
+  const T b5_5 = b5_4 + J6_11;
+  const T J5_11 = b5_5 + b5_4;
+  const T b5_6 = E6_22 * minus_J6_12 - E6_23 * minus_J6_13;
+  const T minus_J5_12 = b5_6 + T(0.3) * hc7_1 + T(0.5205);
+  const T b5_7 = E6_22 * minus_J6_13 + E6_23 * minus_J6_12;
+  const T minus_J5_13 = b5_7 + T(0.2) * hc7_1 + T(0.35000000000000003);
+  const T b5_8 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
+  const T b5_9 = E6_23 * b5_8;
+  const T J5_22 = J6_22 - b5_9 + T(0.4) * hc6_3 + T(0.769);
+  const T b5_10 = T(0.3) * hc6_3;
+  const T J5_23 = E6_22 * b5_8 - J6_23 - T(0.2) * hc6_2 - T(0.249) - b5_10;
+  const T J5_33 = J6_33 + b5_9 + T(0.6) * hc6_2 + T(1.573);
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
   const T hc5_2 = E5_11 * h5_2 + E5_12 * h5_1;
@@ -1513,19 +1453,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T B_thetadot7_5_2 = E6_23 * hc7_1;
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T b5_18 = T(0.3) * minus_B_thetadot7_5_3;
-  const T minus_K_thetadot7_5_1 = T(0.1) * B_thetadot7_5_2 + b5_18 + b6_11;
-  const T K_thetadot7_5_2 = b6_7 + b5_18 + E6_22 * b6_15 - E6_23 * b6_19;
-  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_18 + E6_23 * b6_15 + E6_22 * b6_19;
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T minus_K_thetadot6_5_2 = E6_22 * minus_J6_21 + E6_23 * J6_31 + b5_5;
-  const T K_thetadot6_5_3 = E6_22 * J6_31 - E6_23 * minus_J6_21 - T(0.3) * hc6_3;
+  const T b5_11 = T(0.3) * minus_B_thetadot7_5_3;
+  const T minus_K_thetadot7_5_1 = T(0.2) * B_thetadot7_5_2 + b5_11 + b6_6;
+  const T K_thetadot7_5_2 = b6_5 + E6_22 * b6_8 - E6_23 * b6_9;
+  const T K_thetadot7_5_3 = E6_23 * b6_8 + E6_22 * b6_9 - T(0.3) * hc7_3;
   // D_thetaddot5: pivots of L D L^T
-  const T b5_19 = K_thetadot7_5_3 * T(4.439511653718092);
-  const T b5_20 = K_thetadot6_5_3 + b5_19 * b6_11;
-  const T b5_21 = T(1) / D_thetaddot6;
-  const T b5_22 = b5_20 * b5_21;
-  const T D_thetaddot5 = J5_33 - b5_19 * K_thetadot7_5_3 - b5_22 * b5_20;
+  const T b5_12 = K_thetadot7_5_3 * T(4.439511653718092);
+  const T b5_13 = b5_12 * b6_6 - b5_7;
+  const T b5_14 = T(1) / D_thetaddot6;
+  const T b5_15 = b5_13 * b5_14;
+  const T D_thetaddot5 = J5_33 - b5_12 * K_thetadot7_5_3 - b5_15 * b5_13;
 
   // ---- body 4 (body_4) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
@@ -1534,46 +1471,28 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b4_2 = E5_12 * minus_S5_1 + E5_11 * minus_S5_2;
   const T minus_S4_2 = b4_2 + minus_G4_2;
   const T S4_3 = S5_3 - minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho4_1 = T(0.1) * b4_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.05) * minus_G4_2 - T(0.2) *
-      minus_G4_3 - minus_N4_1;
-  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
-      minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.25) * b4_1) + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
-  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 + E5_12 * minus_rho5_2 - minus_N4_1;
+  const T rho4_2 = E5_12 * rho5_1 - E5_11 * minus_rho5_2 - T(0.3) * S5_3 - minus_N4_2;
+  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.45) * b4_1) - minus_N4_3;
+  // h4 = h_own_4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h4_1 = T(1.5799999999999998) + hc5_1;
-  const T h4_2 = T(1.48) + hc5_2;
-  const T h4_3 = T(0.55) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b4_3 = E5_11 * J5_11 + E5_12 * minus_J5_21;
-  const T b4_4 = E5_11 * minus_J5_12 + E5_12 * J5_22;
-  const T b4_5 = h5_3 + T(0.48000000000000004);
-  const T b4_6 = T(0.1) * h5_3 + b4_5 * T(0.1);
-  const T b4_7 = T(0.25) * hc5_2;
-  const T b4_8 = T(1.2) + hc5_2;
-  const T b4_9 = b4_8 * T(0.25);
-  const T J4_11 = b4_3 * E5_11 + b4_4 * E5_12 + b4_6 + b4_7 + T(0.1995) + b4_9;
-  const T b4_10 = b4_3 * E5_12 - b4_4 * E5_11 - T(0.021);
-  const T J4_12 = b4_10 - T(0.25) * hc5_1 - b4_8 * T(0.3);
-  const T b4_11 = E5_11 * J5_13 - E5_12 * J5_23;
-  const T b4_12 = T(0.1) * hc5_1;
-  const T b4_13 = b4_11 - b4_12;
-  const T J4_13 = b4_13 - T(0.0028000000000000004) - b4_5 * T(0.3);
-  const T b4_14 = hc5_1 + T(1.44);
-  const T J4_21 = b4_10 - T(0.3) * hc5_2 - b4_14 * T(0.25);
-  const T b4_15 = T(0.3) * hc5_1;
-  const T b4_16 = b4_14 * T(0.3);
-  const T J4_22 = (E5_12 * J5_11 - E5_11 * minus_J5_21) * E5_12 + (E5_11 * J5_22 - E5_12 * minus_J5_12) * E5_11 + b4_6
-      + b4_15 + T(0.1855) + b4_16;
-  const T b4_17 = E5_12 * J5_13 + E5_11 * J5_23;
-  const T b4_18 = b4_17 - T(0.1) * hc5_2;
-  const T J4_23 = b4_18 - T(0.0196) - b4_5 * T(0.25);
-  const T J4_31 = b4_11 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_14 * T(0.1);
-  const T J4_32 = b4_17 - T(0.25) * h5_3 - T(0.0196) - b4_8 * T(0.1);
-  const T b4_19 = b4_15 + b4_7 + J5_33;
-  const T J4_33 = b4_19 + T(0.182) + b4_9 + b4_16;
+  const T h4_3 = T(0.9550000000000001) + hc6_3;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_3 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
+  const T b4_4 = E5_12 * b4_3;
+  const T J4_11 = J5_11 - b4_4 + T(0.9) * hc5_2 + T(0.25825000000000004);
+  const T J4_12 = E5_11 * b4_3 + minus_J5_12 - T(0.45) * hc5_1 - T(0.697) - T(0.3) * hc5_2;
+  const T b4_5 = E5_11 * minus_J5_13 + E5_12 * J5_23;
+  const T minus_J4_13 = b4_5 + T(0.2683) + b5_10;
+  const T b4_6 = T(0.6) * hc5_1;
+  const T J4_22 = J5_22 + b4_4 + b4_6 + T(1.29025);
+  const T b4_7 = E5_11 * J5_23 - E5_12 * minus_J5_13;
+  const T J4_23 = b4_7 - T(0.43185) - T(0.45) * hc6_3;
+  const T b4_8 = T(0.3) * hc5_1 + T(0.45) * hc5_2;
+  const T b4_9 = b4_8 + J5_33;
+  const T J4_33 = b4_9 + b4_8;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
   const T hc4_3 = E4_11 * h4_3 - minus_E4_13 * h4_1;
@@ -1581,30 +1500,25 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
   const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
   // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T b4_20 = T(0.1) * B_thetadot7_4_2;
-  const T minus_K_thetadot7_4_1 = b4_20 + T(0.25) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
+  const T minus_K_thetadot7_4_1 = T(0.45) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
       K_thetadot7_5_2;
-  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_18 + E5_11 * K_thetadot7_5_2 - E5_12 *
-      minus_K_thetadot7_5_1;
-  const T b4_21 = T(0.3) * B_thetadot7_4_2;
-  const T K_thetadot7_4_3 = b4_21 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  const T K_thetadot7_4_2 = b5_11 + E5_11 * K_thetadot7_5_2 - E5_12 * minus_K_thetadot7_5_1;
+  const T K_thetadot7_4_3 = T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1 + K_thetadot7_5_3;
   // B_thetadot6_4 = E5^T B_thetadot6_5
   const T B_thetadot6_4_1 = E5_12 * hc6_3;
   const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
   // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T b4_22 = T(0.1) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_1 = b4_22 + T(0.25) * hc6_2 + E5_11 * b5_6 + E5_12 * minus_K_thetadot6_5_2;
-  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_5 + E5_12 * b5_6 - E5_11 * minus_K_thetadot6_5_2;
-  const T b4_23 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_23 + T(0.25) * B_thetadot6_4_1);
+  const T K_thetadot6_4_1 = T(0.45) * hc6_2 + E5_11 * b5_5 + E5_12 * b5_6;
+  const T K_thetadot6_4_2 = E5_12 * b5_5 - E5_11 * b5_6 - b5_3;
+  const T minus_K_thetadot6_4_3 = b5_7 + T(0.3) * minus_B_thetadot6_4_2 + T(0.45) * B_thetadot6_4_1;
   // D_thetaddot4: pivots of L D L^T
-  const T b4_24 = K_thetadot7_4_2 * T(4.439511653718092);
-  const T b4_25 = K_thetadot6_4_2 + b4_24 * b6_11;
-  const T b4_26 = b4_25 * b5_21;
-  const T b4_27 = b4_18 - b4_24 * K_thetadot7_5_3 - b4_26 * b5_20;
-  const T b4_28 = T(1) / D_thetaddot5;
-  const T b4_29 = b4_27 * b4_28;
-  const T D_thetaddot4 = J4_22 - b4_24 * K_thetadot7_4_2 - b4_26 * b4_25 - b4_29 * b4_27;
+  const T b4_10 = K_thetadot7_4_2 * T(4.439511653718092);
+  const T b4_11 = K_thetadot6_4_2 + b4_10 * b6_6;
+  const T b4_12 = b4_11 * b5_14;
+  const T b4_13 = b4_7 - b4_10 * K_thetadot7_5_3 - b4_12 * b5_13;
+  const T b4_14 = T(1) / D_thetaddot5;
+  const T b4_15 = b4_13 * b4_14;
+  const T D_thetaddot4 = J4_22 - b4_10 * K_thetadot7_4_2 - b4_12 * b4_11 - b4_15 * b4_13;
 
   // ---- body 3 (body_3) and what it carries
   // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
@@ -1613,45 +1527,28 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_S3_2 = minus_S4_2 + minus_G3_2;
   const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
   const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
-      - T(0.2) * minus_G3_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - (T(0.3) * minus_S4_2 + T(0.2) * b3_1) - minus_E4_13 * rho4_1 + T(0.2) * minus_G3_1
-      - T(0.1) * minus_G3_2 - minus_N3_3;
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = T(1.99) + hc4_1;
-  const T h3_2 = T(1.5) + h4_2;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = T(0.1) * minus_S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - minus_N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.6) * minus_S4_2 - minus_N3_3;
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_2 = T(2.98) + hc5_2;
   const T h3_3 = T(0.685) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_3 = E4_11 * J4_11 + minus_E4_13 * J4_31;
-  const T b3_4 = E4_11 * J4_13 + minus_E4_13 * J4_33;
-  const T b3_5 = T(0.1) * hc4_3;
-  const T b3_6 = T(1.24) + h4_2;
-  const T b3_7 = T(0.2) * h4_2 + b3_6 * T(0.2);
-  const T b3_8 = hc4_3 + T(0.62);
-  const T b3_9 = b3_8 * T(0.1);
-  const T J3_11 = b3_3 * E4_11 + b3_4 * minus_E4_13 + b3_5 + b3_7 + T(0.18525000000000003) + b3_9;
-  const T b3_10 = E4_11 * J4_12 + minus_E4_13 * J4_32;
-  const T b3_11 = b3_10 - T(0.2) * hc4_1;
-  const T J3_12 = b3_11 - T(0.019500000000000003) - b3_6 * T(0.3);
-  const T b3_12 = b3_4 * E4_11 - b3_3 * minus_E4_13 - T(0.002600000000000001);
-  const T J3_13 = b3_12 - T(0.1) * hc4_1 - b3_8 * T(0.3);
-  const T b3_13 = hc4_1 + T(1.8599999999999999);
-  const T J3_21 = b3_10 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_13 * T(0.2);
-  const T b3_14 = T(0.3) * hc4_1;
-  const T b3_15 = b3_5 + b3_14 + J4_22;
-  const T b3_16 = b3_13 * T(0.3);
-  const T J3_22 = b3_15 + T(0.17225000000000001) + b3_9 + b3_16;
-  const T b3_17 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
-  const T J3_23 = b3_17 - T(0.1) * h4_2 - b3_8 * T(0.2);
-  const T J3_31 = b3_12 - T(0.3) * hc4_3 - b3_13 * T(0.1);
-  const T b3_18 = T(0.2) * hc4_3;
-  const T J3_32 = b3_17 - b3_18 - b3_6 * T(0.1);
-  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
-      + b3_7 + b3_14 + T(0.169) + b3_16;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_3 = minus_E4_13 * (J4_33 - J4_11) - T(2) * E4_11 * minus_J4_13;
+  const T b3_4 = minus_E4_13 * b3_3;
+  const T b3_5 = T(0.2) * hc4_3;
+  const T J3_11 = J4_11 + b3_4 + b3_5 + T(2.00125);
+  const T b3_6 = E4_11 * J4_12 + minus_E4_13 * J4_23;
+  const T J3_12 = b3_6 - T(1.7295) - T(0.6) * hc5_2;
+  const T J3_13 = E4_11 * b3_3 + minus_J4_13 - T(0.1) * hc4_1 - T(0.3941) - T(0.6) * hc4_3;
+  const T b3_7 = T(0.1) * hc4_3 + T(0.6) * hc4_1;
+  const T b3_8 = b3_7 + J4_22;
+  const T J3_22 = b3_8 + b3_7;
+  const T b3_9 = E4_11 * J4_23 - minus_E4_13 * J4_12;
+  const T J3_23 = b3_9 - T(0.1) * hc5_2 - T(0.2902);
+  const T J3_33 = J4_33 - b3_4 + T(1.2) * hc4_1 + T(1.68875);
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
   const T hc3_3 = E3_22 * h3_3 + E3_23 * h3_2;
@@ -1659,176 +1556,136 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - (b4_20 + T(0.2) * minus_B_thetadot7_3_3) - E4_11 *
-      minus_K_thetadot7_4_1;
-  const T b3_19 = T(0.1) * B_thetadot7_3_1;
-  const T K_thetadot7_3_2 = b3_19 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
-  const T K_thetadot7_3_3 = b4_21 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
-      K_thetadot7_4_3;
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - T(0.1) * B_thetadot7_4_2;
+  const T K_thetadot7_3_2 = T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_3 = T(0.6) * B_thetadot7_4_2 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 * K_thetadot7_4_3;
   // B_thetadot6_3 = E4^T B_thetadot6_4
   const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
   const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = b4_22 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
-      K_thetadot6_4_3;
-  const T b3_20 = T(0.1) * B_thetadot6_3_1;
-  const T K_thetadot6_3_2 = b3_20 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_23 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
-      K_thetadot6_4_1;
+  const T K_thetadot6_3_1 = T(0.1) * minus_B_thetadot6_4_2 + E4_11 * K_thetadot6_4_1 - minus_E4_13 *
+      minus_K_thetadot6_4_3;
+  const T K_thetadot6_3_2 = T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T minus_K_thetadot6_3_3 = E4_11 * minus_K_thetadot6_4_3 + minus_E4_13 * K_thetadot6_4_1 + T(0.6) *
+      minus_B_thetadot6_4_2;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_12 + E4_11 * b4_13 + minus_E4_13 * b4_19;
-  const T b3_21 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_18 - (b3_21 + T(0.3) * B_thetadot5_3_3);
-  const T K_thetadot5_3_3 = b4_15 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_19 - minus_E4_13 * b4_13;
-  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_18;
+  const T K_thetadot5_3_1 = minus_E4_13 * b4_9 - E4_11 * b4_5 - T(0.1) * hc5_1;
+  const T K_thetadot5_3_2 = b4_7 - (T(0.1) * minus_B_thetadot5_3_1 + T(0.6) * B_thetadot5_3_3);
+  const T K_thetadot5_3_3 = b4_6 + E4_11 * b4_9 + minus_E4_13 * b4_5;
   // D_thetaddot3: pivots of L D L^T
-  const T b3_22 = K_thetadot7_3_1 * T(4.439511653718092);
-  const T b3_23 = K_thetadot6_3_1 + b3_22 * b6_11;
-  const T b3_24 = b3_23 * b5_21;
-  const T b3_25 = K_thetadot5_3_1 - b3_22 * K_thetadot7_5_3 - b3_24 * b5_20;
-  const T b3_26 = b3_25 * b4_28;
-  const T b3_27 = b3_11 - b3_22 * K_thetadot7_4_2 - b3_24 * b4_25 - b3_26 * b4_27;
-  const T b3_28 = T(1) / D_thetaddot4;
-  const T b3_29 = b3_27 * b3_28;
-  const T D_thetaddot3 = J3_11 - b3_22 * K_thetadot7_3_1 - b3_24 * b3_23 - b3_26 * b3_25 - b3_29 * b3_27;
+  const T b3_10 = K_thetadot7_3_1 * T(4.439511653718092);
+  const T b3_11 = K_thetadot6_3_1 + b3_10 * b6_6;
+  const T b3_12 = b3_11 * b5_14;
+  const T b3_13 = K_thetadot5_3_1 - b3_10 * K_thetadot7_5_3 - b3_12 * b5_13;
+  const T b3_14 = b3_13 * b4_14;
+  const T b3_15 = b3_6 - b3_10 * K_thetadot7_4_2 - b3_12 * b4_11 - b3_14 * b4_13;
+  const T b3_16 = T(1) / D_thetaddot4;
+  const T b3_17 = b3_15 * b3_16;
+  const T D_thetaddot3 = J3_11 - b3_10 * K_thetadot7_3_1 - b3_12 * b3_11 - b3_14 * b3_13 - b3_17 * b3_15;
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T S2_1 = S3_1 - minus_G2_1;
-  const T b2_1 = E3_22 * minus_S3_2 + E3_23 * S3_3;
-  const T minus_S2_2 = b2_1 + minus_G2_2;
-  const T b2_2 = E3_22 * S3_3 - E3_23 * minus_S3_2;
-  const T S2_3 = b2_2 - minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
-  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
-      minus_G2_1 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 - (T(0.3) * b2_1 + T(0.15) * S3_1) + E3_22 * rho3_3 + T(0.2) * minus_G2_1 - T(0.1) *
-      minus_G2_2 - minus_N2_3;
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(2.37) + h3_1;
+  const T b2_1 = E3_22 * S3_3 - E3_23 * minus_S3_2;
+  const T S2_3 = b2_1 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = T(0.2) * (E3_22 * minus_S3_2 + E3_23 * S3_3) + T(0.15) * b2_1 + rho3_1 - minus_N2_1;
+  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - minus_N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 - minus_N2_3;
+  // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h2_1 = T(4.359999999999999) + hc4_1;
   const T h2_2 = T(1.365) + hc3_2;
-  const T h2_3 = T(0.81) + hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_3 = T(0.1) * hc3_3;
-  const T b2_4 = T(0.15) * hc3_2;
-  const T b2_5 = b2_3 + b2_4 + J3_11;
-  const T b2_6 = hc3_3 + T(0.75);
-  const T b2_7 = b2_6 * T(0.1);
-  const T b2_8 = T(1.125) + hc3_2;
-  const T b2_9 = b2_8 * T(0.15);
-  const T J2_11 = b2_5 + T(0.171) + b2_7 + b2_9;
-  const T b2_10 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
-  const T J2_12 = b2_10 - T(0.15) * h3_1 - b2_8 * T(0.3);
-  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_6 * T(0.3);
-  const T b2_11 = T(0.3) * hc3_2;
-  const T b2_12 = h3_1 + T(2.25);
-  const T J2_21 = b2_10 - b2_11 - b2_12 * T(0.15);
-  const T b2_13 = E3_22 * J3_22 - E3_23 * J3_32;
-  const T b2_14 = E3_22 * J3_23 - E3_23 * J3_33;
-  const T b2_15 = T(0.3) * h3_1 + b2_12 * T(0.3);
-  const T J2_22 = b2_13 * E3_22 - b2_14 * E3_23 + b2_3 + b2_15 + T(0.159) + b2_7;
-  const T J2_23 = b2_13 * E3_23 + b2_14 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_6 * T(0.15);
-  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_4 + b2_15 +
-      T(0.156) + b2_9;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_2 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
+  const T b2_3 = b2_2 + J3_11;
+  const T J2_11 = b2_3 + b2_2;
+  const T b2_4 = E3_22 * J3_12 - E3_23 * J3_13;
+  const T J2_12 = b2_4 - T(0.15) * hc4_1 - T(0.6539999999999999);
+  const T b2_5 = E3_23 * J3_12 + E3_22 * J3_13;
+  const T J2_13 = b2_5 - T(0.2) * hc4_1 - T(0.8624);
+  const T b2_6 = E3_23 * (J3_22 - J3_33) + T(2) * E3_22 * J3_23;
+  const T b2_7 = E3_23 * b2_6;
+  const T J2_22 = J3_22 - b2_7 + T(0.4) * hc3_3 + T(2.4804999999999997);
+  const T J2_23 = E3_22 * b2_6 - J3_23 - T(0.2) * hc3_2 - T(0.2658) - T(0.15) * hc3_3;
+  const T b2_8 = T(0.3) * hc3_2;
+  const T J2_33 = J3_33 + b2_7 + b2_8 + T(2.9859999999999998);
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // B_thetadot7_2 = E3^T B_thetadot7_3
   const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
   const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
   // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
-  const T b2_16 = T(0.3) * B_thetadot7_2_3;
-  const T K_thetadot7_2_2 = b3_19 - b2_16 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
-  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
-      K_thetadot7_3_3;
+  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T K_thetadot7_2_2 = T(0.2) * B_thetadot7_3_1 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
+  const T K_thetadot7_2_3 = E3_23 * K_thetadot7_3_2 + E3_22 * K_thetadot7_3_3 - T(0.15) * B_thetadot7_3_1;
   // B_thetadot6_2 = E3^T B_thetadot6_3
   const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
   const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
-  const T b2_17 = T(0.3) * B_thetadot6_2_3;
-  const T K_thetadot6_2_2 = b3_20 - b2_17 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
-      E3_22 * K_thetadot6_3_3;
+  const T K_thetadot6_2_1 = T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T K_thetadot6_2_2 = T(0.2) * B_thetadot6_3_1 + E3_22 * K_thetadot6_3_2 + E3_23 * minus_K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - E3_22 * minus_K_thetadot6_3_3 - T(0.15) * B_thetadot6_3_1;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
-  const T b2_18 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_21 + b2_18) - E3_23 * K_thetadot5_3_3;
-  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
-      E3_22 * K_thetadot5_3_3;
+  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - T(0.2) * minus_B_thetadot5_3_1;
+  const T K_thetadot5_2_3 = T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 + E3_22 * K_thetadot5_3_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_11 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
-  const T b2_19 = T(0.3) * minus_B_thetadot4_2_3;
-  const T K_thetadot4_2_2 = b3_5 + b2_19 + E3_22 * b3_15 - E3_23 * K_thetadot4_3_3;
-  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_15 + E3_22 * K_thetadot4_3_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_11;
-  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
+  const T K_thetadot4_2_1 = b3_6 - (T(0.2) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
+  const T K_thetadot4_2_2 = b3_5 + E3_22 * b3_8 - E3_23 * b3_9;
+  const T K_thetadot4_2_3 = E3_23 * b3_8 + E3_22 * b3_9 - T(0.15) * hc4_3;
   // D_thetaddot2: pivots of L D L^T
-  const T b2_20 = K_thetadot7_2_3 * T(4.439511653718092);
-  const T b2_21 = K_thetadot6_2_3 + b2_20 * b6_11;
-  const T b2_22 = b2_21 * b5_21;
-  const T b2_23 = K_thetadot5_2_3 - b2_20 * K_thetadot7_5_3 - b2_22 * b5_20;
-  const T b2_24 = b2_23 * b4_28;
-  const T b2_25 = K_thetadot4_2_3 - b2_20 * K_thetadot7_4_2 - b2_22 * b4_25 - b2_24 * b4_27;
-  const T b2_26 = b2_25 * b3_28;
-  const T b2_27 = K_thetadot3_2_3 - b2_20 * K_thetadot7_3_1 - b2_22 * b3_23 - b2_24 * b3_25 - b2_26 * b3_27;
-  const T b2_28 = T(1) / D_thetaddot3;
-  const T b2_29 = b2_27 * b2_28;
-  const T D_thetaddot2 = J2_33 - b2_20 * K_thetadot7_2_3 - b2_22 * b2_21 - b2_24 * b2_23 - b2_26 * b2_25 - b2_29 *
-      b2_27;
+  const T b2_9 = K_thetadot7_2_3 * T(4.439511653718092);
+  const T b2_10 = K_thetadot6_2_3 + b2_9 * b6_6;
+  const T b2_11 = b2_10 * b5_14;
+  const T b2_12 = K_thetadot5_2_3 - b2_9 * K_thetadot7_5_3 - b2_11 * b5_13;
+  const T b2_13 = b2_12 * b4_14;
+  const T b2_14 = K_thetadot4_2_3 - b2_9 * K_thetadot7_4_2 - b2_11 * b4_11 - b2_13 * b4_13;
+  const T b2_15 = b2_14 * b3_16;
+  const T b2_16 = b2_5 - b2_9 * K_thetadot7_3_1 - b2_11 * b3_11 - b2_13 * b3_13 - b2_15 * b3_15;
+  const T b2_17 = T(1) / D_thetaddot3;
+  const T b2_18 = b2_16 * b2_17;
+  const T D_thetaddot2 = J2_33 - b2_9 * K_thetadot7_2_3 - b2_11 * b2_10 - b2_13 * b2_12 - b2_15 * b2_14 - b2_18 *
+      b2_16;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = T(0.1) * (E2_11 * S2_1 + E2_12 * minus_S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 +
-      T(0.05) * G1_1 + T(0.1) * minus_G1_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
-      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(0.87)) * T(0.1) + (hc2_1 + T(2.61)) * T(0.3);
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1 + T(1.5925);
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_16 + E2_12 *
-      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
+  const T K_thetadot7_1_2 = E2_12 * K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2 - T(0.3) * B_thetadot7_2_3;
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_17 + E2_12 *
-      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  const T K_thetadot6_1_2 = E2_12 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2 - T(0.3) * B_thetadot6_2_3;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
-      B_thetadot5_2_2) + b2_18) + E2_11 * K_thetadot5_2_2;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.3) * B_thetadot5_2_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_19 + E2_12 * K_thetadot4_2_1 +
-      E2_11 * K_thetadot4_2_2;
+  const T K_thetadot4_1_2 = T(0.3) * minus_B_thetadot4_2_3 + E2_12 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_11 + E2_12 * b2_5 + E2_11 * K_thetadot3_2_2;
+  const T K_thetadot3_1_2 = E2_12 * b2_3 + E2_11 * b2_4 - b2_8;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
+  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23;
   // D_thetaddot1: pivots of L D L^T
   const T b1_1 = K_thetadot7_1_2 * T(4.439511653718092);
-  const T b1_2 = K_thetadot6_1_2 + b1_1 * b6_11;
-  const T b1_3 = b1_2 * b5_21;
-  const T b1_4 = K_thetadot5_1_2 - b1_1 * K_thetadot7_5_3 - b1_3 * b5_20;
-  const T b1_5 = b1_4 * b4_28;
-  const T b1_6 = K_thetadot4_1_2 - b1_1 * K_thetadot7_4_2 - b1_3 * b4_25 - b1_5 * b4_27;
-  const T b1_7 = b1_6 * b3_28;
-  const T b1_8 = K_thetadot3_1_2 - b1_1 * K_thetadot7_3_1 - b1_3 * b3_23 - b1_5 * b3_25 - b1_7 * b3_27;
-  const T b1_9 = b1_8 * b2_28;
-  const T b1_10 = K_thetadot2_1_2 - b1_1 * K_thetadot7_2_3 - b1_3 * b2_21 - b1_5 * b2_23 - b1_7 * b2_25 - b1_9 *
-      b2_27;
+  const T b1_2 = K_thetadot6_1_2 + b1_1 * b6_6;
+  const T b1_3 = b1_2 * b5_14;
+  const T b1_4 = K_thetadot5_1_2 - b1_1 * K_thetadot7_5_3 - b1_3 * b5_13;
+  const T b1_5 = b1_4 * b4_14;
+  const T b1_6 = K_thetadot4_1_2 - b1_1 * K_thetadot7_4_2 - b1_3 * b4_11 - b1_5 * b4_13;
+  const T b1_7 = b1_6 * b3_16;
+  const T b1_8 = K_thetadot3_1_2 - b1_1 * K_thetadot7_3_1 - b1_3 * b3_11 - b1_5 * b3_13 - b1_7 * b3_15;
+  const T b1_9 = b1_8 * b2_17;
+  const T b1_10 = K_thetadot2_1_2 - b1_1 * K_thetadot7_2_3 - b1_3 * b2_10 - b1_5 * b2_12 - b1_7 * b2_14 - b1_9 *
+      b2_16;
   const T b1_11 = T(1) / D_thetaddot2;
   const T b1_12 = b1_10 * b1_11;
   const T D_thetaddot1 = J1_22 - b1_1 * K_thetadot7_1_2 - b1_3 * b1_2 - b1_5 * b1_4 - b1_7 * b1_6 - b1_9 * b1_8 -
@@ -1836,12 +1693,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 1 (body_1), solved
   // thetaddot1: from A ydot = f by elimination
-  const T z1_1 = rho7_2 + u.tau_7;
-  const T z1_2 = rho6_1 + u.tau_6 + b6_20 * z1_1;
-  const T z1_3 = rho5_3 + u.tau_5 - b5_19 * z1_1 - b5_22 * z1_2;
-  const T z1_4 = rho4_2 + u.tau_4 - b4_24 * z1_1 - b4_26 * z1_2 - b4_29 * z1_3;
-  const T z1_5 = rho3_1 + u.tau_3 - b3_22 * z1_1 - b3_24 * z1_2 - b3_26 * z1_3 - b3_29 * z1_4;
-  const T z1_6 = rho2_3 + u.tau_2 - b2_20 * z1_1 - b2_22 * z1_2 - b2_24 * z1_3 - b2_26 * z1_4 - b2_29 * z1_5;
+  const T z1_1 = u.tau_7 - minus_N7_2;
+  const T z1_2 = rho6_1 + u.tau_6 + b6_10 * z1_1;
+  const T z1_3 = rho5_3 + u.tau_5 - b5_12 * z1_1 - b5_15 * z1_2;
+  const T z1_4 = rho4_2 + u.tau_4 - b4_10 * z1_1 - b4_12 * z1_2 - b4_15 * z1_3;
+  const T z1_5 = rho3_1 + u.tau_3 - b3_10 * z1_1 - b3_12 * z1_2 - b3_14 * z1_3 - b3_17 * z1_4;
+  const T z1_6 = rho2_3 + u.tau_2 - b2_9 * z1_1 - b2_11 * z1_2 - b2_13 * z1_3 - b2_15 * z1_4 - b2_18 * z1_5;
   const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_2 + u.tau_1 - b1_1 * z1_1 - b1_3 * z1_2 - b1_5 * z1_3 - b1_7 * z1_4
       - b1_9 * z1_5 - b1_12 * z1_6);
   ydot[0] = thetaddot1;
@@ -1853,36 +1710,36 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 3 (body_3), solved
   // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_5 * b2_28 - b2_29 * thetaddot2 - b1_9 * thetaddot1;
+  const T thetaddot3 = z1_5 * b2_17 - b2_18 * thetaddot2 - b1_9 * thetaddot1;
   ydot[2] = thetaddot3;
 
   // ---- body 4 (body_4), solved
   // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_4 * b3_28 - b3_29 * thetaddot3 - b2_26 * thetaddot2 - b1_7 * thetaddot1;
+  const T thetaddot4 = z1_4 * b3_16 - b3_17 * thetaddot3 - b2_15 * thetaddot2 - b1_7 * thetaddot1;
   ydot[3] = thetaddot4;
 
   // ---- body 5 (body_5), solved
   // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_3 * b4_28 - b4_29 * thetaddot4 - b3_26 * thetaddot3 - b2_24 * thetaddot2 - b1_5 *
+  const T thetaddot5 = z1_3 * b4_14 - b4_15 * thetaddot4 - b3_14 * thetaddot3 - b2_13 * thetaddot2 - b1_5 *
       thetaddot1;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (body_6), solved
   // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_2 * b5_21 - b5_22 * thetaddot5 - b4_26 * thetaddot4 - b3_24 * thetaddot3 - b2_22 *
+  const T thetaddot6 = z1_2 * b5_14 - b5_15 * thetaddot5 - b4_12 * thetaddot4 - b3_12 * thetaddot3 - b2_11 *
       thetaddot2 - b1_3 * thetaddot1;
   ydot[5] = thetaddot6;
 
   // ---- body 7 (body_7), solved
   // thetaddot7: from A ydot = f by elimination
-  const T thetaddot7 = z1_1 * T(4.439511653718092) + b6_20 * thetaddot6 - b5_19 * thetaddot5 - b4_24 * thetaddot4 -
-      b3_22 * thetaddot3 - b2_20 * thetaddot2 - b1_1 * thetaddot1;
+  const T thetaddot7 = z1_1 * T(4.439511653718092) + b6_10 * thetaddot6 - b5_12 * thetaddot5 - b4_10 * thetaddot4 -
+      b3_10 * thetaddot3 - b2_9 * thetaddot2 - b1_1 * thetaddot1;
   ydot[6] = thetaddot7;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 430 add, 440 multiply, 14 sine or cosine
+// 348 add, 359 multiply, 14 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -1901,16 +1758,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_1 = minus_U1_11 * T(0.1);
-  const T a1_1 = thetaddot1 * T(0.05) - t1_1 - minus_Pddot1_1;
-  const T t1_2 = thetaddot1 * T(0.1);
-  const T a1_3 = Pddot1_3 - (t1_2 + minus_U1_11 * T(0.05));
-  // G1 = m1 a1: force balance, body axes [N]
-  const T G1_1 = T(1.1) * a1_1;
-  const T G1_3 = T(1.1) * a1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_2 = T(0.132) * thetaddot1;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(1.5925) * thetaddot1 - T(2.7199999999999998) * Pddot1_3 - T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -1943,25 +1793,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_1 + omegadot2_1;
   const T minus_U2_33 = t2_4 + t2_6;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_7 = t1_2 - minus_U1_11 * T(0.3) - minus_Pddot1_1;
-  const T Pddot2_1 = E2_11 * t2_7;
-  const T minus_Pddot2_2 = E2_12 * t2_7;
-  const T Pddot2_3 = Pddot1_3 - (thetaddot1 * T(0.3) + t1_1);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05) + Pddot2_1;
-  const T a2_2 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05) - minus_Pddot2_2;
-  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(1.2) * a2_1;
-  const T G2_2 = T(1.2) * a2_2;
-  const T G2_3 = T(1.2) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21;
-  const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32;
-  const T N2_3 = T(0.06) * U2_21 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) -
-      T(0.0036) * U2_23 - T(0.0048) * U2_13;
+  const T t2_7 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
+  const T minus_Pddot2_1 = E2_11 * t2_7;
+  const T Pddot2_2 = E2_12 * t2_7;
+  const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3);
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_3 = U2_31 * T(4.359999999999999) + U2_32 * T(1.365);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(1.365) * Pddot2_3 + T(0.25275) * U2_32 + T(0.25275) * U2_23 + T(0.2658) * (minus_U2_22 -
+      minus_U2_33) + T(0.6539999999999999) * U2_31 - T(0.8624) * U2_21;
+  const T N2_2 = T(0.8624) * (minus_U2_33 - minus_U2_11) - (T(0.25275) * U2_13 + T(2.73325) * U2_31) + T(0.2658) *
+      U2_12 - T(0.6539999999999999) * U2_32 - T(4.359999999999999) * Pddot2_3;
+  const T N2_3 = T(4.359999999999999) * Pddot2_2 + T(1.365) * minus_Pddot2_1 + T(2.73325) * U2_21 - T(0.25275) * U2_12
+      + T(0.6539999999999999) * (minus_U2_11 - minus_U2_22) + T(0.8624) * U2_23 - T(0.2658) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -1996,29 +1841,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
-  const T t3_7 = U2_21 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) - minus_Pddot2_2;
-  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) + U2_13 * T(0.2) - minus_Pddot2_1;
+  const T t3_7 = U2_23 * T(0.2) - minus_U2_22 * T(0.15) + Pddot2_2;
+  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot2_3;
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
-  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
-  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
-  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
-  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
-  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(1.3) * a3_1;
-  const T G3_2 = T(1.3) * a3_2;
-  const T G3_3 = T(1.3) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
-      T(0.0039) * U3_21;
-  const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
-      T(0.0065) * U3_32;
-  const T N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) * U3_23 -
-      T(0.0052) * U3_13;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T G3_1 = U3_12 * T(2.98) + U3_13 * T(0.685);
+  const T G3_2 = U3_23 * T(0.685) - minus_U3_22 * T(2.98);
+  const T G3_3 = U3_32 * T(2.98) - minus_U3_33 * T(0.685);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(2.98) * Pddot3_3 - T(0.685) * Pddot3_2 + T(1.845) * U3_32 - T(0.15625) * U3_23 + T(0.2902) *
+      (minus_U3_22 - minus_U3_33) + T(1.7295) * U3_31 - T(0.3941) * U3_21;
+  const T N3_2 = T(0.685) * Pddot3_1 + T(0.15625) * U3_13 + T(0.15625) * U3_31 + T(0.3941) * (minus_U3_33 -
+      minus_U3_11) + T(0.2902) * U3_12 - T(1.7295) * U3_32;
+  const T N3_3 = T(1.7295) * (minus_U3_11 - minus_U3_22) - (T(0.15625) * U3_21 + T(1.845) * U3_12) + T(0.3941) * U3_23
+      - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -2053,26 +1892,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
-  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
+  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
-  const T G4_1 = T(1.4) * a4_1;
-  const T G4_2 = T(1.4) * a4_2;
-  const T G4_3 = T(1.4) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
-  const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
-      T(0.0042) * U4_21;
-  const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
-      T(0.007) * U4_32;
-  const T N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23 -
-      T(0.0056) * U4_13;
+  // G4 = U4 h_own_4: inertia less applied force, body axes [N]
+  const T G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
+  const T G4_2 = U4_21 * T(1.5799999999999998) + U4_23 * T(0.9550000000000001);
+  const T G4_3 = U4_31 * T(1.5799999999999998) - minus_U4_33 * T(0.9550000000000001);
+  // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = T(0.43185) * (minus_U4_22 - minus_U4_33) - (T(0.516) * U4_32 + T(0.77425) * U4_23) + T(0.697) * U4_31
+      - T(0.2683) * U4_21 - T(0.9550000000000001) * Pddot4_2;
+  const T N4_2 = T(0.9550000000000001) * Pddot4_1 - T(1.5799999999999998) * Pddot4_3 + T(0.77425) * U4_13 - T(0.516) *
+      U4_31 + T(0.2683) * (minus_U4_33 - minus_U4_11) + T(0.43185) * U4_12 - T(0.697) * U4_32;
+  const T N4_3 = T(1.5799999999999998) * Pddot4_2 + T(0.516) * U4_21 + T(0.516) * U4_12 + T(0.697) * (minus_U4_11 -
+      minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -2107,26 +1943,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = m5 a5: force balance, body axes [N]
-  const T G5_1 = T(1.5) * a5_1;
-  const T G5_2 = T(1.5) * a5_2;
-  const T G5_3 = T(1.5) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
-      T(0.0045) * U5_21;
-  const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
-      T(0.0075) * U5_32;
-  const T N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 -
-      T(0.006) * U5_13;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  // G5 = U5 h_own_5: inertia less applied force, body axes [N]
+  const T G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
+  const T G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
+  const T G5_3 = U5_31 * T(1.81) + U5_32 * T(1.29);
+  // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = T(1.29) * Pddot5_3 + T(0.40199999999999997) * U5_32 + T(0.40199999999999997) * U5_23 + T(0.249) *
+      (minus_U5_22 - minus_U5_33) + T(0.5205) * U5_31 - T(0.35000000000000003) * U5_21;
+  const T N5_2 = T(0.35000000000000003) * (minus_U5_33 - minus_U5_11) - (T(0.40199999999999997) * U5_13 + T(1.171) *
+      U5_31) + T(0.249) * U5_12 - T(0.5205) * U5_32 - T(1.81) * Pddot5_3;
+  const T N5_3 = T(1.81) * Pddot5_2 - T(1.29) * Pddot5_1 + T(1.171) * U5_21 - T(0.40199999999999997) * U5_12 +
+      T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -2161,26 +1994,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_6 + omegadot6_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = m6 a6: force balance, body axes [N]
-  const T G6_1 = T(1.6) * a6_1;
-  const T G6_2 = T(1.6) * a6_2;
-  const T G6_3 = T(1.6) * a6_3;
-  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
-      T(0.0048) * U6_21;
-  const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
-      T(0.008) * U6_32;
-  const T N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23 -
-      T(0.0064) * U6_13;
+  // G6 = U6 h_own_6: inertia less applied force, body axes [N]
+  const T G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
+  const T G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
+  const T G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 - minus_U6_11) +
+      T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
+  const T N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -2215,35 +2045,27 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
-  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
-  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
-  // G7 = m7 a7: force balance, body axes [N]
-  const T G7_1 = T(1.7) * a7_1;
-  const T G7_2 = T(1.7) * a7_2;
-  const T G7_3 = T(1.7) * a7_3;
-  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
-  const T N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
-      T(0.0085) * U7_31 + T(0.0051) * U7_21;
-  const T N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
-      T(0.0068) * U7_12 + T(0.0085) * U7_32;
-  const T N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
-      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+  // G7 = U7 h_own_7: inertia less applied force, body axes [N]
+  const T G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
+  const T G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
+  const T G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) * U7_31
+      - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
+  const T N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
+      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
+  const T N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 - minus_U7_22) +
+      T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = T(0.2) * G7_3 - T(0.05) * G7_2 + N7_1;
-  const T rho7_2 = T(0.05) * G7_1 - T(0.1) * G7_3 + N7_2;
-  const T b7_1 = T(0.1) * G7_2;
-  const T rho7_3 = b7_1 - T(0.2) * G7_1 + N7_3;
-  // r_theta7 = b7 . rho7 - tau_body_7_: Kane's equation of the angle [N m]
-  const T r_theta7 = rho7_2 - u.tau_7;
+  // r_theta7 = b7 . N7 - tau_body_7_: Kane's equation of the angle [N m]
+  const T r_theta7 = N7_2 - u.tau_7;
   r[6] = r_theta7;
 
   // ---- body 6 (body_6) and what it carries
@@ -2253,13 +2075,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S6_2 = G7_2 + G6_2;
   const T b6_2 = E7_11 * G7_3 - minus_E7_13 * G7_1;
   const T S6_3 = b6_2 + G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.35) * b6_2 - b7_1 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.2) * G6_3 - T(0.05) * G6_2 +
-      N6_1;
-  const T rho6_2 = T(0.1) * b6_1 - T(0.3) * b6_2 + rho7_2 + T(0.05) * G6_1 - T(0.1) * G6_3 + N6_2;
-  const T rho6_3 = T(0.3) * G7_2 - T(0.35) * b6_1 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.1) * G6_2 - T(0.2) *
-      G6_1 + N6_3;
+  // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho6_1 = E7_11 * N7_1 + minus_E7_13 * N7_3 - T(0.1) * G7_2 + N6_1;
+  const T rho6_2 = T(0.1) * b6_1 - T(0.6) * b6_2 + N7_2 + N6_2;
+  const T rho6_3 = T(0.6) * G7_2 + E7_11 * N7_3 - minus_E7_13 * N7_1 + N6_3;
   // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - u.tau_6;
   r[5] = r_theta6;
@@ -2271,13 +2091,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_2 = b5_1 + G5_2;
   const T b5_2 = E6_23 * S6_2 + E6_22 * S6_3;
   const T S5_3 = b5_2 + G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = b5_3 - T(0.1) * b5_1 + rho6_1 + T(0.2) * G5_3 - T(0.05) * G5_2 + N5_1;
-  const T rho5_2 = T(0.1) * S6_1 - b5_3 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.05) * G5_1 - T(0.1) * G5_3 + N5_2;
-  const T rho5_3 = T(0.3) * b5_1 - T(0.3) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.1) * G5_2 - T(0.2) * G5_1 +
-      N5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = T(0.3) * b5_2 - T(0.2) * b5_1 + rho6_1 + N5_1;
+  const T rho5_2 = T(0.2) * S6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + N5_2;
+  const T rho5_3 = E6_23 * rho6_2 + E6_22 * rho6_3 - T(0.3) * S6_1 + N5_3;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - u.tau_5;
   r[4] = r_theta5;
@@ -2289,13 +2107,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b4_2 = E5_12 * S5_1 + E5_11 * S5_2;
   const T S4_2 = b4_2 + G4_2;
   const T S4_3 = S5_3 + G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho4_1 = T(0.25) * S5_3 - T(0.1) * b4_2 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G4_3 - T(0.05) * G4_2 +
-      N4_1;
-  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G4_1 - T(0.1) * G4_3 +
-      N4_2;
-  const T rho4_3 = T(0.3) * b4_2 - T(0.25) * b4_1 + rho5_3 + T(0.1) * G4_2 - T(0.2) * G4_1 + N4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + N4_1;
+  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.3) * S5_3 + N4_2;
+  const T rho4_3 = T(0.3) * b4_2 - T(0.45) * b4_1 + rho5_3 + N4_3;
   // r_theta4 = b4 . rho4 - tau_body_4_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_2 - u.tau_4;
   r[3] = r_theta4;
@@ -2307,40 +2123,32 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S3_2 = S4_2 + G3_2;
   const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
   const T S3_3 = b3_2 + G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * b3_2 - T(0.1) * S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.2) * G3_3 - T(0.05) *
-      G3_2 + N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.05) * G3_1 - T(0.1) * G3_3 + N3_2;
-  const T rho3_3 = T(0.3) * S4_2 - T(0.2) * b3_1 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.1) * G3_2 - T(0.2) *
-      G3_1 + N3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.1) * S4_2 + N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 + N3_2;
+  const T rho3_3 = T(0.6) * S4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + N3_3;
   // r_theta3 = b3 . rho3 - tau_body_3_: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_1 - u.tau_3;
   r[2] = r_theta3;
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T S2_1 = S3_1 + G2_1;
-  const T b2_1 = E3_22 * S3_2 - E3_23 * S3_3;
-  const T S2_2 = b2_1 + G2_2;
-  const T b2_2 = E3_23 * S3_2 + E3_22 * S3_3;
-  const T S2_3 = b2_2 + G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.15) * b2_2 - T(0.1) * b2_1 + rho3_1 + T(0.2) * G2_3 - T(0.05) * G2_2 + N2_1;
-  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.05) * G2_1 - T(0.1) * G2_3 +
-      N2_2;
-  const T rho2_3 = T(0.3) * b2_1 - T(0.15) * S3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.1) * G2_2 - T(0.2) * G2_1 +
-      N2_3;
+  const T b2_1 = E3_23 * S3_2 + E3_22 * S3_3;
+  const T S2_3 = b2_1 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = T(0.15) * b2_1 - T(0.2) * (E3_22 * S3_2 - E3_23 * S3_3) + rho3_1 + N2_1;
+  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 + N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 + N2_3;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_3 - u.tau_2;
   r[1] = r_theta2;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = T(0.1) * (E2_11 * S2_1 - E2_12 * S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 + T(0.05)
-      * G1_1 - T(0.1) * G1_3 + N1_2;
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
   // r_theta1 = b1 . rho1 - tau_body_1_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_2 - u.tau_1;
   r[0] = r_theta1;
@@ -2348,7 +2156,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 403 add, 425 multiply, 14 sine or cosine
+// 326 add, 346 multiply, 14 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -2359,16 +2167,14 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
   const T E1_11 = cos(theta1);
   const T minus_E1_13 = sin(theta1);
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_1 = thetadot1 * T(0.1) * thetadot1;
-  const T minus_a1_1 = t1_1 + minus_Pddot1_1;
-  const T a1_3 = Pddot1_3 - thetadot1 * T(0.05) * thetadot1;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.1) * minus_a1_1;
-  const T minus_G1_3 = T(1.1) * a1_3;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(2.7199999999999998) * Pddot1_3 + T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -2393,25 +2199,20 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U2_31 = minus_omegadot2_2 + minus_omegadot2_2;
   const T U2_32 = omegadot2_1 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = thetadot1 * T(0.3) * thetadot1 + minus_Pddot1_1;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
-  const T Pddot2_3 = Pddot1_3 - t1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) - minus_Pddot2_1;
-  const T a2_2 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + Pddot2_2;
-  const T a2_3 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(1.2) * a2_1;
-  const T minus_G2_2 = T(1.2) * a2_2;
-  const T minus_G2_3 = T(1.2) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(0.036000000000000004) * U2_32 + T(0.0048) * (minus_U2_22 - minus_U2_33) - T(0.006) * U2_31 +
-      T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.0048) * U2_12 - (T(0.06) * U2_31 + T(0.0036) * (minus_U2_33 - minus_U2_11)) + T(0.006) *
-      U2_32;
-  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = U2_31 * T(4.359999999999999) + U2_32 * T(1.365);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(1.365) * Pddot1_3 + T(0.25275) * U2_32 + T(0.2658) * (minus_U2_22 - minus_U2_33) +
+      T(0.6539999999999999) * U2_31 - T(0.8624) * U2_12;
+  const T minus_N2_2 = T(0.8624) * (minus_U2_33 - minus_U2_11) - T(2.73325) * U2_31 + T(0.2658) * U2_12 -
+      T(0.6539999999999999) * U2_32 - T(4.359999999999999) * Pddot1_3;
+  const T minus_N2_3 = T(4.359999999999999) * Pddot2_2 + T(1.365) * minus_Pddot2_1 + T(2.4804999999999997) * U2_12 +
+      T(0.6539999999999999) * (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -2444,29 +2245,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U3_32 = t3_6 + omegadot2_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) - minus_Pddot2_1;
-  const T t3_7 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_8 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1;
+  const T t3_7 = Pddot2_2 - minus_U2_22 * T(0.15);
+  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot1_3;
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t3_9 = U3_12 * T(0.2) + Pddot3_1;
-  const T a3_1 = t3_9 - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
-  const T t3_10 = minus_U3_22 * T(0.2) - Pddot3_2;
-  const T a3_2 = U3_21 * T(0.1) - t3_10 + U3_23 * T(0.05);
-  const T t3_11 = U3_32 * T(0.2) + Pddot3_3;
-  const T a3_3 = U3_31 * T(0.1) + t3_11 - minus_U3_33 * T(0.05);
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.3) * a3_1;
-  const T minus_G3_2 = T(1.3) * a3_2;
-  const T minus_G3_3 = T(1.3) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
-      U3_31 + T(0.0039) * U3_21;
-  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
-      U3_12 + T(0.0065) * U3_32;
-  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
-      U3_23 - T(0.0052) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(2.98) + U3_13 * T(0.685);
+  const T minus_G3_2 = U3_23 * T(0.685) - minus_U3_22 * T(2.98);
+  const T minus_G3_3 = U3_32 * T(2.98) - minus_U3_33 * T(0.685);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(2.98) * Pddot3_3 - T(0.685) * Pddot3_2 + T(1.845) * U3_32 - T(0.15625) * U3_23 + T(0.2902) *
+      (minus_U3_22 - minus_U3_33) + T(1.7295) * U3_31 - T(0.3941) * U3_21;
+  const T minus_N3_2 = T(0.685) * Pddot3_1 + T(0.15625) * U3_13 + T(0.15625) * U3_31 + T(0.3941) * (minus_U3_33 -
+      minus_U3_11) + T(0.2902) * U3_12 - T(1.7295) * U3_32;
+  const T minus_N3_3 = T(1.7295) * (minus_U3_11 - minus_U3_22) - (T(0.15625) * U3_21 + T(1.845) * U3_12) + T(0.3941) *
+      U3_23 - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -2499,26 +2294,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_9 - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
-  const T t4_8 = U3_31 * T(0.3) + t3_11 - minus_U3_33 * T(0.1);
+  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
+  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.3) - t3_10 + U3_23 * T(0.1);
+  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(1.4) * a4_1;
-  const T minus_G4_2 = T(1.4) * a4_2;
-  const T minus_G4_3 = T(1.4) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
-      U4_31 + T(0.0042) * U4_21;
-  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
-      U4_12 + T(0.007) * U4_32;
-  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
-      - T(0.0056) * U4_13;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
+  const T minus_G4_2 = U4_21 * T(1.5799999999999998) + U4_23 * T(0.9550000000000001);
+  const T minus_G4_3 = U4_31 * T(1.5799999999999998) - minus_U4_33 * T(0.9550000000000001);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(0.43185) * (minus_U4_22 - minus_U4_33) - (T(0.516) * U4_32 + T(0.77425) * U4_23) + T(0.697) *
+      U4_31 - T(0.2683) * U4_21 - T(0.9550000000000001) * Pddot4_2;
+  const T minus_N4_2 = T(0.9550000000000001) * Pddot4_1 - T(1.5799999999999998) * Pddot4_3 + T(0.77425) * U4_13 -
+      T(0.516) * U4_31 + T(0.2683) * (minus_U4_33 - minus_U4_11) + T(0.43185) * U4_12 - T(0.697) * U4_32;
+  const T minus_N4_3 = T(1.5799999999999998) * Pddot4_2 + T(0.516) * U4_21 + T(0.516) * U4_12 + T(0.697) *
+      (minus_U4_11 - minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -2551,26 +2343,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
+  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
+  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(1.5) * a5_1;
-  const T minus_G5_2 = T(1.5) * a5_2;
-  const T minus_G5_3 = T(1.5) * a5_3;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
-      U5_31 + T(0.0045) * U5_21;
-  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
-      U5_12 + T(0.0075) * U5_32;
-  const T minus_N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
-      U5_23 - T(0.006) * U5_13;
+  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
+  const T minus_G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
+  const T minus_G5_3 = U5_31 * T(1.81) + U5_32 * T(1.29);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(1.29) * Pddot5_3 + T(0.40199999999999997) * U5_32 + T(0.40199999999999997) * U5_23 + T(0.249)
+      * (minus_U5_22 - minus_U5_33) + T(0.5205) * U5_31 - T(0.35000000000000003) * U5_21;
+  const T minus_N5_2 = T(0.35000000000000003) * (minus_U5_33 - minus_U5_11) - (T(0.40199999999999997) * U5_13 +
+      T(1.171) * U5_31) + T(0.249) * U5_12 - T(0.5205) * U5_32 - T(1.81) * Pddot5_3;
+  const T minus_N5_3 = T(1.81) * Pddot5_2 - T(1.29) * Pddot5_1 + T(1.171) * U5_21 - T(0.40199999999999997) * U5_12 +
+      T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -2603,26 +2392,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.6) * a6_1;
-  const T minus_G6_2 = T(1.6) * a6_2;
-  const T minus_G6_3 = T(1.6) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
-      U6_31 + T(0.0048) * U6_21;
-  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
-      U6_12 + T(0.008) * U6_32;
-  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
-      - T(0.0064) * U6_13;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
+  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
+  const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
+      minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
+  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -2655,35 +2441,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.35) - minus_U6_11 * T(0.3) + U6_13 * T(0.1) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.3) + U6_32 * T(0.35) - minus_U6_33 * T(0.1) + Pddot6_3;
+  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
+  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = U6_21 * T(0.3) - minus_U6_22 * T(0.35) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = U7_12 * T(0.2) - minus_U7_11 * T(0.1) + U7_13 * T(0.05) + Pddot7_1;
-  const T a7_2 = U7_21 * T(0.1) - minus_U7_22 * T(0.2) + U7_23 * T(0.05) + Pddot7_2;
-  const T a7_3 = U7_31 * T(0.1) + U7_32 * T(0.2) - minus_U7_33 * T(0.05) + Pddot7_3;
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.7) * a7_1;
-  const T minus_G7_2 = T(1.7) * a7_2;
-  const T minus_G7_3 = T(1.7) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(0.05100000000000002) * U7_32 - T(0.119) * U7_23 + T(0.0068) * (minus_U7_22 - minus_U7_33) -
-      T(0.0085) * U7_31 + T(0.0051) * U7_21;
-  const T minus_N7_2 = T(0.119) * U7_13 - T(0.08499999999999999) * U7_31 - T(0.0051) * (minus_U7_33 - minus_U7_11) +
-      T(0.0068) * U7_12 + T(0.0085) * U7_32;
-  const T minus_N7_3 = T(0.08499999999999999) * U7_21 - T(0.05100000000000002) * U7_12 - T(0.0085) * (minus_U7_11 -
-      minus_U7_22) - T(0.0051) * U7_23 - T(0.0068) * U7_13;
+  // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
+  const T minus_G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
+  const T minus_G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
+  const T minus_G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) *
+      U7_31 - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
+  const T minus_N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
+      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
+  const T minus_N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 -
+      minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
-  // rho7 = r7~ G7 + N7: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho7_1 = T(0.05) * minus_G7_2 - T(0.2) * minus_G7_3 - minus_N7_1;
-  const T rho7_2 = T(0.1) * minus_G7_3 - T(0.05) * minus_G7_1 - minus_N7_2;
-  const T b7_1 = T(0.1) * minus_G7_2;
-  const T rho7_3 = T(0.2) * minus_G7_1 - b7_1 - minus_N7_3;
-  // f_theta7 = b7 . rho7 + tau_body_7_: Kane's equation of the angle [N m]
-  const T f_theta7 = rho7_2 + u.tau_7;
+  // f_theta7 = b7 . N7 + tau_body_7_: Kane's equation of the angle [N m]
+  const T f_theta7 = u.tau_7 - minus_N7_2;
   f[6] = f_theta7;
 
   // ---- body 6 (body_6) and what it carries
@@ -2693,13 +2471,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S6_2 = minus_G7_2 + minus_G6_2;
   const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
   const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = b7_1 + T(0.35) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.05) * minus_G6_2 - T(0.2) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - (T(0.1) * b6_1 + T(0.3) * b6_2) + T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(0.35) * b6_1 - T(0.3) * minus_G7_2 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 + T(0.2) * minus_G6_1
-      - T(0.1) * minus_G6_2 - minus_N6_3;
+  // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho6_1 = T(0.1) * minus_G7_2 - (E7_11 * minus_N7_1 + minus_E7_13 * minus_N7_3) - minus_N6_1;
+  const T minus_rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + minus_N7_2 + minus_N6_2;
+  const T rho6_3 = minus_E7_13 * minus_N7_1 - E7_11 * minus_N7_3 - T(0.6) * minus_G7_2 - minus_N6_3;
   // f_theta6 = b6 . rho6 + tau_body_6_: Kane's equation of the angle [N m]
   const T f_theta6 = rho6_1 + u.tau_6;
   f[5] = f_theta6;
@@ -2711,14 +2487,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S5_2 = b5_1 + minus_G5_2;
   const T b5_2 = E6_22 * S6_3 - E6_23 * minus_S6_2;
   const T S5_3 = b5_2 - minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = T(0.1) * b5_1 + b5_3 + rho6_1 + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = E6_22 * rho6_2 - (T(0.1) * minus_S6_1 + b5_3) - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
-      minus_G5_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_S6_1 - T(0.3) * b5_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
-      T(0.1) * minus_G5_2 - minus_N5_3;
+  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + rho6_1 - minus_N5_1;
+  const T minus_rho5_2 = T(0.2) * minus_S6_1 + E6_22 * minus_rho6_2 + E6_23 * rho6_3 + minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_S6_1 + E6_22 * rho6_3 - E6_23 * minus_rho6_2 - minus_N5_3;
   // f_theta5 = b5 . rho5 + tau_body_5_: Kane's equation of the angle [N m]
   const T f_theta5 = rho5_3 + u.tau_5;
   f[4] = f_theta5;
@@ -2730,13 +2503,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b4_2 = E5_12 * minus_S5_1 + E5_11 * minus_S5_2;
   const T minus_S4_2 = b4_2 + minus_G4_2;
   const T S4_3 = S5_3 - minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + r4~ G4 + N4: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho4_1 = T(0.1) * b4_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.05) * minus_G4_2 - T(0.2) *
-      minus_G4_3 - minus_N4_1;
-  const T rho4_2 = T(0.1) * b4_1 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.1) * minus_G4_3 - T(0.05) *
-      minus_G4_1 - minus_N4_2;
-  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.25) * b4_1) + T(0.2) * minus_G4_1 - T(0.1) * minus_G4_2 - minus_N4_3;
+  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 + E5_12 * minus_rho5_2 - minus_N4_1;
+  const T rho4_2 = E5_12 * rho5_1 - E5_11 * minus_rho5_2 - T(0.3) * S5_3 - minus_N4_2;
+  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.45) * b4_1) - minus_N4_3;
   // f_theta4 = b4 . rho4 + tau_body_4_: Kane's equation of the angle [N m]
   const T f_theta4 = rho4_2 + u.tau_4;
   f[3] = f_theta4;
@@ -2748,40 +2519,32 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S3_2 = minus_S4_2 + minus_G3_2;
   const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
   const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.1) * minus_S4_2 + T(0.2) * b3_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.05) * minus_G3_2
-      - T(0.2) * minus_G3_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.3) * b3_2 + rho4_2 + T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - (T(0.3) * minus_S4_2 + T(0.2) * b3_1) - minus_E4_13 * rho4_1 + T(0.2) * minus_G3_1
-      - T(0.1) * minus_G3_2 - minus_N3_3;
+  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho3_1 = T(0.1) * minus_S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - minus_N3_1;
+  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 - minus_N3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.6) * minus_S4_2 - minus_N3_3;
   // f_theta3 = b3 . rho3 + tau_body_3_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_1 + u.tau_3;
   f[2] = f_theta3;
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T S2_1 = S3_1 - minus_G2_1;
-  const T b2_1 = E3_22 * minus_S3_2 + E3_23 * S3_3;
-  const T minus_S2_2 = b2_1 + minus_G2_2;
-  const T b2_2 = E3_22 * S3_3 - E3_23 * minus_S3_2;
-  const T S2_3 = b2_2 - minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = T(0.1) * b2_1 + T(0.15) * b2_2 + rho3_1 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
-  const T rho2_2 = T(0.1) * S3_1 - T(0.3) * b2_2 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * minus_G2_3 - T(0.05) *
-      minus_G2_1 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 - (T(0.3) * b2_1 + T(0.15) * S3_1) + E3_22 * rho3_3 + T(0.2) * minus_G2_1 - T(0.1) *
-      minus_G2_2 - minus_N2_3;
+  const T b2_1 = E3_22 * S3_3 - E3_23 * minus_S3_2;
+  const T S2_3 = b2_1 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = T(0.2) * (E3_22 * minus_S3_2 + E3_23 * S3_3) + T(0.15) * b2_1 + rho3_1 - minus_N2_1;
+  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - minus_N2_2;
+  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 - minus_N2_3;
   // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_3 + u.tau_2;
   f[1] = f_theta2;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = T(0.1) * (E2_11 * S2_1 + E2_12 * minus_S2_2) - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 +
-      T(0.05) * G1_1 + T(0.1) * minus_G1_3;
+  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
   // f_theta1 = b1 . rho1 + tau_body_1_: Kane's equation of the angle [N m]
   const T f_theta1 = rho1_2 + u.tau_1;
   f[0] = f_theta1;
@@ -2789,7 +2552,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 352 add, 349 multiply, 12 sine or cosine
+// 207 add, 232 multiply, 12 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -2831,79 +2594,53 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_E7_13 = sin(theta7);
 
   // ---- body 7 (body_7) and what it carries
-  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc7 = E7^T h_own_7: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc7_1 = minus_E7_13 * T(0.085) + E7_11 * T(0.17);
   const T hc7_3 = E7_11 * T(0.085) - minus_E7_13 * T(0.17);
 
   // ---- body 6 (body_6) and what it carries
-  // h6 = m6 r6 + m7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h6_1 = T(0.67) + hc7_1;
+  // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
   const T h6_3 = T(0.25) + hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_1 = minus_E7_13 * T(0.0034000000000000002);
-  const T b6_2 = E7_11 * T(0.24225000000000002) - b6_1;
-  const T b6_3 = E7_11 * T(0.0034000000000000002);
-  const T b6_4 = minus_E7_13 * T(0.22100000000000003) - b6_3;
-  const T b6_5 = T(0.1) * hc7_3;
-  const T b6_6 = hc7_3 + T(0.17);
-  const T b6_7 = b6_6 * T(0.1);
-  const T J6_11 = b6_2 * E7_11 + b6_4 * minus_E7_13 + b6_5 + T(0.67425) + b6_7;
-  const T b6_8 = E7_11 * T(0.025500000000000002) + minus_E7_13 * T(0.0238);
-  const T b6_9 = T(0.35) * hc7_1 + b6_8;
-  const T minus_J6_12 = T(0.3045) + b6_9;
-  const T b6_10 = b6_4 * E7_11 - b6_2 * minus_E7_13 - T(0.003200000000000002);
-  const T J6_13 = b6_10 - T(0.1) * hc7_1 - b6_6 * T(0.3);
-  const T b6_11 = hc7_1 + T(0.51);
-  const T minus_J6_21 = T(0.126) + b6_8 + b6_11 * T(0.35);
-  const T b6_12 = T(0.3) * hc7_1;
-  const T b6_13 = b6_5 + b6_12 + T(0.22524999999999998);
-  const T b6_14 = b6_11 * T(0.3);
-  const T J6_22 = b6_13 + T(0.212) + b6_7 + b6_14;
-  const T b6_15 = minus_E7_13 * T(0.025500000000000002) - E7_11 * T(0.0238);
-  const T J6_23 = b6_15 - T(0.056400000000000006) - b6_6 * T(0.35);
-  const T b6_16 = T(0.3) * hc7_3;
-  const T J6_31 = b6_10 - b6_16 - b6_11 * T(0.1);
-  const T b6_17 = b6_15 - T(0.35) * hc7_3;
-  const T J6_32 = b6_17 - T(0.1159);
-  const T J6_33 = (minus_E7_13 * T(0.24225000000000002) + b6_3) * minus_E7_13 + (b6_1 + E7_11 *
-      T(0.22100000000000003)) * E7_11 + T(0.65425) + b6_12 + b6_14;
+  // J6 = -q7~ hc7~ + E7^T J_own_7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b6_1 = minus_E7_13 * T(0.02125) + T(2) * E7_11 * T(0.0034000000000000002);
+  const T b6_2 = minus_E7_13 * b6_1;
+  const T b6_3 = T(0.2) * hc7_3;
+  const T J6_11 = T(0.9335) - b6_2 + b6_3;
+  const T b6_4 = E7_11 * T(0.085) + minus_E7_13 * T(0.05355);
+  const T minus_J6_12 = b6_4 + T(0.6809999999999999);
+  const T minus_J6_13 = T(0.1258) + E7_11 * b6_1 + T(0.1) * hc7_1 + T(0.6) * hc7_3;
+  const T b6_5 = T(0.1) * hc7_3 + T(0.6) * hc7_1;
+  const T b6_6 = b6_5 + T(0.22524999999999998);
+  const T J6_22 = b6_6 + b6_5;
+  const T b6_7 = minus_E7_13 * T(0.085) - E7_11 * T(0.05355);
+  const T J6_23 = b6_7 - T(0.1159);
+  const T J6_33 = b6_2 + T(1.2) * hc7_1 + T(0.64625);
   A[40] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
   const T hc6_3 = E6_22 * h6_3 + E6_23 * T(1.255);
-  A[41] = -b6_9;
-  A[47] = -b6_9;
+  A[41] = -b6_4;
+  A[47] = -b6_4;
 
   // ---- body 5 (body_5) and what it carries
-  // h5 = m5 r5 + m_sub6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = T(1.14) + h6_1;
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h5_1 = T(1.81) + hc7_1;
   const T h5_2 = T(1.29) + hc6_2;
-  const T h5_3 = T(0.405) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m_sub6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_1 = T(0.1) * hc6_3;
-  const T b5_2 = T(0.3) * hc6_2;
-  const T b5_3 = b5_1 + b5_2 + J6_11;
-  const T b5_4 = hc6_3 + T(0.33);
-  const T b5_5 = b5_4 * T(0.1);
-  const T b5_6 = (T(0.99) + hc6_2) * T(0.3);
-  const T J5_11 = b5_3 + T(0.21375) + b5_5 + b5_6;
-  const T b5_7 = minus_J6_12 * E6_22 + J6_13 * E6_23 + T(0.022500000000000003);
-  const T b5_8 = T(0.3) * h6_1;
-  const T b5_9 = b5_8 + b5_6;
-  const T minus_J5_12 = b5_7 + b5_9;
-  const T b5_10 = b5_4 * T(0.3);
-  const T J5_13 = J6_13 * E6_22 - minus_J6_12 * E6_23 - T(0.1) * h6_1 - T(0.0030000000000000014) - b5_10;
-  const T b5_11 = (h6_1 + T(0.99)) * T(0.3);
-  const T b5_12 = b5_2 + b5_11;
-  const T minus_J5_21 = b5_7 + b5_12;
-  const T b5_13 = E6_22 * J6_22 - E6_23 * J6_32;
-  const T b5_14 = E6_22 * J6_23 - E6_23 * J6_33;
-  const T J5_22 = b5_13 * E6_22 - b5_14 * E6_23 + b5_1 + b5_8 + T(0.19874999999999998) + b5_5 + b5_11;
-  const T J5_23 = b5_13 * E6_23 + b5_14 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_10;
-  const T J5_33 = (E6_23 * J6_22 + E6_22 * J6_32) * E6_23 + (E6_23 * J6_23 + E6_22 * J6_33) * E6_22 + b5_12 + b5_9 +
-      T(0.195);
+  // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_1 = T(0.3) * hc6_2;
+  const T b5_2 = T(0.2) * hc6_3 + b5_1;
+  const T b5_3 = b5_2 + J6_11;
+  const T J5_11 = b5_3 + b5_2;
+  const T b5_4 = E6_22 * minus_J6_12 - E6_23 * minus_J6_13;
+  const T minus_J5_12 = b5_4 + T(0.3) * hc7_1 + T(0.5205);
+  const T b5_5 = E6_22 * minus_J6_13 + E6_23 * minus_J6_12;
+  const T minus_J5_13 = b5_5 + T(0.2) * hc7_1 + T(0.35000000000000003);
+  const T b5_6 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
+  const T b5_7 = E6_23 * b5_6;
+  const T J5_22 = J6_22 - b5_7 + T(0.4) * hc6_3 + T(0.769);
+  const T b5_8 = T(0.3) * hc6_3;
+  const T J5_23 = E6_22 * b5_6 - J6_23 - T(0.2) * hc6_2 - T(0.249) - b5_8;
+  const T J5_33 = J6_33 + b5_7 + T(0.6) * hc6_2 + T(1.573);
   A[32] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
@@ -2912,52 +2649,33 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot7_5_2 = E6_23 * hc7_1;
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T b5_15 = T(0.3) * minus_B_thetadot7_5_3;
-  const T minus_K_thetadot7_5_1 = T(0.1) * B_thetadot7_5_2 + b5_15 + b6_9;
-  const T K_thetadot7_5_2 = b6_5 + b5_15 + E6_22 * b6_13 - E6_23 * b6_17;
-  const T K_thetadot7_5_3 = T(0.3) * B_thetadot7_5_2 - b6_16 + E6_23 * b6_13 + E6_22 * b6_17;
+  const T b5_9 = T(0.3) * minus_B_thetadot7_5_3;
+  const T minus_K_thetadot7_5_1 = T(0.2) * B_thetadot7_5_2 + b5_9 + b6_4;
+  const T K_thetadot7_5_2 = b6_3 + E6_22 * b6_6 - E6_23 * b6_7;
+  const T K_thetadot7_5_3 = E6_23 * b6_6 + E6_22 * b6_7 - T(0.3) * hc7_3;
   A[34] = K_thetadot7_5_3;
   A[46] = K_thetadot7_5_3;
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T minus_K_thetadot6_5_2 = E6_22 * minus_J6_21 + E6_23 * J6_31 + b5_2;
-  const T K_thetadot6_5_3 = E6_22 * J6_31 - E6_23 * minus_J6_21 - T(0.3) * hc6_3;
-  A[33] = K_thetadot6_5_3;
-  A[39] = K_thetadot6_5_3;
+  A[33] = -b5_5;
+  A[39] = -b5_5;
 
   // ---- body 4 (body_4) and what it carries
-  // h4 = m4 r4 + m_sub5 q5 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
+  // h4 = h_own_4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h4_1 = T(1.5799999999999998) + hc5_1;
-  const T h4_2 = T(1.48) + hc5_2;
-  const T h4_3 = T(0.55) + h5_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 - m4 r4~ r4~ + I4 + (-m_sub5 q5~ - hc5~) q5~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b4_1 = E5_11 * J5_11 + E5_12 * minus_J5_21;
-  const T b4_2 = E5_11 * minus_J5_12 + E5_12 * J5_22;
-  const T b4_3 = h5_3 + T(0.48000000000000004);
-  const T b4_4 = T(0.1) * h5_3 + b4_3 * T(0.1);
-  const T b4_5 = T(0.25) * hc5_2;
-  const T b4_6 = T(1.2) + hc5_2;
-  const T b4_7 = b4_6 * T(0.25);
-  const T J4_11 = b4_1 * E5_11 + b4_2 * E5_12 + b4_4 + b4_5 + T(0.1995) + b4_7;
-  const T b4_8 = b4_1 * E5_12 - b4_2 * E5_11 - T(0.021);
-  const T J4_12 = b4_8 - T(0.25) * hc5_1 - b4_6 * T(0.3);
-  const T b4_9 = E5_11 * J5_13 - E5_12 * J5_23;
-  const T b4_10 = T(0.1) * hc5_1;
-  const T b4_11 = b4_9 - b4_10;
-  const T J4_13 = b4_11 - T(0.0028000000000000004) - b4_3 * T(0.3);
-  const T b4_12 = hc5_1 + T(1.44);
-  const T J4_21 = b4_8 - T(0.3) * hc5_2 - b4_12 * T(0.25);
-  const T b4_13 = T(0.3) * hc5_1;
-  const T b4_14 = b4_12 * T(0.3);
-  const T J4_22 = (E5_12 * J5_11 - E5_11 * minus_J5_21) * E5_12 + (E5_11 * J5_22 - E5_12 * minus_J5_12) * E5_11 + b4_4
-      + b4_13 + T(0.1855) + b4_14;
-  const T b4_15 = E5_12 * J5_13 + E5_11 * J5_23;
-  const T b4_16 = b4_15 - T(0.1) * hc5_2;
-  const T J4_23 = b4_16 - T(0.0196) - b4_3 * T(0.25);
-  const T J4_31 = b4_9 - T(0.3) * h5_3 - T(0.0028000000000000004) - b4_12 * T(0.1);
-  const T J4_32 = b4_15 - T(0.25) * h5_3 - T(0.0196) - b4_6 * T(0.1);
-  const T b4_17 = b4_13 + b4_5 + J5_33;
-  const T J4_33 = b4_17 + T(0.182) + b4_7 + b4_14;
+  const T h4_3 = T(0.9550000000000001) + hc6_3;
+  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
+  const T b4_2 = E5_12 * b4_1;
+  const T J4_11 = J5_11 - b4_2 + T(0.9) * hc5_2 + T(0.25825000000000004);
+  const T J4_12 = E5_11 * b4_1 + minus_J5_12 - T(0.45) * hc5_1 - T(0.697) - T(0.3) * hc5_2;
+  const T b4_3 = E5_11 * minus_J5_13 + E5_12 * J5_23;
+  const T minus_J4_13 = b4_3 + T(0.2683) + b5_8;
+  const T b4_4 = T(0.6) * hc5_1;
+  const T J4_22 = J5_22 + b4_2 + b4_4 + T(1.29025);
+  const T b4_5 = E5_11 * J5_23 - E5_12 * minus_J5_13;
+  const T J4_23 = b4_5 - T(0.43185) - T(0.45) * hc6_3;
+  const T b4_6 = T(0.3) * hc5_1 + T(0.45) * hc5_2;
+  const T b4_7 = b4_6 + J5_33;
+  const T J4_33 = b4_7 + b4_6;
   A[24] = J4_22;
   // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
@@ -2966,62 +2684,42 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
   const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
   // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T b4_18 = T(0.1) * B_thetadot7_4_2;
-  const T minus_K_thetadot7_4_1 = b4_18 + T(0.25) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
+  const T minus_K_thetadot7_4_1 = T(0.45) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
       K_thetadot7_5_2;
-  const T K_thetadot7_4_2 = T(0.1) * B_thetadot7_4_1 + b5_15 + E5_11 * K_thetadot7_5_2 - E5_12 *
-      minus_K_thetadot7_5_1;
-  const T b4_19 = T(0.3) * B_thetadot7_4_2;
-  const T K_thetadot7_4_3 = b4_19 - T(0.25) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  const T K_thetadot7_4_2 = b5_9 + E5_11 * K_thetadot7_5_2 - E5_12 * minus_K_thetadot7_5_1;
+  const T K_thetadot7_4_3 = T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1 + K_thetadot7_5_3;
   A[27] = K_thetadot7_4_2;
   A[45] = K_thetadot7_4_2;
   // B_thetadot6_4 = E5^T B_thetadot6_5
   const T B_thetadot6_4_1 = E5_12 * hc6_3;
   const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
   // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T b4_20 = T(0.1) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_1 = b4_20 + T(0.25) * hc6_2 + E5_11 * b5_3 + E5_12 * minus_K_thetadot6_5_2;
-  const T K_thetadot6_4_2 = T(0.1) * B_thetadot6_4_1 - b5_2 + E5_12 * b5_3 - E5_11 * minus_K_thetadot6_5_2;
-  const T b4_21 = T(0.3) * minus_B_thetadot6_4_2;
-  const T K_thetadot6_4_3 = K_thetadot6_5_3 - (b4_21 + T(0.25) * B_thetadot6_4_1);
+  const T K_thetadot6_4_1 = T(0.45) * hc6_2 + E5_11 * b5_3 + E5_12 * b5_4;
+  const T K_thetadot6_4_2 = E5_12 * b5_3 - E5_11 * b5_4 - b5_1;
+  const T minus_K_thetadot6_4_3 = b5_5 + T(0.3) * minus_B_thetadot6_4_2 + T(0.45) * B_thetadot6_4_1;
   A[26] = K_thetadot6_4_2;
   A[38] = K_thetadot6_4_2;
-  A[25] = b4_16;
-  A[31] = b4_16;
+  A[25] = b4_5;
+  A[31] = b4_5;
 
   // ---- body 3 (body_3) and what it carries
-  // h3 = m3 r3 + m_sub4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = T(1.99) + hc4_1;
-  const T h3_2 = T(1.5) + h4_2;
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_2 = T(2.98) + hc5_2;
   const T h3_3 = T(0.685) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_sub4 q4~ - hc4~) q4~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b3_1 = E4_11 * J4_11 + minus_E4_13 * J4_31;
-  const T b3_2 = E4_11 * J4_13 + minus_E4_13 * J4_33;
-  const T b3_3 = T(0.1) * hc4_3;
-  const T b3_4 = T(1.24) + h4_2;
-  const T b3_5 = T(0.2) * h4_2 + b3_4 * T(0.2);
-  const T b3_6 = hc4_3 + T(0.62);
-  const T b3_7 = b3_6 * T(0.1);
-  const T J3_11 = b3_1 * E4_11 + b3_2 * minus_E4_13 + b3_3 + b3_5 + T(0.18525000000000003) + b3_7;
-  const T b3_8 = E4_11 * J4_12 + minus_E4_13 * J4_32;
-  const T b3_9 = b3_8 - T(0.2) * hc4_1;
-  const T J3_12 = b3_9 - T(0.019500000000000003) - b3_4 * T(0.3);
-  const T b3_10 = b3_2 * E4_11 - b3_1 * minus_E4_13 - T(0.002600000000000001);
-  const T J3_13 = b3_10 - T(0.1) * hc4_1 - b3_6 * T(0.3);
-  const T b3_11 = hc4_1 + T(1.8599999999999999);
-  const T J3_21 = b3_8 - T(0.3) * h4_2 - T(0.019500000000000003) - b3_11 * T(0.2);
-  const T b3_12 = T(0.3) * hc4_1;
-  const T b3_13 = b3_3 + b3_12 + J4_22;
-  const T b3_14 = b3_11 * T(0.3);
-  const T J3_22 = b3_13 + T(0.17225000000000001) + b3_7 + b3_14;
-  const T b3_15 = J4_23 * E4_11 - J4_21 * minus_E4_13 - T(0.0182);
-  const T J3_23 = b3_15 - T(0.1) * h4_2 - b3_6 * T(0.2);
-  const T J3_31 = b3_10 - T(0.3) * hc4_3 - b3_11 * T(0.1);
-  const T b3_16 = T(0.2) * hc4_3;
-  const T J3_32 = b3_15 - b3_16 - b3_4 * T(0.1);
-  const T J3_33 = (E4_11 * J4_33 - minus_E4_13 * J4_13) * E4_11 - (E4_11 * J4_31 - minus_E4_13 * J4_11) * minus_E4_13
-      + b3_5 + b3_12 + T(0.169) + b3_14;
+  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_1 = minus_E4_13 * (J4_33 - J4_11) - T(2) * E4_11 * minus_J4_13;
+  const T b3_2 = minus_E4_13 * b3_1;
+  const T b3_3 = T(0.2) * hc4_3;
+  const T J3_11 = J4_11 + b3_2 + b3_3 + T(2.00125);
+  const T b3_4 = E4_11 * J4_12 + minus_E4_13 * J4_23;
+  const T J3_12 = b3_4 - T(1.7295) - T(0.6) * hc5_2;
+  const T J3_13 = E4_11 * b3_1 + minus_J4_13 - T(0.1) * hc4_1 - T(0.3941) - T(0.6) * hc4_3;
+  const T b3_5 = T(0.1) * hc4_3 + T(0.6) * hc4_1;
+  const T b3_6 = b3_5 + J4_22;
+  const T J3_22 = b3_6 + b3_5;
+  const T b3_7 = E4_11 * J4_23 - minus_E4_13 * J4_12;
+  const T J3_23 = b3_7 - T(0.1) * hc5_2 - T(0.2902);
+  const T J3_33 = J4_33 - b3_2 + T(1.2) * hc4_1 + T(1.68875);
   A[16] = J3_11;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
@@ -3030,154 +2728,120 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - (b4_18 + T(0.2) * minus_B_thetadot7_3_3) - E4_11 *
-      minus_K_thetadot7_4_1;
-  const T b3_17 = T(0.1) * B_thetadot7_3_1;
-  const T K_thetadot7_3_2 = b3_17 + T(0.3) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
-  const T K_thetadot7_3_3 = b4_19 - T(0.2) * B_thetadot7_3_1 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 *
-      K_thetadot7_4_3;
+  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - T(0.1) * B_thetadot7_4_2;
+  const T K_thetadot7_3_2 = T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_3 = T(0.6) * B_thetadot7_4_2 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 * K_thetadot7_4_3;
   A[20] = K_thetadot7_3_1;
   A[44] = K_thetadot7_3_1;
   // B_thetadot6_3 = E4^T B_thetadot6_4
   const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
   const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = b4_20 + T(0.2) * B_thetadot6_3_3 + E4_11 * K_thetadot6_4_1 + minus_E4_13 *
-      K_thetadot6_4_3;
-  const T b3_18 = T(0.1) * B_thetadot6_3_1;
-  const T K_thetadot6_3_2 = b3_18 - T(0.3) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T K_thetadot6_3_3 = E4_11 * K_thetadot6_4_3 - (b4_21 + T(0.2) * B_thetadot6_3_1) - minus_E4_13 *
-      K_thetadot6_4_1;
+  const T K_thetadot6_3_1 = T(0.1) * minus_B_thetadot6_4_2 + E4_11 * K_thetadot6_4_1 - minus_E4_13 *
+      minus_K_thetadot6_4_3;
+  const T K_thetadot6_3_2 = T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T minus_K_thetadot6_3_3 = E4_11 * minus_K_thetadot6_4_3 + minus_E4_13 * K_thetadot6_4_1 + T(0.6) *
+      minus_B_thetadot6_4_2;
   A[19] = K_thetadot6_3_1;
   A[37] = K_thetadot6_3_1;
   // B_thetadot5_3 = E4^T B_thetadot5_4
   const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = T(0.2) * B_thetadot5_3_3 - b4_10 + E4_11 * b4_11 + minus_E4_13 * b4_17;
-  const T b3_19 = T(0.1) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_3_2 = b4_16 - (b3_19 + T(0.3) * B_thetadot5_3_3);
-  const T K_thetadot5_3_3 = b4_13 + T(0.2) * minus_B_thetadot5_3_1 + E4_11 * b4_17 - minus_E4_13 * b4_11;
+  const T K_thetadot5_3_1 = minus_E4_13 * b4_7 - E4_11 * b4_3 - T(0.1) * hc5_1;
+  const T K_thetadot5_3_2 = b4_5 - (T(0.1) * minus_B_thetadot5_3_1 + T(0.6) * B_thetadot5_3_3);
+  const T K_thetadot5_3_3 = b4_4 + E4_11 * b4_7 + minus_E4_13 * b4_3;
   A[18] = K_thetadot5_3_1;
   A[30] = K_thetadot5_3_1;
-  // K_thetadot4_3 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_3_3 = E4_11 * J4_32 - minus_E4_13 * J4_12 - b3_16;
-  A[17] = b3_9;
-  A[23] = b3_9;
+  A[17] = b3_4;
+  A[23] = b3_4;
 
   // ---- body 2 (body_2) and what it carries
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(2.37) + h3_1;
+  // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h2_1 = T(4.359999999999999) + hc4_1;
   const T h2_2 = T(1.365) + hc3_2;
-  const T h2_3 = T(0.81) + hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_1 = T(0.1) * hc3_3;
-  const T b2_2 = T(0.15) * hc3_2;
-  const T b2_3 = b2_1 + b2_2 + J3_11;
-  const T b2_4 = hc3_3 + T(0.75);
-  const T b2_5 = b2_4 * T(0.1);
-  const T b2_6 = T(1.125) + hc3_2;
-  const T b2_7 = b2_6 * T(0.15);
-  const T J2_11 = b2_3 + T(0.171) + b2_5 + b2_7;
-  const T b2_8 = J3_12 * E3_22 - J3_13 * E3_23 - T(0.018000000000000002);
-  const T J2_12 = b2_8 - T(0.15) * h3_1 - b2_6 * T(0.3);
-  const T J2_13 = J3_12 * E3_23 + J3_13 * E3_22 - T(0.1) * h3_1 - T(0.0024000000000000007) - b2_4 * T(0.3);
-  const T b2_9 = T(0.3) * hc3_2;
-  const T b2_10 = h3_1 + T(2.25);
-  const T J2_21 = b2_8 - b2_9 - b2_10 * T(0.15);
-  const T b2_11 = E3_22 * J3_22 - E3_23 * J3_32;
-  const T b2_12 = E3_22 * J3_23 - E3_23 * J3_33;
-  const T b2_13 = T(0.3) * h3_1 + b2_10 * T(0.3);
-  const T J2_22 = b2_11 * E3_22 - b2_12 * E3_23 + b2_1 + b2_13 + T(0.159) + b2_5;
-  const T J2_23 = b2_11 * E3_23 + b2_12 * E3_22 - T(0.1) * hc3_2 - T(0.0168) - b2_4 * T(0.15);
-  const T J2_33 = (E3_23 * J3_22 + E3_22 * J3_32) * E3_23 + (E3_23 * J3_23 + E3_22 * J3_33) * E3_22 + b2_2 + b2_13 +
-      T(0.156) + b2_7;
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
+  const T b2_2 = b2_1 + J3_11;
+  const T J2_11 = b2_2 + b2_1;
+  const T b2_3 = E3_22 * J3_12 - E3_23 * J3_13;
+  const T J2_12 = b2_3 - T(0.15) * hc4_1 - T(0.6539999999999999);
+  const T b2_4 = E3_23 * J3_12 + E3_22 * J3_13;
+  const T J2_13 = b2_4 - T(0.2) * hc4_1 - T(0.8624);
+  const T b2_5 = E3_23 * (J3_22 - J3_33) + T(2) * E3_22 * J3_23;
+  const T b2_6 = E3_23 * b2_5;
+  const T J2_22 = J3_22 - b2_6 + T(0.4) * hc3_3 + T(2.4804999999999997);
+  const T J2_23 = E3_22 * b2_5 - J3_23 - T(0.2) * hc3_2 - T(0.2658) - T(0.15) * hc3_3;
+  const T b2_7 = T(0.3) * hc3_2;
+  const T J2_33 = J3_33 + b2_6 + b2_7 + T(2.9859999999999998);
   A[8] = J2_33;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // B_thetadot7_2 = E3^T B_thetadot7_3
   const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
   const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
   // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.1) * B_thetadot7_2_2 + K_thetadot7_3_1;
-  const T b2_14 = T(0.3) * B_thetadot7_2_3;
-  const T K_thetadot7_2_2 = b3_17 - b2_14 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
-  const T K_thetadot7_2_3 = T(0.3) * B_thetadot7_2_2 - T(0.15) * B_thetadot7_3_1 + E3_23 * K_thetadot7_3_2 + E3_22 *
-      K_thetadot7_3_3;
+  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T K_thetadot7_2_2 = T(0.2) * B_thetadot7_3_1 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
+  const T K_thetadot7_2_3 = E3_23 * K_thetadot7_3_2 + E3_22 * K_thetadot7_3_3 - T(0.15) * B_thetadot7_3_1;
   A[13] = K_thetadot7_2_3;
   A[43] = K_thetadot7_2_3;
   // B_thetadot6_2 = E3^T B_thetadot6_3
   const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
   const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.1) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
-  const T b2_15 = T(0.3) * B_thetadot6_2_3;
-  const T K_thetadot6_2_2 = b3_18 - b2_15 + E3_22 * K_thetadot6_3_2 - E3_23 * K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - (T(0.3) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_3_1) +
-      E3_22 * K_thetadot6_3_3;
+  const T K_thetadot6_2_1 = T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T K_thetadot6_2_2 = T(0.2) * B_thetadot6_3_1 + E3_22 * K_thetadot6_3_2 + E3_23 * minus_K_thetadot6_3_3;
+  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - E3_22 * minus_K_thetadot6_3_3 - T(0.15) * B_thetadot6_3_1;
   A[12] = K_thetadot6_2_3;
   A[36] = K_thetadot6_2_3;
   // B_thetadot5_2 = E3^T B_thetadot5_3
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.1) * B_thetadot5_2_2 + K_thetadot5_3_1;
-  const T b2_16 = T(0.3) * B_thetadot5_2_3;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - (b3_19 + b2_16) - E3_23 * K_thetadot5_3_3;
-  const T K_thetadot5_2_3 = T(0.3) * B_thetadot5_2_2 + T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 +
-      E3_22 * K_thetadot5_3_3;
+  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - T(0.2) * minus_B_thetadot5_3_1;
+  const T K_thetadot5_2_3 = T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 + E3_22 * K_thetadot5_3_3;
   A[11] = K_thetadot5_2_3;
   A[29] = K_thetadot5_2_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_9 - (T(0.1) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
-  const T b2_17 = T(0.3) * minus_B_thetadot4_2_3;
-  const T K_thetadot4_2_2 = b3_3 + b2_17 + E3_22 * b3_13 - E3_23 * K_thetadot4_3_3;
-  const T K_thetadot4_2_3 = T(0.3) * B_thetadot4_2_2 - T(0.15) * hc4_3 + E3_23 * b3_13 + E3_22 * K_thetadot4_3_3;
+  const T K_thetadot4_2_1 = b3_4 - (T(0.2) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
+  const T K_thetadot4_2_2 = b3_3 + E3_22 * b3_6 - E3_23 * b3_7;
+  const T K_thetadot4_2_3 = E3_23 * b3_6 + E3_22 * b3_7 - T(0.15) * hc4_3;
   A[10] = K_thetadot4_2_3;
   A[22] = K_thetadot4_2_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_2_2 = E3_22 * J3_21 - E3_23 * J3_31 - b2_9;
-  const T K_thetadot3_2_3 = E3_23 * J3_21 + E3_22 * J3_31 - T(0.3) * hc3_3;
-  A[9] = K_thetadot3_2_3;
-  A[15] = K_thetadot3_2_3;
+  A[9] = b2_4;
+  A[15] = b2_4;
 
   // ---- body 1 (body_1) and what it carries
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + T(0.1) * h2_3 +
-      T(0.3) * hc2_1 + T(0.14575000000000002) + (h2_3 + T(0.87)) * T(0.1) + (hc2_1 + T(2.61)) * T(0.3);
+  // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
+  const T J1_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1 + T(1.5925);
   A[0] = J1_22;
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_2 = T(0.1) * (E2_11 * B_thetadot7_3_1 - E2_12 * B_thetadot7_2_2) - b2_14 + E2_12 *
-      K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2;
+  const T K_thetadot7_1_2 = E2_12 * K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2 - T(0.3) * B_thetadot7_2_3;
   A[6] = K_thetadot7_1_2;
   A[42] = K_thetadot7_1_2;
   // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_2 = T(0.1) * (E2_11 * B_thetadot6_3_1 + E2_12 * minus_B_thetadot6_2_2) - b2_15 + E2_12 *
-      K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2;
+  const T K_thetadot6_1_2 = E2_12 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2 - T(0.3) * B_thetadot6_2_3;
   A[5] = K_thetadot6_1_2;
   A[35] = K_thetadot6_1_2;
   // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 - (T(0.1) * (E2_11 * minus_B_thetadot5_3_1 + E2_12 *
-      B_thetadot5_2_2) + b2_16) + E2_11 * K_thetadot5_2_2;
+  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.3) * B_thetadot5_2_3;
   A[4] = K_thetadot5_1_2;
   A[28] = K_thetadot5_1_2;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_2 = T(0.1) * (E2_11 * hc4_3 - E2_12 * B_thetadot4_2_2) + b2_17 + E2_12 * K_thetadot4_2_1 +
-      E2_11 * K_thetadot4_2_2;
+  const T K_thetadot4_1_2 = T(0.3) * minus_B_thetadot4_2_3 + E2_12 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
   A[3] = K_thetadot4_1_2;
   A[21] = K_thetadot4_1_2;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * hc3_3 * T(0.1) - b2_9 + E2_12 * b2_3 + E2_11 * K_thetadot3_2_2;
+  const T K_thetadot3_1_2 = E2_12 * b2_2 + E2_11 * b2_3 - b2_7;
   A[2] = K_thetadot3_1_2;
   A[14] = K_thetadot3_1_2;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23 - T(0.1) * hc2_2;
+  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23;
   A[1] = K_thetadot2_1_2;
   A[7] = K_thetadot2_1_2;
 
@@ -3379,10 +3043,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
   const T omega_thetadot2_5_1 = E5_12 * E3_23 - E5_11 * minus_omega_thetadot2_4_1;
-  const T omega_thetadot2_5_2 = E5_12 * minus_omega_thetadot2_4_1 + E5_11 * E3_23;
+  const T omega_thetadot2_5_2 = E5_11 * E3_23 + E5_12 * minus_omega_thetadot2_4_1;
   // omega_thetadot3_5 = E5 omega_thetadot3_4: partial angular velocity, body axes
   const T omega_thetadot3_5_1 = E5_11 * E4_11;
   const T minus_omega_thetadot3_5_2 = E5_12 * E4_11;
@@ -4058,7 +3722,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T R5_13 = R3_23 * E5_12 - minus_R4_13 * E5_11;
   const T R5_21 = R3_21 * E5_11 - R4_11 * E5_12;
   const T R5_22 = R3_22 * E5_11 - R4_12 * E5_12;
-  const T R5_23 = minus_R4_13 * E5_12 + R3_23 * E5_11;
+  const T R5_23 = R3_23 * E5_11 + minus_R4_13 * E5_12;
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -4066,11 +3730,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // omega_dot_thetadot1_5 = -thetadot5 b5~ E5 omega_thetadot1_4 + E5 omega_dot_thetadot1_4: its rate
   const T omega_dot_thetadot1_5_1 = thetadot5 * R5_22 + E5_11 * omega_dot_thetadot1_4_1 - E5_12 *
       minus_omega_dot_thetadot1_3_2;
-  const T minus_omega_dot_thetadot1_5_2 = thetadot5 * R5_12 + E5_12 * omega_dot_thetadot1_4_1 + E5_11 *
-      minus_omega_dot_thetadot1_3_2;
+  const T minus_omega_dot_thetadot1_5_2 = thetadot5 * R5_12 + E5_11 * minus_omega_dot_thetadot1_3_2 + E5_12 *
+      omega_dot_thetadot1_4_1;
   // omega_thetadot2_5 = E5 omega_thetadot2_4: partial angular velocity, body axes
   const T omega_thetadot2_5_1 = E5_12 * E3_23 - E5_11 * minus_omega_thetadot2_4_1;
-  const T omega_thetadot2_5_2 = E5_12 * minus_omega_thetadot2_4_1 + E5_11 * E3_23;
+  const T omega_thetadot2_5_2 = E5_11 * E3_23 + E5_12 * minus_omega_thetadot2_4_1;
   // omega_dot_thetadot2_5 = -thetadot5 b5~ E5 omega_thetadot2_4 + E5 omega_dot_thetadot2_4: its rate
   const T omega_dot_thetadot2_5_1 = thetadot5 * omega_thetadot2_5_2 + E5_11 * omega_dot_thetadot2_4_1 + E5_12 *
       omega_dot_thetadot2_3_2;

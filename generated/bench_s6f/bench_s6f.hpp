@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9a54c24cf0ff4800 of bench_s6f/scene.toml; the usual functions
+// model cd6a42df942cd4aa of bench_s6f/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -33,7 +33,7 @@
 //   power                   536 (263 add, 273 multiply)
 //   accelerations           961 (472 add, 489 multiply)
 //   residual                1237 (619 add, 618 multiply)
-//   forcing                 1119 (510 add, 609 multiply)
+//   forcing                 1119 (528 add, 591 multiply)
 //   mass_matrix             1395 (501 add, 894 multiply)
 //   partial_velocities      450 (180 add, 270 multiply)
 //   partial_velocity_rates  792 (324 add, 468 multiply)
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "9a54c24cf0ff4800";
+inline constexpr char model_hash[] = "cd6a42df942cd4aa";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1688,6 +1688,26 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_3 = Pddot1_3 - T(9.81);
   ydot[20] = sddot1_3;
+  // a2 = m2^-1 F2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a2_1 = T(0.8333333333333334) * u.F_2_1;
+  const T a2_2 = T(0.8333333333333334) * u.F_2_2;
+  const T a2_3 = T(0.8333333333333334) * u.F_2_3;
+  // a3 = m3^-1 F3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a3_1 = T(0.7692307692307692) * u.F_3_1;
+  const T a3_2 = T(0.7692307692307692) * u.F_3_2;
+  const T a3_3 = T(0.7692307692307692) * u.F_3_3;
+  // a4 = m4^-1 F4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a4_1 = T(0.7142857142857143) * u.F_4_1;
+  const T a4_2 = T(0.7142857142857143) * u.F_4_2;
+  const T a4_3 = T(0.7142857142857143) * u.F_4_3;
+  // a5 = m5^-1 F5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a5_1 = T(0.6666666666666666) * u.F_5_1;
+  const T a5_2 = T(0.6666666666666666) * u.F_5_2;
+  const T a5_3 = T(0.6666666666666666) * u.F_5_3;
+  // a6 = m6^-1 F6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a6_1 = T(0.625) * u.F_6_1;
+  const T a6_2 = T(0.625) * u.F_6_2;
+  const T a6_3 = T(0.625) * u.F_6_3;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -1751,10 +1771,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_31 = t2_17 - omegadot2_2;
   const T U2_32 = t2_13 + omegadot2_1;
   const T minus_U2_33 = t2_14 + t2_18;
-  // a2 = m2^-1 F2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a2_1 = T(0.8333333333333334) * u.F_2_1;
-  const T a2_2 = T(0.8333333333333334) * u.F_2_2;
-  const T a2_3 = T(0.8333333333333334) * u.F_2_3;
   // Pddot2 = -R2^T U2 r2 + a2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_19 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
   const T t2_20 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
@@ -1841,10 +1857,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_31 = t3_17 - omegadot3_2;
   const T U3_32 = t3_13 + omegadot3_1;
   const T minus_U3_33 = t3_14 + t3_18;
-  // a3 = m3^-1 F3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a3_1 = T(0.7692307692307692) * u.F_3_1;
-  const T a3_2 = T(0.7692307692307692) * u.F_3_2;
-  const T a3_3 = T(0.7692307692307692) * u.F_3_3;
   // Pddot3 = -R3^T U3 r3 + a3: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t3_19 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
   const T t3_20 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
@@ -1931,10 +1943,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_31 = t4_17 - omegadot4_2;
   const T U4_32 = t4_13 + omegadot4_1;
   const T minus_U4_33 = t4_14 + t4_18;
-  // a4 = m4^-1 F4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a4_1 = T(0.7142857142857143) * u.F_4_1;
-  const T a4_2 = T(0.7142857142857143) * u.F_4_2;
-  const T a4_3 = T(0.7142857142857143) * u.F_4_3;
   // Pddot4 = -R4^T U4 r4 + a4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t4_19 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
   const T t4_20 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
@@ -2015,10 +2023,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_31 = t5_17 - omegadot5_2;
   const T U5_32 = t5_13 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_18;
-  // a5 = m5^-1 F5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a5_1 = T(0.6666666666666666) * u.F_5_1;
-  const T a5_2 = T(0.6666666666666666) * u.F_5_2;
-  const T a5_3 = T(0.6666666666666666) * u.F_5_3;
   // Pddot5 = -R5^T U5 r5 + a5: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t5_19 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
   const T t5_20 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
@@ -2099,10 +2103,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_31 = t6_17 - omegadot6_2;
   const T U6_32 = t6_13 + omegadot6_1;
   const T minus_U6_33 = t6_14 + t6_18;
-  // a6 = m6^-1 F6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a6_1 = T(0.625) * u.F_6_1;
-  const T a6_2 = T(0.625) * u.F_6_2;
-  const T a6_3 = T(0.625) * u.F_6_3;
   // Pddot6 = -R6^T U6 r6 + a6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t6_19 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
   const T t6_20 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);
@@ -2167,14 +2167,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -2188,11 +2188,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21 + sddot1_1;
   const T a1_2 = R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21 + sddot1_2;
   const T a1_3 = R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21 + Pddot1_3;
-  // G1 = m1 a1 - F1: force balance, inertial axes [N]
+  // G1 = m1 a1 - F1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(1.1) * a1_1 - u.F_1_1;
   const T G1_2 = T(1.1) * a1_2 - u.F_1_2;
   const T G1_3 = T(1.1) * a1_3 - u.F_1_3;
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.032999999999999995) * U1_32 - T(0.07700000000000001) * U1_23 + T(0.0044) * (minus_U1_22 -
       minus_U1_33) - T(0.0055) * U1_31 + T(0.0033) * U1_21 - u.M_1_1;
   const T N1_2 = T(0.07700000000000001) * U1_13 - T(0.055) * U1_31 - T(0.0033) * (minus_U1_33 - minus_U1_11) +
@@ -2238,14 +2238,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_13 = omega2_3 * omega2_3;
   const T t2_14 = omega2_2 * omega2_2;
   const T minus_U2_11 = t2_13 + t2_14;
-  const T t2_15 = omega2_1 * omega2_2;
+  const T t2_15 = omega2_2 * omega2_1;
   const T U2_12 = t2_15 - omegadot2_3;
-  const T t2_16 = omega2_1 * omega2_3;
+  const T t2_16 = omega2_3 * omega2_1;
   const T U2_13 = t2_16 + omegadot2_2;
   const T U2_21 = t2_15 + omegadot2_3;
   const T t2_17 = omega2_1 * omega2_1;
   const T minus_U2_22 = t2_13 + t2_17;
-  const T t2_18 = omega2_2 * omega2_3;
+  const T t2_18 = omega2_3 * omega2_2;
   const T U2_23 = t2_18 - omegadot2_1;
   const T U2_31 = t2_16 - omegadot2_2;
   const T U2_32 = t2_18 + omegadot2_1;
@@ -2268,11 +2268,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
   const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
   const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
-  // G2 = m2 a2 - F2: force balance, inertial axes [N]
+  // G2 = m2 a2 - F2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(1.2) * a2_1 - u.F_2_1;
   const T G2_2 = T(1.2) * a2_2 - u.F_2_2;
   const T G2_3 = T(1.2) * a2_3 - u.F_2_3;
-  // N2 = -M2 + axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) - M2: inertia less applied moment about the mass centre, body axes [N m]
   const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
       minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21 - u.M_2_1;
   const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
@@ -2318,14 +2318,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t3_13 = omega3_3 * omega3_3;
   const T t3_14 = omega3_2 * omega3_2;
   const T minus_U3_11 = t3_13 + t3_14;
-  const T t3_15 = omega3_1 * omega3_2;
+  const T t3_15 = omega3_2 * omega3_1;
   const T U3_12 = t3_15 - omegadot3_3;
-  const T t3_16 = omega3_1 * omega3_3;
+  const T t3_16 = omega3_3 * omega3_1;
   const T U3_13 = t3_16 + omegadot3_2;
   const T U3_21 = t3_15 + omegadot3_3;
   const T t3_17 = omega3_1 * omega3_1;
   const T minus_U3_22 = t3_13 + t3_17;
-  const T t3_18 = omega3_2 * omega3_3;
+  const T t3_18 = omega3_3 * omega3_2;
   const T U3_23 = t3_18 - omegadot3_1;
   const T U3_31 = t3_16 - omegadot3_2;
   const T U3_32 = t3_18 + omegadot3_1;
@@ -2348,11 +2348,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
   const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
   const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
-  // G3 = m3 a3 - F3: force balance, inertial axes [N]
+  // G3 = m3 a3 - F3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(1.3) * a3_1 - u.F_3_1;
   const T G3_2 = T(1.3) * a3_2 - u.F_3_2;
   const T G3_3 = T(1.3) * a3_3 - u.F_3_3;
-  // N3 = -M3 + axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)) - M3: inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
       T(0.0039) * U3_21 - u.M_3_1;
   const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
@@ -2398,14 +2398,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t4_13 = omega4_3 * omega4_3;
   const T t4_14 = omega4_2 * omega4_2;
   const T minus_U4_11 = t4_13 + t4_14;
-  const T t4_15 = omega4_1 * omega4_2;
+  const T t4_15 = omega4_2 * omega4_1;
   const T U4_12 = t4_15 - omegadot4_3;
-  const T t4_16 = omega4_1 * omega4_3;
+  const T t4_16 = omega4_3 * omega4_1;
   const T U4_13 = t4_16 + omegadot4_2;
   const T U4_21 = t4_15 + omegadot4_3;
   const T t4_17 = omega4_1 * omega4_1;
   const T minus_U4_22 = t4_13 + t4_17;
-  const T t4_18 = omega4_2 * omega4_3;
+  const T t4_18 = omega4_3 * omega4_2;
   const T U4_23 = t4_18 - omegadot4_1;
   const T U4_31 = t4_16 - omegadot4_2;
   const T U4_32 = t4_18 + omegadot4_1;
@@ -2425,11 +2425,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
   const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
   const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
-  // G4 = m4 a4 - F4: force balance, inertial axes [N]
+  // G4 = m4 a4 - F4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(1.4) * a4_1 - u.F_4_1;
   const T G4_2 = T(1.4) * a4_2 - u.F_4_2;
   const T G4_3 = T(1.4) * a4_3 - u.F_4_3;
-  // N4 = -M4 + axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)) - M4: inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
       T(0.0042) * U4_21 - u.M_4_1;
   const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
@@ -2475,14 +2475,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t5_13 = omega5_3 * omega5_3;
   const T t5_14 = omega5_2 * omega5_2;
   const T minus_U5_11 = t5_13 + t5_14;
-  const T t5_15 = omega5_1 * omega5_2;
+  const T t5_15 = omega5_2 * omega5_1;
   const T U5_12 = t5_15 - omegadot5_3;
-  const T t5_16 = omega5_1 * omega5_3;
+  const T t5_16 = omega5_3 * omega5_1;
   const T U5_13 = t5_16 + omegadot5_2;
   const T U5_21 = t5_15 + omegadot5_3;
   const T t5_17 = omega5_1 * omega5_1;
   const T minus_U5_22 = t5_13 + t5_17;
-  const T t5_18 = omega5_2 * omega5_3;
+  const T t5_18 = omega5_3 * omega5_2;
   const T U5_23 = t5_18 - omegadot5_1;
   const T U5_31 = t5_16 - omegadot5_2;
   const T U5_32 = t5_18 + omegadot5_1;
@@ -2502,11 +2502,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
   const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
   const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = m5 a5 - F5: force balance, inertial axes [N]
+  // G5 = m5 a5 - F5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(1.5) * a5_1 - u.F_5_1;
   const T G5_2 = T(1.5) * a5_2 - u.F_5_2;
   const T G5_3 = T(1.5) * a5_3 - u.F_5_3;
-  // N5 = -M5 + axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)) - M5: inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
       T(0.0045) * U5_21 - u.M_5_1;
   const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
@@ -2552,14 +2552,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t6_13 = omega6_3 * omega6_3;
   const T t6_14 = omega6_2 * omega6_2;
   const T minus_U6_11 = t6_13 + t6_14;
-  const T t6_15 = omega6_1 * omega6_2;
+  const T t6_15 = omega6_2 * omega6_1;
   const T U6_12 = t6_15 - omegadot6_3;
-  const T t6_16 = omega6_1 * omega6_3;
+  const T t6_16 = omega6_3 * omega6_1;
   const T U6_13 = t6_16 + omegadot6_2;
   const T U6_21 = t6_15 + omegadot6_3;
   const T t6_17 = omega6_1 * omega6_1;
   const T minus_U6_22 = t6_13 + t6_17;
-  const T t6_18 = omega6_2 * omega6_3;
+  const T t6_18 = omega6_3 * omega6_2;
   const T U6_23 = t6_18 - omegadot6_1;
   const T U6_31 = t6_16 - omegadot6_2;
   const T U6_32 = t6_18 + omegadot6_1;
@@ -2582,11 +2582,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
   const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
   const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
-  // G6 = m6 a6 - F6: force balance, inertial axes [N]
+  // G6 = m6 a6 - F6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(1.6) * a6_1 - u.F_6_1;
   const T G6_2 = T(1.6) * a6_2 - u.F_6_2;
   const T G6_3 = T(1.6) * a6_3 - u.F_6_3;
-  // N6 = -M6 + axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U6 (tr(I6)/2 - I6)) - M6: inertia less applied moment about the mass centre, body axes [N m]
   const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
       T(0.0048) * U6_21 - u.M_6_1;
   const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
@@ -2725,7 +2725,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 510 add, 609 multiply
+// 528 add, 591 multiply
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
 
@@ -2754,33 +2754,34 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_1 * T(0.2) - omega1_2 * T(0.1);
-  const T t1_14 = omega1_3 * T(0.1) - omega1_1 * T(0.05);
-  const T t1_15 = omega1_2 * t1_13 - omega1_3 * t1_14;
-  const T t1_16 = omega1_2 * T(0.05) - omega1_3 * T(0.2);
-  const T t1_17 = omega1_3 * t1_16 - omega1_1 * t1_13;
-  const T t1_18 = omega1_1 * t1_14 - omega1_2 * t1_16;
-  const T a1_1 = R1_11 * t1_15 + R1_21 * t1_17 + R1_31 * t1_18;
-  const T a1_2 = R1_12 * t1_15 + R1_22 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_13 * t1_15 + R1_23 * t1_17 + R1_33 * t1_18 + T(9.81);
-  // G1 = -m1 a1 + F1: applied less inertia force at ydot = 0, inertial axes [N]
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_16 = U1_12 * T(0.2) - minus_U1_11 * T(0.1) + U1_13 * T(0.05);
+  const T t1_17 = U1_12 * T(0.1) - minus_U1_22 * T(0.2) + U1_23 * T(0.05);
+  const T t1_18 = U1_13 * T(0.1) + U1_23 * T(0.2) - minus_U1_33 * T(0.05);
+  const T a1_1 = R1_11 * t1_16 + R1_21 * t1_17 + R1_31 * t1_18;
+  const T a1_2 = R1_12 * t1_16 + R1_22 * t1_17 + R1_32 * t1_18;
+  const T a1_3 = R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18 + T(9.81);
+  // G1 = -m1 a1 + F1: applied less inertia force, inertial axes [N]
   const T G1_1 = u.F_1_1 - T(1.1) * a1_1;
   const T G1_2 = u.F_1_2 - T(1.1) * a1_2;
   const T G1_3 = u.F_1_3 - T(1.1) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
-  const T t1_22 = omega1_1 * omega1_2;
-  const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.04400000000000001) * t1_19 + T(0.0044) * (t1_20 - t1_21) - T(0.0033) * t1_22 + T(0.0055) * t1_23
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = T(0.04400000000000001) * U1_23 + T(0.0044) * (t1_14 - t1_13) - T(0.0033) * U1_12 + T(0.0055) * U1_13
       + u.M_1_1;
-  const T t1_24 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_23 + T(0.0033) * (t1_21 - t1_24) + T(0.0055) * t1_19 +
-      T(0.0044) * t1_22);
-  const T N1_3 = T(0.0044) * t1_23 - (T(0.022000000000000006) * t1_22 + T(0.0055) * (t1_24 - t1_20)) + T(0.0033) *
-      t1_19 + u.M_1_3;
+  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * U1_13 + T(0.0033) * (t1_13 - t1_15) + T(0.0055) * U1_23 +
+      T(0.0044) * U1_12);
+  const T N1_3 = T(0.0044) * U1_13 - (T(0.022000000000000006) * U1_12 + T(0.0055) * (t1_15 - t1_14)) + T(0.0033) *
+      U1_23 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2813,44 +2814,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T d2_1 = T(0.3) + s2_1;
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.1) + s2_3;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t2_13 = omega2_3 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_13 + t2_14;
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_15 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_13 + t2_15;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = R1^T omega1~ (omega1~ d2 + 2 sdot2) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t2_13 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
-  const T t2_15 = omega1_2 * t2_13 - omega1_3 * t2_14;
-  const T t2_16 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
-  const T t2_17 = omega1_3 * t2_16 - omega1_1 * t2_13;
-  const T t2_18 = omega1_1 * t2_14 - omega1_2 * t2_16;
-  const T Pddot2_1 = R1_11 * t2_15 + R1_21 * t2_17 + R1_31 * t2_18;
-  const T Pddot2_2 = R1_12 * t2_15 + R1_22 * t2_17 + R1_32 * t2_18;
-  const T Pddot2_3 = R1_13 * t2_15 + R1_23 * t2_17 + R1_33 * t2_18 + T(9.81);
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_19 = omega2_1 * T(0.2) - omega2_2 * T(0.1);
-  const T t2_20 = omega2_3 * T(0.1) - omega2_1 * T(0.05);
-  const T t2_21 = omega2_2 * t2_19 - omega2_3 * t2_20;
-  const T t2_22 = omega2_2 * T(0.05) - omega2_3 * T(0.2);
-  const T t2_23 = omega2_3 * t2_22 - omega2_1 * t2_19;
-  const T t2_24 = omega2_1 * t2_20 - omega2_2 * t2_22;
-  const T a2_1 = R2_11 * t2_21 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_21 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_21 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
-  // G2 = -m2 a2 + F2: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t2_16 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
+  const T t2_17 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
+  const T t2_18 = omega1_2 * t2_16 - omega1_3 * t2_17;
+  const T t2_19 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
+  const T t2_20 = omega1_3 * t2_19 - omega1_1 * t2_16;
+  const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
+  const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
+  const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
+  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21 + T(9.81);
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_22 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
+  const T t2_23 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
+  const T t2_24 = U2_13 * T(0.1) + U2_23 * T(0.2) - minus_U2_33 * T(0.05);
+  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
+  // G2 = -m2 a2 + F2: applied less inertia force, inertial axes [N]
   const T G2_1 = u.F_2_1 - T(1.2) * a2_1;
   const T G2_2 = u.F_2_2 - T(1.2) * a2_2;
   const T G2_3 = u.F_2_3 - T(1.2) * a2_3;
-  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_2 * omega2_3;
-  const T t2_26 = omega2_2 * omega2_2;
-  const T t2_27 = omega2_3 * omega2_3;
-  const T t2_28 = omega2_1 * omega2_2;
-  const T t2_29 = omega2_1 * omega2_3;
-  const T N2_1 = T(0.04799999999999999) * t2_25 + T(0.0048) * (t2_26 - t2_27) - T(0.0036) * t2_28 + T(0.006) * t2_29 +
+  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment about the mass centre, body axes [N m]
+  const T N2_1 = T(0.04799999999999999) * U2_23 + T(0.0048) * (t2_14 - t2_13) - T(0.0036) * U2_12 + T(0.006) * U2_13 +
       u.M_2_1;
-  const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * t2_29 + T(0.0036) * (t2_27 - t2_30) + T(0.006) * t2_25 +
-      T(0.0048) * t2_28);
-  const T N2_3 = T(0.0048) * t2_29 - (T(0.023999999999999994) * t2_28 + T(0.006) * (t2_30 - t2_26)) + T(0.0036) *
-      t2_25 + u.M_2_3;
+  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * U2_13 + T(0.0036) * (t2_13 - t2_15) + T(0.006) * U2_23 +
+      T(0.0048) * U2_12);
+  const T N2_3 = T(0.0048) * U2_13 - (T(0.023999999999999994) * U2_12 + T(0.006) * (t2_15 - t2_14)) + T(0.0036) *
+      U2_23 + u.M_2_3;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2883,44 +2885,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T d3_1 = T(0.3) + s3_1;
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
+  // U3 = omega3~ omega3~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t3_13 = omega3_3 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_13 + t3_14;
+  const T U3_12 = omega3_2 * omega3_1;
+  const T U3_13 = omega3_3 * omega3_1;
+  const T t3_15 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_13 + t3_15;
+  const T U3_23 = omega3_3 * omega3_2;
+  const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = R2^T omega2~ (omega2~ d3 + 2 sdot3) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t3_13 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
-  const T t3_15 = omega2_2 * t3_13 - omega2_3 * t3_14;
-  const T t3_16 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
-  const T t3_17 = omega2_3 * t3_16 - omega2_1 * t3_13;
-  const T t3_18 = omega2_1 * t3_14 - omega2_2 * t3_16;
-  const T Pddot3_1 = R2_11 * t3_15 + R2_21 * t3_17 + R2_31 * t3_18 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_15 + R2_22 * t3_17 + R2_32 * t3_18 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_15 + R2_23 * t3_17 + R2_33 * t3_18 + Pddot2_3;
-  // a3 = R3^T omega3~ omega3~ r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t3_19 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T t3_20 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
-  const T t3_21 = omega3_2 * t3_19 - omega3_3 * t3_20;
-  const T t3_22 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
-  const T t3_23 = omega3_3 * t3_22 - omega3_1 * t3_19;
-  const T t3_24 = omega3_1 * t3_20 - omega3_2 * t3_22;
-  const T a3_1 = R3_11 * t3_21 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_21 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_21 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
-  // G3 = -m3 a3 + F3: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t3_16 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
+  const T t3_17 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
+  const T t3_18 = omega2_2 * t3_16 - omega2_3 * t3_17;
+  const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
+  const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
+  const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
+  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_22 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
+  const T t3_23 = U3_12 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
+  const T t3_24 = U3_13 * T(0.1) + U3_23 * T(0.2) - minus_U3_33 * T(0.05);
+  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  // G3 = -m3 a3 + F3: applied less inertia force, inertial axes [N]
   const T G3_1 = u.F_3_1 - T(1.3) * a3_1;
   const T G3_2 = u.F_3_2 - T(1.3) * a3_2;
   const T G3_3 = u.F_3_3 - T(1.3) * a3_3;
-  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_2 * omega3_3;
-  const T t3_26 = omega3_2 * omega3_2;
-  const T t3_27 = omega3_3 * omega3_3;
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.052000000000000005) * t3_25 + T(0.0052) * (t3_26 - t3_27) - T(0.0039) * t3_28 + T(0.0065) * t3_29
+  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment about the mass centre, body axes [N m]
+  const T N3_1 = T(0.052000000000000005) * U3_23 + T(0.0052) * (t3_14 - t3_13) - T(0.0039) * U3_12 + T(0.0065) * U3_13
       + u.M_3_1;
-  const T t3_30 = omega3_1 * omega3_1;
-  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * t3_29 + T(0.0039) * (t3_27 - t3_30) + T(0.0065) * t3_25 +
-      T(0.0052) * t3_28);
-  const T N3_3 = T(0.0052) * t3_29 - (T(0.025999999999999995) * t3_28 + T(0.0065) * (t3_30 - t3_26)) + T(0.0039) *
-      t3_25 + u.M_3_3;
+  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * U3_13 + T(0.0039) * (t3_13 - t3_15) + T(0.0065) * U3_23 +
+      T(0.0052) * U3_12);
+  const T N3_3 = T(0.0052) * U3_13 - (T(0.025999999999999995) * U3_12 + T(0.0065) * (t3_15 - t3_14)) + T(0.0039) *
+      U3_23 + u.M_3_3;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2953,44 +2956,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T d4_1 = T(0.3) + s4_1;
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
+  // U4 = omega4~ omega4~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t4_13 = omega4_3 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_13 + t4_14;
+  const T U4_12 = omega4_2 * omega4_1;
+  const T U4_13 = omega4_3 * omega4_1;
+  const T t4_15 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_13 + t4_15;
+  const T U4_23 = omega4_3 * omega4_2;
+  const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = R2^T omega2~ (omega2~ d4 + 2 sdot4) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t4_13 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
-  const T t4_15 = omega2_2 * t4_13 - omega2_3 * t4_14;
-  const T t4_16 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
-  const T t4_17 = omega2_3 * t4_16 - omega2_1 * t4_13;
-  const T t4_18 = omega2_1 * t4_14 - omega2_2 * t4_16;
-  const T Pddot4_1 = R2_11 * t4_15 + R2_21 * t4_17 + R2_31 * t4_18 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_15 + R2_22 * t4_17 + R2_32 * t4_18 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_15 + R2_23 * t4_17 + R2_33 * t4_18 + Pddot2_3;
-  // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t4_19 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T t4_20 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
-  const T t4_21 = omega4_2 * t4_19 - omega4_3 * t4_20;
-  const T t4_22 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
-  const T t4_23 = omega4_3 * t4_22 - omega4_1 * t4_19;
-  const T t4_24 = omega4_1 * t4_20 - omega4_2 * t4_22;
-  const T a4_1 = R4_11 * t4_21 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_21 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_21 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
-  // G4 = -m4 a4 + F4: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t4_16 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
+  const T t4_17 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
+  const T t4_18 = omega2_2 * t4_16 - omega2_3 * t4_17;
+  const T t4_19 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
+  const T t4_20 = omega2_3 * t4_19 - omega2_1 * t4_16;
+  const T t4_21 = omega2_1 * t4_17 - omega2_2 * t4_19;
+  const T Pddot4_1 = R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
+  const T Pddot4_2 = R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
+  const T Pddot4_3 = R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_22 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
+  const T t4_23 = U4_12 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
+  const T t4_24 = U4_13 * T(0.1) + U4_23 * T(0.2) - minus_U4_33 * T(0.05);
+  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  // G4 = -m4 a4 + F4: applied less inertia force, inertial axes [N]
   const T G4_1 = u.F_4_1 - T(1.4) * a4_1;
   const T G4_2 = u.F_4_2 - T(1.4) * a4_2;
   const T G4_3 = u.F_4_3 - T(1.4) * a4_3;
-  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_3;
-  const T t4_26 = omega4_2 * omega4_2;
-  const T t4_27 = omega4_3 * omega4_3;
-  const T t4_28 = omega4_1 * omega4_2;
-  const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.05600000000000001) * t4_25 + T(0.0056) * (t4_26 - t4_27) - T(0.0042) * t4_28 + T(0.007) * t4_29 +
+  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment about the mass centre, body axes [N m]
+  const T N4_1 = T(0.05600000000000001) * U4_23 + T(0.0056) * (t4_14 - t4_13) - T(0.0042) * U4_12 + T(0.007) * U4_13 +
       u.M_4_1;
-  const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * t4_29 + T(0.0042) * (t4_27 - t4_30) + T(0.007) * t4_25 +
-      T(0.0056) * t4_28);
-  const T N4_3 = T(0.0056) * t4_29 - (T(0.027999999999999997) * t4_28 + T(0.007) * (t4_30 - t4_26)) + T(0.0042) *
-      t4_25 + u.M_4_3;
+  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * U4_13 + T(0.0042) * (t4_13 - t4_15) + T(0.007) * U4_23 +
+      T(0.0056) * U4_12);
+  const T N4_3 = T(0.0056) * U4_13 - (T(0.027999999999999997) * U4_12 + T(0.007) * (t4_15 - t4_14)) + T(0.0042) *
+      U4_23 + u.M_4_3;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3023,41 +3027,42 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T d5_1 = T(0.3) + s5_1;
   const T d5_2 = T(0.25) + s5_2;
   const T d5_3 = T(0.1) + s5_3;
+  // U5 = omega5~ omega5~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t5_13 = omega5_3 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_13 + t5_14;
+  const T U5_12 = omega5_2 * omega5_1;
+  const T U5_13 = omega5_3 * omega5_1;
+  const T t5_15 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_13 + t5_15;
+  const T U5_23 = omega5_3 * omega5_2;
+  const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = R1^T omega1~ (omega1~ d5 + 2 sdot5) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t5_13 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
-  const T t5_15 = omega1_2 * t5_13 - omega1_3 * t5_14;
-  const T t5_16 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
-  const T t5_17 = omega1_3 * t5_16 - omega1_1 * t5_13;
-  const T t5_18 = omega1_1 * t5_14 - omega1_2 * t5_16;
-  const T Pddot5_1 = R1_11 * t5_15 + R1_21 * t5_17 + R1_31 * t5_18;
-  const T Pddot5_2 = R1_12 * t5_15 + R1_22 * t5_17 + R1_32 * t5_18;
-  const T Pddot5_3 = R1_13 * t5_15 + R1_23 * t5_17 + R1_33 * t5_18 + T(9.81);
-  // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t5_19 = omega5_1 * T(0.2) - omega5_2 * T(0.1);
-  const T t5_20 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
-  const T t5_21 = omega5_2 * t5_19 - omega5_3 * t5_20;
-  const T t5_22 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
-  const T t5_23 = omega5_3 * t5_22 - omega5_1 * t5_19;
-  const T t5_24 = omega5_1 * t5_20 - omega5_2 * t5_22;
-  const T a5_1 = R5_11 * t5_21 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_21 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_21 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = -m5 a5 + F5: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t5_16 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
+  const T t5_17 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
+  const T t5_18 = omega1_2 * t5_16 - omega1_3 * t5_17;
+  const T t5_19 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
+  const T t5_20 = omega1_3 * t5_19 - omega1_1 * t5_16;
+  const T t5_21 = omega1_1 * t5_17 - omega1_2 * t5_19;
+  const T Pddot5_1 = R1_11 * t5_18 + R1_21 * t5_20 + R1_31 * t5_21;
+  const T Pddot5_2 = R1_12 * t5_18 + R1_22 * t5_20 + R1_32 * t5_21;
+  const T Pddot5_3 = R1_13 * t5_18 + R1_23 * t5_20 + R1_33 * t5_21 + T(9.81);
+  // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_22 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
+  const T t5_23 = U5_12 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
+  const T t5_24 = U5_13 * T(0.1) + U5_23 * T(0.2) - minus_U5_33 * T(0.05);
+  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  // G5 = -m5 a5 + F5: applied less inertia force, inertial axes [N]
   const T G5_1 = u.F_5_1 - T(1.5) * a5_1;
   const T G5_2 = u.F_5_2 - T(1.5) * a5_2;
   const T G5_3 = u.F_5_3 - T(1.5) * a5_3;
-  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t5_25 = omega5_2 * omega5_3;
-  const T t5_26 = omega5_2 * omega5_2;
-  const T t5_27 = omega5_3 * omega5_3;
-  const T t5_28 = omega5_1 * omega5_2;
-  const T t5_29 = omega5_1 * omega5_3;
-  const T N5_1 = T(0.06) * t5_25 + T(0.006) * (t5_26 - t5_27) - T(0.0045) * t5_28 + T(0.0075) * t5_29 + u.M_5_1;
-  const T t5_30 = omega5_1 * omega5_1;
-  const T N5_2 = u.M_5_2 - (T(0.03) * t5_29 + T(0.0045) * (t5_27 - t5_30) + T(0.0075) * t5_25 + T(0.006) * t5_28);
-  const T N5_3 = T(0.006) * t5_29 - (T(0.03) * t5_28 + T(0.0075) * (t5_30 - t5_26)) + T(0.0045) * t5_25 + u.M_5_3;
+  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment about the mass centre, body axes [N m]
+  const T N5_1 = T(0.06) * U5_23 + T(0.006) * (t5_14 - t5_13) - T(0.0045) * U5_12 + T(0.0075) * U5_13 + u.M_5_1;
+  const T N5_2 = u.M_5_2 - (T(0.03) * U5_13 + T(0.0045) * (t5_13 - t5_15) + T(0.0075) * U5_23 + T(0.006) * U5_12);
+  const T N5_3 = T(0.006) * U5_13 - (T(0.03) * U5_12 + T(0.0075) * (t5_15 - t5_14)) + T(0.0045) * U5_23 + u.M_5_3;
 
   // ---- body 6 (body_6) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -3090,41 +3095,42 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T d6_1 = T(0.3) + s6_1;
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
+  // U6 = omega6~ omega6~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t6_13 = omega6_3 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_13 + t6_14;
+  const T U6_12 = omega6_2 * omega6_1;
+  const T U6_13 = omega6_3 * omega6_1;
+  const T t6_15 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_13 + t6_15;
+  const T U6_23 = omega6_3 * omega6_2;
+  const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = R5^T omega5~ (omega5~ d6 + 2 sdot6) + Pddot5: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t6_13 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
-  const T t6_15 = omega5_2 * t6_13 - omega5_3 * t6_14;
-  const T t6_16 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
-  const T t6_17 = omega5_3 * t6_16 - omega5_1 * t6_13;
-  const T t6_18 = omega5_1 * t6_14 - omega5_2 * t6_16;
-  const T Pddot6_1 = R5_11 * t6_15 + R5_21 * t6_17 + R5_31 * t6_18 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_15 + R5_22 * t6_17 + R5_32 * t6_18 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_15 + R5_23 * t6_17 + R5_33 * t6_18 + Pddot5_3;
-  // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_19 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T t6_20 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
-  const T t6_21 = omega6_2 * t6_19 - omega6_3 * t6_20;
-  const T t6_22 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
-  const T t6_23 = omega6_3 * t6_22 - omega6_1 * t6_19;
-  const T t6_24 = omega6_1 * t6_20 - omega6_2 * t6_22;
-  const T a6_1 = R6_11 * t6_21 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_12 * t6_21 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_13 * t6_21 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
-  // G6 = -m6 a6 + F6: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t6_16 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
+  const T t6_17 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
+  const T t6_18 = omega5_2 * t6_16 - omega5_3 * t6_17;
+  const T t6_19 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
+  const T t6_20 = omega5_3 * t6_19 - omega5_1 * t6_16;
+  const T t6_21 = omega5_1 * t6_17 - omega5_2 * t6_19;
+  const T Pddot6_1 = R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21 + Pddot5_1;
+  const T Pddot6_2 = R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21 + Pddot5_2;
+  const T Pddot6_3 = R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21 + Pddot5_3;
+  // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_22 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
+  const T t6_23 = U6_12 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);
+  const T t6_24 = U6_13 * T(0.1) + U6_23 * T(0.2) - minus_U6_33 * T(0.05);
+  const T a6_1 = R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
+  const T a6_2 = R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
+  const T a6_3 = R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  // G6 = -m6 a6 + F6: applied less inertia force, inertial axes [N]
   const T G6_1 = u.F_6_1 - T(1.6) * a6_1;
   const T G6_2 = u.F_6_2 - T(1.6) * a6_2;
   const T G6_3 = u.F_6_3 - T(1.6) * a6_3;
-  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_2 * omega6_3;
-  const T t6_26 = omega6_2 * omega6_2;
-  const T t6_27 = omega6_3 * omega6_3;
-  const T t6_28 = omega6_1 * omega6_2;
-  const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.064) * t6_25 + T(0.0064) * (t6_26 - t6_27) - T(0.0048) * t6_28 + T(0.008) * t6_29 + u.M_6_1;
-  const T t6_30 = omega6_1 * omega6_1;
-  const T N6_2 = u.M_6_2 - (T(0.032) * t6_29 + T(0.0048) * (t6_27 - t6_30) + T(0.008) * t6_25 + T(0.0064) * t6_28);
-  const T N6_3 = T(0.0064) * t6_29 - (T(0.032) * t6_28 + T(0.008) * (t6_30 - t6_26)) + T(0.0048) * t6_25 + u.M_6_3;
+  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment about the mass centre, body axes [N m]
+  const T N6_1 = T(0.064) * U6_23 + T(0.0064) * (t6_14 - t6_13) - T(0.0048) * U6_12 + T(0.008) * U6_13 + u.M_6_1;
+  const T N6_2 = u.M_6_2 - (T(0.032) * U6_13 + T(0.0048) * (t6_13 - t6_15) + T(0.008) * U6_23 + T(0.0064) * U6_12);
+  const T N6_3 = T(0.0064) * U6_13 - (T(0.032) * U6_12 + T(0.008) * (t6_15 - t6_14)) + T(0.0048) * U6_23 + u.M_6_3;
 
   // ---- body 6 (body_6) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 921ff832e1d0a8fa of bench_s6r/scene.toml; the usual functions
+// model 7e6cfe2ba25bb8f0 of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -30,10 +30,10 @@
 //   energy                  650 (285 add, 365 multiply, 10 sine or cosine)
 //   momentum                865 (405 add, 460 multiply, 10 sine or cosine)
 //   power                   71 (33 add, 38 multiply)
-//   accelerations           1777 (852 add, 917 multiply, 8 divide, 10 sine or cosine)
-//   residual                878 (438 add, 440 multiply, 10 sine or cosine)
-//   forcing                 817 (397 add, 420 multiply, 10 sine or cosine)
-//   mass_matrix             527 (268 add, 259 multiply, 10 sine or cosine)
+//   accelerations           1515 (710 add, 797 multiply, 8 divide, 10 sine or cosine)
+//   residual                778 (385 add, 393 multiply, 10 sine or cosine)
+//   forcing                 712 (344 add, 368 multiply, 10 sine or cosine)
+//   mass_matrix             366 (172 add, 194 multiply, 10 sine or cosine)
 //   partial_velocities      675 (303 add, 372 multiply, 10 sine or cosine)
 //   partial_velocity_rates  1381 (584 add, 797 multiply, 10 sine or cosine)
 #pragma once
@@ -47,7 +47,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "921ff832e1d0a8fa";
+inline constexpr char model_hash[] = "7e6cfe2ba25bb8f0";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1084,7 +1084,8 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 852 add, 917 multiply, 8 divide, 10 sine or cosine
+// 710 add, 797 multiply, 8 divide, 10 sine or cosine
+// by: composite; articulated would take 733 add, 782 multiply, 8 divide, 10 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1115,32 +1116,30 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = omega1~ omega1~ r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_2 * T(0.1);
-  const T t1_14 = omega1_1 * T(0.2) - t1_13;
-  const T t1_15 = omega1_3 * T(0.1);
-  const T t1_16 = t1_15 - omega1_1 * T(0.05);
-  const T a1_1 = omega1_2 * t1_14 - omega1_3 * t1_16;
-  const T t1_17 = omega1_2 * T(0.05) - omega1_3 * T(0.2);
-  const T a1_2 = omega1_3 * t1_17 - omega1_1 * t1_14;
-  const T a1_3 = omega1_1 * t1_16 - omega1_2 * t1_17;
-  // G1 = R1 F1 - m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3 - T(1.1) * a1_1;
-  const T G1_2 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3 - T(1.1) * a1_2;
-  const T G1_3 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3 - T(1.1) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_18 = omega1_2 * omega1_3;
-  const T t1_19 = omega1_2 * omega1_2;
-  const T t1_20 = omega1_3 * omega1_3;
-  const T t1_21 = omega1_1 * omega1_2;
-  const T t1_22 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.04400000000000001) * t1_18 + T(0.0044) * (t1_19 - t1_20) - T(0.0033) * t1_21 + T(0.0055) * t1_22
-      + u.M_1_1;
-  const T t1_23 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_22 + T(0.0033) * (t1_20 - t1_23) + T(0.0055) * t1_18 +
-      T(0.0044) * t1_21);
-  const T N1_3 = T(0.0044) * t1_22 - (T(0.022000000000000006) * t1_21 + T(0.0055) * (t1_23 - t1_19)) + T(0.0033) *
-      t1_18 + u.M_1_3;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // G1 = R1 F1 - U1 h_all_1: applied less inertia force, body axes [N]
+  const T t1_16 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
+  const T G1_1 = minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(1.32) + t1_16;
+  const T t1_17 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
+  const T G1_2 = minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(1.32) + t1_17;
+  const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
+  const T G1_3 = minus_U1_33 * T(1.32) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18;
+  // N1 = r1~ R1 F1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body origin, body axes [N m]
+  const T N1_1 = T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.904) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) +
+      T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
+  const T N1_2 = T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.51775) * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) *
+      U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
+  const T N1_3 = T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) +
+      T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -1170,37 +1169,27 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_31 = t2_3 + minus_omegadot2_2;
   const T U2_32 = t2_5 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_4;
-  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_6 = omega1_1 * T(0.1);
-  const T t2_7 = omega1_2 * T(0.3);
-  const T t2_8 = t2_6 - t2_7;
-  const T t2_9 = omega1_3 * T(0.3) - t2_6;
-  const T t2_10 = omega1_3 * t2_9;
-  const T t2_11 = omega1_2 * t2_8 - t2_10;
-  const T t2_12 = t1_13 - t1_15;
-  const T t2_13 = omega1_3 * t2_12 - omega1_1 * t2_8;
-  const T Pddot2_1 = E2_11 * t2_11 + E2_12 * t2_13;
-  const T Pddot2_2 = E2_11 * t2_13 - E2_12 * t2_11;
-  const T t2_14 = omega1_1 * t2_9;
-  const T Pddot2_3 = t2_14 - omega1_2 * t2_12;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t2_15 = U2_12 * T(0.2) + Pddot2_1;
-  const T a2_1 = t2_15 - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
-  const T t2_16 = minus_U2_22 * T(0.2) - Pddot2_2;
-  const T a2_2 = U2_12 * T(0.1) - t2_16 + U2_23 * T(0.05);
-  const T t2_17 = U2_32 * T(0.2) + Pddot2_3;
-  const T a2_3 = U2_31 * T(0.1) + t2_17 - minus_U2_33 * T(0.05);
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(1.2) * a2_1;
-  const T minus_G2_2 = T(1.2) * a2_2;
-  const T minus_G2_3 = T(1.2) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32;
-  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) - T(0.0036) * U2_23 -
-      T(0.0048) * U2_13;
+  // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = minus_U1_11 * T(0.3);
+  const T t2_7 = U1_12 * T(0.1) - t2_6;
+  const T t2_8 = U1_12 * T(0.3);
+  const T t2_9 = t2_8 - minus_U1_22 * T(0.1);
+  const T Pddot2_1 = E2_11 * t2_7 + E2_12 * t2_9;
+  const T Pddot2_2 = E2_11 * t2_9 - E2_12 * t2_7;
+  const T t2_10 = U1_13 * T(0.3);
+  const T Pddot2_3 = t2_10 + U1_23 * T(0.1);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
+  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.995);
+  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
+      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
+  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918)
+      * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.10199999999999997) * U2_12 + T(0.264) *
+      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
@@ -1233,29 +1222,26 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_32 = t3_6 + omegadot2_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_U2_11 * T(0.3) - U2_13 * T(0.1);
-  const T Pddot3_1 = U2_12 * T(0.15) - t3_7 + Pddot2_1;
-  const T t3_8 = U2_12 * T(0.3) + U2_23 * T(0.1);
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_10 = U2_31 * T(0.3) - minus_U2_33 * T(0.1);
-  const T t3_11 = t3_10 + U2_32 * T(0.15) + Pddot2_3;
+  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
+  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
+  const T t3_11 = U2_32 * T(0.15) - t3_10;
   const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
   const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.1) + U3_32 * T(0.2) - minus_U3_33 * T(0.05) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.3) * a3_1;
-  const T minus_G3_2 = T(1.3) * a3_2;
-  const T minus_G3_3 = T(1.3) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
-      U3_31 + T(0.0039) * U3_21;
-  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
-      U3_12 + T(0.0065) * U3_32;
-  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
-      U3_23 - T(0.0052) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
+  const T minus_G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
+  const T minus_G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23
+      + T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
+  const T minus_N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
+      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
+  const T minus_N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12)
+      + T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
@@ -1288,26 +1274,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t2_15 - t3_7;
-  const T t4_8 = t3_10 + t2_17;
+  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
+  const T t4_8 = U2_31 * T(0.3) - t3_10;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = t3_8 - t2_16;
+  const T Pddot4_2 = U2_12 * T(0.3) + t3_8;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(1.4) * a4_1;
-  const T minus_G4_2 = T(1.4) * a4_2;
-  const T minus_G4_3 = T(1.4) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
-      U4_31 + T(0.0042) * U4_21;
-  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
-      U4_12 + T(0.007) * U4_32;
-  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
-      - T(0.0056) * U4_13;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
+  const T minus_G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
+  const T minus_G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) *
+      U4_31 - T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
+  const T minus_N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 -
+      T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) *
+      U4_32;
+  const T minus_N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) *
+      (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -1337,29 +1321,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_31 = t5_3 + minus_omegadot5_2;
   const T U5_32 = t5_5 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_4;
-  // Pddot5 = E5 omega1~ omega1~ q5: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_6 = omega1_1 * T(0.25) - t2_7;
-  const T t5_7 = omega1_2 * t5_6 - t2_10;
-  const T t5_8 = t1_13 - omega1_3 * T(0.25);
-  const T t5_9 = omega1_3 * t5_8 - omega1_1 * t5_6;
-  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_9;
-  const T Pddot5_2 = E5_11 * t5_9 - E5_12 * t5_7;
-  const T Pddot5_3 = t2_14 - omega1_2 * t5_8;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_12 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(1.5) * a5_1;
-  const T minus_G5_2 = T(1.5) * a5_2;
-  const T minus_G5_3 = T(1.5) * a5_3;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
-      U5_31 + T(0.0045) * U5_12;
-  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
-      U5_12 + T(0.0075) * U5_32;
-  const T minus_N5_3 = T(0.03) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 - T(0.006) *
-      U5_13;
+  // Pddot5 = E5 U1 q5: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_6 = U1_12 * T(0.25) - t2_6;
+  const T t5_7 = t2_8 - minus_U1_22 * T(0.25);
+  const T Pddot5_1 = E5_11 * t5_6 + E5_12 * t5_7;
+  const T Pddot5_2 = E5_11 * t5_7 - E5_12 * t5_6;
+  const T Pddot5_3 = t2_10 + U1_23 * T(0.25);
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
+  const T minus_G5_2 = U5_12 * T(0.79) - minus_U5_22 * T(0.78);
+  const T minus_G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
+      (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
+  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
+      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.293) * U5_12 + T(0.2145) * (minus_U5_11 -
+      minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
@@ -1392,34 +1371,29 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_7 = U5_12 * T(0.3);
-  const T Pddot6_1 = t6_7 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_8 = t6_7 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_9 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
-  const T Pddot6_2 = E6_22 * t6_8 + E6_23 * t6_9;
-  const T Pddot6_3 = E6_22 * t6_9 - E6_23 * t6_8;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.6) * a6_1;
-  const T minus_G6_2 = T(1.6) * a6_2;
-  const T minus_G6_3 = T(1.6) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
-      U6_31 + T(0.0048) * U6_21;
-  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
-      U6_12 + T(0.008) * U6_32;
-  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
-      - T(0.0064) * U6_13;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
+  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
+  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
+  const T minus_G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
+  const T minus_G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002)
+      * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
+      U6_31 - T(0.027200000000000002) * U6_21;
+  const T minus_N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 +
+      T(0.027200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001)
+      * U6_32;
+  const T minus_N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 +
+      T(0.11200000000000002) * U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 -
+      T(0.32000000000000006) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
-  // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = T(0.05) * minus_G6_2 - T(0.2) * minus_G6_3 - minus_N6_1;
-  const T rho6_2 = T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(0.2) * minus_G6_1 - T(0.1) * minus_G6_2 - minus_N6_3;
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc6 = E6^T h_own_6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(0.32000000000000006) - E6_23 * T(0.08000000000000002);
   const T hc6_3 = E6_22 * T(0.08000000000000002) + E6_23 * T(0.32000000000000006);
 
@@ -1430,66 +1404,42 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T S5_2 = b5_1 - minus_G5_2;
   const T b5_2 = E6_23 * minus_G6_2 + E6_22 * minus_G6_3;
   const T minus_S5_3 = b5_2 + minus_G5_3;
-  // rho5 = q6~ E6^T G6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = rho6_1 - (T(0.1) * b5_1 + b5_3) + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = b5_3 - T(0.1) * minus_G6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
-      minus_G5_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * b5_1 + T(0.3) * minus_G6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
-      T(0.1) * minus_G5_2 - minus_N5_3;
-  // h5 = m5 r5 + m6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T minus_rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + minus_N6_1 + minus_N5_1;
+  const T rho5_2 = E6_23 * minus_N6_3 - E6_22 * minus_N6_2 - T(0.2) * minus_G6_1 - minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_G6_1 - (E6_23 * minus_N6_2 + E6_22 * minus_N6_3) - minus_N5_3;
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
   const T h5_2 = T(0.78) + hc6_2;
-  const T h5_3 = T(0.23500000000000001) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_4 = T(0.1) * hc6_3;
-  const T b5_5 = T(0.3) * hc6_2;
-  const T b5_6 = b5_4 + b5_5 + T(0.228);
-  const T b5_7 = hc6_3 + T(0.16000000000000003);
-  const T b5_8 = b5_7 * T(0.1);
-  const T b5_9 = (T(0.48) + hc6_2) * T(0.3);
-  const T J5_11 = b5_6 + T(0.21375) + b5_8 + b5_9;
-  const T b5_10 = E6_23 * T(0.003200000000000002) - E6_22 * T(0.024000000000000004);
-  const T J5_12 = b5_10 - T(0.07050000000000001) - b5_9;
-  const T b5_11 = E6_23 * T(0.024000000000000004) + E6_22 * T(0.003200000000000002);
-  const T b5_12 = b5_7 * T(0.3);
-  const T minus_J5_13 = T(0.019000000000000003) + b5_11 + b5_12;
-  const T b5_13 = b5_10 - b5_5;
-  const T J5_21 = b5_13 - T(0.2145);
-  const T b5_14 = E6_23 * T(0.022400000000000003);
-  const T b5_15 = E6_22 * T(0.212) + b5_14;
-  const T b5_16 = E6_22 * T(0.022400000000000003);
-  const T b5_17 = b5_16 + E6_23 * T(0.20800000000000002);
-  const T J5_22 = b5_15 * E6_22 + b5_17 * E6_23 + b5_4 + T(0.43875) + b5_8;
-  const T J5_23 = b5_15 * E6_23 - b5_17 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_12;
-  const T J5_33 = (E6_23 * T(0.212) - b5_16) * E6_23 + (E6_22 * T(0.20800000000000002) - b5_14) * E6_22 + b5_5 +
-      T(0.435) + b5_9;
+  // J5 = -q6~ hc6~ + E6^T J_own_6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_3 = T(0.3) * hc6_2;
+  const T b5_4 = T(0.2) * hc6_3 + b5_3;
+  const T b5_5 = b5_4 + T(0.228);
+  const T J5_11 = b5_5 + b5_4;
+  const T b5_6 = E6_23 * T(0.027200000000000002) - E6_22 * T(0.12000000000000001);
+  const T J5_12 = b5_6 - T(0.2145);
+  const T b5_7 = E6_23 * T(0.12000000000000001) + E6_22 * T(0.027200000000000002);
+  const T minus_J5_13 = b5_7 + T(0.14600000000000002);
+  const T b5_8 = E6_23 * T(0.003999999999999991) - T(2) * E6_22 * T(0.022400000000000003);
+  const T b5_9 = E6_23 * b5_8;
+  const T J5_22 = T(0.4) * hc6_3 - b5_9 + T(0.293);
+  const T b5_10 = T(0.3) * hc6_3;
+  const T J5_23 = E6_22 * b5_8 - T(0.1246) - T(0.2) * hc6_2 - b5_10;
+  const T J5_33 = b5_9 + T(0.787) + T(0.6) * hc6_2;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * T(0.79) - E5_12 * h5_2;
   const T hc5_2 = E5_11 * h5_2 + E5_12 * T(0.79);
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T minus_K_thetadot6_5_3 = T(0.3) * hc6_3 + b5_11;
   // D_thetaddot5: pivots of L D L^T
-  const T b5_18 = minus_K_thetadot6_5_3 * T(4.385964912280701);
-  const T D_thetaddot5 = J5_33 - b5_18 * minus_K_thetadot6_5_3;
+  const T b5_11 = b5_7 * T(4.385964912280701);
+  const T D_thetaddot5 = J5_33 - b5_11 * b5_7;
 
   // ---- body 4 (body_4) and what it carries
-  // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.05) * minus_G4_2 - T(0.2) * minus_G4_3 - minus_N4_1;
-  const T rho4_2 = T(0.1) * minus_G4_3 - T(0.05) * minus_G4_1 - minus_N4_2;
-  const T b4_1 = T(0.1) * minus_G4_2;
-  const T rho4_3 = T(0.2) * minus_G4_1 - b4_1 - minus_N4_3;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = minus_E4_13 * T(0.06999999999999999) + E4_11 * T(0.13999999999999999);
   const T hc4_3 = E4_11 * T(0.06999999999999999) - minus_E4_13 * T(0.13999999999999999);
 
   // ---- body 3 (body_3) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho3_1 = T(0.05) * minus_G3_2 - T(0.2) * minus_G3_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = T(0.2) * minus_G3_1 - T(0.1) * minus_G3_2 - minus_N3_3;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * T(0.26) - E3_23 * T(0.065);
   const T hc3_3 = E3_22 * T(0.065) + E3_23 * T(0.26);
 
@@ -1502,72 +1452,48 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b2_3 = minus_E4_13 * minus_G4_1 - E4_11 * minus_G4_3;
   const T b2_4 = E3_23 * minus_G3_2 + E3_22 * minus_G3_3;
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
-  // rho2 = q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T rho4 + r2~ G2 + N2: sum of the moment balances of the subtree
-  //   about the body origin, body axes [N m]
-  const T rho2_1 = rho3_1 - (T(0.1) * b2_2 + T(0.15) * b2_4) + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
-      rho4_3 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
-  const T rho2_2 = T(0.3) * b2_4 - T(0.1) * minus_G3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - T(0.1) * b2_1 - T(0.3) *
-      b2_3 + rho4_2 + T(0.1) * minus_G2_3 - T(0.05) * minus_G2_1 - minus_N2_2;
-  const T rho2_3 = T(0.3) * b2_2 + T(0.15) * minus_G3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.2) * b2_1 - T(0.3) *
-      minus_G4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.2) * minus_G2_1 - T(0.1) * minus_G2_2 - minus_N2_3;
-  // h2 = m2 r2 + m3 q3 + m4 q4 + hc3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
+  //   body origin, body axes [N m]
+  const T rho2_1 = T(0.2) * minus_G4_2 - (T(0.2) * b2_2 + T(0.15) * b2_4 + minus_N3_1) - E4_11 * minus_N4_1 -
+      minus_E4_13 * minus_N4_3 - minus_N2_1;
+  const T rho2_2 = E3_23 * minus_N3_3 - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 - T(0.2) * b2_1 - T(0.3) * b2_3 -
+      minus_N4_2 - minus_N2_2;
+  const T rho2_3 = T(0.15) * minus_G3_1 - (E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2 +
+      minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3 - minus_N2_3;
+  // h2 = h_own_2 + hc3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h2_1 = T(1.06) + hc4_1;
   const T h2_2 = T(0.995) + hc3_2;
-  const T h2_3 = T(0.33) + hc3_3 + hc4_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - q4~ hc4~ + E4^T J4 E4 - m2 r2~ r2~ + I2 + (-m3 q3~ - hc3~) q3~ + (-m4 q4~ - hc4~)
-  //   q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b2_5 = T(0.1) * hc3_3;
-  const T b2_6 = T(0.15) * hc3_2;
-  const T b2_7 = b2_5 + b2_6 + T(0.18525000000000003);
-  const T b2_8 = T(0.1) * hc4_3;
-  const T b2_9 = minus_E4_13 * T(0.0028000000000000004);
-  const T b2_10 = E4_11 * T(0.1995) - b2_9;
-  const T b2_11 = E4_11 * T(0.0028000000000000004);
-  const T b2_12 = minus_E4_13 * T(0.182) - b2_11;
-  const T b2_13 = hc3_3 + T(0.13);
-  const T b2_14 = hc4_3 + T(0.13999999999999999);
-  const T b2_15 = b2_13 * T(0.1) + b2_14 * T(0.1);
-  const T b2_16 = T(0.195) + hc3_2;
-  const T b2_17 = b2_16 * T(0.15);
-  const T J2_11 = b2_7 + b2_8 + T(0.339) + b2_10 * E4_11 + b2_12 * minus_E4_13 + b2_15 + b2_17;
-  const T b2_18 = E3_23 * T(0.002600000000000001) - E3_22 * T(0.019500000000000003);
-  const T b2_19 = E4_11 * T(0.021) + minus_E4_13 * T(0.0196);
-  const T b2_20 = T(0.2) * hc4_1 + b2_19;
-  const T J2_12 = b2_18 - T(0.2055) - b2_20 - b2_16 * T(0.3);
-  const T b2_21 = E3_23 * T(0.019500000000000003) + E3_22 * T(0.002600000000000001);
-  const T b2_22 = T(0.1) * hc4_1;
-  const T J2_13 = b2_12 * E4_11 - b2_10 * minus_E4_13 - b2_21 - T(0.015400000000000002) - b2_22 - b2_13 * T(0.3) -
-      b2_14 * T(0.3);
-  const T b2_23 = T(0.3) * hc3_2;
-  const T b2_24 = b2_18 - b2_23;
-  const T b2_25 = hc4_1 + T(0.42);
-  const T J2_21 = b2_24 - T(0.18) - b2_19 - b2_25 * T(0.2);
-  const T b2_26 = E3_23 * T(0.0182);
-  const T b2_27 = E3_22 * T(0.17225000000000001) + b2_26;
-  const T b2_28 = E3_22 * T(0.0182);
-  const T b2_29 = b2_28 + E3_23 * T(0.169);
-  const T b2_30 = T(0.3) * hc4_1;
-  const T b2_31 = b2_8 + b2_30;
-  const T b2_32 = b2_25 * T(0.3);
-  const T J2_22 = b2_27 * E3_22 + b2_29 * E3_23 + b2_5 + T(0.5395) + b2_31 + b2_15 + b2_32;
-  const T b2_33 = T(0.1) * hc3_2;
-  const T b2_34 = minus_E4_13 * T(0.021) - E4_11 * T(0.0196);
-  const T J2_23 = b2_27 * E3_23 - b2_29 * E3_22 - b2_33 - T(0.0448) + b2_34 - b2_13 * T(0.15) - b2_14 * T(0.2);
-  const T J2_33 = (E3_23 * T(0.17225000000000001) - b2_28) * E3_23 + (E3_22 * T(0.169) - b2_26) * E3_22 + b2_6 +
-      T(0.519) + b2_30 + (minus_E4_13 * T(0.1995) + b2_11) * minus_E4_13 + (b2_9 + E4_11 * T(0.182)) * E4_11 + b2_17 +
-      b2_32;
+  const T h2_3 = hc3_3 + hc4_3;
+  // J2 = -q3~ hc3~ + E3^T J_own_3 E3 - q4~ hc4~ + E4^T J_own_4 E4 + J_own_2 - hc3~ q3~ - hc4~ q4~: inertia carried,
+  //   about the body origin, body axes [kg m^2]
+  const T b2_5 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
+  const T b2_6 = b2_5 + T(0.18525000000000003);
+  const T b2_7 = minus_E4_13 * T(0.017500000000000012) + T(2) * E4_11 * T(0.0028000000000000004);
+  const T b2_8 = minus_E4_13 * b2_7;
+  const T J2_11 = b2_6 + T(0.4) * hc4_3 + T(0.017500000000000012) - b2_8 + b2_5;
+  const T b2_9 = E3_23 * T(0.0221) - E3_22 * T(0.0975);
+  const T b2_10 = E4_11 * T(0.049) + minus_E4_13 * T(0.0336);
+  const T J2_12 = b2_9 - b2_10 - T(0.264);
+  const T b2_11 = E3_23 * T(0.0975) + E3_22 * T(0.0221);
+  const T minus_J2_13 = T(0.1996) + E4_11 * b2_7 + b2_11 + T(0.2) * hc4_1 + T(0.3) * hc4_3;
+  const T b2_12 = E3_23 * T(0.0032499999999999977) - T(2) * E3_22 * T(0.0182);
+  const T b2_13 = E3_23 * b2_12;
+  const T b2_14 = T(0.3) * hc4_1;
+  const T b2_15 = T(0.2) * hc4_3 + b2_14;
+  const T J2_22 = T(0.4) * hc3_3 - b2_13 + b2_15 + T(0.2875) + b2_15;
+  const T b2_16 = minus_E4_13 * T(0.049) - E4_11 * T(0.0336);
+  const T J2_23 = E3_22 * b2_12 - T(0.1736) - T(0.2) * hc3_2 + b2_16 - T(0.15) * hc3_3;
+  const T b2_17 = T(0.3) * hc3_2;
+  const T J2_33 = b2_13 + T(1.02525) + b2_17 + T(0.6) * hc4_1 + b2_8;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
   const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // K_thetadot4_2 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_2_2 = b2_31 + T(0.1855);
-  const T K_thetadot4_2_3 = b2_34 - T(0.2) * hc4_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T minus_K_thetadot3_2_3 = T(0.3) * hc3_3 + b2_21;
+  const T K_thetadot4_2_2 = b2_15 + T(0.1855);
   // D_thetaddot2: pivots of L D L^T
-  const T b2_35 = K_thetadot4_2_3 * T(5.390835579514825);
-  const T b2_36 = minus_K_thetadot3_2_3 * T(5.398110661268555);
-  const T D_thetaddot2 = J2_33 - b2_35 * K_thetadot4_2_3 - b2_36 * minus_K_thetadot3_2_3;
+  const T b2_18 = b2_16 * T(5.390835579514825);
+  const T b2_19 = b2_11 * T(5.398110661268555);
+  const T D_thetaddot2 = J2_33 - b2_18 * b2_16 - b2_19 * b2_11;
 
   // ---- body 1 (body_1) and what it carries
   // S1 = E2^T S2 + E5^T S5 + G1: sum of the force balances of the subtree, body axes [N]
@@ -1578,215 +1504,189 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b1_4 = E5_11 * S5_2 - E5_12 * minus_S5_1;
   const T S1_2 = b1_3 + b1_4 + G1_2;
   const T S1_3 = S2_3 - minus_S5_3 + G1_3;
-  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + r1~ G1 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.1) * S2_3 - T(0.1) * b1_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.1) * b1_4 - T(0.25) *
-      minus_S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G1_3 - T(0.05) * G1_2 + N1_1;
-  const T b1_5 = T(0.1) * b1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 - (b1_5 + T(0.3) * S2_3) + E2_11 * rho2_2 + T(0.3) * minus_S5_3 - T(0.1) * b1_2
-      + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
-  const T f_omega1_3 = T(0.3) * b1_3 + b1_5 + rho2_3 + T(0.3) * b1_4 + T(0.25) * b1_2 + rho5_3 + T(0.1) * G1_2 -
-      T(0.2) * G1_1 + N1_3;
-  // h1 = m1 r1 + m_sub5 q5 + m_sub2 q2 + hc2 + hc5: first moment of mass carried, about the body origin, body axes
-  //   [kg m]
+  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
+  const T f_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.25) * minus_S5_3 - E5_11 * minus_rho5_1 -
+      E5_12 * rho5_2 + N1_1;
+  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 + E5_11 * rho5_2 - E5_12
+      * minus_rho5_1 + N1_2;
+  const T f_omega1_3 = T(0.3) * b1_3 + T(0.1) * b1_1 + rho2_3 + T(0.25) * b1_2 + T(0.3) * b1_4 + rho5_3 + N1_3;
+  // h1 = h_all_1 + hc2 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h1_1 = T(2.21) + hc2_1 + hc5_1;
   const T h1_2 = T(1.385) + hc2_2 + hc5_2;
-  const T h1_3 = T(0.755) + h2_3 + h5_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q5~ hc5~ + E5^T J5 E5 - m1 r1~ r1~ + I1 + (-m_sub5 q5~ - hc5~) q5~ + (-m_sub2 q2~ -
-  //   hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_6 = E2_11 * J2_11 - E2_12 * J2_21;
-  const T b1_7 = E2_11 * J2_12 - E2_12 * J2_22;
-  const T b1_8 = T(0.1) * h2_3;
-  const T b1_9 = b1_8 + T(0.1) * h5_3 + ((h5_3 + T(0.31000000000000005)) * T(0.1) + (h2_3 + T(0.39)) * T(0.1));
-  const T b1_10 = T(0.1) * hc2_2;
-  const T b1_11 = T(0.25) * hc5_2;
-  const T b1_12 = E5_11 * J5_11 - E5_12 * J5_21;
-  const T b1_13 = E5_11 * J5_12 - E5_12 * J5_22;
-  const T b1_14 = T(0.775) + hc5_2;
-  const T b1_15 = (T(0.39) + hc2_2) * T(0.1);
-  const T b1_16 = b1_14 * T(0.25) + b1_15;
-  const T J1_11 = b1_6 * E2_11 - b1_7 * E2_12 + b1_9 + b1_10 + b1_11 + b1_12 * E5_11 - b1_13 * E5_12 + T(0.15675) +
-      b1_16;
-  const T b1_17 = hc5_1 + T(0.9299999999999999);
-  const T b1_18 = hc2_1 + T(1.17);
-  const T b1_19 = b1_18 * T(0.1);
-  const T J1_21 = b1_6 * E2_12 + b1_7 * E2_11 - T(0.3) * hc2_2 - T(0.3) * hc5_2 + b1_12 * E5_12 + b1_13 * E5_11 -
-      T(0.016500000000000004) - b1_17 * T(0.25) - b1_19;
-  const T b1_20 = T(0.3) * hc2_1;
-  const T b1_21 = T(0.3) * hc5_1;
-  const T b1_22 = b1_17 * T(0.3) + b1_18 * T(0.3);
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + b1_9 + b1_20 +
-      b1_21 + (E5_12 * J5_11 + E5_11 * J5_21) * E5_12 + (E5_12 * J5_12 + E5_11 * J5_22) * E5_11 +
-      T(0.14575000000000002) + b1_22;
-  const T b1_23 = E2_11 * J2_13 - E2_12 * J2_23;
-  const T b1_24 = E5_11 * minus_J5_13 + E5_12 * J5_23;
-  const T J1_31 = b1_23 - T(0.3) * h2_3 - T(0.3) * h5_3 - b1_24 - T(0.002200000000000001) - b1_17 * T(0.1) - b1_19;
-  const T b1_25 = E2_12 * J2_13 + E2_11 * J2_23;
-  const T b1_26 = E5_11 * J5_23 - E5_12 * minus_J5_13;
-  const T J1_32 = b1_25 - b1_8 - T(0.25) * h5_3 + b1_26 - T(0.015400000000000002) - b1_14 * T(0.1) - b1_15;
-  const T b1_27 = b1_20 + b1_10 + J2_33;
-  const T b1_28 = b1_21 + b1_11 + J5_33;
-  const T J1_33 = b1_27 + b1_28 + T(0.14300000000000002) + b1_16 + b1_22;
+  const T h1_3 = T(1.32) + h2_3 + hc6_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - q5~ hc5~ + E5^T J5 E5 + J_all_1 - hc2~ q2~ - hc5~ q5~: inertia carried, about the
+  //   body origin, body axes [kg m^2]
+  const T b1_5 = E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12;
+  const T b1_6 = E5_12 * (J5_11 - J5_22) + T(2) * E5_11 * J5_12;
+  const T b1_7 = E2_12 * b1_5 + E5_12 * b1_6;
+  const T J1_11 = J2_11 - b1_7 + T(0.2) * hc2_2 + T(0.5) * hc5_2 + J5_11 + T(1.5235);
+  const T J1_12 = E2_11 * b1_5 - J2_12 - T(0.1) * hc2_1 - T(0.25) * hc5_1 + E5_11 * b1_6 - J5_12 - T(0.366) - T(0.3) *
+      hc2_2 - T(0.3) * hc5_2;
+  const T b1_8 = E2_11 * minus_J2_13 + E2_12 * J2_23;
+  const T b1_9 = E5_11 * minus_J5_13 + E5_12 * J5_23;
+  const T minus_J1_13 = b1_8 + b1_9 + T(0.3817) + T(0.3) * h2_3 + b5_10;
+  const T J1_22 = J2_22 + b1_7 + T(0.6) * hc2_1 + T(0.6) * hc5_1 + J5_22 + T(1.90975);
+  const T b1_10 = E2_11 * J2_23 - E2_12 * minus_J2_13;
+  const T b1_11 = E5_11 * J5_23 - E5_12 * minus_J5_13;
+  const T J1_23 = b1_10 + b1_11 - T(0.22365000000000002) - T(0.1) * h2_3 - T(0.25) * hc6_3;
+  const T b1_12 = T(0.3) * hc2_1 + T(0.1) * hc2_2;
+  const T b1_13 = b1_12 + J2_33;
+  const T b1_14 = T(0.3) * hc5_1 + T(0.25) * hc5_2;
+  const T b1_15 = J5_33 + b1_14;
+  const T J1_33 = b1_13 + b1_15 + T(1.00575) + b1_12 + b1_14;
   // B_thetadot6_1 = E5^T B_thetadot6_5
   const T B_thetadot6_1_1 = E5_12 * hc6_3;
   const T minus_B_thetadot6_1_2 = E5_11 * hc6_3;
   // K_thetadot6_1 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_1_1 = T(0.1) * minus_B_thetadot6_1_2 + T(0.25) * hc6_2 + E5_11 * b5_6 - E5_12 * b5_13;
-  const T K_thetadot6_1_2 = T(0.1) * B_thetadot6_1_1 - b5_5 + E5_12 * b5_6 + E5_11 * b5_13;
-  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + minus_K_thetadot6_5_3;
-  // K_thetadot5_1 = q5~ E5^T B_thetadot5_5 + E5^T K_thetadot5_5
-  const T minus_K_thetadot5_1_1 = b1_24 + T(0.1) * hc5_1;
-  const T K_thetadot5_1_2 = b1_26 - T(0.1) * hc5_2;
+  const T K_thetadot6_1_1 = T(0.25) * hc6_2 + E5_11 * b5_5 - E5_12 * b5_6;
+  const T K_thetadot6_1_2 = E5_12 * b5_5 + E5_11 * b5_6 - b5_3;
+  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + b5_7;
   // B_thetadot4_1 = E2^T B_thetadot4_2
   const T B_thetadot4_1_1 = E2_11 * hc4_3;
   const T B_thetadot4_1_2 = E2_12 * hc4_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_1 = T(0.1) * B_thetadot4_1_2 + b2_22 + E2_11 * b2_20 + E2_12 * K_thetadot4_2_2;
-  const T b1_29 = T(0.1) * B_thetadot4_1_1;
-  const T K_thetadot4_1_2 = b1_29 + b2_30 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_20;
-  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - b1_29 + K_thetadot4_2_3;
+  const T minus_K_thetadot4_1_1 = T(0.1) * hc4_1 + E2_11 * b2_10 + E2_12 * K_thetadot4_2_2;
+  const T K_thetadot4_1_2 = b2_14 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_10;
+  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - T(0.1) * B_thetadot4_1_1 + b2_16;
   // B_thetadot3_1 = E2^T B_thetadot3_2
   const T B_thetadot3_1_1 = E2_12 * hc3_3;
   const T minus_B_thetadot3_1_2 = E2_11 * hc3_3;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_1 = T(0.1) * minus_B_thetadot3_1_2 + b2_33 + E2_11 * b2_7 - E2_12 * b2_24;
-  const T b1_30 = T(0.1) * B_thetadot3_1_1;
-  const T K_thetadot3_1_2 = b1_30 - b2_23 + E2_12 * b2_7 + E2_11 * b2_24;
-  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + b1_30 + minus_K_thetadot3_2_3;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_1 = b1_23 - T(0.1) * hc2_1;
-  const T K_thetadot2_1_2 = b1_25 - b1_10;
+  const T K_thetadot3_1_1 = T(0.1) * hc3_2 + E2_11 * b2_6 - E2_12 * b2_9;
+  const T K_thetadot3_1_2 = E2_12 * b2_6 + E2_11 * b2_9 - b2_17;
+  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + T(0.1) * B_thetadot3_1_1 + b2_11;
   // D_omegadot1: pivots of L D L^T
-  const T b1_31 = K_thetadot6_1_1 * T(4.385964912280701);
-  const T b1_32 = b1_31 * minus_K_thetadot6_5_3 - minus_K_thetadot5_1_1;
-  const T b1_33 = T(1) / D_thetaddot5;
+  const T b1_16 = K_thetadot6_1_1 * T(4.385964912280701);
+  const T b1_17 = b1_16 * b5_7 - b1_9;
+  const T b1_18 = T(1) / D_thetaddot5;
+  const T b1_19 = b1_17 * b1_18;
+  const T b1_20 = minus_K_thetadot4_1_1 * T(5.390835579514825);
+  const T b1_21 = K_thetadot3_1_1 * T(5.398110661268555);
+  const T b1_22 = b1_20 * b2_16 - b1_8 + b1_21 * b2_11;
+  const T b1_23 = T(1) / D_thetaddot2;
+  const T b1_24 = b1_22 * b1_23;
+  const T D_omegadot1_1 = J1_11 - b1_16 * K_thetadot6_1_1 - b1_19 * b1_17 - b1_20 * minus_K_thetadot4_1_1 - b1_21 *
+      K_thetadot3_1_1 - b1_24 * b1_22;
+  const T b1_25 = K_thetadot6_1_2 * T(4.385964912280701);
+  const T b1_26 = b1_11 + b1_25 * b5_7;
+  const T b1_27 = b1_26 * b1_18;
+  const T b1_28 = K_thetadot4_1_2 * T(5.390835579514825);
+  const T b1_29 = K_thetadot3_1_2 * T(5.398110661268555);
+  const T b1_30 = b1_10 - b1_28 * b2_16 + b1_29 * b2_11;
+  const T b1_31 = b1_30 * b1_23;
+  const T b1_32 = J1_12 - b1_25 * K_thetadot6_1_1 - b1_27 * b1_17 + b1_28 * minus_K_thetadot4_1_1 - b1_29 *
+      K_thetadot3_1_1 - b1_31 * b1_22;
+  const T b1_33 = T(1) / D_omegadot1_1;
   const T b1_34 = b1_32 * b1_33;
-  const T b1_35 = minus_K_thetadot4_1_1 * T(5.390835579514825);
-  const T b1_36 = K_thetadot3_1_1 * T(5.398110661268555);
-  const T b1_37 = K_thetadot2_1_1 + b1_35 * K_thetadot4_2_3 + b1_36 * minus_K_thetadot3_2_3;
-  const T b1_38 = T(1) / D_thetaddot2;
-  const T b1_39 = b1_37 * b1_38;
-  const T D_omegadot1_1 = J1_11 - b1_31 * K_thetadot6_1_1 - b1_34 * b1_32 - b1_35 * minus_K_thetadot4_1_1 - b1_36 *
-      K_thetadot3_1_1 - b1_39 * b1_37;
-  const T b1_40 = K_thetadot6_1_2 * T(4.385964912280701);
-  const T b1_41 = K_thetadot5_1_2 + b1_40 * minus_K_thetadot6_5_3;
-  const T b1_42 = b1_41 * b1_33;
-  const T b1_43 = K_thetadot4_1_2 * T(5.390835579514825);
-  const T b1_44 = K_thetadot3_1_2 * T(5.398110661268555);
-  const T b1_45 = K_thetadot2_1_2 - b1_43 * K_thetadot4_2_3 + b1_44 * minus_K_thetadot3_2_3;
-  const T b1_46 = b1_45 * b1_38;
-  const T b1_47 = J1_21 - b1_40 * K_thetadot6_1_1 - b1_42 * b1_32 + b1_43 * minus_K_thetadot4_1_1 - b1_44 *
-      K_thetadot3_1_1 - b1_46 * b1_37;
-  const T b1_48 = T(1) / D_omegadot1_1;
-  const T b1_49 = b1_47 * b1_48;
-  const T D_omegadot1_2 = J1_22 - b1_40 * K_thetadot6_1_2 - b1_42 * b1_41 - b1_43 * K_thetadot4_1_2 - b1_44 *
-      K_thetadot3_1_2 - b1_46 * b1_45 - b1_49 * b1_47;
-  const T b1_50 = minus_K_thetadot6_1_3 * T(4.385964912280701);
-  const T b1_51 = b1_28 - b1_50 * minus_K_thetadot6_5_3;
-  const T b1_52 = b1_51 * b1_33;
-  const T b1_53 = K_thetadot4_1_3 * T(5.390835579514825);
-  const T b1_54 = minus_K_thetadot3_1_3 * T(5.398110661268555);
-  const T b1_55 = b1_27 - b1_53 * K_thetadot4_2_3 - b1_54 * minus_K_thetadot3_2_3;
-  const T b1_56 = b1_55 * b1_38;
-  const T b1_57 = J1_31 + b1_50 * K_thetadot6_1_1 - b1_52 * b1_32 + b1_53 * minus_K_thetadot4_1_1 + b1_54 *
-      K_thetadot3_1_1 - b1_56 * b1_37;
-  const T b1_58 = b1_57 * b1_48;
-  const T b1_59 = J1_32 + b1_50 * K_thetadot6_1_2 - b1_52 * b1_41 - b1_53 * K_thetadot4_1_2 + b1_54 * K_thetadot3_1_2
-      - b1_56 * b1_45 - b1_58 * b1_47;
-  const T b1_60 = T(1) / D_omegadot1_2;
-  const T b1_61 = b1_59 * b1_60;
-  const T D_omegadot1_3 = J1_33 - b1_50 * minus_K_thetadot6_1_3 - b1_52 * b1_51 - b1_53 * K_thetadot4_1_3 - b1_54 *
-      minus_K_thetadot3_1_3 - b1_56 * b1_55 - b1_58 * b1_57 - b1_61 * b1_59;
+  const T D_omegadot1_2 = J1_22 - b1_25 * K_thetadot6_1_2 - b1_27 * b1_26 - b1_28 * K_thetadot4_1_2 - b1_29 *
+      K_thetadot3_1_2 - b1_31 * b1_30 - b1_34 * b1_32;
+  const T b1_35 = minus_K_thetadot6_1_3 * T(4.385964912280701);
+  const T b1_36 = b1_15 - b1_35 * b5_7;
+  const T b1_37 = b1_36 * b1_18;
+  const T b1_38 = K_thetadot4_1_3 * T(5.390835579514825);
+  const T b1_39 = minus_K_thetadot3_1_3 * T(5.398110661268555);
+  const T b1_40 = b1_13 - b1_38 * b2_16 - b1_39 * b2_11;
+  const T b1_41 = b1_40 * b1_23;
+  const T b1_42 = b1_35 * K_thetadot6_1_1 - minus_J1_13 - b1_37 * b1_17 + b1_38 * minus_K_thetadot4_1_1 + b1_39 *
+      K_thetadot3_1_1 - b1_41 * b1_22;
+  const T b1_43 = b1_42 * b1_33;
+  const T b1_44 = J1_23 + b1_35 * K_thetadot6_1_2 - b1_37 * b1_26 - b1_38 * K_thetadot4_1_2 + b1_39 * K_thetadot3_1_2
+      - b1_41 * b1_30 - b1_43 * b1_32;
+  const T b1_45 = T(1) / D_omegadot1_2;
+  const T b1_46 = b1_44 * b1_45;
+  const T D_omegadot1_3 = J1_33 - b1_35 * minus_K_thetadot6_1_3 - b1_37 * b1_36 - b1_38 * K_thetadot4_1_3 - b1_39 *
+      minus_K_thetadot3_1_3 - b1_41 * b1_40 - b1_43 * b1_42 - b1_46 * b1_44;
   // D_Pddot1: pivots of L D L^T
-  const T b1_62 = B_thetadot6_1_1 * T(4.385964912280701);
-  const T b1_63 = b1_62 * minus_K_thetadot6_5_3 - hc5_2;
-  const T b1_64 = b1_63 * b1_33;
-  const T b1_65 = B_thetadot4_1_1 * T(5.390835579514825);
-  const T b1_66 = B_thetadot3_1_1 * T(5.398110661268555);
-  const T b1_67 = b1_66 * minus_K_thetadot3_2_3 - (hc2_2 + b1_65 * K_thetadot4_2_3);
-  const T b1_68 = b1_67 * b1_38;
-  const T b1_69 = b1_65 * minus_K_thetadot4_1_1 - (b1_62 * K_thetadot6_1_1 + b1_64 * b1_32) - b1_66 * K_thetadot3_1_1
-      - b1_68 * b1_37;
-  const T b1_70 = b1_69 * b1_48;
-  const T b1_71 = h1_3 - b1_62 * K_thetadot6_1_2 - b1_64 * b1_41 - b1_65 * K_thetadot4_1_2 - b1_66 * K_thetadot3_1_2 -
-      b1_68 * b1_45 - b1_70 * b1_47;
-  const T b1_72 = b1_71 * b1_60;
-  const T b1_73 = h1_2 - b1_62 * minus_K_thetadot6_1_3 + b1_64 * b1_51 + b1_65 * K_thetadot4_1_3 - b1_66 *
-      minus_K_thetadot3_1_3 + b1_68 * b1_55 + b1_70 * b1_57 + b1_72 * b1_59;
-  const T b1_74 = T(1) / D_omegadot1_3;
-  const T b1_75 = b1_73 * b1_74;
-  const T D_Pddot1_1 = T(8.1) - b1_62 * B_thetadot6_1_1 - b1_64 * b1_63 - b1_65 * B_thetadot4_1_1 - b1_66 *
-      B_thetadot3_1_1 - b1_68 * b1_67 - b1_70 * b1_69 - b1_72 * b1_71 - b1_75 * b1_73;
-  const T b1_76 = minus_B_thetadot6_1_2 * T(4.385964912280701);
-  const T b1_77 = hc5_1 - b1_76 * minus_K_thetadot6_5_3;
-  const T b1_78 = b1_77 * b1_33;
-  const T b1_79 = B_thetadot4_1_2 * T(5.390835579514825);
-  const T b1_80 = minus_B_thetadot3_1_2 * T(5.398110661268555);
-  const T b1_81 = hc2_1 - b1_79 * K_thetadot4_2_3 - b1_80 * minus_K_thetadot3_2_3;
-  const T b1_82 = b1_81 * b1_38;
-  const T b1_83 = h1_3 - b1_76 * K_thetadot6_1_1 + b1_78 * b1_32 - b1_79 * minus_K_thetadot4_1_1 - b1_80 *
-      K_thetadot3_1_1 + b1_82 * b1_37;
-  const T b1_84 = b1_83 * b1_48;
-  const T b1_85 = b1_76 * K_thetadot6_1_2 - b1_78 * b1_41 - b1_79 * K_thetadot4_1_2 + b1_80 * K_thetadot3_1_2 - b1_82
-      * b1_45 + b1_84 * b1_47;
-  const T b1_86 = b1_85 * b1_60;
-  const T b1_87 = h1_1 - b1_76 * minus_K_thetadot6_1_3 - b1_78 * b1_51 - b1_79 * K_thetadot4_1_3 - b1_80 *
-      minus_K_thetadot3_1_3 - b1_82 * b1_55 + b1_84 * b1_57 - b1_86 * b1_59;
-  const T b1_88 = b1_87 * b1_74;
-  const T b1_89 = b1_76 * B_thetadot6_1_1 - b1_78 * b1_63 - b1_79 * B_thetadot4_1_1 + b1_80 * B_thetadot3_1_1 - b1_82
-      * b1_67 + b1_84 * b1_69 - b1_86 * b1_71 + b1_88 * b1_73;
-  const T b1_90 = T(1) / D_Pddot1_1;
-  const T b1_91 = b1_89 * b1_90;
-  const T D_Pddot1_2 = T(8.1) - b1_76 * minus_B_thetadot6_1_2 - b1_78 * b1_77 - b1_79 * B_thetadot4_1_2 - b1_80 *
-      minus_B_thetadot3_1_2 - b1_82 * b1_81 - b1_84 * b1_83 - b1_86 * b1_85 - b1_88 * b1_87 - b1_91 * b1_89;
-  const T b1_92 = hc6_2 * T(4.385964912280701);
-  const T b1_93 = b1_92 * minus_K_thetadot6_5_3;
-  const T b1_94 = b1_93 * b1_33;
-  const T b1_95 = hc4_1 * T(5.390835579514825);
-  const T b1_96 = hc3_2 * T(5.398110661268555);
-  const T b1_97 = b1_95 * K_thetadot4_2_3 + b1_96 * minus_K_thetadot3_2_3;
-  const T b1_98 = b1_97 * b1_38;
-  const T b1_99 = h1_2 - b1_92 * K_thetadot6_1_1 - b1_94 * b1_32 - b1_95 * minus_K_thetadot4_1_1 - b1_96 *
-      K_thetadot3_1_1 - b1_98 * b1_37;
-  const T b1_100 = b1_99 * b1_48;
-  const T b1_101 = h1_1 + b1_92 * K_thetadot6_1_2 + b1_94 * b1_41 - b1_95 * K_thetadot4_1_2 + b1_96 * K_thetadot3_1_2
-      + b1_98 * b1_45 + b1_100 * b1_47;
-  const T b1_102 = b1_101 * b1_60;
-  const T b1_103 = b1_92 * minus_K_thetadot6_1_3 - b1_94 * b1_51 + b1_95 * K_thetadot4_1_3 + b1_96 *
-      minus_K_thetadot3_1_3 - b1_98 * b1_55 - b1_100 * b1_57 + b1_102 * b1_59;
-  const T b1_104 = b1_103 * b1_74;
-  const T b1_105 = b1_95 * B_thetadot4_1_1 - (b1_92 * B_thetadot6_1_1 + b1_94 * b1_63) - b1_96 * B_thetadot3_1_1 -
-      b1_98 * b1_67 - b1_100 * b1_69 + b1_102 * b1_71 + b1_104 * b1_73;
-  const T b1_106 = b1_105 * b1_90;
-  const T b1_107 = b1_92 * minus_B_thetadot6_1_2 - b1_94 * b1_77 + b1_95 * B_thetadot4_1_2 + b1_96 *
-      minus_B_thetadot3_1_2 - b1_98 * b1_81 + b1_100 * b1_83 + b1_102 * b1_85 - b1_104 * b1_87 - b1_106 * b1_89;
-  const T b1_108 = T(1) / D_Pddot1_2;
-  const T b1_109 = b1_107 * b1_108;
-  const T D_Pddot1_3 = T(8.1) - b1_92 * hc6_2 - b1_94 * b1_93 - b1_95 * hc4_1 - b1_96 * hc3_2 - b1_98 * b1_97 - b1_100
-      * b1_99 - b1_102 * b1_101 - b1_104 * b1_103 - b1_106 * b1_105 - b1_109 * b1_107;
+  const T b1_47 = B_thetadot6_1_1 * T(4.385964912280701);
+  const T b1_48 = b1_47 * b5_7 - hc5_2;
+  const T b1_49 = b1_48 * b1_18;
+  const T b1_50 = B_thetadot4_1_1 * T(5.390835579514825);
+  const T b1_51 = B_thetadot3_1_1 * T(5.398110661268555);
+  const T b1_52 = b1_51 * b2_11 - (hc2_2 + b1_50 * b2_16);
+  const T b1_53 = b1_52 * b1_23;
+  const T b1_54 = b1_50 * minus_K_thetadot4_1_1 - (b1_47 * K_thetadot6_1_1 + b1_49 * b1_17) - b1_51 * K_thetadot3_1_1
+      - b1_53 * b1_22;
+  const T b1_55 = b1_54 * b1_33;
+  const T b1_56 = h1_3 - b1_47 * K_thetadot6_1_2 - b1_49 * b1_26 - b1_50 * K_thetadot4_1_2 - b1_51 * K_thetadot3_1_2 -
+      b1_53 * b1_30 - b1_55 * b1_32;
+  const T b1_57 = b1_56 * b1_45;
+  const T b1_58 = h1_2 - b1_47 * minus_K_thetadot6_1_3 + b1_49 * b1_36 + b1_50 * K_thetadot4_1_3 - b1_51 *
+      minus_K_thetadot3_1_3 + b1_53 * b1_40 + b1_55 * b1_42 + b1_57 * b1_44;
+  const T b1_59 = T(1) / D_omegadot1_3;
+  const T b1_60 = b1_58 * b1_59;
+  const T D_Pddot1_1 = T(8.1) - b1_47 * B_thetadot6_1_1 - b1_49 * b1_48 - b1_50 * B_thetadot4_1_1 - b1_51 *
+      B_thetadot3_1_1 - b1_53 * b1_52 - b1_55 * b1_54 - b1_57 * b1_56 - b1_60 * b1_58;
+  const T b1_61 = minus_B_thetadot6_1_2 * T(4.385964912280701);
+  const T b1_62 = hc5_1 - b1_61 * b5_7;
+  const T b1_63 = b1_62 * b1_18;
+  const T b1_64 = B_thetadot4_1_2 * T(5.390835579514825);
+  const T b1_65 = minus_B_thetadot3_1_2 * T(5.398110661268555);
+  const T b1_66 = hc2_1 - b1_64 * b2_16 - b1_65 * b2_11;
+  const T b1_67 = b1_66 * b1_23;
+  const T b1_68 = h1_3 - b1_61 * K_thetadot6_1_1 + b1_63 * b1_17 - b1_64 * minus_K_thetadot4_1_1 - b1_65 *
+      K_thetadot3_1_1 + b1_67 * b1_22;
+  const T b1_69 = b1_68 * b1_33;
+  const T b1_70 = b1_61 * K_thetadot6_1_2 - b1_63 * b1_26 - b1_64 * K_thetadot4_1_2 + b1_65 * K_thetadot3_1_2 - b1_67
+      * b1_30 + b1_69 * b1_32;
+  const T b1_71 = b1_70 * b1_45;
+  const T b1_72 = h1_1 - b1_61 * minus_K_thetadot6_1_3 - b1_63 * b1_36 - b1_64 * K_thetadot4_1_3 - b1_65 *
+      minus_K_thetadot3_1_3 - b1_67 * b1_40 + b1_69 * b1_42 - b1_71 * b1_44;
+  const T b1_73 = b1_72 * b1_59;
+  const T b1_74 = b1_61 * B_thetadot6_1_1 - b1_63 * b1_48 - b1_64 * B_thetadot4_1_1 + b1_65 * B_thetadot3_1_1 - b1_67
+      * b1_52 + b1_69 * b1_54 - b1_71 * b1_56 + b1_73 * b1_58;
+  const T b1_75 = T(1) / D_Pddot1_1;
+  const T b1_76 = b1_74 * b1_75;
+  const T D_Pddot1_2 = T(8.1) - b1_61 * minus_B_thetadot6_1_2 - b1_63 * b1_62 - b1_64 * B_thetadot4_1_2 - b1_65 *
+      minus_B_thetadot3_1_2 - b1_67 * b1_66 - b1_69 * b1_68 - b1_71 * b1_70 - b1_73 * b1_72 - b1_76 * b1_74;
+  const T b1_77 = hc6_2 * T(4.385964912280701);
+  const T b1_78 = b1_77 * b5_7;
+  const T b1_79 = b1_78 * b1_18;
+  const T b1_80 = hc4_1 * T(5.390835579514825);
+  const T b1_81 = hc3_2 * T(5.398110661268555);
+  const T b1_82 = b1_80 * b2_16 + b1_81 * b2_11;
+  const T b1_83 = b1_82 * b1_23;
+  const T b1_84 = h1_2 - b1_77 * K_thetadot6_1_1 - b1_79 * b1_17 - b1_80 * minus_K_thetadot4_1_1 - b1_81 *
+      K_thetadot3_1_1 - b1_83 * b1_22;
+  const T b1_85 = b1_84 * b1_33;
+  const T b1_86 = h1_1 + b1_77 * K_thetadot6_1_2 + b1_79 * b1_26 - b1_80 * K_thetadot4_1_2 + b1_81 * K_thetadot3_1_2 +
+      b1_83 * b1_30 + b1_85 * b1_32;
+  const T b1_87 = b1_86 * b1_45;
+  const T b1_88 = b1_77 * minus_K_thetadot6_1_3 - b1_79 * b1_36 + b1_80 * K_thetadot4_1_3 + b1_81 *
+      minus_K_thetadot3_1_3 - b1_83 * b1_40 - b1_85 * b1_42 + b1_87 * b1_44;
+  const T b1_89 = b1_88 * b1_59;
+  const T b1_90 = b1_80 * B_thetadot4_1_1 - (b1_77 * B_thetadot6_1_1 + b1_79 * b1_48) - b1_81 * B_thetadot3_1_1 -
+      b1_83 * b1_52 - b1_85 * b1_54 + b1_87 * b1_56 + b1_89 * b1_58;
+  const T b1_91 = b1_90 * b1_75;
+  const T b1_92 = b1_77 * minus_B_thetadot6_1_2 - b1_79 * b1_62 + b1_80 * B_thetadot4_1_2 + b1_81 *
+      minus_B_thetadot3_1_2 - b1_83 * b1_66 + b1_85 * b1_68 + b1_87 * b1_70 - b1_89 * b1_72 - b1_91 * b1_74;
+  const T b1_93 = T(1) / D_Pddot1_2;
+  const T b1_94 = b1_92 * b1_93;
+  const T D_Pddot1_3 = T(8.1) - b1_77 * hc6_2 - b1_79 * b1_78 - b1_80 * hc4_1 - b1_81 * hc3_2 - b1_83 * b1_82 - b1_85
+      * b1_84 - b1_87 * b1_86 - b1_89 * b1_88 - b1_91 * b1_90 - b1_94 * b1_92;
 
   // ---- body 1 (body_1), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = rho6_1 + u.tau_6;
-  const T z1_2 = rho5_3 + u.tau_5 + b5_18 * z1_1;
-  const T z1_3 = rho4_2 + u.tau_4;
-  const T z1_4 = rho3_1 + u.tau_3;
-  const T z1_5 = rho2_3 + u.tau_2 - b2_35 * z1_3 + b2_36 * z1_4;
-  const T z1_6 = f_omega1_1 - b1_31 * z1_1 - b1_34 * z1_2 + b1_35 * z1_3 - b1_36 * z1_4 - b1_39 * z1_5;
-  const T z1_7 = f_omega1_2 - b1_40 * z1_1 - b1_42 * z1_2 - b1_43 * z1_3 - b1_44 * z1_4 - b1_46 * z1_5 - b1_49 * z1_6;
-  const T z1_8 = f_omega1_3 + b1_50 * z1_1 - b1_52 * z1_2 - b1_53 * z1_3 + b1_54 * z1_4 - b1_56 * z1_5 - b1_58 * z1_6
-      - b1_61 * z1_7;
-  const T z1_9 = S1_1 - b1_62 * z1_1 - b1_64 * z1_2 - b1_65 * z1_3 - b1_66 * z1_4 - b1_68 * z1_5 - b1_70 * z1_6 -
-      b1_72 * z1_7 + b1_75 * z1_8;
-  const T z1_10 = S1_2 + b1_76 * z1_1 - b1_78 * z1_2 - b1_79 * z1_3 + b1_80 * z1_4 - b1_82 * z1_5 + b1_84 * z1_6 -
-      b1_86 * z1_7 - b1_88 * z1_8 - b1_91 * z1_9;
-  const T z1_11 = T(1) / D_Pddot1_3 * (S1_3 - b1_92 * z1_1 - b1_94 * z1_2 + b1_95 * z1_3 - b1_96 * z1_4 - b1_98 * z1_5
-      - b1_100 * z1_6 + b1_102 * z1_7 - b1_104 * z1_8 - b1_106 * z1_9 - b1_109 * z1_10);
-  const T z1_12 = z1_10 * b1_108 - b1_109 * z1_11;
-  const T Pddot1_1 = z1_9 * b1_90 - b1_91 * z1_12 - b1_106 * z1_11;
+  const T z1_1 = u.tau_6 - minus_N6_1;
+  const T z1_2 = rho5_3 + u.tau_5 + b5_11 * z1_1;
+  const T z1_3 = u.tau_4 - minus_N4_2;
+  const T z1_4 = u.tau_3 - minus_N3_1;
+  const T z1_5 = rho2_3 + u.tau_2 - b2_18 * z1_3 + b2_19 * z1_4;
+  const T z1_6 = f_omega1_1 - b1_16 * z1_1 - b1_19 * z1_2 + b1_20 * z1_3 - b1_21 * z1_4 - b1_24 * z1_5;
+  const T z1_7 = f_omega1_2 - b1_25 * z1_1 - b1_27 * z1_2 - b1_28 * z1_3 - b1_29 * z1_4 - b1_31 * z1_5 - b1_34 * z1_6;
+  const T z1_8 = f_omega1_3 + b1_35 * z1_1 - b1_37 * z1_2 - b1_38 * z1_3 + b1_39 * z1_4 - b1_41 * z1_5 - b1_43 * z1_6
+      - b1_46 * z1_7;
+  const T z1_9 = S1_1 - b1_47 * z1_1 - b1_49 * z1_2 - b1_50 * z1_3 - b1_51 * z1_4 - b1_53 * z1_5 - b1_55 * z1_6 -
+      b1_57 * z1_7 + b1_60 * z1_8;
+  const T z1_10 = S1_2 + b1_61 * z1_1 - b1_63 * z1_2 - b1_64 * z1_3 + b1_65 * z1_4 - b1_67 * z1_5 + b1_69 * z1_6 -
+      b1_71 * z1_7 - b1_73 * z1_8 - b1_76 * z1_9;
+  const T z1_11 = T(1) / D_Pddot1_3 * (S1_3 - b1_77 * z1_1 - b1_79 * z1_2 + b1_80 * z1_3 - b1_81 * z1_4 - b1_83 * z1_5
+      - b1_85 * z1_6 + b1_87 * z1_7 - b1_89 * z1_8 - b1_91 * z1_9 - b1_94 * z1_10);
+  const T z1_12 = z1_10 * b1_93 - b1_94 * z1_11;
+  const T Pddot1_1 = z1_9 * b1_75 - b1_76 * z1_12 - b1_91 * z1_11;
   // omegadot1: from A ydot = f by elimination
-  const T z1_13 = z1_8 * b1_74 + b1_75 * Pddot1_1 - b1_88 * z1_12 - b1_104 * z1_11;
-  const T z1_14 = z1_7 * b1_60 - b1_61 * z1_13 - b1_72 * Pddot1_1 - b1_86 * z1_12 + b1_102 * z1_11;
-  const T omegadot1_1 = z1_6 * b1_48 - b1_49 * z1_14 - b1_58 * z1_13 - b1_70 * Pddot1_1 + b1_84 * z1_12 - b1_100 *
+  const T z1_13 = z1_8 * b1_59 + b1_60 * Pddot1_1 - b1_73 * z1_12 - b1_89 * z1_11;
+  const T z1_14 = z1_7 * b1_45 - b1_46 * z1_13 - b1_57 * Pddot1_1 - b1_71 * z1_12 + b1_87 * z1_11;
+  const T omegadot1_1 = z1_6 * b1_33 - b1_34 * z1_14 - b1_43 * z1_13 - b1_55 * Pddot1_1 + b1_69 * z1_12 - b1_85 *
       z1_11;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_14;
@@ -1801,38 +1701,38 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 2 (body_2), solved
   // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_5 * b1_38 - b1_39 * omegadot1_1 - b1_46 * z1_14 - b1_56 * z1_13 - b1_68 * Pddot1_1 - b1_82 *
-      z1_12 - b1_98 * z1_11;
+  const T thetaddot2 = z1_5 * b1_23 - b1_24 * omegadot1_1 - b1_31 * z1_14 - b1_41 * z1_13 - b1_53 * Pddot1_1 - b1_67 *
+      z1_12 - b1_83 * z1_11;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (body_3), solved
   // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_4 * T(5.398110661268555) + b2_36 * thetaddot2 - b1_36 * omegadot1_1 - b1_44 * z1_14 + b1_54
-      * z1_13 - b1_66 * Pddot1_1 + b1_80 * z1_12 - b1_96 * z1_11;
+  const T thetaddot3 = z1_4 * T(5.398110661268555) + b2_19 * thetaddot2 - b1_21 * omegadot1_1 - b1_29 * z1_14 + b1_39
+      * z1_13 - b1_51 * Pddot1_1 + b1_65 * z1_12 - b1_81 * z1_11;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (body_4), solved
   // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_3 * T(5.390835579514825) - b2_35 * thetaddot2 + b1_35 * omegadot1_1 - b1_43 * z1_14 - b1_53
-      * z1_13 - b1_65 * Pddot1_1 - b1_79 * z1_12 + b1_95 * z1_11;
+  const T thetaddot4 = z1_3 * T(5.390835579514825) - b2_18 * thetaddot2 + b1_20 * omegadot1_1 - b1_28 * z1_14 - b1_38
+      * z1_13 - b1_50 * Pddot1_1 - b1_64 * z1_12 + b1_80 * z1_11;
   ydot[5] = thetaddot4;
 
   // ---- body 5 (body_5), solved
   // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_2 * b1_33 - b1_34 * omegadot1_1 - b1_42 * z1_14 - b1_52 * z1_13 - b1_64 * Pddot1_1 - b1_78 *
-      z1_12 - b1_94 * z1_11;
+  const T thetaddot5 = z1_2 * b1_18 - b1_19 * omegadot1_1 - b1_27 * z1_14 - b1_37 * z1_13 - b1_49 * Pddot1_1 - b1_63 *
+      z1_12 - b1_79 * z1_11;
   ydot[6] = thetaddot5;
 
   // ---- body 6 (body_6), solved
   // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_1 * T(4.385964912280701) + b5_18 * thetaddot5 - b1_31 * omegadot1_1 - b1_40 * z1_14 + b1_50
-      * z1_13 - b1_62 * Pddot1_1 + b1_76 * z1_12 - b1_92 * z1_11;
+  const T thetaddot6 = z1_1 * T(4.385964912280701) + b5_11 * thetaddot5 - b1_16 * omegadot1_1 - b1_25 * z1_14 + b1_35
+      * z1_13 - b1_47 * Pddot1_1 + b1_61 * z1_12 - b1_77 * z1_11;
   ydot[7] = thetaddot6;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 438 add, 440 multiply, 10 sine or cosine
+// 385 add, 393 multiply, 10 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -1870,14 +1770,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -1887,21 +1787,24 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_19;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * t1_19;
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a1_1 = U1_12 * T(0.2) - minus_U1_11 * T(0.1) + U1_13 * T(0.05) + Pddot1_1;
-  const T a1_2 = U1_21 * T(0.1) - minus_U1_22 * T(0.2) + U1_23 * T(0.05) + Pddot1_2;
-  const T a1_3 = U1_31 * T(0.1) + U1_32 * T(0.2) - minus_U1_33 * T(0.05) + Pddot1_3;
-  // G1 = -R1 F1 + m1 a1: force balance, body axes [N]
-  const T G1_1 = T(1.1) * a1_1 - (R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3);
-  const T G1_2 = T(1.1) * a1_2 - (R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3);
-  const T G1_3 = T(1.1) * a1_3 - (R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3);
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_1 = T(0.032999999999999995) * U1_32 - T(0.07700000000000001) * U1_23 + T(0.0044) * (minus_U1_22 -
-      minus_U1_33) - T(0.0055) * U1_31 + T(0.0033) * U1_21 - u.M_1_1;
-  const T N1_2 = T(0.07700000000000001) * U1_13 - T(0.055) * U1_31 - T(0.0033) * (minus_U1_33 - minus_U1_11) +
-      T(0.0044) * U1_12 + T(0.0055) * U1_32 - u.M_1_2;
-  const T N1_3 = T(0.055) * U1_21 - T(0.032999999999999995) * U1_12 - T(0.0055) * (minus_U1_11 - minus_U1_22) -
-      T(0.0033) * U1_23 - T(0.0044) * U1_13 - u.M_1_3;
+  // G1 = -R1 F1 + m_all_1 Pddot1 + U1 h_all_1: inertia less applied force, body axes [N]
+  const T t1_20 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
+  const T G1_1 = T(8.1) * Pddot1_1 - t1_20 + U1_12 * T(1.385) - minus_U1_11 * T(2.21) + U1_13 * T(1.32);
+  const T t1_21 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
+  const T G1_2 = T(8.1) * Pddot1_2 - t1_21 + U1_21 * T(2.21) - minus_U1_22 * T(1.385) + U1_23 * T(1.32);
+  const T t1_22 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
+  const T G1_3 = T(8.1) * Pddot1_3 - t1_22 + U1_31 * T(2.21) + U1_32 * T(1.385) - minus_U1_33 * T(1.32);
+  // N1 = -r1~ R1 F1 + h_all_1~ Pddot1 - M1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about
+  //   the body origin, body axes [N m]
+  const T N1_1 = T(1.385) * Pddot1_3 - (T(0.2) * t1_22 - T(0.05) * t1_21) - T(1.32) * Pddot1_2 - u.M_1_1 + T(0.30975)
+      * U1_32 - T(1.21375) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 -
+      T(0.3817) * U1_21;
+  const T N1_2 = T(1.32) * Pddot1_1 - (T(0.05) * t1_20 - T(0.1) * t1_22) - T(2.21) * Pddot1_3 - u.M_1_2 + T(1.21375) *
+      U1_13 - T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) *
+      U1_32;
+  const T N1_3 = T(2.21) * Pddot1_2 - (T(0.1) * t1_21 - T(0.2) * t1_20) - T(1.385) * Pddot1_1 - u.M_1_3 + T(0.696) *
+      U1_21 - T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.3817) * U1_23 - T(0.22365000000000002)
+      * U1_13;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -1936,32 +1839,26 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_6 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_5;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_7 = Pddot1_1 - (minus_U1_11 * T(0.3) - U1_13 * T(0.1));
-  const T t2_8 = U1_12 * T(0.1) + t2_7;
-  const T t2_9 = U1_21 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
+  const T t2_7 = minus_U1_11 * T(0.3) - Pddot1_1;
+  const T t2_8 = U1_12 * T(0.1) - t2_7;
+  const T t2_9 = U1_21 * T(0.3) + Pddot1_2;
   const T t2_10 = t2_9 - minus_U1_22 * T(0.1);
   const T Pddot2_1 = E2_11 * t2_8 + E2_12 * t2_10;
   const T Pddot2_2 = E2_11 * t2_10 - E2_12 * t2_8;
-  const T t2_11 = U1_31 * T(0.3) - minus_U1_33 * T(0.1) + Pddot1_3;
+  const T t2_11 = U1_31 * T(0.3) + Pddot1_3;
   const T Pddot2_3 = t2_11 + U1_32 * T(0.1);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t2_12 = U2_12 * T(0.2) + Pddot2_1;
-  const T a2_1 = t2_12 - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
-  const T t2_13 = minus_U2_22 * T(0.2) - Pddot2_2;
-  const T a2_2 = U2_21 * T(0.1) - t2_13 + U2_23 * T(0.05);
-  const T t2_14 = U2_32 * T(0.2) + Pddot2_3;
-  const T a2_3 = U2_31 * T(0.1) + t2_14 - minus_U2_33 * T(0.05);
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(1.2) * a2_1;
-  const T G2_2 = T(1.2) * a2_2;
-  const T G2_3 = T(1.2) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21;
-  const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32;
-  const T N2_3 = T(0.06) * U2_21 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) -
-      T(0.0036) * U2_23 - T(0.0048) * U2_13;
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
+  const T G2_2 = U2_21 * T(1.06) - minus_U2_22 * T(0.995);
+  const T G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
+      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_21;
+  const T N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918) *
+      U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.56525) * U2_21 - T(0.46325) * U2_12 + T(0.264) *
+      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
@@ -1996,29 +1893,26 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_U2_11 * T(0.3) - U2_13 * T(0.1);
-  const T Pddot3_1 = U2_12 * T(0.15) - t3_7 + Pddot2_1;
-  const T t3_8 = U2_21 * T(0.3) + U2_23 * T(0.1);
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_10 = minus_U2_33 * T(0.1) - U2_31 * T(0.3);
-  const T t3_11 = U2_32 * T(0.15) - t3_10 + Pddot2_3;
+  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
+  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
+  const T t3_11 = U2_32 * T(0.15) - t3_10;
   const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
   const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.1) + U3_32 * T(0.2) - minus_U3_33 * T(0.05) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(1.3) * a3_1;
-  const T G3_2 = T(1.3) * a3_2;
-  const T G3_3 = T(1.3) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
-      T(0.0039) * U3_21;
-  const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
-      T(0.0065) * U3_32;
-  const T N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) * U3_23 -
-      T(0.0052) * U3_13;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
+  const T G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
+  const T G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23 +
+      T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
+  const T N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
+      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
+  const T N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12) +
+      T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
@@ -2053,26 +1947,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t2_12 - t3_7;
-  const T t4_8 = t2_14 - t3_10;
+  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
+  const T t4_8 = U2_31 * T(0.3) - t3_10;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = t3_8 - t2_13;
+  const T Pddot4_2 = U2_21 * T(0.3) + t3_8;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
-  const T G4_1 = T(1.4) * a4_1;
-  const T G4_2 = T(1.4) * a4_2;
-  const T G4_3 = T(1.4) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
-  const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
-      T(0.0042) * U4_21;
-  const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
-      T(0.007) * U4_32;
-  const T N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23 -
-      T(0.0056) * U4_13;
+  // G4 = U4 h_own_4: inertia less applied force, body axes [N]
+  const T G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
+  const T G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
+  const T G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) * U4_31 -
+      T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
+  const T N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 - T(0.084)
+      * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) * U4_32;
+  const T N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) * (minus_U4_11 -
+      minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -2107,26 +1998,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U1 q5 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U1_12 * T(0.25) + t2_7;
+  const T t5_7 = U1_12 * T(0.25) - t2_7;
   const T t5_8 = t2_9 - minus_U1_22 * T(0.25);
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
   const T Pddot5_3 = t2_11 + U1_32 * T(0.25);
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = m5 a5: force balance, body axes [N]
-  const T G5_1 = T(1.5) * a5_1;
-  const T G5_2 = T(1.5) * a5_2;
-  const T G5_3 = T(1.5) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
-  const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
-      T(0.0045) * U5_21;
-  const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
-      T(0.0075) * U5_32;
-  const T N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 -
-      T(0.006) * U5_13;
+  // G5 = U5 h_own_5: inertia less applied force, body axes [N]
+  const T G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
+  const T G5_2 = U5_21 * T(0.79) - minus_U5_22 * T(0.78);
+  const T G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) * (minus_U5_22 -
+      minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_21;
+  const T N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
+      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.542) * U5_21 - T(0.249) * U5_12 + T(0.2145) *
+      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
@@ -2161,34 +2049,28 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_6 + omegadot6_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_7 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_8 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = m6 a6: force balance, body axes [N]
-  const T G6_1 = T(1.6) * a6_1;
-  const T G6_2 = T(1.6) * a6_2;
-  const T G6_3 = T(1.6) * a6_3;
-  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
-      T(0.0048) * U6_21;
-  const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
-      T(0.008) * U6_32;
-  const T N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23 -
-      T(0.0064) * U6_13;
+  // G6 = U6 h_own_6: inertia less applied force, body axes [N]
+  const T G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
+  const T G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
+  const T G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002) *
+      U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
+      U6_31 - T(0.027200000000000002) * U6_21;
+  const T N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 + T(0.027200000000000002) *
+      (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001) * U6_32;
+  const T N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 + T(0.11200000000000002) *
+      U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 - T(0.32000000000000006) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
-  // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = T(0.2) * G6_3 - T(0.05) * G6_2 + N6_1;
-  const T rho6_2 = T(0.05) * G6_1 - T(0.1) * G6_3 + N6_2;
-  const T rho6_3 = T(0.1) * G6_2 - T(0.2) * G6_1 + N6_3;
-  // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
-  const T r_theta6 = rho6_1 - u.tau_6;
+  // r_theta6 = b6 . N6 - tau_body_6_: Kane's equation of the angle [N m]
+  const T r_theta6 = N6_1 - u.tau_6;
   r[7] = r_theta6;
 
   // ---- body 5 (body_5) and what it carries
@@ -2198,34 +2080,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_2 = b5_1 + G5_2;
   const T b5_2 = E6_23 * G6_2 + E6_22 * G6_3;
   const T S5_3 = b5_2 + G5_3;
-  // rho5 = q6~ E6^T G6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = b5_3 - T(0.1) * b5_1 + rho6_1 + T(0.2) * G5_3 - T(0.05) * G5_2 + N5_1;
-  const T rho5_2 = T(0.1) * G6_1 - b5_3 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.05) * G5_1 - T(0.1) * G5_3 + N5_2;
-  const T rho5_3 = T(0.3) * b5_1 - T(0.3) * G6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.1) * G5_2 - T(0.2) * G5_1 +
-      N5_3;
+  // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho5_1 = T(0.3) * b5_2 - T(0.2) * b5_1 + N6_1 + N5_1;
+  const T rho5_2 = T(0.2) * G6_1 + E6_22 * N6_2 - E6_23 * N6_3 + N5_2;
+  const T rho5_3 = E6_23 * N6_2 + E6_22 * N6_3 - T(0.3) * G6_1 + N5_3;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - u.tau_5;
   r[6] = r_theta5;
 
   // ---- body 4 (body_4) and what it carries
-  // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.2) * G4_3 - T(0.05) * G4_2 + N4_1;
-  const T rho4_2 = T(0.05) * G4_1 - T(0.1) * G4_3 + N4_2;
-  const T b4_1 = T(0.1) * G4_2;
-  const T rho4_3 = b4_1 - T(0.2) * G4_1 + N4_3;
-  // r_theta4 = b4 . rho4 - tau_body_4_: Kane's equation of the angle [N m]
-  const T r_theta4 = rho4_2 - u.tau_4;
+  // r_theta4 = b4 . N4 - tau_body_4_: Kane's equation of the angle [N m]
+  const T r_theta4 = N4_2 - u.tau_4;
   r[5] = r_theta4;
 
   // ---- body 3 (body_3) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho3_1 = T(0.2) * G3_3 - T(0.05) * G3_2 + N3_1;
-  const T rho3_2 = T(0.05) * G3_1 - T(0.1) * G3_3 + N3_2;
-  const T rho3_3 = T(0.1) * G3_2 - T(0.2) * G3_1 + N3_3;
-  // r_theta3 = b3 . rho3 - tau_body_3_: Kane's equation of the angle [N m]
-  const T r_theta3 = rho3_1 - u.tau_3;
+  // r_theta3 = b3 . N3 - tau_body_3_: Kane's equation of the angle [N m]
+  const T r_theta3 = N3_1 - u.tau_3;
   r[4] = r_theta3;
 
   // ---- body 2 (body_2) and what it carries
@@ -2237,14 +2108,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b2_3 = E3_23 * G3_2 + E3_22 * G3_3;
   const T b2_4 = E4_11 * G4_3 - minus_E4_13 * G4_1;
   const T S2_3 = b2_3 + b2_4 + G2_3;
-  // rho2 = q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T rho4 + r2~ G2 + N2: sum of the moment balances of the subtree
-  //   about the body origin, body axes [N m]
-  const T rho2_1 = T(0.15) * b2_3 - T(0.1) * b2_2 + rho3_1 + T(0.2) * b2_4 - b4_1 + E4_11 * rho4_1 + minus_E4_13 *
-      rho4_3 + T(0.2) * G2_3 - T(0.05) * G2_2 + N2_1;
-  const T rho2_2 = T(0.1) * G3_1 - T(0.3) * b2_3 + E3_22 * rho3_2 - E3_23 * rho3_3 + T(0.1) * b2_1 - T(0.3) * b2_4 +
-      rho4_2 + T(0.05) * G2_1 - T(0.1) * G2_3 + N2_2;
-  const T rho2_3 = T(0.3) * b2_2 - T(0.15) * G3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.3) * G4_2 - T(0.2) * b2_1 +
-      E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.1) * G2_2 - T(0.2) * G2_1 + N2_3;
+  // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
+  //   body origin, body axes [N m]
+  const T rho2_1 = T(0.15) * b2_3 - T(0.2) * b2_2 + N3_1 - T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N2_1;
+  const T rho2_2 = T(0.2) * G3_1 + E3_22 * N3_2 - E3_23 * N3_3 + T(0.2) * b2_1 - T(0.3) * b2_4 + N4_2 + N2_2;
+  const T rho2_3 = E3_23 * N3_2 + E3_22 * N3_3 - T(0.15) * G3_1 + T(0.3) * G4_2 + E4_11 * N4_3 - minus_E4_13 * N4_1 +
+      N2_3;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_3 - u.tau_2;
   r[3] = r_theta2;
@@ -2258,14 +2127,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b1_4 = E5_12 * S5_1 + E5_11 * S5_2;
   const T S1_2 = b1_3 + b1_4 + G1_2;
   const T S1_3 = S2_3 + S5_3 + G1_3;
-  // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + r1~ G1 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = T(0.1) * S2_3 - T(0.1) * b1_3 + E2_11 * rho2_1 - E2_12 * rho2_2 + T(0.25) * S5_3 - T(0.1) *
-      b1_4 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G1_3 - T(0.05) * G1_2 + N1_1;
-  const T b1_5 = T(0.1) * b1_1;
-  const T r_omega1_2 = b1_5 - T(0.3) * S2_3 + E2_12 * rho2_1 + E2_11 * rho2_2 + T(0.1) * b1_2 - T(0.3) * S5_3 + E5_12
-      * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
-  const T r_omega1_3 = T(0.3) * b1_3 - b1_5 + rho2_3 + T(0.3) * b1_4 - T(0.25) * b1_2 + rho5_3 + T(0.1) * G1_2 -
-      T(0.2) * G1_1 + N1_3;
+  // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
+  const T r_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 *
+      rho5_2 + N1_1;
+  const T r_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 *
+      rho5_2 + N1_2;
+  const T r_omega1_3 = T(0.3) * b1_3 - T(0.1) * b1_1 + rho2_3 + T(0.3) * b1_4 - T(0.25) * b1_2 + rho5_3 + N1_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2280,7 +2147,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 397 add, 420 multiply, 10 sine or cosine
+// 344 add, 368 multiply, 10 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -2310,36 +2177,35 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
   // Pddot1 = -R1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_13 * T(9.81);
   const T Pddot1_2 = R1_23 * T(9.81);
   const T Pddot1_3 = R1_33 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_2 * T(0.1);
-  const T t1_14 = omega1_1 * T(0.2) - t1_13;
-  const T t1_15 = omega1_3 * T(0.1);
-  const T t1_16 = t1_15 - omega1_1 * T(0.05);
-  const T a1_1 = omega1_2 * t1_14 - omega1_3 * t1_16 + Pddot1_1;
-  const T t1_17 = omega1_2 * T(0.05) - omega1_3 * T(0.2);
-  const T a1_2 = omega1_3 * t1_17 - omega1_1 * t1_14 + Pddot1_2;
-  const T a1_3 = omega1_1 * t1_16 - omega1_2 * t1_17 + Pddot1_3;
-  // G1 = R1 F1 - m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3 - T(1.1) * a1_1;
-  const T G1_2 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3 - T(1.1) * a1_2;
-  const T G1_3 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3 - T(1.1) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_18 = omega1_2 * omega1_3;
-  const T t1_19 = omega1_2 * omega1_2;
-  const T t1_20 = omega1_3 * omega1_3;
-  const T t1_21 = omega1_1 * omega1_2;
-  const T t1_22 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.04400000000000001) * t1_18 + T(0.0044) * (t1_19 - t1_20) - T(0.0033) * t1_21 + T(0.0055) * t1_22
-      + u.M_1_1;
-  const T t1_23 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_22 + T(0.0033) * (t1_20 - t1_23) + T(0.0055) * t1_18 +
-      T(0.0044) * t1_21);
-  const T N1_3 = T(0.0044) * t1_22 - (T(0.022000000000000006) * t1_21 + T(0.0055) * (t1_23 - t1_19)) + T(0.0033) *
-      t1_18 + u.M_1_3;
+  // G1 = R1 F1 - m_all_1 Pddot1 - U1 h_all_1: applied less inertia force, body axes [N]
+  const T t1_16 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
+  const T G1_1 = minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(1.32) + t1_16 - T(8.1) * Pddot1_1;
+  const T t1_17 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
+  const T G1_2 = minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(1.32) + t1_17 - T(8.1) * Pddot1_2;
+  const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
+  const T G1_3 = minus_U1_33 * T(1.32) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18 - T(8.1) * Pddot1_3;
+  // N1 = r1~ R1 F1 - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T N1_1 = T(0.904) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13 +
+      T(0.2) * t1_18 - T(0.05) * t1_17 - T(1.385) * Pddot1_3 + T(1.32) * Pddot1_2 + u.M_1_1;
+  const T N1_2 = T(0.3817) * (t1_13 - t1_15) - T(0.51775) * U1_13 + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12
+      + T(0.05) * t1_16 - T(0.1) * t1_18 - T(1.32) * Pddot1_1 + T(2.21) * Pddot1_3 + u.M_1_2;
+  const T N1_3 = T(0.366) * (t1_15 - t1_14) - T(0.3862499999999999) * U1_12 + T(0.22365000000000002) * U1_13 -
+      T(0.3817) * U1_23 + T(0.1) * t1_17 - T(0.2) * t1_16 - T(2.21) * Pddot1_2 + T(1.385) * Pddot1_1 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -2369,37 +2235,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U2_31 = t2_3 + minus_omegadot2_2;
   const T U2_32 = t2_5 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_4;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_6 = omega1_1 * T(0.1);
-  const T t2_7 = omega1_2 * T(0.3);
-  const T t2_8 = t2_6 - t2_7;
-  const T t2_9 = omega1_3 * T(0.3) - t2_6;
-  const T t2_10 = omega1_3 * t2_9 - Pddot1_1;
-  const T t2_11 = omega1_2 * t2_8 - t2_10;
-  const T t2_12 = t1_13 - t1_15;
-  const T t2_13 = omega1_3 * t2_12 - omega1_1 * t2_8 + Pddot1_2;
-  const T Pddot2_1 = E2_11 * t2_11 + E2_12 * t2_13;
-  const T Pddot2_2 = E2_11 * t2_13 - E2_12 * t2_11;
-  const T t2_14 = omega1_1 * t2_9 + Pddot1_3;
-  const T Pddot2_3 = t2_14 - omega1_2 * t2_12;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t2_15 = U2_12 * T(0.2) + Pddot2_1;
-  const T a2_1 = t2_15 - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
-  const T t2_16 = minus_U2_22 * T(0.2) - Pddot2_2;
-  const T a2_2 = U2_12 * T(0.1) - t2_16 + U2_23 * T(0.05);
-  const T t2_17 = U2_32 * T(0.2) + Pddot2_3;
-  const T a2_3 = U2_31 * T(0.1) + t2_17 - minus_U2_33 * T(0.05);
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(1.2) * a2_1;
-  const T minus_G2_2 = T(1.2) * a2_2;
-  const T minus_G2_3 = T(1.2) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_12;
-  const T minus_N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32;
-  const T minus_N2_3 = T(0.023999999999999994) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) - T(0.0036) * U2_23 -
-      T(0.0048) * U2_13;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = minus_U1_11 * T(0.3) - Pddot1_1;
+  const T t2_7 = U1_12 * T(0.1) - t2_6;
+  const T t2_8 = U1_12 * T(0.3) + Pddot1_2;
+  const T t2_9 = t2_8 - minus_U1_22 * T(0.1);
+  const T Pddot2_1 = E2_11 * t2_7 + E2_12 * t2_9;
+  const T Pddot2_2 = E2_11 * t2_9 - E2_12 * t2_7;
+  const T t2_10 = U1_13 * T(0.3) + Pddot1_3;
+  const T Pddot2_3 = t2_10 + U1_23 * T(0.1);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
+  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.995);
+  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
+      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
+  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918)
+      * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.10199999999999997) * U2_12 + T(0.264) *
+      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
@@ -2432,29 +2288,26 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U3_32 = t3_6 + omegadot2_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_U2_11 * T(0.3) - U2_13 * T(0.1);
-  const T Pddot3_1 = U2_12 * T(0.15) - t3_7 + Pddot2_1;
-  const T t3_8 = U2_12 * T(0.3) + U2_23 * T(0.1);
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_10 = U2_31 * T(0.3) - minus_U2_33 * T(0.1);
-  const T t3_11 = t3_10 + U2_32 * T(0.15) + Pddot2_3;
+  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
+  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
+  const T t3_11 = U2_32 * T(0.15) - t3_10;
   const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
   const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.1) + U3_32 * T(0.2) - minus_U3_33 * T(0.05) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.3) * a3_1;
-  const T minus_G3_2 = T(1.3) * a3_2;
-  const T minus_G3_3 = T(1.3) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
-      U3_31 + T(0.0039) * U3_21;
-  const T minus_N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
-      U3_12 + T(0.0065) * U3_32;
-  const T minus_N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
-      U3_23 - T(0.0052) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
+  const T minus_G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
+  const T minus_G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23
+      + T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
+  const T minus_N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
+      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
+  const T minus_N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12)
+      + T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
@@ -2487,26 +2340,24 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t2_15 - t3_7;
-  const T t4_8 = t3_10 + t2_17;
+  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
+  const T t4_8 = U2_31 * T(0.3) - t3_10;
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = t3_8 - t2_16;
+  const T Pddot4_2 = U2_12 * T(0.3) + t3_8;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
-  // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(1.4) * a4_1;
-  const T minus_G4_2 = T(1.4) * a4_2;
-  const T minus_G4_3 = T(1.4) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
-      U4_31 + T(0.0042) * U4_21;
-  const T minus_N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
-      U4_12 + T(0.007) * U4_32;
-  const T minus_N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23
-      - T(0.0056) * U4_13;
+  // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
+  const T minus_G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
+  const T minus_G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) *
+      U4_31 - T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
+  const T minus_N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 -
+      T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) *
+      U4_32;
+  const T minus_N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) *
+      (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -2536,29 +2387,24 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U5_31 = t5_3 + minus_omegadot5_2;
   const T U5_32 = t5_5 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_4;
-  // Pddot5 = E5 (omega1~ omega1~ q5 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_6 = omega1_1 * T(0.25) - t2_7;
-  const T t5_7 = omega1_2 * t5_6 - t2_10;
-  const T t5_8 = t1_13 - omega1_3 * T(0.25);
-  const T t5_9 = omega1_3 * t5_8 - omega1_1 * t5_6 + Pddot1_2;
-  const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_9;
-  const T Pddot5_2 = E5_11 * t5_9 - E5_12 * t5_7;
-  const T Pddot5_3 = t2_14 - omega1_2 * t5_8;
-  // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05) + Pddot5_1;
-  const T a5_2 = U5_12 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05) + Pddot5_2;
-  const T a5_3 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05) + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G5_1 = T(1.5) * a5_1;
-  const T minus_G5_2 = T(1.5) * a5_2;
-  const T minus_G5_3 = T(1.5) * a5_3;
-  // N5 = -axial(U5 (tr(I5)/2 - I5)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
-      U5_31 + T(0.0045) * U5_12;
-  const T minus_N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
-      U5_12 + T(0.0075) * U5_32;
-  const T minus_N5_3 = T(0.03) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 - T(0.006) *
-      U5_13;
+  // Pddot5 = E5 (U1 q5 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_6 = U1_12 * T(0.25) - t2_6;
+  const T t5_7 = t2_8 - minus_U1_22 * T(0.25);
+  const T Pddot5_1 = E5_11 * t5_6 + E5_12 * t5_7;
+  const T Pddot5_2 = E5_11 * t5_7 - E5_12 * t5_6;
+  const T Pddot5_3 = t2_10 + U1_23 * T(0.25);
+  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
+  const T minus_G5_2 = U5_12 * T(0.79) - minus_U5_22 * T(0.78);
+  const T minus_G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
+      (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
+  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
+      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.293) * U5_12 + T(0.2145) * (minus_U5_11 -
+      minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
@@ -2591,35 +2437,30 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_7 = U5_12 * T(0.3);
-  const T Pddot6_1 = t6_7 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_8 = t6_7 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_9 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
-  const T Pddot6_2 = E6_22 * t6_8 + E6_23 * t6_9;
-  const T Pddot6_3 = E6_22 * t6_9 - E6_23 * t6_8;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05) + Pddot6_1;
-  const T a6_2 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05) + Pddot6_2;
-  const T a6_3 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(1.6) * a6_1;
-  const T minus_G6_2 = T(1.6) * a6_2;
-  const T minus_G6_3 = T(1.6) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
-      U6_31 + T(0.0048) * U6_21;
-  const T minus_N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
-      U6_12 + T(0.008) * U6_32;
-  const T minus_N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23
-      - T(0.0064) * U6_13;
+  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
+  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
+  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
+  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
+  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
+  const T minus_G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
+  const T minus_G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002)
+      * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
+      U6_31 - T(0.027200000000000002) * U6_21;
+  const T minus_N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 +
+      T(0.027200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001)
+      * U6_32;
+  const T minus_N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 +
+      T(0.11200000000000002) * U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 -
+      T(0.32000000000000006) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
-  // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = T(0.05) * minus_G6_2 - T(0.2) * minus_G6_3 - minus_N6_1;
-  const T rho6_2 = T(0.1) * minus_G6_3 - T(0.05) * minus_G6_1 - minus_N6_2;
-  const T rho6_3 = T(0.2) * minus_G6_1 - T(0.1) * minus_G6_2 - minus_N6_3;
-  // f_theta6 = b6 . rho6 + tau_body_6_: Kane's equation of the angle [N m]
-  const T f_theta6 = rho6_1 + u.tau_6;
+  // f_theta6 = b6 . N6 + tau_body_6_: Kane's equation of the angle [N m]
+  const T f_theta6 = u.tau_6 - minus_N6_1;
   f[7] = f_theta6;
 
   // ---- body 5 (body_5) and what it carries
@@ -2629,35 +2470,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S5_2 = b5_1 - minus_G5_2;
   const T b5_2 = E6_23 * minus_G6_2 + E6_22 * minus_G6_3;
   const T minus_S5_3 = b5_2 + minus_G5_3;
-  // rho5 = q6~ E6^T G6 + E6^T rho6 + r5~ G5 + N5: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T b5_3 = T(0.3) * b5_2;
-  const T rho5_1 = rho6_1 - (T(0.1) * b5_1 + b5_3) + T(0.05) * minus_G5_2 - T(0.2) * minus_G5_3 - minus_N5_1;
-  const T rho5_2 = b5_3 - T(0.1) * minus_G6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + T(0.1) * minus_G5_3 - T(0.05) *
-      minus_G5_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * b5_1 + T(0.3) * minus_G6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.2) * minus_G5_1 -
-      T(0.1) * minus_G5_2 - minus_N5_3;
+  // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T minus_rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + minus_N6_1 + minus_N5_1;
+  const T rho5_2 = E6_23 * minus_N6_3 - E6_22 * minus_N6_2 - T(0.2) * minus_G6_1 - minus_N5_2;
+  const T rho5_3 = T(0.3) * minus_G6_1 - (E6_23 * minus_N6_2 + E6_22 * minus_N6_3) - minus_N5_3;
   // f_theta5 = b5 . rho5 + tau_body_5_: Kane's equation of the angle [N m]
   const T f_theta5 = rho5_3 + u.tau_5;
   f[6] = f_theta5;
 
   // ---- body 4 (body_4) and what it carries
-  // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.05) * minus_G4_2 - T(0.2) * minus_G4_3 - minus_N4_1;
-  const T rho4_2 = T(0.1) * minus_G4_3 - T(0.05) * minus_G4_1 - minus_N4_2;
-  const T b4_1 = T(0.1) * minus_G4_2;
-  const T rho4_3 = T(0.2) * minus_G4_1 - b4_1 - minus_N4_3;
-  // f_theta4 = b4 . rho4 + tau_body_4_: Kane's equation of the angle [N m]
-  const T f_theta4 = rho4_2 + u.tau_4;
+  // f_theta4 = b4 . N4 + tau_body_4_: Kane's equation of the angle [N m]
+  const T f_theta4 = u.tau_4 - minus_N4_2;
   f[5] = f_theta4;
 
   // ---- body 3 (body_3) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho3_1 = T(0.05) * minus_G3_2 - T(0.2) * minus_G3_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * minus_G3_3 - T(0.05) * minus_G3_1 - minus_N3_2;
-  const T rho3_3 = T(0.2) * minus_G3_1 - T(0.1) * minus_G3_2 - minus_N3_3;
-  // f_theta3 = b3 . rho3 + tau_body_3_: Kane's equation of the angle [N m]
-  const T f_theta3 = rho3_1 + u.tau_3;
+  // f_theta3 = b3 . N3 + tau_body_3_: Kane's equation of the angle [N m]
+  const T f_theta3 = u.tau_3 - minus_N3_1;
   f[4] = f_theta3;
 
   // ---- body 2 (body_2) and what it carries
@@ -2669,14 +2498,14 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b2_3 = minus_E4_13 * minus_G4_1 - E4_11 * minus_G4_3;
   const T b2_4 = E3_23 * minus_G3_2 + E3_22 * minus_G3_3;
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
-  // rho2 = q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T rho4 + r2~ G2 + N2: sum of the moment balances of the subtree
-  //   about the body origin, body axes [N m]
-  const T rho2_1 = rho3_1 - (T(0.1) * b2_2 + T(0.15) * b2_4) + b4_1 + T(0.2) * b2_3 + E4_11 * rho4_1 + minus_E4_13 *
-      rho4_3 + T(0.05) * minus_G2_2 - T(0.2) * minus_G2_3 - minus_N2_1;
-  const T rho2_2 = T(0.3) * b2_4 - T(0.1) * minus_G3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - T(0.1) * b2_1 - T(0.3) *
-      b2_3 + rho4_2 + T(0.1) * minus_G2_3 - T(0.05) * minus_G2_1 - minus_N2_2;
-  const T rho2_3 = T(0.3) * b2_2 + T(0.15) * minus_G3_1 + E3_23 * rho3_2 + E3_22 * rho3_3 + T(0.2) * b2_1 - T(0.3) *
-      minus_G4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.2) * minus_G2_1 - T(0.1) * minus_G2_2 - minus_N2_3;
+  // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
+  //   body origin, body axes [N m]
+  const T rho2_1 = T(0.2) * minus_G4_2 - (T(0.2) * b2_2 + T(0.15) * b2_4 + minus_N3_1) - E4_11 * minus_N4_1 -
+      minus_E4_13 * minus_N4_3 - minus_N2_1;
+  const T rho2_2 = E3_23 * minus_N3_3 - (T(0.2) * b2_1 + T(0.3) * b2_3) - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 -
+      minus_N4_2 - minus_N2_2;
+  const T rho2_3 = T(0.15) * minus_G3_1 - (E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2 +
+      minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3 - minus_N2_3;
   // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_3 + u.tau_2;
   f[3] = f_theta2;
@@ -2690,14 +2519,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b1_4 = E5_11 * S5_2 - E5_12 * minus_S5_1;
   const T S1_2 = b1_3 + b1_4 + G1_2;
   const T S1_3 = S2_3 - minus_S5_3 + G1_3;
-  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + r1~ G1 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.1) * S2_3 - T(0.1) * b1_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.1) * b1_4 - T(0.25) *
-      minus_S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + T(0.2) * G1_3 - T(0.05) * G1_2 + N1_1;
-  const T b1_5 = T(0.1) * b1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 - (b1_5 + T(0.3) * S2_3) + E2_11 * rho2_2 + T(0.3) * minus_S5_3 - T(0.1) * b1_2
-      + E5_12 * rho5_1 + E5_11 * rho5_2 + T(0.05) * G1_1 - T(0.1) * G1_3 + N1_2;
-  const T f_omega1_3 = T(0.3) * b1_3 + b1_5 + rho2_3 + T(0.3) * b1_4 + T(0.25) * b1_2 + rho5_3 + T(0.1) * G1_2 -
-      T(0.2) * G1_1 + N1_3;
+  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
+  const T f_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.25) * minus_S5_3 - E5_11 * minus_rho5_1 -
+      E5_12 * rho5_2 + N1_1;
+  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 + E5_11 * rho5_2 - E5_12
+      * minus_rho5_1 + N1_2;
+  const T f_omega1_3 = T(0.3) * b1_3 + T(0.1) * b1_1 + rho2_3 + T(0.25) * b1_2 + T(0.3) * b1_4 + rho5_3 + N1_3;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -2712,7 +2539,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 268 add, 259 multiply, 10 sine or cosine
+// 172 add, 194 multiply, 10 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -2774,207 +2601,142 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T E6_23 = sin(theta6);
 
   // ---- body 6 (body_6) and what it carries
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc6 = E6^T h_own_6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(0.32000000000000006) - E6_23 * T(0.08000000000000002);
   const T hc6_3 = E6_22 * T(0.08000000000000002) + E6_23 * T(0.32000000000000006);
 
   // ---- body 5 (body_5) and what it carries
-  // h5 = m5 r5 + m6 q6 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
+  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
   const T h5_2 = T(0.78) + hc6_2;
-  const T h5_3 = T(0.23500000000000001) + hc6_3;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 - m5 r5~ r5~ + I5 + (-m6 q6~ - hc6~) q6~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b5_1 = T(0.1) * hc6_3;
-  const T b5_2 = T(0.3) * hc6_2;
-  const T b5_3 = b5_1 + b5_2 + T(0.228);
-  const T b5_4 = hc6_3 + T(0.16000000000000003);
-  const T b5_5 = b5_4 * T(0.1);
-  const T b5_6 = (T(0.48) + hc6_2) * T(0.3);
-  const T J5_11 = b5_3 + T(0.21375) + b5_5 + b5_6;
-  const T b5_7 = E6_23 * T(0.003200000000000002) - E6_22 * T(0.024000000000000004);
-  const T J5_12 = b5_7 - T(0.07050000000000001) - b5_6;
-  const T b5_8 = E6_23 * T(0.024000000000000004) + E6_22 * T(0.003200000000000002);
-  const T b5_9 = b5_4 * T(0.3);
-  const T minus_J5_13 = T(0.019000000000000003) + b5_8 + b5_9;
-  const T b5_10 = b5_7 - b5_2;
-  const T J5_21 = b5_10 - T(0.2145);
-  const T b5_11 = E6_23 * T(0.022400000000000003);
-  const T b5_12 = E6_22 * T(0.212) + b5_11;
-  const T b5_13 = E6_22 * T(0.022400000000000003);
-  const T b5_14 = b5_13 + E6_23 * T(0.20800000000000002);
-  const T J5_22 = b5_12 * E6_22 + b5_14 * E6_23 + b5_1 + T(0.43875) + b5_5;
-  const T J5_23 = b5_12 * E6_23 - b5_14 * E6_22 - T(0.1) * hc6_2 - T(0.021) - b5_9;
-  const T J5_33 = (E6_23 * T(0.212) - b5_13) * E6_23 + (E6_22 * T(0.20800000000000002) - b5_11) * E6_22 + b5_2 +
-      T(0.435) + b5_6;
+  // J5 = -q6~ hc6~ + E6^T J_own_6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b5_1 = T(0.3) * hc6_2;
+  const T b5_2 = T(0.2) * hc6_3 + b5_1;
+  const T b5_3 = b5_2 + T(0.228);
+  const T J5_11 = b5_3 + b5_2;
+  const T b5_4 = E6_23 * T(0.027200000000000002) - E6_22 * T(0.12000000000000001);
+  const T J5_12 = b5_4 - T(0.2145);
+  const T b5_5 = E6_23 * T(0.12000000000000001) + E6_22 * T(0.027200000000000002);
+  const T minus_J5_13 = b5_5 + T(0.14600000000000002);
+  const T b5_6 = E6_23 * T(0.003999999999999991) - T(2) * E6_22 * T(0.022400000000000003);
+  const T b5_7 = E6_23 * b5_6;
+  const T J5_22 = T(0.4) * hc6_3 - b5_7 + T(0.293);
+  const T b5_8 = T(0.3) * hc6_3;
+  const T J5_23 = E6_22 * b5_6 - T(0.1246) - T(0.2) * hc6_2 - b5_8;
+  const T J5_33 = b5_7 + T(0.787) + T(0.6) * hc6_2;
   A[72] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * T(0.79) - E5_12 * h5_2;
   const T hc5_2 = E5_11 * h5_2 + E5_12 * T(0.79);
-  // K_thetadot6_5 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T minus_K_thetadot6_5_3 = T(0.3) * hc6_3 + b5_8;
-  A[73] = -minus_K_thetadot6_5_3;
-  A[83] = -minus_K_thetadot6_5_3;
+  A[73] = -b5_5;
+  A[83] = -b5_5;
 
   // ---- body 4 (body_4) and what it carries
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = minus_E4_13 * T(0.06999999999999999) + E4_11 * T(0.13999999999999999);
   const T hc4_3 = E4_11 * T(0.06999999999999999) - minus_E4_13 * T(0.13999999999999999);
 
   // ---- body 3 (body_3) and what it carries
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * T(0.26) - E3_23 * T(0.065);
   const T hc3_3 = E3_22 * T(0.065) + E3_23 * T(0.26);
 
   // ---- body 2 (body_2) and what it carries
-  // h2 = m2 r2 + m3 q3 + m4 q4 + hc3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  // h2 = h_own_2 + hc3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h2_1 = T(1.06) + hc4_1;
   const T h2_2 = T(0.995) + hc3_2;
-  const T h2_3 = T(0.33) + hc3_3 + hc4_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - q4~ hc4~ + E4^T J4 E4 - m2 r2~ r2~ + I2 + (-m3 q3~ - hc3~) q3~ + (-m4 q4~ - hc4~)
-  //   q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b2_1 = T(0.1) * hc3_3;
-  const T b2_2 = T(0.15) * hc3_2;
-  const T b2_3 = b2_1 + b2_2 + T(0.18525000000000003);
-  const T b2_4 = T(0.1) * hc4_3;
-  const T b2_5 = minus_E4_13 * T(0.0028000000000000004);
-  const T b2_6 = E4_11 * T(0.1995) - b2_5;
-  const T b2_7 = E4_11 * T(0.0028000000000000004);
-  const T b2_8 = minus_E4_13 * T(0.182) - b2_7;
-  const T b2_9 = hc3_3 + T(0.13);
-  const T b2_10 = hc4_3 + T(0.13999999999999999);
-  const T b2_11 = b2_9 * T(0.1) + b2_10 * T(0.1);
-  const T b2_12 = T(0.195) + hc3_2;
-  const T b2_13 = b2_12 * T(0.15);
-  const T J2_11 = b2_3 + b2_4 + T(0.339) + b2_6 * E4_11 + b2_8 * minus_E4_13 + b2_11 + b2_13;
-  const T b2_14 = E3_23 * T(0.002600000000000001) - E3_22 * T(0.019500000000000003);
-  const T b2_15 = E4_11 * T(0.021) + minus_E4_13 * T(0.0196);
-  const T b2_16 = T(0.2) * hc4_1 + b2_15;
-  const T J2_12 = b2_14 - T(0.2055) - b2_16 - b2_12 * T(0.3);
-  const T b2_17 = E3_23 * T(0.019500000000000003) + E3_22 * T(0.002600000000000001);
-  const T b2_18 = T(0.1) * hc4_1;
-  const T J2_13 = b2_8 * E4_11 - b2_6 * minus_E4_13 - b2_17 - T(0.015400000000000002) - b2_18 - b2_9 * T(0.3) - b2_10
-      * T(0.3);
-  const T b2_19 = T(0.3) * hc3_2;
-  const T b2_20 = b2_14 - b2_19;
-  const T b2_21 = hc4_1 + T(0.42);
-  const T J2_21 = b2_20 - T(0.18) - b2_15 - b2_21 * T(0.2);
-  const T b2_22 = E3_23 * T(0.0182);
-  const T b2_23 = E3_22 * T(0.17225000000000001) + b2_22;
-  const T b2_24 = E3_22 * T(0.0182);
-  const T b2_25 = b2_24 + E3_23 * T(0.169);
-  const T b2_26 = T(0.3) * hc4_1;
-  const T b2_27 = b2_4 + b2_26;
-  const T b2_28 = b2_21 * T(0.3);
-  const T J2_22 = b2_23 * E3_22 + b2_25 * E3_23 + b2_1 + T(0.5395) + b2_27 + b2_11 + b2_28;
-  const T b2_29 = T(0.1) * hc3_2;
-  const T b2_30 = minus_E4_13 * T(0.021) - E4_11 * T(0.0196);
-  const T J2_23 = b2_23 * E3_23 - b2_25 * E3_22 - b2_29 - T(0.0448) + b2_30 - b2_9 * T(0.15) - b2_10 * T(0.2);
-  const T J2_33 = (E3_23 * T(0.17225000000000001) - b2_24) * E3_23 + (E3_22 * T(0.169) - b2_22) * E3_22 + b2_2 +
-      T(0.519) + b2_26 + (minus_E4_13 * T(0.1995) + b2_7) * minus_E4_13 + (b2_5 + E4_11 * T(0.182)) * E4_11 + b2_13 +
-      b2_28;
+  const T h2_3 = hc3_3 + hc4_3;
+  // J2 = -q3~ hc3~ + E3^T J_own_3 E3 - q4~ hc4~ + E4^T J_own_4 E4 + J_own_2 - hc3~ q3~ - hc4~ q4~: inertia carried,
+  //   about the body origin, body axes [kg m^2]
+  const T b2_1 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
+  const T b2_2 = b2_1 + T(0.18525000000000003);
+  const T b2_3 = minus_E4_13 * T(0.017500000000000012) + T(2) * E4_11 * T(0.0028000000000000004);
+  const T b2_4 = minus_E4_13 * b2_3;
+  const T J2_11 = b2_2 + T(0.4) * hc4_3 + T(0.017500000000000012) - b2_4 + b2_1;
+  const T b2_5 = E3_23 * T(0.0221) - E3_22 * T(0.0975);
+  const T b2_6 = E4_11 * T(0.049) + minus_E4_13 * T(0.0336);
+  const T J2_12 = b2_5 - b2_6 - T(0.264);
+  const T b2_7 = E3_23 * T(0.0975) + E3_22 * T(0.0221);
+  const T minus_J2_13 = T(0.1996) + E4_11 * b2_3 + b2_7 + T(0.2) * hc4_1 + T(0.3) * hc4_3;
+  const T b2_8 = E3_23 * T(0.0032499999999999977) - T(2) * E3_22 * T(0.0182);
+  const T b2_9 = E3_23 * b2_8;
+  const T b2_10 = T(0.3) * hc4_1;
+  const T b2_11 = T(0.2) * hc4_3 + b2_10;
+  const T J2_22 = T(0.4) * hc3_3 - b2_9 + b2_11 + T(0.2875) + b2_11;
+  const T b2_12 = minus_E4_13 * T(0.049) - E4_11 * T(0.0336);
+  const T J2_23 = E3_22 * b2_8 - T(0.1736) - T(0.2) * hc3_2 + b2_12 - T(0.15) * hc3_3;
+  const T b2_13 = T(0.3) * hc3_2;
+  const T J2_33 = b2_9 + T(1.02525) + b2_13 + T(0.6) * hc4_1 + b2_4;
   A[36] = J2_33;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
   const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // K_thetadot4_2 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_2_2 = b2_27 + T(0.1855);
-  const T K_thetadot4_2_3 = b2_30 - T(0.2) * hc4_3;
-  A[38] = K_thetadot4_2_3;
-  A[58] = K_thetadot4_2_3;
-  // K_thetadot3_2 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T minus_K_thetadot3_2_3 = T(0.3) * hc3_3 + b2_17;
-  A[37] = -minus_K_thetadot3_2_3;
-  A[47] = -minus_K_thetadot3_2_3;
+  const T K_thetadot4_2_2 = b2_11 + T(0.1855);
+  A[38] = b2_12;
+  A[58] = b2_12;
+  A[37] = -b2_7;
+  A[47] = -b2_7;
 
   // ---- body 1 (body_1) and what it carries
-  // h1 = m1 r1 + m_sub5 q5 + m_sub2 q2 + hc2 + hc5: first moment of mass carried, about the body origin, body axes
-  //   [kg m]
+  // h1 = h_all_1 + hc2 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
   const T h1_1 = T(2.21) + hc2_1 + hc5_1;
   const T h1_2 = T(1.385) + hc2_2 + hc5_2;
-  const T h1_3 = T(0.755) + h2_3 + h5_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q5~ hc5~ + E5^T J5 E5 - m1 r1~ r1~ + I1 + (-m_sub5 q5~ - hc5~) q5~ + (-m_sub2 q2~ -
-  //   hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_1 = E2_11 * J2_11 - E2_12 * J2_21;
-  const T b1_2 = E2_11 * J2_12 - E2_12 * J2_22;
-  const T b1_3 = T(0.1) * h2_3;
-  const T b1_4 = h5_3 + T(0.31000000000000005);
-  const T b1_5 = h2_3 + T(0.39);
-  const T b1_6 = b1_5 * T(0.1);
-  const T b1_7 = b1_3 + T(0.1) * h5_3 + (b1_4 * T(0.1) + b1_6);
-  const T b1_8 = T(0.1) * hc2_2;
-  const T b1_9 = T(0.25) * hc5_2;
-  const T b1_10 = E5_11 * J5_11 - E5_12 * J5_21;
-  const T b1_11 = E5_11 * J5_12 - E5_12 * J5_22;
-  const T b1_12 = T(0.775) + hc5_2;
-  const T b1_13 = T(0.39) + hc2_2;
-  const T b1_14 = b1_13 * T(0.1);
-  const T b1_15 = b1_12 * T(0.25) + b1_14;
-  const T J1_11 = b1_1 * E2_11 - b1_2 * E2_12 + b1_7 + b1_8 + b1_9 + b1_10 * E5_11 - b1_11 * E5_12 + T(0.15675) +
-      b1_15;
-  const T b1_16 = b1_10 * E5_12 + b1_11 * E5_11 + (b1_1 * E2_12 + b1_2 * E2_11 - T(0.016500000000000004));
-  const T b1_17 = T(0.1) * hc2_1;
-  const T J1_12 = b1_16 - b1_17 - T(0.25) * hc5_1 - b1_12 * T(0.3) - b1_13 * T(0.3);
-  const T b1_18 = E2_11 * J2_13 - E2_12 * J2_23;
-  const T b1_19 = b1_18 - b1_17;
-  const T b1_20 = E5_11 * minus_J5_13 + E5_12 * J5_23;
-  const T b1_21 = b1_20 + T(0.1) * hc5_1;
-  const T J1_13 = b1_19 - b1_21 - T(0.002200000000000001) - b1_4 * T(0.3) - b1_5 * T(0.3);
-  const T b1_22 = hc5_1 + T(0.9299999999999999);
-  const T b1_23 = hc2_1 + T(1.17);
-  const T b1_24 = b1_23 * T(0.1);
-  const T J1_21 = b1_16 - T(0.3) * hc2_2 - T(0.3) * hc5_2 - b1_22 * T(0.25) - b1_24;
-  const T b1_25 = T(0.3) * hc2_1;
-  const T b1_26 = T(0.3) * hc5_1;
-  const T b1_27 = b1_22 * T(0.3) + b1_23 * T(0.3);
-  const T J1_22 = (E2_12 * J2_11 + E2_11 * J2_21) * E2_12 + (E2_12 * J2_12 + E2_11 * J2_22) * E2_11 + b1_7 + b1_25 +
-      b1_26 + (E5_12 * J5_11 + E5_11 * J5_21) * E5_12 + (E5_12 * J5_12 + E5_11 * J5_22) * E5_11 +
-      T(0.14575000000000002) + b1_27;
-  const T b1_28 = E2_12 * J2_13 + E2_11 * J2_23;
-  const T b1_29 = b1_28 - b1_8;
-  const T b1_30 = E5_11 * J5_23 - E5_12 * minus_J5_13;
-  const T b1_31 = b1_30 - T(0.1) * hc5_2;
-  const T J1_23 = b1_29 + b1_31 - T(0.015400000000000002) - b1_4 * T(0.25) - b1_6;
-  const T J1_31 = b1_18 - T(0.3) * h2_3 - T(0.3) * h5_3 - b1_20 - T(0.002200000000000001) - b1_22 * T(0.1) - b1_24;
-  const T J1_32 = b1_28 - b1_3 - T(0.25) * h5_3 + b1_30 - T(0.015400000000000002) - b1_12 * T(0.1) - b1_14;
-  const T b1_32 = b1_25 + b1_8 + J2_33;
-  const T b1_33 = b1_26 + b1_9 + J5_33;
-  const T J1_33 = b1_32 + b1_33 + T(0.14300000000000002) + b1_15 + b1_27;
+  const T h1_3 = T(1.32) + h2_3 + hc6_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - q5~ hc5~ + E5^T J5 E5 + J_all_1 - hc2~ q2~ - hc5~ q5~: inertia carried, about the
+  //   body origin, body axes [kg m^2]
+  const T b1_1 = E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12;
+  const T b1_2 = E5_12 * (J5_11 - J5_22) + T(2) * E5_11 * J5_12;
+  const T b1_3 = E2_12 * b1_1 + E5_12 * b1_2;
+  const T J1_11 = J2_11 - b1_3 + T(0.2) * hc2_2 + T(0.5) * hc5_2 + J5_11 + T(1.5235);
+  const T J1_12 = E2_11 * b1_1 - J2_12 - T(0.1) * hc2_1 - T(0.25) * hc5_1 + E5_11 * b1_2 - J5_12 - T(0.366) - T(0.3) *
+      hc2_2 - T(0.3) * hc5_2;
+  const T b1_4 = E2_11 * minus_J2_13 + E2_12 * J2_23;
+  const T b1_5 = E5_11 * minus_J5_13 + E5_12 * J5_23;
+  const T minus_J1_13 = b1_4 + b1_5 + T(0.3817) + T(0.3) * h2_3 + b5_8;
+  const T J1_22 = J2_22 + b1_3 + T(0.6) * hc2_1 + T(0.6) * hc5_1 + J5_22 + T(1.90975);
+  const T b1_6 = E2_11 * J2_23 - E2_12 * minus_J2_13;
+  const T b1_7 = E5_11 * J5_23 - E5_12 * minus_J5_13;
+  const T J1_23 = b1_6 + b1_7 - T(0.22365000000000002) - T(0.1) * h2_3 - T(0.25) * hc6_3;
+  const T b1_8 = T(0.3) * hc2_1 + T(0.1) * hc2_2;
+  const T b1_9 = b1_8 + J2_33;
+  const T b1_10 = T(0.3) * hc5_1 + T(0.25) * hc5_2;
+  const T b1_11 = J5_33 + b1_10;
+  const T J1_33 = b1_9 + b1_11 + T(1.00575) + b1_8 + b1_10;
   A[0] = J1_11;
   A[1] = J1_12;
-  A[2] = J1_13;
-  A[11] = J1_21;
+  A[11] = J1_12;
+  A[2] = -minus_J1_13;
+  A[22] = -minus_J1_13;
   A[12] = J1_22;
   A[13] = J1_23;
-  A[22] = J1_31;
-  A[23] = J1_32;
+  A[23] = J1_23;
   A[24] = J1_33;
   // B_thetadot6_1 = E5^T B_thetadot6_5
   const T B_thetadot6_1_1 = E5_12 * hc6_3;
   const T minus_B_thetadot6_1_2 = E5_11 * hc6_3;
   // K_thetadot6_1 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_1_1 = T(0.1) * minus_B_thetadot6_1_2 + T(0.25) * hc6_2 + E5_11 * b5_3 - E5_12 * b5_10;
-  const T K_thetadot6_1_2 = T(0.1) * B_thetadot6_1_1 - b5_2 + E5_12 * b5_3 + E5_11 * b5_10;
-  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + minus_K_thetadot6_5_3;
+  const T K_thetadot6_1_1 = T(0.25) * hc6_2 + E5_11 * b5_3 - E5_12 * b5_4;
+  const T K_thetadot6_1_2 = E5_12 * b5_3 + E5_11 * b5_4 - b5_1;
+  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + b5_5;
   A[7] = K_thetadot6_1_1;
   A[77] = K_thetadot6_1_1;
   A[18] = K_thetadot6_1_2;
   A[78] = K_thetadot6_1_2;
   A[29] = -minus_K_thetadot6_1_3;
   A[79] = -minus_K_thetadot6_1_3;
-  A[6] = -b1_21;
-  A[66] = -b1_21;
-  A[17] = b1_31;
-  A[67] = b1_31;
-  A[28] = b1_33;
-  A[68] = b1_33;
+  A[6] = -b1_5;
+  A[66] = -b1_5;
+  A[17] = b1_7;
+  A[67] = b1_7;
+  A[28] = b1_11;
+  A[68] = b1_11;
   // B_thetadot4_1 = E2^T B_thetadot4_2
   const T B_thetadot4_1_1 = E2_11 * hc4_3;
   const T B_thetadot4_1_2 = E2_12 * hc4_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_1 = T(0.1) * B_thetadot4_1_2 + b2_18 + E2_11 * b2_16 + E2_12 * K_thetadot4_2_2;
-  const T b1_34 = T(0.1) * B_thetadot4_1_1;
-  const T K_thetadot4_1_2 = b1_34 + b2_26 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_16;
-  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - b1_34 + K_thetadot4_2_3;
+  const T minus_K_thetadot4_1_1 = T(0.1) * hc4_1 + E2_11 * b2_6 + E2_12 * K_thetadot4_2_2;
+  const T K_thetadot4_1_2 = b2_10 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_6;
+  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - T(0.1) * B_thetadot4_1_1 + b2_12;
   A[5] = -minus_K_thetadot4_1_1;
   A[55] = -minus_K_thetadot4_1_1;
   A[16] = K_thetadot4_1_2;
@@ -2985,22 +2747,21 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot3_1_1 = E2_12 * hc3_3;
   const T minus_B_thetadot3_1_2 = E2_11 * hc3_3;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_1 = T(0.1) * minus_B_thetadot3_1_2 + b2_29 + E2_11 * b2_3 - E2_12 * b2_20;
-  const T b1_35 = T(0.1) * B_thetadot3_1_1;
-  const T K_thetadot3_1_2 = b1_35 - b2_19 + E2_12 * b2_3 + E2_11 * b2_20;
-  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + b1_35 + minus_K_thetadot3_2_3;
+  const T K_thetadot3_1_1 = T(0.1) * hc3_2 + E2_11 * b2_2 - E2_12 * b2_5;
+  const T K_thetadot3_1_2 = E2_12 * b2_2 + E2_11 * b2_5 - b2_13;
+  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + T(0.1) * B_thetadot3_1_1 + b2_7;
   A[4] = K_thetadot3_1_1;
   A[44] = K_thetadot3_1_1;
   A[15] = K_thetadot3_1_2;
   A[45] = K_thetadot3_1_2;
   A[26] = -minus_K_thetadot3_1_3;
   A[46] = -minus_K_thetadot3_1_3;
-  A[3] = b1_19;
-  A[33] = b1_19;
-  A[14] = b1_29;
-  A[34] = b1_29;
-  A[25] = b1_32;
-  A[35] = b1_32;
+  A[3] = -b1_4;
+  A[33] = -b1_4;
+  A[14] = b1_6;
+  A[34] = b1_6;
+  A[25] = b1_9;
+  A[35] = b1_9;
 
   // ---- results
   const T t1 = h1_2 * R1_31 - h1_3 * R1_21;
@@ -3172,8 +2933,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B3_1 = -R2^T r2~ E2 + P_omega1_2
   const T t2_7 = T(0.05) * E2_12;
   const T t2_8 = T(0.05) * E2_11;
-  const T t2_9 = T(0.1) * E2_12;
-  const T t2_10 = T(0.2) * E2_11;
+  const T t2_9 = T(0.2) * E2_11;
+  const T t2_10 = T(0.1) * E2_12;
   const T t2_11 = t2_9 + t2_10;
   const T minus_B3_1_11 = R2_11 * t2_7 + R2_21 * t2_8 - R1_31 * t2_11 + minus_P_omega1_2_11;
   const T t2_12 = T(0.1) * E2_11;
@@ -3224,27 +2985,27 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_omega1_3_31 = E3_23 * E2_12;
   const T minus_omega_omega1_3_32 = E3_23 * E2_11;
   // P_omega1_3 = -R2^T q3~ E2 + P_omega1_2: partial velocity of the body origin, inertial axes
-  const T t3_1 = R2_11 * t2_9 + R2_21 * t2_12 + minus_P_omega1_2_11;
+  const T t3_1 = R2_11 * t2_10 + R2_21 * t2_12 + minus_P_omega1_2_11;
   const T t3_2 = T(0.3) * E2_12;
-  const T t3_3 = t3_2 + T(0.15) * E2_11;
+  const T t3_3 = T(0.15) * E2_11 + t3_2;
   const T minus_P_omega1_3_11 = t3_1 - R1_31 * t3_3;
-  const T t3_4 = R2_21 * t2_9 - R2_11 * t2_12 + minus_P_omega1_2_12;
+  const T t3_4 = R2_21 * t2_10 - R2_11 * t2_12 + minus_P_omega1_2_12;
   const T t3_5 = T(0.3) * E2_11;
   const T t3_6 = t3_5 - T(0.15) * E2_12;
   const T minus_P_omega1_3_12 = t3_4 + R1_31 * t3_6;
   const T t3_7 = R2_21 * T(0.3);
   const T t3_8 = R2_11 * T(0.15) - t3_7;
   const T minus_P_omega1_3_13 = t3_8 + minus_P_omega1_2_13;
-  const T t3_9 = R2_12 * t2_9 + R2_22 * t2_12 + minus_P_omega1_2_21;
+  const T t3_9 = R2_12 * t2_10 + R2_22 * t2_12 + minus_P_omega1_2_21;
   const T minus_P_omega1_3_21 = t3_9 - R1_32 * t3_3;
-  const T t3_10 = R2_22 * t2_9 - R2_12 * t2_12 + minus_P_omega1_2_22;
+  const T t3_10 = R2_22 * t2_10 - R2_12 * t2_12 + minus_P_omega1_2_22;
   const T minus_P_omega1_3_22 = t3_10 + R1_32 * t3_6;
   const T t3_11 = R2_22 * T(0.3);
   const T t3_12 = R2_12 * T(0.15) - t3_11;
   const T minus_P_omega1_3_23 = t3_12 + minus_P_omega1_2_23;
-  const T t3_13 = R2_13 * t2_9 + R2_23 * t2_12 + minus_P_omega1_2_31;
+  const T t3_13 = R2_13 * t2_10 + R2_23 * t2_12 + minus_P_omega1_2_31;
   const T minus_P_omega1_3_31 = t3_13 - R1_33 * t3_3;
-  const T t3_14 = R2_23 * t2_9 - R2_13 * t2_12 + minus_P_omega1_2_32;
+  const T t3_14 = R2_23 * t2_10 - R2_13 * t2_12 + minus_P_omega1_2_32;
   const T minus_P_omega1_3_32 = t3_14 + R1_33 * t3_6;
   const T t3_15 = R2_23 * T(0.3);
   const T t3_16 = R2_13 * T(0.15) - t3_15;
@@ -3252,7 +3013,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B5_1 = -R3^T r3~ omega_omega1_3 + P_omega1_3
   const T t3_17 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
   const T t3_18 = t2_8 - T(0.1) * omega_omega1_3_31;
-  const T t3_19 = T(0.1) * minus_omega_omega1_3_21 + t2_10;
+  const T t3_19 = T(0.1) * minus_omega_omega1_3_21 + t2_9;
   const T minus_B5_1_11 = R2_11 * t3_17 + R3_21 * t3_18 - R3_31 * t3_19 + minus_P_omega1_3_11;
   const T t3_20 = t2_7 + T(0.1) * minus_omega_omega1_3_32;
   const T t3_21 = T(0.05) * omega_omega1_3_22 + T(0.2) * minus_omega_omega1_3_32;
@@ -3313,7 +3074,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_omega1_4_31 = minus_E4_13 * E2_11;
   const T omega_omega1_4_32 = minus_E4_13 * E2_12;
   // P_omega1_4 = -R2^T q4~ E2 + P_omega1_2: partial velocity of the body origin, inertial axes
-  const T t4_1 = t3_2 + t2_10;
+  const T t4_1 = t2_9 + t3_2;
   const T minus_P_omega1_4_11 = t3_1 - R1_31 * t4_1;
   const T t4_2 = t3_5 - t2_13;
   const T minus_P_omega1_4_12 = t3_4 + R1_31 * t4_2;
@@ -3330,7 +3091,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B8_1 = -R4^T r4~ omega_omega1_4 + P_omega1_4
   const T t4_6 = t2_7 + T(0.2) * omega_omega1_4_31;
   const T t4_7 = T(0.05) * omega_omega1_4_11 - T(0.1) * omega_omega1_4_31;
-  const T t4_8 = t2_9 + T(0.2) * omega_omega1_4_11;
+  const T t4_8 = t2_10 + T(0.2) * omega_omega1_4_11;
   const T minus_B8_1_11 = R4_11 * t4_6 + R2_21 * t4_7 - R4_31 * t4_8 + minus_P_omega1_4_11;
   const T t4_9 = T(0.2) * omega_omega1_4_32 - t2_8;
   const T t4_10 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
@@ -3395,8 +3156,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B11_1 = -R5^T r5~ E5 + P_omega1_5
   const T t5_1 = T(0.05) * E5_12;
   const T t5_2 = T(0.05) * E5_11;
-  const T t5_3 = T(0.1) * E5_12;
-  const T t5_4 = T(0.2) * E5_11;
+  const T t5_3 = T(0.2) * E5_11;
+  const T t5_4 = T(0.1) * E5_12;
   const T t5_5 = t5_3 + t5_4;
   const T minus_B11_1_11 = R5_11 * t5_1 + R5_21 * t5_2 - R1_31 * t5_5 + minus_P_omega1_5_11;
   const T t5_6 = T(0.1) * E5_11;
@@ -3444,26 +3205,26 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_omega1_6_31 = E6_23 * E5_12;
   const T minus_omega_omega1_6_32 = E6_23 * E5_11;
   // P_omega1_6 = -R5^T q6~ E5 + P_omega1_5: partial velocity of the body origin, inertial axes
-  const T t6_1 = T(0.3) * E5_12;
-  const T t6_2 = T(0.3) * E5_11;
+  const T t6_1 = T(0.3) * E5_11;
+  const T t6_2 = T(0.3) * E5_12;
   const T t6_3 = t6_1 + t6_2;
-  const T minus_P_omega1_6_11 = R5_11 * t5_3 + R5_21 * t5_6 - R1_31 * t6_3 + minus_P_omega1_5_11;
-  const T t6_4 = t6_2 - t6_1;
-  const T minus_P_omega1_6_12 = R5_21 * t5_3 - R5_11 * t5_6 + R1_31 * t6_4 + minus_P_omega1_2_12;
+  const T minus_P_omega1_6_11 = R5_11 * t5_4 + R5_21 * t5_6 - R1_31 * t6_3 + minus_P_omega1_5_11;
+  const T t6_4 = t6_1 - t6_2;
+  const T minus_P_omega1_6_12 = R5_21 * t5_4 - R5_11 * t5_6 + R1_31 * t6_4 + minus_P_omega1_2_12;
   const T t6_5 = R5_11 * T(0.3) - R5_21 * T(0.3);
   const T minus_P_omega1_6_13 = t6_5 + minus_P_omega1_5_13;
-  const T minus_P_omega1_6_21 = R5_12 * t5_3 + R5_22 * t5_6 - R1_32 * t6_3 + minus_P_omega1_5_21;
-  const T minus_P_omega1_6_22 = R5_22 * t5_3 - R5_12 * t5_6 + R1_32 * t6_4 + minus_P_omega1_2_22;
+  const T minus_P_omega1_6_21 = R5_12 * t5_4 + R5_22 * t5_6 - R1_32 * t6_3 + minus_P_omega1_5_21;
+  const T minus_P_omega1_6_22 = R5_22 * t5_4 - R5_12 * t5_6 + R1_32 * t6_4 + minus_P_omega1_2_22;
   const T t6_6 = R5_12 * T(0.3) - R5_22 * T(0.3);
   const T minus_P_omega1_6_23 = t6_6 + minus_P_omega1_5_23;
-  const T minus_P_omega1_6_31 = R5_13 * t5_3 + R5_23 * t5_6 - R1_33 * t6_3 + minus_P_omega1_5_31;
-  const T minus_P_omega1_6_32 = R5_23 * t5_3 - R5_13 * t5_6 + R1_33 * t6_4 + minus_P_omega1_2_32;
+  const T minus_P_omega1_6_31 = R5_13 * t5_4 + R5_23 * t5_6 - R1_33 * t6_3 + minus_P_omega1_5_31;
+  const T minus_P_omega1_6_32 = R5_23 * t5_4 - R5_13 * t5_6 + R1_33 * t6_4 + minus_P_omega1_2_32;
   const T t6_7 = R5_13 * T(0.3) - R5_23 * T(0.3);
   const T minus_P_omega1_6_33 = t6_7 + minus_P_omega1_5_33;
   // B13_1 = -R6^T r6~ omega_omega1_6 + P_omega1_6
   const T t6_8 = T(0.05) * minus_omega_omega1_6_21 + T(0.2) * omega_omega1_6_31;
   const T t6_9 = t5_2 - T(0.1) * omega_omega1_6_31;
-  const T t6_10 = T(0.1) * minus_omega_omega1_6_21 + t5_4;
+  const T t6_10 = T(0.1) * minus_omega_omega1_6_21 + t5_3;
   const T minus_B13_1_11 = R5_11 * t6_8 + R6_21 * t6_9 - R6_31 * t6_10 + minus_P_omega1_6_11;
   const T t6_11 = t5_1 + T(0.1) * minus_omega_omega1_6_32;
   const T t6_12 = T(0.05) * omega_omega1_6_22 + T(0.2) * minus_omega_omega1_6_32;
@@ -3631,8 +3392,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // B2_1 = thetadot2 R2^T r2~ b2~ E2 - R2^T omega2~ r2~ E2 + P_dot_omega1_2
   const T t2_7 = T(0.05) * E2_11;
   const T t2_8 = omega2_3 * t2_7;
-  const T t2_9 = T(0.1) * E2_12;
-  const T t2_10 = T(0.2) * E2_11;
+  const T t2_9 = T(0.2) * E2_11;
+  const T t2_10 = T(0.1) * E2_12;
   const T t2_11 = t2_9 + t2_10;
   const T t2_12 = t2_8 + omega2_2 * t2_11;
   const T t2_13 = T(0.05) * E2_12;
@@ -3760,7 +3521,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T P_dot_omega1_3_33 = t3_34 - minus_P_dot_omega1_2_33;
   // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
   const T t3_35 = t2_7 - T(0.1) * omega_omega1_3_31;
-  const T t3_36 = T(0.1) * minus_omega_omega1_3_21 + t2_10;
+  const T t3_36 = T(0.1) * minus_omega_omega1_3_21 + t2_9;
   const T t3_37 = omega3_3 * t3_35 + omega3_2 * t3_36;
   const T t3_38 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
   const T t3_39 = omega3_3 * t3_38 + omega3_1 * t3_36;
@@ -3889,7 +3650,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T P_dot_omega1_4_33 = t4_16 - minus_P_dot_omega1_2_33;
   // B7_1 = -R4^T omega4~ r4~ omega_omega1_4 - R4^T r4~ omega_dot_omega1_4 + P_dot_omega1_4
   const T t4_17 = T(0.05) * omega_omega1_4_11 - T(0.1) * omega_omega1_4_31;
-  const T t4_18 = t2_9 + T(0.2) * omega_omega1_4_11;
+  const T t4_18 = t2_10 + T(0.2) * omega_omega1_4_11;
   const T t4_19 = omega4_3 * t4_17 + omega4_2 * t4_18;
   const T t4_20 = t2_13 + T(0.2) * omega_omega1_4_31;
   const T t4_21 = omega4_3 * t4_20 + omega4_1 * t4_18;
@@ -3988,7 +3749,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_1 = T(0.05) * E5_11;
   const T t5_2 = omega5_3 * t5_1;
   const T t5_3 = T(0.2) * E5_11;
-  const T t5_4 = T(0.1) * E5_12 + t5_3;
+  const T t5_4 = t5_3 + T(0.1) * E5_12;
   const T t5_5 = t5_2 + omega5_2 * t5_4;
   const T t5_6 = T(0.05) * E5_12;
   const T t5_7 = omega5_3 * t5_6;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 50d82edf730d6792 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 7bae15eb6164e49c of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -24,10 +24,10 @@
 //   poses                   3 (1 add, 2 multiply, 2 sine or cosine)
 //   energy                  18 (4 add, 14 multiply, 2 sine or cosine)
 //   power                   4 (1 add, 3 multiply, 1 other function)
-//   accelerations           26 (7 add, 18 multiply, 1 divide, 2 sine or cosine, 1 other function)
-//   residual                25 (9 add, 16 multiply, 2 sine or cosine, 1 other function)
+//   accelerations           20 (5 add, 14 multiply, 1 divide, 2 sine or cosine, 1 other function)
+//   residual                18 (6 add, 12 multiply, 2 sine or cosine, 1 other function)
 //   mass_matrix             1 (0 add, 1 multiply, 1 sine or cosine)
-//   state_matrix            65 (17 add, 47 multiply, 1 divide, 2 sine or cosine, 1 other function)
+//   state_matrix            50 (12 add, 37 multiply, 1 divide, 2 sine or cosine, 1 other function)
 //   input_matrix            6 (1 add, 4 multiply, 1 divide, 1 sine or cosine)
 //   tip_position            1 (1 add, 0 multiply, 2 sine or cosine)
 #pragma once
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "50d82edf730d6792";
+inline constexpr char model_hash[] = "7bae15eb6164e49c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -84,7 +84,7 @@ template <class T>
 struct Prepared {
   Parameters<T> p;
   T c1_1;
-  T m_sub1;
+  T m_all_1;
 };
 
 // prepare: 1 add, 1 multiply
@@ -93,9 +93,9 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m_cart;
-  const T m_sub1 = p.m_cart + T(0.1);
+  const T m_all_1 = p.m_cart + T(0.1);
   c.c1_1 = c1_1;
-  c.m_sub1 = m_sub1;
+  c.m_all_1 = m_all_1;
   return c;
 }
 
@@ -197,7 +197,8 @@ void power(const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 7 add, 18 multiply, 1 divide, 2 sine or cosine, 1 other function
+// 5 add, 14 multiply, 1 divide, 2 sine or cosine, 1 other function
+// by: composite; articulated would take 6 add, 15 multiply, 1 divide, 2 sine or cosine, 1 other function
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::cos, std::sin, std::tanh;
@@ -208,50 +209,47 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U2_11 = thetadot2 * thetadot2;
   // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.8);
-  const T Pddot2_3 = E2_11 * T(9.8);
-  // a2 = omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_3 = Pddot2_3 - thetadot2 * T(0.5) * thetadot2;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T G2_1 = T(0.1) * minus_Pddot2_1;
-  const T minus_G2_3 = T(0.1) * a2_3;
-
-  // ---- body 2 (pole) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_2 = T(0.5) * G2_1;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T G2_3 = minus_U2_11 * T(0.05);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N2_2 = T(0.05) * minus_Pddot2_1;
 
   // ---- body 1 (cart) and what it carries
   // S1 = E2^T G2 + G1: sum of the force balances of the subtree, inertial axes [N]
-  const T S1_1 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3;
+  const T S1_1 = minus_E2_13 * G2_3;
   // D_sddot1: pivots of L D L^T
   const T b1_1 = E2_11 * T(0.05);
   const T b1_2 = b1_1 * T(30);
-  const T D_sddot1 = c.m_sub1 - b1_2 * b1_1;
+  const T D_sddot1 = c.m_all_1 - b1_2 * b1_1;
 
   // ---- body 1 (cart), solved
   const T sdot1 = y[1];
   // sddot1: from A ydot = f by elimination
-  const T sddot1 = T(1) / D_sddot1 * (S1_1 + u.push - c.p.mu * tanh(sdot1 * T(100)) - b1_2 * rho2_2);
+  const T sddot1 = T(1) / D_sddot1 * (S1_1 + u.push - c.p.mu * tanh(sdot1 * T(100)) - b1_2 * N2_2);
   ydot[1] = sddot1;
 
   // ---- body 2 (pole), solved
   // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = rho2_2 * T(30) - b1_2 * sddot1;
+  const T thetaddot2 = N2_2 * T(30) - b1_2 * sddot1;
   ydot[0] = thetaddot2;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 9 add, 16 multiply, 2 sine or cosine, 1 other function
+// 6 add, 12 multiply, 2 sine or cosine, 1 other function
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::cos, std::sin, std::tanh;
 
   // ---- body 1 (cart) on the inertial frame
   const T sddot1 = ydot[1];
-  // G1 = m1 Pddot1: force balance, inertial axes [N]
-  const T G1_1 = c.p.m_cart * sddot1;
+  // G1 = m_all_1 Pddot1: inertia less applied force, inertial axes [N]
+  const T G1_1 = c.m_all_1 * sddot1;
 
   // ---- body 2 (pole) on body 1
   const T theta2 = x[0];
@@ -265,25 +263,18 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U2_11 = thetadot2 * thetadot2;
   // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot2_1 = E2_11 * sddot1 - minus_E2_13 * T(9.8);
-  const T Pddot2_3 = minus_E2_13 * sddot1 + E2_11 * T(9.8);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = thetaddot2 * T(0.5) + Pddot2_1;
-  const T a2_3 = Pddot2_3 - minus_U2_11 * T(0.5);
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(0.1) * a2_1;
-  const T G2_3 = T(0.1) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_2 = T(0.008333333333333333) * thetaddot2;
-
-  // ---- body 2 (pole) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_2 = T(0.5) * G2_1 + N2_2;
-  r[0] = rho2_2;
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1 = thetaddot2 * T(0.05);
+  const T minus_G2_3 = minus_U2_11 * T(0.05);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_2 = T(0.05) * Pddot2_1 + T(0.03333333333333333) * thetaddot2;
+  r[0] = N2_2;
 
   // ---- body 1 (cart) and what it carries
   const T sdot1 = y[1];
   // S1 = E2^T G2 + G1: sum of the force balances of the subtree, inertial axes [N]
-  const T S1_1 = E2_11 * G2_1 + minus_E2_13 * G2_3 + G1_1;
+  const T S1_1 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + G1_1;
   // r_sdot1 = u1 . S1 - tau_cart_: Kane's equation of sdot [N]
   const T r_sdot1 = S1_1 - (u.push - c.p.mu * tanh(sdot1 * T(100)));
   r[1] = r_sdot1;
@@ -296,13 +287,13 @@ template <class T>
 void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos;
 
+  // ---- body 1 (cart) on the inertial frame
+  A[3] = c.m_all_1;
+
   // ---- body 2 (pole) on body 1
   const T theta2 = x[0];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
-
-  // ---- body 1 (cart) and what it carries
-  A[3] = c.m_sub1;
 
   // ---- results
   A[0] = T(0.03333333333333333);
@@ -313,7 +304,8 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
 // state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
 // S (2 ny x 2 ny)
-// 17 add, 47 multiply, 1 divide, 2 sine or cosine, 1 other function
+// 12 add, 37 multiply, 1 divide, 2 sine or cosine, 1 other function
+// by: composite; articulated would take 6 add, 15 multiply, 1 divide, 2 sine or cosine, 1 other function
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
   using std::cos, std::sin, std::tanh;
@@ -325,57 +317,54 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U2_11 = thetadot2 * thetadot2;
   // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.8);
   const T Pddot2_3 = E2_11 * T(9.8);
-  // a2 = omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_3 = Pddot2_3 - thetadot2 * T(0.5) * thetadot2;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T G2_1 = T(0.1) * minus_Pddot2_1;
-  const T minus_G2_3 = T(0.1) * a2_3;
-
-  // ---- body 2 (pole) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_2 = T(0.5) * G2_1;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T G2_3 = minus_U2_11 * T(0.05);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T N2_2 = T(0.05) * minus_Pddot2_1;
 
   // ---- body 1 (cart) and what it carries
   // S1 = E2^T G2 + G1: sum of the force balances of the subtree, inertial axes [N]
-  const T S1_1 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3;
+  const T S1_1 = minus_E2_13 * G2_3;
   // D_sddot1: pivots of L D L^T
   const T b1_1 = E2_11 * T(0.05);
   const T b1_2 = b1_1 * T(30);
-  const T D_sddot1 = c.m_sub1 - b1_2 * b1_1;
+  const T D_sddot1 = c.m_all_1 - b1_2 * b1_1;
 
   // ---- body 1 (cart), solved
   const T sdot1 = y[1];
   // sddot1: from A ydot = f by elimination
   const T z1_1 = tanh(sdot1 * T(100));
-  const T z1_2 = S1_1 + u.push - c.p.mu * z1_1 - b1_2 * rho2_2;
+  const T z1_2 = S1_1 + u.push - c.p.mu * z1_1 - b1_2 * N2_2;
   const T z1_3 = T(1) / D_sddot1;
   const T sddot1 = z1_2 * z1_3;
 
   // ---- results
   S[2] = T(1);
   S[7] = T(1);
-  const T t1 = T(0.9800000000000001) * E2_11;
-  const T t2 = z1_3 * z1_3 * z1_2;
-  const T t3 = t2 * b1_2 + t2 * b1_1 * T(30);
-  const T t4 = minus_E2_13 * T(0.05);
-  const T t5 = (minus_E2_13 * T(0.9800000000000001) - G2_1) * minus_E2_13 - E2_11 * minus_G2_3 + (E2_11 - b1_2 *
-      T(0.5)) * t1 + rho2_2 * T(30) * t4;
-  S[8] = T(15) * t1 + (sddot1 * T(30) + b1_2 * t3) * t4 - b1_2 * z1_3 * t5;
-  const T t6 = T(0.1) * thetadot2 * minus_E2_13 * z1_3;
-  S[10] = -b1_2 * t6;
-  const T t7 = (T(1) - z1_1 * z1_1) * T(100) * c.p.mu * z1_3;
-  S[11] = b1_2 * t7;
-  S[12] = z1_3 * t5 - t3 * t4;
-  S[14] = t6;
-  S[15] = -t7;
+  const T t1 = T(0.05) * Pddot2_3;
+  const T t2 = minus_E2_13 * T(0.05);
+  const T t3 = T(30) * t2;
+  const T t4 = z1_3 * z1_3 * (b1_1 * t3 + b1_2 * t2) * z1_2 + z1_3 * (b1_2 * t1 - N2_2 * t3 - E2_11 * G2_3);
+  S[8] = T(30) * t1 + sddot1 * t3 + b1_2 * t4;
+  const T t5 = T(0.05) * (thetadot2 + thetadot2) * minus_E2_13 * z1_3;
+  S[10] = -b1_2 * t5;
+  const T t6 = (T(1) - z1_1 * z1_1) * T(100) * c.p.mu * z1_3;
+  S[11] = b1_2 * t6;
+  S[12] = -t4;
+  S[14] = t5;
+  S[15] = -t6;
 }
 
 // input_matrix: rates of (xi, y) for small changes of the inputs.
 // B (2 ny x n_inputs)
 // 1 add, 4 multiply, 1 divide, 1 sine or cosine
+// by: composite; articulated would take 6 add, 15 multiply, 1 divide, 2 sine or cosine, 1 other function
 template <class T>
 void input_matrix(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]] const Inputs<T>& u,
     T* B) noexcept {
@@ -390,7 +379,7 @@ void input_matrix(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y,
   // D_sddot1: pivots of L D L^T
   const T b1_1 = E2_11 * T(0.05);
   const T b1_2 = b1_1 * T(30);
-  const T D_sddot1 = c.m_sub1 - b1_2 * b1_1;
+  const T D_sddot1 = c.m_all_1 - b1_2 * b1_1;
 
   // ---- results
   B[0] = T(0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model df5d82b050d09efc of double_pendulum/scene.toml; the usual functions
+// model 201b57ca7ec9670f of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -21,9 +21,9 @@
 //   poses                   12 (4 add, 8 multiply, 4 sine or cosine)
 //   energy                  41 (12 add, 29 multiply, 4 sine or cosine)
 //   momentum                40 (14 add, 26 multiply, 4 sine or cosine)
-//   accelerations           38 (14 add, 23 multiply, 1 divide, 4 sine or cosine)
-//   residual                34 (14 add, 20 multiply, 4 sine or cosine)
-//   forcing                 24 (8 add, 16 multiply, 4 sine or cosine)
+//   accelerations           28 (9 add, 18 multiply, 1 divide, 4 sine or cosine)
+//   residual                24 (10 add, 14 multiply, 4 sine or cosine)
+//   forcing                 15 (5 add, 10 multiply, 4 sine or cosine)
 //   mass_matrix             4 (3 add, 1 multiply, 1 sine or cosine)
 //   partial_velocities      12 (4 add, 8 multiply, 4 sine or cosine)
 //   partial_velocity_rates  17 (5 add, 12 multiply, 4 sine or cosine)
@@ -38,7 +38,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "df5d82b050d09efc";
+inline constexpr char model_hash[] = "201b57ca7ec9670f";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -256,7 +256,8 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 14 add, 23 multiply, 1 divide, 4 sine or cosine
+// 9 add, 18 multiply, 1 divide, 4 sine or cosine
+// by: articulated; composite would take 11 add, 17 multiply, 1 divide, 4 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
   using std::cos, std::sin;
@@ -272,8 +273,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.2) * minus_Pddot1_1;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N1_2 = T(1.2) * minus_Pddot1_1;
 
   // ---- body 2 (lower) on body 1
   const T theta2 = x[1];
@@ -286,48 +288,49 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U2_11 = omega2_2 * omega2_2;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_1 = minus_U1_11 + Pddot1_3;
-  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * t2_1;
-  const T Pddot2_3 = E2_11 * t2_1 - minus_E2_13 * minus_Pddot1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T G2_1 = T(0.6) * minus_Pddot2_1;
-  const T minus_G2_3 = T(0.6) * a2_3;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * (minus_U1_11 + Pddot1_3);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = minus_U2_11 * T(0.18);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_2 = T(0.18) * minus_Pddot2_1;
 
   // ---- body 2 (lower) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_2 = T(0.3) * G2_1;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_3 = E2_11 * T(0.18);
+  // v2 = invD2 u_2: u/D
+  const T minus_v2 = T(13.888888888888891) * minus_N2_2;
+  // gt2 = G2 - v2 B2: force with the turn solved [N]
+  const T minus_gt2_1 = minus_v2 * T(0.18);
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T Mp2_11 = minus_E2_13 * T(0.44999999999999996) * minus_E2_13 - T(0.44999999999999996);
+  const T minus_Mp2_33 = minus_E2_13 * T(0.44999999999999996) * minus_E2_13;
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T minus_gp2_1 = E2_11 * minus_gt2_1 + minus_E2_13 * minus_G2_3;
 
   // ---- body 1 (upper) and what it carries
-  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T minus_rho1_2 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + minus_rho2_2 + T(0.5) * G1_1;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b1_1 = minus_hc2_3 + T(0.072);
-  const T J1_22 = b1_1 + T(1) + minus_hc2_3;
-  // D_thetaddot1: pivots of L D L^T
-  const T b1_2 = b1_1 * T(13.888888888888891);
-  const T D_thetaddot1 = J1_22 - b1_2 * b1_1;
-
-  // ---- body 1 (upper), solved
-  // thetaddot1: from A ydot = f by elimination
-  const T thetaddot1 = T(1) / D_thetaddot1 * (b1_2 * minus_rho2_2 - minus_rho1_2);
-  ydot[0] = thetaddot1;
+  // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA1_22 = T(1) + Mp2_11;
+  // n1 = q2~ gp2 + N1 + np2: moment that drives it, body axes [N m]
+  const T minus_n1_2 = minus_N1_2 - minus_gp2_1;
+  // invD1 = D1^-1: 1/D
+  const T invD1 = T(1) / JA1_22;
+  // v1 = invD1 u_1: u/D
+  const T minus_v1 = invD1 * minus_n1_2;
+  ydot[0] = -minus_v1;
 
   // ---- body 2 (lower), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T minus_thetaddot2 = minus_rho2_2 * T(13.888888888888891) + b1_2 * thetaddot1;
-  ydot[1] = -minus_thetaddot2;
+  // beta2 = -E2 q2~ alpha1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta2_1 = E2_11 * minus_v1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T minus_phi2 = minus_v2 - T(2.5) * beta2_1;
+  // thetaddot2 = -b2 . alphaL2 + phi2
+  const T thetaddot2 = minus_v1 - minus_phi2;
+  ydot[1] = thetaddot2;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 14 add, 20 multiply, 4 sine or cosine
+// 10 add, 14 multiply, 4 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
   using std::cos, std::sin;
@@ -345,12 +348,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a1_1 = thetaddot1 * T(0.5) + minus_Pddot1_1;
-  // G1 = m1 a1: force balance, body axes [N]
-  const T minus_G1_1 = T(1.2) * minus_a1_1;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_2 = T(0.1) * thetaddot1;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(1.2) * minus_Pddot1_1 + T(1) * thetaddot1;
 
   // ---- body 2 (lower) on body 1
   const T theta2 = x[1];
@@ -367,34 +367,25 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   [1/s^2]
   const T minus_U2_11 = omega2_2 * omega2_2;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_1 = thetaddot1 + minus_Pddot1_1;
-  const T t2_2 = minus_U1_11 + Pddot1_3;
-  const T minus_Pddot2_1 = E2_11 * t2_1 + minus_E2_13 * t2_2;
-  const T Pddot2_3 = E2_11 * t2_2 - minus_E2_13 * t2_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a2_1 = omegadot2_2 * T(0.3) + minus_Pddot2_1;
-  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T minus_G2_1 = T(0.6) * minus_a2_1;
-  const T G2_3 = T(0.6) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_2 = T(0.018) * omegadot2_2;
-
-  // ---- body 2 (lower) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_2 = T(0.3) * minus_G2_1 + N2_2;
-  r[1] = rho2_2;
+  const T minus_Pddot2_1 = E2_11 * (thetaddot1 + minus_Pddot1_1) + minus_E2_13 * (minus_U1_11 + Pddot1_3);
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T minus_G2_1 = omegadot2_2 * T(0.18);
+  const T G2_3 = minus_U2_11 * T(0.18);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_2 = T(0.18) * minus_Pddot2_1 + T(0.072) * omegadot2_2;
+  r[1] = N2_2;
 
   // ---- body 1 (upper) and what it carries
-  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho1_2 = E2_11 * minus_G2_1 - minus_E2_13 * G2_3 + rho2_2 + T(0.5) * minus_G1_1 + N1_2;
+  // rho1 = q2~ E2^T G2 + E2^T N2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho1_2 = E2_11 * minus_G2_1 - minus_E2_13 * G2_3 + N2_2 + N1_2;
   r[0] = rho1_2;
 }
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 8 add, 16 multiply, 4 sine or cosine
+// 5 add, 10 multiply, 4 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
   using std::cos, std::sin;
@@ -410,8 +401,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.2) * minus_Pddot1_1;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N1_2 = T(1.2) * minus_Pddot1_1;
 
   // ---- body 2 (lower) on body 1
   const T theta2 = x[1];
@@ -424,25 +416,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U2_11 = omega2_2 * omega2_2;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_1 = minus_U1_11 + Pddot1_3;
-  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * t2_1;
-  const T Pddot2_3 = E2_11 * t2_1 - minus_E2_13 * minus_Pddot1_1;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_3 = minus_U2_11 * T(0.3) + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T G2_1 = T(0.6) * minus_Pddot2_1;
-  const T minus_G2_3 = T(0.6) * a2_3;
-
-  // ---- body 2 (lower) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_2 = T(0.3) * G2_1;
-  f[1] = -minus_rho2_2;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot2_1 = E2_11 * minus_Pddot1_1 + minus_E2_13 * (minus_U1_11 + Pddot1_3);
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = minus_U2_11 * T(0.18);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_2 = T(0.18) * minus_Pddot2_1;
+  f[1] = -minus_N2_2;
 
   // ---- body 1 (upper) and what it carries
-  // rho1 = q2~ E2^T G2 + E2^T rho2 + r1~ G1 + N1: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T minus_rho1_2 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + minus_rho2_2 + T(0.5) * G1_1;
+  // rho1 = q2~ E2^T G2 + E2^T N2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T minus_rho1_2 = minus_N2_2 - minus_E2_13 * minus_G2_3 + minus_N1_2;
   f[0] = -minus_rho1_2;
 }
 
@@ -459,12 +445,11 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T E2_11 = cos(theta2);
 
   // ---- body 2 (lower) and what it carries
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc2 = E2^T h_own_2: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc2_3 = E2_11 * T(0.18);
 
   // ---- body 1 (upper) and what it carries
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - m1 r1~ r1~ + I1 + (-m2 q2~ - hc2~) q2~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
+  // J1 = -q2~ hc2~ + E2^T J_own_2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
   const T b1_1 = minus_hc2_3 + T(0.072);
   const T J1_22 = b1_1 + T(1) + minus_hc2_3;
   A[0] = J1_22;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 02142f3a72a6bde6 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 68f08710f83d44e8 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -45,10 +45,10 @@
 //   energy                          1150 (499 add, 651 multiply, 1 square root, 18 sine or cosine)
 //   momentum                        1434 (651 add, 783 multiply, 18 sine or cosine)
 //   power                           614 (273 add, 340 multiply, 1 divide, 11 sine or cosine, 3 other function)
-//   accelerations                   3863 (1699 add, 2150 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   residual                        1831 (839 add, 990 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   forcing                         1699 (751 add, 946 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
-//   mass_matrix                     1167 (488 add, 679 multiply, 17 sine or cosine)
+//   accelerations                   3525 (1601 add, 1910 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   residual                        1830 (839 add, 989 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   forcing                         1678 (750 add, 926 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   mass_matrix                     1074 (460 add, 614 multiply, 17 sine or cosine)
 //   partial_velocities              1150 (470 add, 680 multiply, 17 sine or cosine)
 //   partial_velocity_rates          2374 (937 add, 1437 multiply, 18 sine or cosine)
 //   partial_angular_velocities      165 (61 add, 104 multiply, 15 sine or cosine)
@@ -60,7 +60,7 @@
 //   probe_velocity                  150 (61 add, 89 multiply, 6 sine or cosine)
 //   probe_acceleration              245 (105 add, 140 multiply, 6 sine or cosine)
 //   probe_jacobian                  157 (60 add, 97 multiply, 5 sine or cosine)
-//   kinematics_and_accelerations    3932 (1723 add, 2195 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
+//   kinematics_and_accelerations    3594 (1625 add, 1955 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function)
 #pragma once
 
 #include <cmath>
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "02142f3a72a6bde6";
+inline constexpr char model_hash[] = "68f08710f83d44e8";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -149,28 +149,32 @@ struct Prepared {
   T I_link5_33;
   T c5_1;
   T c0_1;
+  T JA5_11;
+  T JA5_13;
+  T JA5_22;
+  T JA5_33;
+  T J_own_5_33;
+  T HA5_32;
+  T HA5_21;
+  T J_all_1_11;
+  T J_all_1_22;
+  T J_all_1_23;
+  T J_all_1_33;
+  T c5_2;
+  T h_all_1_2;
+  T c1_1;
+  T m_sub1;
+  T E5_11;
+  T E5_31;
   T c9_1;
   T c9_2;
   T c9_3;
+  T c9_4;
   T lever5_1;
   T lever5_3;
-  T J5_11;
-  T J5_13;
-  T J5_22;
-  T J5_33;
-  T h5_1;
-  T h5_3;
-  T c1_1;
-  T c1_2;
-  T c1_3;
-  T m_sub1;
-  T c1_4;
-  T E5_31;
-  T E5_11;
-  T c12_1;
 };
 
-// prepare: 32 add, 37 multiply, 1 divide, 2 sine or cosine
+// prepare: 39 add, 41 multiply, 1 divide, 2 sine or cosine
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   using std::cos, std::sin;
@@ -193,31 +197,35 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T t10 = t8 * t8;
   const T t11 = t9 * t9;
   const T I_link5_22 = T(0.006) + T(0.6) * (t5 + t10) + p.m_plate * (t7 + t11);
-  const T I_link5_33 = T(0.0075926946273305) + T(0.6) * t10 + p.m_plate * t11;
+  const T I_link5_33 = T(0.007592694627330497) + T(0.6) * t10 + p.m_plate * t11;
   const T c5_1 = T(0.5) * m_link5;
   const T c0_1 = T(0.5) * p.k;
-  const T t12 = I_link5_11 - I_link5_22;
-  const T c9_1 = T(0.5) * (I_link5_33 - t12);
-  const T c9_2 = T(0.5) * (I_link5_33 + t12);
-  const T c9_3 = T(0.5) * (I_link5_11 + I_link5_22 - I_link5_33);
+  const T t12 = r_link5_3 * r_link5_3;
+  const T JA5_11 = m_link5 * t12 + I_link5_11;
+  const T JA5_13 = I_link5_13 - r_link5_3 * r_link5_1 * m_link5;
+  const T t13 = r_link5_1 * r_link5_1;
+  const T JA5_22 = m_link5 * (t12 + t13) + I_link5_22;
+  const T JA5_33 = m_link5 * t13 + I_link5_33;
+  const T J_own_5_33 = JA5_33 - JA5_22;
+  const T HA5_32 = m_link5 * r_link5_1;
+  const T HA5_21 = m_link5 * r_link5_3;
+  const T J_all_1_11 = T(0.672) + m_link5 * T(0.09999999999999999);
+  const T J_all_1_22 = T(0.7604) + m_link5 * T(0.010000000000000002);
+  const T J_all_1_23 = T(0.0484) + m_link5 * T(0.03);
+  const T J_all_1_33 = T(0.9239999999999999) + m_link5 * T(0.09);
+  const T c5_2 = m_link5 * T(0.3);
+  const T h_all_1_2 = T(0.09000000000000001) - c5_2;
+  const T c1_1 = T(0.22999999999999998) + m_link5 * T(0.1) + T(0.17);
+  const T m_sub1 = T(11.2) + m_link5 + T(1.9);
+  const T E5_11 = cos(T(0.1));
+  const T E5_31 = sin(T(0.1));
+  const T c9_1 = p.k * T(0.3);
+  const T t14 = I_link5_11 - I_link5_22;
+  const T c9_2 = T(0.5) * (I_link5_33 - t14);
+  const T c9_3 = T(0.5) * (I_link5_33 + t14);
+  const T c9_4 = T(0.5) * (I_link5_11 + I_link5_22 - I_link5_33);
   const T lever5_1 = T(0.03620228586010676) - r_link5_1;
   const T lever5_3 = T(0.06743336618301184) - r_link5_3;
-  const T t13 = r_link5_3 * r_link5_3;
-  const T J5_11 = m_link5 * t13 + I_link5_11;
-  const T J5_13 = I_link5_13 - r_link5_3 * r_link5_1 * m_link5;
-  const T t14 = r_link5_1 * r_link5_1;
-  const T J5_22 = m_link5 * (t13 + t14) + I_link5_22;
-  const T J5_33 = m_link5 * t14 + I_link5_33;
-  const T h5_1 = m_link5 * r_link5_1;
-  const T h5_3 = m_link5 * r_link5_3;
-  const T c1_1 = m_link5 * T(0.1);
-  const T c1_2 = m_link5 * T(0.3);
-  const T c1_3 = T(0.39999999999999997) + c1_1;
-  const T m_sub1 = T(13.1) + m_link5;
-  const T c1_4 = m_sub1 - T(0.013636363636363637);
-  const T E5_31 = sin(T(0.1));
-  const T E5_11 = cos(T(0.1));
-  const T c12_1 = p.k * T(0.3);
   c.m_link5 = m_link5;
   c.r_link5_1 = r_link5_1;
   c.r_link5_3 = r_link5_3;
@@ -227,25 +235,29 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.I_link5_33 = I_link5_33;
   c.c5_1 = c5_1;
   c.c0_1 = c0_1;
+  c.JA5_11 = JA5_11;
+  c.JA5_13 = JA5_13;
+  c.JA5_22 = JA5_22;
+  c.JA5_33 = JA5_33;
+  c.J_own_5_33 = J_own_5_33;
+  c.HA5_32 = HA5_32;
+  c.HA5_21 = HA5_21;
+  c.J_all_1_11 = J_all_1_11;
+  c.J_all_1_22 = J_all_1_22;
+  c.J_all_1_23 = J_all_1_23;
+  c.J_all_1_33 = J_all_1_33;
+  c.c5_2 = c5_2;
+  c.h_all_1_2 = h_all_1_2;
+  c.c1_1 = c1_1;
+  c.m_sub1 = m_sub1;
+  c.E5_11 = E5_11;
+  c.E5_31 = E5_31;
   c.c9_1 = c9_1;
   c.c9_2 = c9_2;
   c.c9_3 = c9_3;
+  c.c9_4 = c9_4;
   c.lever5_1 = lever5_1;
   c.lever5_3 = lever5_3;
-  c.J5_11 = J5_11;
-  c.J5_13 = J5_13;
-  c.J5_22 = J5_22;
-  c.J5_33 = J5_33;
-  c.h5_1 = h5_1;
-  c.h5_3 = h5_3;
-  c.c1_1 = c1_1;
-  c.c1_2 = c1_2;
-  c.c1_3 = c1_3;
-  c.m_sub1 = m_sub1;
-  c.c1_4 = c1_4;
-  c.E5_31 = E5_31;
-  c.E5_11 = E5_11;
-  c.c12_1 = c12_1;
   return c;
 }
 
@@ -2253,7 +2265,9 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1699 add, 2150 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// 1601 add, 1910 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// by: articulated; composite would take 1691 add, 2059 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other
+//   function
 template <class T>
 void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -2283,29 +2297,33 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = omega1~ omega1~ r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.02) - omega1_1 * T(0.03);
-  const T t1_14 = T(0.01) * omega1_1 + T(0.02) * omega1_2;
-  const T minus_a1_1 = omega1_3 * t1_13 + omega1_2 * t1_14;
-  const T t1_15 = T(0.01) * omega1_3 + T(0.03) * omega1_2;
-  const T a1_2 = omega1_3 * t1_15 + omega1_1 * t1_14;
-  const T a1_3 = omega1_1 * t1_13 - omega1_2 * t1_15;
-  // G1 = R1 F1 - m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = R1_13 * u.thrust + T(8) * minus_a1_1;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = U1 r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_16 = U1_13 * T(0.03);
+  const T t1_17 = U1_12 * T(0.01);
+  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17);
+  const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
+  const T t1_18 = U1_13 * T(0.02);
+  const T t1_19 = U1_23 * T(0.01);
+  const T a1_3 = t1_18 - t1_19 - minus_U1_33 * T(0.03);
+  // G1 = R1 F1 - m1 a1: applied less inertia force, body axes [N]
+  const T G1_1 = R1_13 * u.thrust - T(8) * a1_1;
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_2 * omega1_3;
-  const T t1_18 = omega1_2 * omega1_2;
-  const T t1_19 = omega1_3 * omega1_3;
-  const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
-      T(0.1);
-  const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
+  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2333,44 +2351,62 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T R2_31 = t2_8 + t2_9;
   const T R2_32 = t2_11 - t2_12;
   const T R2_33 = t2_10 - t2_2;
+  // erel2 = -e1~ e2 + eps4_1 e2 - eps4_2 e1: Euler parameters relative to the lower body
+  const T erel2_1 = eps1_3 * eps2_2 - eps1_2 * eps2_3 + eps1_4 * eps2_1 - eps2_4 * eps1_1;
+  const T erel2_2 = eps1_1 * eps2_3 - eps1_3 * eps2_1 + eps1_4 * eps2_2 - eps2_4 * eps1_2;
+  const T erel2_3 = eps1_2 * eps2_1 - eps1_1 * eps2_2 + eps1_4 * eps2_3 - eps2_4 * eps1_3;
+  // eps4rel2 = e1 . e2 + eps4_1 eps4_2
+  const T eps4rel2 = eps1_1 * eps2_1 + eps1_2 * eps2_2 + eps1_3 * eps2_3 + eps1_4 * eps2_4;
+  // C2^T = 1 + 2 erel2~ (eps4rel2 + erel2~): C takes components in the lower body to those in the body
+  const T t2_13 = T(2) * erel2_2;
+  const T t2_14 = t2_13 * erel2_2;
+  const T t2_15 = T(2) * erel2_3;
+  const T t2_16 = t2_15 * erel2_3;
+  const T C2_11 = T(1) - t2_14 - t2_16;
+  const T t2_17 = T(2) * erel2_1;
+  const T t2_18 = t2_17 * erel2_2;
+  const T t2_19 = t2_15 * eps4rel2;
+  const T C2_12 = t2_18 + t2_19;
+  const T t2_20 = t2_17 * erel2_3;
+  const T t2_21 = t2_13 * eps4rel2;
+  const T C2_13 = t2_20 - t2_21;
+  const T C2_21 = t2_18 - t2_19;
+  const T t2_22 = T(1) - t2_17 * erel2_1;
+  const T C2_22 = t2_22 - t2_16;
+  const T t2_23 = t2_13 * erel2_3;
+  const T t2_24 = t2_17 * eps4rel2;
+  const T C2_23 = t2_23 + t2_24;
+  const T C2_31 = t2_20 + t2_21;
+  const T C2_32 = t2_23 - t2_24;
+  const T C2_33 = t2_22 - t2_14;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
   const T P2_1 = s1_1 + R1_11 * T(0.2) + R1_21 * T(0.1) - R1_31 * T(0.2);
   const T P2_2 = s1_2 + R1_12 * T(0.2) + R1_22 * T(0.1) - R1_32 * T(0.2);
   const T P2_3 = s1_3 + R1_13 * T(0.2) + R1_23 * T(0.1) - R1_33 * T(0.2);
-  // Pddot2 = R1^T omega1~ omega1~ q2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t2_13 = omega1_1 * T(0.1);
-  const T t2_14 = omega1_2 * T(0.2);
-  const T t2_15 = t2_13 - t2_14;
-  const T t2_16 = omega1_3 * T(0.2);
-  const T t2_17 = t2_16 + omega1_1 * T(0.2);
-  const T t2_18 = omega1_2 * t2_15 - omega1_3 * t2_17;
-  const T t2_19 = omega1_3 * T(0.1);
-  const T t2_20 = t2_19 + t2_14;
-  const T t2_21 = omega1_3 * t2_20 + omega1_1 * t2_15;
-  const T t2_22 = omega1_1 * t2_17 + omega1_2 * t2_20;
-  const T Pddot2_1 = R1_11 * t2_18 - R1_21 * t2_21 + R1_31 * t2_22;
-  const T Pddot2_2 = R1_12 * t2_18 - R1_22 * t2_21 + R1_32 * t2_22;
-  const T Pddot2_3 = R1_13 * t2_18 - R1_23 * t2_21 + R1_33 * t2_22;
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_23 = omega2_1 * T(0.02);
-  const T t2_24 = omega2_1 * T(0.2);
-  const T t2_25 = omega2_2 * t2_23 - omega2_3 * t2_24;
-  const T t2_26 = omega2_3 * T(0.02) + omega2_2 * T(0.2);
-  const T t2_27 = omega2_3 * t2_26 + omega2_1 * t2_23;
-  const T t2_28 = omega2_1 * t2_24 + omega2_2 * t2_26;
-  const T a2_1 = R2_11 * t2_25 - R2_21 * t2_27 + R2_31 * t2_28 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 - R2_22 * t2_27 + R2_32 * t2_28 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 - R2_23 * t2_27 + R2_33 * t2_28 + Pddot2_3;
-  // C1_2 = R1 R2^T: takes components in the body to those in body 1
-  const T C1_2_11 = R1_11 * R2_11 + R1_12 * R2_12 + R1_13 * R2_13;
-  const T C1_2_12 = R1_11 * R2_21 + R1_12 * R2_22 + R1_13 * R2_23;
-  const T C1_2_13 = R1_11 * R2_31 + R1_12 * R2_32 + R1_13 * R2_33;
-  const T C1_2_21 = R1_21 * R2_11 + R1_22 * R2_12 + R1_23 * R2_13;
-  const T C1_2_22 = R1_21 * R2_21 + R1_22 * R2_22 + R1_23 * R2_23;
-  const T C1_2_23 = R1_21 * R2_31 + R1_22 * R2_32 + R1_23 * R2_33;
-  const T C1_2_31 = R1_31 * R2_11 + R1_32 * R2_12 + R1_33 * R2_13;
-  const T C1_2_32 = R1_31 * R2_21 + R1_32 * R2_22 + R1_33 * R2_23;
-  const T C1_2_33 = R1_31 * R2_31 + R1_32 * R2_32 + R1_33 * R2_33;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_25 = omega2_1 * omega2_1;
+  const T minus_U2_22 = omega2_3 * omega2_3 + t2_25;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T minus_U2_33 = omega2_2 * omega2_2 + t2_25;
+  // Pddot2 = C2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_26 = U1_12 * T(0.1);
+  const T t2_27 = minus_U1_11 * T(0.2);
+  const T t2_28 = U1_13 * T(0.2);
+  const T t2_29 = t2_26 - t2_27 - t2_28;
+  const T t2_30 = U1_12 * T(0.2);
+  const T t2_31 = minus_U1_22 * T(0.1);
+  const T t2_32 = t2_30 - t2_31 - U1_23 * T(0.2);
+  const T t2_33 = U1_23 * T(0.1);
+  const T t2_34 = t2_28 + t2_33 + minus_U1_33 * T(0.2);
+  const T Pddot2_1 = C2_11 * t2_29 + C2_12 * t2_32 + C2_13 * t2_34;
+  const T Pddot2_2 = C2_21 * t2_29 + C2_22 * t2_32 + C2_23 * t2_34;
+  const T Pddot2_3 = C2_31 * t2_29 + C2_32 * t2_32 + C2_33 * t2_34;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = U2_12 * T(0.02) - U2_13 * T(0.2) + Pddot2_1;
+  const T a2_2 = Pddot2_2 - (minus_U2_22 * T(0.02) + U2_23 * T(0.2));
+  const T a2_3 = U2_23 * T(0.02) + minus_U2_33 * T(0.2) + Pddot2_3;
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
@@ -2423,8 +2459,6 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T P3_2 = t3_22 + R1_12 * T(0.3);
   const T t3_23 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_23 + R1_13 * T(0.3);
-  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
-  const T stretch_boom_3 = theta3 - T(0.2);
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
   const T minus_omegadot3_1 = thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) * t3_19);
   const T minus_omegadot3_2 = thetadot3 * (T(0.8388422987658062) * t3_18 + T(0.3152711589176631) * t3_20);
@@ -2446,36 +2480,40 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T U3_31 = t3_27 + minus_omegadot3_2;
   const T U3_32 = t3_29 - minus_omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
-  // Pddot3 = E3 omega1~ omega1~ q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = omega1_2 * T(0.1);
-  const T t3_31 = omega1_2 * T(0.3);
-  const T t3_32 = omega1_3 * t3_30 + omega1_1 * t3_31;
-  const T t3_33 = omega1_3 * T(0.3);
-  const T t3_34 = t3_33 - t2_13;
-  const T t3_35 = omega1_3 * t3_34 + omega1_2 * t3_31;
-  const T t3_36 = omega1_1 * t3_34 - omega1_2 * t3_30;
-  const T Pddot3_1 = E3_12 * t3_32 - E3_11 * t3_35 - minus_E3_13 * t3_36;
-  const T Pddot3_2 = E3_22 * t3_32 - E3_21 * t3_35 + E3_23 * t3_36;
-  const T Pddot3_3 = E3_32 * t3_32 - E3_31 * t3_35 + E3_33 * t3_36;
-  // effort_boom_3 = -thetadot3 c_boom_ - k_boom_ stretch_boom_3 + tau_boom_: along the coordinate [N m], [N]
+  // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_30 = U1_13 * T(0.1);
+  const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
+  const T t3_32 = U1_12 * T(0.3);
+  const T t3_33 = t3_32 + t2_33;
+  const T t3_34 = minus_U1_33 * T(0.1);
+  const T t3_35 = U1_13 * T(0.3) - t3_34;
+  const T Pddot3_1 = E3_11 * t3_31 + E3_12 * t3_33 - minus_E3_13 * t3_35;
+  const T Pddot3_2 = E3_21 * t3_31 + E3_22 * t3_33 + E3_23 * t3_35;
+  const T Pddot3_3 = E3_31 * t3_31 + E3_32 * t3_33 + E3_33 * t3_35;
+  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
+  const T stretch_boom_3 = theta3 - T(0.2);
+  // effort_boom_3 = -thetadot3 c_boom_ + tau_boom_ - stretch_boom_3 k_boom_: along the coordinate [N m], [N]
   const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
-  // G2 = -R3^T F_jet_ - m2 a2: applied less inertia force at ydot = 0, inertial axes [N]
-  const T t3_37 = T(0.5) * u.thrust * exp(T(0) - t);
-  const T t3_38 = R3_11 * T(0.1) + R3_21 * t3_37;
-  const T minus_G2_1 = T(0.8) * a2_1 + t3_38;
-  const T t3_39 = R3_12 * T(0.1) + R3_22 * t3_37;
-  const T minus_G2_2 = T(0.8) * a2_2 + t3_39;
-  const T t3_40 = R3_13 * T(0.1) + R3_23 * t3_37;
-  const T minus_G2_3 = T(0.8) * a2_3 + t3_40;
+  // G2 = -R2 R3^T F_jet_ - m2 a2: applied less inertia force, body axes [N]
+  const T t3_36 = T(0.5) * u.thrust * exp(T(0) - t);
+  const T t3_37 = R3_11 * T(0.1) + R3_21 * t3_36;
+  const T t3_38 = R3_12 * T(0.1) + R3_22 * t3_36;
+  const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
+  const T t3_40 = R2_11 * t3_37 + R2_12 * t3_38 + R2_13 * t3_39;
+  const T minus_G2_1 = T(0.8) * a2_1 + t3_40;
+  const T t3_41 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
+  const T minus_G2_2 = T(0.8) * a2_2 + t3_41;
+  const T t3_42 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
+  const T minus_G2_3 = T(0.8) * a2_3 + t3_42;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
   const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
   const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
   const T minus_G3_3 = T(1.5) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N3_1 = T(0.004999999999999999) * U3_32 - T(0.035) * U3_23 + T(0.003) * (minus_U3_22 - minus_U3_33) -
       T(0.002) * U3_31 + T(0.001) * U3_21;
   const T minus_N3_2 = T(0.035) * U3_13 - T(0.015000000000000001) * U3_31 - T(0.001) * (minus_U3_33 - minus_U3_11) +
@@ -2516,14 +2554,13 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_omegadot4a_1 = thetadot4_1 * (T(0.96) * t4_3 + T(0.28) * t4_4);
   const T omegadot4a_2 = T(0.96) * omega4a_1 * thetadot4_1;
   const T omegadot4a_3 = T(0.28) * omega4a_1 * thetadot4_1;
-  // Pddot4a = E4a omega1~ omega1~ q4a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_6 = t2_13 + t2_14;
-  const T t4_7 = omega1_3 * t2_16 + omega1_2 * t4_6;
-  const T t4_8 = omega1_3 * t2_19 + omega1_1 * t4_6;
-  const T t4_9 = omega1_2 * t2_19 - omega1_1 * t2_16;
-  const T Pddot4a_1 = E4a_11 * t4_7 + minus_E4a_12 * t4_8 - minus_E4a_13 * t4_9;
-  const T Pddot4a_2 = minus_E4a_12 * t4_7 - E4a_22 * t4_8 + E4a_23 * t4_9;
-  const T Pddot4a_3 = minus_E4a_13 * t4_7 - E4a_23 * t4_8 + E4a_33 * t4_9;
+  // Pddot4a = E4a U1 q4a: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_6 = t2_27 + t2_26;
+  const T t4_7 = t2_30 + t2_31;
+  const T t4_8 = t2_33 - t2_28;
+  const T Pddot4a_1 = E4a_11 * t4_6 + minus_E4a_12 * t4_7 - minus_E4a_13 * t4_8;
+  const T Pddot4a_2 = minus_E4a_12 * t4_6 - E4a_22 * t4_7 + E4a_23 * t4_8;
+  const T Pddot4a_3 = minus_E4a_13 * t4_6 - E4a_23 * t4_7 + E4a_33 * t4_8;
   // omegadot4 = -thetadot4_2 b4_2~ E4 omega4a + E4 omegadot4a: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = minus_E4_11 * minus_omegadot4a_1 + E4_12 * omegadot4a_2 - minus_E4_13 * omegadot4a_3 -
       thetadot4_2 * omega4_3;
@@ -2532,18 +2569,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       omegadot4a_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_10 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_10;
-  const T t4_11 = omega4_2 * omega4_1;
-  const T U4_12 = t4_11 - omegadot4_3;
-  const T t4_12 = omega4_3 * omega4_1;
-  const T U4_13 = t4_12 + omegadot4_2;
-  const T U4_21 = t4_11 + omegadot4_3;
-  const T t4_13 = omega4_3 * omega4_2;
-  const T U4_23 = t4_13 - omegadot4_1;
-  const T U4_31 = t4_12 - omegadot4_2;
-  const T U4_32 = t4_13 + omegadot4_1;
-  const T minus_U4_33 = t4_10 + omega4_1 * omega4_1;
+  const T t4_9 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T t4_10 = omega4_2 * omega4_1;
+  const T U4_12 = t4_10 - omegadot4_3;
+  const T t4_11 = omega4_3 * omega4_1;
+  const T U4_13 = t4_11 + omegadot4_2;
+  const T U4_21 = t4_10 + omegadot4_3;
+  const T t4_12 = omega4_3 * omega4_2;
+  const T U4_23 = t4_12 - omegadot4_1;
+  const T U4_31 = t4_11 - omegadot4_2;
+  const T U4_32 = t4_12 + omegadot4_1;
+  const T minus_U4_33 = t4_9 + omega4_1 * omega4_1;
   // Pddot4 = E4 Pddot4a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_12 * Pddot4a_2 - minus_E4_11 * Pddot4a_1 - minus_E4_13 * Pddot4a_3;
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
@@ -2552,11 +2589,11 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
   const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
+  // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
   const T minus_G4_3 = T(0.9) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N4_1 = T(0.006500000000000001) * U4_32 - T(0.0015) * U4_23;
   const T minus_N4_2 = T(0.0015) * U4_13 - T(0.0055) * U4_31;
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
@@ -2606,20 +2643,22 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_3 = t3_33 + t3_30;
-  const T t5_4 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
+  const T t5_3 = omega1_2 * T(0.1);
+  const T t5_4 = omega1_3 * T(0.3) + t5_3;
+  const T t5_5 = omega1_1 * T(0.1);
+  const T t5_6 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t5_5 - R1_31 * t5_6;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t5_5 - R1_32 * t5_6;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t5_5 - R1_33 * t5_6;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
-  // Pddot5a = E5a omega1~ omega1~ q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4;
-  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4;
-  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
-  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
-  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_3;
+  // Pddot5a = E5a U1 q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = t3_30 - t3_32;
+  const T t5_8 = minus_U1_22 * T(0.3) + t2_33;
+  const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
+  const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
+  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_34;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -2627,18 +2666,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_7 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
-  const T t5_8 = omega5_2 * omega5_1;
-  const T U5_12 = t5_8 - omegadot5_3;
-  const T t5_9 = omega5_3 * omega5_1;
-  const T U5_13 = t5_9 + omegadot5_2;
-  const T U5_21 = t5_8 + omegadot5_3;
-  const T t5_10 = omega5_3 * omega5_2;
-  const T U5_23 = t5_10 - omegadot5_1;
-  const T U5_31 = t5_9 - omegadot5_2;
-  const T U5_32 = t5_10 + omegadot5_1;
-  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
+  const T t5_9 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_9;
+  const T t5_10 = omega5_2 * omega5_1;
+  const T U5_12 = t5_10 - omegadot5_3;
+  const T t5_11 = omega5_3 * omega5_1;
+  const T U5_13 = t5_11 + omegadot5_2;
+  const T U5_21 = t5_10 + omegadot5_3;
+  const T t5_12 = omega5_3 * omega5_2;
+  const T U5_23 = t5_12 - omegadot5_1;
+  const T U5_31 = t5_11 - omegadot5_2;
+  const T U5_32 = t5_12 + omegadot5_1;
+  const T minus_U5_33 = t5_9 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
@@ -2656,13 +2695,13 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T P6_1 = R3_11 * d6_1 + P3_1;
   const T P6_2 = R3_12 * d6_1 + P3_2;
   const T P6_3 = R3_13 * d6_1 + P3_3;
-  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
-  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // Pddot6 = 2 sdot6 omega3~ u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
+  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
@@ -2673,28 +2712,27 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       P6_1 + R2_22 * P6_2 + R2_23 * P6_3;
   const T arm2_3 = R2_31 * t6_2 + R2_32 * t6_3 + R2_33 * t6_4 - R2_31 * P2_1 - R2_32 * P2_2 - R2_33 * P2_3 + R2_31 *
       P6_1 + R2_32 * P6_2 + R2_33 * P6_3;
-  // lever2 = -r2 + arm2: from the mass centre to where a force acts, link axes [m]
+  // lever2 = -r2 + arm2: from the reference point to where a force acts, link axes [m]
   const T lever2_2 = arm2_2 - T(0.02);
   const T lever2_3 = arm2_3 + T(0.2);
-  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_5 = R2_31 * t3_38 + R2_32 * t3_39 + R2_33 * t3_40;
-  const T t6_6 = R2_21 * t3_38 + R2_22 * t3_39 + R2_23 * t3_40;
-  const T minus_N2_1 = lever2_2 * t6_5 - lever2_3 * t6_6 - omega2_2 * omega2_3 * T(0.006999999999999999);
-  const T t6_7 = R2_11 * t3_38 + R2_12 * t3_39 + R2_13 * t3_40;
-  const T minus_N2_2 = omega2_1 * omega2_3 * T(0.006) + lever2_3 * t6_7 - arm2_1 * t6_5;
-  const T minus_N2_3 = omega2_1 * omega2_2 * T(0.0009999999999999992) + arm2_1 * t6_6 - lever2_2 * t6_7;
+  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
+  const T minus_N2_1 = lever2_2 * t3_42 - lever2_3 * t3_41 - T(0.006999999999999999) * U2_23;
+  const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t3_40 - arm2_1 * t3_42;
+  const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t3_41 - lever2_2 * t3_40;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
   const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
   const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
-  // G6 = -m6 a6 + F_jet_: applied less inertia force at ydot = 0, body axes [N]
+  // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
-  const T G6_2 = t3_37 - T(0.5) * a6_2;
+  const T G6_2 = t3_36 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
-  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
+  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
+  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_36;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
-  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
+  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_36;
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
@@ -2731,9 +2769,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Pddot8 = E8 omega1~ (omega1~ d8 + 2 sdot8 u8): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t8_6 = T(2) * sdot8;
   const T t8_7 = omega1_1 * d8_2;
-  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7;
+  const T t8_8 = t8_6 * omega1_3 + omega1_2 * t8_7;
   const T t8_9 = omega1_3 * d8_2;
-  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6;
+  const T t8_10 = omega1_2 * t8_9 - t8_6 * omega1_1;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
   const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
@@ -2741,11 +2779,11 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
   const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
-  // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
+  // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
   const T N8_2 = T(0.001) * U8_13;
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
@@ -2760,6 +2798,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
+  // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U9_11 = thetadot9 * thetadot9;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
   const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
@@ -2788,34 +2828,34 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
   const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
-  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
-      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
-      T(0.4);
+  // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
+      line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) * (T(1) / ll_tether_9);
   // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
   const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
   const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
   const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
-  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
+  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force, body axes [N]
   const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
   const T t9_10 = R5_31 * F_tether_9_1 + R5_32 * F_tether_9_2 + R5_33 * F_tether_9_3;
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
-  //   axes [N m]
-  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
-  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
+  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment about the mass
+  //   centre, body axes [N m]
+  const T N5_1 = c.c9_4 * U5_23 - c.c9_3 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_2 * U5_31 - c.c9_4 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
       c.lever5_1 * t9_10;
-  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
-  // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_2;
-  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
+  const T N5_3 = c.c9_3 * U5_12 - c.c9_2 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
+  // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a9_1 = minus_U9_11 * T(0.1);
+  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force, body axes [N]
   const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
-  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
+  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment about the mass centre, body
+  //   axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
 
   // ---- body 10 (runner) on body 1
@@ -2823,67 +2863,67 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T s10 = x[28];
   const T omega10_1 = y[12], omega10_2 = y[13], omega10_3 = y[14];
   const T sdot10 = y[25];
-  // R10^T = 1 + 2 e10~ (eps4_10 + e10~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
-  const T t10_1 = T(2) * eps10_2;
-  const T t10_2 = t10_1 * eps10_2;
-  const T t10_3 = T(2) * eps10_3;
-  const T t10_4 = t10_3 * eps10_3;
-  const T R10_11 = T(1) - t10_2 - t10_4;
-  const T t10_5 = T(2) * eps10_1;
-  const T t10_6 = t10_5 * eps10_2;
-  const T t10_7 = t10_3 * eps10_4;
-  const T R10_12 = t10_6 + t10_7;
-  const T t10_8 = t10_5 * eps10_3;
-  const T t10_9 = t10_1 * eps10_4;
-  const T R10_13 = t10_8 - t10_9;
-  const T R10_21 = t10_6 - t10_7;
-  const T t10_10 = T(1) - t10_5 * eps10_1;
-  const T R10_22 = t10_10 - t10_4;
-  const T t10_11 = t10_1 * eps10_3;
-  const T t10_12 = t10_5 * eps10_4;
-  const T R10_23 = t10_11 + t10_12;
-  const T R10_31 = t10_8 + t10_9;
-  const T R10_32 = t10_11 - t10_12;
-  const T R10_33 = t10_10 - t10_2;
-  // Pddot10 = R1^T omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, inertial axes
+  // erel10 = -e1~ e10 + eps4_1 e10 - eps4_10 e1: Euler parameters relative to the lower body
+  const T erel10_1 = eps1_3 * eps10_2 - eps1_2 * eps10_3 + eps1_4 * eps10_1 - eps10_4 * eps1_1;
+  const T erel10_2 = eps1_1 * eps10_3 - eps1_3 * eps10_1 + eps1_4 * eps10_2 - eps10_4 * eps1_2;
+  const T erel10_3 = eps1_2 * eps10_1 - eps1_1 * eps10_2 + eps1_4 * eps10_3 - eps10_4 * eps1_3;
+  // eps4rel10 = e1 . e10 + eps4_1 eps4_10
+  const T eps4rel10 = eps1_1 * eps10_1 + eps1_2 * eps10_2 + eps1_3 * eps10_3 + eps1_4 * eps10_4;
+  // C10^T = 1 + 2 erel10~ (eps4rel10 + erel10~): C takes components in the lower body to those in the body
+  const T t10_1 = T(2) * erel10_2;
+  const T t10_2 = t10_1 * erel10_2;
+  const T t10_3 = T(2) * erel10_3;
+  const T t10_4 = t10_3 * erel10_3;
+  const T C10_11 = T(1) - t10_2 - t10_4;
+  const T t10_5 = T(2) * erel10_1;
+  const T t10_6 = t10_5 * erel10_2;
+  const T t10_7 = t10_3 * eps4rel10;
+  const T C10_12 = t10_6 + t10_7;
+  const T t10_8 = t10_5 * erel10_3;
+  const T t10_9 = t10_1 * eps4rel10;
+  const T C10_13 = t10_8 - t10_9;
+  const T C10_21 = t10_6 - t10_7;
+  const T t10_10 = T(1) - t10_5 * erel10_1;
+  const T C10_22 = t10_10 - t10_4;
+  const T t10_11 = t10_1 * erel10_3;
+  const T t10_12 = t10_5 * eps4rel10;
+  const T C10_23 = t10_11 + t10_12;
+  const T C10_31 = t10_8 + t10_9;
+  const T C10_32 = t10_11 - t10_12;
+  const T C10_33 = t10_10 - t10_2;
+  // U10 = omega10~ omega10~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t10_13 = omega10_3 * omega10_3;
+  const T t10_14 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_13 + t10_14;
+  const T U10_12 = omega10_2 * omega10_1;
+  const T U10_13 = omega10_3 * omega10_1;
+  const T t10_15 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_13 + t10_15;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T minus_U10_33 = t10_14 + t10_15;
+  // Pddot10 = C10 omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, body axes
   //   [m/s^2]
-  const T t10_13 = omega1_1 * s10 - t3_30;
-  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
-  const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14;
-  const T t10_16 = t3_31 - omega1_3 * s10;
-  const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13;
-  const T t10_18 = omega1_1 * t10_14 - omega1_2 * t10_16;
-  const T Pddot10_1 = R1_11 * t10_15 + R1_21 * t10_17 + R1_31 * t10_18;
-  const T Pddot10_2 = R1_12 * t10_15 + R1_22 * t10_17 + R1_32 * t10_18;
-  const T Pddot10_3 = R1_13 * t10_15 + R1_23 * t10_17 + R1_33 * t10_18;
-  // a10 = R10^T omega10~ omega10~ r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t10_19 = omega10_1 * T(0.01) - omega10_2 * T(0.02);
-  const T t10_20 = omega10_3 * T(0.02) + omega10_1 * T(0.03);
-  const T t10_21 = omega10_2 * t10_19 - omega10_3 * t10_20;
-  const T t10_22 = omega10_3 * T(0.01) + omega10_2 * T(0.03);
-  const T t10_23 = omega10_3 * t10_22 + omega10_1 * t10_19;
-  const T t10_24 = omega10_1 * t10_20 + omega10_2 * t10_22;
-  const T a10_1 = R10_11 * t10_21 - R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_21 - R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_21 - R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t10_16 = omega1_1 * s10 - t5_3;
+  const T t10_17 = omega1_3 * T(0.1) - t5_6 + T(2) * sdot10;
+  const T t10_18 = omega1_2 * t10_16 - omega1_3 * t10_17;
+  const T t10_19 = omega1_2 * T(0.3) - omega1_3 * s10;
+  const T t10_20 = omega1_3 * t10_19 - omega1_1 * t10_16;
+  const T t10_21 = omega1_1 * t10_17 - omega1_2 * t10_19;
+  const T Pddot10_1 = C10_11 * t10_18 + C10_12 * t10_20 + C10_13 * t10_21;
+  const T Pddot10_2 = C10_21 * t10_18 + C10_22 * t10_20 + C10_23 * t10_21;
+  const T Pddot10_3 = C10_31 * t10_18 + C10_32 * t10_20 + C10_33 * t10_21;
+  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a10_1 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03) + Pddot10_1;
+  const T a10_2 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03) + Pddot10_2;
+  const T a10_3 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03) + Pddot10_3;
+  // G10 = -m10 a10: applied less inertia force, body axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
   const T minus_G10_3 = T(0.4) * a10_3;
-  // N10 = -omega10~ I10 omega10: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N10_1 = omega10_2 * omega10_3 * T(5e-04);
-  const T N10_2 = omega10_1 * omega10_3 * T(5e-04);
-  const T minus_N10_3 = omega10_1 * omega10_2 * T(0.001);
-  // C1_10 = R1 R10^T: takes components in the body to those in body 1
-  const T C1_10_11 = R1_11 * R10_11 + R1_12 * R10_12 + R1_13 * R10_13;
-  const T C1_10_12 = R1_11 * R10_21 + R1_12 * R10_22 + R1_13 * R10_23;
-  const T C1_10_13 = R1_11 * R10_31 + R1_12 * R10_32 + R1_13 * R10_33;
-  const T C1_10_21 = R1_21 * R10_11 + R1_22 * R10_12 + R1_23 * R10_13;
-  const T C1_10_22 = R1_21 * R10_21 + R1_22 * R10_22 + R1_23 * R10_23;
-  const T C1_10_23 = R1_21 * R10_31 + R1_22 * R10_32 + R1_23 * R10_33;
-  const T C1_10_31 = R1_31 * R10_11 + R1_32 * R10_12 + R1_33 * R10_13;
-  const T C1_10_32 = R1_31 * R10_21 + R1_32 * R10_22 + R1_33 * R10_23;
-  const T C1_10_33 = R1_31 * R10_31 + R1_32 * R10_32 + R1_33 * R10_33;
+  // N10 = -omega10~ I10 omega10: applied less inertia moment about the mass centre, body axes [N m]
+  const T N10_1 = T(5e-04) * U10_23;
+  const T N10_2 = T(5e-04) * U10_13;
+  const T minus_N10_3 = T(0.001) * U10_12;
 
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
@@ -2897,8 +2937,6 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
-  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
-  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + E11 omegadot8: angular acceleration, body axes [rad/s^2]
   const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 - E11_13 * minus_omegadot8_3;
   const T minus_omegadot11_3 = thetadot11 * omega11_1 + E11_13 * omegadot8_1 + E11_11 * minus_omegadot8_3;
@@ -2920,780 +2958,1039 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
+  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
+  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
   const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
+  // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
-  //   axes [N m]
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment about the mass
+  //   centre, body axes [N m]
   const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
   const T minus_N11_2 = T(0.02) * u.motor;
   const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  // n11 = r_link11~ G11 + N11: moment that drives it, body axes [N m]
   const T b11_1 = minus_G11_2 * T(0.01);
-  const T rho11_1 = b11_1 - minus_N11_1;
-  const T minus_rho11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
-  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc11_1 = E11_13 * T(0.003);
-  const T hc11_3 = E11_11 * T(0.003);
+  const T n11_1 = b11_1 - minus_N11_1;
+  const T minus_n11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
+  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m]
+  const T u_11 = b11_1 + minus_n11_2 - minus_effort_nut_11;
+  // v11 = invD11 u_11: u/D
+  const T v11 = T(1515.1515151515152) * u_11;
+  // gt11 = G11 - v11 B11: force with the turn solved [N]
+  const T b11_2 = v11 * T(0.003);
+  const T gt11_1 = b11_2 - minus_G11_1;
+  const T gt11_2 = b11_2 - minus_G11_2;
+  // nt11 = n11 - v11 K11: moment with the turn solved [N m]
+  const T nt11_1 = n11_1 - v11 * T(3e-05);
+  const T nt11_2 = v11 * T(0.0006299999999999999) - minus_n11_2;
+  // Mp11 = E11^T M11 E11: M passed on, lower body's axes [kg]
+  const T b11_3 = E11_13 * T(0.013636363636363637);
+  const T b11_4 = E11_13 * b11_3;
+  const T Mp11_11 = T(0.2863636363636364) + b11_4;
+  const T minus_Mp11_12 = E11_11 * T(0.013636363636363637);
+  const T minus_Mp11_13 = E11_11 * b11_3;
+  const T minus_Mp11_23 = E11_13 * T(0.013636363636363637);
+  const T Mp11_33 = T(0.3) - b11_4;
+  // gp11 = E11^T gt11: force passed on, lower body's axes [N]
+  const T gp11_1 = E11_11 * gt11_1 + E11_13 * minus_G11_3;
+  const T gp11_3 = E11_13 * gt11_1 - E11_11 * minus_G11_3;
+  // Hp11 = E11^T H11 E11: H passed on, lower body's axes [kg m]
+  const T b11_5 = E11_13 * T(0.00013636363636363637);
+  const T b11_6 = E11_13 * b11_5;
+  const T Hp11_11 = T(0.00013636363636363637) - b11_6;
+  const T minus_Hp11_12 = E11_11 * T(0.0028636363636363638);
+  const T Hp11_13 = E11_11 * b11_5;
+  const T Hp11_21 = E11_11 * T(0.00013636363636363637);
+  const T Hp11_23 = E11_13 * T(0.00013636363636363637);
+  const T minus_Hp11_32 = E11_13 * T(0.0028636363636363638);
+  // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
+  const T b11_7 = E11_13 * T(2.8636363636363637e-05);
+  const T b11_8 = E11_13 * b11_7;
+  const T Jp11_11 = T(0.0004286363636363637) - b11_8;
+  const T Jp11_12 = E11_11 * T(2.8636363636363637e-05);
+  const T Jp11_13 = E11_11 * b11_7;
+  const T Jp11_23 = E11_13 * T(2.8636363636363637e-05);
+  const T Jp11_33 = T(4e-04) + b11_8;
+  // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
+  const T np11_1 = E11_11 * nt11_1 + E11_13 * minus_N11_3;
+  const T np11_3 = E11_13 * nt11_1 - E11_11 * minus_N11_3;
+  // Hb11 = d11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
+  const T b11_9 = minus_d11_2 * minus_Mp11_13;
+  const T Hb11_11 = b11_9 + Hp11_11;
+  const T Hb11_12 = minus_d11_2 * minus_Mp11_23 - minus_Hp11_12;
+  const T Hb11_13 = Hp11_13 - minus_d11_2 * Mp11_33;
+  const T Hb11_31 = minus_d11_2 * Mp11_11 + Hp11_13;
+  const T minus_Hb11_32 = minus_d11_2 * minus_Mp11_12 + minus_Hp11_32;
+  const T Hb11_33 = b11_6 - b11_9;
 
   // ---- body 10 (runner) and what it carries
-  // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
-  const T b10_1 = R10_21 * minus_G10_1 + R10_22 * minus_G10_2 + R10_23 * minus_G10_3;
-  const T b10_2 = R10_31 * minus_G10_1 + R10_32 * minus_G10_2 + R10_33 * minus_G10_3;
-  const T f_omega10_1 = N10_1 - (T(0.03) * b10_1 + T(0.01) * b10_2);
-  const T b10_3 = R10_11 * minus_G10_1 + R10_12 * minus_G10_2 + R10_13 * minus_G10_3;
-  const T f_omega10_2 = T(0.03) * b10_3 + T(0.02) * b10_2 + N10_2;
-  const T f_omega10_3 = T(0.01) * b10_3 - T(0.02) * b10_1 - minus_N10_3;
-  // D_sddot10: pivots of L D L^T
-  const T b10_4 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
-  const T b10_5 = C1_10_22 * T(0.012) + C1_10_23 * T(0.004);
-  const T b10_6 = b10_5 * T(416.6666666666667);
-  const T b10_7 = C1_10_21 * T(0.012) + C1_10_23 * T(0.008);
-  const T b10_8 = b10_6 * T(8e-05) - b10_7;
-  const T b10_9 = b10_8 * T(284.30629264594387);
-  const T b10_10 = b10_4 + b10_6 * T(0.00024) + b10_9 * T(0.000128);
-  const T b10_11 = b10_10 * T(374.3436923513552);
-  const T b10_12 = b10_6 * b10_5 + b10_9 * b10_8 + b10_11 * b10_10;
-  const T D_sddot10 = T(0.4) - b10_12;
+  // n10 = r10~ G10 + N10: moment that drives it, body axes [N m]
+  const T n10_1 = N10_1 - (T(0.03) * minus_G10_2 + T(0.01) * minus_G10_3);
+  const T n10_2 = T(0.03) * minus_G10_1 + T(0.02) * minus_G10_3 + N10_2;
+  const T n10_3 = T(0.01) * minus_G10_1 - T(0.02) * minus_G10_2 - minus_N10_3;
+  // w_10 = D(LD10)^-1 L(LD10)^-1 n10: D^-1 L^-1 n
+  const T w_10_1 = T(416.6666666666667) * n10_1;
+  const T b10_1 = n10_2 + T(0.03333333333333333) * n10_1;
+  const T w_10_2 = T(284.30629264594387) * b10_1;
+  const T w_10_3 = T(374.3436923513552) * (n10_3 - T(0.1) * n10_1 - T(0.03639120545868082) * b10_1);
+  // gb10 = G10 - Y10^T w_10: force with the ball solved [N]
+  const T gb10_1 = T(0.012) * w_10_2 + T(0.0035633055344958305) * w_10_3 - minus_G10_1;
+  const T minus_gb10_2 = minus_G10_2 + T(4e-04) * w_10_2 + T(0.012) * w_10_1 + T(0.006785443517816528) * w_10_3;
+  const T minus_gb10_3 = minus_G10_3 + T(0.004) * w_10_1 - T(0.007866666666666668) * w_10_2 -
+      T(0.00011372251705837757) * w_10_3;
+  // Mp10 = C10^T M10 C10: M passed on, lower body's axes [kg]
+  const T b10_2 = C10_11 * T(0.35430679721867464) + C10_21 * T(0.01041577976443877) - C10_31 *
+      T(0.026990208599404004);
+  const T b10_3 = C10_11 * T(0.01041577976443877) + C10_21 * T(0.32271888746984534) - C10_31 *
+      T(0.018816517667092383);
+  const T b10_4 = C10_31 * T(0.3757343550446999) - (C10_11 * T(0.026990208599404004) + C10_21 *
+      T(0.018816517667092383));
+  const T Mp10_11 = b10_2 * C10_11 + b10_3 * C10_21 + b10_4 * C10_31;
+  const T Mp10_12 = b10_2 * C10_12 + b10_3 * C10_22 + b10_4 * C10_32;
+  const T Mp10_13 = b10_2 * C10_13 + b10_3 * C10_23 + b10_4 * C10_33;
+  const T b10_5 = C10_12 * T(0.35430679721867464) + C10_22 * T(0.01041577976443877) - C10_32 *
+      T(0.026990208599404004);
+  const T b10_6 = C10_12 * T(0.01041577976443877) + C10_22 * T(0.32271888746984534) - C10_32 *
+      T(0.018816517667092383);
+  const T b10_7 = C10_32 * T(0.3757343550446999) - (C10_12 * T(0.026990208599404004) + C10_22 *
+      T(0.018816517667092383));
+  const T Mp10_22 = b10_5 * C10_12 + b10_6 * C10_22 + b10_7 * C10_32;
+  const T Mp10_23 = b10_5 * C10_13 + b10_6 * C10_23 + b10_7 * C10_33;
+  const T Mp10_33 = T(1.05276003973322) - Mp10_11 - Mp10_22;
+  // gp10 = C10^T gb10: force passed on, lower body's axes [N]
+  const T gp10_1 = C10_11 * gb10_1 - C10_21 * minus_gb10_2 - C10_31 * minus_gb10_3;
+  const T gp10_2 = C10_12 * gb10_1 - C10_22 * minus_gb10_2 - C10_32 * minus_gb10_3;
+  const T gp10_3 = C10_13 * gb10_1 - C10_23 * minus_gb10_2 - C10_33 * minus_gb10_3;
+  // invD2_10 = D2_10^-1: 1/D
+  const T invD2_10 = T(1) / Mp10_22;
+  // kB2_10 = invD2_10 B2_10: B/D
+  const T kB2_10_1 = invD2_10 * Mp10_12;
+  const T kB2_10_3 = invD2_10 * Mp10_23;
+  // v2_10 = invD2_10 u_2_10: u/D
+  const T v2_10 = invD2_10 * gp10_2;
+  // Ms2_10 = P_u10 (Mp10 - kB2_10 B2_10^T) P_u10: M with the slide solved [kg]
+  const T Ms2_10_11 = Mp10_11 - kB2_10_1 * Mp10_12;
+  const T Ms2_10_13 = Mp10_13 - kB2_10_1 * Mp10_23;
+  const T Ms2_10_33 = Mp10_33 - kB2_10_3 * Mp10_23;
+  // gs2_10 = P_u10 (gp10 - v2_10 B2_10): force with the slide solved [N]
+  const T gs2_10_1 = gp10_1 - v2_10 * Mp10_12;
+  const T gs2_10_3 = gp10_3 - v2_10 * Mp10_23;
+  // Hb10 = d10~ Ms2_10: H of the joint at the lower body's origin, its axes
+  const T Hb10_11 = s10 * Ms2_10_13;
+  const T Hb10_13 = s10 * Ms2_10_33;
+  const T Hb10_21 = T(0.3) * Ms2_10_11 - T(0.1) * Ms2_10_13;
+  const T Hb10_23 = T(0.3) * Ms2_10_13 - T(0.1) * Ms2_10_33;
+  const T minus_Hb10_31 = s10 * Ms2_10_11;
 
   // ---- body 9 (sled) and what it carries
-  // D_sddot9_1: pivots of L D L^T
-  const T b9_1 = T(0.2) * E9_12;
-  const T b9_2 = b9_1 * T(10);
-  const T D_sddot9_1 = T(2) - b9_2 * b9_1;
-  // D_sddot9_2: pivots of L D L^T
-  const T b9_3 = T(0.2) * E9_11;
-  const T b9_4 = b9_3 * T(10);
-  const T b9_5 = b9_4 * b9_1;
-  const T b9_6 = T(1) / D_sddot9_1;
-  const T b9_7 = b9_5 * b9_6;
-  const T D_sddot9_2 = T(2) - b9_4 * b9_3 - b9_7 * b9_5;
+  // v1_9 = invD1_9 u_1_9: u/D
+  const T minus_v1_9 = T(10) * N9_1;
+  // gt9 = G9 - v1_9 B1_9: force with the turn solved [N]
+  const T gt9_2 = minus_v1_9 * T(0.2) - minus_G9_2;
+  // Mp9 = E9^T M9 E9: M passed on, lower body's axes [kg]
+  const T b9_1 = E9_12 * T(0.4);
+  const T b9_2 = E9_12 * b9_1;
+  const T Mp9_11 = T(2) - b9_2;
+  const T Mp9_12 = E9_11 * b9_1;
+  const T Mp9_22 = T(1.5999999999999999) + b9_2;
+  // gp9 = E9^T gt9: force passed on, lower body's axes [N]
+  const T gp9_1 = E9_11 * G9_1 - E9_12 * gt9_2;
+  const T gp9_2 = E9_12 * G9_1 + E9_11 * gt9_2;
+  // invD2_9 = D2_9^-1: 1/D
+  const T invD2_9 = T(1) / Mp9_11;
+  // kB2_9 = invD2_9 B2_9: B/D
+  const T kB2_9_2 = invD2_9 * Mp9_12;
+  // v2_9 = invD2_9 u_2_9: u/D
+  const T v2_9 = invD2_9 * gp9_1;
+  // Ms2_9 = P_u9_1 (Mp9 - kB2_9 B2_9^T) P_u9_1: M with the slide solved [kg]
+  const T Ms2_9_22 = Mp9_22 - kB2_9_2 * Mp9_12;
+  // gs2_9 = P_u9_1 (gp9 - v2_9 B2_9): force with the slide solved [N]
+  const T gs2_9_2 = gp9_2 - v2_9 * Mp9_12;
+  // invD3_9 = D3_9^-1: 1/D
+  const T invD3_9 = T(1) / Ms2_9_22;
+  // v3_9 = invD3_9 u_3_9: u/D
+  const T v3_9 = invD3_9 * gs2_9_2;
+  ydot[24] = v3_9;
 
   // ---- body 8 (piston) and what it carries
-  // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_13 * minus_G11_3 - E11_11 * minus_G11_1;
-  const T S8_1 = b8_1 - minus_G8_1;
-  const T minus_S8_2 = minus_G11_2 + minus_G8_2;
-  const T b8_2 = E11_13 * minus_G11_1 + E11_11 * minus_G11_3;
-  const T minus_S8_3 = b8_2 + minus_G8_3;
-  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
-      * b8_2 - minus_N8_1;
-  const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
-  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
-      * b8_1 - minus_N8_3;
-  // h8 = m8 r_link8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h8_1 = T(0.006999999999999999) + minus_hc11_1;
-  const T b8_3 = T(0.3) * minus_d11_2;
-  const T minus_h8_2 = T(0.06999999999999999) + b8_3;
-  const T h8_3 = T(0.013999999999999999) + hc11_3;
-  // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
-  //   about the body origin, body axes [kg m^2]
-  const T b8_4 = E11_11 * T(0.00043000000000000004);
-  const T b8_5 = E11_13 * T(4e-04);
-  const T b8_6 = b8_3 * minus_d11_2;
-  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_13 + T(0.010280000000000001) + b8_6;
-  const T b8_7 = minus_d11_2 * minus_hc11_1;
-  const T minus_J8_12 = T(7e-04) + b8_7;
-  const T J8_13 = b8_4 * E11_13 - b8_5 * E11_11 + T(0.00014);
-  const T b8_8 = minus_d11_2 * hc11_3;
-  const T J8_23 = T(0.0014) + b8_8;
-  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_6;
-  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
-  const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
-  // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_7;
-  const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_8;
+  // MA8 = m8 one + Mp11: force for an acceleration of the origin, home axes [kg]
+  const T MA8_11 = T(0.7) + Mp11_11;
+  const T MA8_33 = T(0.7) + Mp11_33;
+  // HA8 = m8 r_link8~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
+  const T HA8_12 = Hb11_12 - T(0.013999999999999999);
+  const T HA8_13 = Hb11_13 - T(0.06999999999999999);
+  const T HA8_21 = T(0.013999999999999999) + Hp11_21;
+  const T HA8_23 = Hp11_23 + T(0.006999999999999999);
+  const T HA8_31 = Hb11_31 + T(0.06999999999999999);
+  const T minus_HA8_32 = T(0.006999999999999999) + minus_Hb11_32;
+  // JA8 = -m8 r_link8~ r_link8~ + I_link8 + d11~ Hp11^T + Jp11 - Hb11 d11~: moment for an angular acceleration, body
+  //   axes [kg m^2]
+  const T b8_1 = minus_d11_2 * Hp11_13;
+  const T JA8_11 = T(0.010280000000000001) - b8_1 + Jp11_11 - Hb11_13 * minus_d11_2;
+  const T JA8_12 = Jp11_12 - (T(7e-04) + minus_d11_2 * Hp11_23);
+  const T JA8_13 = T(0.00014) - minus_d11_2 * b11_6 + Jp11_13 + Hb11_11 * minus_d11_2;
+  const T JA8_23 = T(0.0014) + Jp11_23 + minus_d11_2 * Hp11_21;
+  const T JA8_33 = T(0.01107) + b8_1 + Jp11_33 + Hb11_31 * minus_d11_2;
+  // g8 = G8 + gp11: force that drives it, home axes [N]
+  const T g8_1 = gp11_1 - minus_G8_1;
+  const T g8_2 = gt11_2 - minus_G8_2;
+  const T g8_3 = gp11_3 - minus_G8_3;
+  // n8 = r_link8~ G8 + d11~ gp11 + N8 + np11: moment that drives it, body axes [N m]
+  const T n8_1 = T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3 - minus_N8_1 + np11_1;
+  const T n8_2 = N8_2 - (T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3) + nt11_2;
+  const T n8_3 = T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1 - minus_N8_3 + np11_3;
+  // kB1_8 = invD1_8 B1_8: B/D
+  const T minus_kB1_8_1 = T(420.4089432447927) * HA8_21;
+  const T minus_kB1_8_3 = T(420.4089432447927) * HA8_23;
+  // kK1_8 = invD1_8 K1_8: K/D
+  const T minus_kK1_8_1 = T(420.4089432447927) * JA8_12;
+  const T minus_kK1_8_3 = T(420.4089432447927) * JA8_23;
+  // v1_8 = invD1_8 u_1_8: u/D
+  const T minus_v1_8 = T(420.4089432447927) * n8_2;
+  // M8 = MA8 - kB1_8 B1_8^T: MA less what the turn takes up [kg]
+  const T M8_11 = MA8_11 - minus_kB1_8_1 * HA8_21;
+  const T M8_12 = minus_kB1_8_1 * T(0.0028636363636363638) - minus_Mp11_12;
+  const T minus_M8_13 = minus_Mp11_13 + minus_kB1_8_1 * HA8_23;
+  const T M8_23 = T(1.2038983374737244) * HA8_23 - minus_Mp11_23;
+  const T M8_33 = MA8_33 - minus_kB1_8_3 * HA8_23;
+  // H8 = P_b8 (HA8 - kK1_8 B1_8^T): HA less what the turn takes up [kg m]
+  const T H8_11 = Hb11_11 - minus_kK1_8_1 * HA8_21;
+  const T H8_12 = HA8_12 + minus_kK1_8_1 * T(0.0028636363636363638);
+  const T H8_13 = HA8_13 - minus_kK1_8_1 * HA8_23;
+  const T H8_31 = HA8_31 - minus_kK1_8_3 * HA8_21;
+  const T H8_32 = minus_kK1_8_3 * T(0.0028636363636363638) - minus_HA8_32;
+  const T H8_33 = Hb11_33 - minus_kK1_8_3 * HA8_23;
+  // J8 = P_b8 (JA8 - kK1_8 K1_8^T) P_b8: JA less what the turn takes up [kg m^2]
+  const T J8_11 = JA8_11 - minus_kK1_8_1 * JA8_12;
+  const T J8_13 = JA8_13 - minus_kK1_8_1 * JA8_23;
+  const T J8_33 = JA8_33 - minus_kK1_8_3 * JA8_23;
+  // gt8 = g8 - v1_8 B1_8: force with the turn solved [N]
+  const T gt8_1 = g8_1 - minus_v1_8 * HA8_21;
+  const T gt8_2 = g8_2 + minus_v1_8 * T(0.0028636363636363638);
+  const T gt8_3 = g8_3 - minus_v1_8 * HA8_23;
+  // nt8 = P_b8 (n8 - v1_8 K1_8): moment with the turn solved [N m]
+  const T nt8_1 = n8_1 - minus_v1_8 * JA8_12;
+  const T nt8_3 = n8_3 - minus_v1_8 * JA8_23;
+  // Mp8 = E8^T M8 E8: M passed on, lower body's axes [kg]
+  const T b8_2 = T(2) * E8_11;
+  const T b8_3 = b8_2 * minus_M8_13 + E8_13 * (M8_33 - M8_11);
+  const T b8_4 = E8_13 * b8_3;
+  const T Mp8_11 = M8_11 + b8_4;
+  const T Mp8_12 = E8_11 * M8_12 - E8_13 * M8_23;
+  const T Mp8_13 = minus_M8_13 - E8_11 * b8_3;
+  const T Mp8_23 = E8_11 * M8_23 + E8_13 * M8_12;
+  const T Mp8_33 = M8_33 - b8_4;
+  // gp8 = E8^T gt8: force passed on, lower body's axes [N]
+  const T gp8_1 = E8_11 * gt8_1 - E8_13 * gt8_3;
+  const T gp8_3 = E8_13 * gt8_1 + E8_11 * gt8_3;
+  // Hp8 = E8^T H8 E8: H passed on, lower body's axes [kg m]
+  const T b8_5 = E8_11 * (H8_31 + H8_13) - E8_13 * (H8_33 - H8_11);
+  const T b8_6 = E8_13 * b8_5;
+  const T Hp8_11 = H8_11 - b8_6;
+  const T Hp8_12 = E8_11 * H8_12 - E8_13 * H8_32;
+  const T b8_7 = E8_11 * b8_5;
+  const T Hp8_13 = b8_7 - H8_31;
+  const T Hp8_31 = b8_7 - H8_13;
+  const T Hp8_32 = E8_11 * H8_32 + E8_13 * H8_12;
+  const T Hp8_33 = H8_33 + b8_6;
+  // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
+  const T b8_8 = b8_2 * J8_13 - E8_13 * (J8_33 - J8_11);
+  const T b8_9 = E8_13 * b8_8;
+  const T Jp8_11 = J8_11 - b8_9;
+  const T Jp8_13 = E8_11 * b8_8 - J8_13;
+  const T Jp8_33 = J8_33 + b8_9;
+  // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
+  const T np8_1 = E8_11 * nt8_1 - E8_13 * nt8_3;
+  const T np8_3 = E8_13 * nt8_1 + E8_11 * nt8_3;
+  // kB2_8 = invD2_8 B2_8: B/D
+  const T minus_kB2_8_1 = T(1.0173808227700445) * Mp8_12;
+  const T minus_kB2_8_3 = T(1.0173808227700445) * Mp8_23;
+  // kK2_8 = invD2_8 K2_8: K/D
+  const T minus_kK2_8_1 = T(1.0173808227700445) * Hp8_12;
+  const T minus_kK2_8_3 = T(1.0173808227700445) * Hp8_32;
+  // v2_8 = invD2_8 u_2_8: u/D
+  const T minus_v2_8 = T(1.0173808227700445) * gt8_2;
+  // Ms2_8 = P_u8 (Mp8 - kB2_8 B2_8^T) P_u8: M with the slide solved [kg]
+  const T Ms2_8_11 = Mp8_11 - minus_kB2_8_1 * Mp8_12;
+  const T Ms2_8_13 = Mp8_13 - minus_kB2_8_1 * Mp8_23;
+  const T Ms2_8_33 = Mp8_33 - minus_kB2_8_3 * Mp8_23;
+  // Hs2_8 = (Hp8 - kK2_8 B2_8^T) P_u8: H with the slide solved [kg m]
+  const T Hs2_8_11 = Hp8_11 - minus_kK2_8_1 * Mp8_12;
+  const T Hs2_8_13 = Hp8_13 - minus_kK2_8_1 * Mp8_23;
+  const T Hs2_8_31 = Hp8_31 - minus_kK2_8_3 * Mp8_12;
+  const T Hs2_8_33 = Hp8_33 - minus_kK2_8_3 * Mp8_23;
+  // Js2_8 = Jp8 - kK2_8 K2_8^T: J with the slide solved [kg m^2]
+  const T Js2_8_11 = Jp8_11 - minus_kK2_8_1 * Hp8_12;
+  const T Js2_8_13 = Jp8_13 - minus_kK2_8_1 * Hp8_32;
+  const T Js2_8_33 = Jp8_33 - minus_kK2_8_3 * Hp8_32;
+  // gs2_8 = P_u8 (gp8 - v2_8 B2_8): force with the slide solved [N]
+  const T gs2_8_1 = gp8_1 - minus_v2_8 * Mp8_12;
+  const T gs2_8_3 = gp8_3 - minus_v2_8 * Mp8_23;
+  // ns2_8 = np8 - v2_8 K2_8: moment with the slide solved [N m]
+  const T ns2_8_1 = np8_1 - minus_v2_8 * Hp8_12;
+  const T ns2_8_3 = np8_3 - minus_v2_8 * Hp8_32;
+  // Hb8 = d8~ Ms2_8 + Hs2_8: H of the joint at the lower body's origin, its axes
+  const T b8_10 = d8_2 * Ms2_8_13;
+  const T Hb8_11 = b8_10 + Hs2_8_11;
+  const T Hb8_13 = d8_2 * Ms2_8_33 + Hs2_8_13;
+  const T Hb8_31 = Hs2_8_31 - d8_2 * Ms2_8_11;
+  const T Hb8_33 = Hs2_8_33 - b8_10;
 
   // ---- body 6 (telescope) and what it carries
-  // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = N6_1 - T(0.01) * G6_2;
-  const T rho6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
-  const T rho6_3 = T(0.1) * G6_2 + N6_3;
+  // n6 = r6~ G6 + N6: moment that drives it, body axes [N m]
+  const T n6_1 = N6_1 - T(0.01) * G6_2;
+  const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
+  const T n6_3 = T(0.1) * G6_2 + N6_3;
+  // u_6 = u6 . G6 + effort_telescope_6: drives it [N]
+  const T u_6 = G6_1 - minus_effort_telescope_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = T(2) * u_6;
+  // ns6 = n6 - v6 K6: moment with the slide solved [N m]
+  const T ns6_2 = n6_2 - v6 * T(0.005);
+  // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
+  const T minus_Hb6_23 = T(0.05) + T(0.5) * d6_1;
 
   // ---- body 5 (camera) and what it carries
-  // rho5 = r_link5~ G5 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
-  // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
-  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
-  // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
-  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc5_2 = E5_23 * c.h5_3;
-  const T hc5_3 = E5_22 * c.h5_3;
-  // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T minus_J5a_12 = E5_23 * c.J5_13;
-  const T J5a_13 = E5_22 * c.J5_13;
-  const T b5_1 = E5_22 * c.J5_22;
-  const T b5_2 = E5_23 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
-  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
-  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
-  // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
-  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
+  // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
+  const T n5_1 = N5_1 - c.r_link5_3 * G5_2;
+  const T n5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
+  const T n5_3 = c.r_link5_1 * G5_2 + N5_3;
+  // gp5 = E5^T G5: force passed on, lower body's axes [N]
+  const T gp5_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T gp5_3 = E5_23 * G5_2 + E5_22 * G5_3;
+  // Hp5 = E5^T HA5 E5: H passed on, lower body's axes [kg m]
+  const T minus_Hp5_12 = E5_22 * c.HA5_21;
+  const T minus_Hp5_13 = E5_23 * c.HA5_21;
+  // Jp5 = E5^T JA5 E5: J passed on, lower body's axes [kg m^2]
+  const T minus_Jp5_12 = E5_23 * c.JA5_13;
+  const T Jp5_13 = E5_22 * c.JA5_13;
+  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_2 = E5_23 * b5_1;
+  const T Jp5_22 = b5_2 + c.JA5_22;
+  const T minus_Jp5_23 = E5_22 * b5_1;
+  const T Jp5_33 = c.JA5_33 - b5_2;
+  // np5 = E5^T n5: moment passed on, lower body's axes [N m]
+  const T np5_2 = E5_22 * n5_2 - E5_23 * n5_3;
+  const T np5_3 = E5_23 * n5_2 + E5_22 * n5_3;
+  // invD5a = D5a^-1: 1/D
+  const T invD5a = T(1) / Jp5_33;
+  // kB5a = invD5a B5a: B/D
+  const T kB5a_1 = invD5a * minus_Hp5_13;
+  const T kB5a_2 = invD5a * c.HA5_32;
+  // kK5a = invD5a K5a: K/D
+  const T kK5a_1 = invD5a * Jp5_13;
+  const T minus_kK5a_2 = invD5a * minus_Jp5_23;
+  // v5a = invD5a u_5a: u/D
+  const T v5a = invD5a * np5_3;
+  // M5a = Mp5 - kB5a B5a^T: MA less what the turn takes up [kg]
+  const T M5a_11 = c.m_link5 - kB5a_1 * minus_Hp5_13;
+  const T minus_M5a_12 = kB5a_1 * c.HA5_32;
+  const T M5a_22 = c.m_link5 - kB5a_2 * c.HA5_32;
+  // H5a = P_b5_1 (Hp5 - kK5a B5a^T): HA less what the turn takes up [kg m]
+  const T minus_H5a_11 = kK5a_1 * minus_Hp5_13;
+  const T minus_H5a_12 = minus_Hp5_12 + kK5a_1 * c.HA5_32;
+  const T H5a_21 = minus_Hp5_12 + minus_kK5a_2 * minus_Hp5_13;
+  const T H5a_22 = minus_kK5a_2 * c.HA5_32;
+  // J5a = P_b5_1 (Jp5 - kK5a K5a^T) P_b5_1: JA less what the turn takes up [kg m^2]
+  const T J5a_11 = c.JA5_11 - kK5a_1 * Jp5_13;
+  const T minus_J5a_12 = minus_Jp5_12 - kK5a_1 * minus_Jp5_23;
+  const T J5a_22 = Jp5_22 - minus_kK5a_2 * minus_Jp5_23;
+  // gt5a = gp5 - v5a B5a: force with the turn solved [N]
+  const T gt5a_1 = G5_1 - v5a * minus_Hp5_13;
+  const T gt5a_2 = gp5_2 - v5a * c.HA5_32;
+  // nt5a = P_b5_1 (np5 - v5a K5a): moment with the turn solved [N m]
+  const T nt5a_1 = n5_1 - v5a * Jp5_13;
+  const T nt5a_2 = np5_2 + v5a * minus_Jp5_23;
+  // Mp5a = E5a^T M5a E5a: M passed on, lower body's axes [kg]
+  const T b5_3 = T(2) * E5a_11;
+  const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
+  const T b5_5 = E5a_12 * b5_4;
+  const T Mp5a_11 = M5a_11 - b5_5;
+  const T Mp5a_12 = E5a_11 * b5_4 + minus_M5a_12;
+  const T Mp5a_22 = M5a_22 + b5_5;
+  // gp5a = E5a^T gt5a: force passed on, lower body's axes [N]
+  const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
+  const T gp5a_2 = E5a_12 * gt5a_1 + E5a_11 * gt5a_2;
+  // Hp5a = E5a^T H5a E5a: H passed on, lower body's axes [kg m]
+  const T b5_6 = E5a_11 * (H5a_21 - minus_H5a_12) - E5a_12 * (H5a_22 + minus_H5a_11);
+  const T b5_7 = E5a_12 * b5_6;
+  const T minus_Hp5a_11 = minus_H5a_11 + b5_7;
+  const T b5_8 = E5a_11 * b5_6;
+  const T Hp5a_12 = b5_8 - H5a_21;
+  const T minus_Hp5a_13 = E5a_11 * minus_Hp5_13 - E5a_12 * c.HA5_32;
+  const T Hp5a_21 = b5_8 + minus_H5a_12;
+  const T Hp5a_22 = b5_7 + H5a_22;
+  const T minus_Hp5a_23 = E5a_12 * minus_Hp5_13 + E5a_11 * c.HA5_32;
+  // Jp5a = E5a^T J5a E5a: J passed on, lower body's axes [kg m^2]
+  const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
+  const T b5_10 = E5a_12 * b5_9;
+  const T Jp5a_11 = J5a_11 - b5_10;
+  const T Jp5a_12 = E5a_11 * b5_9 + minus_J5a_12;
+  const T Jp5a_22 = J5a_22 + b5_10;
+  // np5a = E5a^T nt5a: moment passed on, lower body's axes [N m]
+  const T np5a_1 = E5a_11 * nt5a_1 - E5a_12 * nt5a_2;
+  const T np5a_2 = E5a_12 * nt5a_1 + E5a_11 * nt5a_2;
+  // Hb5a = q5a~ Mp5a + Hp5a: H of the joint at the lower body's origin, its axes
+  const T b5_11 = T(0.1) * Mp5a_12;
+  const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
+  const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
+  const T minus_Hb5a_13 = c.c5_2 + minus_Hp5a_13;
+  const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
+  const T Hb5a_22 = b5_11 + Hp5a_22;
+  const T Hb5a_31 = T(0.3) * Mp5a_11;
+  const T Hb5a_32 = T(0.3) * Mp5a_12;
 
   // ---- body 4 (cross) and what it carries
-  // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
-  const T minus_rho4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
-  // S4a = E4^T G4: sum of the force balances of the subtree, body axes [N]
-  const T S4a_1 = minus_E4_11 * minus_G4_1 - t4_5 * minus_G4_3;
-  const T minus_S4a_2 = E4_12 * minus_G4_1 + T(0.96) * minus_G4_2 + E4_32 * minus_G4_3;
-  const T S4a_3 = minus_E4_13 * minus_G4_1 - T(0.28) * minus_G4_2 + minus_E4_33 * minus_G4_3;
-  // rho4a = E4^T rho4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho4a_1 = minus_E4_11 * rho4_1 + t4_5 * minus_rho4_3;
-  const T rho4a_2 = E4_12 * rho4_1 + T(0.96) * rho4_2 - E4_32 * minus_rho4_3;
-  const T rho4a_3 = T(0.28) * rho4_2 - minus_E4_13 * rho4_1 + minus_E4_33 * minus_rho4_3;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = t4_5 * T(0.09000000000000001) - minus_E4_11 * T(0.027);
-  const T hc4_2 = E4_12 * T(0.027) + E4_32 * T(0.09000000000000001);
-  const T minus_hc4_3 = minus_E4_13 * T(0.027) + minus_E4_33 * T(0.09000000000000001);
-  // J4a = E4^T J4 E4: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_1 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
-  const T b4_2 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
-  const T J4a_11 = b4_1 * minus_E4_11 + b4_2 * t4_5;
-  const T J4a_12 = b4_2 * E4_32 - b4_1 * E4_12;
-  const T J4a_13 = b4_1 * minus_E4_13 - b4_2 * minus_E4_33;
-  const T b4_3 = E4_12 * T(0.017) - E4_32 * T(0.0027);
-  const T b4_4 = E4_32 * T(0.01281) - E4_12 * T(0.0027);
-  const T J4a_22 = b4_3 * E4_12 + T(0.015492096) + b4_4 * E4_32;
-  const T J4a_23 = T(0.004518528000000001) - b4_3 * minus_E4_13 - b4_4 * minus_E4_33;
-  const T J4a_33 = T(0.0013179040000000004) - (minus_E4_33 * T(0.0027) - minus_E4_13 * T(0.017)) * minus_E4_13 -
-      (minus_E4_13 * T(0.0027) - minus_E4_33 * T(0.01281)) * minus_E4_33;
-  // hc4a = E4a^T hc4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4a_1 = E4a_11 * hc4_1 + minus_E4a_12 * hc4_2 - minus_E4a_13 * minus_hc4_3;
-  const T hc4a_2 = E4a_22 * hc4_2 - minus_E4a_12 * hc4_1 - E4a_23 * minus_hc4_3;
-  const T hc4a_3 = E4a_23 * hc4_2 - minus_E4a_13 * hc4_1 - E4a_33 * minus_hc4_3;
-  // B_thetadot4_2_4a = E4^T B_thetadot4_2_4
-  const T minus_B_thetadot4_2_4a_1 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
-  const T B_thetadot4_2_4a_2 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
-  const T B_thetadot4_2_4a_3 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
-  // B_thetadot4_1_4a = b4_1~ hc4: force of a unit of the rate of the speed
-  const T B_thetadot4_1_4a_1 = T(0.96) * hc4_2 - T(0.28) * minus_hc4_3;
-  const T minus_B_thetadot4_1_4a_2 = T(0.96) * hc4_1;
-  const T minus_B_thetadot4_1_4a_3 = T(0.28) * hc4_1;
-  // K_thetadot4_1_4a = J4a b4_1: its moment about the body origin, body axes
-  const T K_thetadot4_1_4a_1 = J4a_12 * T(0.28) - J4a_13 * T(0.96);
-  const T K_thetadot4_1_4a_2 = J4a_22 * T(0.28) - J4a_23 * T(0.96);
-  const T K_thetadot4_1_4a_3 = J4a_23 * T(0.28) - J4a_33 * T(0.96);
-  // D_thetaddot4_1: pivots of L D L^T
-  const T D_thetaddot4_1 = T(0.28) * K_thetadot4_1_4a_2 - T(0.96) * K_thetadot4_1_4a_3;
+  // n4 = r4~ G4 + N4: moment that drives it, body axes [N m]
+  const T n4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
+  const T n4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
+  const T minus_n4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(59.4883997620464) * n4_2;
+  // gt4 = G4 - v4 B4: force with the turn solved [N]
+  const T minus_gt4_1 = minus_G4_1 + v4 * T(0.09000000000000001);
+  const T gt4_3 = v4 * T(0.027) - minus_G4_3;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = t4_5 * T(0.8566329565734682) - minus_E4_11 * T(0.14455681142177276);
+  const T b4_2 = t4_5 * T(0.14455681142177276) - minus_E4_11 * T(0.41814396192742415);
+  const T Mp4_11 = b4_1 * t4_5 - b4_2 * minus_E4_11;
+  const T Mp4_12 = b4_2 * E4_12 + b4_1 * E4_32;
+  const T minus_Mp4_13 = b4_2 * minus_E4_13 + b4_1 * minus_E4_33;
+  const T b4_3 = E4_12 * T(0.41814396192742415) + E4_32 * T(0.14455681142177276);
+  const T b4_4 = E4_12 * T(0.14455681142177276) + E4_32 * T(0.8566329565734682);
+  const T Mp4_22 = b4_3 * E4_12 + T(0.82944) + b4_4 * E4_32;
+  const T Mp4_23 = T(0.24192000000000002) - b4_3 * minus_E4_13 - b4_4 * minus_E4_33;
+  const T Mp4_33 = T(2.1747769185008923) - Mp4_11 - Mp4_22;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = minus_E4_11 * minus_gt4_1 + t4_5 * gt4_3;
+  const T gp4_2 = E4_32 * gt4_3 - (E4_12 * minus_gt4_1 + T(0.96) * minus_G4_2);
+  const T gp4_3 = minus_E4_13 * minus_gt4_1 - T(0.28) * minus_G4_2 - minus_E4_33 * gt4_3;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_5 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
+  const T Hp4_12 = b4_5 * T(0.96);
+  const T Hp4_13 = b4_5 * T(0.28);
+  const T b4_6 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
+  const T minus_Hp4_22 = b4_6 * T(0.96);
+  const T minus_Hp4_23 = b4_6 * T(0.28);
+  const T b4_7 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
+  const T minus_Hp4_32 = b4_7 * T(0.96);
+  const T minus_Hp4_33 = b4_7 * T(0.28);
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_8 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
+  const T b4_9 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
+  const T Jp4_11 = b4_8 * minus_E4_11 + b4_9 * t4_5;
+  const T Jp4_12 = b4_9 * E4_32 - b4_8 * E4_12;
+  const T Jp4_13 = b4_8 * minus_E4_13 - b4_9 * minus_E4_33;
+  const T b4_10 = E4_12 * T(0.017) - E4_32 * T(0.0027);
+  const T b4_11 = E4_32 * T(0.01281) - E4_12 * T(0.0027);
+  const T Jp4_22 = b4_10 * E4_12 + b4_11 * E4_32;
+  const T minus_Jp4_23 = b4_10 * minus_E4_13 + b4_11 * minus_E4_33;
+  const T Jp4_33 = T(0.029810000000000003) - Jp4_11 - Jp4_22;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T minus_np4_1 = minus_E4_11 * n4_1 + t4_5 * minus_n4_3;
+  const T np4_2 = E4_12 * n4_1 - E4_32 * minus_n4_3;
+  const T np4_3 = minus_E4_33 * minus_n4_3 - minus_E4_13 * n4_1;
+  // B4a = Hp4^T b4_1: force of a unit of the angle's acceleration [kg m]
+  const T B4a_2 = minus_Hp4_32 * T(0.96) - minus_Hp4_22 * T(0.28);
+  const T B4a_3 = minus_Hp4_33 * T(0.96) - minus_Hp4_23 * T(0.28);
+  // K4a = Jp4 b4_1: its moment about the body origin, body axes [kg m^2]
+  const T K4a_1 = Jp4_12 * T(0.28) - Jp4_13 * T(0.96);
+  const T K4a_2 = Jp4_22 * T(0.28) + minus_Jp4_23 * T(0.96);
+  const T minus_K4a_3 = minus_Jp4_23 * T(0.28) + Jp4_33 * T(0.96);
+  // D4a = b4_1 . K4a: pivot: inertia that the angle feels [kg m^2]
+  const T D4a = T(0.28) * K4a_2 + T(0.96) * minus_K4a_3;
+  // invD4a = D4a^-1: 1/D
+  const T invD4a = T(1) / D4a;
+  // kB4a = invD4a B4a: B/D
+  const T kB4a_2 = invD4a * B4a_2;
+  const T kB4a_3 = invD4a * B4a_3;
+  // kK4a = invD4a K4a: K/D
+  const T kK4a_1 = invD4a * K4a_1;
+  const T kK4a_2 = invD4a * K4a_2;
+  const T minus_kK4a_3 = invD4a * minus_K4a_3;
+  // u_4a = b4_1 . np4: drives it [N m]
+  const T u_4a = T(0.28) * np4_2 - T(0.96) * np4_3;
+  // v4a = invD4a u_4a: u/D
+  const T v4a = invD4a * u_4a;
+  // M4a = Mp4 - kB4a B4a^T: MA less what the turn takes up [kg]
+  const T M4a_22 = Mp4_22 - kB4a_2 * B4a_2;
+  const T M4a_23 = Mp4_23 - kB4a_2 * B4a_3;
+  const T M4a_33 = Mp4_33 - kB4a_3 * B4a_3;
+  // H4a = Hp4 - kK4a B4a^T: HA less what the turn takes up [kg m]
+  const T H4a_12 = Hp4_12 - kK4a_1 * B4a_2;
+  const T H4a_13 = Hp4_13 - kK4a_1 * B4a_3;
+  const T minus_H4a_22 = minus_Hp4_22 + kK4a_2 * B4a_2;
+  const T minus_H4a_23 = minus_Hp4_23 + kK4a_2 * B4a_3;
+  const T H4a_32 = minus_kK4a_3 * B4a_2 - minus_Hp4_32;
+  const T H4a_33 = minus_kK4a_3 * B4a_3 - minus_Hp4_33;
+  // J4a = Jp4 - kK4a K4a^T: JA less what the turn takes up [kg m^2]
+  const T J4a_11 = Jp4_11 - kK4a_1 * K4a_1;
+  const T J4a_12 = Jp4_12 - kK4a_1 * K4a_2;
+  const T J4a_13 = Jp4_13 + kK4a_1 * minus_K4a_3;
+  const T J4a_22 = Jp4_22 - kK4a_2 * K4a_2;
+  const T J4a_23 = kK4a_2 * minus_K4a_3 - minus_Jp4_23;
+  const T J4a_33 = Jp4_33 - minus_kK4a_3 * minus_K4a_3;
+  // gt4a = gp4 - v4a B4a: force with the turn solved [N]
+  const T gt4a_2 = gp4_2 - v4a * B4a_2;
+  const T gt4a_3 = gp4_3 - v4a * B4a_3;
+  // nt4a = np4 - v4a K4a: moment with the turn solved [N m]
+  const T minus_nt4a_1 = minus_np4_1 + v4a * K4a_1;
+  const T nt4a_2 = np4_2 - v4a * K4a_2;
+  const T nt4a_3 = np4_3 + v4a * minus_K4a_3;
+  // Mp4a = E4a^T M4a E4a: M passed on, lower body's axes [kg]
+  const T b4_12 = minus_E4a_12 * Mp4_12;
+  const T b4_13 = E4a_11 * Mp4_11 + b4_12 - minus_E4a_13 * minus_Mp4_13;
+  const T b4_14 = E4a_11 * Mp4_12 + minus_E4a_12 * M4a_22 + minus_E4a_13 * M4a_23;
+  const T b4_15 = minus_E4a_12 * M4a_23 - E4a_11 * minus_Mp4_13 + minus_E4a_13 * M4a_33;
+  const T Mp4a_11 = b4_13 * E4a_11 + b4_14 * minus_E4a_12 + b4_15 * minus_E4a_13;
+  const T Mp4a_12 = b4_14 * E4a_22 - b4_13 * minus_E4a_12 + b4_15 * E4a_23;
+  const T Mp4a_13 = b4_14 * E4a_23 - b4_13 * minus_E4a_13 + b4_15 * E4a_33;
+  const T b4_16 = E4a_22 * M4a_22 - b4_12 + E4a_23 * M4a_23;
+  const T b4_17 = E4a_22 * Mp4_12 - minus_E4a_12 * Mp4_11 - E4a_23 * minus_Mp4_13;
+  const T b4_18 = minus_E4a_12 * minus_Mp4_13 + E4a_22 * M4a_23 + E4a_23 * M4a_33;
+  const T Mp4a_22 = b4_16 * E4a_22 - b4_17 * minus_E4a_12 + b4_18 * E4a_23;
+  const T Mp4a_23 = b4_16 * E4a_23 - b4_17 * minus_E4a_13 + b4_18 * E4a_33;
+  const T Mp4a_33 = Mp4_11 + M4a_22 + M4a_33 - Mp4a_11 - Mp4a_22;
+  // gp4a = E4a^T gt4a: force passed on, lower body's axes [N]
+  const T gp4a_1 = E4a_11 * gp4_1 + minus_E4a_12 * gt4a_2 + minus_E4a_13 * gt4a_3;
+  const T gp4a_2 = E4a_22 * gt4a_2 - minus_E4a_12 * gp4_1 + E4a_23 * gt4a_3;
+  const T gp4a_3 = E4a_23 * gt4a_2 - minus_E4a_13 * gp4_1 + E4a_33 * gt4a_3;
+  // Hp4a = E4a^T H4a E4a: H passed on, lower body's axes [kg m]
+  const T b4_19 = E4a_11 * H4a_12 - minus_E4a_12 * minus_H4a_22 + minus_E4a_13 * H4a_32;
+  const T b4_20 = E4a_11 * H4a_13 - minus_E4a_12 * minus_H4a_23 + minus_E4a_13 * H4a_33;
+  const T Hp4a_11 = b4_19 * minus_E4a_12 + b4_20 * minus_E4a_13;
+  const T Hp4a_12 = b4_19 * E4a_22 + b4_20 * E4a_23;
+  const T Hp4a_13 = b4_19 * E4a_23 + b4_20 * E4a_33;
+  const T b4_21 = E4a_23 * H4a_32 - (E4a_22 * minus_H4a_22 + minus_E4a_12 * H4a_12);
+  const T b4_22 = E4a_23 * H4a_33 - (E4a_22 * minus_H4a_23 + minus_E4a_12 * H4a_13);
+  const T Hp4a_21 = b4_21 * minus_E4a_12 + b4_22 * minus_E4a_13;
+  const T Hp4a_22 = b4_21 * E4a_22 + b4_22 * E4a_23;
+  const T Hp4a_23 = b4_21 * E4a_23 + b4_22 * E4a_33;
+  const T b4_23 = E4a_33 * H4a_32 - (E4a_23 * minus_H4a_22 + minus_E4a_13 * H4a_12);
+  const T b4_24 = E4a_33 * H4a_33 - (E4a_23 * minus_H4a_23 + minus_E4a_13 * H4a_13);
+  const T Hp4a_31 = b4_23 * minus_E4a_12 + b4_24 * minus_E4a_13;
+  const T Hp4a_32 = b4_23 * E4a_22 + b4_24 * E4a_23;
+  const T Hp4a_33 = b4_23 * E4a_23 + b4_24 * E4a_33;
+  // Jp4a = E4a^T J4a E4a: J passed on, lower body's axes [kg m^2]
+  const T b4_25 = minus_E4a_12 * J4a_12;
+  const T b4_26 = E4a_11 * J4a_11 + b4_25 + minus_E4a_13 * J4a_13;
+  const T b4_27 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
+  const T b4_28 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
+  const T Jp4a_11 = b4_26 * E4a_11 + b4_27 * minus_E4a_12 + b4_28 * minus_E4a_13;
+  const T Jp4a_12 = b4_27 * E4a_22 - b4_26 * minus_E4a_12 + b4_28 * E4a_23;
+  const T Jp4a_13 = b4_27 * E4a_23 - b4_26 * minus_E4a_13 + b4_28 * E4a_33;
+  const T b4_29 = E4a_22 * J4a_22 - b4_25 + E4a_23 * J4a_23;
+  const T b4_30 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
+  const T b4_31 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
+  const T Jp4a_22 = b4_29 * E4a_22 - b4_30 * minus_E4a_12 + b4_31 * E4a_23;
+  const T Jp4a_23 = b4_29 * E4a_23 - b4_30 * minus_E4a_13 + b4_31 * E4a_33;
+  const T Jp4a_33 = J4a_11 + J4a_22 + J4a_33 - Jp4a_11 - Jp4a_22;
+  // np4a = E4a^T nt4a: moment passed on, lower body's axes [N m]
+  const T np4a_1 = minus_E4a_12 * nt4a_2 - E4a_11 * minus_nt4a_1 + minus_E4a_13 * nt4a_3;
+  const T np4a_2 = minus_E4a_12 * minus_nt4a_1 + E4a_22 * nt4a_2 + E4a_23 * nt4a_3;
+  const T np4a_3 = minus_E4a_13 * minus_nt4a_1 + E4a_23 * nt4a_2 + E4a_33 * nt4a_3;
+  // Hb4a = q4a~ Mp4a + Hp4a: H of the joint at the lower body's origin, its axes
+  const T b4_32 = T(0.1) * Mp4a_13;
+  const T Hb4a_11 = b4_32 + Hp4a_11;
+  const T Hb4a_12 = T(0.1) * Mp4a_23 + Hp4a_12;
+  const T Hb4a_13 = T(0.1) * Mp4a_33 + Hp4a_13;
+  const T Hb4a_21 = T(0.2) * Mp4a_13 + Hp4a_21;
+  const T b4_33 = T(0.2) * Mp4a_23;
+  const T Hb4a_22 = b4_33 + Hp4a_22;
+  const T Hb4a_23 = T(0.2) * Mp4a_33 + Hp4a_23;
+  const T Hb4a_31 = Hp4a_31 - (T(0.2) * Mp4a_12 + T(0.1) * Mp4a_11);
+  const T Hb4a_32 = Hp4a_32 - (T(0.2) * Mp4a_22 + T(0.1) * Mp4a_12);
+  const T Hb4a_33 = Hp4a_33 - (b4_33 + b4_32);
 
   // ---- body 3 (boom) and what it carries
-  // S3 = G3 + G6: sum of the force balances of the subtree, body axes [N]
-  const T S3_1 = G6_1 - minus_G3_1;
-  const T S3_2 = G6_2 - minus_G3_2;
-  const T minus_S3_3 = minus_G3_3 + minus_G6_3;
-  // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
-  //   m]
-  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
-  const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
-  const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
-  // h3 = m3 r3 + m6 d6 + h6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T b3_1 = T(0.5) * d6_1;
-  const T h3_1 = T(0.35000000000000003) + b3_1;
-  // J3 = -m3 r3~ r3~ + I3 + (-m6 d6~ - h6~) d6~ - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg
-  //   m^2]
-  const T J3_13 = T(5e-04) - T(0.005) * d6_1;
-  const T b3_2 = (T(0.05) + b3_1) * d6_1 + d6_1 * T(0.05);
-  const T J3_22 = T(0.12105) + b3_2;
-  const T J3_33 = T(0.0916) + b3_2;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_11 * h3_1 + E3_21 * T(0.03) + E3_31 * T(0.005);
-  const T hc3_2 = E3_12 * h3_1 + E3_22 * T(0.03) + E3_32 * T(0.005);
-  const T hc3_3 = E3_23 * T(0.03) - minus_E3_13 * h3_1 + E3_33 * T(0.005);
-  // B_thetadot3_3 = b3~ h3: force of a unit of the rate of the speed
-  const T B_thetadot3_3_2 = T(0.8388422987658062) * h3_1 + T(0.0015763557945883155);
-  const T minus_B_thetadot3_3_3 = T(0.009458134767529894) + T(0.44378789320576517) * h3_1;
-  // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
-  const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
-  const T K_thetadot3_3_2 = J3_22 * T(0.44378789320576517) - T(0.001255442260626766);
-  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - (J3_13 * T(0.3152711589176631) +
-      T(0.0013313636796172955));
-  // D_thetaddot3: pivots of L D L^T
-  const T D_thetaddot3 = T(0.44378789320576517) * K_thetadot3_3_2 - T(0.3152711589176631) * K_thetadot3_3_1 +
-      T(0.8388422987658062) * K_thetadot3_3_3 - T(9.847384707800581e-06);
+  // HA3 = m3 r3~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T minus_HA3_23 = minus_Hb6_23 + T(0.30000000000000004);
+  // JA3 = -m3 r3~ r3~ + I3 + d6~ Hs6^T + Js6 - Hb6 d6~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_13 = T(5e-04) - T(0.005) * d6_1;
+  const T b3_1 = minus_Hb6_23 * d6_1 + d6_1 * T(0.05);
+  const T JA3_22 = T(0.12100000000000001) + b3_1;
+  const T JA3_33 = b3_1 + T(0.0916);
+  // g3 = G3 + gs6: force that drives it, home axes [N]
+  const T g3_1 = minus_effort_telescope_6 - minus_G3_1;
+  const T g3_2 = G6_2 - minus_G3_2;
+  const T minus_g3_3 = minus_G3_3 + minus_G6_3;
+  // n3 = r3~ G3 + d6~ gs6 + N3 + ns6: moment that drives it, body axes [N m]
+  const T n3_1 = n6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
+  const T n3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + ns6_2;
+  const T n3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + n6_3;
+  // B3 = HA3^T b3: force of a unit of the angle's acceleration [kg m]
+  const T B3_2 = T(0.0015763557945883155) + minus_HA3_23 * T(0.8388422987658062);
+  const T minus_B3_3 = T(0.009458134767529894) + minus_HA3_23 * T(0.44378789320576517);
+  // K3 = JA3 b3: its moment about the body origin, body axes [kg m^2]
+  const T K3_1 = JA3_13 * T(0.8388422987658062) - T(0.01490619534174373);
+  const T K3_2 = JA3_22 * T(0.44378789320576517) - T(0.001255442260626766);
+  const T K3_3 = JA3_33 * T(0.8388422987658062) - (JA3_13 * T(0.3152711589176631) + T(0.0013313636796172955));
+  // D3 = b3 . K3: pivot: inertia that the angle feels [kg m^2]
+  const T D3 = T(0.44378789320576517) * K3_2 - T(0.3152711589176631) * K3_1 + T(0.8388422987658062) * K3_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / D3;
+  // kB3 = invD3 B3: B/D
+  const T minus_kB3_1 = invD3 * T(0.025165268962974188);
+  const T kB3_2 = invD3 * B3_2;
+  const T minus_kB3_3 = invD3 * minus_B3_3;
+  // kK3 = invD3 K3: K/D
+  const T kK3_1 = invD3 * K3_1;
+  const T kK3_2 = invD3 * K3_2;
+  const T kK3_3 = invD3 * K3_3;
+  // u_3 = b3 . n3 + effort_boom_3: drives it [N m]
+  const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
+      effort_boom_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // M3 = MA3 - kB3 B3^T: MA less what the turn takes up [kg]
+  const T M3_11 = T(1.5) - minus_kB3_1 * T(0.025165268962974188);
+  const T M3_12 = minus_kB3_1 * B3_2;
+  const T minus_M3_13 = minus_kB3_1 * minus_B3_3;
+  const T M3_22 = T(2) - kB3_2 * B3_2;
+  const T M3_23 = kB3_2 * minus_B3_3;
+  const T M3_33 = T(2) - minus_kB3_3 * minus_B3_3;
+  // H3 = HA3 - kK3 B3^T: HA less what the turn takes up [kg m]
+  const T H3_11 = kK3_1 * T(0.025165268962974188);
+  const T minus_H3_12 = T(0.005) + kK3_1 * B3_2;
+  const T H3_13 = T(0.03) + kK3_1 * minus_B3_3;
+  const T H3_21 = kK3_2 * T(0.025165268962974188);
+  const T minus_H3_22 = kK3_2 * B3_2;
+  const T H3_23 = kK3_2 * minus_B3_3 - minus_HA3_23;
+  const T H3_31 = kK3_3 * T(0.025165268962974188) - T(0.03);
+  const T H3_32 = minus_HA3_23 - kK3_3 * B3_2;
+  const T H3_33 = kK3_3 * minus_B3_3;
+  // J3 = JA3 - kK3 K3^T: JA less what the turn takes up [kg m^2]
+  const T J3_11 = T(0.04165) - kK3_1 * K3_1;
+  const T minus_J3_12 = T(0.004) + kK3_1 * K3_2;
+  const T J3_13 = JA3_13 - kK3_1 * K3_3;
+  const T J3_22 = JA3_22 - kK3_2 * K3_2;
+  const T minus_J3_23 = T(0.003) + kK3_2 * K3_3;
+  const T J3_33 = JA3_33 - kK3_3 * K3_3;
+  // gt3 = g3 - v3 B3: force with the turn solved [N]
+  const T gt3_1 = g3_1 + v3 * T(0.025165268962974188);
+  const T gt3_2 = g3_2 - v3 * B3_2;
+  const T gt3_3 = v3 * minus_B3_3 - minus_g3_3;
+  // nt3 = n3 - v3 K3: moment with the turn solved [N m]
+  const T nt3_1 = n3_1 - v3 * K3_1;
+  const T nt3_2 = n3_2 - v3 * K3_2;
+  const T nt3_3 = n3_3 - v3 * K3_3;
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_2 = E3_11 * M3_11 + E3_21 * M3_12 - E3_31 * minus_M3_13;
+  const T b3_3 = E3_11 * M3_12 + E3_21 * M3_22 + E3_31 * M3_23;
+  const T b3_4 = E3_21 * M3_23 - E3_11 * minus_M3_13 + E3_31 * M3_33;
+  const T Mp3_11 = b3_2 * E3_11 + b3_3 * E3_21 + b3_4 * E3_31;
+  const T Mp3_12 = b3_2 * E3_12 + b3_3 * E3_22 + b3_4 * E3_32;
+  const T Mp3_13 = b3_3 * E3_23 - b3_2 * minus_E3_13 + b3_4 * E3_33;
+  const T b3_5 = E3_12 * M3_11 + E3_22 * M3_12 - E3_32 * minus_M3_13;
+  const T b3_6 = E3_12 * M3_12 + E3_22 * M3_22 + E3_32 * M3_23;
+  const T b3_7 = E3_22 * M3_23 - E3_12 * minus_M3_13 + E3_32 * M3_33;
+  const T Mp3_22 = b3_5 * E3_12 + b3_6 * E3_22 + b3_7 * E3_32;
+  const T Mp3_23 = b3_6 * E3_23 - b3_5 * minus_E3_13 + b3_7 * E3_33;
+  const T Mp3_33 = M3_11 + M3_22 + M3_33 - Mp3_11 - Mp3_22;
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_1 = E3_11 * gt3_1 + E3_21 * gt3_2 + E3_31 * gt3_3;
+  const T gp3_2 = E3_12 * gt3_1 + E3_22 * gt3_2 + E3_32 * gt3_3;
+  const T gp3_3 = E3_23 * gt3_2 - minus_E3_13 * gt3_1 + E3_33 * gt3_3;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T b3_8 = E3_11 * H3_11 + E3_21 * H3_21 + E3_31 * H3_31;
+  const T b3_9 = E3_31 * H3_32 - (E3_11 * minus_H3_12 + E3_21 * minus_H3_22);
+  const T b3_10 = E3_11 * H3_13 + E3_21 * H3_23 + E3_31 * H3_33;
+  const T Hp3_11 = b3_8 * E3_11 + b3_9 * E3_21 + b3_10 * E3_31;
+  const T Hp3_12 = b3_8 * E3_12 + b3_9 * E3_22 + b3_10 * E3_32;
+  const T Hp3_13 = b3_9 * E3_23 - b3_8 * minus_E3_13 + b3_10 * E3_33;
+  const T b3_11 = E3_12 * H3_11 + E3_22 * H3_21 + E3_32 * H3_31;
+  const T b3_12 = E3_32 * H3_32 - (E3_12 * minus_H3_12 + E3_22 * minus_H3_22);
+  const T b3_13 = E3_12 * H3_13 + E3_22 * H3_23 + E3_32 * H3_33;
+  const T Hp3_21 = b3_11 * E3_11 + b3_12 * E3_21 + b3_13 * E3_31;
+  const T Hp3_22 = b3_11 * E3_12 + b3_12 * E3_22 + b3_13 * E3_32;
+  const T Hp3_23 = b3_12 * E3_23 - b3_11 * minus_E3_13 + b3_13 * E3_33;
+  const T b3_14 = E3_23 * H3_21 - minus_E3_13 * H3_11 + E3_33 * H3_31;
+  const T b3_15 = minus_E3_13 * minus_H3_12 - E3_23 * minus_H3_22 + E3_33 * H3_32;
+  const T b3_16 = E3_23 * H3_23 - minus_E3_13 * H3_13 + E3_33 * H3_33;
+  const T Hp3_31 = b3_14 * E3_11 + b3_15 * E3_21 + b3_16 * E3_31;
+  const T Hp3_32 = b3_14 * E3_12 + b3_15 * E3_22 + b3_16 * E3_32;
+  const T Hp3_33 = b3_15 * E3_23 - b3_14 * minus_E3_13 + b3_16 * E3_33;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_17 = E3_11 * J3_11 - E3_21 * minus_J3_12 + E3_31 * J3_13;
+  const T b3_18 = E3_21 * J3_22 - E3_11 * minus_J3_12 - E3_31 * minus_J3_23;
+  const T b3_19 = E3_11 * J3_13 - E3_21 * minus_J3_23 + E3_31 * J3_33;
+  const T Jp3_11 = b3_17 * E3_11 + b3_18 * E3_21 + b3_19 * E3_31;
+  const T Jp3_12 = b3_17 * E3_12 + b3_18 * E3_22 + b3_19 * E3_32;
+  const T Jp3_13 = b3_18 * E3_23 - b3_17 * minus_E3_13 + b3_19 * E3_33;
+  const T b3_20 = E3_12 * J3_11 - E3_22 * minus_J3_12 + E3_32 * J3_13;
+  const T b3_21 = E3_22 * J3_22 - E3_12 * minus_J3_12 - E3_32 * minus_J3_23;
+  const T b3_22 = E3_12 * J3_13 - E3_22 * minus_J3_23 + E3_32 * J3_33;
+  const T Jp3_22 = b3_20 * E3_12 + b3_21 * E3_22 + b3_22 * E3_32;
+  const T Jp3_23 = b3_21 * E3_23 - b3_20 * minus_E3_13 + b3_22 * E3_33;
+  const T Jp3_33 = J3_11 + J3_22 + J3_33 - Jp3_11 - Jp3_22;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_1 = E3_11 * nt3_1 + E3_21 * nt3_2 + E3_31 * nt3_3;
+  const T np3_2 = E3_12 * nt3_1 + E3_22 * nt3_2 + E3_32 * nt3_3;
+  const T np3_3 = E3_23 * nt3_2 - minus_E3_13 * nt3_1 + E3_33 * nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T b3_23 = T(0.1) * Mp3_12;
+  const T Hb3_11 = Hp3_11 - b3_23;
+  const T Hb3_12 = Hp3_12 - T(0.1) * Mp3_22;
+  const T Hb3_13 = Hp3_13 - T(0.1) * Mp3_23;
+  const T Hb3_21 = T(0.1) * Mp3_11 - T(0.3) * Mp3_13 + Hp3_21;
+  const T b3_24 = T(0.3) * Mp3_23;
+  const T Hb3_22 = b3_23 - b3_24 + Hp3_22;
+  const T Hb3_23 = T(0.1) * Mp3_13 - T(0.3) * Mp3_33 + Hp3_23;
+  const T Hb3_31 = T(0.3) * Mp3_12 + Hp3_31;
+  const T Hb3_32 = T(0.3) * Mp3_22 + Hp3_32;
+  const T Hb3_33 = b3_24 + Hp3_33;
 
   // ---- body 2 (clapper) and what it carries
-  // f_omega2 = r2~ R2 G2 + N2: Kane's equation of omega [N m]
-  const T minus_f_omega2_1 = T(0.2) * (R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3) + T(0.02) *
-      (R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3) + minus_N2_1;
-  const T b2_1 = R2_11 * minus_G2_1 + R2_12 * minus_G2_2 + R2_13 * minus_G2_3;
-  const T f_omega2_2 = T(0.2) * b2_1 - minus_N2_2;
-  const T f_omega2_3 = T(0.02) * b2_1 - minus_N2_3;
+  // n2 = r2~ G2 + N2: moment that drives it, body axes [N m]
+  const T minus_n2_1 = T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3 + minus_N2_1;
+  const T n2_2 = T(0.2) * minus_G2_1 - minus_N2_2;
+  const T n2_3 = T(0.02) * minus_G2_1 - minus_N2_3;
+  // w_2 = D(LD2)^-1 L(LD2)^-1 n2: D^-1 L^-1 n
+  const T minus_w_2_1 = T(23.62948960302457) * minus_n2_1;
+  const T w_2_2 = T(23.25581395348837) * n2_2;
+  const T w_2_3 = T(244.9863263445761) * (n2_3 - T(0.07441860465116279) * n2_2);
+  // gb2 = G2 - Y2^T w_2: force with the ball solved [N]
+  const T gb2_1 = T(0.16000000000000003) * w_2_2 + T(0.004093023255813953) * w_2_3 - minus_G2_1;
+  const T gb2_2 = T(0.16000000000000003) * minus_w_2_1 - minus_G2_2;
+  const T gb2_3 = T(0.016) * minus_w_2_1 - minus_G2_3;
+  // Mb2 = C2^T M2 C2: M of the joint, lower body's axes
+  const T b2_1 = C2_11 * T(0.20054694621695532);
+  const T b2_2 = C2_21 * T(0.19508506616257087) - C2_31 * T(0.06049149338374291);
+  const T b2_3 = C2_31 * T(0.7939508506616257) - C2_21 * T(0.06049149338374291);
+  const T Mb2_11 = b2_1 * C2_11 + b2_2 * C2_21 + b2_3 * C2_31;
+  const T Mb2_12 = b2_1 * C2_12 + b2_2 * C2_22 + b2_3 * C2_32;
+  const T Mb2_13 = b2_1 * C2_13 + b2_2 * C2_23 + b2_3 * C2_33;
+  const T b2_4 = C2_12 * T(0.20054694621695532);
+  const T b2_5 = C2_22 * T(0.19508506616257087) - C2_32 * T(0.06049149338374291);
+  const T b2_6 = C2_32 * T(0.7939508506616257) - C2_22 * T(0.06049149338374291);
+  const T Mb2_22 = b2_4 * C2_12 + b2_5 * C2_22 + b2_6 * C2_32;
+  const T Mb2_23 = b2_4 * C2_13 + b2_5 * C2_23 + b2_6 * C2_33;
+  const T Mb2_33 = T(1.189582863041152) - Mb2_11 - Mb2_22;
+  // Hb2 = q2~ Mb2: H of the joint at the lower body's origin, its axes
+  const T b2_7 = T(0.2) * Mb2_12;
+  const T b2_8 = T(0.1) * Mb2_13;
+  const T Hb2_11 = b2_7 + b2_8;
+  const T b2_9 = T(0.2) * Mb2_22;
+  const T Hb2_12 = b2_9 + T(0.1) * Mb2_23;
+  const T b2_10 = T(0.2) * Mb2_23;
+  const T Hb2_13 = b2_10 + T(0.1) * Mb2_33;
+  const T b2_11 = T(0.2) * Mb2_13;
+  const T minus_Hb2_21 = T(0.2) * Mb2_11 + b2_11;
+  const T minus_Hb2_22 = b2_7 + b2_10;
+  const T minus_Hb2_23 = b2_11 + T(0.2) * Mb2_33;
+  const T Hb2_31 = b2_7 - T(0.1) * Mb2_11;
+  const T Hb2_32 = b2_9 - T(0.1) * Mb2_12;
+  const T Hb2_33 = b2_10 - b2_8;
 
   // ---- body 1 (hull) and what it carries
-  // S1 = R1 G2 + R1 G10 + E3^T S3 + E4a^T S4a + E5a^T S5a + E8^T S8 + G1: sum of the force balances of the subtree,
-  //   body axes [N]
-  const T b1_1 = E3_11 * S3_1 + E3_21 * S3_2 - E3_31 * minus_S3_3;
-  const T b1_2 = R1_11 * minus_G2_1 + R1_12 * minus_G2_2 + R1_13 * minus_G2_3;
-  const T b1_3 = R1_11 * minus_G10_1 + R1_12 * minus_G10_2 + R1_13 * minus_G10_3;
-  const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
-  const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
-  const T S1_1 = b1_1 - (b1_2 + b1_3) + b1_4 + b1_5 + b1_6 + G1_1;
-  const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
-  const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
-  const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
-  const T b1_10 = E4a_23 * S4a_3 - (minus_E4a_12 * S4a_1 + E4a_22 * minus_S4a_2);
-  const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - (b1_8 + b1_9) + b1_10 + b1_11 - minus_S8_2 + G1_2;
-  const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
-  const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
-  const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
-  const T b1_15 = E4a_33 * S4a_3 - (minus_E4a_13 * S4a_1 + E4a_23 * minus_S4a_2);
-  const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
-  const T S1_3 = b1_12 - (b1_13 + b1_14) + b1_15 + S5a_3 + b1_16 + G1_3;
-  // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
-  //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
-  const T b1_17 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 - (b1_17 + T(0.1) * b1_13 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
-      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
-      * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
-  const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_13 + T(0.1) * b1_1 - T(0.3) * b1_12 + E3_12 * rho3_1 + E3_22 *
-      rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
-      b1_14 - T(0.3) * b1_3 + N1_2;
-  const T f_omega1_3 = T(0.1) * b1_2 - b1_17 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
-      - T(0.2) * b1_10 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
-      T(0.1) * b1_9 - minus_N1_3;
-  // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
-  //   moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_18 = minus_hc5a_2 + c.c1_2;
-  const T b1_19 = minus_h8_2 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_18 - b1_19 + hc3_2 + hc4a_2;
-  const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
-  // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
-  //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
-  //   d8~ - hc8~) d8~ + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_20 = E3_11 * T(0.04165) - E3_21 * T(0.004) + E3_31 * J3_13;
-  const T b1_21 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
-  const T b1_22 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
-  const T b1_23 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + ((hc5_3 + c.c1_1) * T(0.1) + (hc3_3 + T(0.2)) * T(0.1));
-  const T b1_24 = b1_18 * T(0.3) - d8_2 * minus_h8_2 - (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) +
-      hc4a_2) * T(0.1)));
-  const T b1_25 = minus_E4a_12 * J4a_12;
-  const T b1_26 = minus_E4a_13 * J4a_13;
-  const T b1_27 = E4a_11 * J4a_11 + b1_25 + b1_26;
-  const T b1_28 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
-  const T b1_29 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_30 = T(0.3) * minus_hc5a_2;
-  const T b1_31 = E5a_12 * minus_J5a_12;
-  const T b1_32 = E5a_11 * c.J5_11 + b1_31;
-  const T b1_33 = E5a_11 * minus_J5a_12;
-  const T b1_34 = b1_33 + E5a_12 * J5a_22;
-  const T b1_35 = E8_13 * J8_13;
-  const T b1_36 = E8_11 * J8_11 - b1_35;
-  const T b1_37 = E8_11 * J8_13;
-  const T b1_38 = b1_37 - E8_13 * J8_33;
-  const T b1_39 = s10 * s10;
-  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 + b1_24 + b1_27 * E4a_11 + b1_28 *
-      minus_E4a_12 + b1_29 * minus_E4a_13 + b1_30 + b1_32 * E5a_11 + b1_34 * E5a_12 + b1_36 * E8_11 - b1_38 * E8_13 +
-      T(0.648) + T(0.4) * (T(0.09) + b1_39);
-  const T b1_40 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
-  const T b1_41 = hc4a_1 - T(0.18000000000000002);
-  const T J1_21 = b1_20 * E3_12 + b1_21 * E3_22 + b1_22 * E3_32 - T(0.3) * hc3_2 + T(0.2) * hc4a_2 + b1_28 * E4a_22 -
-      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 - b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
-      b1_41 * T(0.1) - s10 * T(0.1) * T(0.4) + T(0.3) * hc5a_1;
-  const T b1_42 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
-  const T b1_43 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
-  const T b1_44 = E3_12 * J3_13 - E3_22 * T(0.003) + E3_32 * J3_33;
-  const T b1_45 = hc3_1 + T(0.6);
-  const T b1_46 = T(0.3) * hc3_1 - T(0.2) * hc4a_1 - (b1_41 * T(0.2) - b1_45 * T(0.3));
-  const T b1_47 = E4a_23 * J4a_23;
-  const T b1_48 = E4a_22 * J4a_22 - b1_25 + b1_47;
-  const T b1_49 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
-  const T b1_50 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
-  const T J1_22 = b1_42 * E3_12 + b1_43 * E3_22 + b1_44 * E3_32 + b1_23 + b1_46 + b1_48 * E4a_22 - b1_49 *
-      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5_11 - b1_33) * E5a_12 + (E5a_11 * J5a_22 - b1_31) * E5a_11 +
-      T(0.61738);
-  const T b1_51 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
-  const T J1_31 = b1_21 * E3_23 - b1_20 * minus_E3_13 + b1_22 * E3_33 - T(0.3) * hc3_3 + T(0.2) * hc4a_3 + b1_28 *
-      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_36 * E8_13 + b1_38 * E8_11 + T(0.005200000000000004)
-      - b1_45 * T(0.1);
-  const T b1_52 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_53 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
-  const T J1_32 = b1_43 * E3_23 - b1_42 * minus_E3_13 + b1_44 * E3_33 - T(0.1) * hc4a_3 + b1_48 * E4a_23 - b1_49 *
-      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
-      T(0.1) - T(0.1) * hc3_2;
-  const T b1_54 = J5a_33 + b1_30;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
-      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
-      E3_33 + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
-      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
-      (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
-      T(0.010000000000000002));
-  // B_thetadot11_1 = E8^T B_thetadot11_8
-  const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
-  const T minus_B_thetadot11_1_3 = E8_13 * hc11_3 + E8_11 * minus_hc11_1;
-  // K_thetadot11_1 = E8^T K_thetadot11_8 + d8~ E8^T B_thetadot11_8
-  const T K_thetadot11_1_1 = E8_11 * K_thetadot11_8_1 - E8_13 * K_thetadot11_8_3 - d8_2 * minus_B_thetadot11_1_3;
-  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_3 - d8_2 * B_thetadot11_1_1;
-  // B_sdot6_1 = E3^T B_sdot6_3
-  const T B_sdot6_1_1 = E3_11 * T(0.5);
-  const T B_sdot6_1_2 = E3_12 * T(0.5);
-  const T minus_B_sdot6_1_3 = minus_E3_13 * T(0.5);
-  // K_sdot6_1 = q3~ E3^T B_sdot6_3 + E3^T K_sdot6_3
-  const T K_sdot6_1_1 = E3_21 * T(0.005) - T(0.1) * B_sdot6_1_2;
-  const T K_sdot6_1_2 = T(0.1) * B_sdot6_1_1 + T(0.3) * minus_B_sdot6_1_3 + E3_22 * T(0.005);
-  const T K_sdot6_1_3 = T(0.3) * B_sdot6_1_2 + E3_23 * T(0.005);
-  // K_thetadot5_1_1 = q5a~ E5a^T B_thetadot5_1_5a + E5a^T K_thetadot5_1_5a
-  const T K_thetadot5_1_1_2 = T(0.1) * minus_hc5a_2 + b1_52;
-  // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
-  const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_2 = minus_E4a_12 * minus_B_thetadot4_2_4a_1 + E4a_22 * B_thetadot4_2_4a_2 + E4a_23 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_3 = minus_E4a_13 * minus_B_thetadot4_2_4a_1 + E4a_23 * B_thetadot4_2_4a_2 + E4a_33 *
-      B_thetadot4_2_4a_3;
-  // K_thetadot4_2_1 = q4a~ E4a^T B_thetadot4_2_4a + E4a^T K_thetadot4_2_4a
-  const T K_thetadot4_2_1_1 = T(0.1) * B_thetadot4_2_1_3 + minus_E4a_12 * T(0.016137600000000002) + minus_E4a_13 *
-      T(0.004706800000000001);
-  const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
-      T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
-      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
-  // B_thetadot4_1_1 = E4a^T B_thetadot4_1_4a
-  const T B_thetadot4_1_1_1 = E4a_11 * B_thetadot4_1_4a_1 - minus_E4a_12 * minus_B_thetadot4_1_4a_2 - minus_E4a_13 *
-      minus_B_thetadot4_1_4a_3;
-  const T minus_B_thetadot4_1_1_2 = minus_E4a_12 * B_thetadot4_1_4a_1 + E4a_22 * minus_B_thetadot4_1_4a_2 + E4a_23 *
-      minus_B_thetadot4_1_4a_3;
-  const T minus_B_thetadot4_1_1_3 = minus_E4a_13 * B_thetadot4_1_4a_1 + E4a_23 * minus_B_thetadot4_1_4a_2 + E4a_33 *
-      minus_B_thetadot4_1_4a_3;
-  // K_thetadot4_1_1 = q4a~ E4a^T B_thetadot4_1_4a + E4a^T K_thetadot4_1_4a
-  const T K_thetadot4_1_1_1 = E4a_11 * K_thetadot4_1_4a_1 + minus_E4a_12 * K_thetadot4_1_4a_2 + minus_E4a_13 *
-      K_thetadot4_1_4a_3 - T(0.1) * minus_B_thetadot4_1_1_3;
-  const T K_thetadot4_1_1_2 = E4a_22 * K_thetadot4_1_4a_2 - minus_E4a_12 * K_thetadot4_1_4a_1 + E4a_23 *
-      K_thetadot4_1_4a_3 - T(0.2) * minus_B_thetadot4_1_1_3;
-  const T K_thetadot4_1_1_3 = T(0.2) * minus_B_thetadot4_1_1_2 - T(0.1) * B_thetadot4_1_1_1 + E4a_23 *
-      K_thetadot4_1_4a_2 - minus_E4a_13 * K_thetadot4_1_4a_1 + E4a_33 * K_thetadot4_1_4a_3;
-  // B_thetadot3_1 = E3^T B_thetadot3_3
-  const T B_thetadot3_1_1 = E3_21 * B_thetadot3_3_2 - E3_11 * T(0.02294632949694536) - E3_31 * minus_B_thetadot3_3_3;
-  const T B_thetadot3_1_2 = E3_22 * B_thetadot3_3_2 - E3_12 * T(0.02294632949694536) - E3_32 * minus_B_thetadot3_3_3;
-  const T B_thetadot3_1_3 = minus_E3_13 * T(0.02294632949694536) + E3_23 * B_thetadot3_3_2 - E3_33 *
-      minus_B_thetadot3_3_3;
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = E3_11 * K_thetadot3_3_1 + E3_21 * K_thetadot3_3_2 + E3_31 * K_thetadot3_3_3 - T(0.1) *
-      B_thetadot3_1_2;
-  const T K_thetadot3_1_2 = T(0.1) * B_thetadot3_1_1 - T(0.3) * B_thetadot3_1_3 + E3_12 * K_thetadot3_3_1 + E3_22 *
-      K_thetadot3_3_2 + E3_32 * K_thetadot3_3_3;
-  const T K_thetadot3_1_3 = T(0.3) * B_thetadot3_1_2 + E3_23 * K_thetadot3_3_2 - minus_E3_13 * K_thetadot3_3_1 + E3_33
-      * K_thetadot3_3_3;
-  // D_omegadot1: pivots of L D L^T
-  const T b1_55 = K_thetadot11_1_1 * T(1515.1515151515152);
-  const T b1_56 = C1_10_32 * T(0.012) + C1_10_33 * T(0.004);
-  const T b1_57 = T(0.3) * b10_5 - s10 * b1_56;
-  const T b1_58 = b1_57 * T(416.6666666666667);
-  const T b1_59 = C1_10_31 * T(0.012) + C1_10_33 * T(0.008);
-  const T b1_60 = b1_58 * T(8e-05) + s10 * b1_59 - T(0.3) * b10_7;
-  const T b1_61 = b1_60 * T(284.30629264594387);
-  const T b1_62 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T b1_63 = T(0.3) * b10_4 - s10 * b1_62 + b1_58 * T(0.00024) + b1_61 * T(0.000128);
-  const T b1_64 = b1_63 * T(374.3436923513552);
-  const T b1_65 = b1_58 * b10_5 - T(0.12) + b1_61 * b10_8 + b1_64 * b10_10;
-  const T b1_66 = T(1) / D_sddot10;
-  const T b1_67 = b1_65 * b1_66;
-  const T b1_68 = b1_40 - b1_55 * T(0.0006299999999999999);
-  const T b1_69 = b1_68 * T(420.4089432447927);
-  const T b1_70 = b1_69 * T(0.0028636363636363638) - (minus_hc8_3 + b1_55 * T(0.003));
-  const T b1_71 = b1_70 * T(1.0173808227700445);
-  const T b1_72 = K_sdot6_1_1 * T(2);
-  const T b1_73 = T(1) / J5a_33;
-  const T b1_74 = b1_51 * b1_73;
-  const T b1_75 = K_thetadot4_2_1_1 * T(59.4883997620464);
-  const T b1_76 = T(1) / D_thetaddot4_1;
-  const T b1_77 = K_thetadot4_1_1_1 * b1_76;
-  const T b1_78 = K_thetadot3_1_1 - b1_72 * T(0.002218939466028826);
-  const T b1_79 = T(1) / D_thetaddot3;
-  const T b1_80 = b1_78 * b1_79;
-  const T b1_81 = C1_2_22 * T(0.16000000000000003) + C1_2_23 * T(0.016);
-  const T b1_82 = T(0.2) * b1_81;
-  const T b1_83 = C1_2_32 * T(0.16000000000000003) + C1_2_33 * T(0.016);
-  const T b1_84 = b1_82 + T(0.1) * b1_83;
-  const T b1_85 = b1_84 * T(23.62948960302457);
-  const T b1_86 = C1_2_21 * T(0.16000000000000003);
-  const T b1_87 = T(0.2) * b1_86;
-  const T b1_88 = C1_2_31 * T(0.16000000000000003);
-  const T b1_89 = b1_87 + T(0.1) * b1_88;
-  const T b1_90 = b1_89 * T(23.25581395348837);
-  const T b1_91 = C1_2_21 * T(0.016);
-  const T b1_92 = T(0.2) * b1_91;
-  const T b1_93 = C1_2_31 * T(0.016);
-  const T b1_94 = b1_90 * T(0.0032000000000000006) - (b1_92 + T(0.1) * b1_93);
-  const T b1_95 = b1_94 * T(244.9863263445761);
-  const T D_omegadot1_1 = J1_11 - b1_55 * K_thetadot11_1_1 - b1_58 * b1_57 - b1_61 * b1_60 - b1_64 * b1_63 - b1_67 *
-      b1_65 - b1_69 * b1_68 - b1_71 * b1_70 - b1_72 * K_sdot6_1_1 - b1_74 * b1_51 - b1_75 * K_thetadot4_2_1_1 - b1_77
-      * K_thetadot4_1_1_1 - b1_80 * b1_78 - b1_85 * b1_84 - b1_90 * b1_89 - b1_95 * b1_94;
-  const T b1_96 = C1_10_12 * T(0.012) + C1_10_13 * T(0.004);
-  const T b1_97 = T(0.1) * b1_56 - T(0.3) * b1_96;
-  const T b1_98 = b1_97 * T(416.6666666666667);
-  const T b1_99 = C1_10_11 * T(0.012) + C1_10_13 * T(0.008);
-  const T b1_100 = b1_98 * T(8e-05) + T(0.3) * b1_99 - T(0.1) * b1_59;
-  const T b1_101 = b1_100 * T(284.30629264594387);
-  const T b1_102 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T b1_103 = T(0.1) * b1_62 - T(0.3) * b1_102 + b1_98 * T(0.00024) + b1_101 * T(0.000128);
-  const T b1_104 = b1_103 * T(374.3436923513552);
-  const T b1_105 = b1_98 * b10_5 + b1_101 * b10_8 + b1_104 * b10_10;
-  const T b1_106 = b1_105 * b1_66;
-  const T b1_107 = K_sdot6_1_2 * T(2);
-  const T b1_108 = K_thetadot5_1_1_2 * b1_73;
-  const T b1_109 = K_thetadot4_2_1_2 * T(59.4883997620464);
-  const T b1_110 = K_thetadot4_1_1_2 * b1_76;
-  const T b1_111 = K_thetadot3_1_2 - b1_107 * T(0.002218939466028826);
-  const T b1_112 = b1_111 * b1_79;
-  const T b1_113 = C1_2_12 * T(0.16000000000000003) + C1_2_13 * T(0.016);
-  const T b1_114 = T(0.2) * b1_113 + T(0.2) * b1_83;
-  const T b1_115 = b1_114 * T(23.62948960302457);
-  const T b1_116 = C1_2_11 * T(0.16000000000000003);
-  const T b1_117 = T(0.2) * b1_116 + T(0.2) * b1_88;
-  const T b1_118 = b1_117 * T(23.25581395348837);
-  const T b1_119 = C1_2_11 * T(0.016);
-  const T b1_120 = T(0.2) * b1_119 + T(0.2) * b1_93 - b1_118 * T(0.0032000000000000006);
-  const T b1_121 = b1_120 * T(244.9863263445761);
-  const T b1_122 = J1_21 + T(0.9545454545454546) * K_thetadot11_1_1 - b1_98 * b1_57 - b1_101 * b1_60 - b1_104 * b1_63
-      - b1_106 * b1_65 + b1_68 - b1_107 * K_sdot6_1_1 + b1_108 * b1_51 - b1_109 * K_thetadot4_2_1_1 - b1_110 *
-      K_thetadot4_1_1_1 - b1_112 * b1_78 + b1_115 * b1_84 + b1_118 * b1_89 - b1_121 * b1_94;
-  const T b1_123 = T(1) / D_omegadot1_1;
-  const T b1_124 = b1_122 * b1_123;
-  const T D_omegadot1_2 = J1_22 - T(0.00298) - b1_98 * b1_97 - b1_101 * b1_100 - b1_104 * b1_103 - b1_106 * b1_105 -
-      b1_107 * K_sdot6_1_2 - b1_108 * K_thetadot5_1_1_2 - b1_109 * K_thetadot4_2_1_2 - b1_110 * K_thetadot4_1_1_2 -
-      b1_112 * b1_111 - b1_115 * b1_114 - b1_118 * b1_117 - b1_121 * b1_120 - b1_124 * b1_122;
-  const T b1_125 = K_thetadot11_1_3 * T(1515.1515151515152);
-  const T b1_126 = s10 * b1_96 - T(0.1) * b10_5;
-  const T b1_127 = b1_126 * T(416.6666666666667);
-  const T b1_128 = b1_127 * T(8e-05) + T(0.1) * b10_7 - s10 * b1_99;
-  const T b1_129 = b1_128 * T(284.30629264594387);
-  const T b1_130 = s10 * b1_102 - T(0.1) * b10_4 + b1_127 * T(0.00024) + b1_129 * T(0.000128);
-  const T b1_131 = b1_130 * T(374.3436923513552);
-  const T b1_132 = T(0.04000000000000001) + b1_127 * b10_5 + b1_129 * b10_8 + b1_131 * b10_10;
-  const T b1_133 = b1_132 * b1_66;
-  const T b1_134 = b1_125 * T(0.0006299999999999999);
-  const T b1_135 = b1_53 - b1_134;
-  const T b1_136 = b1_135 * T(420.4089432447927);
-  const T b1_137 = minus_hc8_1 - b1_125 * T(0.003) + b1_136 * T(0.0028636363636363638);
-  const T b1_138 = b1_137 * T(1.0173808227700445);
-  const T b1_139 = K_sdot6_1_3 * T(2);
-  const T b1_140 = b1_54 * b1_73;
-  const T b1_141 = K_thetadot4_2_1_3 * T(59.4883997620464);
-  const T b1_142 = K_thetadot4_1_1_3 * b1_76;
-  const T b1_143 = K_thetadot3_1_3 - b1_139 * T(0.002218939466028826);
-  const T b1_144 = b1_143 * b1_79;
-  const T b1_145 = T(0.1) * b1_113 - b1_82;
-  const T b1_146 = b1_145 * T(23.62948960302457);
-  const T b1_147 = b1_87 - T(0.1) * b1_116;
-  const T b1_148 = b1_147 * T(23.25581395348837);
-  const T b1_149 = T(0.1) * b1_119 - b1_92 + b1_148 * T(0.0032000000000000006);
-  const T b1_150 = b1_149 * T(244.9863263445761);
-  const T b1_151 = J1_31 - b1_125 * K_thetadot11_1_1 - b1_127 * b1_57 - b1_129 * b1_60 - b1_131 * b1_63 - b1_133 *
-      b1_65 - b1_136 * b1_68 - b1_138 * b1_70 - b1_139 * K_sdot6_1_1 + b1_140 * b1_51 - b1_141 * K_thetadot4_2_1_1 -
-      b1_142 * K_thetadot4_1_1_1 - b1_144 * b1_78 + b1_146 * b1_84 - b1_148 * b1_89 - b1_150 * b1_94;
-  const T b1_152 = b1_151 * b1_123;
-  const T b1_153 = J1_32 + b1_134 - b1_127 * b1_97 - b1_129 * b1_100 - b1_131 * b1_103 - b1_133 * b1_105 + b1_136 *
-      T(0.0023786363636363636) - b1_139 * K_sdot6_1_2 - b1_140 * K_thetadot5_1_1_2 - b1_141 * K_thetadot4_2_1_2 -
-      b1_142 * K_thetadot4_1_1_2 - b1_144 * b1_111 - b1_146 * b1_114 + b1_148 * b1_117 - b1_150 * b1_120 - b1_152 *
-      b1_122;
-  const T b1_154 = T(1) / D_omegadot1_2;
-  const T b1_155 = b1_153 * b1_154;
-  const T D_omegadot1_3 = J1_33 - b1_125 * K_thetadot11_1_3 - b1_127 * b1_126 - b1_129 * b1_128 - b1_131 * b1_130 -
-      b1_133 * b1_132 - b1_136 * b1_135 - b1_138 * b1_137 - b1_139 * K_sdot6_1_3 - b1_140 * b1_54 - b1_141 *
-      K_thetadot4_2_1_3 - b1_142 * K_thetadot4_1_1_3 - b1_144 * b1_143 - b1_146 * b1_145 - b1_148 * b1_147 - b1_150 *
-      b1_149 - b1_152 * b1_151 - b1_155 * b1_153;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_156 = B_thetadot11_1_1 * T(1515.1515151515152);
-  const T b1_157 = b1_96 * T(416.6666666666667);
-  const T b1_158 = b1_157 * T(8e-05) - b1_99;
-  const T b1_159 = b1_158 * T(284.30629264594387);
-  const T b1_160 = b1_157 * T(0.00024) + b1_102 + b1_159 * T(0.000128);
-  const T b1_161 = b1_160 * T(374.3436923513552);
-  const T b1_162 = b1_161 * b10_10 + b1_157 * b10_5 + b1_159 * b10_8;
-  const T b1_163 = b1_162 * b1_66;
-  const T b1_164 = b1_156 * T(0.0006299999999999999);
-  const T b1_165 = minus_hc8_3 - b1_164;
-  const T b1_166 = b1_165 * T(420.4089432447927);
-  const T b1_167 = b1_166 * T(0.0028636363636363638) - b1_156 * T(0.003);
-  const T b1_168 = b1_167 * T(1.0173808227700445);
-  const T b1_169 = B_sdot6_1_1 * T(2);
-  const T b1_170 = minus_hc5a_2 * b1_73;
-  const T b1_171 = B_thetadot4_2_1_1 * T(59.4883997620464);
-  const T b1_172 = B_thetadot4_1_1_1 * b1_76;
-  const T b1_173 = B_thetadot3_1_1 - b1_169 * T(0.002218939466028826);
-  const T b1_174 = b1_173 * b1_79;
-  const T b1_175 = b1_113 * T(23.62948960302457);
-  const T b1_176 = b1_116 * T(23.25581395348837);
-  const T b1_177 = b1_176 * T(0.0032000000000000006) - b1_119;
-  const T b1_178 = b1_177 * T(244.9863263445761);
-  const T b1_179 = b1_157 * b1_57 - b1_156 * K_thetadot11_1_1 + b1_159 * b1_60 + b1_161 * b1_63 + b1_163 * b1_65 -
-      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 + b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
-      K_thetadot4_1_1_1 - b1_174 * b1_78 - b1_175 * b1_84 - b1_176 * b1_89 - b1_178 * b1_94;
-  const T b1_180 = b1_179 * b1_123;
-  const T b1_181 = h1_3 + b1_164 + b1_157 * b1_97 + b1_159 * b1_100 + b1_161 * b1_103 + b1_163 * b1_105 + b1_166 *
-      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 - b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
-      b1_172 * K_thetadot4_1_1_2 - b1_174 * b1_111 + b1_175 * b1_114 + b1_176 * b1_117 - b1_178 * b1_120 - b1_180 *
-      b1_122;
-  const T b1_182 = b1_181 * b1_154;
-  const T b1_183 = h1_2 + b1_156 * K_thetadot11_1_3 - b1_157 * b1_126 - b1_159 * b1_128 - b1_161 * b1_130 - b1_163 *
-      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 + b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
-      + b1_172 * K_thetadot4_1_1_3 + b1_174 * b1_143 - b1_175 * b1_145 + b1_176 * b1_147 + b1_178 * b1_149 + b1_180 *
-      b1_151 + b1_182 * b1_153;
-  const T b1_184 = T(1) / D_omegadot1_3;
-  const T b1_185 = b1_183 * b1_184;
-  const T D_Pddot1_1 = c.m_sub1 - b1_156 * B_thetadot11_1_1 - b1_157 * b1_96 - b1_159 * b1_158 - b1_161 * b1_160 -
-      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * minus_hc5a_2 - b1_171 *
-      B_thetadot4_2_1_1 - b1_172 * B_thetadot4_1_1_1 - b1_174 * b1_173 - b1_175 * b1_113 - b1_176 * b1_116 - b1_178 *
-      b1_177 - b1_180 * b1_179 - b1_182 * b1_181 - b1_185 * b1_183;
-  const T b1_186 = D_sddot10 * b1_66;
-  const T b1_187 = B_sdot6_1_2 * T(2);
-  const T b1_188 = hc5a_1 * b1_73;
-  const T b1_189 = B_thetadot4_2_1_2 * T(59.4883997620464);
-  const T b1_190 = minus_B_thetadot4_1_1_2 * b1_76;
-  const T b1_191 = B_thetadot3_1_2 - b1_187 * T(0.002218939466028826);
-  const T b1_192 = b1_191 * b1_79;
-  const T b1_193 = b1_81 * T(23.62948960302457);
-  const T b1_194 = b1_86 * T(23.25581395348837);
-  const T b1_195 = b1_194 * T(0.0032000000000000006) - b1_91;
-  const T b1_196 = b1_195 * T(244.9863263445761);
-  const T b1_197 = h1_3 - T(4.545454545454546) * K_thetadot11_1_1 - b10_6 * b1_57 - b10_9 * b1_60 - b10_11 * b1_63 +
-      b1_186 * b1_65 + T(1.2038983374737244) * b1_68 - b1_70 + b1_187 * K_sdot6_1_1 - b1_188 * b1_51 + b1_189 *
-      K_thetadot4_2_1_1 - b1_190 * K_thetadot4_1_1_1 + b1_192 * b1_78 + b1_193 * b1_84 + b1_194 * b1_89 + b1_196 *
-      b1_94;
-  const T b1_198 = b1_197 * b1_123;
-  const T b1_199 = b10_6 * b1_97 - T(4.81482486096809e-35) + b10_9 * b1_100 + b10_11 * b1_103 - b1_186 * b1_105 -
-      b1_187 * K_sdot6_1_2 - b1_188 * K_thetadot5_1_1_2 - b1_189 * K_thetadot4_2_1_2 + b1_190 * K_thetadot4_1_1_2 -
-      b1_192 * b1_111 + b1_193 * b1_114 + b1_194 * b1_117 - b1_196 * b1_120 + b1_198 * b1_122;
-  const T b1_200 = b1_199 * b1_154;
-  const T b1_201 = h1_1 + T(4.545454545454546) * K_thetadot11_1_3 + b10_6 * b1_126 + b10_9 * b1_128 + b10_11 * b1_130
-      - b1_186 * b1_132 - T(1.2038983374737244) * b1_135 + b1_137 - b1_187 * K_sdot6_1_3 - b1_188 * b1_54 - b1_189 *
-      K_thetadot4_2_1_3 + b1_190 * K_thetadot4_1_1_3 - b1_192 * b1_143 + b1_193 * b1_145 - b1_194 * b1_147 - b1_196 *
-      b1_149 + b1_198 * b1_151 - b1_200 * b1_153;
-  const T b1_202 = b1_201 * b1_184;
-  const T b1_203 = T(4.545454545454546) * B_thetadot11_1_1 - b10_6 * b1_96 - b10_9 * b1_158 - b10_11 * b1_160 + b1_186
-      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 - b1_188 * minus_hc5a_2 - b1_189 *
-      B_thetadot4_2_1_1 + b1_190 * B_thetadot4_1_1_1 - b1_192 * b1_173 - b1_193 * b1_113 - b1_194 * b1_116 - b1_196 *
-      b1_177 + b1_198 * b1_179 - b1_200 * b1_181 + b1_202 * b1_183;
-  const T b1_204 = T(1) / D_Pddot1_1;
-  const T b1_205 = b1_203 * b1_204;
-  const T D_Pddot1_2 = c.c1_4 - b10_12 - b1_186 * D_sddot10 - T(0.9863636363636363) - b1_187 * B_sdot6_1_2 - b1_188 *
-      hc5a_1 - b1_189 * B_thetadot4_2_1_2 - b1_190 * minus_B_thetadot4_1_1_2 - b1_192 * b1_191 - b1_193 * b1_81 -
-      b1_194 * b1_86 - b1_196 * b1_195 - b1_198 * b1_197 - b1_200 * b1_199 - b1_202 * b1_201 - b1_205 * b1_203;
-  const T b1_206 = minus_B_thetadot11_1_3 * T(1515.1515151515152);
-  const T b1_207 = b1_56 * T(416.6666666666667);
-  const T b1_208 = b1_207 * T(8e-05) - b1_59;
-  const T b1_209 = b1_208 * T(284.30629264594387);
-  const T b1_210 = b1_207 * T(0.00024) + b1_62 + b1_209 * T(0.000128);
-  const T b1_211 = b1_210 * T(374.3436923513552);
-  const T b1_212 = b1_207 * b10_5 + b1_209 * b10_8 + b1_211 * b10_10;
-  const T b1_213 = b1_212 * b1_66;
-  const T b1_214 = b1_206 * T(0.0006299999999999999);
-  const T b1_215 = b1_214 - minus_hc8_1;
-  const T b1_216 = b1_215 * T(420.4089432447927);
-  const T b1_217 = b1_206 * T(0.003) + b1_216 * T(0.0028636363636363638);
-  const T b1_218 = b1_217 * T(1.0173808227700445);
-  const T b1_219 = minus_B_sdot6_1_3 * T(2);
-  const T b1_220 = B_thetadot4_2_1_3 * T(59.4883997620464);
-  const T b1_221 = minus_B_thetadot4_1_1_3 * b1_76;
-  const T b1_222 = B_thetadot3_1_3 + b1_219 * T(0.002218939466028826);
-  const T b1_223 = b1_222 * b1_79;
-  const T b1_224 = b1_83 * T(23.62948960302457);
-  const T b1_225 = b1_88 * T(23.25581395348837);
-  const T b1_226 = b1_225 * T(0.0032000000000000006) - b1_93;
-  const T b1_227 = b1_226 * T(244.9863263445761);
-  const T b1_228 = h1_2 + b1_206 * K_thetadot11_1_1 + b1_207 * b1_57 + b1_209 * b1_60 + b1_211 * b1_63 + b1_213 *
-      b1_65 - b1_216 * b1_68 - b1_218 * b1_70 + b1_219 * K_sdot6_1_1 - b1_220 * K_thetadot4_2_1_1 + b1_221 *
-      K_thetadot4_1_1_1 - b1_223 * b1_78 - b1_224 * b1_84 - b1_225 * b1_89 - b1_227 * b1_94;
-  const T b1_229 = b1_228 * b1_123;
-  const T b1_230 = h1_1 + b1_214 - b1_207 * b1_97 - b1_209 * b1_100 - b1_211 * b1_103 - b1_213 * b1_105 - b1_216 *
-      T(0.0023786363636363636) - b1_219 * K_sdot6_1_2 + b1_220 * K_thetadot4_2_1_2 - b1_221 * K_thetadot4_1_1_2 +
-      b1_223 * b1_111 - b1_224 * b1_114 - b1_225 * b1_117 + b1_227 * b1_120 + b1_229 * b1_122;
-  const T b1_231 = b1_230 * b1_154;
-  const T b1_232 = b1_206 * K_thetadot11_1_3 + b1_207 * b1_126 + b1_209 * b1_128 + b1_211 * b1_130 + b1_213 * b1_132 -
-      b1_216 * b1_135 - b1_218 * b1_137 + b1_219 * K_sdot6_1_3 - b1_220 * K_thetadot4_2_1_3 + b1_221 *
-      K_thetadot4_1_1_3 - b1_223 * b1_143 + b1_224 * b1_145 - b1_225 * b1_147 - b1_227 * b1_149 - b1_229 * b1_151 +
-      b1_231 * b1_153;
-  const T b1_233 = b1_232 * b1_184;
-  const T b1_234 = b1_206 * B_thetadot11_1_1 - b1_207 * b1_96 - b1_209 * b1_158 - b1_211 * b1_160 - b1_213 * b1_162 -
-      b1_216 * b1_165 - b1_218 * b1_167 + b1_219 * B_sdot6_1_1 - b1_220 * B_thetadot4_2_1_1 + b1_221 *
-      B_thetadot4_1_1_1 - b1_223 * b1_173 - b1_224 * b1_113 - b1_225 * b1_116 - b1_227 * b1_177 - b1_229 * b1_179 +
-      b1_231 * b1_181 + b1_233 * b1_183;
-  const T b1_235 = b1_234 * b1_204;
-  const T b1_236 = b1_213 * D_sddot10 - (b1_217 + b1_212) + b1_218 * T(0.9829161093063252) + b1_219 * B_sdot6_1_2 -
-      b1_220 * B_thetadot4_2_1_2 - b1_221 * minus_B_thetadot4_1_1_2 - b1_223 * b1_191 - b1_224 * b1_81 - b1_225 *
-      b1_86 - b1_227 * b1_195 + b1_229 * b1_197 + b1_231 * b1_199 - b1_233 * b1_201 - b1_235 * b1_203;
-  const T b1_237 = T(1) / D_Pddot1_2;
-  const T b1_238 = b1_236 * b1_237;
-  const T D_Pddot1_3 = c.m_sub1 - b1_206 * minus_B_thetadot11_1_3 - b1_207 * b1_56 - b1_209 * b1_208 - b1_211 * b1_210
-      - b1_213 * b1_212 - b1_216 * b1_215 - b1_218 * b1_217 - b1_219 * minus_B_sdot6_1_3 - b1_220 * B_thetadot4_2_1_3
-      - b1_221 * minus_B_thetadot4_1_1_3 - b1_223 * b1_222 - b1_224 * b1_83 - b1_225 * b1_88 - b1_227 * b1_226 -
-      b1_229 * b1_228 - b1_231 * b1_230 - b1_233 * b1_232 - b1_235 * b1_234 - b1_238 * b1_236;
+  // MA1 = m1 one + Ms2_10 + Ms2_8 + Mp5a + Mp4a + Mp3 + Mb2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_11 = T(8) + Ms2_10_11 + Ms2_8_11 + Mp5a_11 + Mp4a_11 + Mp3_11 + Mb2_11;
+  const T MA1_12 = Mp5a_12 + Mp4a_12 + Mp3_12 + Mb2_12;
+  const T MA1_13 = Ms2_10_13 + Ms2_8_13 + Mp4a_13 + Mp3_13 + Mb2_13;
+  const T MA1_22 = T(8) + Mp5a_22 + Mp4a_22 + Mp3_22 + Mb2_22;
+  const T MA1_23 = Mp4a_23 + Mp3_23 + Mb2_23;
+  const T MA1_33 = T(8) + Ms2_10_33 + Ms2_8_33 + c.m_link5 + Mp4a_33 + Mp3_33 + Mb2_33;
+  // HA1 = m1 r1~ + Hb2 + Hb3 + Hb4a + Hb5a + Hb8 + Hb10: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_11 = Hb2_11 + Hb3_11 + Hb4a_11 - minus_Hb5a_11 + Hb8_11 + Hb10_11;
+  const T HA1_12 = Hb2_12 - T(0.24) + Hb3_12 + Hb4a_12 + Hb5a_12;
+  const T HA1_13 = Hb2_13 - T(0.08) + Hb3_13 + Hb4a_13 - minus_Hb5a_13 + Hb8_13 + Hb10_13;
+  const T HA1_21 = T(0.24) - minus_Hb2_21 + Hb3_21 + Hb4a_21 + Hb5a_21 + Hb10_21;
+  const T HA1_22 = Hb3_22 - minus_Hb2_22 + Hb4a_22 + Hb5a_22;
+  const T HA1_23 = Hb3_23 - (minus_Hb2_23 + T(0.16)) + Hb4a_23 - minus_Hp5a_23 + Hb10_23;
+  const T HA1_31 = Hb2_31 + T(0.08) + Hb3_31 + Hb4a_31 + Hb5a_31 + Hb8_31 - minus_Hb10_31;
+  const T HA1_32 = T(0.16) + Hb2_32 + Hb3_32 + Hb4a_32 + Hb5a_32;
+  const T HA1_33 = Hb2_33 + Hb3_33 + Hb4a_33 + Hb8_33 - Hb10_11;
+  // JA1 = q3~ Hp3^T + q4a~ Hp4a^T + q5a~ Hp5a^T - m1 r1~ r1~ + I1 + d8~ Hs2_8^T + Js2_8 + Jp5a + Jp4a + Jp3 - Hb2 q2~
+  //   - Hb3 q3~ - Hb4a q4a~ - Hb5a q5a~ - Hb8 d8~ - Hb10 d10~: moment for an angular acceleration, body axes [kg m^2]
+  const T b1_1 = Hb2_12 * T(0.2);
+  const T JA1_11 = T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 + T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + T(0.608) + d8_2 *
+      Hs2_8_13 + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 * T(0.1) -
+      Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
+  const T JA1_12 = T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 + T(0.3) * minus_Hp5a_23 + T(0.0216) +
+      Jp5a_12 + Jp4a_12 + Jp3_12 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
+      T(0.2) - minus_Hb5a_11 * T(0.1) - Hb10_13 * T(0.1) + Hb10_11 * T(0.3);
+  const T JA1_13 = T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 - T(0.0148) + d8_2 * Hs2_8_33 + Js2_8_13 + Jp4a_13 + Jp3_13 -
+      Hb2_11 * T(0.1) + b1_1 + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) - Hb8_11
+      * d8_2 - Hb10_11 * s10;
+  const T JA1_22 = T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 + T(0.1) * Hp5a_21 + T(0.5104) + Jp5a_22 +
+      Jp4a_22 + Jp3_22 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
+      T(0.2) + Hb5a_21 * T(0.1) - Hb10_23 * T(0.1) + Hb10_21 * T(0.3);
+  const T JA1_23 = T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 + T(0.0324) + Jp4a_23 + Jp3_23 - minus_Hb2_22
+      * T(0.2) + minus_Hb2_21 * T(0.1) + Hb3_22 * T(0.3) - Hb4a_21 * T(0.1) - Hb4a_22 * T(0.2) + Hb5a_21 * T(0.3) -
+      Hb10_21 * s10;
+  const T JA1_33 = T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 + T(0.704) - d8_2 * Hs2_8_31 + Js2_8_33 +
+      Jp4a_33 + Jp3_33 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
+      Hb5a_31 * T(0.3) - Hb8_31 * d8_2 + minus_Hb10_31 * s10;
+  // g1 = C2^T gb2 + G1 + gs2_10 + gs2_8 + gp5a + gp4a + gp3: force that drives it, home axes [N]
+  const T b1_2 = C2_11 * gb2_1 + C2_21 * gb2_2 + C2_31 * gb2_3;
+  const T g1_1 = b1_2 + G1_1 + gs2_10_1 + gs2_8_1 + gp5a_1 + gp4a_1 + gp3_1;
+  const T b1_3 = C2_12 * gb2_1 + C2_22 * gb2_2 + C2_32 * gb2_3;
+  const T g1_2 = b1_3 + G1_2 + gp5a_2 + gp4a_2 + gp3_2;
+  const T b1_4 = C2_13 * gb2_1 + C2_23 * gb2_2 + C2_33 * gb2_3;
+  const T g1_3 = b1_4 + G1_3 + gs2_10_3 + gs2_8_3 + gp5_3 + gp4a_3 + gp3_3;
+  // n1 = q2~ C2^T gb2 + q3~ gp3 + q4a~ gp4a + q5a~ gp5a + r1~ G1 + d8~ gs2_8 + d10~ gs2_10 + N1 + ns2_8 + np5a + np4a
+  //   + np3: moment that drives it, body axes [N m]
+  const T b1_5 = T(0.2) * b1_3;
+  const T n1_1 = b1_5 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 - T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03)
+      * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1;
+  const T n1_2 = T(0.1) * gp3_1 - (T(0.2) * b1_2 + T(0.2) * b1_4) - T(0.3) * gp3_3 + T(0.2) * gp4a_3 + T(0.1) * gp5a_1
+      + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3 + N1_2 + np5a_2 + np4a_2 + np3_2;
+  const T n1_3 = b1_5 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 - T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02)
+      * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_6 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_6;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_6);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T Y1_21 = HA1_21 - LD1_21 * HA1_11;
+  const T Y1_22 = HA1_22 - LD1_21 * HA1_12;
+  const T Y1_23 = HA1_23 - LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_31 * HA1_11 - LD1_32 * Y1_21;
+  const T Y1_32 = HA1_32 - LD1_31 * HA1_12 - LD1_32 * Y1_22;
+  const T Y1_33 = HA1_33 - LD1_31 * HA1_13 - LD1_32 * Y1_23;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_11 = LD1_11 * HA1_11;
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * Y1_21;
+  const T W1_22 = LD1_22 * Y1_22;
+  const T W1_23 = LD1_22 * Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_7 = n1_2 - LD1_21 * n1_1;
+  const T w_1_2 = LD1_22 * b1_7;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_7);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
+  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T LDs1_21 = LDs1_11 * M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - LDs1_21 * M1_12);
+  const T LDs1_31 = LDs1_11 * M1_13;
+  const T b1_8 = M1_23 - LDs1_21 * M1_13;
+  const T LDs1_32 = LDs1_22 * b1_8;
+  const T LDs1_33 = T(1) / (M1_33 - LDs1_31 * M1_13 - LDs1_32 * b1_8);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_9 = gb1_2 - LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_9;
+  const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_9);
 
   // ---- body 1 (hull), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = b11_1 + minus_rho11_2 - minus_effort_nut_11;
-  const T z1_2 = f_omega10_2 + T(0.03333333333333333) * f_omega10_1;
-  const T z1_3 = f_omega10_3 - T(0.1) * f_omega10_1 - T(0.03639120545868082) * z1_2;
-  const T z1_4 = b10_11 * z1_3 - (b10_6 * f_omega10_1 + b10_9 * z1_2);
-  const T z1_5 = b1_9 - z1_4;
-  const T z1_6 = T(0.9545454545454546) * z1_1;
-  const T z1_7 = minus_rho8_2 - z1_6;
-  const T z1_8 = T(4.545454545454546) * z1_1 - T(1.2038983374737244) * z1_7;
-  const T z1_9 = minus_S8_2 - z1_8;
-  const T z1_10 = G6_1 - minus_effort_telescope_6;
-  const T z1_11 = T(0.28) * rho4a_2 - T(0.96) * rho4a_3;
-  const T z1_12 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3 +
-      effort_boom_3 - T(0.004437878932057652) * z1_10;
-  const T z1_13 = f_omega2_3 - T(0.07441860465116279) * f_omega2_2;
-  const T z1_14 = f_omega1_1 - b1_55 * z1_1 + b1_58 * f_omega10_1 + b1_61 * z1_2 - b1_64 * z1_3 + b1_67 * z1_5 - b1_69
-      * z1_7 - b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
-      * minus_f_omega2_1 + b1_90 * f_omega2_2 - b1_95 * z1_13;
-  const T z1_15 = f_omega1_2 + z1_6 + b1_98 * f_omega10_1 + b1_101 * z1_2 - b1_104 * z1_3 + b1_106 * z1_5 + z1_7 -
-      b1_107 * z1_10 - b1_108 * rho5a_3 - b1_109 * rho4_2 - b1_110 * z1_11 - b1_112 * z1_12 - b1_115 *
-      minus_f_omega2_1 - b1_118 * f_omega2_2 - b1_121 * z1_13 - b1_124 * z1_14;
-  const T z1_16 = f_omega1_3 - b1_125 * z1_1 + b1_127 * f_omega10_1 + b1_129 * z1_2 - b1_131 * z1_3 + b1_133 * z1_5 -
-      b1_136 * z1_7 - b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
-      z1_12 - b1_146 * minus_f_omega2_1 + b1_148 * f_omega2_2 - b1_150 * z1_13 - b1_152 * z1_14 - b1_155 * z1_15;
-  const T z1_17 = S1_1 - b1_156 * z1_1 - b1_157 * f_omega10_1 - b1_159 * z1_2 + b1_161 * z1_3 - b1_163 * z1_5 - b1_166
-      * z1_7 - b1_168 * z1_9 - b1_169 * z1_10 - b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
-      b1_175 * minus_f_omega2_1 + b1_176 * f_omega2_2 - b1_178 * z1_13 - b1_180 * z1_14 - b1_182 * z1_15 + b1_185 *
-      z1_16;
-  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 + z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
-      b1_190 * z1_11 - b1_192 * z1_12 + b1_193 * minus_f_omega2_1 + b1_194 * f_omega2_2 - b1_196 * z1_13 + b1_198 *
-      z1_14 - b1_200 * z1_15 - b1_202 * z1_16 - b1_205 * z1_17;
-  const T z1_19 = T(1) / D_Pddot1_3 * (S1_3 + b1_206 * z1_1 - b1_207 * f_omega10_1 - b1_209 * z1_2 + b1_211 * z1_3 -
-      b1_213 * z1_5 - b1_216 * z1_7 - b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
-      z1_12 + b1_224 * minus_f_omega2_1 + b1_225 * f_omega2_2 - b1_227 * z1_13 - b1_229 * z1_14 + b1_231 * z1_15 -
-      b1_233 * z1_16 - b1_235 * z1_17 - b1_238 * z1_18);
-  const T z1_20 = z1_18 * b1_237 - b1_238 * z1_19;
-  const T Pddot1_1 = z1_17 * b1_204 - b1_205 * z1_20 - b1_235 * z1_19;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_21 = z1_16 * b1_184 + b1_185 * Pddot1_1 - b1_202 * z1_20 - b1_233 * z1_19;
-  const T z1_22 = z1_15 * b1_154 - b1_155 * z1_21 - b1_182 * Pddot1_1 - b1_200 * z1_20 + b1_231 * z1_19;
-  const T omegadot1_1 = z1_14 * b1_123 - b1_124 * z1_22 - b1_152 * z1_21 - b1_180 * Pddot1_1 + b1_198 * z1_20 - b1_229
-      * z1_19;
-  ydot[0] = omegadot1_1;
-  ydot[1] = z1_22;
-  ydot[2] = z1_21;
-  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_20 + R1_31 * z1_19;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_20 + R1_32 * z1_19;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_20 + R1_33 * z1_19 - T(9.81);
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1_1;
+  ydot[1] = z1_3;
+  ydot[2] = z1_2;
+  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
 
   // ---- body 2 (clapper), solved
-  // omegadot2: from A ydot = f by elimination
-  const T omegadot2_1 = b1_115 * z1_22 - (minus_f_omega2_1 * T(23.62948960302457) + b1_85 * omegadot1_1) + b1_146 *
-      z1_21 - b1_175 * Pddot1_1 - b1_193 * z1_20 - b1_224 * z1_19;
-  const T z2_1 = z1_13 * T(244.9863263445761) - b1_95 * omegadot1_1 - b1_121 * z1_22 - b1_150 * z1_21 - b1_178 *
-      Pddot1_1 - b1_196 * z1_20 - b1_227 * z1_19;
-  const T omegadot2_2 = f_omega2_2 * T(23.25581395348837) - T(0.07441860465116279) * z2_1 + b1_90 * omegadot1_1 -
-      b1_118 * z1_22 + b1_148 * z1_21 + b1_176 * Pddot1_1 + b1_194 * z1_20 + b1_225 * z1_19;
-  ydot[3] = omegadot2_1;
+  // beta2 = -C2 q2~ omegadot1_1 + C2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.2) * z1_2;
+  const T z2_2 = T(0.2) * omegadot1_1_1 + z2_1;
+  const T z2_3 = T(0.2) * z1_3;
+  const T z2_4 = T(0.1) * z1_2;
+  const T z2_5 = z2_3 + z2_4;
+  const T z2_6 = T(0.1) * omegadot1_1_1;
+  const T z2_7 = z2_3 - z2_6;
+  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot2_1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
+  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot2_1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
+  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot2_1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
+  // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
+  const T minus_omegadot2_1 = minus_w_2_1 + T(3.780718336483932) * beta2_2 + T(0.3780718336483932) * beta2_3;
+  const T z2_8 = w_2_3 + T(1.0027347310847765) * beta2_1;
+  const T omegadot2_2 = w_2_2 + T(3.7209302325581395) * beta2_1 - T(0.07441860465116279) * z2_8;
+  ydot[3] = -minus_omegadot2_1;
   ydot[4] = omegadot2_2;
-  ydot[5] = z2_1;
+  ydot[5] = z2_8;
 
   // ---- body 3 (boom), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_12 * b1_79 - b1_80 * omegadot1_1 - b1_112 * z1_22 - b1_144 * z1_21 - b1_174 * Pddot1_1 -
-      b1_192 * z1_20 - b1_223 * z1_19;
-  ydot[6] = thetaddot3;
+  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z3_1 = T(0.1) * z1_3;
+  const T z3_2 = T(0.3) * z1_2;
+  const T z3_3 = z2_6 - z3_2;
+  const T z3_4 = T(0.3) * z1_3;
+  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot2_1_1 + E3_12 * z1_1 - minus_E3_13
+      * ws1_3;
+  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot2_1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
+  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot2_1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
+  // alphaL3 = E3 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_11 * omegadot1_1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
+  const T alphaL3_2 = E3_21 * omegadot1_1_1 + E3_22 * z1_3 + E3_23 * z1_2;
+  const T alphaL3_3 = E3_31 * omegadot1_1_1 + E3_32 * z1_3 + E3_33 * z1_2;
+  // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
+  const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
+      alphaL3_2 - kK3_3 * alphaL3_3 + v3;
+  ydot[6] = phi3;
+  // alpha3 = alphaL3 + phi3 b3: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
+  const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
 
   // ---- body 4 (cross), solved
-  // thetaddot4_1: from A ydot = f by elimination
-  const T thetaddot4_1 = z1_11 * b1_76 - b1_77 * omegadot1_1 - b1_110 * z1_22 - b1_142 * z1_21 - b1_172 * Pddot1_1 +
-      b1_190 * z1_20 + b1_221 * z1_19;
-  ydot[7] = thetaddot4_1;
-  // thetaddot4_2: from A ydot = f by elimination
-  const T thetaddot4_2 = rho4_2 * T(59.4883997620464) - b1_75 * omegadot1_1 - b1_109 * z1_22 - b1_141 * z1_21 - b1_171
-      * Pddot1_1 - b1_189 * z1_20 - b1_220 * z1_19;
-  ydot[8] = thetaddot4_2;
+  // beta4a = -E4a q4a~ omegadot1_1 + E4a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = z2_3 + z2_6;
+  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot2_1_1 - minus_E4a_12 *
+      z1_1 - minus_E4a_13 * ws1_3;
+  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot2_1_1 + E4a_22 * z1_1
+      + E4a_23 * ws1_3;
+  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot2_1_1 + E4a_23 * z1_1
+      + E4a_33 * ws1_3;
+  // alphaL4a = E4a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4a_1 = E4a_11 * omegadot1_1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
+  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
+  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
+  // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
+  const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
+      alphaL4a_2) + v4a;
+  ydot[7] = phi4a;
+  // alpha4a = alphaL4a + phi4a b4_1: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
+  const T alpha4a_2 = alphaL4a_2 + phi4a * T(0.28);
+  const T alpha4a_3 = alphaL4a_3 - phi4a * T(0.96);
+  // beta4 = E4 beta4a: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta4_1 = E4_12 * beta4a_2 - minus_E4_11 * beta4a_1 - minus_E4_13 * beta4a_3;
+  const T beta4_3 = t4_5 * beta4a_1 + E4_32 * beta4a_2 - minus_E4_33 * beta4a_3;
+  // alphaL4 = E4 alpha4a: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
+  const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
+  // thetaddot4 = -b4_2 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - alphaL4_2;
+  ydot[8] = thetaddot4;
 
   // ---- body 5 (camera), solved
-  // thetaddot5_1: from A ydot = f by elimination
-  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 - b1_170 * Pddot1_1 -
-      b1_188 * z1_20;
-  ydot[9] = thetaddot5_1;
+  // beta5a = -E5a q5a~ omegadot1_1 + E5a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z5_1 = z3_1 + z3_2;
+  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot2_1_1 + E5a_12 * z1_1;
+  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot2_1_1;
+  // alphaL5a = E5a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5a_1 = E5a_11 * omegadot1_1_1 + E5a_12 * z1_3;
+  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1_1;
+  // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
+  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
+  // thetaddot5a = -b5_1 . alphaL5a + phi5a
+  const T thetaddot5a = phi5a - z1_2;
+  ydot[9] = thetaddot5a;
 
   // ---- body 6 (telescope), solved
-  // sddot6: from A ydot = f by elimination
-  const T sddot6 = z1_10 * T(2) - T(0.004437878932057652) * thetaddot3 - b1_72 * omegadot1_1 - b1_107 * z1_22 - b1_139
-      * z1_21 - b1_169 * Pddot1_1 - b1_187 * z1_20 + b1_219 * z1_19;
+  // phi6 = -kK6 . alpha3 + v6 - (P_u6 kB6) . Pj6
+  const T phi6 = v6 - T(0.01) * alpha3_2;
+  // sddot6 = -u6 . Pj6 + phi6
+  const T sddot6 = phi6 - beta3_1;
   ydot[19] = sddot6;
 
   // ---- body 8 (piston), solved
-  // sddot8: from A ydot = f by elimination
-  const T sddot8 = z1_9 * T(1.0173808227700445) - b1_71 * omegadot1_1 - b1_138 * z1_21 - b1_168 * Pddot1_1 + z1_20 -
-      b1_218 * z1_19;
-  ydot[22] = sddot8;
-  // thetaddot8: from A ydot = f by elimination
-  const T thetaddot8 = z1_7 * T(420.4089432447927) + T(1.2038983374737244) * sddot8 - b1_69 * omegadot1_1 + z1_22 -
-      b1_136 * z1_21 - b1_166 * Pddot1_1 - T(1.2038983374737244) * z1_20 - b1_216 * z1_19;
-  ydot[10] = thetaddot8;
+  // Pj2_8 = -d8~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_8_1 = Pddot2_1_1 - d8_2 * z1_2;
+  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1_1;
+  // phi2_8 = -kK2_8 . omegadot1_1 + v2_8 - (P_u8 kB2_8) . Pj2_8
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+      minus_kB2_8_3 * Pj2_8_3;
+  // sddot2_8 = -u8 . Pj2_8 + phi2_8
+  const T sddot2_8 = z1_1 + phi2_8;
+  ydot[22] = sddot2_8;
+  // beta8 = E8 P_u8 Pj2_8 + phi2_8 E8 u8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta8_1 = E8_11 * Pj2_8_1 + E8_13 * Pj2_8_3;
+  const T beta8_3 = E8_11 * Pj2_8_3 - E8_13 * Pj2_8_1;
+  // alphaL8 = E8 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL8_1 = E8_11 * omegadot1_1_1 + E8_13 * z1_2;
+  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1_1;
+  // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
+  const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
+      minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
+  // thetaddot1_8 = -b8 . alphaL8 + phi8
+  const T thetaddot1_8 = z1_3 + phi8;
+  ydot[10] = thetaddot1_8;
 
   // ---- body 9 (sled), solved
-  // sddot9_2: from A ydot = f by elimination
-  const T z9_1 = E9_11 * G9_1 + E9_12 * minus_G9_2 - b9_2 * N9_1;
-  const T sddot9_2 = T(1) / D_sddot9_2 * (E9_12 * G9_1 - E9_11 * minus_G9_2 + b9_4 * N9_1 - b9_7 * z9_1);
-  ydot[24] = sddot9_2;
-  // sddot9_1: from A ydot = f by elimination
-  const T sddot9_1 = z9_1 * b9_6 - b9_7 * sddot9_2;
-  ydot[23] = sddot9_1;
-  // thetaddot9: from A ydot = f by elimination
-  const T thetaddot9 = b9_2 * sddot9_1 - N9_1 * T(10) - b9_4 * sddot9_2;
-  ydot[11] = thetaddot9;
+  // phi2_9 = v2_9 - (P_u9_1 kB2_9) . Pj2_9
+  const T phi2_9 = v2_9 - kB2_9_2 * v3_9;
+  ydot[23] = phi2_9;
+  // beta9 = E9 P_u9_1 Pj2_9 + phi2_9 E9 u9_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta9_2 = E9_11 * v3_9 - phi2_9 * E9_12;
+  // phi9 = -kB1_9 . beta9 + v1_9
+  const T minus_phi9 = T(2) * beta9_2 + minus_v1_9;
+  ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
-  // sddot10: from A ydot = f by elimination
-  const T minus_sddot10 = z1_5 * b1_66 + b1_67 * omegadot1_1 + b1_106 * z1_22 + b1_133 * z1_21 - b1_163 * Pddot1_1 +
-      b1_186 * z1_20 - b1_213 * z1_19;
-  ydot[25] = -minus_sddot10;
-  // omegadot10: from A ydot = f by elimination
-  const T z10_1 = z1_3 * T(374.3436923513552) - b10_11 * minus_sddot10 - b1_64 * omegadot1_1 - b1_104 * z1_22 - b1_131
-      * z1_21 + b1_161 * Pddot1_1 + b10_11 * z1_20 + b1_211 * z1_19;
-  const T z10_2 = z1_2 * T(284.30629264594387) - T(0.03639120545868082) * z10_1 + b10_9 * minus_sddot10 + b1_61 *
-      omegadot1_1 + b1_101 * z1_22 + b1_129 * z1_21 - b1_159 * Pddot1_1 - b10_9 * z1_20 - b1_209 * z1_19;
-  const T omegadot10_1 = f_omega10_1 * T(416.6666666666667) + T(0.03333333333333333) * z10_2 - T(0.1) * z10_1 + b10_6
-      * minus_sddot10 + b1_58 * omegadot1_1 + b1_98 * z1_22 + b1_127 * z1_21 - b1_157 * Pddot1_1 - b10_6 * z1_20 -
-      b1_207 * z1_19;
-  ydot[12] = omegadot10_1;
+  // Pj2_10 = -d10~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot2_1_1;
+  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1_1 + z1_1;
+  const T Pj2_10_3 = s10 * omegadot1_1_1 - z3_1 + ws1_3;
+  // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
+  const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
+  // sddot2_10 = -u10 . Pj2_10 + phi2_10
+  const T sddot2_10 = phi2_10 - Pj2_10_2;
+  ydot[25] = sddot2_10;
+  // beta10 = C10 P_u10 Pj2_10 + phi2_10 C10 u10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta10_1 = C10_11 * Pj2_10_1 + C10_13 * Pj2_10_3 + phi2_10 * C10_12;
+  const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
+  const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
+  // omegadot1_10 = L(LD10)^-T (-W10 beta10 + w_10)
+  const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
+      beta10_3 + w_10_3;
+  const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
+      beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
+  const T omegadot1_10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
+      z10_2 - T(0.1) * z10_1;
+  ydot[12] = omegadot1_10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
 
   // ---- body 11 (nut), solved
-  // thetaddot11: from A ydot = f by elimination
-  const T thetaddot11 = z1_1 * T(1515.1515151515152) - T(0.9545454545454546) * thetaddot8 - T(4.545454545454546) *
-      sddot8 - b1_55 * omegadot1_1 + T(0.9545454545454546) * z1_22 - b1_125 * z1_21 - b1_156 * Pddot1_1 +
-      T(4.545454545454546) * z1_20 + b1_206 * z1_19;
-  ydot[15] = thetaddot11;
+  // beta11 = -E11 d11~ alpha8 + E11 beta8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta11_1 = minus_d11_2 * alphaL8_3 * E11_11 - minus_d11_2 * alphaL8_1 * E11_13 + E11_11 * beta8_1 + E11_13 *
+      beta8_3;
+  // alphaL11 = E11 alpha8: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL11_1 = E11_11 * alphaL8_1 + E11_13 * alphaL8_3;
+  // phi11 = -kB11 . beta11 - kK11 . alphaL11 + v11
+  const T phi11 = T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
+      alphaL11_1 - T(0.9545454545454546) * phi8 + v11;
+  ydot[15] = phi11;
 
   // ---- results
   ydot[20] = -T(0);
-  ydot[21] = T(0);
+  ydot[21] = -T(0);
   ydot[26] = -T(0);
   ydot[27] = T(0);
-  ydot[28] = -T(9.81);
+  ydot[28] = -T(9.809999999999999);
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 839 add, 990 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
+// 839 add, 989 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -3730,14 +4027,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -3753,11 +4050,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
   const T t1_21 = U1_31 * T(0.02);
   const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
-  // G1 = -R1 F1 + m1 a1: force balance, body axes [N]
+  // G1 = -R1 F1 + m1 a1: inertia less applied force, body axes [N]
   const T G1_1 = T(8) * a1_1 - R1_13 * u.thrust;
   const T G1_2 = T(8) * a1_2 - R1_23 * u.thrust;
   const T G1_3 = T(8) * a1_3 - R1_33 * u.thrust;
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
   const T t1_22 = U1_23 * T(0.2);
   const T N1_1 = T(0.39999999999999997) * U1_32 - t1_22 - T(0.03) * (minus_U1_22 - minus_U1_33) - t1_21 - T(0.01) *
       U1_21 - T(0.1);
@@ -3802,14 +4099,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T P2_3 = s1_3 + R1_13 * T(0.2) + R1_23 * T(0.1) - R1_33 * T(0.2);
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_13 = omega2_1 * omega2_2;
+  const T t2_13 = omega2_2 * omega2_1;
   const T U2_12 = t2_13 - omegadot2_3;
-  const T t2_14 = omega2_1 * omega2_3;
+  const T t2_14 = omega2_3 * omega2_1;
   const T U2_13 = t2_14 + omegadot2_2;
   const T U2_21 = t2_13 + omegadot2_3;
   const T t2_15 = omega2_1 * omega2_1;
   const T minus_U2_22 = omega2_3 * omega2_3 + t2_15;
-  const T t2_16 = omega2_2 * omega2_3;
+  const T t2_16 = omega2_3 * omega2_2;
   const T U2_23 = t2_16 - omegadot2_1;
   const T U2_31 = t2_14 - omegadot2_2;
   const T U2_32 = t2_16 + omegadot2_1;
@@ -3887,10 +4184,6 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T P3_2 = t3_22 + R1_12 * T(0.3);
   const T t3_23 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_23 + R1_13 * T(0.3);
-  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
-  const T stretch_boom_3 = theta3 - T(0.2);
-  // effort_boom_3 = -thetadot3 c_boom_ - k_boom_ stretch_boom_3 + tau_boom_: along the coordinate [N m], [N]
-  const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
   // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = E3_11 * omegadot1_1 - (thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) *
       t3_19) + thetaddot3 * T(0.3152711589176631)) + E3_12 * omegadot1_2 - minus_E3_13 * omegadot1_3;
@@ -3916,16 +4209,20 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T U3_32 = t3_29 + omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = Pddot1_1 + U1_13 * T(0.1);
+  const T t3_30 = U1_13 * T(0.1) + Pddot1_1;
   const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
-  const T t3_32 = Pddot1_2 + U1_23 * T(0.1);
+  const T t3_32 = U1_23 * T(0.1) + Pddot1_2;
   const T t3_33 = t1_25 + t3_32;
-  const T t3_34 = Pddot1_3 - minus_U1_33 * T(0.1);
-  const T t3_35 = t1_24 + t3_34;
+  const T t3_34 = minus_U1_33 * T(0.1) - Pddot1_3;
+  const T t3_35 = t1_24 - t3_34;
   const T Pddot3_1 = E3_11 * t3_31 + E3_12 * t3_33 - minus_E3_13 * t3_35;
   const T Pddot3_2 = E3_21 * t3_31 + E3_22 * t3_33 + E3_23 * t3_35;
   const T Pddot3_3 = E3_31 * t3_31 + E3_32 * t3_33 + E3_33 * t3_35;
-  // G2 = R3^T F_jet_ + m2 a2: force balance, inertial axes [N]
+  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
+  const T stretch_boom_3 = theta3 - T(0.2);
+  // effort_boom_3 = -thetadot3 c_boom_ + tau_boom_ - stretch_boom_3 k_boom_: along the coordinate [N m], [N]
+  const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
+  // G2 = R3^T F_jet_ + m2 a2: inertia less applied force, inertial axes [N]
   const T t3_36 = T(0.5) * u.thrust * exp(T(0) - t);
   const T t3_37 = R3_11 * T(0.1) + R3_21 * t3_36;
   const T G2_1 = t3_37 + T(0.8) * a2_1;
@@ -3937,11 +4234,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
   const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
   const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
+  // G3 = m3 a3: inertia less applied force, body axes [N]
   const T G3_1 = T(1.5) * a3_1;
   const T G3_2 = T(1.5) * a3_2;
   const T G3_3 = T(1.5) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)): inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.004999999999999999) * U3_32 - T(0.035) * U3_23 + T(0.003) * (minus_U3_22 - minus_U3_33) -
       T(0.002) * U3_31 + T(0.001) * U3_21;
   const T N3_2 = T(0.035) * U3_13 - T(0.015000000000000001) * U3_31 - T(0.001) * (minus_U3_33 - minus_U3_11) +
@@ -4023,11 +4320,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
   const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
+  // G4 = m4 a4: inertia less applied force, body axes [N]
   const T G4_1 = T(0.9) * a4_1;
   const T G4_2 = T(0.9) * a4_2;
   const T G4_3 = T(0.9) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.006500000000000001) * U4_32 - T(0.0015) * U4_23;
   const T N4_2 = T(0.0015) * U4_13 - T(0.0055) * U4_31;
   const T N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
@@ -4094,7 +4391,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t5_7 = minus_U1_22 * T(0.3) + t3_32;
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T Pddot5a_3 = t3_34 - U1_32 * T(0.3);
+  const T minus_Pddot5a_3 = U1_32 * T(0.3) + t3_34;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -4115,12 +4412,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T U5_32 = t5_11 + omegadot5_1;
   const T minus_U5_33 = t5_8 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_2 = E5_22 * Pddot5a_2 + E5_23 * Pddot5a_3;
-  const T Pddot5_3 = E5_22 * Pddot5a_3 - E5_23 * Pddot5a_2;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
+  const T minus_Pddot5_3 = E5_22 * minus_Pddot5a_3 + E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -4132,14 +4429,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T P6_1 = R3_11 * d6_1 + P3_1;
   const T P6_2 = R3_12 * d6_1 + P3_2;
   const T P6_3 = R3_13 * d6_1 + P3_3;
-  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
-  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // Pddot6 = 2 sdot6 omega3~ u6 + sddot6 u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body
   //   axes [m/s^2]
   const T Pddot6_1 = sddot6 - minus_U3_11 * d6_1 + Pddot3_1;
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
+  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
@@ -4150,10 +4447,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
       P6_1 + R2_22 * P6_2 + R2_23 * P6_3;
   const T arm2_3 = R2_31 * t6_2 + R2_32 * t6_3 + R2_33 * t6_4 - R2_31 * P2_1 - R2_32 * P2_2 - R2_33 * P2_3 + R2_31 *
       P6_1 + R2_32 * P6_2 + R2_33 * P6_3;
-  // lever2 = -r2 + arm2: from the mass centre to where a force acts, link axes [m]
+  // lever2 = -r2 + arm2: from the reference point to where a force acts, link axes [m]
   const T lever2_2 = arm2_2 - T(0.02);
   const T lever2_3 = arm2_3 + T(0.2);
-  // N2 = axial(U2 (tr(I2)/2 - I2)) + lever2~ R2 R3^T F_jet_: moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) + lever2~ R2 R3^T F_jet_: inertia less applied moment about the mass centre, body
+  //   axes [N m]
   const T t6_5 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
   const T t6_6 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
   const T N2_1 = T(0.0015000000000000005) * U2_32 - T(0.0085) * U2_23 + lever2_2 * t6_5 - lever2_3 * t6_6;
@@ -4165,18 +4463,19 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
   const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
   const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
-  // G6 = m6 a6 - F_jet_: force balance, body axes [N]
+  // G6 = m6 a6 - F_jet_: inertia less applied force, body axes [N]
   const T G6_1 = T(0.5) * a6_1 - T(0.1);
   const T G6_2 = T(0.5) * a6_2 - t3_36;
   const T G6_3 = T(0.5) * a6_3;
-  // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: inertia less applied moment about the mass centre, body axes [N
+  //   m]
   const T N6_1 = T(5e-04) * U3_32 - T(5e-04) * U3_23 - T(0.01) * t3_36;
   const T N6_2 = T(5e-04) * U3_13 - T(0.0055) * U3_31 + T(0.001);
   const T N6_3 = T(0.0055) * U3_21 - T(5e-04) * U3_12 - T(0.1) * t3_36;
 
   // ---- body 7 (gantry) on the inertial frame
   const T sddot7_1 = ydot[20], sddot7_2 = ydot[21];
-  // G7 = m7 Pddot7: force balance, inertial axes [N]
+  // G7 = m7 Pddot7: inertia less applied force, inertial axes [N]
   const T G7_1 = T(3) * sddot7_1;
   const T G7_2 = T(3) * sddot7_2;
   r[20] = G7_1;
@@ -4222,8 +4521,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
-  const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
+  const T t8_8 = t8_7 * omega1_3 + U1_12 * d8_2 + Pddot1_1;
+  const T t8_9 = U1_32 * d8_2 - t8_7 * omega1_1 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
   const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
@@ -4231,11 +4530,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
   const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
-  // G8 = m8 a8: force balance, body axes [N]
+  // G8 = m8 a8: inertia less applied force, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
   const T G8_3 = T(0.7) * a8_3;
-  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): moment balance about the mass centre, body axes [N m]
+  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): inertia less applied moment about the mass centre, body axes [N m]
   const T N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
   const T N8_2 = T(5e-04) * U8_13 - T(0.0015) * U8_31;
   const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
@@ -4252,6 +4551,13 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
+  // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T minus_U9_11 = thetadot9 * thetadot9;
+  // Pddot9 = E9 (-g + sddot9_1 u9_1 + sddot9_2 u9_2): acceleration of the body origin, less gravity, body axes
+  //   [m/s^2]
+  const T Pddot9_1 = E9_11 * sddot9_1 + E9_12 * sddot9_2;
+  const T Pddot9_2 = E9_11 * sddot9_2 - E9_12 * sddot9_1;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
   const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
@@ -4280,42 +4586,35 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
       t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
   const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
-  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
-      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
-      T(0.4);
+  // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
+      line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) * (T(1) / ll_tether_9);
   // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
   const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
   const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
   const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
-  // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
-  //   [1/s^2]
-  const T minus_U9_11 = thetadot9 * thetadot9;
-  // Pddot9 = E9 (-g + sddot9_1 u9_1 + sddot9_2 u9_2): acceleration of the body origin, less gravity, body axes
-  //   [m/s^2]
-  const T Pddot9_1 = E9_11 * sddot9_1 + E9_12 * sddot9_2;
-  const T Pddot9_2 = E9_11 * sddot9_2 - E9_12 * sddot9_1;
-  // G5 = -R5 F_tether_9 + m_link5 a5: force balance, body axes [N]
+  // G5 = -R5 F_tether_9 + m_link5 a5: inertia less applied force, body axes [N]
   const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = c.m_link5 * a5_1 - t9_8;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = c.m_link5 * a5_2 - t9_9;
   const T t9_10 = R5_31 * F_tether_9_1 + R5_32 * F_tether_9_2 + R5_33 * F_tether_9_3;
   const T G5_3 = c.m_link5 * a5_3 - t9_10;
-  // N5 = axial(U5 (tr(I_link5)/2 - I_link5)) - lever5~ R5 F_tether_9: moment balance about the mass centre, body axes
-  //   [N m]
-  const T N5_1 = c.lever5_3 * t9_9 - T(0.02) * t9_10 + c.c9_2 * U5_32 - c.c9_3 * U5_23 + c.I_link5_13 * U5_21;
-  const T N5_2 = c.lever5_1 * t9_10 - c.lever5_3 * t9_8 + c.c9_3 * U5_13 - c.c9_1 * U5_31 - c.I_link5_13 *
-      (minus_U5_33 - minus_U5_11);
-  const T N5_3 = T(0.02) * t9_8 - c.lever5_1 * t9_9 + c.c9_1 * U5_21 - c.c9_2 * U5_12 - c.I_link5_13 * U5_23;
+  // N5 = axial(U5 (tr(I_link5)/2 - I_link5)) - lever5~ R5 F_tether_9: inertia less applied moment about the mass
+  //   centre, body axes [N m]
+  const T N5_1 = c.c9_3 * U5_32 - c.c9_4 * U5_23 + c.I_link5_13 * U5_21 - T(0.02) * t9_10 + c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_4 * U5_13 - c.c9_2 * U5_31 - c.I_link5_13 * (minus_U5_33 - minus_U5_11) - c.lever5_3 * t9_8 +
+      c.lever5_1 * t9_10;
+  const T N5_3 = c.c9_2 * U5_21 - c.c9_3 * U5_12 - c.I_link5_13 * U5_23 - c.lever5_1 * t9_9 + T(0.02) * t9_8;
   // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a9_1 = Pddot9_1 - minus_U9_11 * T(0.1);
   const T a9_2 = thetaddot9 * T(0.1) + Pddot9_2;
-  // G9 = E9 F_tether_9 + m9 a9: force balance, body axes [N]
+  // G9 = E9 F_tether_9 + m9 a9: inertia less applied force, body axes [N]
   const T G9_1 = E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2 + T(2) * a9_1;
   const T G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1 + T(2) * a9_2;
-  // N9 = axial(U9 (tr(I9)/2 - I9)) + lever9~ E9 F_tether_9: moment balance about the mass centre, body axes [N m]
+  // N9 = axial(U9 (tr(I9)/2 - I9)) + lever9~ E9 F_tether_9: inertia less applied moment about the mass centre, body
+  //   axes [N m]
   const T N9_3 = T(0.08) * thetaddot9;
 
   // ---- body 10 (runner) on body 1
@@ -4352,14 +4651,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t10_13 = omega10_3 * omega10_3;
   const T t10_14 = omega10_2 * omega10_2;
   const T minus_U10_11 = t10_13 + t10_14;
-  const T t10_15 = omega10_1 * omega10_2;
+  const T t10_15 = omega10_2 * omega10_1;
   const T U10_12 = t10_15 - omegadot10_3;
-  const T t10_16 = omega10_1 * omega10_3;
+  const T t10_16 = omega10_3 * omega10_1;
   const T U10_13 = t10_16 + omegadot10_2;
   const T U10_21 = t10_15 + omegadot10_3;
   const T t10_17 = omega10_1 * omega10_1;
   const T minus_U10_22 = t10_13 + t10_17;
-  const T t10_18 = omega10_2 * omega10_3;
+  const T t10_18 = omega10_3 * omega10_2;
   const T U10_23 = t10_18 - omegadot10_1;
   const T U10_31 = t10_16 - omegadot10_2;
   const T U10_32 = t10_18 + omegadot10_1;
@@ -4380,11 +4679,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T a10_1 = R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25 + Pddot10_1;
   const T a10_2 = R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25 + Pddot10_2;
   const T a10_3 = R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25 + Pddot10_3;
-  // G10 = m10 a10: force balance, inertial axes [N]
+  // G10 = m10 a10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(0.4) * a10_1;
   const T G10_2 = T(0.4) * a10_2;
   const T G10_3 = T(0.4) * a10_3;
-  // N10 = axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
+  // N10 = axial(U10 (tr(I10)/2 - I10)): inertia less applied moment about the mass centre, body axes [N m]
   const T N10_1 = T(0.00075) * U10_32 - T(0.00125) * U10_23;
   const T N10_2 = T(0.00125) * U10_13 - T(0.00175) * U10_31;
   const T N10_3 = T(0.00175) * U10_21 - T(0.00075) * U10_12;
@@ -4402,8 +4701,6 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
-  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
-  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + thetaddot11 b11 + E11 omegadot8: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 + E11_13 * omegadot8_3;
@@ -4429,16 +4726,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
+  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
+  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
   const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
-  // G11 = m11 a11: force balance, body axes [N]
+  // G11 = m11 a11: inertia less applied force, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
   const T G11_2 = T(0.3) * a11_2;
   const T G11_3 = T(0.3) * a11_3;
-  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): moment balance about the mass centre, body
-  //   axes [N m]
+  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): inertia less applied moment about the mass
+  //   centre, body axes [N m]
   const T N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
   const T N11_2 = T(3e-04) * U11_13 - T(3e-04) * U11_31 + T(0.02) * u.motor;
   const T N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
@@ -4447,7 +4746,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T sddot13_1 = ydot[26], sddot13_2 = ydot[27], sddot13_3 = ydot[28];
   // Pddot13 = -g + sddot13: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot13_3 = sddot13_3 + T(9.81);
-  // G13 = m13 Pddot13: force balance, inertial axes [N]
+  // G13 = m13 Pddot13: inertia less applied force, inertial axes [N]
   const T G13_1 = T(5) * sddot13_1;
   const T G13_2 = T(5) * sddot13_2;
   const T G13_3 = T(5) * Pddot13_3;
@@ -4457,7 +4756,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
 
   // ---- body 11 (nut) and what it carries
   // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T b11_1 = G11_2 * T(0.01);
+  const T b11_1 = T(0.01) * G11_2;
   const T rho11_1 = N11_1 - b11_1;
   const T rho11_2 = T(0.01) * G11_1 + N11_2;
   // r_theta11 = b11 . G11 pitch11 + b11 . rho11 - effort_nut_11: Kane's equation of the angle [N m]
@@ -4621,7 +4920,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 751 add, 946 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
+// 750 add, 926 multiply, 2 divide, 1 square root, 19 sine or cosine, 3 other function
 template <class T>
 void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
@@ -4651,33 +4950,37 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
   // Pddot1 = -R1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_13 * T(9.81);
   const T Pddot1_2 = R1_23 * T(9.81);
   const T Pddot1_3 = R1_33 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.02) - omega1_1 * T(0.03);
-  const T t1_14 = T(0.01) * omega1_1 + T(0.02) * omega1_2;
-  const T a1_1 = Pddot1_1 - (omega1_3 * t1_13 + omega1_2 * t1_14);
-  const T t1_15 = T(0.01) * omega1_3 + T(0.03) * omega1_2;
-  const T a1_2 = omega1_3 * t1_15 + omega1_1 * t1_14 + Pddot1_2;
-  const T a1_3 = omega1_1 * t1_13 - omega1_2 * t1_15 + Pddot1_3;
-  // G1 = R1 F1 - m1 a1: applied less inertia force at ydot = 0, body axes [N]
+  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_16 = U1_13 * T(0.03);
+  const T t1_17 = U1_12 * T(0.01);
+  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17) + Pddot1_1;
+  const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
+  const T t1_18 = U1_13 * T(0.02);
+  const T t1_19 = U1_23 * T(0.01);
+  const T a1_3 = t1_18 - t1_19 - minus_U1_33 * T(0.03) + Pddot1_3;
+  // G1 = R1 F1 - m1 a1: applied less inertia force, body axes [N]
   const T G1_1 = R1_13 * u.thrust - T(8) * a1_1;
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_2 * omega1_3;
-  const T t1_18 = omega1_2 * omega1_2;
-  const T t1_19 = omega1_3 * omega1_3;
-  const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
-      T(0.1);
-  const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
+  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -4709,30 +5012,34 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T P2_1 = s1_1 + R1_11 * T(0.2) + R1_21 * T(0.1) - R1_31 * T(0.2);
   const T P2_2 = s1_2 + R1_12 * T(0.2) + R1_22 * T(0.1) - R1_32 * T(0.2);
   const T P2_3 = s1_3 + R1_13 * T(0.2) + R1_23 * T(0.1) - R1_33 * T(0.2);
-  // Pddot2 = R1^T (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t2_13 = omega1_1 * T(0.1);
-  const T t2_14 = omega1_2 * T(0.2);
-  const T t2_15 = t2_13 - t2_14;
-  const T t2_16 = omega1_3 * T(0.2);
-  const T t2_17 = t2_16 + omega1_1 * T(0.2);
-  const T t2_18 = omega1_2 * t2_15 - omega1_3 * t2_17 + Pddot1_1;
-  const T t2_19 = omega1_3 * T(0.1);
-  const T t2_20 = t2_19 + t2_14;
-  const T t2_21 = Pddot1_2 - (omega1_3 * t2_20 + omega1_1 * t2_15);
-  const T t2_22 = omega1_1 * t2_17 + omega1_2 * t2_20 + Pddot1_3;
-  const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_21 + R1_31 * t2_22;
-  const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_21 + R1_32 * t2_22;
-  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_21 + R1_33 * t2_22;
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_23 = omega2_1 * T(0.02);
-  const T t2_24 = omega2_1 * T(0.2);
-  const T t2_25 = omega2_2 * t2_23 - omega2_3 * t2_24;
-  const T t2_26 = omega2_3 * T(0.02) + omega2_2 * T(0.2);
-  const T t2_27 = omega2_3 * t2_26 + omega2_1 * t2_23;
-  const T t2_28 = omega2_1 * t2_24 + omega2_2 * t2_26;
-  const T a2_1 = R2_11 * t2_25 - R2_21 * t2_27 + R2_31 * t2_28 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 - R2_22 * t2_27 + R2_32 * t2_28 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 - R2_23 * t2_27 + R2_33 * t2_28 + Pddot2_3;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_13 = omega2_1 * omega2_1;
+  const T minus_U2_22 = omega2_3 * omega2_3 + t2_13;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T minus_U2_33 = omega2_2 * omega2_2 + t2_13;
+  // Pddot2 = R1^T (U1 q2 + Pddot1): acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T t2_14 = Pddot1_1 + U1_12 * T(0.1);
+  const T t2_15 = minus_U1_11 * T(0.2);
+  const T t2_16 = U1_13 * T(0.2);
+  const T t2_17 = t2_14 - t2_15 - t2_16;
+  const T t2_18 = U1_12 * T(0.2);
+  const T t2_19 = minus_U1_22 * T(0.1) - Pddot1_2;
+  const T t2_20 = t2_18 - t2_19 - U1_23 * T(0.2);
+  const T t2_21 = U1_23 * T(0.1);
+  const T t2_22 = Pddot1_3 + t2_21;
+  const T t2_23 = t2_16 + t2_22 + minus_U1_33 * T(0.2);
+  const T Pddot2_1 = R1_11 * t2_17 + R1_21 * t2_20 + R1_31 * t2_23;
+  const T Pddot2_2 = R1_12 * t2_17 + R1_22 * t2_20 + R1_32 * t2_23;
+  const T Pddot2_3 = R1_13 * t2_17 + R1_23 * t2_20 + R1_33 * t2_23;
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_24 = U2_12 * T(0.02) - U2_13 * T(0.2);
+  const T t2_25 = minus_U2_22 * T(0.02) + U2_23 * T(0.2);
+  const T t2_26 = U2_23 * T(0.02) + minus_U2_33 * T(0.2);
+  const T a2_1 = R2_11 * t2_24 - R2_21 * t2_25 + R2_31 * t2_26 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_24 - R2_22 * t2_25 + R2_32 * t2_26 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_24 - R2_23 * t2_25 + R2_33 * t2_26 + Pddot2_3;
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
@@ -4787,7 +5094,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T P3_3 = t3_23 + R1_13 * T(0.3);
   // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
   const T stretch_boom_3 = theta3 - T(0.2);
-  // effort_boom_3 = -thetadot3 c_boom_ - k_boom_ stretch_boom_3 + tau_boom_: along the coordinate [N m], [N]
+  // effort_boom_3 = -thetadot3 c_boom_ + tau_boom_ - stretch_boom_3 k_boom_: along the coordinate [N m], [N]
   const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
   const T minus_omegadot3_1 = thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) * t3_19);
@@ -4810,18 +5117,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T U3_31 = t3_27 + minus_omegadot3_2;
   const T U3_32 = t3_29 - minus_omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
-  // Pddot3 = E3 (omega1~ omega1~ q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = omega1_3 * T(0.3);
-  const T t3_31 = t3_30 - t2_13;
-  const T t3_32 = omega1_2 * T(0.3);
-  const T t3_33 = Pddot1_1 - (omega1_3 * t3_31 + omega1_2 * t3_32);
-  const T t3_34 = omega1_2 * T(0.1);
-  const T t3_35 = omega1_3 * t3_34 + omega1_1 * t3_32 + Pddot1_2;
-  const T t3_36 = omega1_1 * t3_31 - omega1_2 * t3_34 + Pddot1_3;
-  const T Pddot3_1 = E3_11 * t3_33 + E3_12 * t3_35 - minus_E3_13 * t3_36;
-  const T Pddot3_2 = E3_21 * t3_33 + E3_22 * t3_35 + E3_23 * t3_36;
-  const T Pddot3_3 = E3_31 * t3_33 + E3_32 * t3_35 + E3_33 * t3_36;
-  // G2 = -R3^T F_jet_ - m2 a2: applied less inertia force at ydot = 0, inertial axes [N]
+  // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_30 = Pddot1_1 + U1_13 * T(0.1);
+  const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
+  const T t3_32 = U1_12 * T(0.3);
+  const T t3_33 = Pddot1_2 + t2_21;
+  const T t3_34 = t3_32 + t3_33;
+  const T t3_35 = minus_U1_33 * T(0.1) - Pddot1_3;
+  const T t3_36 = U1_13 * T(0.3) - t3_35;
+  const T Pddot3_1 = E3_11 * t3_31 + E3_12 * t3_34 - minus_E3_13 * t3_36;
+  const T Pddot3_2 = E3_21 * t3_31 + E3_22 * t3_34 + E3_23 * t3_36;
+  const T Pddot3_3 = E3_31 * t3_31 + E3_32 * t3_34 + E3_33 * t3_36;
+  // G2 = -R3^T F_jet_ - m2 a2: applied less inertia force, inertial axes [N]
   const T t3_37 = T(0.5) * u.thrust * exp(T(0) - t);
   const T t3_38 = R3_11 * T(0.1) + R3_21 * t3_37;
   const T minus_G2_1 = T(0.8) * a2_1 + t3_38;
@@ -4833,11 +5140,11 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
   const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
   const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
   const T minus_G3_3 = T(1.5) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N3_1 = T(0.004999999999999999) * U3_32 - T(0.035) * U3_23 + T(0.003) * (minus_U3_22 - minus_U3_33) -
       T(0.002) * U3_31 + T(0.001) * U3_21;
   const T minus_N3_2 = T(0.035) * U3_13 - T(0.015000000000000001) * U3_31 - T(0.001) * (minus_U3_33 - minus_U3_11) +
@@ -4878,14 +5185,13 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_omegadot4a_1 = thetadot4_1 * (T(0.96) * t4_3 + T(0.28) * t4_4);
   const T omegadot4a_2 = T(0.96) * omega4a_1 * thetadot4_1;
   const T omegadot4a_3 = T(0.28) * omega4a_1 * thetadot4_1;
-  // Pddot4a = E4a (omega1~ omega1~ q4a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_6 = t2_13 + t2_14;
-  const T t4_7 = omega1_3 * t2_16 + omega1_2 * t4_6 + Pddot1_1;
-  const T t4_8 = Pddot1_2 - (omega1_3 * t2_19 + omega1_1 * t4_6);
-  const T t4_9 = omega1_2 * t2_19 - omega1_1 * t2_16 + Pddot1_3;
-  const T Pddot4a_1 = E4a_11 * t4_7 - minus_E4a_12 * t4_8 - minus_E4a_13 * t4_9;
-  const T Pddot4a_2 = minus_E4a_12 * t4_7 + E4a_22 * t4_8 + E4a_23 * t4_9;
-  const T Pddot4a_3 = minus_E4a_13 * t4_7 + E4a_23 * t4_8 + E4a_33 * t4_9;
+  // Pddot4a = E4a (U1 q4a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_6 = t2_15 + t2_14;
+  const T t4_7 = t2_18 + t2_19;
+  const T t4_8 = t2_22 - t2_16;
+  const T Pddot4a_1 = E4a_11 * t4_6 + minus_E4a_12 * t4_7 - minus_E4a_13 * t4_8;
+  const T Pddot4a_2 = minus_E4a_12 * t4_6 - E4a_22 * t4_7 + E4a_23 * t4_8;
+  const T Pddot4a_3 = minus_E4a_13 * t4_6 - E4a_23 * t4_7 + E4a_33 * t4_8;
   // omegadot4 = -thetadot4_2 b4_2~ E4 omega4a + E4 omegadot4a: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = minus_E4_11 * minus_omegadot4a_1 + E4_12 * omegadot4a_2 - minus_E4_13 * omegadot4a_3 -
       thetadot4_2 * omega4_3;
@@ -4894,18 +5200,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
       omegadot4a_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_10 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_10;
-  const T t4_11 = omega4_2 * omega4_1;
-  const T U4_12 = t4_11 - omegadot4_3;
-  const T t4_12 = omega4_3 * omega4_1;
-  const T U4_13 = t4_12 + omegadot4_2;
-  const T U4_21 = t4_11 + omegadot4_3;
-  const T t4_13 = omega4_3 * omega4_2;
-  const T U4_23 = t4_13 - omegadot4_1;
-  const T U4_31 = t4_12 - omegadot4_2;
-  const T U4_32 = t4_13 + omegadot4_1;
-  const T minus_U4_33 = t4_10 + omega4_1 * omega4_1;
+  const T t4_9 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T t4_10 = omega4_2 * omega4_1;
+  const T U4_12 = t4_10 - omegadot4_3;
+  const T t4_11 = omega4_3 * omega4_1;
+  const T U4_13 = t4_11 + omegadot4_2;
+  const T U4_21 = t4_10 + omegadot4_3;
+  const T t4_12 = omega4_3 * omega4_2;
+  const T U4_23 = t4_12 - omegadot4_1;
+  const T U4_31 = t4_11 - omegadot4_2;
+  const T U4_32 = t4_12 + omegadot4_1;
+  const T minus_U4_33 = t4_9 + omega4_1 * omega4_1;
   // Pddot4 = E4 Pddot4a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_12 * Pddot4a_2 - minus_E4_11 * Pddot4a_1 - minus_E4_13 * Pddot4a_3;
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
@@ -4914,11 +5220,11 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
   const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
+  // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
   const T minus_G4_3 = T(0.9) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N4_1 = T(0.006500000000000001) * U4_32 - T(0.0015) * U4_23;
   const T minus_N4_2 = T(0.0015) * U4_13 - T(0.0055) * U4_31;
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
@@ -4968,20 +5274,22 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_3 = t3_30 + t3_34;
-  const T t5_4 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
+  const T t5_3 = omega1_2 * T(0.1);
+  const T t5_4 = omega1_3 * T(0.3) + t5_3;
+  const T t5_5 = omega1_1 * T(0.1);
+  const T t5_6 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t5_5 - R1_31 * t5_6;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t5_5 - R1_32 * t5_6;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t5_5 - R1_33 * t5_6;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
-  // Pddot5a = E5a (omega1~ omega1~ q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4 + Pddot1_1;
-  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4 + Pddot1_2;
-  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
-  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
-  const T Pddot5a_3 = Pddot1_3 - (omega1_1 * t2_13 + omega1_2 * t5_3);
+  // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = t3_30 - t3_32;
+  const T t5_8 = minus_U1_22 * T(0.3) + t3_33;
+  const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
+  const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
+  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_35;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -4989,25 +5297,25 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_7 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
-  const T t5_8 = omega5_2 * omega5_1;
-  const T U5_12 = t5_8 - omegadot5_3;
-  const T t5_9 = omega5_3 * omega5_1;
-  const T U5_13 = t5_9 + omegadot5_2;
-  const T U5_21 = t5_8 + omegadot5_3;
-  const T t5_10 = omega5_3 * omega5_2;
-  const T U5_23 = t5_10 - omegadot5_1;
-  const T U5_31 = t5_9 - omegadot5_2;
-  const T U5_32 = t5_10 + omegadot5_1;
-  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
+  const T t5_9 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_9;
+  const T t5_10 = omega5_2 * omega5_1;
+  const T U5_12 = t5_10 - omegadot5_3;
+  const T t5_11 = omega5_3 * omega5_1;
+  const T U5_13 = t5_11 + omegadot5_2;
+  const T U5_21 = t5_10 + omegadot5_3;
+  const T t5_12 = omega5_3 * omega5_2;
+  const T U5_23 = t5_12 - omegadot5_1;
+  const T U5_31 = t5_11 - omegadot5_2;
+  const T U5_32 = t5_12 + omegadot5_1;
+  const T minus_U5_33 = t5_9 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_2 = E5_22 * Pddot5a_2 + E5_23 * Pddot5a_3;
-  const T Pddot5_3 = E5_22 * Pddot5a_3 - E5_23 * Pddot5a_2;
+  const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
+  const T minus_Pddot5_3 = E5_22 * minus_Pddot5a_3 + E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
   const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 + Pddot5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -5035,25 +5343,27 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
       P6_1 + R2_22 * P6_2 + R2_23 * P6_3;
   const T arm2_3 = R2_31 * t6_2 + R2_32 * t6_3 + R2_33 * t6_4 - R2_31 * P2_1 - R2_32 * P2_2 - R2_33 * P2_3 + R2_31 *
       P6_1 + R2_32 * P6_2 + R2_33 * P6_3;
-  // lever2 = -r2 + arm2: from the mass centre to where a force acts, link axes [m]
+  // lever2 = -r2 + arm2: from the reference point to where a force acts, link axes [m]
   const T lever2_2 = arm2_2 - T(0.02);
   const T lever2_3 = arm2_3 + T(0.2);
-  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
+  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
   const T t6_5 = R2_31 * t3_38 + R2_32 * t3_39 + R2_33 * t3_40;
   const T t6_6 = R2_21 * t3_38 + R2_22 * t3_39 + R2_23 * t3_40;
-  const T minus_N2_1 = lever2_2 * t6_5 - lever2_3 * t6_6 - omega2_2 * omega2_3 * T(0.006999999999999999);
+  const T minus_N2_1 = lever2_2 * t6_5 - lever2_3 * t6_6 - T(0.006999999999999999) * U2_23;
   const T t6_7 = R2_11 * t3_38 + R2_12 * t3_39 + R2_13 * t3_40;
-  const T minus_N2_2 = omega2_1 * omega2_3 * T(0.006) + lever2_3 * t6_7 - arm2_1 * t6_5;
-  const T minus_N2_3 = omega2_1 * omega2_2 * T(0.0009999999999999992) + arm2_1 * t6_6 - lever2_2 * t6_7;
+  const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t6_7 - arm2_1 * t6_5;
+  const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t6_6 - lever2_2 * t6_7;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
   const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
   const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
-  // G6 = -m6 a6 + F_jet_: applied less inertia force at ydot = 0, body axes [N]
+  // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
   const T G6_2 = t3_37 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
-  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
+  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
   const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
   const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
@@ -5094,9 +5404,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   //   axes [m/s^2]
   const T t8_6 = T(2) * sdot8;
   const T t8_7 = omega1_1 * d8_2;
-  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7 + Pddot1_1;
+  const T t8_8 = t8_6 * omega1_3 + omega1_2 * t8_7 + Pddot1_1;
   const T t8_9 = omega1_3 * d8_2;
-  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6 + Pddot1_3;
+  const T t8_10 = omega1_2 * t8_9 - t8_6 * omega1_1 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
   const T Pddot8_2 = Pddot1_2 - (omega1_3 * t8_9 + omega1_1 * t8_7);
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
@@ -5104,11 +5414,11 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
   const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
-  // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
+  // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
   const T N8_2 = T(0.001) * U8_13;
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
@@ -5151,34 +5461,36 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
       t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
   const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
-  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
-      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
-      T(0.4);
+  // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
+      line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) * (T(1) / ll_tether_9);
   // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
   const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
   const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
   const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
-  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
+  // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U9_11 = thetadot9 * thetadot9;
+  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force, body axes [N]
   const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
   const T t9_10 = R5_31 * F_tether_9_1 + R5_32 * F_tether_9_2 + R5_33 * F_tether_9_3;
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
-  //   axes [N m]
-  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
-  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
-      c.lever5_1 * t9_10;
-  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
-  // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_2;
-  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
+  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment about the mass
+  //   centre, body axes [N m]
+  const T N5_1 = T(0.02) * t9_10 - c.lever5_3 * t9_9 - c.c9_3 * U5_32 + c.c9_4 * U5_23 - c.I_link5_13 * U5_21;
+  const T N5_2 = c.lever5_3 * t9_8 - c.lever5_1 * t9_10 - c.c9_4 * U5_13 + c.c9_2 * U5_31 + c.I_link5_13 *
+      (minus_U5_33 - minus_U5_11);
+  const T N5_3 = c.lever5_1 * t9_9 - T(0.02) * t9_8 - c.c9_2 * U5_21 + c.c9_3 * U5_12 + c.I_link5_13 * U5_23;
+  // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a9_1 = minus_U9_11 * T(0.1);
+  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force, body axes [N]
   const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
-  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
+  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment about the mass centre, body
+  //   axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
   f[11] = -N9_1;
 
@@ -5209,35 +5521,42 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T R10_31 = t10_8 + t10_9;
   const T R10_32 = t10_11 - t10_12;
   const T R10_33 = t10_10 - t10_2;
+  // U10 = omega10~ omega10~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t10_13 = omega10_3 * omega10_3;
+  const T t10_14 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_13 + t10_14;
+  const T U10_12 = omega10_2 * omega10_1;
+  const T U10_13 = omega10_3 * omega10_1;
+  const T t10_15 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_13 + t10_15;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T minus_U10_33 = t10_14 + t10_15;
   // Pddot10 = R1^T (omega1~ (omega1~ d10 + 2 sdot10 u10) + Pddot1): acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t10_13 = omega1_1 * s10 - t3_34;
-  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
-  const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14 + Pddot1_1;
-  const T t10_16 = t3_32 - omega1_3 * s10;
-  const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13 + Pddot1_2;
-  const T t10_18 = omega1_1 * t10_14 - omega1_2 * t10_16 + Pddot1_3;
-  const T Pddot10_1 = R1_11 * t10_15 + R1_21 * t10_17 + R1_31 * t10_18;
-  const T Pddot10_2 = R1_12 * t10_15 + R1_22 * t10_17 + R1_32 * t10_18;
-  const T Pddot10_3 = R1_13 * t10_15 + R1_23 * t10_17 + R1_33 * t10_18;
-  // a10 = R10^T omega10~ omega10~ r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t10_19 = omega10_1 * T(0.01) - omega10_2 * T(0.02);
-  const T t10_20 = omega10_3 * T(0.02) + omega10_1 * T(0.03);
-  const T t10_21 = omega10_2 * t10_19 - omega10_3 * t10_20;
-  const T t10_22 = omega10_3 * T(0.01) + omega10_2 * T(0.03);
-  const T t10_23 = omega10_3 * t10_22 + omega10_1 * t10_19;
-  const T t10_24 = omega10_1 * t10_20 + omega10_2 * t10_22;
-  const T a10_1 = R10_11 * t10_21 - R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_21 - R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_21 - R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t10_16 = omega1_1 * s10 - t5_3;
+  const T t10_17 = omega1_3 * T(0.1) - t5_6 + T(2) * sdot10;
+  const T t10_18 = omega1_2 * t10_16 - omega1_3 * t10_17 + Pddot1_1;
+  const T t10_19 = omega1_2 * T(0.3) - omega1_3 * s10;
+  const T t10_20 = omega1_3 * t10_19 - omega1_1 * t10_16 + Pddot1_2;
+  const T t10_21 = omega1_1 * t10_17 - omega1_2 * t10_19 + Pddot1_3;
+  const T Pddot10_1 = R1_11 * t10_18 + R1_21 * t10_20 + R1_31 * t10_21;
+  const T Pddot10_2 = R1_12 * t10_18 + R1_22 * t10_20 + R1_32 * t10_21;
+  const T Pddot10_3 = R1_13 * t10_18 + R1_23 * t10_20 + R1_33 * t10_21;
+  // a10 = R10^T U10 r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t10_22 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
+  const T t10_23 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
+  const T t10_24 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03);
+  const T a10_1 = R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
+  const T a10_2 = R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
+  const T a10_3 = R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
+  // G10 = -m10 a10: applied less inertia force, inertial axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
   const T minus_G10_3 = T(0.4) * a10_3;
-  // N10 = -omega10~ I10 omega10: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N10_1 = omega10_2 * omega10_3 * T(5e-04);
-  const T N10_2 = omega10_1 * omega10_3 * T(5e-04);
-  const T minus_N10_3 = omega10_1 * omega10_2 * T(0.001);
+  // N10 = -omega10~ I10 omega10: applied less inertia moment about the mass centre, body axes [N m]
+  const T N10_1 = T(5e-04) * U10_23;
+  const T N10_2 = T(5e-04) * U10_13;
+  const T minus_N10_3 = T(0.001) * U10_12;
 
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
@@ -5278,12 +5597,12 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
   const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
+  // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
-  //   axes [N m]
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment about the mass
+  //   centre, body axes [N m]
   const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
   const T minus_N11_2 = T(0.02) * u.motor;
   const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
@@ -5460,7 +5779,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 488 add, 679 multiply, 17 sine or cosine
+// 460 add, 614 multiply, 17 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -5490,6 +5809,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  A[480] = c.m_sub1;
+  A[510] = c.m_sub1;
+  A[540] = c.m_sub1;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -5662,16 +5984,16 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T h8_3 = T(0.013999999999999999) + hc11_3;
   // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
   //   about the body origin, body axes [kg m^2]
-  const T b8_2 = E11_11 * T(0.00043000000000000004);
-  const T b8_3 = E11_13 * T(4e-04);
+  const T b8_2 = E11_13 * T(3e-05);
+  const T b8_3 = E11_13 * b8_2;
   const T b8_4 = b8_1 * minus_d11_2;
-  const T J8_11 = b8_2 * E11_11 + b8_3 * E11_13 + T(0.010280000000000001) + b8_4;
+  const T J8_11 = T(0.01071) - b8_3 + b8_4;
   const T b8_5 = minus_d11_2 * minus_hc11_1;
   const T minus_J8_12 = T(7e-04) + b8_5;
-  const T J8_13 = b8_2 * E11_13 - b8_3 * E11_11 + T(0.00014);
+  const T J8_13 = E11_11 * b8_2 + T(0.00014);
   const T b8_6 = minus_d11_2 * hc11_3;
   const T J8_23 = T(0.0014) + b8_6;
-  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_4;
+  const T J8_33 = T(0.011470000000000001) + b8_3 + b8_4;
   // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
   const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
@@ -5684,40 +6006,41 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_6;
 
   // ---- body 5 (camera) and what it carries
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc5_2 = E5_23 * c.h5_3;
-  const T hc5_3 = E5_22 * c.h5_3;
-  // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T minus_J5a_12 = E5_23 * c.J5_13;
-  const T J5a_13 = E5_22 * c.J5_13;
-  const T b5_1 = E5_22 * c.J5_22;
-  const T b5_2 = E5_23 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
-  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
-  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
+  // hc5 = E5^T h_own_5: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc5_2 = E5_23 * c.HA5_21;
+  const T hc5_3 = E5_22 * c.HA5_21;
+  // J5a = E5^T J_own_5 E5 + J_own_5a: inertia carried, about the body origin, body axes [kg m^2]
+  const T minus_J5a_12 = E5_23 * c.JA5_13;
+  const T J5a_13 = E5_22 * c.JA5_13;
+  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_2 = E5_23 * b5_1;
+  const T J5a_22 = b5_2 + c.JA5_22;
+  const T minus_J5a_23 = E5_22 * b5_1;
+  const T J5a_33 = c.J_own_5_33 - b5_2 + c.JA5_22;
   A[270] = J5a_33;
-  // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
-  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
+  // hc5a = E5a^T h5a: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.HA5_32;
+  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.HA5_32;
 
   // ---- body 4 (cross) and what it carries
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4_1 = t4_3 * T(0.09000000000000001) - minus_E4_11 * T(0.027);
   const T hc4_2 = E4_12 * T(0.027) + E4_32 * T(0.09000000000000001);
   const T minus_hc4_3 = minus_E4_13 * T(0.027) + minus_E4_33 * T(0.09000000000000001);
-  // J4a = E4^T J4 E4: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_1 = minus_E4_11 * T(0.017) + t4_3 * T(0.0027);
-  const T b4_2 = minus_E4_11 * T(0.0027) + t4_3 * T(0.01281);
-  const T J4a_11 = b4_1 * minus_E4_11 + b4_2 * t4_3;
+  // J4a = E4^T J_own_4 E4 + J_all_4a: inertia carried, about the body origin, body axes [kg m^2]
+  const T b4_1 = minus_E4_11 * T(0.004190000000000001) + t4_3 * T(0.0027);
+  const T b4_2 = minus_E4_11 * T(0.0027);
+  const T b4_3 = b4_1 * minus_E4_11 + b4_2 * t4_3;
+  const T J4a_11 = b4_3 + T(0.01281);
   const T J4a_12 = b4_2 * E4_32 - b4_1 * E4_12;
   const T J4a_13 = b4_1 * minus_E4_13 - b4_2 * minus_E4_33;
-  const T b4_3 = E4_12 * T(0.017) - E4_32 * T(0.0027);
-  const T b4_4 = E4_32 * T(0.01281) - E4_12 * T(0.0027);
-  const T J4a_22 = b4_3 * E4_12 + T(0.015492096) + b4_4 * E4_32;
-  const T J4a_23 = T(0.004518528000000001) - b4_3 * minus_E4_13 - b4_4 * minus_E4_33;
-  const T J4a_33 = T(0.0013179040000000004) - (minus_E4_33 * T(0.0027) - minus_E4_13 * T(0.017)) * minus_E4_13 -
-      (minus_E4_13 * T(0.0027) - minus_E4_33 * T(0.01281)) * minus_E4_33;
-  // hc4a = E4a^T hc4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T b4_4 = E4_12 * T(0.004190000000000001) - E4_32 * T(0.0027);
+  const T b4_5 = E4_12 * T(0.0027);
+  const T b4_6 = b4_4 * E4_12 + T(0.015492096) - b4_5 * E4_32;
+  const T J4a_22 = b4_6 + T(0.0010043040000000001);
+  const T J4a_23 = T(0.0010752000000000003) - b4_4 * minus_E4_13 + b4_5 * minus_E4_33;
+  const T J4a_33 = T(0.032805696) - b4_3 - b4_6;
+  // hc4a = E4a^T h4a: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc4a_1 = E4a_11 * hc4_1 + minus_E4a_12 * hc4_2 - minus_E4a_13 * minus_hc4_3;
   const T hc4a_2 = E4a_22 * hc4_2 - minus_E4a_12 * hc4_1 - E4a_23 * minus_hc4_3;
   const T hc4a_3 = E4a_23 * hc4_2 - minus_E4a_13 * hc4_1 - E4a_33 * minus_hc4_3;
@@ -5725,7 +6048,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T minus_B_thetadot4_2_4a_1 = minus_E4_11 * T(0.09000000000000001) + t4_3 * T(0.027);
   const T B_thetadot4_2_4a_2 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
   const T B_thetadot4_2_4a_3 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
-  // B_thetadot4_1_4a = b4_1~ hc4: force of a unit of the rate of the speed
+  // B_thetadot4_1_4a = b4_1~ h4a: force of a unit of the rate of the speed
   const T B_thetadot4_1_4a_1 = T(0.96) * hc4_2 - T(0.28) * minus_hc4_3;
   const T minus_B_thetadot4_1_4a_2 = T(0.96) * hc4_1;
   const T minus_B_thetadot4_1_4a_3 = T(0.28) * hc4_1;
@@ -5735,15 +6058,14 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T K_thetadot4_1_4a_3 = J4a_23 * T(0.28) - J4a_33 * T(0.96);
 
   // ---- body 3 (boom) and what it carries
-  // h3 = m3 r3 + m6 d6 + h6: first moment of mass carried, about the body origin, body axes [kg m]
+  // h3 = m6 d6 + h_all_3 + h6: first moment of mass carried, about the body origin, body axes [kg m]
   const T b3_1 = T(0.5) * d6_1;
-  const T h3_1 = T(0.35000000000000003) + b3_1;
-  // J3 = -m3 r3~ r3~ + I3 + (-m6 d6~ - h6~) d6~ - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg
-  //   m^2]
+  const T h3_1 = b3_1 + T(0.35000000000000003);
+  // J3 = (-m6 d6~ - h6~) d6~ + J_all_3 - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg m^2]
   const T J3_13 = T(5e-04) - T(0.005) * d6_1;
   const T b3_2 = (T(0.05) + b3_1) * d6_1 + d6_1 * T(0.05);
-  const T J3_22 = T(0.12105) + b3_2;
-  const T J3_33 = T(0.0916) + b3_2;
+  const T J3_22 = b3_2 + T(0.12105);
+  const T J3_33 = b3_2 + T(0.0916);
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_1 = E3_11 * h3_1 + E3_21 * T(0.03) + E3_31 * T(0.005);
   const T hc3_2 = E3_12 * h3_1 + E3_22 * T(0.03) + E3_32 * T(0.005);
@@ -5759,90 +6081,71 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
 
   // ---- body 1 (hull) and what it carries
   const T s10 = x[28];
-  A[480] = c.m_sub1;
-  A[510] = c.m_sub1;
-  A[540] = c.m_sub1;
-  // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
-  //   moment of mass carried, about the body origin, body axes [kg m]
+  // h1 = m6 q3 + m10 d10 + h_all_1 + m_sub8 d8 + hc3 + hc4a + hc5a + hc8: first moment of mass carried, about the
+  //   body origin, body axes [kg m]
   const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_1 = minus_hc5a_2 + c.c1_2;
-  const T b1_2 = minus_h8_2 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_1 - b1_2 + hc3_2 + hc4a_2;
-  const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
-  // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
-  //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
-  //   d8~ - hc8~) d8~ + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_3 = E3_11 * T(0.04165) - E3_21 * T(0.004) + E3_31 * J3_13;
-  const T b1_4 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
-  const T b1_5 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
-  const T b1_6 = hc5_3 + c.c1_1;
-  const T b1_7 = hc3_3 + T(0.2);
-  const T b1_8 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + (b1_6 * T(0.1) + b1_7 * T(0.1));
-  const T b1_9 = T(0.09000000000000001) + hc4a_2;
-  const T b1_10 = b1_1 * T(0.3) - d8_2 * minus_h8_2 - (b1_2 * d8_2 - (T(0.1) * hc4a_2 + b1_9 * T(0.1)));
-  const T b1_11 = minus_E4a_12 * J4a_12;
-  const T b1_12 = minus_E4a_13 * J4a_13;
-  const T b1_13 = E4a_11 * J4a_11 + b1_11 + b1_12;
-  const T b1_14 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
-  const T b1_15 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_16 = T(0.3) * minus_hc5a_2;
-  const T b1_17 = E5a_12 * minus_J5a_12;
-  const T b1_18 = E5a_11 * c.J5_11 + b1_17;
-  const T b1_19 = E5a_11 * minus_J5a_12;
-  const T b1_20 = b1_19 + E5a_12 * J5a_22;
-  const T b1_21 = E8_13 * J8_13;
-  const T b1_22 = E8_11 * J8_11 - b1_21;
-  const T b1_23 = E8_11 * J8_13;
-  const T b1_24 = b1_23 - E8_13 * J8_33;
-  const T b1_25 = s10 * s10;
-  const T J1_11 = b1_3 * E3_11 + b1_4 * E3_21 + b1_5 * E3_31 + b1_8 + b1_10 + b1_13 * E4a_11 + b1_14 * minus_E4a_12 +
-      b1_15 * minus_E4a_13 + b1_16 + b1_18 * E5a_11 + b1_20 * E5a_12 + b1_22 * E8_11 - b1_24 * E8_13 + T(0.648) +
-      T(0.4) * (T(0.09) + b1_25);
-  const T b1_26 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
-  const T b1_27 = T(0.3) * hc3_2 - T(0.3) * hc5a_1 + (s10 * T(0.1) * T(0.4) - (b1_3 * E3_12 + b1_4 * E3_22 + b1_5 *
-      E3_32)) - (b1_14 * E4a_22 - b1_13 * minus_E4a_12 + b1_15 * E4a_23 + T(0.005599999999999998) + (b1_18 * E5a_12 -
-      b1_20 * E5a_11 - b1_26));
-  const T J1_12 = b1_9 * T(0.2) - (b1_27 + T(0.1) * hc4a_1);
-  const T b1_28 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
-  const T b1_29 = b1_22 * E8_13 + b1_24 * E8_11 - b1_28 + (b1_4 * E3_23 - b1_3 * minus_E3_13 + b1_5 * E3_33 + T(0.2) *
-      hc4a_3 + (b1_14 * E4a_23 - b1_13 * minus_E4a_13 + b1_15 * E4a_33 + T(0.005200000000000004)));
-  const T J1_13 = b1_29 - T(0.1) * hc3_1 - b1_7 * T(0.3);
-  const T b1_30 = hc4a_1 - T(0.18000000000000002);
-  const T J1_21 = T(0.2) * hc4a_2 - b1_27 - b1_30 * T(0.1);
-  const T b1_31 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
-  const T b1_32 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
-  const T b1_33 = E3_12 * J3_13 - E3_22 * T(0.003) + E3_32 * J3_33;
-  const T b1_34 = hc3_1 + T(0.6);
-  const T b1_35 = T(0.3) * hc3_1 - T(0.2) * hc4a_1 - (b1_30 * T(0.2) - b1_34 * T(0.3));
-  const T b1_36 = E4a_23 * J4a_23;
-  const T b1_37 = E4a_22 * J4a_22 - b1_11 + b1_36;
-  const T b1_38 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
-  const T b1_39 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
-  const T J1_22 = b1_31 * E3_12 + b1_32 * E3_22 + b1_33 * E3_32 + b1_8 + b1_35 + b1_37 * E4a_22 - b1_38 * minus_E4a_12
-      + b1_39 * E4a_23 + (E5a_12 * c.J5_11 - b1_19) * E5a_12 + (E5a_11 * J5a_22 - b1_17) * E5a_11 + T(0.61738);
-  const T b1_40 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_41 = T(0.1) * minus_hc5a_2 + b1_40;
-  const T b1_42 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
-  const T b1_43 = T(0.1) * hc3_2 + T(0.1) * hc4a_3 + b1_42 + (T(0.3) * s10 * T(0.4) - (b1_32 * E3_23 - b1_31 *
-      minus_E3_13 + b1_33 * E3_33) - (b1_37 * E4a_23 - b1_38 * minus_E4a_13 + b1_39 * E4a_33 + T(0.0484)));
-  const T J1_23 = b1_41 - b1_43 + b1_6 * T(0.3);
-  const T J1_31 = b1_29 - T(0.3) * hc3_3 - b1_34 * T(0.1);
-  const T J1_32 = T(0.3) * hc5_3 - b1_43 + b1_40 + b1_1 * T(0.1);
-  const T b1_44 = J5a_33 + b1_16;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
-      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
-      E3_33 + b1_35 + b1_10 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
-      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_36 - b1_12 + E4a_33 * J4a_33) * E4a_33 + b1_44 +
-      (E8_13 * J8_11 + b1_23) * E8_13 + (b1_21 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_25 +
-      T(0.010000000000000002));
+  const T b1_1 = minus_h8_2 - T(1) * d8_2;
+  const T h1_2 = T(0.4) * s10 + c.h_all_1_2 - b1_1 + hc3_2 + hc4a_2 - minus_hc5a_2;
+  const T h1_3 = c.c1_1 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
+  // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 + (-m6 q3~ -
+  //   hc3~) q3~ - m10 d10~ d10~ + J_all_1 - d8~ hc8~ + (-m_sub8 d8~ - hc8~) d8~ - hc4a~ q4a~ - hc5a~ q5a~: inertia
+  //   carried, about the body origin, body axes [kg m^2]
+  const T b1_2 = hc3_3 + T(0.05);
+  const T b1_3 = T(0.1) * hc3_3 + b1_2 * T(0.1);
+  const T b1_4 = T(2) * E8_11 * J8_13 - E8_13 * (J8_33 - J8_11);
+  const T b1_5 = E3_11 * T(0.04165) - E3_21 * T(0.004) + E3_31 * J3_13;
+  const T b1_6 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
+  const T b1_7 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
+  const T b1_8 = minus_E4a_12 * J4a_12;
+  const T b1_9 = E4a_11 * J4a_11 + b1_8 + minus_E4a_13 * J4a_13;
+  const T b1_10 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
+  const T b1_11 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
+  const T b1_12 = E8_13 * b1_4 - (b1_5 * E3_11 + b1_6 * E3_21 + b1_7 * E3_31 + (b1_9 * E4a_11 + b1_10 * minus_E4a_12 +
+      b1_11 * minus_E4a_13));
+  const T b1_13 = T(0.2) * hc4a_2;
+  const T b1_14 = T(0.3) * minus_hc5a_2;
+  const T b1_15 = b1_14 + T(0.1) * hc5_3;
+  const T b1_16 = E5a_12 * (c.JA5_11 - J5a_22) - T(2) * E5a_11 * minus_J5a_12;
+  const T b1_17 = E5a_12 * b1_16;
+  const T b1_18 = s10 * s10;
+  const T b1_19 = d8_2 * minus_h8_2 + b1_1 * d8_2;
+  const T J1_11 = b1_3 - b1_12 + b1_13 + b1_15 + c.JA5_11 - b1_17 + J8_11 + T(0.4) * (T(0.09) + b1_18) + c.J_all_1_11
+      - b1_19 + b1_15;
+  const T b1_20 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
+  const T J1_12 = b1_5 * E3_12 + b1_6 * E3_22 + b1_7 * E3_32 - T(0.1) * hc4a_1 + b1_10 * E4a_22 - b1_9 * minus_E4a_12
+      + b1_11 * E4a_23 + T(0.3) * hc5a_1 + E5a_11 * b1_16 + minus_J5a_12 - b1_20 - T(0.3) * hc3_2 - s10 * T(0.1) *
+      T(0.4) + T(0.0236) + b1_13;
+  const T b1_21 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 + E5a_12 * minus_J5a_23);
+  const T J1_13 = b1_6 * E3_23 - b1_5 * minus_E3_13 + b1_7 * E3_33 - T(0.1) * hc3_1 + b1_10 * E4a_23 - b1_9 *
+      minus_E4a_13 + b1_11 * E4a_33 - b1_21 + E8_11 * b1_4 - J8_13 - b1_2 * T(0.3) - T(0.039799999999999995) + T(0.2)
+      * hc4a_3;
+  const T b1_22 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
+  const T b1_23 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
+  const T b1_24 = E3_12 * J3_13 - E3_22 * T(0.003) + E3_32 * J3_33;
+  const T b1_25 = E4a_22 * J4a_22 - b1_8 + E4a_23 * J4a_23;
+  const T b1_26 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
+  const T b1_27 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
+  const T b1_28 = b1_22 * E3_12 + b1_23 * E3_22 + b1_24 * E3_32 + (b1_25 * E4a_22 - b1_26 * minus_E4a_12 + b1_27 *
+      E4a_23);
+  const T b1_29 = T(0.3) * hc3_1 + (hc3_1 + T(0.15)) * T(0.3);
+  const T J1_22 = b1_28 + b1_3 + b1_29 - T(0.4) * hc4a_1 + T(0.2) * hc5_3 + J5a_22 + b1_17 + T(0.04298) +
+      c.J_all_1_22;
+  const T b1_30 = E5a_12 * J5a_13 - E5a_11 * minus_J5a_23 + T(0.1) * minus_hc5a_2;
+  const T b1_31 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
+  const T J1_23 = b1_23 * E3_23 - b1_22 * minus_E3_13 + b1_24 * E3_33 - T(0.1) * hc3_2 + b1_25 * E4a_23 - b1_26 *
+      minus_E4a_13 + b1_27 * E4a_33 + b1_30 - b1_31 - T(0.3) * s10 * T(0.4) + c.J_all_1_23 - T(0.1) * hc4a_3 + T(0.3)
+      * hc5_3;
+  const T b1_32 = T(0.1) * hc4a_2 - T(0.2) * hc4a_1;
+  const T J1_33 = T(0.04165) + J3_22 + J3_33 + b1_12 - b1_28 + b1_29 + b1_32 + J4a_11 + J4a_22 + J4a_33 + T(0.6) *
+      minus_hc5a_2 + J5a_33 + J8_33 + T(0.4) * (b1_18 + T(0.010000000000000002)) + c.J_all_1_33 - b1_19 + b1_32;
   A[0] = J1_11;
   A[1] = J1_12;
+  A[29] = J1_12;
   A[2] = J1_13;
-  A[29] = J1_21;
+  A[58] = J1_13;
   A[30] = J1_22;
   A[31] = J1_23;
-  A[58] = J1_31;
-  A[59] = J1_32;
+  A[59] = J1_23;
   A[60] = J1_33;
   // B_thetadot11_1 = E8^T B_thetadot11_8
   const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
@@ -5854,10 +6157,10 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[435] = K_thetadot11_1_1;
   A[73] = K_thetadot11_1_3;
   A[437] = K_thetadot11_1_3;
-  A[10] = b1_26;
-  A[290] = b1_26;
-  A[68] = b1_42;
-  A[292] = b1_42;
+  A[10] = b1_20;
+  A[290] = b1_20;
+  A[68] = b1_31;
+  A[292] = b1_31;
   // B_sdot6_1 = E3^T B_sdot6_3
   const T B_sdot6_1_1 = E3_11 * T(0.5);
   const T B_sdot6_1_2 = E3_12 * T(0.5);
@@ -5872,12 +6175,14 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[552] = K_sdot6_1_2;
   A[77] = K_sdot6_1_3;
   A[553] = K_sdot6_1_3;
-  A[9] = -b1_28;
-  A[261] = -b1_28;
-  A[38] = b1_41;
-  A[262] = b1_41;
-  A[67] = b1_44;
-  A[263] = b1_44;
+  // K_thetadot5_1_1 = q5a~ E5a^T B_thetadot5_1_5a + E5a^T K_thetadot5_1_5a
+  const T K_thetadot5_1_1_3 = b1_14 + J5a_33;
+  A[9] = -b1_21;
+  A[261] = -b1_21;
+  A[38] = b1_30;
+  A[262] = b1_30;
+  A[67] = K_thetadot5_1_1_3;
+  A[263] = K_thetadot5_1_1_3;
   // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
   const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
       B_thetadot4_2_4a_3;
@@ -5963,11 +6268,11 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t15 = s10 * t13 - T(0.3) * t14;
   A[13] = -t15;
   A[377] = -t15;
-  const T t16 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
-  const T t17 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T t18 = T(0.3) * t16 - s10 * t17;
-  A[14] = t18;
-  A[406] = t18;
+  const T t16 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
+  const T t17 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
+  const T t18 = s10 * t16 - T(0.3) * t17;
+  A[14] = -t18;
+  A[406] = -t18;
   const T t19 = h1_2 * R1_31 - h1_3 * R1_21;
   A[16] = t19;
   A[464] = t19;
@@ -6003,9 +6308,9 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[42] = -t31;
   A[378] = -t31;
   const T t32 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T t33 = T(0.1) * t17 - T(0.3) * t32;
-  A[43] = t33;
-  A[407] = t33;
+  const T t33 = T(0.3) * t32 - T(0.1) * t16;
+  A[43] = -t33;
+  A[407] = -t33;
   A[44] = -T(0.0006299999999999999);
   A[305] = T(0.0006299999999999999);
   A[436] = -T(0.0006299999999999999);
@@ -6025,18 +6330,18 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t38 = t4 - T(0.1) * t24;
   A[62] = -t38;
   A[118] = -t38;
-  const T t39 = T(0.1) * t26 - t7;
-  A[63] = t39;
-  A[147] = t39;
+  const T t39 = t7 - T(0.1) * t26;
+  A[63] = -t39;
+  A[147] = -t39;
   const T t40 = s10 * t28 - T(0.1) * t10;
   A[70] = -t40;
   A[350] = -t40;
   const T t41 = T(0.1) * t14 - s10 * t30;
   A[71] = -t41;
   A[379] = -t41;
-  const T t42 = s10 * t32 - T(0.1) * t16;
-  A[72] = t42;
-  A[408] = t42;
+  const T t42 = T(0.1) * t17 - s10 * t32;
+  A[72] = -t42;
+  A[408] = -t42;
   const T t43 = h1_1 * R1_21 - h1_2 * R1_11;
   A[74] = t43;
   A[466] = t43;
@@ -6178,8 +6483,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T t80 = R10_13 * T(0.004) - R10_23 * T(0.008);
   A[424] = -t80;
   A[536] = -t80;
-  A[431] = -t16;
-  A[739] = -t16;
+  A[431] = -t17;
+  A[739] = -t17;
   A[450] = T(0.00066);
   const T t81 = R1_11 * B_thetadot11_1_1 - R1_21 * T(0.003) - R1_31 * minus_B_thetadot11_1_3;
   A[451] = t81;
@@ -8760,11 +9065,11 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T R1_33 = t1_10 - t1_2;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T U1_12 = omega1_1 * omega1_2 - omegadot1_3;
-  const T U1_13 = omega1_1 * omega1_3 + omegadot1_2;
+  const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
+  const T U1_13 = omega1_3 * omega1_1 + omegadot1_2;
   const T t1_13 = omega1_1 * omega1_1;
   const T minus_U1_22 = omega1_3 * omega1_3 + t1_13;
-  const T t1_14 = omega1_2 * omega1_3;
+  const T t1_14 = omega1_3 * omega1_2;
   const T U1_23 = t1_14 - omegadot1_1;
   const T U1_32 = t1_14 + omegadot1_1;
   const T minus_U1_33 = omega1_2 * omega1_2 + t1_13;
@@ -8879,10 +9184,10 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
   const T a5_3 = U5_31 * T(0.05) + Pddot5_3;
-  // G5 = m5 a5: force balance, body axes [N]
+  // G5 = m5 a5: inertia less applied force, body axes [N]
   const T G5_2 = T(0.6) * a5_2;
   const T G5_3 = T(0.6) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)): inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.0025) * U5_32 - T(5e-04) * U5_23;
   const T N5_2 = T(5e-04) * U5_13 - T(0.0015) * U5_31;
   const T N5_3 = T(0.0015) * U5_21 - T(0.0025) * U5_12;
@@ -8940,7 +9245,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
-  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
+  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c9_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
       + line_tether_12_2 * line_rate_tether_12_2 - line_tether_12_3 * minus_line_rate_tether_12_3) * (T(1) /
       ll_tether_12);
   // F_tether_12 = f_tether_12 line_tether_12: on the first end, inertial axes [N]
@@ -8951,21 +9256,21 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
   const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
   const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
-  // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
+  // G12 = -R5 F_tether_12 + m12 a12: inertia less applied force, body axes [N]
   const T t12_8 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_8;
   const T t12_9 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
   const T G12_2 = c.p.m_plate * a12_2 - t12_9;
   const T t12_10 = R5_31 * F_tether_12_1 + R5_32 * F_tether_12_2 + R5_33 * F_tether_12_3;
   const T G12_3 = c.p.m_plate * a12_3 - t12_10;
-  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: moment balance about the mass centre, body
-  //   axes [N m]
+  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: inertia less applied moment about the mass
+  //   centre, body axes [N m]
   const T t12_11 = T(0.03535533905932738) * t12_9;
-  const T N12_1 = T(0.0020000000000000005) * U5_32 - T(0.002) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
+  const T N12_1 = T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
       t12_10 + t12_11;
-  const T N12_2 = T(0.002) * U5_13 - T(0.002) * U5_31 - T(0.0020000000000000005) * (minus_U5_33 - minus_U5_11) -
-      T(0.03535533905932738) * t12_8 - T(0.03535533905932738) * t12_10;
-  const T N12_3 = T(0.002) * U5_21 - T(0.0020000000000000005) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_11 +
+  const T N12_2 = T(0.0020000000000000005) * U5_13 - T(0.0019999999999999996) * U5_31 - T(0.0020000000000000005) *
+      (minus_U5_33 - minus_U5_11) - T(0.03535533905932738) * t12_8 - T(0.03535533905932738) * t12_10;
+  const T N12_3 = T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_11 +
       T(0.02) * t12_8;
 
   // ---- body 12 (plate) and what it carries
@@ -9033,14 +9338,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -9056,11 +9361,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
   const T t1_21 = U1_31 * T(0.02);
   const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
-  // G1 = -R1 F1 + m1 a1: force balance, body axes [N]
+  // G1 = -R1 F1 + m1 a1: inertia less applied force, body axes [N]
   const T G1_1 = T(8) * a1_1 - R1_13 * u.thrust;
   const T G1_2 = T(8) * a1_2 - R1_23 * u.thrust;
   const T G1_3 = T(8) * a1_3 - R1_33 * u.thrust;
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): inertia less applied moment about the mass centre, body axes [N m]
   const T t1_22 = U1_23 * T(0.2);
   const T N1_1 = T(0.39999999999999997) * U1_32 - t1_22 - T(0.03) * (minus_U1_22 - minus_U1_33) - t1_21 - T(0.01) *
       U1_21 - T(0.1);
@@ -9105,14 +9410,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T P2_3 = s1_3 + R1_13 * T(0.2) + R1_23 * T(0.1) - R1_33 * T(0.2);
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_13 = omega2_1 * omega2_2;
+  const T t2_13 = omega2_2 * omega2_1;
   const T U2_12 = t2_13 - omegadot2_3;
-  const T t2_14 = omega2_1 * omega2_3;
+  const T t2_14 = omega2_3 * omega2_1;
   const T U2_13 = t2_14 + omegadot2_2;
   const T U2_21 = t2_13 + omegadot2_3;
   const T t2_15 = omega2_1 * omega2_1;
   const T minus_U2_22 = omega2_3 * omega2_3 + t2_15;
-  const T t2_16 = omega2_2 * omega2_3;
+  const T t2_16 = omega2_3 * omega2_2;
   const T U2_23 = t2_16 - omegadot2_1;
   const T U2_31 = t2_14 - omegadot2_2;
   const T U2_32 = t2_16 + omegadot2_1;
@@ -9215,16 +9520,16 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T U3_32 = t3_29 + omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = Pddot1_1 + U1_13 * T(0.1);
+  const T t3_30 = U1_13 * T(0.1) + Pddot1_1;
   const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
-  const T t3_32 = Pddot1_2 + U1_23 * T(0.1);
+  const T t3_32 = U1_23 * T(0.1) + Pddot1_2;
   const T t3_33 = t1_25 + t3_32;
-  const T t3_34 = Pddot1_3 - minus_U1_33 * T(0.1);
-  const T t3_35 = t1_24 + t3_34;
+  const T t3_34 = minus_U1_33 * T(0.1) - Pddot1_3;
+  const T t3_35 = t1_24 - t3_34;
   const T Pddot3_1 = E3_11 * t3_31 + E3_12 * t3_33 - minus_E3_13 * t3_35;
   const T Pddot3_2 = E3_21 * t3_31 + E3_22 * t3_33 + E3_23 * t3_35;
   const T Pddot3_3 = E3_31 * t3_31 + E3_32 * t3_33 + E3_33 * t3_35;
-  // G2 = R3^T F_jet_ + m2 a2: force balance, inertial axes [N]
+  // G2 = R3^T F_jet_ + m2 a2: inertia less applied force, inertial axes [N]
   const T t3_36 = T(0.5) * u.thrust * exp(T(0) - t);
   const T t3_37 = R3_11 * T(0.1) + R3_21 * t3_36;
   const T G2_1 = t3_37 + T(0.8) * a2_1;
@@ -9236,11 +9541,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
   const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
   const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
+  // G3 = m3 a3: inertia less applied force, body axes [N]
   const T G3_1 = T(1.5) * a3_1;
   const T G3_2 = T(1.5) * a3_2;
   const T G3_3 = T(1.5) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)): inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.004999999999999999) * U3_32 - T(0.035) * U3_23 + T(0.003) * (minus_U3_22 - minus_U3_33) -
       T(0.002) * U3_31 + T(0.001) * U3_21;
   const T N3_2 = T(0.035) * U3_13 - T(0.015000000000000001) * U3_31 - T(0.001) * (minus_U3_33 - minus_U3_11) +
@@ -9322,14 +9627,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
   const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // G4 = m4 a4: force balance, body axes [N]
+  // G4 = m4 a4: inertia less applied force, body axes [N]
   const T G4_1 = T(0.9) * a4_1;
   const T G4_2 = T(0.9) * a4_2;
   const T G4_3 = T(0.9) * a4_3;
   reaction[18] = G4_1;
   reaction[19] = G4_2;
   reaction[20] = G4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.006500000000000001) * U4_32 - T(0.0015) * U4_23;
   const T N4_2 = T(0.0015) * U4_13 - T(0.0055) * U4_31;
   const T N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
@@ -9406,15 +9711,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t5_7 = minus_U1_22 * T(0.3) + t3_32;
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T Pddot5a_3 = t3_34 - U1_32 * T(0.3);
+  const T minus_Pddot5a_3 = U1_32 * T(0.3) + t3_34;
   // omegadot5b = -thetadot5_2 b5_2~ E5b omega5a + thetaddot5_2 b5_2 + E5b omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5b_1 = omegadot5a_1 - minus_thetaddot5_2;
   const T omegadot5b_2 = thetadot5_2 * omega5b_3 + E5b_22 * omegadot5a_2 + E5b_23 * omegadot5a_3;
   const T omegadot5b_3 = E5b_22 * omegadot5a_3 - E5b_23 * omegadot5a_2 - thetadot5_2 * omega5b_2;
   // Pddot5b = E5b Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5b_2 = E5b_22 * Pddot5a_2 + E5b_23 * Pddot5a_3;
-  const T Pddot5b_3 = E5b_22 * Pddot5a_3 - E5b_23 * Pddot5a_2;
+  const T Pddot5b_2 = E5b_22 * Pddot5a_2 - E5b_23 * minus_Pddot5a_3;
+  const T minus_Pddot5b_3 = E5b_22 * minus_Pddot5a_3 + E5b_23 * Pddot5a_2;
   // omegadot5 = E5 omegadot5b: angular acceleration, body axes [rad/s^2]
   const T omegadot5_1 = c.E5_11 * omegadot5b_1 - c.E5_31 * omegadot5b_3;
   const T omegadot5_3 = c.E5_31 * omegadot5b_1 + c.E5_11 * omegadot5b_3;
@@ -9433,17 +9738,17 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T U5_32 = t5_11 + omegadot5_1;
   const T minus_U5_33 = t5_8 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5b: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = c.E5_11 * Pddot5a_1 - c.E5_31 * Pddot5b_3;
-  const T Pddot5_3 = c.E5_31 * Pddot5a_1 + c.E5_11 * Pddot5b_3;
+  const T Pddot5_1 = c.E5_11 * Pddot5a_1 + c.E5_31 * minus_Pddot5b_3;
+  const T Pddot5_3 = c.E5_31 * Pddot5a_1 - c.E5_11 * minus_Pddot5b_3;
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = Pddot5_1 - minus_U5_11 * T(0.05);
   const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
   const T a5_3 = U5_31 * T(0.05) + Pddot5_3;
-  // G5 = m5 a5: force balance, body axes [N]
+  // G5 = m5 a5: inertia less applied force, body axes [N]
   const T G5_1 = T(0.6) * a5_1;
   const T G5_2 = T(0.6) * a5_2;
   const T G5_3 = T(0.6) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)): inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.0025) * U5_32 - T(5e-04) * U5_23;
   const T N5_2 = T(5e-04) * U5_13 - T(0.0015) * U5_31;
   const T N5_3 = T(0.0015) * U5_21 - T(0.0025) * U5_12;
@@ -9474,10 +9779,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
       P6_1 + R2_22 * P6_2 + R2_23 * P6_3;
   const T arm2_3 = R2_31 * t6_2 + R2_32 * t6_3 + R2_33 * t6_4 - R2_31 * P2_1 - R2_32 * P2_2 - R2_33 * P2_3 + R2_31 *
       P6_1 + R2_32 * P6_2 + R2_33 * P6_3;
-  // lever2 = -r2 + arm2: from the mass centre to where a force acts, link axes [m]
+  // lever2 = -r2 + arm2: from the reference point to where a force acts, link axes [m]
   const T lever2_2 = arm2_2 - T(0.02);
   const T lever2_3 = arm2_3 + T(0.2);
-  // N2 = axial(U2 (tr(I2)/2 - I2)) + lever2~ R2 R3^T F_jet_: moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) + lever2~ R2 R3^T F_jet_: inertia less applied moment about the mass centre, body
+  //   axes [N m]
   const T t6_5 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
   const T t6_6 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
   const T N2_1 = T(0.0015000000000000005) * U2_32 - T(0.0085) * U2_23 + lever2_2 * t6_5 - lever2_3 * t6_6;
@@ -9489,21 +9795,22 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
   const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
   const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
-  // G6 = m6 a6 - F_jet_: force balance, body axes [N]
+  // G6 = m6 a6 - F_jet_: inertia less applied force, body axes [N]
   const T G6_1 = T(0.5) * a6_1 - T(0.1);
   const T G6_2 = T(0.5) * a6_2 - t3_36;
   const T G6_3 = T(0.5) * a6_3;
   reaction[30] = G6_1;
   reaction[31] = G6_2;
   reaction[32] = G6_3;
-  // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: inertia less applied moment about the mass centre, body axes [N
+  //   m]
   const T N6_1 = T(5e-04) * U3_32 - T(5e-04) * U3_23 - T(0.01) * t3_36;
   const T N6_2 = T(5e-04) * U3_13 - T(0.0055) * U3_31 + T(0.001);
   const T N6_3 = T(0.0055) * U3_21 - T(5e-04) * U3_12 - T(0.1) * t3_36;
 
   // ---- body 7 (gantry) on the inertial frame
   const T sddot7_1 = ydot[20], sddot7_2 = ydot[21];
-  // G7 = m7 Pddot7: force balance, inertial axes [N]
+  // G7 = m7 Pddot7: inertia less applied force, inertial axes [N]
   const T G7_1 = T(3) * sddot7_1;
   const T G7_2 = T(3) * sddot7_2;
   reaction[36] = G7_1;
@@ -9549,8 +9856,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = omega1_3 * t8_7 + U1_12 * d8_2 + Pddot1_1;
-  const T t8_9 = U1_32 * d8_2 - omega1_1 * t8_7 + Pddot1_3;
+  const T t8_8 = t8_7 * omega1_3 + U1_12 * d8_2 + Pddot1_1;
+  const T t8_9 = U1_32 * d8_2 - t8_7 * omega1_1 + Pddot1_3;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
   const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
@@ -9558,11 +9865,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
   const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
-  // G8 = m8 a8: force balance, body axes [N]
+  // G8 = m8 a8: inertia less applied force, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
   const T G8_3 = T(0.7) * a8_3;
-  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): moment balance about the mass centre, body axes [N m]
+  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)): inertia less applied moment about the mass centre, body axes [N m]
   const T N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
   const T N8_2 = T(5e-04) * U8_13 - T(0.0015) * U8_31;
   const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
@@ -9623,14 +9930,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t10_13 = omega10_3 * omega10_3;
   const T t10_14 = omega10_2 * omega10_2;
   const T minus_U10_11 = t10_13 + t10_14;
-  const T t10_15 = omega10_1 * omega10_2;
+  const T t10_15 = omega10_2 * omega10_1;
   const T U10_12 = t10_15 - omegadot10_3;
-  const T t10_16 = omega10_1 * omega10_3;
+  const T t10_16 = omega10_3 * omega10_1;
   const T U10_13 = t10_16 + omegadot10_2;
   const T U10_21 = t10_15 + omegadot10_3;
   const T t10_17 = omega10_1 * omega10_1;
   const T minus_U10_22 = t10_13 + t10_17;
-  const T t10_18 = omega10_2 * omega10_3;
+  const T t10_18 = omega10_3 * omega10_2;
   const T U10_23 = t10_18 - omegadot10_1;
   const T U10_31 = t10_16 - omegadot10_2;
   const T U10_32 = t10_18 + omegadot10_1;
@@ -9651,11 +9958,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a10_1 = R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25 + Pddot10_1;
   const T a10_2 = R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25 + Pddot10_2;
   const T a10_3 = R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25 + Pddot10_3;
-  // G10 = m10 a10: force balance, inertial axes [N]
+  // G10 = m10 a10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(0.4) * a10_1;
   const T G10_2 = T(0.4) * a10_2;
   const T G10_3 = T(0.4) * a10_3;
-  // N10 = axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
+  // N10 = axial(U10 (tr(I10)/2 - I10)): inertia less applied moment about the mass centre, body axes [N m]
   const T N10_1 = T(0.00075) * U10_32 - T(0.00125) * U10_23;
   const T N10_2 = T(0.00125) * U10_13 - T(0.00175) * U10_31;
   const T N10_3 = T(0.00175) * U10_21 - T(0.00075) * U10_12;
@@ -9702,15 +10009,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
   const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
-  // G11 = m11 a11: force balance, body axes [N]
+  // G11 = m11 a11: inertia less applied force, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
   const T G11_2 = T(0.3) * a11_2;
   const T G11_3 = T(0.3) * a11_3;
   reaction[61] = -G11_1;
   reaction[62] = -G11_2;
   reaction[60] = G11_3;
-  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): moment balance about the mass centre, body
-  //   axes [N m]
+  // N11 = -C11^T M_coupling_ + axial(U11 (tr(I_link11)/2 - I_link11)): inertia less applied moment about the mass
+  //   centre, body axes [N m]
   const T N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
   const T N11_2 = T(3e-04) * U11_13 - T(3e-04) * U11_31 + T(0.02) * u.motor;
   const T N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
@@ -9755,7 +10062,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
-  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c12_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
+  const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c9_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
       + line_tether_12_2 * line_rate_tether_12_2 - line_tether_12_3 * minus_line_rate_tether_12_3) * (T(1) /
       ll_tether_12);
   // F_tether_12 = f_tether_12 line_tether_12: on the first end, inertial axes [N]
@@ -9766,7 +10073,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot12_1 = Pddot5_1 - minus_U5_11 * T(0.1);
   const T Pddot12_2 = U5_21 * T(0.1) + Pddot5b_2;
   const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
-  // G9 = E9 F_tether_12 + m9 a9: force balance, body axes [N]
+  // G9 = E9 F_tether_12 + m9 a9: inertia less applied force, body axes [N]
   const T t12_8 = E9_11 * F_tether_12_1 + E9_12 * F_tether_12_2;
   const T G9_1 = t12_8 + T(2) * a9_1;
   const T t12_9 = E9_11 * F_tether_12_2 - E9_12 * F_tether_12_1;
@@ -9775,7 +10082,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[48] = G9_1;
   reaction[49] = G9_2;
   reaction[50] = G9_3;
-  // N9 = axial(U9 (tr(I9)/2 - I9)) + lever9~ E9 F_tether_12: moment balance about the mass centre, body axes [N m]
+  // N9 = axial(U9 (tr(I9)/2 - I9)) + lever9~ E9 F_tether_12: inertia less applied moment about the mass centre, body
+  //   axes [N m]
   const T minus_N9_1 = T(0.1) * t12_9;
   const T N9_2 = T(0.1) * t12_8;
   const T N9_3 = T(0.08) * thetaddot9;
@@ -9784,7 +10092,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
   const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
   const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
-  // G12 = -R5 F_tether_12 + m12 a12: force balance, body axes [N]
+  // G12 = -R5 F_tether_12 + m12 a12: inertia less applied force, body axes [N]
   const T t12_10 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_10;
   const T t12_11 = R5b_21 * F_tether_12_1 + R5b_22 * F_tether_12_2 + R5b_23 * F_tether_12_3;
@@ -9792,21 +10100,21 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t12_12 = R5_31 * F_tether_12_1 + R5_32 * F_tether_12_2 + R5_33 * F_tether_12_3;
   const T G12_3 = c.p.m_plate * a12_3 - t12_12;
   reaction[66] = G12_2;
-  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: moment balance about the mass centre, body
-  //   axes [N m]
+  // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: inertia less applied moment about the mass
+  //   centre, body axes [N m]
   const T t12_13 = T(0.03535533905932738) * t12_11;
-  const T N12_1 = T(0.0020000000000000005) * U5_32 - T(0.002) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
+  const T N12_1 = T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
       t12_12 + t12_13;
-  const T N12_2 = T(0.002) * U5_13 - T(0.002) * U5_31 - T(0.0020000000000000005) * (minus_U5_33 - minus_U5_11) -
-      T(0.03535533905932738) * t12_10 - T(0.03535533905932738) * t12_12;
-  const T N12_3 = T(0.002) * U5_21 - T(0.0020000000000000005) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_13 +
+  const T N12_2 = T(0.0020000000000000005) * U5_13 - T(0.0019999999999999996) * U5_31 - T(0.0020000000000000005) *
+      (minus_U5_33 - minus_U5_11) - T(0.03535533905932738) * t12_10 - T(0.03535533905932738) * t12_12;
+  const T N12_3 = T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_13 +
       T(0.02) * t12_10;
 
   // ---- body 13 (ballast) on the inertial frame
   const T sddot13_1 = ydot[26], sddot13_2 = ydot[27], sddot13_3 = ydot[28];
   // Pddot13 = -g + sddot13: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot13_3 = sddot13_3 + T(9.81);
-  // G13 = m13 Pddot13: force balance, inertial axes [N]
+  // G13 = m13 Pddot13: inertia less applied force, inertial axes [N]
   const T G13_1 = T(5) * sddot13_1;
   const T G13_2 = T(5) * sddot13_2;
   const T G13_3 = T(5) * Pddot13_3;
@@ -9822,7 +10130,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
 
   // ---- body 11 (nut) and what it carries
   // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho11_1 = N11_1 - G11_2 * T(0.01);
+  const T rho11_1 = N11_1 - T(0.01) * G11_2;
   const T rho11_2 = T(0.01) * G11_1 + N11_2;
   reaction[64] = -rho11_1;
   reaction[65] = -rho11_2;
@@ -9982,10 +10290,10 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // r_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_7;
-  const T r_omega1_1 = b1_17 - (T(0.03) * G1_2 + T(0.01) * G1_3) + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 +
-      E3_21 * rho3_2 + E3_31 * rho3_3 + T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 *
-      rho4a_3 - T(0.1) * b1_11 - T(0.3) * S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 *
-      rho8_3 + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
+  const T r_omega1_1 = b1_17 + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
+      T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 - T(0.3) *
+      S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3
+      + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
   const T r_omega1_2 = T(0.1) * b1_3 - (T(0.2) * b1_1 + T(0.2) * b1_12) - T(0.3) * b1_14 + E3_12 * rho3_1 + E3_22 *
       rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
       * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
@@ -10217,11 +10525,11 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   const T R1_33 = t1_10 - t1_2;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T U1_12 = omega1_1 * omega1_2 - omegadot1_3;
-  const T U1_13 = omega1_1 * omega1_3 + omegadot1_2;
+  const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
+  const T U1_13 = omega1_3 * omega1_1 + omegadot1_2;
   const T t1_13 = omega1_1 * omega1_1;
   const T minus_U1_22 = omega1_3 * omega1_3 + t1_13;
-  const T t1_14 = omega1_2 * omega1_3;
+  const T t1_14 = omega1_3 * omega1_2;
   const T U1_23 = t1_14 - omegadot1_1;
   const T U1_32 = t1_14 + omegadot1_1;
   const T minus_U1_33 = omega1_2 * omega1_2 + t1_13;
@@ -10429,7 +10737,9 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
 // kinematics_and_accelerations: xdot, the kinematical equations; ydot from A ydot = f.
 // xdot: rates of x (nx) [1/s], [rad/s], [m/s]
 // ydot: rates of y (ny) [rad/s^2], [m/s^2]
-// 1723 add, 2195 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// 1625 add, 1955 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other function
+// by: articulated; composite would take 1691 add, 2059 multiply, 14 divide, 1 square root, 19 sine or cosine, 3 other
+//   function
 template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* xdot, T*
     ydot) noexcept {
@@ -10460,29 +10770,33 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = omega1~ omega1~ r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.02) - omega1_1 * T(0.03);
-  const T t1_14 = T(0.01) * omega1_1 + T(0.02) * omega1_2;
-  const T minus_a1_1 = omega1_3 * t1_13 + omega1_2 * t1_14;
-  const T t1_15 = T(0.01) * omega1_3 + T(0.03) * omega1_2;
-  const T a1_2 = omega1_3 * t1_15 + omega1_1 * t1_14;
-  const T a1_3 = omega1_1 * t1_13 - omega1_2 * t1_15;
-  // G1 = R1 F1 - m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = R1_13 * u.thrust + T(8) * minus_a1_1;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = U1 r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T t1_16 = U1_13 * T(0.03);
+  const T t1_17 = U1_12 * T(0.01);
+  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17);
+  const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
+  const T t1_18 = U1_13 * T(0.02);
+  const T t1_19 = U1_23 * T(0.01);
+  const T a1_3 = t1_18 - t1_19 - minus_U1_33 * T(0.03);
+  // G1 = R1 F1 - m1 a1: applied less inertia force, body axes [N]
+  const T G1_1 = R1_13 * u.thrust - T(8) * a1_1;
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_2 * omega1_3;
-  const T t1_18 = omega1_2 * omega1_2;
-  const T t1_19 = omega1_3 * omega1_3;
-  const T t1_20 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.01) * t1_16 - (T(0.19999999999999996) * t1_17 + T(0.03) * (t1_18 - t1_19)) + T(0.02) * t1_20 +
-      T(0.1);
-  const T t1_21 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.09999999999999998) * t1_20 + T(0.01) * (t1_19 - t1_21) - T(0.02) * t1_17 + T(0.03) * t1_16 +
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_21 - t1_18) - T(0.09999999999999998) * t1_16 + T(0.03) * t1_20 + T(0.01) * t1_17;
+  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -10510,44 +10824,62 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T R2_31 = t2_8 + t2_9;
   const T R2_32 = t2_11 - t2_12;
   const T R2_33 = t2_10 - t2_2;
+  // erel2 = -e1~ e2 + eps4_1 e2 - eps4_2 e1: Euler parameters relative to the lower body
+  const T erel2_1 = eps1_3 * eps2_2 - eps1_2 * eps2_3 + eps1_4 * eps2_1 - eps2_4 * eps1_1;
+  const T erel2_2 = eps1_1 * eps2_3 - eps1_3 * eps2_1 + eps1_4 * eps2_2 - eps2_4 * eps1_2;
+  const T erel2_3 = eps1_2 * eps2_1 - eps1_1 * eps2_2 + eps1_4 * eps2_3 - eps2_4 * eps1_3;
+  // eps4rel2 = e1 . e2 + eps4_1 eps4_2
+  const T eps4rel2 = eps1_1 * eps2_1 + eps1_2 * eps2_2 + eps1_3 * eps2_3 + eps1_4 * eps2_4;
+  // C2^T = 1 + 2 erel2~ (eps4rel2 + erel2~): C takes components in the lower body to those in the body
+  const T t2_13 = T(2) * erel2_2;
+  const T t2_14 = t2_13 * erel2_2;
+  const T t2_15 = T(2) * erel2_3;
+  const T t2_16 = t2_15 * erel2_3;
+  const T C2_11 = T(1) - t2_14 - t2_16;
+  const T t2_17 = T(2) * erel2_1;
+  const T t2_18 = t2_17 * erel2_2;
+  const T t2_19 = t2_15 * eps4rel2;
+  const T C2_12 = t2_18 + t2_19;
+  const T t2_20 = t2_17 * erel2_3;
+  const T t2_21 = t2_13 * eps4rel2;
+  const T C2_13 = t2_20 - t2_21;
+  const T C2_21 = t2_18 - t2_19;
+  const T t2_22 = T(1) - t2_17 * erel2_1;
+  const T C2_22 = t2_22 - t2_16;
+  const T t2_23 = t2_13 * erel2_3;
+  const T t2_24 = t2_17 * eps4rel2;
+  const T C2_23 = t2_23 + t2_24;
+  const T C2_31 = t2_20 + t2_21;
+  const T C2_32 = t2_23 - t2_24;
+  const T C2_33 = t2_22 - t2_14;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
   const T P2_1 = s1_1 + R1_11 * T(0.2) + R1_21 * T(0.1) - R1_31 * T(0.2);
   const T P2_2 = s1_2 + R1_12 * T(0.2) + R1_22 * T(0.1) - R1_32 * T(0.2);
   const T P2_3 = s1_3 + R1_13 * T(0.2) + R1_23 * T(0.1) - R1_33 * T(0.2);
-  // Pddot2 = R1^T omega1~ omega1~ q2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t2_13 = omega1_1 * T(0.1);
-  const T t2_14 = omega1_2 * T(0.2);
-  const T t2_15 = t2_13 - t2_14;
-  const T t2_16 = omega1_3 * T(0.2);
-  const T t2_17 = t2_16 + omega1_1 * T(0.2);
-  const T t2_18 = omega1_2 * t2_15 - omega1_3 * t2_17;
-  const T t2_19 = omega1_3 * T(0.1);
-  const T t2_20 = t2_19 + t2_14;
-  const T t2_21 = omega1_3 * t2_20 + omega1_1 * t2_15;
-  const T t2_22 = omega1_1 * t2_17 + omega1_2 * t2_20;
-  const T Pddot2_1 = R1_11 * t2_18 - R1_21 * t2_21 + R1_31 * t2_22;
-  const T Pddot2_2 = R1_12 * t2_18 - R1_22 * t2_21 + R1_32 * t2_22;
-  const T Pddot2_3 = R1_13 * t2_18 - R1_23 * t2_21 + R1_33 * t2_22;
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_23 = omega2_1 * T(0.02);
-  const T t2_24 = omega2_1 * T(0.2);
-  const T t2_25 = omega2_2 * t2_23 - omega2_3 * t2_24;
-  const T t2_26 = omega2_3 * T(0.02) + omega2_2 * T(0.2);
-  const T t2_27 = omega2_3 * t2_26 + omega2_1 * t2_23;
-  const T t2_28 = omega2_1 * t2_24 + omega2_2 * t2_26;
-  const T a2_1 = R2_11 * t2_25 - R2_21 * t2_27 + R2_31 * t2_28 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 - R2_22 * t2_27 + R2_32 * t2_28 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 - R2_23 * t2_27 + R2_33 * t2_28 + Pddot2_3;
-  // C1_2 = R1 R2^T: takes components in the body to those in body 1
-  const T C1_2_11 = R1_11 * R2_11 + R1_12 * R2_12 + R1_13 * R2_13;
-  const T C1_2_12 = R1_11 * R2_21 + R1_12 * R2_22 + R1_13 * R2_23;
-  const T C1_2_13 = R1_11 * R2_31 + R1_12 * R2_32 + R1_13 * R2_33;
-  const T C1_2_21 = R1_21 * R2_11 + R1_22 * R2_12 + R1_23 * R2_13;
-  const T C1_2_22 = R1_21 * R2_21 + R1_22 * R2_22 + R1_23 * R2_23;
-  const T C1_2_23 = R1_21 * R2_31 + R1_22 * R2_32 + R1_23 * R2_33;
-  const T C1_2_31 = R1_31 * R2_11 + R1_32 * R2_12 + R1_33 * R2_13;
-  const T C1_2_32 = R1_31 * R2_21 + R1_32 * R2_22 + R1_33 * R2_23;
-  const T C1_2_33 = R1_31 * R2_31 + R1_32 * R2_32 + R1_33 * R2_33;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_25 = omega2_1 * omega2_1;
+  const T minus_U2_22 = omega2_3 * omega2_3 + t2_25;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T minus_U2_33 = omega2_2 * omega2_2 + t2_25;
+  // Pddot2 = C2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_26 = U1_12 * T(0.1);
+  const T t2_27 = minus_U1_11 * T(0.2);
+  const T t2_28 = U1_13 * T(0.2);
+  const T t2_29 = t2_26 - t2_27 - t2_28;
+  const T t2_30 = U1_12 * T(0.2);
+  const T t2_31 = minus_U1_22 * T(0.1);
+  const T t2_32 = t2_30 - t2_31 - U1_23 * T(0.2);
+  const T t2_33 = U1_23 * T(0.1);
+  const T t2_34 = t2_28 + t2_33 + minus_U1_33 * T(0.2);
+  const T Pddot2_1 = C2_11 * t2_29 + C2_12 * t2_32 + C2_13 * t2_34;
+  const T Pddot2_2 = C2_21 * t2_29 + C2_22 * t2_32 + C2_23 * t2_34;
+  const T Pddot2_3 = C2_31 * t2_29 + C2_32 * t2_32 + C2_33 * t2_34;
+  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a2_1 = U2_12 * T(0.02) - U2_13 * T(0.2) + Pddot2_1;
+  const T a2_2 = Pddot2_2 - (minus_U2_22 * T(0.02) + U2_23 * T(0.2));
+  const T a2_3 = U2_23 * T(0.02) + minus_U2_33 * T(0.2) + Pddot2_3;
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
@@ -10600,8 +10932,6 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T P3_2 = t3_22 + R1_12 * T(0.3);
   const T t3_23 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_23 + R1_13 * T(0.3);
-  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
-  const T stretch_boom_3 = theta3 - T(0.2);
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
   const T minus_omegadot3_1 = thetadot3 * (T(0.44378789320576517) * t3_20 - T(0.8388422987658062) * t3_19);
   const T minus_omegadot3_2 = thetadot3 * (T(0.8388422987658062) * t3_18 + T(0.3152711589176631) * t3_20);
@@ -10623,36 +10953,40 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T U3_31 = t3_27 + minus_omegadot3_2;
   const T U3_32 = t3_29 - minus_omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
-  // Pddot3 = E3 omega1~ omega1~ q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = omega1_2 * T(0.1);
-  const T t3_31 = omega1_2 * T(0.3);
-  const T t3_32 = omega1_3 * t3_30 + omega1_1 * t3_31;
-  const T t3_33 = omega1_3 * T(0.3);
-  const T t3_34 = t3_33 - t2_13;
-  const T t3_35 = omega1_3 * t3_34 + omega1_2 * t3_31;
-  const T t3_36 = omega1_1 * t3_34 - omega1_2 * t3_30;
-  const T Pddot3_1 = E3_12 * t3_32 - E3_11 * t3_35 - minus_E3_13 * t3_36;
-  const T Pddot3_2 = E3_22 * t3_32 - E3_21 * t3_35 + E3_23 * t3_36;
-  const T Pddot3_3 = E3_32 * t3_32 - E3_31 * t3_35 + E3_33 * t3_36;
-  // effort_boom_3 = -thetadot3 c_boom_ - k_boom_ stretch_boom_3 + tau_boom_: along the coordinate [N m], [N]
+  // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t3_30 = U1_13 * T(0.1);
+  const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
+  const T t3_32 = U1_12 * T(0.3);
+  const T t3_33 = t3_32 + t2_33;
+  const T t3_34 = minus_U1_33 * T(0.1);
+  const T t3_35 = U1_13 * T(0.3) - t3_34;
+  const T Pddot3_1 = E3_11 * t3_31 + E3_12 * t3_33 - minus_E3_13 * t3_35;
+  const T Pddot3_2 = E3_21 * t3_31 + E3_22 * t3_33 + E3_23 * t3_35;
+  const T Pddot3_3 = E3_31 * t3_31 + E3_32 * t3_33 + E3_33 * t3_35;
+  // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
+  const T stretch_boom_3 = theta3 - T(0.2);
+  // effort_boom_3 = -thetadot3 c_boom_ + tau_boom_ - stretch_boom_3 k_boom_: along the coordinate [N m], [N]
   const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
-  // G2 = -R3^T F_jet_ - m2 a2: applied less inertia force at ydot = 0, inertial axes [N]
-  const T t3_37 = T(0.5) * u.thrust * exp(T(0) - t);
-  const T t3_38 = R3_11 * T(0.1) + R3_21 * t3_37;
-  const T minus_G2_1 = T(0.8) * a2_1 + t3_38;
-  const T t3_39 = R3_12 * T(0.1) + R3_22 * t3_37;
-  const T minus_G2_2 = T(0.8) * a2_2 + t3_39;
-  const T t3_40 = R3_13 * T(0.1) + R3_23 * t3_37;
-  const T minus_G2_3 = T(0.8) * a2_3 + t3_40;
+  // G2 = -R2 R3^T F_jet_ - m2 a2: applied less inertia force, body axes [N]
+  const T t3_36 = T(0.5) * u.thrust * exp(T(0) - t);
+  const T t3_37 = R3_11 * T(0.1) + R3_21 * t3_36;
+  const T t3_38 = R3_12 * T(0.1) + R3_22 * t3_36;
+  const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
+  const T t3_40 = R2_11 * t3_37 + R2_12 * t3_38 + R2_13 * t3_39;
+  const T minus_G2_1 = T(0.8) * a2_1 + t3_40;
+  const T t3_41 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
+  const T minus_G2_2 = T(0.8) * a2_2 + t3_41;
+  const T t3_42 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
+  const T minus_G2_3 = T(0.8) * a2_3 + t3_42;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
   const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
   const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
+  // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
   const T minus_G3_3 = T(1.5) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N3_1 = T(0.004999999999999999) * U3_32 - T(0.035) * U3_23 + T(0.003) * (minus_U3_22 - minus_U3_33) -
       T(0.002) * U3_31 + T(0.001) * U3_21;
   const T minus_N3_2 = T(0.035) * U3_13 - T(0.015000000000000001) * U3_31 - T(0.001) * (minus_U3_33 - minus_U3_11) +
@@ -10693,14 +11027,13 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_omegadot4a_1 = thetadot4_1 * (T(0.96) * t4_3 + T(0.28) * t4_4);
   const T omegadot4a_2 = T(0.96) * omega4a_1 * thetadot4_1;
   const T omegadot4a_3 = T(0.28) * omega4a_1 * thetadot4_1;
-  // Pddot4a = E4a omega1~ omega1~ q4a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_6 = t2_13 + t2_14;
-  const T t4_7 = omega1_3 * t2_16 + omega1_2 * t4_6;
-  const T t4_8 = omega1_3 * t2_19 + omega1_1 * t4_6;
-  const T t4_9 = omega1_2 * t2_19 - omega1_1 * t2_16;
-  const T Pddot4a_1 = E4a_11 * t4_7 + minus_E4a_12 * t4_8 - minus_E4a_13 * t4_9;
-  const T Pddot4a_2 = minus_E4a_12 * t4_7 - E4a_22 * t4_8 + E4a_23 * t4_9;
-  const T Pddot4a_3 = minus_E4a_13 * t4_7 - E4a_23 * t4_8 + E4a_33 * t4_9;
+  // Pddot4a = E4a U1 q4a: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t4_6 = t2_27 + t2_26;
+  const T t4_7 = t2_30 + t2_31;
+  const T t4_8 = t2_33 - t2_28;
+  const T Pddot4a_1 = E4a_11 * t4_6 + minus_E4a_12 * t4_7 - minus_E4a_13 * t4_8;
+  const T Pddot4a_2 = minus_E4a_12 * t4_6 - E4a_22 * t4_7 + E4a_23 * t4_8;
+  const T Pddot4a_3 = minus_E4a_13 * t4_6 - E4a_23 * t4_7 + E4a_33 * t4_8;
   // omegadot4 = -thetadot4_2 b4_2~ E4 omega4a + E4 omegadot4a: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = minus_E4_11 * minus_omegadot4a_1 + E4_12 * omegadot4a_2 - minus_E4_13 * omegadot4a_3 -
       thetadot4_2 * omega4_3;
@@ -10709,18 +11042,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       omegadot4a_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_10 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_10;
-  const T t4_11 = omega4_2 * omega4_1;
-  const T U4_12 = t4_11 - omegadot4_3;
-  const T t4_12 = omega4_3 * omega4_1;
-  const T U4_13 = t4_12 + omegadot4_2;
-  const T U4_21 = t4_11 + omegadot4_3;
-  const T t4_13 = omega4_3 * omega4_2;
-  const T U4_23 = t4_13 - omegadot4_1;
-  const T U4_31 = t4_12 - omegadot4_2;
-  const T U4_32 = t4_13 + omegadot4_1;
-  const T minus_U4_33 = t4_10 + omega4_1 * omega4_1;
+  const T t4_9 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T t4_10 = omega4_2 * omega4_1;
+  const T U4_12 = t4_10 - omegadot4_3;
+  const T t4_11 = omega4_3 * omega4_1;
+  const T U4_13 = t4_11 + omegadot4_2;
+  const T U4_21 = t4_10 + omegadot4_3;
+  const T t4_12 = omega4_3 * omega4_2;
+  const T U4_23 = t4_12 - omegadot4_1;
+  const T U4_31 = t4_11 - omegadot4_2;
+  const T U4_32 = t4_12 + omegadot4_1;
+  const T minus_U4_33 = t4_9 + omega4_1 * omega4_1;
   // Pddot4 = E4 Pddot4a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_12 * Pddot4a_2 - minus_E4_11 * Pddot4a_1 - minus_E4_13 * Pddot4a_3;
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
@@ -10729,11 +11062,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
   const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
   const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, body axes [N]
+  // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
   const T minus_G4_3 = T(0.9) * a4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N4_1 = T(0.006500000000000001) * U4_32 - T(0.0015) * U4_23;
   const T minus_N4_2 = T(0.0015) * U4_13 - T(0.0055) * U4_31;
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
@@ -10783,20 +11116,22 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T P5a_2 = t3_22 - R1_22 * T(0.3);
   const T P5a_3 = t3_23 - R1_23 * T(0.3);
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
-  const T t5_3 = t3_33 + t3_30;
-  const T t5_4 = omega1_1 * T(0.3);
-  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_3 - R1_21 * t2_13 - R1_31 * t5_4;
-  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_3 - R1_22 * t2_13 - R1_32 * t5_4;
-  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_3 - R1_23 * t2_13 - R1_33 * t5_4;
+  const T t5_3 = omega1_2 * T(0.1);
+  const T t5_4 = omega1_3 * T(0.3) + t5_3;
+  const T t5_5 = omega1_1 * T(0.1);
+  const T t5_6 = omega1_1 * T(0.3);
+  const T Pdot5a_1 = sdot1_1 + R1_11 * t5_4 - R1_21 * t5_5 - R1_31 * t5_6;
+  const T Pdot5a_2 = sdot1_2 + R1_12 * t5_4 - R1_22 * t5_5 - R1_32 * t5_6;
+  const T Pdot5a_3 = sdot1_3 + R1_13 * t5_4 - R1_23 * t5_5 - R1_33 * t5_6;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot5a_1 = thetadot5_1 * omega5a_2;
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
-  // Pddot5a = E5a omega1~ omega1~ q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_5 = omega1_3 * t2_13 - omega1_2 * t5_4;
-  const T t5_6 = omega1_3 * t5_3 + omega1_1 * t5_4;
-  const T Pddot5a_1 = E5a_11 * t5_5 + E5a_12 * t5_6;
-  const T Pddot5a_2 = E5a_11 * t5_6 - E5a_12 * t5_5;
-  const T minus_Pddot5a_3 = omega1_1 * t2_13 + omega1_2 * t5_3;
+  // Pddot5a = E5a U1 q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t5_7 = t3_30 - t3_32;
+  const T t5_8 = minus_U1_22 * T(0.3) + t2_33;
+  const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
+  const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
+  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_34;
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -10804,18 +11139,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T omegadot5_3 = E5_23 * minus_omegadot5a_2 - thetadot5_2 * omega5_2;
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t5_7 = omega5_2 * omega5_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_7;
-  const T t5_8 = omega5_2 * omega5_1;
-  const T U5_12 = t5_8 - omegadot5_3;
-  const T t5_9 = omega5_3 * omega5_1;
-  const T U5_13 = t5_9 + omegadot5_2;
-  const T U5_21 = t5_8 + omegadot5_3;
-  const T t5_10 = omega5_3 * omega5_2;
-  const T U5_23 = t5_10 - omegadot5_1;
-  const T U5_31 = t5_9 - omegadot5_2;
-  const T U5_32 = t5_10 + omegadot5_1;
-  const T minus_U5_33 = t5_7 + omega5_1 * omega5_1;
+  const T t5_9 = omega5_2 * omega5_2;
+  const T minus_U5_11 = omega5_3 * omega5_3 + t5_9;
+  const T t5_10 = omega5_2 * omega5_1;
+  const T U5_12 = t5_10 - omegadot5_3;
+  const T t5_11 = omega5_3 * omega5_1;
+  const T U5_13 = t5_11 + omegadot5_2;
+  const T U5_21 = t5_10 + omegadot5_3;
+  const T t5_12 = omega5_3 * omega5_2;
+  const T U5_23 = t5_12 - omegadot5_1;
+  const T U5_31 = t5_11 - omegadot5_2;
+  const T U5_32 = t5_12 + omegadot5_1;
+  const T minus_U5_33 = t5_9 + omega5_1 * omega5_1;
   // Pddot5 = E5 Pddot5a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
@@ -10833,13 +11168,13 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T P6_1 = R3_11 * d6_1 + P3_1;
   const T P6_2 = R3_12 * d6_1 + P3_2;
   const T P6_3 = R3_13 * d6_1 + P3_3;
-  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
-  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // Pddot6 = 2 sdot6 omega3~ u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
   const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
   const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
+  const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
@@ -10850,28 +11185,27 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       P6_1 + R2_22 * P6_2 + R2_23 * P6_3;
   const T arm2_3 = R2_31 * t6_2 + R2_32 * t6_3 + R2_33 * t6_4 - R2_31 * P2_1 - R2_32 * P2_2 - R2_33 * P2_3 + R2_31 *
       P6_1 + R2_32 * P6_2 + R2_33 * P6_3;
-  // lever2 = -r2 + arm2: from the mass centre to where a force acts, link axes [m]
+  // lever2 = -r2 + arm2: from the reference point to where a force acts, link axes [m]
   const T lever2_2 = arm2_2 - T(0.02);
   const T lever2_3 = arm2_3 + T(0.2);
-  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_5 = R2_31 * t3_38 + R2_32 * t3_39 + R2_33 * t3_40;
-  const T t6_6 = R2_21 * t3_38 + R2_22 * t3_39 + R2_23 * t3_40;
-  const T minus_N2_1 = lever2_2 * t6_5 - lever2_3 * t6_6 - omega2_2 * omega2_3 * T(0.006999999999999999);
-  const T t6_7 = R2_11 * t3_38 + R2_12 * t3_39 + R2_13 * t3_40;
-  const T minus_N2_2 = omega2_1 * omega2_3 * T(0.006) + lever2_3 * t6_7 - arm2_1 * t6_5;
-  const T minus_N2_3 = omega2_1 * omega2_2 * T(0.0009999999999999992) + arm2_1 * t6_6 - lever2_2 * t6_7;
+  // N2 = -omega2~ I2 omega2 - lever2~ R2 R3^T F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
+  const T minus_N2_1 = lever2_2 * t3_42 - lever2_3 * t3_41 - T(0.006999999999999999) * U2_23;
+  const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t3_40 - arm2_1 * t3_42;
+  const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t3_41 - lever2_2 * t3_40;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
   const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
   const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
-  // G6 = -m6 a6 + F_jet_: applied less inertia force at ydot = 0, body axes [N]
+  // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
-  const T G6_2 = t3_37 - T(0.5) * a6_2;
+  const T G6_2 = t3_36 - T(0.5) * a6_2;
   const T minus_G6_3 = T(0.5) * a6_3;
-  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_37;
+  // N6 = -axial(U3 (tr(I6)/2 - I6)) + lever6~ F_jet_: applied less inertia moment about the mass centre, body axes [N
+  //   m]
+  const T N6_1 = T(5e-04) * U3_23 - T(5e-04) * U3_32 + T(0.01) * t3_36;
   const T minus_N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
-  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
+  const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_36;
 
   // ---- body 8 (piston) on body 1
   const T theta8 = x[12];
@@ -10908,9 +11242,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Pddot8 = E8 omega1~ (omega1~ d8 + 2 sdot8 u8): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t8_6 = T(2) * sdot8;
   const T t8_7 = omega1_1 * d8_2;
-  const T t8_8 = omega1_3 * t8_6 + omega1_2 * t8_7;
+  const T t8_8 = t8_6 * omega1_3 + omega1_2 * t8_7;
   const T t8_9 = omega1_3 * d8_2;
-  const T t8_10 = omega1_2 * t8_9 - omega1_1 * t8_6;
+  const T t8_10 = omega1_2 * t8_9 - t8_6 * omega1_1;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
   const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
@@ -10918,11 +11252,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
   const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
   const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
-  // G8 = -m8 a8: applied less inertia force at ydot = 0, body axes [N]
+  // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
   const T minus_G8_3 = T(0.7) * a8_3;
-  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)): applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N8_1 = T(0.0025) * U8_32 - T(5e-04) * U8_23;
   const T N8_2 = T(0.001) * U8_13;
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
@@ -10937,6 +11271,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T E9_12 = sin(theta9);
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
+  // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U9_11 = thetadot9 * thetadot9;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
   const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
@@ -10965,34 +11301,34 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
   const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
       R5_33 * t9_7 + Pdot5a_3;
-  // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
-  //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
-  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.p.k * T(0.3) + T(1) / ll_tether_9 * (line_tether_9_1 *
-      line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) *
-      T(0.4);
+  // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
+  //   ll_tether_9^-1: attraction by the length [N/m]
+  const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
+      line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 * minus_line_rate_tether_9_3) * (T(1) / ll_tether_9);
   // F_tether_9 = f_tether_9 line_tether_9: on the first end, inertial axes [N]
   const T F_tether_9_1 = f_tether_9 * line_tether_9_1;
   const T F_tether_9_2 = f_tether_9 * line_tether_9_2;
   const T F_tether_9_3 = f_tether_9 * line_tether_9_3;
-  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force at ydot = 0, body axes [N]
+  // G5 = R5 F_tether_9 - m_link5 a5: applied less inertia force, body axes [N]
   const T t9_8 = R5a_11 * F_tether_9_1 + R5a_12 * F_tether_9_2 + R5a_13 * F_tether_9_3;
   const T G5_1 = t9_8 - c.m_link5 * a5_1;
   const T t9_9 = R5_21 * F_tether_9_1 + R5_22 * F_tether_9_2 + R5_23 * F_tether_9_3;
   const T G5_2 = t9_9 - c.m_link5 * a5_2;
   const T t9_10 = R5_31 * F_tether_9_1 + R5_32 * F_tether_9_2 + R5_33 * F_tether_9_3;
   const T G5_3 = t9_10 - c.m_link5 * a5_3;
-  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment at ydot = 0, body
-  //   axes [N m]
-  const T N5_1 = c.c9_3 * U5_23 - c.c9_2 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
-  const T N5_2 = c.c9_1 * U5_31 - c.c9_3 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
+  // N5 = -axial(U5 (tr(I_link5)/2 - I_link5)) + lever5~ R5 F_tether_9: applied less inertia moment about the mass
+  //   centre, body axes [N m]
+  const T N5_1 = c.c9_4 * U5_23 - c.c9_3 * U5_32 - c.I_link5_13 * U5_21 + T(0.02) * t9_10 - c.lever5_3 * t9_9;
+  const T N5_2 = c.c9_2 * U5_31 - c.c9_4 * U5_13 + c.I_link5_13 * (minus_U5_33 - minus_U5_11) + c.lever5_3 * t9_8 -
       c.lever5_1 * t9_10;
-  const T N5_3 = c.c9_2 * U5_12 - c.c9_1 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
-  // a9 = omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a9_1 = thetadot9 * t9_2;
-  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force at ydot = 0, body axes [N]
+  const T N5_3 = c.c9_3 * U5_12 - c.c9_2 * U5_21 + c.I_link5_13 * U5_23 + c.lever5_1 * t9_9 - T(0.02) * t9_8;
+  // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T minus_a9_1 = minus_U9_11 * T(0.1);
+  // G9 = -E9 F_tether_9 - m9 a9: applied less inertia force, body axes [N]
   const T G9_1 = T(2) * minus_a9_1 - (E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2);
   const T minus_G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1;
-  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment at ydot = 0, body axes [N m]
+  // N9 = -axial(U9 (tr(I9)/2 - I9)) - lever9~ E9 F_tether_9: applied less inertia moment about the mass centre, body
+  //   axes [N m]
   const T N9_1 = T(0.1) * minus_G9_2;
 
   // ---- body 10 (runner) on body 1
@@ -11000,67 +11336,67 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T s10 = x[28];
   const T omega10_1 = y[12], omega10_2 = y[13], omega10_3 = y[14];
   const T sdot10 = y[25];
-  // R10^T = 1 + 2 e10~ (eps4_10 + e10~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
-  const T t10_1 = T(2) * eps10_2;
-  const T t10_2 = t10_1 * eps10_2;
-  const T t10_3 = T(2) * eps10_3;
-  const T t10_4 = t10_3 * eps10_3;
-  const T R10_11 = T(1) - t10_2 - t10_4;
-  const T t10_5 = T(2) * eps10_1;
-  const T t10_6 = t10_5 * eps10_2;
-  const T t10_7 = t10_3 * eps10_4;
-  const T R10_12 = t10_6 + t10_7;
-  const T t10_8 = t10_5 * eps10_3;
-  const T t10_9 = t10_1 * eps10_4;
-  const T R10_13 = t10_8 - t10_9;
-  const T R10_21 = t10_6 - t10_7;
-  const T t10_10 = T(1) - t10_5 * eps10_1;
-  const T R10_22 = t10_10 - t10_4;
-  const T t10_11 = t10_1 * eps10_3;
-  const T t10_12 = t10_5 * eps10_4;
-  const T R10_23 = t10_11 + t10_12;
-  const T R10_31 = t10_8 + t10_9;
-  const T R10_32 = t10_11 - t10_12;
-  const T R10_33 = t10_10 - t10_2;
-  // Pddot10 = R1^T omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, inertial axes
+  // erel10 = -e1~ e10 + eps4_1 e10 - eps4_10 e1: Euler parameters relative to the lower body
+  const T erel10_1 = eps1_3 * eps10_2 - eps1_2 * eps10_3 + eps1_4 * eps10_1 - eps10_4 * eps1_1;
+  const T erel10_2 = eps1_1 * eps10_3 - eps1_3 * eps10_1 + eps1_4 * eps10_2 - eps10_4 * eps1_2;
+  const T erel10_3 = eps1_2 * eps10_1 - eps1_1 * eps10_2 + eps1_4 * eps10_3 - eps10_4 * eps1_3;
+  // eps4rel10 = e1 . e10 + eps4_1 eps4_10
+  const T eps4rel10 = eps1_1 * eps10_1 + eps1_2 * eps10_2 + eps1_3 * eps10_3 + eps1_4 * eps10_4;
+  // C10^T = 1 + 2 erel10~ (eps4rel10 + erel10~): C takes components in the lower body to those in the body
+  const T t10_1 = T(2) * erel10_2;
+  const T t10_2 = t10_1 * erel10_2;
+  const T t10_3 = T(2) * erel10_3;
+  const T t10_4 = t10_3 * erel10_3;
+  const T C10_11 = T(1) - t10_2 - t10_4;
+  const T t10_5 = T(2) * erel10_1;
+  const T t10_6 = t10_5 * erel10_2;
+  const T t10_7 = t10_3 * eps4rel10;
+  const T C10_12 = t10_6 + t10_7;
+  const T t10_8 = t10_5 * erel10_3;
+  const T t10_9 = t10_1 * eps4rel10;
+  const T C10_13 = t10_8 - t10_9;
+  const T C10_21 = t10_6 - t10_7;
+  const T t10_10 = T(1) - t10_5 * erel10_1;
+  const T C10_22 = t10_10 - t10_4;
+  const T t10_11 = t10_1 * erel10_3;
+  const T t10_12 = t10_5 * eps4rel10;
+  const T C10_23 = t10_11 + t10_12;
+  const T C10_31 = t10_8 + t10_9;
+  const T C10_32 = t10_11 - t10_12;
+  const T C10_33 = t10_10 - t10_2;
+  // U10 = omega10~ omega10~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t10_13 = omega10_3 * omega10_3;
+  const T t10_14 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_13 + t10_14;
+  const T U10_12 = omega10_2 * omega10_1;
+  const T U10_13 = omega10_3 * omega10_1;
+  const T t10_15 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_13 + t10_15;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T minus_U10_33 = t10_14 + t10_15;
+  // Pddot10 = C10 omega1~ (omega1~ d10 + 2 sdot10 u10): acceleration of the body origin, less gravity, body axes
   //   [m/s^2]
-  const T t10_13 = omega1_1 * s10 - t3_30;
-  const T t10_14 = t2_19 - t5_4 + T(2) * sdot10;
-  const T t10_15 = omega1_2 * t10_13 - omega1_3 * t10_14;
-  const T t10_16 = t3_31 - omega1_3 * s10;
-  const T t10_17 = omega1_3 * t10_16 - omega1_1 * t10_13;
-  const T t10_18 = omega1_1 * t10_14 - omega1_2 * t10_16;
-  const T Pddot10_1 = R1_11 * t10_15 + R1_21 * t10_17 + R1_31 * t10_18;
-  const T Pddot10_2 = R1_12 * t10_15 + R1_22 * t10_17 + R1_32 * t10_18;
-  const T Pddot10_3 = R1_13 * t10_15 + R1_23 * t10_17 + R1_33 * t10_18;
-  // a10 = R10^T omega10~ omega10~ r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t10_19 = omega10_1 * T(0.01) - omega10_2 * T(0.02);
-  const T t10_20 = omega10_3 * T(0.02) + omega10_1 * T(0.03);
-  const T t10_21 = omega10_2 * t10_19 - omega10_3 * t10_20;
-  const T t10_22 = omega10_3 * T(0.01) + omega10_2 * T(0.03);
-  const T t10_23 = omega10_3 * t10_22 + omega10_1 * t10_19;
-  const T t10_24 = omega10_1 * t10_20 + omega10_2 * t10_22;
-  const T a10_1 = R10_11 * t10_21 - R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_21 - R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_21 - R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t10_16 = omega1_1 * s10 - t5_3;
+  const T t10_17 = omega1_3 * T(0.1) - t5_6 + T(2) * sdot10;
+  const T t10_18 = omega1_2 * t10_16 - omega1_3 * t10_17;
+  const T t10_19 = omega1_2 * T(0.3) - omega1_3 * s10;
+  const T t10_20 = omega1_3 * t10_19 - omega1_1 * t10_16;
+  const T t10_21 = omega1_1 * t10_17 - omega1_2 * t10_19;
+  const T Pddot10_1 = C10_11 * t10_18 + C10_12 * t10_20 + C10_13 * t10_21;
+  const T Pddot10_2 = C10_21 * t10_18 + C10_22 * t10_20 + C10_23 * t10_21;
+  const T Pddot10_3 = C10_31 * t10_18 + C10_32 * t10_20 + C10_33 * t10_21;
+  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
+  const T a10_1 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03) + Pddot10_1;
+  const T a10_2 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03) + Pddot10_2;
+  const T a10_3 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03) + Pddot10_3;
+  // G10 = -m10 a10: applied less inertia force, body axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
   const T minus_G10_3 = T(0.4) * a10_3;
-  // N10 = -omega10~ I10 omega10: applied less inertia moment at ydot = 0, body axes [N m]
-  const T N10_1 = omega10_2 * omega10_3 * T(5e-04);
-  const T N10_2 = omega10_1 * omega10_3 * T(5e-04);
-  const T minus_N10_3 = omega10_1 * omega10_2 * T(0.001);
-  // C1_10 = R1 R10^T: takes components in the body to those in body 1
-  const T C1_10_11 = R1_11 * R10_11 + R1_12 * R10_12 + R1_13 * R10_13;
-  const T C1_10_12 = R1_11 * R10_21 + R1_12 * R10_22 + R1_13 * R10_23;
-  const T C1_10_13 = R1_11 * R10_31 + R1_12 * R10_32 + R1_13 * R10_33;
-  const T C1_10_21 = R1_21 * R10_11 + R1_22 * R10_12 + R1_23 * R10_13;
-  const T C1_10_22 = R1_21 * R10_21 + R1_22 * R10_22 + R1_23 * R10_23;
-  const T C1_10_23 = R1_21 * R10_31 + R1_22 * R10_32 + R1_23 * R10_33;
-  const T C1_10_31 = R1_31 * R10_11 + R1_32 * R10_12 + R1_33 * R10_13;
-  const T C1_10_32 = R1_31 * R10_21 + R1_32 * R10_22 + R1_33 * R10_23;
-  const T C1_10_33 = R1_31 * R10_31 + R1_32 * R10_32 + R1_33 * R10_33;
+  // N10 = -omega10~ I10 omega10: applied less inertia moment about the mass centre, body axes [N m]
+  const T N10_1 = T(5e-04) * U10_23;
+  const T N10_2 = T(5e-04) * U10_13;
+  const T minus_N10_3 = T(0.001) * U10_12;
 
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
@@ -11074,8 +11410,6 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T omega11_3 = E11_11 * omega8_3 - E11_13 * omega8_1;
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
-  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
-  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // omegadot11 = -thetadot11 b11~ E11 omega8 + E11 omegadot8: angular acceleration, body axes [rad/s^2]
   const T omegadot11_1 = thetadot11 * omega11_3 + E11_11 * omegadot8_1 - E11_13 * minus_omegadot8_3;
   const T minus_omegadot11_3 = thetadot11 * omega11_1 + E11_13 * omegadot8_1 + E11_11 * minus_omegadot8_3;
@@ -11097,768 +11431,1027 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
+  // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
+  const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
   const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
+  // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
   const T minus_G11_2 = T(0.3) * a11_2;
   const T minus_G11_3 = T(0.3) * a11_3;
-  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment at ydot = 0, body
-  //   axes [N m]
+  // N11 = C11^T M_coupling_ - axial(U11 (tr(I_link11)/2 - I_link11)): applied less inertia moment about the mass
+  //   centre, body axes [N m]
   const T minus_N11_1 = T(0.00010000000000000005) * U11_32 - T(3e-04) * U11_23;
   const T minus_N11_2 = T(0.02) * u.motor;
   const T minus_N11_3 = T(3e-04) * U11_21 - T(0.00010000000000000005) * U11_12;
 
   // ---- body 11 (nut) and what it carries
-  // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
+  // n11 = r_link11~ G11 + N11: moment that drives it, body axes [N m]
   const T b11_1 = minus_G11_2 * T(0.01);
-  const T rho11_1 = b11_1 - minus_N11_1;
-  const T minus_rho11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
-  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc11_1 = E11_13 * T(0.003);
-  const T hc11_3 = E11_11 * T(0.003);
+  const T n11_1 = b11_1 - minus_N11_1;
+  const T minus_n11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
+  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m]
+  const T u_11 = b11_1 + minus_n11_2 - minus_effort_nut_11;
+  // v11 = invD11 u_11: u/D
+  const T v11 = T(1515.1515151515152) * u_11;
+  // gt11 = G11 - v11 B11: force with the turn solved [N]
+  const T b11_2 = v11 * T(0.003);
+  const T gt11_1 = b11_2 - minus_G11_1;
+  const T gt11_2 = b11_2 - minus_G11_2;
+  // nt11 = n11 - v11 K11: moment with the turn solved [N m]
+  const T nt11_1 = n11_1 - v11 * T(3e-05);
+  const T nt11_2 = v11 * T(0.0006299999999999999) - minus_n11_2;
+  // Mp11 = E11^T M11 E11: M passed on, lower body's axes [kg]
+  const T b11_3 = E11_13 * T(0.013636363636363637);
+  const T b11_4 = E11_13 * b11_3;
+  const T Mp11_11 = T(0.2863636363636364) + b11_4;
+  const T minus_Mp11_12 = E11_11 * T(0.013636363636363637);
+  const T minus_Mp11_13 = E11_11 * b11_3;
+  const T minus_Mp11_23 = E11_13 * T(0.013636363636363637);
+  const T Mp11_33 = T(0.3) - b11_4;
+  // gp11 = E11^T gt11: force passed on, lower body's axes [N]
+  const T gp11_1 = E11_11 * gt11_1 + E11_13 * minus_G11_3;
+  const T gp11_3 = E11_13 * gt11_1 - E11_11 * minus_G11_3;
+  // Hp11 = E11^T H11 E11: H passed on, lower body's axes [kg m]
+  const T b11_5 = E11_13 * T(0.00013636363636363637);
+  const T b11_6 = E11_13 * b11_5;
+  const T Hp11_11 = T(0.00013636363636363637) - b11_6;
+  const T minus_Hp11_12 = E11_11 * T(0.0028636363636363638);
+  const T Hp11_13 = E11_11 * b11_5;
+  const T Hp11_21 = E11_11 * T(0.00013636363636363637);
+  const T Hp11_23 = E11_13 * T(0.00013636363636363637);
+  const T minus_Hp11_32 = E11_13 * T(0.0028636363636363638);
+  // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
+  const T b11_7 = E11_13 * T(2.8636363636363637e-05);
+  const T b11_8 = E11_13 * b11_7;
+  const T Jp11_11 = T(0.0004286363636363637) - b11_8;
+  const T Jp11_12 = E11_11 * T(2.8636363636363637e-05);
+  const T Jp11_13 = E11_11 * b11_7;
+  const T Jp11_23 = E11_13 * T(2.8636363636363637e-05);
+  const T Jp11_33 = T(4e-04) + b11_8;
+  // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
+  const T np11_1 = E11_11 * nt11_1 + E11_13 * minus_N11_3;
+  const T np11_3 = E11_13 * nt11_1 - E11_11 * minus_N11_3;
+  // Hb11 = d11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
+  const T b11_9 = minus_d11_2 * minus_Mp11_13;
+  const T Hb11_11 = b11_9 + Hp11_11;
+  const T Hb11_12 = minus_d11_2 * minus_Mp11_23 - minus_Hp11_12;
+  const T Hb11_13 = Hp11_13 - minus_d11_2 * Mp11_33;
+  const T Hb11_31 = minus_d11_2 * Mp11_11 + Hp11_13;
+  const T minus_Hb11_32 = minus_d11_2 * minus_Mp11_12 + minus_Hp11_32;
+  const T Hb11_33 = b11_6 - b11_9;
 
   // ---- body 10 (runner) and what it carries
-  // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
-  const T b10_1 = R10_21 * minus_G10_1 + R10_22 * minus_G10_2 + R10_23 * minus_G10_3;
-  const T b10_2 = R10_31 * minus_G10_1 + R10_32 * minus_G10_2 + R10_33 * minus_G10_3;
-  const T f_omega10_1 = N10_1 - (T(0.03) * b10_1 + T(0.01) * b10_2);
-  const T b10_3 = R10_11 * minus_G10_1 + R10_12 * minus_G10_2 + R10_13 * minus_G10_3;
-  const T f_omega10_2 = T(0.03) * b10_3 + T(0.02) * b10_2 + N10_2;
-  const T f_omega10_3 = T(0.01) * b10_3 - T(0.02) * b10_1 - minus_N10_3;
-  // D_sddot10: pivots of L D L^T
-  const T b10_4 = C1_10_21 * T(0.004) - C1_10_22 * T(0.008);
-  const T b10_5 = C1_10_22 * T(0.012) + C1_10_23 * T(0.004);
-  const T b10_6 = b10_5 * T(416.6666666666667);
-  const T b10_7 = C1_10_21 * T(0.012) + C1_10_23 * T(0.008);
-  const T b10_8 = b10_6 * T(8e-05) - b10_7;
-  const T b10_9 = b10_8 * T(284.30629264594387);
-  const T b10_10 = b10_4 + b10_6 * T(0.00024) + b10_9 * T(0.000128);
-  const T b10_11 = b10_10 * T(374.3436923513552);
-  const T b10_12 = b10_6 * b10_5 + b10_9 * b10_8 + b10_11 * b10_10;
-  const T D_sddot10 = T(0.4) - b10_12;
+  // n10 = r10~ G10 + N10: moment that drives it, body axes [N m]
+  const T n10_1 = N10_1 - (T(0.03) * minus_G10_2 + T(0.01) * minus_G10_3);
+  const T n10_2 = T(0.03) * minus_G10_1 + T(0.02) * minus_G10_3 + N10_2;
+  const T n10_3 = T(0.01) * minus_G10_1 - T(0.02) * minus_G10_2 - minus_N10_3;
+  // w_10 = D(LD10)^-1 L(LD10)^-1 n10: D^-1 L^-1 n
+  const T w_10_1 = T(416.6666666666667) * n10_1;
+  const T b10_1 = n10_2 + T(0.03333333333333333) * n10_1;
+  const T w_10_2 = T(284.30629264594387) * b10_1;
+  const T w_10_3 = T(374.3436923513552) * (n10_3 - T(0.1) * n10_1 - T(0.03639120545868082) * b10_1);
+  // gb10 = G10 - Y10^T w_10: force with the ball solved [N]
+  const T gb10_1 = T(0.012) * w_10_2 + T(0.0035633055344958305) * w_10_3 - minus_G10_1;
+  const T minus_gb10_2 = minus_G10_2 + T(4e-04) * w_10_2 + T(0.012) * w_10_1 + T(0.006785443517816528) * w_10_3;
+  const T minus_gb10_3 = minus_G10_3 + T(0.004) * w_10_1 - T(0.007866666666666668) * w_10_2 -
+      T(0.00011372251705837757) * w_10_3;
+  // Mp10 = C10^T M10 C10: M passed on, lower body's axes [kg]
+  const T b10_2 = C10_11 * T(0.35430679721867464) + C10_21 * T(0.01041577976443877) - C10_31 *
+      T(0.026990208599404004);
+  const T b10_3 = C10_11 * T(0.01041577976443877) + C10_21 * T(0.32271888746984534) - C10_31 *
+      T(0.018816517667092383);
+  const T b10_4 = C10_31 * T(0.3757343550446999) - (C10_11 * T(0.026990208599404004) + C10_21 *
+      T(0.018816517667092383));
+  const T Mp10_11 = b10_2 * C10_11 + b10_3 * C10_21 + b10_4 * C10_31;
+  const T Mp10_12 = b10_2 * C10_12 + b10_3 * C10_22 + b10_4 * C10_32;
+  const T Mp10_13 = b10_2 * C10_13 + b10_3 * C10_23 + b10_4 * C10_33;
+  const T b10_5 = C10_12 * T(0.35430679721867464) + C10_22 * T(0.01041577976443877) - C10_32 *
+      T(0.026990208599404004);
+  const T b10_6 = C10_12 * T(0.01041577976443877) + C10_22 * T(0.32271888746984534) - C10_32 *
+      T(0.018816517667092383);
+  const T b10_7 = C10_32 * T(0.3757343550446999) - (C10_12 * T(0.026990208599404004) + C10_22 *
+      T(0.018816517667092383));
+  const T Mp10_22 = b10_5 * C10_12 + b10_6 * C10_22 + b10_7 * C10_32;
+  const T Mp10_23 = b10_5 * C10_13 + b10_6 * C10_23 + b10_7 * C10_33;
+  const T Mp10_33 = T(1.05276003973322) - Mp10_11 - Mp10_22;
+  // gp10 = C10^T gb10: force passed on, lower body's axes [N]
+  const T gp10_1 = C10_11 * gb10_1 - C10_21 * minus_gb10_2 - C10_31 * minus_gb10_3;
+  const T gp10_2 = C10_12 * gb10_1 - C10_22 * minus_gb10_2 - C10_32 * minus_gb10_3;
+  const T gp10_3 = C10_13 * gb10_1 - C10_23 * minus_gb10_2 - C10_33 * minus_gb10_3;
+  // invD2_10 = D2_10^-1: 1/D
+  const T invD2_10 = T(1) / Mp10_22;
+  // kB2_10 = invD2_10 B2_10: B/D
+  const T kB2_10_1 = invD2_10 * Mp10_12;
+  const T kB2_10_3 = invD2_10 * Mp10_23;
+  // v2_10 = invD2_10 u_2_10: u/D
+  const T v2_10 = invD2_10 * gp10_2;
+  // Ms2_10 = P_u10 (Mp10 - kB2_10 B2_10^T) P_u10: M with the slide solved [kg]
+  const T Ms2_10_11 = Mp10_11 - kB2_10_1 * Mp10_12;
+  const T Ms2_10_13 = Mp10_13 - kB2_10_1 * Mp10_23;
+  const T Ms2_10_33 = Mp10_33 - kB2_10_3 * Mp10_23;
+  // gs2_10 = P_u10 (gp10 - v2_10 B2_10): force with the slide solved [N]
+  const T gs2_10_1 = gp10_1 - v2_10 * Mp10_12;
+  const T gs2_10_3 = gp10_3 - v2_10 * Mp10_23;
+  // Hb10 = d10~ Ms2_10: H of the joint at the lower body's origin, its axes
+  const T Hb10_11 = s10 * Ms2_10_13;
+  const T Hb10_13 = s10 * Ms2_10_33;
+  const T Hb10_21 = T(0.3) * Ms2_10_11 - T(0.1) * Ms2_10_13;
+  const T Hb10_23 = T(0.3) * Ms2_10_13 - T(0.1) * Ms2_10_33;
+  const T minus_Hb10_31 = s10 * Ms2_10_11;
 
   // ---- body 9 (sled) and what it carries
-  // D_sddot9_1: pivots of L D L^T
-  const T b9_1 = T(0.2) * E9_12;
-  const T b9_2 = b9_1 * T(10);
-  const T D_sddot9_1 = T(2) - b9_2 * b9_1;
-  // D_sddot9_2: pivots of L D L^T
-  const T b9_3 = T(0.2) * E9_11;
-  const T b9_4 = b9_3 * T(10);
-  const T b9_5 = b9_4 * b9_1;
-  const T b9_6 = T(1) / D_sddot9_1;
-  const T b9_7 = b9_5 * b9_6;
-  const T D_sddot9_2 = T(2) - b9_4 * b9_3 - b9_7 * b9_5;
+  // v1_9 = invD1_9 u_1_9: u/D
+  const T minus_v1_9 = T(10) * N9_1;
+  // gt9 = G9 - v1_9 B1_9: force with the turn solved [N]
+  const T gt9_2 = minus_v1_9 * T(0.2) - minus_G9_2;
+  // Mp9 = E9^T M9 E9: M passed on, lower body's axes [kg]
+  const T b9_1 = E9_12 * T(0.4);
+  const T b9_2 = E9_12 * b9_1;
+  const T Mp9_11 = T(2) - b9_2;
+  const T Mp9_12 = E9_11 * b9_1;
+  const T Mp9_22 = T(1.5999999999999999) + b9_2;
+  // gp9 = E9^T gt9: force passed on, lower body's axes [N]
+  const T gp9_1 = E9_11 * G9_1 - E9_12 * gt9_2;
+  const T gp9_2 = E9_12 * G9_1 + E9_11 * gt9_2;
+  // invD2_9 = D2_9^-1: 1/D
+  const T invD2_9 = T(1) / Mp9_11;
+  // kB2_9 = invD2_9 B2_9: B/D
+  const T kB2_9_2 = invD2_9 * Mp9_12;
+  // v2_9 = invD2_9 u_2_9: u/D
+  const T v2_9 = invD2_9 * gp9_1;
+  // Ms2_9 = P_u9_1 (Mp9 - kB2_9 B2_9^T) P_u9_1: M with the slide solved [kg]
+  const T Ms2_9_22 = Mp9_22 - kB2_9_2 * Mp9_12;
+  // gs2_9 = P_u9_1 (gp9 - v2_9 B2_9): force with the slide solved [N]
+  const T gs2_9_2 = gp9_2 - v2_9 * Mp9_12;
+  // invD3_9 = D3_9^-1: 1/D
+  const T invD3_9 = T(1) / Ms2_9_22;
+  // v3_9 = invD3_9 u_3_9: u/D
+  const T v3_9 = invD3_9 * gs2_9_2;
+  ydot[24] = v3_9;
 
   // ---- body 8 (piston) and what it carries
-  // S8 = E11^T G11 + G8: sum of the force balances of the subtree, body axes [N]
-  const T b8_1 = E11_13 * minus_G11_3 - E11_11 * minus_G11_1;
-  const T S8_1 = b8_1 - minus_G8_1;
-  const T minus_S8_2 = minus_G11_2 + minus_G8_2;
-  const T b8_2 = E11_13 * minus_G11_1 + E11_11 * minus_G11_3;
-  const T minus_S8_3 = b8_2 + minus_G8_3;
-  // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
-      * b8_2 - minus_N8_1;
-  const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
-  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
-      * b8_1 - minus_N8_3;
-  // h8 = m8 r_link8 + m11 d11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h8_1 = T(0.006999999999999999) + minus_hc11_1;
-  const T b8_3 = T(0.3) * minus_d11_2;
-  const T minus_h8_2 = T(0.06999999999999999) + b8_3;
-  const T h8_3 = T(0.013999999999999999) + hc11_3;
-  // J8 = E11^T J11 E11 - m8 r_link8~ r_link8~ + (-m11 d11~ - hc11~) d11~ + I_link8 - d11~ hc11~: inertia carried,
-  //   about the body origin, body axes [kg m^2]
-  const T b8_4 = E11_11 * T(0.00043000000000000004);
-  const T b8_5 = E11_13 * T(4e-04);
-  const T b8_6 = b8_3 * minus_d11_2;
-  const T J8_11 = b8_4 * E11_11 + b8_5 * E11_13 + T(0.010280000000000001) + b8_6;
-  const T b8_7 = minus_d11_2 * minus_hc11_1;
-  const T minus_J8_12 = T(7e-04) + b8_7;
-  const T J8_13 = b8_4 * E11_13 - b8_5 * E11_11 + T(0.00014);
-  const T b8_8 = minus_d11_2 * hc11_3;
-  const T J8_23 = T(0.0014) + b8_8;
-  const T J8_33 = E11_13 * T(0.00043000000000000004) * E11_13 + E11_11 * T(4e-04) * E11_11 + T(0.01107) + b8_6;
-  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = E8_13 * h8_3 + E8_11 * minus_h8_1;
-  const T minus_hc8_3 = E8_13 * minus_h8_1 - E8_11 * h8_3;
-  // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_7;
-  const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_8;
+  // MA8 = m8 one + Mp11: force for an acceleration of the origin, home axes [kg]
+  const T MA8_11 = T(0.7) + Mp11_11;
+  const T MA8_33 = T(0.7) + Mp11_33;
+  // HA8 = m8 r_link8~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
+  const T HA8_12 = Hb11_12 - T(0.013999999999999999);
+  const T HA8_13 = Hb11_13 - T(0.06999999999999999);
+  const T HA8_21 = T(0.013999999999999999) + Hp11_21;
+  const T HA8_23 = Hp11_23 + T(0.006999999999999999);
+  const T HA8_31 = Hb11_31 + T(0.06999999999999999);
+  const T minus_HA8_32 = T(0.006999999999999999) + minus_Hb11_32;
+  // JA8 = -m8 r_link8~ r_link8~ + I_link8 + d11~ Hp11^T + Jp11 - Hb11 d11~: moment for an angular acceleration, body
+  //   axes [kg m^2]
+  const T b8_1 = minus_d11_2 * Hp11_13;
+  const T JA8_11 = T(0.010280000000000001) - b8_1 + Jp11_11 - Hb11_13 * minus_d11_2;
+  const T JA8_12 = Jp11_12 - (T(7e-04) + minus_d11_2 * Hp11_23);
+  const T JA8_13 = T(0.00014) - minus_d11_2 * b11_6 + Jp11_13 + Hb11_11 * minus_d11_2;
+  const T JA8_23 = T(0.0014) + Jp11_23 + minus_d11_2 * Hp11_21;
+  const T JA8_33 = T(0.01107) + b8_1 + Jp11_33 + Hb11_31 * minus_d11_2;
+  // g8 = G8 + gp11: force that drives it, home axes [N]
+  const T g8_1 = gp11_1 - minus_G8_1;
+  const T g8_2 = gt11_2 - minus_G8_2;
+  const T g8_3 = gp11_3 - minus_G8_3;
+  // n8 = r_link8~ G8 + d11~ gp11 + N8 + np11: moment that drives it, body axes [N m]
+  const T n8_1 = T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3 - minus_N8_1 + np11_1;
+  const T n8_2 = N8_2 - (T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3) + nt11_2;
+  const T n8_3 = T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1 - minus_N8_3 + np11_3;
+  // kB1_8 = invD1_8 B1_8: B/D
+  const T minus_kB1_8_1 = T(420.4089432447927) * HA8_21;
+  const T minus_kB1_8_3 = T(420.4089432447927) * HA8_23;
+  // kK1_8 = invD1_8 K1_8: K/D
+  const T minus_kK1_8_1 = T(420.4089432447927) * JA8_12;
+  const T minus_kK1_8_3 = T(420.4089432447927) * JA8_23;
+  // v1_8 = invD1_8 u_1_8: u/D
+  const T minus_v1_8 = T(420.4089432447927) * n8_2;
+  // M8 = MA8 - kB1_8 B1_8^T: MA less what the turn takes up [kg]
+  const T M8_11 = MA8_11 - minus_kB1_8_1 * HA8_21;
+  const T M8_12 = minus_kB1_8_1 * T(0.0028636363636363638) - minus_Mp11_12;
+  const T minus_M8_13 = minus_Mp11_13 + minus_kB1_8_1 * HA8_23;
+  const T M8_23 = T(1.2038983374737244) * HA8_23 - minus_Mp11_23;
+  const T M8_33 = MA8_33 - minus_kB1_8_3 * HA8_23;
+  // H8 = P_b8 (HA8 - kK1_8 B1_8^T): HA less what the turn takes up [kg m]
+  const T H8_11 = Hb11_11 - minus_kK1_8_1 * HA8_21;
+  const T H8_12 = HA8_12 + minus_kK1_8_1 * T(0.0028636363636363638);
+  const T H8_13 = HA8_13 - minus_kK1_8_1 * HA8_23;
+  const T H8_31 = HA8_31 - minus_kK1_8_3 * HA8_21;
+  const T H8_32 = minus_kK1_8_3 * T(0.0028636363636363638) - minus_HA8_32;
+  const T H8_33 = Hb11_33 - minus_kK1_8_3 * HA8_23;
+  // J8 = P_b8 (JA8 - kK1_8 K1_8^T) P_b8: JA less what the turn takes up [kg m^2]
+  const T J8_11 = JA8_11 - minus_kK1_8_1 * JA8_12;
+  const T J8_13 = JA8_13 - minus_kK1_8_1 * JA8_23;
+  const T J8_33 = JA8_33 - minus_kK1_8_3 * JA8_23;
+  // gt8 = g8 - v1_8 B1_8: force with the turn solved [N]
+  const T gt8_1 = g8_1 - minus_v1_8 * HA8_21;
+  const T gt8_2 = g8_2 + minus_v1_8 * T(0.0028636363636363638);
+  const T gt8_3 = g8_3 - minus_v1_8 * HA8_23;
+  // nt8 = P_b8 (n8 - v1_8 K1_8): moment with the turn solved [N m]
+  const T nt8_1 = n8_1 - minus_v1_8 * JA8_12;
+  const T nt8_3 = n8_3 - minus_v1_8 * JA8_23;
+  // Mp8 = E8^T M8 E8: M passed on, lower body's axes [kg]
+  const T b8_2 = T(2) * E8_11;
+  const T b8_3 = b8_2 * minus_M8_13 + E8_13 * (M8_33 - M8_11);
+  const T b8_4 = E8_13 * b8_3;
+  const T Mp8_11 = M8_11 + b8_4;
+  const T Mp8_12 = E8_11 * M8_12 - E8_13 * M8_23;
+  const T Mp8_13 = minus_M8_13 - E8_11 * b8_3;
+  const T Mp8_23 = E8_11 * M8_23 + E8_13 * M8_12;
+  const T Mp8_33 = M8_33 - b8_4;
+  // gp8 = E8^T gt8: force passed on, lower body's axes [N]
+  const T gp8_1 = E8_11 * gt8_1 - E8_13 * gt8_3;
+  const T gp8_3 = E8_13 * gt8_1 + E8_11 * gt8_3;
+  // Hp8 = E8^T H8 E8: H passed on, lower body's axes [kg m]
+  const T b8_5 = E8_11 * (H8_31 + H8_13) - E8_13 * (H8_33 - H8_11);
+  const T b8_6 = E8_13 * b8_5;
+  const T Hp8_11 = H8_11 - b8_6;
+  const T Hp8_12 = E8_11 * H8_12 - E8_13 * H8_32;
+  const T b8_7 = E8_11 * b8_5;
+  const T Hp8_13 = b8_7 - H8_31;
+  const T Hp8_31 = b8_7 - H8_13;
+  const T Hp8_32 = E8_11 * H8_32 + E8_13 * H8_12;
+  const T Hp8_33 = H8_33 + b8_6;
+  // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
+  const T b8_8 = b8_2 * J8_13 - E8_13 * (J8_33 - J8_11);
+  const T b8_9 = E8_13 * b8_8;
+  const T Jp8_11 = J8_11 - b8_9;
+  const T Jp8_13 = E8_11 * b8_8 - J8_13;
+  const T Jp8_33 = J8_33 + b8_9;
+  // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
+  const T np8_1 = E8_11 * nt8_1 - E8_13 * nt8_3;
+  const T np8_3 = E8_13 * nt8_1 + E8_11 * nt8_3;
+  // kB2_8 = invD2_8 B2_8: B/D
+  const T minus_kB2_8_1 = T(1.0173808227700445) * Mp8_12;
+  const T minus_kB2_8_3 = T(1.0173808227700445) * Mp8_23;
+  // kK2_8 = invD2_8 K2_8: K/D
+  const T minus_kK2_8_1 = T(1.0173808227700445) * Hp8_12;
+  const T minus_kK2_8_3 = T(1.0173808227700445) * Hp8_32;
+  // v2_8 = invD2_8 u_2_8: u/D
+  const T minus_v2_8 = T(1.0173808227700445) * gt8_2;
+  // Ms2_8 = P_u8 (Mp8 - kB2_8 B2_8^T) P_u8: M with the slide solved [kg]
+  const T Ms2_8_11 = Mp8_11 - minus_kB2_8_1 * Mp8_12;
+  const T Ms2_8_13 = Mp8_13 - minus_kB2_8_1 * Mp8_23;
+  const T Ms2_8_33 = Mp8_33 - minus_kB2_8_3 * Mp8_23;
+  // Hs2_8 = (Hp8 - kK2_8 B2_8^T) P_u8: H with the slide solved [kg m]
+  const T Hs2_8_11 = Hp8_11 - minus_kK2_8_1 * Mp8_12;
+  const T Hs2_8_13 = Hp8_13 - minus_kK2_8_1 * Mp8_23;
+  const T Hs2_8_31 = Hp8_31 - minus_kK2_8_3 * Mp8_12;
+  const T Hs2_8_33 = Hp8_33 - minus_kK2_8_3 * Mp8_23;
+  // Js2_8 = Jp8 - kK2_8 K2_8^T: J with the slide solved [kg m^2]
+  const T Js2_8_11 = Jp8_11 - minus_kK2_8_1 * Hp8_12;
+  const T Js2_8_13 = Jp8_13 - minus_kK2_8_1 * Hp8_32;
+  const T Js2_8_33 = Jp8_33 - minus_kK2_8_3 * Hp8_32;
+  // gs2_8 = P_u8 (gp8 - v2_8 B2_8): force with the slide solved [N]
+  const T gs2_8_1 = gp8_1 - minus_v2_8 * Mp8_12;
+  const T gs2_8_3 = gp8_3 - minus_v2_8 * Mp8_23;
+  // ns2_8 = np8 - v2_8 K2_8: moment with the slide solved [N m]
+  const T ns2_8_1 = np8_1 - minus_v2_8 * Hp8_12;
+  const T ns2_8_3 = np8_3 - minus_v2_8 * Hp8_32;
+  // Hb8 = d8~ Ms2_8 + Hs2_8: H of the joint at the lower body's origin, its axes
+  const T b8_10 = d8_2 * Ms2_8_13;
+  const T Hb8_11 = b8_10 + Hs2_8_11;
+  const T Hb8_13 = d8_2 * Ms2_8_33 + Hs2_8_13;
+  const T Hb8_31 = Hs2_8_31 - d8_2 * Ms2_8_11;
+  const T Hb8_33 = Hs2_8_33 - b8_10;
 
   // ---- body 6 (telescope) and what it carries
-  // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = N6_1 - T(0.01) * G6_2;
-  const T rho6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
-  const T rho6_3 = T(0.1) * G6_2 + N6_3;
+  // n6 = r6~ G6 + N6: moment that drives it, body axes [N m]
+  const T n6_1 = N6_1 - T(0.01) * G6_2;
+  const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
+  const T n6_3 = T(0.1) * G6_2 + N6_3;
+  // u_6 = u6 . G6 + effort_telescope_6: drives it [N]
+  const T u_6 = G6_1 - minus_effort_telescope_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = T(2) * u_6;
+  // ns6 = n6 - v6 K6: moment with the slide solved [N m]
+  const T ns6_2 = n6_2 - v6 * T(0.005);
+  // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
+  const T minus_Hb6_23 = T(0.05) + T(0.5) * d6_1;
 
   // ---- body 5 (camera) and what it carries
-  // rho5 = r_link5~ G5 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
-  // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
-  const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
-  const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
-  // rho5a = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5a_2 = E5_22 * rho5_2 - E5_23 * rho5_3;
-  const T rho5a_3 = E5_23 * rho5_2 + E5_22 * rho5_3;
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc5_2 = E5_23 * c.h5_3;
-  const T hc5_3 = E5_22 * c.h5_3;
-  // J5a = E5^T J5 E5: inertia carried, about the body origin, body axes [kg m^2]
-  const T minus_J5a_12 = E5_23 * c.J5_13;
-  const T J5a_13 = E5_22 * c.J5_13;
-  const T b5_1 = E5_22 * c.J5_22;
-  const T b5_2 = E5_23 * c.J5_33;
-  const T J5a_22 = b5_1 * E5_22 + b5_2 * E5_23;
-  const T J5a_23 = b5_1 * E5_23 - b5_2 * E5_22;
-  const T J5a_33 = E5_23 * c.J5_22 * E5_23 + E5_22 * c.J5_33 * E5_22;
-  // hc5a = E5a^T hc5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.h5_1;
-  const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.h5_1;
+  // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
+  const T n5_1 = N5_1 - c.r_link5_3 * G5_2;
+  const T n5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
+  const T n5_3 = c.r_link5_1 * G5_2 + N5_3;
+  // gp5 = E5^T G5: force passed on, lower body's axes [N]
+  const T gp5_2 = E5_22 * G5_2 - E5_23 * G5_3;
+  const T gp5_3 = E5_23 * G5_2 + E5_22 * G5_3;
+  // Hp5 = E5^T HA5 E5: H passed on, lower body's axes [kg m]
+  const T minus_Hp5_12 = E5_22 * c.HA5_21;
+  const T minus_Hp5_13 = E5_23 * c.HA5_21;
+  // Jp5 = E5^T JA5 E5: J passed on, lower body's axes [kg m^2]
+  const T minus_Jp5_12 = E5_23 * c.JA5_13;
+  const T Jp5_13 = E5_22 * c.JA5_13;
+  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_2 = E5_23 * b5_1;
+  const T Jp5_22 = b5_2 + c.JA5_22;
+  const T minus_Jp5_23 = E5_22 * b5_1;
+  const T Jp5_33 = c.JA5_33 - b5_2;
+  // np5 = E5^T n5: moment passed on, lower body's axes [N m]
+  const T np5_2 = E5_22 * n5_2 - E5_23 * n5_3;
+  const T np5_3 = E5_23 * n5_2 + E5_22 * n5_3;
+  // invD5a = D5a^-1: 1/D
+  const T invD5a = T(1) / Jp5_33;
+  // kB5a = invD5a B5a: B/D
+  const T kB5a_1 = invD5a * minus_Hp5_13;
+  const T kB5a_2 = invD5a * c.HA5_32;
+  // kK5a = invD5a K5a: K/D
+  const T kK5a_1 = invD5a * Jp5_13;
+  const T minus_kK5a_2 = invD5a * minus_Jp5_23;
+  // v5a = invD5a u_5a: u/D
+  const T v5a = invD5a * np5_3;
+  // M5a = Mp5 - kB5a B5a^T: MA less what the turn takes up [kg]
+  const T M5a_11 = c.m_link5 - kB5a_1 * minus_Hp5_13;
+  const T minus_M5a_12 = kB5a_1 * c.HA5_32;
+  const T M5a_22 = c.m_link5 - kB5a_2 * c.HA5_32;
+  // H5a = P_b5_1 (Hp5 - kK5a B5a^T): HA less what the turn takes up [kg m]
+  const T minus_H5a_11 = kK5a_1 * minus_Hp5_13;
+  const T minus_H5a_12 = minus_Hp5_12 + kK5a_1 * c.HA5_32;
+  const T H5a_21 = minus_Hp5_12 + minus_kK5a_2 * minus_Hp5_13;
+  const T H5a_22 = minus_kK5a_2 * c.HA5_32;
+  // J5a = P_b5_1 (Jp5 - kK5a K5a^T) P_b5_1: JA less what the turn takes up [kg m^2]
+  const T J5a_11 = c.JA5_11 - kK5a_1 * Jp5_13;
+  const T minus_J5a_12 = minus_Jp5_12 - kK5a_1 * minus_Jp5_23;
+  const T J5a_22 = Jp5_22 - minus_kK5a_2 * minus_Jp5_23;
+  // gt5a = gp5 - v5a B5a: force with the turn solved [N]
+  const T gt5a_1 = G5_1 - v5a * minus_Hp5_13;
+  const T gt5a_2 = gp5_2 - v5a * c.HA5_32;
+  // nt5a = P_b5_1 (np5 - v5a K5a): moment with the turn solved [N m]
+  const T nt5a_1 = n5_1 - v5a * Jp5_13;
+  const T nt5a_2 = np5_2 + v5a * minus_Jp5_23;
+  // Mp5a = E5a^T M5a E5a: M passed on, lower body's axes [kg]
+  const T b5_3 = T(2) * E5a_11;
+  const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
+  const T b5_5 = E5a_12 * b5_4;
+  const T Mp5a_11 = M5a_11 - b5_5;
+  const T Mp5a_12 = E5a_11 * b5_4 + minus_M5a_12;
+  const T Mp5a_22 = M5a_22 + b5_5;
+  // gp5a = E5a^T gt5a: force passed on, lower body's axes [N]
+  const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
+  const T gp5a_2 = E5a_12 * gt5a_1 + E5a_11 * gt5a_2;
+  // Hp5a = E5a^T H5a E5a: H passed on, lower body's axes [kg m]
+  const T b5_6 = E5a_11 * (H5a_21 - minus_H5a_12) - E5a_12 * (H5a_22 + minus_H5a_11);
+  const T b5_7 = E5a_12 * b5_6;
+  const T minus_Hp5a_11 = minus_H5a_11 + b5_7;
+  const T b5_8 = E5a_11 * b5_6;
+  const T Hp5a_12 = b5_8 - H5a_21;
+  const T minus_Hp5a_13 = E5a_11 * minus_Hp5_13 - E5a_12 * c.HA5_32;
+  const T Hp5a_21 = b5_8 + minus_H5a_12;
+  const T Hp5a_22 = b5_7 + H5a_22;
+  const T minus_Hp5a_23 = E5a_12 * minus_Hp5_13 + E5a_11 * c.HA5_32;
+  // Jp5a = E5a^T J5a E5a: J passed on, lower body's axes [kg m^2]
+  const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
+  const T b5_10 = E5a_12 * b5_9;
+  const T Jp5a_11 = J5a_11 - b5_10;
+  const T Jp5a_12 = E5a_11 * b5_9 + minus_J5a_12;
+  const T Jp5a_22 = J5a_22 + b5_10;
+  // np5a = E5a^T nt5a: moment passed on, lower body's axes [N m]
+  const T np5a_1 = E5a_11 * nt5a_1 - E5a_12 * nt5a_2;
+  const T np5a_2 = E5a_12 * nt5a_1 + E5a_11 * nt5a_2;
+  // Hb5a = q5a~ Mp5a + Hp5a: H of the joint at the lower body's origin, its axes
+  const T b5_11 = T(0.1) * Mp5a_12;
+  const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
+  const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
+  const T minus_Hb5a_13 = c.c5_2 + minus_Hp5a_13;
+  const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
+  const T Hb5a_22 = b5_11 + Hp5a_22;
+  const T Hb5a_31 = T(0.3) * Mp5a_11;
+  const T Hb5a_32 = T(0.3) * Mp5a_12;
 
   // ---- body 4 (cross) and what it carries
-  // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
-  const T minus_rho4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
-  // S4a = E4^T G4: sum of the force balances of the subtree, body axes [N]
-  const T S4a_1 = minus_E4_11 * minus_G4_1 - t4_5 * minus_G4_3;
-  const T minus_S4a_2 = E4_12 * minus_G4_1 + T(0.96) * minus_G4_2 + E4_32 * minus_G4_3;
-  const T S4a_3 = minus_E4_13 * minus_G4_1 - T(0.28) * minus_G4_2 + minus_E4_33 * minus_G4_3;
-  // rho4a = E4^T rho4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho4a_1 = minus_E4_11 * rho4_1 + t4_5 * minus_rho4_3;
-  const T rho4a_2 = E4_12 * rho4_1 + T(0.96) * rho4_2 - E4_32 * minus_rho4_3;
-  const T rho4a_3 = T(0.28) * rho4_2 - minus_E4_13 * rho4_1 + minus_E4_33 * minus_rho4_3;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = t4_5 * T(0.09000000000000001) - minus_E4_11 * T(0.027);
-  const T hc4_2 = E4_12 * T(0.027) + E4_32 * T(0.09000000000000001);
-  const T minus_hc4_3 = minus_E4_13 * T(0.027) + minus_E4_33 * T(0.09000000000000001);
-  // J4a = E4^T J4 E4: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_1 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
-  const T b4_2 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
-  const T J4a_11 = b4_1 * minus_E4_11 + b4_2 * t4_5;
-  const T J4a_12 = b4_2 * E4_32 - b4_1 * E4_12;
-  const T J4a_13 = b4_1 * minus_E4_13 - b4_2 * minus_E4_33;
-  const T b4_3 = E4_12 * T(0.017) - E4_32 * T(0.0027);
-  const T b4_4 = E4_32 * T(0.01281) - E4_12 * T(0.0027);
-  const T J4a_22 = b4_3 * E4_12 + T(0.015492096) + b4_4 * E4_32;
-  const T J4a_23 = T(0.004518528000000001) - b4_3 * minus_E4_13 - b4_4 * minus_E4_33;
-  const T J4a_33 = T(0.0013179040000000004) - (minus_E4_33 * T(0.0027) - minus_E4_13 * T(0.017)) * minus_E4_13 -
-      (minus_E4_13 * T(0.0027) - minus_E4_33 * T(0.01281)) * minus_E4_33;
-  // hc4a = E4a^T hc4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4a_1 = E4a_11 * hc4_1 + minus_E4a_12 * hc4_2 - minus_E4a_13 * minus_hc4_3;
-  const T hc4a_2 = E4a_22 * hc4_2 - minus_E4a_12 * hc4_1 - E4a_23 * minus_hc4_3;
-  const T hc4a_3 = E4a_23 * hc4_2 - minus_E4a_13 * hc4_1 - E4a_33 * minus_hc4_3;
-  // B_thetadot4_2_4a = E4^T B_thetadot4_2_4
-  const T minus_B_thetadot4_2_4a_1 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
-  const T B_thetadot4_2_4a_2 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
-  const T B_thetadot4_2_4a_3 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
-  // B_thetadot4_1_4a = b4_1~ hc4: force of a unit of the rate of the speed
-  const T B_thetadot4_1_4a_1 = T(0.96) * hc4_2 - T(0.28) * minus_hc4_3;
-  const T minus_B_thetadot4_1_4a_2 = T(0.96) * hc4_1;
-  const T minus_B_thetadot4_1_4a_3 = T(0.28) * hc4_1;
-  // K_thetadot4_1_4a = J4a b4_1: its moment about the body origin, body axes
-  const T K_thetadot4_1_4a_1 = J4a_12 * T(0.28) - J4a_13 * T(0.96);
-  const T K_thetadot4_1_4a_2 = J4a_22 * T(0.28) - J4a_23 * T(0.96);
-  const T K_thetadot4_1_4a_3 = J4a_23 * T(0.28) - J4a_33 * T(0.96);
-  // D_thetaddot4_1: pivots of L D L^T
-  const T D_thetaddot4_1 = T(0.28) * K_thetadot4_1_4a_2 - T(0.96) * K_thetadot4_1_4a_3;
+  // n4 = r4~ G4 + N4: moment that drives it, body axes [N m]
+  const T n4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
+  const T n4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
+  const T minus_n4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(59.4883997620464) * n4_2;
+  // gt4 = G4 - v4 B4: force with the turn solved [N]
+  const T minus_gt4_1 = minus_G4_1 + v4 * T(0.09000000000000001);
+  const T gt4_3 = v4 * T(0.027) - minus_G4_3;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = t4_5 * T(0.8566329565734682) - minus_E4_11 * T(0.14455681142177276);
+  const T b4_2 = t4_5 * T(0.14455681142177276) - minus_E4_11 * T(0.41814396192742415);
+  const T Mp4_11 = b4_1 * t4_5 - b4_2 * minus_E4_11;
+  const T Mp4_12 = b4_2 * E4_12 + b4_1 * E4_32;
+  const T minus_Mp4_13 = b4_2 * minus_E4_13 + b4_1 * minus_E4_33;
+  const T b4_3 = E4_12 * T(0.41814396192742415) + E4_32 * T(0.14455681142177276);
+  const T b4_4 = E4_12 * T(0.14455681142177276) + E4_32 * T(0.8566329565734682);
+  const T Mp4_22 = b4_3 * E4_12 + T(0.82944) + b4_4 * E4_32;
+  const T Mp4_23 = T(0.24192000000000002) - b4_3 * minus_E4_13 - b4_4 * minus_E4_33;
+  const T Mp4_33 = T(2.1747769185008923) - Mp4_11 - Mp4_22;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = minus_E4_11 * minus_gt4_1 + t4_5 * gt4_3;
+  const T gp4_2 = E4_32 * gt4_3 - (E4_12 * minus_gt4_1 + T(0.96) * minus_G4_2);
+  const T gp4_3 = minus_E4_13 * minus_gt4_1 - T(0.28) * minus_G4_2 - minus_E4_33 * gt4_3;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_5 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
+  const T Hp4_12 = b4_5 * T(0.96);
+  const T Hp4_13 = b4_5 * T(0.28);
+  const T b4_6 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
+  const T minus_Hp4_22 = b4_6 * T(0.96);
+  const T minus_Hp4_23 = b4_6 * T(0.28);
+  const T b4_7 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
+  const T minus_Hp4_32 = b4_7 * T(0.96);
+  const T minus_Hp4_33 = b4_7 * T(0.28);
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_8 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
+  const T b4_9 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
+  const T Jp4_11 = b4_8 * minus_E4_11 + b4_9 * t4_5;
+  const T Jp4_12 = b4_9 * E4_32 - b4_8 * E4_12;
+  const T Jp4_13 = b4_8 * minus_E4_13 - b4_9 * minus_E4_33;
+  const T b4_10 = E4_12 * T(0.017) - E4_32 * T(0.0027);
+  const T b4_11 = E4_32 * T(0.01281) - E4_12 * T(0.0027);
+  const T Jp4_22 = b4_10 * E4_12 + b4_11 * E4_32;
+  const T minus_Jp4_23 = b4_10 * minus_E4_13 + b4_11 * minus_E4_33;
+  const T Jp4_33 = T(0.029810000000000003) - Jp4_11 - Jp4_22;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T minus_np4_1 = minus_E4_11 * n4_1 + t4_5 * minus_n4_3;
+  const T np4_2 = E4_12 * n4_1 - E4_32 * minus_n4_3;
+  const T np4_3 = minus_E4_33 * minus_n4_3 - minus_E4_13 * n4_1;
+  // B4a = Hp4^T b4_1: force of a unit of the angle's acceleration [kg m]
+  const T B4a_2 = minus_Hp4_32 * T(0.96) - minus_Hp4_22 * T(0.28);
+  const T B4a_3 = minus_Hp4_33 * T(0.96) - minus_Hp4_23 * T(0.28);
+  // K4a = Jp4 b4_1: its moment about the body origin, body axes [kg m^2]
+  const T K4a_1 = Jp4_12 * T(0.28) - Jp4_13 * T(0.96);
+  const T K4a_2 = Jp4_22 * T(0.28) + minus_Jp4_23 * T(0.96);
+  const T minus_K4a_3 = minus_Jp4_23 * T(0.28) + Jp4_33 * T(0.96);
+  // D4a = b4_1 . K4a: pivot: inertia that the angle feels [kg m^2]
+  const T D4a = T(0.28) * K4a_2 + T(0.96) * minus_K4a_3;
+  // invD4a = D4a^-1: 1/D
+  const T invD4a = T(1) / D4a;
+  // kB4a = invD4a B4a: B/D
+  const T kB4a_2 = invD4a * B4a_2;
+  const T kB4a_3 = invD4a * B4a_3;
+  // kK4a = invD4a K4a: K/D
+  const T kK4a_1 = invD4a * K4a_1;
+  const T kK4a_2 = invD4a * K4a_2;
+  const T minus_kK4a_3 = invD4a * minus_K4a_3;
+  // u_4a = b4_1 . np4: drives it [N m]
+  const T u_4a = T(0.28) * np4_2 - T(0.96) * np4_3;
+  // v4a = invD4a u_4a: u/D
+  const T v4a = invD4a * u_4a;
+  // M4a = Mp4 - kB4a B4a^T: MA less what the turn takes up [kg]
+  const T M4a_22 = Mp4_22 - kB4a_2 * B4a_2;
+  const T M4a_23 = Mp4_23 - kB4a_2 * B4a_3;
+  const T M4a_33 = Mp4_33 - kB4a_3 * B4a_3;
+  // H4a = Hp4 - kK4a B4a^T: HA less what the turn takes up [kg m]
+  const T H4a_12 = Hp4_12 - kK4a_1 * B4a_2;
+  const T H4a_13 = Hp4_13 - kK4a_1 * B4a_3;
+  const T minus_H4a_22 = minus_Hp4_22 + kK4a_2 * B4a_2;
+  const T minus_H4a_23 = minus_Hp4_23 + kK4a_2 * B4a_3;
+  const T H4a_32 = minus_kK4a_3 * B4a_2 - minus_Hp4_32;
+  const T H4a_33 = minus_kK4a_3 * B4a_3 - minus_Hp4_33;
+  // J4a = Jp4 - kK4a K4a^T: JA less what the turn takes up [kg m^2]
+  const T J4a_11 = Jp4_11 - kK4a_1 * K4a_1;
+  const T J4a_12 = Jp4_12 - kK4a_1 * K4a_2;
+  const T J4a_13 = Jp4_13 + kK4a_1 * minus_K4a_3;
+  const T J4a_22 = Jp4_22 - kK4a_2 * K4a_2;
+  const T J4a_23 = kK4a_2 * minus_K4a_3 - minus_Jp4_23;
+  const T J4a_33 = Jp4_33 - minus_kK4a_3 * minus_K4a_3;
+  // gt4a = gp4 - v4a B4a: force with the turn solved [N]
+  const T gt4a_2 = gp4_2 - v4a * B4a_2;
+  const T gt4a_3 = gp4_3 - v4a * B4a_3;
+  // nt4a = np4 - v4a K4a: moment with the turn solved [N m]
+  const T minus_nt4a_1 = minus_np4_1 + v4a * K4a_1;
+  const T nt4a_2 = np4_2 - v4a * K4a_2;
+  const T nt4a_3 = np4_3 + v4a * minus_K4a_3;
+  // Mp4a = E4a^T M4a E4a: M passed on, lower body's axes [kg]
+  const T b4_12 = minus_E4a_12 * Mp4_12;
+  const T b4_13 = E4a_11 * Mp4_11 + b4_12 - minus_E4a_13 * minus_Mp4_13;
+  const T b4_14 = E4a_11 * Mp4_12 + minus_E4a_12 * M4a_22 + minus_E4a_13 * M4a_23;
+  const T b4_15 = minus_E4a_12 * M4a_23 - E4a_11 * minus_Mp4_13 + minus_E4a_13 * M4a_33;
+  const T Mp4a_11 = b4_13 * E4a_11 + b4_14 * minus_E4a_12 + b4_15 * minus_E4a_13;
+  const T Mp4a_12 = b4_14 * E4a_22 - b4_13 * minus_E4a_12 + b4_15 * E4a_23;
+  const T Mp4a_13 = b4_14 * E4a_23 - b4_13 * minus_E4a_13 + b4_15 * E4a_33;
+  const T b4_16 = E4a_22 * M4a_22 - b4_12 + E4a_23 * M4a_23;
+  const T b4_17 = E4a_22 * Mp4_12 - minus_E4a_12 * Mp4_11 - E4a_23 * minus_Mp4_13;
+  const T b4_18 = minus_E4a_12 * minus_Mp4_13 + E4a_22 * M4a_23 + E4a_23 * M4a_33;
+  const T Mp4a_22 = b4_16 * E4a_22 - b4_17 * minus_E4a_12 + b4_18 * E4a_23;
+  const T Mp4a_23 = b4_16 * E4a_23 - b4_17 * minus_E4a_13 + b4_18 * E4a_33;
+  const T Mp4a_33 = Mp4_11 + M4a_22 + M4a_33 - Mp4a_11 - Mp4a_22;
+  // gp4a = E4a^T gt4a: force passed on, lower body's axes [N]
+  const T gp4a_1 = E4a_11 * gp4_1 + minus_E4a_12 * gt4a_2 + minus_E4a_13 * gt4a_3;
+  const T gp4a_2 = E4a_22 * gt4a_2 - minus_E4a_12 * gp4_1 + E4a_23 * gt4a_3;
+  const T gp4a_3 = E4a_23 * gt4a_2 - minus_E4a_13 * gp4_1 + E4a_33 * gt4a_3;
+  // Hp4a = E4a^T H4a E4a: H passed on, lower body's axes [kg m]
+  const T b4_19 = E4a_11 * H4a_12 - minus_E4a_12 * minus_H4a_22 + minus_E4a_13 * H4a_32;
+  const T b4_20 = E4a_11 * H4a_13 - minus_E4a_12 * minus_H4a_23 + minus_E4a_13 * H4a_33;
+  const T Hp4a_11 = b4_19 * minus_E4a_12 + b4_20 * minus_E4a_13;
+  const T Hp4a_12 = b4_19 * E4a_22 + b4_20 * E4a_23;
+  const T Hp4a_13 = b4_19 * E4a_23 + b4_20 * E4a_33;
+  const T b4_21 = E4a_23 * H4a_32 - (E4a_22 * minus_H4a_22 + minus_E4a_12 * H4a_12);
+  const T b4_22 = E4a_23 * H4a_33 - (E4a_22 * minus_H4a_23 + minus_E4a_12 * H4a_13);
+  const T Hp4a_21 = b4_21 * minus_E4a_12 + b4_22 * minus_E4a_13;
+  const T Hp4a_22 = b4_21 * E4a_22 + b4_22 * E4a_23;
+  const T Hp4a_23 = b4_21 * E4a_23 + b4_22 * E4a_33;
+  const T b4_23 = E4a_33 * H4a_32 - (E4a_23 * minus_H4a_22 + minus_E4a_13 * H4a_12);
+  const T b4_24 = E4a_33 * H4a_33 - (E4a_23 * minus_H4a_23 + minus_E4a_13 * H4a_13);
+  const T Hp4a_31 = b4_23 * minus_E4a_12 + b4_24 * minus_E4a_13;
+  const T Hp4a_32 = b4_23 * E4a_22 + b4_24 * E4a_23;
+  const T Hp4a_33 = b4_23 * E4a_23 + b4_24 * E4a_33;
+  // Jp4a = E4a^T J4a E4a: J passed on, lower body's axes [kg m^2]
+  const T b4_25 = minus_E4a_12 * J4a_12;
+  const T b4_26 = E4a_11 * J4a_11 + b4_25 + minus_E4a_13 * J4a_13;
+  const T b4_27 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
+  const T b4_28 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
+  const T Jp4a_11 = b4_26 * E4a_11 + b4_27 * minus_E4a_12 + b4_28 * minus_E4a_13;
+  const T Jp4a_12 = b4_27 * E4a_22 - b4_26 * minus_E4a_12 + b4_28 * E4a_23;
+  const T Jp4a_13 = b4_27 * E4a_23 - b4_26 * minus_E4a_13 + b4_28 * E4a_33;
+  const T b4_29 = E4a_22 * J4a_22 - b4_25 + E4a_23 * J4a_23;
+  const T b4_30 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
+  const T b4_31 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
+  const T Jp4a_22 = b4_29 * E4a_22 - b4_30 * minus_E4a_12 + b4_31 * E4a_23;
+  const T Jp4a_23 = b4_29 * E4a_23 - b4_30 * minus_E4a_13 + b4_31 * E4a_33;
+  const T Jp4a_33 = J4a_11 + J4a_22 + J4a_33 - Jp4a_11 - Jp4a_22;
+  // np4a = E4a^T nt4a: moment passed on, lower body's axes [N m]
+  const T np4a_1 = minus_E4a_12 * nt4a_2 - E4a_11 * minus_nt4a_1 + minus_E4a_13 * nt4a_3;
+  const T np4a_2 = minus_E4a_12 * minus_nt4a_1 + E4a_22 * nt4a_2 + E4a_23 * nt4a_3;
+  const T np4a_3 = minus_E4a_13 * minus_nt4a_1 + E4a_23 * nt4a_2 + E4a_33 * nt4a_3;
+  // Hb4a = q4a~ Mp4a + Hp4a: H of the joint at the lower body's origin, its axes
+  const T b4_32 = T(0.1) * Mp4a_13;
+  const T Hb4a_11 = b4_32 + Hp4a_11;
+  const T Hb4a_12 = T(0.1) * Mp4a_23 + Hp4a_12;
+  const T Hb4a_13 = T(0.1) * Mp4a_33 + Hp4a_13;
+  const T Hb4a_21 = T(0.2) * Mp4a_13 + Hp4a_21;
+  const T b4_33 = T(0.2) * Mp4a_23;
+  const T Hb4a_22 = b4_33 + Hp4a_22;
+  const T Hb4a_23 = T(0.2) * Mp4a_33 + Hp4a_23;
+  const T Hb4a_31 = Hp4a_31 - (T(0.2) * Mp4a_12 + T(0.1) * Mp4a_11);
+  const T Hb4a_32 = Hp4a_32 - (T(0.2) * Mp4a_22 + T(0.1) * Mp4a_12);
+  const T Hb4a_33 = Hp4a_33 - (b4_33 + b4_32);
 
   // ---- body 3 (boom) and what it carries
-  // S3 = G3 + G6: sum of the force balances of the subtree, body axes [N]
-  const T S3_1 = G6_1 - minus_G3_1;
-  const T S3_2 = G6_2 - minus_G3_2;
-  const T minus_S3_3 = minus_G3_3 + minus_G6_3;
-  // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
-  //   m]
-  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
-  const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
-  const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
-  // h3 = m3 r3 + m6 d6 + h6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T b3_1 = T(0.5) * d6_1;
-  const T h3_1 = T(0.35000000000000003) + b3_1;
-  // J3 = -m3 r3~ r3~ + I3 + (-m6 d6~ - h6~) d6~ - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg
-  //   m^2]
-  const T J3_13 = T(5e-04) - T(0.005) * d6_1;
-  const T b3_2 = (T(0.05) + b3_1) * d6_1 + d6_1 * T(0.05);
-  const T J3_22 = T(0.12105) + b3_2;
-  const T J3_33 = T(0.0916) + b3_2;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_11 * h3_1 + E3_21 * T(0.03) + E3_31 * T(0.005);
-  const T hc3_2 = E3_12 * h3_1 + E3_22 * T(0.03) + E3_32 * T(0.005);
-  const T hc3_3 = E3_23 * T(0.03) - minus_E3_13 * h3_1 + E3_33 * T(0.005);
-  // B_thetadot3_3 = b3~ h3: force of a unit of the rate of the speed
-  const T B_thetadot3_3_2 = T(0.8388422987658062) * h3_1 + T(0.0015763557945883155);
-  const T minus_B_thetadot3_3_3 = T(0.009458134767529894) + T(0.44378789320576517) * h3_1;
-  // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
-  const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
-  const T K_thetadot3_3_2 = J3_22 * T(0.44378789320576517) - T(0.001255442260626766);
-  const T K_thetadot3_3_3 = J3_33 * T(0.8388422987658062) - (J3_13 * T(0.3152711589176631) +
-      T(0.0013313636796172955));
-  // D_thetaddot3: pivots of L D L^T
-  const T D_thetaddot3 = T(0.44378789320576517) * K_thetadot3_3_2 - T(0.3152711589176631) * K_thetadot3_3_1 +
-      T(0.8388422987658062) * K_thetadot3_3_3 - T(9.847384707800581e-06);
+  // HA3 = m3 r3~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T minus_HA3_23 = minus_Hb6_23 + T(0.30000000000000004);
+  // JA3 = -m3 r3~ r3~ + I3 + d6~ Hs6^T + Js6 - Hb6 d6~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_13 = T(5e-04) - T(0.005) * d6_1;
+  const T b3_1 = minus_Hb6_23 * d6_1 + d6_1 * T(0.05);
+  const T JA3_22 = T(0.12100000000000001) + b3_1;
+  const T JA3_33 = b3_1 + T(0.0916);
+  // g3 = G3 + gs6: force that drives it, home axes [N]
+  const T g3_1 = minus_effort_telescope_6 - minus_G3_1;
+  const T g3_2 = G6_2 - minus_G3_2;
+  const T minus_g3_3 = minus_G3_3 + minus_G6_3;
+  // n3 = r3~ G3 + d6~ gs6 + N3 + ns6: moment that drives it, body axes [N m]
+  const T n3_1 = n6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
+  const T n3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + ns6_2;
+  const T n3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + n6_3;
+  // B3 = HA3^T b3: force of a unit of the angle's acceleration [kg m]
+  const T B3_2 = T(0.0015763557945883155) + minus_HA3_23 * T(0.8388422987658062);
+  const T minus_B3_3 = T(0.009458134767529894) + minus_HA3_23 * T(0.44378789320576517);
+  // K3 = JA3 b3: its moment about the body origin, body axes [kg m^2]
+  const T K3_1 = JA3_13 * T(0.8388422987658062) - T(0.01490619534174373);
+  const T K3_2 = JA3_22 * T(0.44378789320576517) - T(0.001255442260626766);
+  const T K3_3 = JA3_33 * T(0.8388422987658062) - (JA3_13 * T(0.3152711589176631) + T(0.0013313636796172955));
+  // D3 = b3 . K3: pivot: inertia that the angle feels [kg m^2]
+  const T D3 = T(0.44378789320576517) * K3_2 - T(0.3152711589176631) * K3_1 + T(0.8388422987658062) * K3_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / D3;
+  // kB3 = invD3 B3: B/D
+  const T minus_kB3_1 = invD3 * T(0.025165268962974188);
+  const T kB3_2 = invD3 * B3_2;
+  const T minus_kB3_3 = invD3 * minus_B3_3;
+  // kK3 = invD3 K3: K/D
+  const T kK3_1 = invD3 * K3_1;
+  const T kK3_2 = invD3 * K3_2;
+  const T kK3_3 = invD3 * K3_3;
+  // u_3 = b3 . n3 + effort_boom_3: drives it [N m]
+  const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
+      effort_boom_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // M3 = MA3 - kB3 B3^T: MA less what the turn takes up [kg]
+  const T M3_11 = T(1.5) - minus_kB3_1 * T(0.025165268962974188);
+  const T M3_12 = minus_kB3_1 * B3_2;
+  const T minus_M3_13 = minus_kB3_1 * minus_B3_3;
+  const T M3_22 = T(2) - kB3_2 * B3_2;
+  const T M3_23 = kB3_2 * minus_B3_3;
+  const T M3_33 = T(2) - minus_kB3_3 * minus_B3_3;
+  // H3 = HA3 - kK3 B3^T: HA less what the turn takes up [kg m]
+  const T H3_11 = kK3_1 * T(0.025165268962974188);
+  const T minus_H3_12 = T(0.005) + kK3_1 * B3_2;
+  const T H3_13 = T(0.03) + kK3_1 * minus_B3_3;
+  const T H3_21 = kK3_2 * T(0.025165268962974188);
+  const T minus_H3_22 = kK3_2 * B3_2;
+  const T H3_23 = kK3_2 * minus_B3_3 - minus_HA3_23;
+  const T H3_31 = kK3_3 * T(0.025165268962974188) - T(0.03);
+  const T H3_32 = minus_HA3_23 - kK3_3 * B3_2;
+  const T H3_33 = kK3_3 * minus_B3_3;
+  // J3 = JA3 - kK3 K3^T: JA less what the turn takes up [kg m^2]
+  const T J3_11 = T(0.04165) - kK3_1 * K3_1;
+  const T minus_J3_12 = T(0.004) + kK3_1 * K3_2;
+  const T J3_13 = JA3_13 - kK3_1 * K3_3;
+  const T J3_22 = JA3_22 - kK3_2 * K3_2;
+  const T minus_J3_23 = T(0.003) + kK3_2 * K3_3;
+  const T J3_33 = JA3_33 - kK3_3 * K3_3;
+  // gt3 = g3 - v3 B3: force with the turn solved [N]
+  const T gt3_1 = g3_1 + v3 * T(0.025165268962974188);
+  const T gt3_2 = g3_2 - v3 * B3_2;
+  const T gt3_3 = v3 * minus_B3_3 - minus_g3_3;
+  // nt3 = n3 - v3 K3: moment with the turn solved [N m]
+  const T nt3_1 = n3_1 - v3 * K3_1;
+  const T nt3_2 = n3_2 - v3 * K3_2;
+  const T nt3_3 = n3_3 - v3 * K3_3;
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_2 = E3_11 * M3_11 + E3_21 * M3_12 - E3_31 * minus_M3_13;
+  const T b3_3 = E3_11 * M3_12 + E3_21 * M3_22 + E3_31 * M3_23;
+  const T b3_4 = E3_21 * M3_23 - E3_11 * minus_M3_13 + E3_31 * M3_33;
+  const T Mp3_11 = b3_2 * E3_11 + b3_3 * E3_21 + b3_4 * E3_31;
+  const T Mp3_12 = b3_2 * E3_12 + b3_3 * E3_22 + b3_4 * E3_32;
+  const T Mp3_13 = b3_3 * E3_23 - b3_2 * minus_E3_13 + b3_4 * E3_33;
+  const T b3_5 = E3_12 * M3_11 + E3_22 * M3_12 - E3_32 * minus_M3_13;
+  const T b3_6 = E3_12 * M3_12 + E3_22 * M3_22 + E3_32 * M3_23;
+  const T b3_7 = E3_22 * M3_23 - E3_12 * minus_M3_13 + E3_32 * M3_33;
+  const T Mp3_22 = b3_5 * E3_12 + b3_6 * E3_22 + b3_7 * E3_32;
+  const T Mp3_23 = b3_6 * E3_23 - b3_5 * minus_E3_13 + b3_7 * E3_33;
+  const T Mp3_33 = M3_11 + M3_22 + M3_33 - Mp3_11 - Mp3_22;
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_1 = E3_11 * gt3_1 + E3_21 * gt3_2 + E3_31 * gt3_3;
+  const T gp3_2 = E3_12 * gt3_1 + E3_22 * gt3_2 + E3_32 * gt3_3;
+  const T gp3_3 = E3_23 * gt3_2 - minus_E3_13 * gt3_1 + E3_33 * gt3_3;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T b3_8 = E3_11 * H3_11 + E3_21 * H3_21 + E3_31 * H3_31;
+  const T b3_9 = E3_31 * H3_32 - (E3_11 * minus_H3_12 + E3_21 * minus_H3_22);
+  const T b3_10 = E3_11 * H3_13 + E3_21 * H3_23 + E3_31 * H3_33;
+  const T Hp3_11 = b3_8 * E3_11 + b3_9 * E3_21 + b3_10 * E3_31;
+  const T Hp3_12 = b3_8 * E3_12 + b3_9 * E3_22 + b3_10 * E3_32;
+  const T Hp3_13 = b3_9 * E3_23 - b3_8 * minus_E3_13 + b3_10 * E3_33;
+  const T b3_11 = E3_12 * H3_11 + E3_22 * H3_21 + E3_32 * H3_31;
+  const T b3_12 = E3_32 * H3_32 - (E3_12 * minus_H3_12 + E3_22 * minus_H3_22);
+  const T b3_13 = E3_12 * H3_13 + E3_22 * H3_23 + E3_32 * H3_33;
+  const T Hp3_21 = b3_11 * E3_11 + b3_12 * E3_21 + b3_13 * E3_31;
+  const T Hp3_22 = b3_11 * E3_12 + b3_12 * E3_22 + b3_13 * E3_32;
+  const T Hp3_23 = b3_12 * E3_23 - b3_11 * minus_E3_13 + b3_13 * E3_33;
+  const T b3_14 = E3_23 * H3_21 - minus_E3_13 * H3_11 + E3_33 * H3_31;
+  const T b3_15 = minus_E3_13 * minus_H3_12 - E3_23 * minus_H3_22 + E3_33 * H3_32;
+  const T b3_16 = E3_23 * H3_23 - minus_E3_13 * H3_13 + E3_33 * H3_33;
+  const T Hp3_31 = b3_14 * E3_11 + b3_15 * E3_21 + b3_16 * E3_31;
+  const T Hp3_32 = b3_14 * E3_12 + b3_15 * E3_22 + b3_16 * E3_32;
+  const T Hp3_33 = b3_15 * E3_23 - b3_14 * minus_E3_13 + b3_16 * E3_33;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_17 = E3_11 * J3_11 - E3_21 * minus_J3_12 + E3_31 * J3_13;
+  const T b3_18 = E3_21 * J3_22 - E3_11 * minus_J3_12 - E3_31 * minus_J3_23;
+  const T b3_19 = E3_11 * J3_13 - E3_21 * minus_J3_23 + E3_31 * J3_33;
+  const T Jp3_11 = b3_17 * E3_11 + b3_18 * E3_21 + b3_19 * E3_31;
+  const T Jp3_12 = b3_17 * E3_12 + b3_18 * E3_22 + b3_19 * E3_32;
+  const T Jp3_13 = b3_18 * E3_23 - b3_17 * minus_E3_13 + b3_19 * E3_33;
+  const T b3_20 = E3_12 * J3_11 - E3_22 * minus_J3_12 + E3_32 * J3_13;
+  const T b3_21 = E3_22 * J3_22 - E3_12 * minus_J3_12 - E3_32 * minus_J3_23;
+  const T b3_22 = E3_12 * J3_13 - E3_22 * minus_J3_23 + E3_32 * J3_33;
+  const T Jp3_22 = b3_20 * E3_12 + b3_21 * E3_22 + b3_22 * E3_32;
+  const T Jp3_23 = b3_21 * E3_23 - b3_20 * minus_E3_13 + b3_22 * E3_33;
+  const T Jp3_33 = J3_11 + J3_22 + J3_33 - Jp3_11 - Jp3_22;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_1 = E3_11 * nt3_1 + E3_21 * nt3_2 + E3_31 * nt3_3;
+  const T np3_2 = E3_12 * nt3_1 + E3_22 * nt3_2 + E3_32 * nt3_3;
+  const T np3_3 = E3_23 * nt3_2 - minus_E3_13 * nt3_1 + E3_33 * nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T b3_23 = T(0.1) * Mp3_12;
+  const T Hb3_11 = Hp3_11 - b3_23;
+  const T Hb3_12 = Hp3_12 - T(0.1) * Mp3_22;
+  const T Hb3_13 = Hp3_13 - T(0.1) * Mp3_23;
+  const T Hb3_21 = T(0.1) * Mp3_11 - T(0.3) * Mp3_13 + Hp3_21;
+  const T b3_24 = T(0.3) * Mp3_23;
+  const T Hb3_22 = b3_23 - b3_24 + Hp3_22;
+  const T Hb3_23 = T(0.1) * Mp3_13 - T(0.3) * Mp3_33 + Hp3_23;
+  const T Hb3_31 = T(0.3) * Mp3_12 + Hp3_31;
+  const T Hb3_32 = T(0.3) * Mp3_22 + Hp3_32;
+  const T Hb3_33 = b3_24 + Hp3_33;
 
   // ---- body 2 (clapper) and what it carries
-  // f_omega2 = r2~ R2 G2 + N2: Kane's equation of omega [N m]
-  const T minus_f_omega2_1 = T(0.2) * (R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3) + T(0.02) *
-      (R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3) + minus_N2_1;
-  const T b2_1 = R2_11 * minus_G2_1 + R2_12 * minus_G2_2 + R2_13 * minus_G2_3;
-  const T f_omega2_2 = T(0.2) * b2_1 - minus_N2_2;
-  const T f_omega2_3 = T(0.02) * b2_1 - minus_N2_3;
+  // n2 = r2~ G2 + N2: moment that drives it, body axes [N m]
+  const T minus_n2_1 = T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3 + minus_N2_1;
+  const T n2_2 = T(0.2) * minus_G2_1 - minus_N2_2;
+  const T n2_3 = T(0.02) * minus_G2_1 - minus_N2_3;
+  // w_2 = D(LD2)^-1 L(LD2)^-1 n2: D^-1 L^-1 n
+  const T minus_w_2_1 = T(23.62948960302457) * minus_n2_1;
+  const T w_2_2 = T(23.25581395348837) * n2_2;
+  const T w_2_3 = T(244.9863263445761) * (n2_3 - T(0.07441860465116279) * n2_2);
+  // gb2 = G2 - Y2^T w_2: force with the ball solved [N]
+  const T gb2_1 = T(0.16000000000000003) * w_2_2 + T(0.004093023255813953) * w_2_3 - minus_G2_1;
+  const T gb2_2 = T(0.16000000000000003) * minus_w_2_1 - minus_G2_2;
+  const T gb2_3 = T(0.016) * minus_w_2_1 - minus_G2_3;
+  // Mb2 = C2^T M2 C2: M of the joint, lower body's axes
+  const T b2_1 = C2_11 * T(0.20054694621695532);
+  const T b2_2 = C2_21 * T(0.19508506616257087) - C2_31 * T(0.06049149338374291);
+  const T b2_3 = C2_31 * T(0.7939508506616257) - C2_21 * T(0.06049149338374291);
+  const T Mb2_11 = b2_1 * C2_11 + b2_2 * C2_21 + b2_3 * C2_31;
+  const T Mb2_12 = b2_1 * C2_12 + b2_2 * C2_22 + b2_3 * C2_32;
+  const T Mb2_13 = b2_1 * C2_13 + b2_2 * C2_23 + b2_3 * C2_33;
+  const T b2_4 = C2_12 * T(0.20054694621695532);
+  const T b2_5 = C2_22 * T(0.19508506616257087) - C2_32 * T(0.06049149338374291);
+  const T b2_6 = C2_32 * T(0.7939508506616257) - C2_22 * T(0.06049149338374291);
+  const T Mb2_22 = b2_4 * C2_12 + b2_5 * C2_22 + b2_6 * C2_32;
+  const T Mb2_23 = b2_4 * C2_13 + b2_5 * C2_23 + b2_6 * C2_33;
+  const T Mb2_33 = T(1.189582863041152) - Mb2_11 - Mb2_22;
+  // Hb2 = q2~ Mb2: H of the joint at the lower body's origin, its axes
+  const T b2_7 = T(0.2) * Mb2_12;
+  const T b2_8 = T(0.1) * Mb2_13;
+  const T Hb2_11 = b2_7 + b2_8;
+  const T b2_9 = T(0.2) * Mb2_22;
+  const T Hb2_12 = b2_9 + T(0.1) * Mb2_23;
+  const T b2_10 = T(0.2) * Mb2_23;
+  const T Hb2_13 = b2_10 + T(0.1) * Mb2_33;
+  const T b2_11 = T(0.2) * Mb2_13;
+  const T minus_Hb2_21 = T(0.2) * Mb2_11 + b2_11;
+  const T minus_Hb2_22 = b2_7 + b2_10;
+  const T minus_Hb2_23 = b2_11 + T(0.2) * Mb2_33;
+  const T Hb2_31 = b2_7 - T(0.1) * Mb2_11;
+  const T Hb2_32 = b2_9 - T(0.1) * Mb2_12;
+  const T Hb2_33 = b2_10 - b2_8;
 
   // ---- body 1 (hull) and what it carries
-  // S1 = R1 G2 + R1 G10 + E3^T S3 + E4a^T S4a + E5a^T S5a + E8^T S8 + G1: sum of the force balances of the subtree,
-  //   body axes [N]
-  const T b1_1 = E3_11 * S3_1 + E3_21 * S3_2 - E3_31 * minus_S3_3;
-  const T b1_2 = R1_11 * minus_G2_1 + R1_12 * minus_G2_2 + R1_13 * minus_G2_3;
-  const T b1_3 = R1_11 * minus_G10_1 + R1_12 * minus_G10_2 + R1_13 * minus_G10_3;
-  const T b1_4 = E4a_11 * S4a_1 - minus_E4a_12 * minus_S4a_2 + minus_E4a_13 * S4a_3;
-  const T b1_5 = E5a_11 * G5_1 - E5a_12 * S5a_2;
-  const T b1_6 = E8_11 * S8_1 + E8_13 * minus_S8_3;
-  const T S1_1 = b1_1 - (b1_2 + b1_3) + b1_4 + b1_5 + b1_6 + G1_1;
-  const T b1_7 = E3_12 * S3_1 + E3_22 * S3_2 - E3_32 * minus_S3_3;
-  const T b1_8 = R1_21 * minus_G2_1 + R1_22 * minus_G2_2 + R1_23 * minus_G2_3;
-  const T b1_9 = R1_21 * minus_G10_1 + R1_22 * minus_G10_2 + R1_23 * minus_G10_3;
-  const T b1_10 = E4a_23 * S4a_3 - (minus_E4a_12 * S4a_1 + E4a_22 * minus_S4a_2);
-  const T b1_11 = E5a_12 * G5_1 + E5a_11 * S5a_2;
-  const T S1_2 = b1_7 - (b1_8 + b1_9) + b1_10 + b1_11 - minus_S8_2 + G1_2;
-  const T b1_12 = E3_23 * S3_2 - minus_E3_13 * S3_1 - E3_33 * minus_S3_3;
-  const T b1_13 = R1_31 * minus_G2_1 + R1_32 * minus_G2_2 + R1_33 * minus_G2_3;
-  const T b1_14 = R1_31 * minus_G10_1 + R1_32 * minus_G10_2 + R1_33 * minus_G10_3;
-  const T b1_15 = E4a_33 * S4a_3 - (minus_E4a_13 * S4a_1 + E4a_23 * minus_S4a_2);
-  const T b1_16 = E8_13 * S8_1 - E8_11 * minus_S8_3;
-  const T S1_3 = b1_12 - (b1_13 + b1_14) + b1_15 + S5a_3 + b1_16 + G1_3;
-  // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
-  //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
-  const T b1_17 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 - (b1_17 + T(0.1) * b1_13 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_15 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
-      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
-      * G1_3 + d8_2 * b1_16 + T(0.3) * b1_9 - s10 * b1_14 + N1_1;
-  const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_13 + T(0.1) * b1_1 - T(0.3) * b1_12 + E3_12 * rho3_1 + E3_22 *
-      rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
-      b1_14 - T(0.3) * b1_3 + N1_2;
-  const T f_omega1_3 = T(0.1) * b1_2 - b1_17 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
-      - T(0.2) * b1_10 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
-      T(0.1) * b1_9 - minus_N1_3;
-  // h1 = m1 r1 + m2 q2 + m4 q4a + m10 d10 + m_link5 q5a + m_sub8 d8 + m_sub3 q3 + hc3 + hc4a + hc5a + hc8: first
-  //   moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
-  const T b1_18 = minus_hc5a_2 + c.c1_2;
-  const T b1_19 = minus_h8_2 - T(1) * d8_2;
-  const T h1_2 = T(0.09000000000000001) + T(0.4) * s10 - b1_18 - b1_19 + hc3_2 + hc4a_2;
-  const T h1_3 = c.c1_3 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
-  // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 - m1 r1~ r1~ +
-  //   I1 - m2 q2~ q2~ + (-m4 q4a~ - hc4a~) q4a~ - m10 d10~ d10~ + (-m_link5 q5a~ - hc5a~) q5a~ - d8~ hc8~ + (-m_sub8
-  //   d8~ - hc8~) d8~ + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_20 = E3_11 * T(0.04165) - E3_21 * T(0.004) + E3_31 * J3_13;
-  const T b1_21 = E3_21 * J3_22 - E3_11 * T(0.004) - E3_31 * T(0.003);
-  const T b1_22 = E3_11 * J3_13 - E3_21 * T(0.003) + E3_31 * J3_33;
-  const T b1_23 = T(0.1) * hc3_3 + T(0.1) * hc5_3 + ((hc5_3 + c.c1_1) * T(0.1) + (hc3_3 + T(0.2)) * T(0.1));
-  const T b1_24 = b1_18 * T(0.3) - d8_2 * minus_h8_2 - (b1_19 * d8_2 - (T(0.1) * hc4a_2 + (T(0.09000000000000001) +
-      hc4a_2) * T(0.1)));
-  const T b1_25 = minus_E4a_12 * J4a_12;
-  const T b1_26 = minus_E4a_13 * J4a_13;
-  const T b1_27 = E4a_11 * J4a_11 + b1_25 + b1_26;
-  const T b1_28 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
-  const T b1_29 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_30 = T(0.3) * minus_hc5a_2;
-  const T b1_31 = E5a_12 * minus_J5a_12;
-  const T b1_32 = E5a_11 * c.J5_11 + b1_31;
-  const T b1_33 = E5a_11 * minus_J5a_12;
-  const T b1_34 = b1_33 + E5a_12 * J5a_22;
-  const T b1_35 = E8_13 * J8_13;
-  const T b1_36 = E8_11 * J8_11 - b1_35;
-  const T b1_37 = E8_11 * J8_13;
-  const T b1_38 = b1_37 - E8_13 * J8_33;
-  const T b1_39 = s10 * s10;
-  const T J1_11 = b1_20 * E3_11 + b1_21 * E3_21 + b1_22 * E3_31 + b1_23 + b1_24 + b1_27 * E4a_11 + b1_28 *
-      minus_E4a_12 + b1_29 * minus_E4a_13 + b1_30 + b1_32 * E5a_11 + b1_34 * E5a_12 + b1_36 * E8_11 - b1_38 * E8_13 +
-      T(0.648) + T(0.4) * (T(0.09) + b1_39);
-  const T b1_40 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
-  const T b1_41 = hc4a_1 - T(0.18000000000000002);
-  const T J1_21 = b1_20 * E3_12 + b1_21 * E3_22 + b1_22 * E3_32 - T(0.3) * hc3_2 + T(0.2) * hc4a_2 + b1_28 * E4a_22 -
-      b1_27 * minus_E4a_12 + b1_29 * E4a_23 + b1_32 * E5a_12 - b1_34 * E5a_11 - b1_40 + T(0.005599999999999998) -
-      b1_41 * T(0.1) - s10 * T(0.1) * T(0.4) + T(0.3) * hc5a_1;
-  const T b1_42 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
-  const T b1_43 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
-  const T b1_44 = E3_12 * J3_13 - E3_22 * T(0.003) + E3_32 * J3_33;
-  const T b1_45 = hc3_1 + T(0.6);
-  const T b1_46 = T(0.3) * hc3_1 - T(0.2) * hc4a_1 - (b1_41 * T(0.2) - b1_45 * T(0.3));
-  const T b1_47 = E4a_23 * J4a_23;
-  const T b1_48 = E4a_22 * J4a_22 - b1_25 + b1_47;
-  const T b1_49 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
-  const T b1_50 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
-  const T J1_22 = b1_42 * E3_12 + b1_43 * E3_22 + b1_44 * E3_32 + b1_23 + b1_46 + b1_48 * E4a_22 - b1_49 *
-      minus_E4a_12 + b1_50 * E4a_23 + (E5a_12 * c.J5_11 - b1_33) * E5a_12 + (E5a_11 * J5a_22 - b1_31) * E5a_11 +
-      T(0.61738);
-  const T b1_51 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
-  const T J1_31 = b1_21 * E3_23 - b1_20 * minus_E3_13 + b1_22 * E3_33 - T(0.3) * hc3_3 + T(0.2) * hc4a_3 + b1_28 *
-      E4a_23 - b1_27 * minus_E4a_13 + b1_29 * E4a_33 - b1_51 + b1_36 * E8_13 + b1_38 * E8_11 + T(0.005200000000000004)
-      - b1_45 * T(0.1);
-  const T b1_52 = E5a_12 * J5a_13 + E5a_11 * J5a_23;
-  const T b1_53 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
-  const T J1_32 = b1_43 * E3_23 - b1_42 * minus_E3_13 + b1_44 * E3_33 - T(0.1) * hc4a_3 + b1_48 * E4a_23 - b1_49 *
-      minus_E4a_13 + b1_50 * E4a_33 + T(0.3) * hc5_3 + b1_52 - b1_53 + T(0.0484) - T(0.3) * s10 * T(0.4) + b1_18 *
-      T(0.1) - T(0.1) * hc3_2;
-  const T b1_54 = J5a_33 + b1_30;
-  const T J1_33 = (minus_E3_13 * T(0.004) + E3_23 * J3_22 - E3_33 * T(0.003)) * E3_23 - (E3_33 * J3_13 - (minus_E3_13
-      * T(0.04165) + E3_23 * T(0.004))) * minus_E3_13 + (E3_33 * J3_33 - (minus_E3_13 * J3_13 + E3_23 * T(0.003))) *
-      E3_33 + b1_46 + b1_24 + (E4a_23 * J4a_22 - minus_E4a_13 * J4a_12 + E4a_33 * J4a_23) * E4a_23 - (E4a_23 * J4a_12
-      - minus_E4a_13 * J4a_11 + E4a_33 * J4a_13) * minus_E4a_13 + (b1_47 - b1_26 + E4a_33 * J4a_33) * E4a_33 + b1_54 +
-      (E8_13 * J8_11 + b1_37) * E8_13 + (b1_35 + E8_11 * J8_33) * E8_11 + T(0.744) + T(0.4) * (b1_39 +
-      T(0.010000000000000002));
-  // B_thetadot11_1 = E8^T B_thetadot11_8
-  const T B_thetadot11_1_1 = E8_13 * minus_hc11_1 - E8_11 * hc11_3;
-  const T minus_B_thetadot11_1_3 = E8_13 * hc11_3 + E8_11 * minus_hc11_1;
-  // K_thetadot11_1 = E8^T K_thetadot11_8 + d8~ E8^T B_thetadot11_8
-  const T K_thetadot11_1_1 = E8_11 * K_thetadot11_8_1 - E8_13 * K_thetadot11_8_3 - d8_2 * minus_B_thetadot11_1_3;
-  const T K_thetadot11_1_3 = E8_13 * K_thetadot11_8_1 + E8_11 * K_thetadot11_8_3 - d8_2 * B_thetadot11_1_1;
-  // B_sdot6_1 = E3^T B_sdot6_3
-  const T B_sdot6_1_1 = E3_11 * T(0.5);
-  const T B_sdot6_1_2 = E3_12 * T(0.5);
-  const T minus_B_sdot6_1_3 = minus_E3_13 * T(0.5);
-  // K_sdot6_1 = q3~ E3^T B_sdot6_3 + E3^T K_sdot6_3
-  const T K_sdot6_1_1 = E3_21 * T(0.005) - T(0.1) * B_sdot6_1_2;
-  const T K_sdot6_1_2 = T(0.1) * B_sdot6_1_1 + T(0.3) * minus_B_sdot6_1_3 + E3_22 * T(0.005);
-  const T K_sdot6_1_3 = T(0.3) * B_sdot6_1_2 + E3_23 * T(0.005);
-  // K_thetadot5_1_1 = q5a~ E5a^T B_thetadot5_1_5a + E5a^T K_thetadot5_1_5a
-  const T K_thetadot5_1_1_2 = T(0.1) * minus_hc5a_2 + b1_52;
-  // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
-  const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_2 = minus_E4a_12 * minus_B_thetadot4_2_4a_1 + E4a_22 * B_thetadot4_2_4a_2 + E4a_23 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_3 = minus_E4a_13 * minus_B_thetadot4_2_4a_1 + E4a_23 * B_thetadot4_2_4a_2 + E4a_33 *
-      B_thetadot4_2_4a_3;
-  // K_thetadot4_2_1 = q4a~ E4a^T B_thetadot4_2_4a + E4a^T K_thetadot4_2_4a
-  const T K_thetadot4_2_1_1 = T(0.1) * B_thetadot4_2_1_3 + minus_E4a_12 * T(0.016137600000000002) + minus_E4a_13 *
-      T(0.004706800000000001);
-  const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
-      T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
-      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
-  // B_thetadot4_1_1 = E4a^T B_thetadot4_1_4a
-  const T B_thetadot4_1_1_1 = E4a_11 * B_thetadot4_1_4a_1 - minus_E4a_12 * minus_B_thetadot4_1_4a_2 - minus_E4a_13 *
-      minus_B_thetadot4_1_4a_3;
-  const T minus_B_thetadot4_1_1_2 = minus_E4a_12 * B_thetadot4_1_4a_1 + E4a_22 * minus_B_thetadot4_1_4a_2 + E4a_23 *
-      minus_B_thetadot4_1_4a_3;
-  const T minus_B_thetadot4_1_1_3 = minus_E4a_13 * B_thetadot4_1_4a_1 + E4a_23 * minus_B_thetadot4_1_4a_2 + E4a_33 *
-      minus_B_thetadot4_1_4a_3;
-  // K_thetadot4_1_1 = q4a~ E4a^T B_thetadot4_1_4a + E4a^T K_thetadot4_1_4a
-  const T K_thetadot4_1_1_1 = E4a_11 * K_thetadot4_1_4a_1 + minus_E4a_12 * K_thetadot4_1_4a_2 + minus_E4a_13 *
-      K_thetadot4_1_4a_3 - T(0.1) * minus_B_thetadot4_1_1_3;
-  const T K_thetadot4_1_1_2 = E4a_22 * K_thetadot4_1_4a_2 - minus_E4a_12 * K_thetadot4_1_4a_1 + E4a_23 *
-      K_thetadot4_1_4a_3 - T(0.2) * minus_B_thetadot4_1_1_3;
-  const T K_thetadot4_1_1_3 = T(0.2) * minus_B_thetadot4_1_1_2 - T(0.1) * B_thetadot4_1_1_1 + E4a_23 *
-      K_thetadot4_1_4a_2 - minus_E4a_13 * K_thetadot4_1_4a_1 + E4a_33 * K_thetadot4_1_4a_3;
-  // B_thetadot3_1 = E3^T B_thetadot3_3
-  const T B_thetadot3_1_1 = E3_21 * B_thetadot3_3_2 - E3_11 * T(0.02294632949694536) - E3_31 * minus_B_thetadot3_3_3;
-  const T B_thetadot3_1_2 = E3_22 * B_thetadot3_3_2 - E3_12 * T(0.02294632949694536) - E3_32 * minus_B_thetadot3_3_3;
-  const T B_thetadot3_1_3 = minus_E3_13 * T(0.02294632949694536) + E3_23 * B_thetadot3_3_2 - E3_33 *
-      minus_B_thetadot3_3_3;
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = E3_11 * K_thetadot3_3_1 + E3_21 * K_thetadot3_3_2 + E3_31 * K_thetadot3_3_3 - T(0.1) *
-      B_thetadot3_1_2;
-  const T K_thetadot3_1_2 = T(0.1) * B_thetadot3_1_1 - T(0.3) * B_thetadot3_1_3 + E3_12 * K_thetadot3_3_1 + E3_22 *
-      K_thetadot3_3_2 + E3_32 * K_thetadot3_3_3;
-  const T K_thetadot3_1_3 = T(0.3) * B_thetadot3_1_2 + E3_23 * K_thetadot3_3_2 - minus_E3_13 * K_thetadot3_3_1 + E3_33
-      * K_thetadot3_3_3;
-  // D_omegadot1: pivots of L D L^T
-  const T b1_55 = K_thetadot11_1_1 * T(1515.1515151515152);
-  const T b1_56 = C1_10_32 * T(0.012) + C1_10_33 * T(0.004);
-  const T b1_57 = T(0.3) * b10_5 - s10 * b1_56;
-  const T b1_58 = b1_57 * T(416.6666666666667);
-  const T b1_59 = C1_10_31 * T(0.012) + C1_10_33 * T(0.008);
-  const T b1_60 = b1_58 * T(8e-05) + s10 * b1_59 - T(0.3) * b10_7;
-  const T b1_61 = b1_60 * T(284.30629264594387);
-  const T b1_62 = C1_10_31 * T(0.004) - C1_10_32 * T(0.008);
-  const T b1_63 = T(0.3) * b10_4 - s10 * b1_62 + b1_58 * T(0.00024) + b1_61 * T(0.000128);
-  const T b1_64 = b1_63 * T(374.3436923513552);
-  const T b1_65 = b1_58 * b10_5 - T(0.12) + b1_61 * b10_8 + b1_64 * b10_10;
-  const T b1_66 = T(1) / D_sddot10;
-  const T b1_67 = b1_65 * b1_66;
-  const T b1_68 = b1_40 - b1_55 * T(0.0006299999999999999);
-  const T b1_69 = b1_68 * T(420.4089432447927);
-  const T b1_70 = b1_69 * T(0.0028636363636363638) - (minus_hc8_3 + b1_55 * T(0.003));
-  const T b1_71 = b1_70 * T(1.0173808227700445);
-  const T b1_72 = K_sdot6_1_1 * T(2);
-  const T b1_73 = T(1) / J5a_33;
-  const T b1_74 = b1_51 * b1_73;
-  const T b1_75 = K_thetadot4_2_1_1 * T(59.4883997620464);
-  const T b1_76 = T(1) / D_thetaddot4_1;
-  const T b1_77 = K_thetadot4_1_1_1 * b1_76;
-  const T b1_78 = K_thetadot3_1_1 - b1_72 * T(0.002218939466028826);
-  const T b1_79 = T(1) / D_thetaddot3;
-  const T b1_80 = b1_78 * b1_79;
-  const T b1_81 = C1_2_22 * T(0.16000000000000003) + C1_2_23 * T(0.016);
-  const T b1_82 = T(0.2) * b1_81;
-  const T b1_83 = C1_2_32 * T(0.16000000000000003) + C1_2_33 * T(0.016);
-  const T b1_84 = b1_82 + T(0.1) * b1_83;
-  const T b1_85 = b1_84 * T(23.62948960302457);
-  const T b1_86 = C1_2_21 * T(0.16000000000000003);
-  const T b1_87 = T(0.2) * b1_86;
-  const T b1_88 = C1_2_31 * T(0.16000000000000003);
-  const T b1_89 = b1_87 + T(0.1) * b1_88;
-  const T b1_90 = b1_89 * T(23.25581395348837);
-  const T b1_91 = C1_2_21 * T(0.016);
-  const T b1_92 = T(0.2) * b1_91;
-  const T b1_93 = C1_2_31 * T(0.016);
-  const T b1_94 = b1_90 * T(0.0032000000000000006) - (b1_92 + T(0.1) * b1_93);
-  const T b1_95 = b1_94 * T(244.9863263445761);
-  const T D_omegadot1_1 = J1_11 - b1_55 * K_thetadot11_1_1 - b1_58 * b1_57 - b1_61 * b1_60 - b1_64 * b1_63 - b1_67 *
-      b1_65 - b1_69 * b1_68 - b1_71 * b1_70 - b1_72 * K_sdot6_1_1 - b1_74 * b1_51 - b1_75 * K_thetadot4_2_1_1 - b1_77
-      * K_thetadot4_1_1_1 - b1_80 * b1_78 - b1_85 * b1_84 - b1_90 * b1_89 - b1_95 * b1_94;
-  const T b1_96 = C1_10_12 * T(0.012) + C1_10_13 * T(0.004);
-  const T b1_97 = T(0.1) * b1_56 - T(0.3) * b1_96;
-  const T b1_98 = b1_97 * T(416.6666666666667);
-  const T b1_99 = C1_10_11 * T(0.012) + C1_10_13 * T(0.008);
-  const T b1_100 = b1_98 * T(8e-05) + T(0.3) * b1_99 - T(0.1) * b1_59;
-  const T b1_101 = b1_100 * T(284.30629264594387);
-  const T b1_102 = C1_10_11 * T(0.004) - C1_10_12 * T(0.008);
-  const T b1_103 = T(0.1) * b1_62 - T(0.3) * b1_102 + b1_98 * T(0.00024) + b1_101 * T(0.000128);
-  const T b1_104 = b1_103 * T(374.3436923513552);
-  const T b1_105 = b1_98 * b10_5 + b1_101 * b10_8 + b1_104 * b10_10;
-  const T b1_106 = b1_105 * b1_66;
-  const T b1_107 = K_sdot6_1_2 * T(2);
-  const T b1_108 = K_thetadot5_1_1_2 * b1_73;
-  const T b1_109 = K_thetadot4_2_1_2 * T(59.4883997620464);
-  const T b1_110 = K_thetadot4_1_1_2 * b1_76;
-  const T b1_111 = K_thetadot3_1_2 - b1_107 * T(0.002218939466028826);
-  const T b1_112 = b1_111 * b1_79;
-  const T b1_113 = C1_2_12 * T(0.16000000000000003) + C1_2_13 * T(0.016);
-  const T b1_114 = T(0.2) * b1_113 + T(0.2) * b1_83;
-  const T b1_115 = b1_114 * T(23.62948960302457);
-  const T b1_116 = C1_2_11 * T(0.16000000000000003);
-  const T b1_117 = T(0.2) * b1_116 + T(0.2) * b1_88;
-  const T b1_118 = b1_117 * T(23.25581395348837);
-  const T b1_119 = C1_2_11 * T(0.016);
-  const T b1_120 = T(0.2) * b1_119 + T(0.2) * b1_93 - b1_118 * T(0.0032000000000000006);
-  const T b1_121 = b1_120 * T(244.9863263445761);
-  const T b1_122 = J1_21 + T(0.9545454545454546) * K_thetadot11_1_1 - b1_98 * b1_57 - b1_101 * b1_60 - b1_104 * b1_63
-      - b1_106 * b1_65 + b1_68 - b1_107 * K_sdot6_1_1 + b1_108 * b1_51 - b1_109 * K_thetadot4_2_1_1 - b1_110 *
-      K_thetadot4_1_1_1 - b1_112 * b1_78 + b1_115 * b1_84 + b1_118 * b1_89 - b1_121 * b1_94;
-  const T b1_123 = T(1) / D_omegadot1_1;
-  const T b1_124 = b1_122 * b1_123;
-  const T D_omegadot1_2 = J1_22 - T(0.00298) - b1_98 * b1_97 - b1_101 * b1_100 - b1_104 * b1_103 - b1_106 * b1_105 -
-      b1_107 * K_sdot6_1_2 - b1_108 * K_thetadot5_1_1_2 - b1_109 * K_thetadot4_2_1_2 - b1_110 * K_thetadot4_1_1_2 -
-      b1_112 * b1_111 - b1_115 * b1_114 - b1_118 * b1_117 - b1_121 * b1_120 - b1_124 * b1_122;
-  const T b1_125 = K_thetadot11_1_3 * T(1515.1515151515152);
-  const T b1_126 = s10 * b1_96 - T(0.1) * b10_5;
-  const T b1_127 = b1_126 * T(416.6666666666667);
-  const T b1_128 = b1_127 * T(8e-05) + T(0.1) * b10_7 - s10 * b1_99;
-  const T b1_129 = b1_128 * T(284.30629264594387);
-  const T b1_130 = s10 * b1_102 - T(0.1) * b10_4 + b1_127 * T(0.00024) + b1_129 * T(0.000128);
-  const T b1_131 = b1_130 * T(374.3436923513552);
-  const T b1_132 = T(0.04000000000000001) + b1_127 * b10_5 + b1_129 * b10_8 + b1_131 * b10_10;
-  const T b1_133 = b1_132 * b1_66;
-  const T b1_134 = b1_125 * T(0.0006299999999999999);
-  const T b1_135 = b1_53 - b1_134;
-  const T b1_136 = b1_135 * T(420.4089432447927);
-  const T b1_137 = minus_hc8_1 - b1_125 * T(0.003) + b1_136 * T(0.0028636363636363638);
-  const T b1_138 = b1_137 * T(1.0173808227700445);
-  const T b1_139 = K_sdot6_1_3 * T(2);
-  const T b1_140 = b1_54 * b1_73;
-  const T b1_141 = K_thetadot4_2_1_3 * T(59.4883997620464);
-  const T b1_142 = K_thetadot4_1_1_3 * b1_76;
-  const T b1_143 = K_thetadot3_1_3 - b1_139 * T(0.002218939466028826);
-  const T b1_144 = b1_143 * b1_79;
-  const T b1_145 = T(0.1) * b1_113 - b1_82;
-  const T b1_146 = b1_145 * T(23.62948960302457);
-  const T b1_147 = b1_87 - T(0.1) * b1_116;
-  const T b1_148 = b1_147 * T(23.25581395348837);
-  const T b1_149 = T(0.1) * b1_119 - b1_92 + b1_148 * T(0.0032000000000000006);
-  const T b1_150 = b1_149 * T(244.9863263445761);
-  const T b1_151 = J1_31 - b1_125 * K_thetadot11_1_1 - b1_127 * b1_57 - b1_129 * b1_60 - b1_131 * b1_63 - b1_133 *
-      b1_65 - b1_136 * b1_68 - b1_138 * b1_70 - b1_139 * K_sdot6_1_1 + b1_140 * b1_51 - b1_141 * K_thetadot4_2_1_1 -
-      b1_142 * K_thetadot4_1_1_1 - b1_144 * b1_78 + b1_146 * b1_84 - b1_148 * b1_89 - b1_150 * b1_94;
-  const T b1_152 = b1_151 * b1_123;
-  const T b1_153 = J1_32 + b1_134 - b1_127 * b1_97 - b1_129 * b1_100 - b1_131 * b1_103 - b1_133 * b1_105 + b1_136 *
-      T(0.0023786363636363636) - b1_139 * K_sdot6_1_2 - b1_140 * K_thetadot5_1_1_2 - b1_141 * K_thetadot4_2_1_2 -
-      b1_142 * K_thetadot4_1_1_2 - b1_144 * b1_111 - b1_146 * b1_114 + b1_148 * b1_117 - b1_150 * b1_120 - b1_152 *
-      b1_122;
-  const T b1_154 = T(1) / D_omegadot1_2;
-  const T b1_155 = b1_153 * b1_154;
-  const T D_omegadot1_3 = J1_33 - b1_125 * K_thetadot11_1_3 - b1_127 * b1_126 - b1_129 * b1_128 - b1_131 * b1_130 -
-      b1_133 * b1_132 - b1_136 * b1_135 - b1_138 * b1_137 - b1_139 * K_sdot6_1_3 - b1_140 * b1_54 - b1_141 *
-      K_thetadot4_2_1_3 - b1_142 * K_thetadot4_1_1_3 - b1_144 * b1_143 - b1_146 * b1_145 - b1_148 * b1_147 - b1_150 *
-      b1_149 - b1_152 * b1_151 - b1_155 * b1_153;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_156 = B_thetadot11_1_1 * T(1515.1515151515152);
-  const T b1_157 = b1_96 * T(416.6666666666667);
-  const T b1_158 = b1_157 * T(8e-05) - b1_99;
-  const T b1_159 = b1_158 * T(284.30629264594387);
-  const T b1_160 = b1_157 * T(0.00024) + b1_102 + b1_159 * T(0.000128);
-  const T b1_161 = b1_160 * T(374.3436923513552);
-  const T b1_162 = b1_161 * b10_10 + b1_157 * b10_5 + b1_159 * b10_8;
-  const T b1_163 = b1_162 * b1_66;
-  const T b1_164 = b1_156 * T(0.0006299999999999999);
-  const T b1_165 = minus_hc8_3 - b1_164;
-  const T b1_166 = b1_165 * T(420.4089432447927);
-  const T b1_167 = b1_166 * T(0.0028636363636363638) - b1_156 * T(0.003);
-  const T b1_168 = b1_167 * T(1.0173808227700445);
-  const T b1_169 = B_sdot6_1_1 * T(2);
-  const T b1_170 = minus_hc5a_2 * b1_73;
-  const T b1_171 = B_thetadot4_2_1_1 * T(59.4883997620464);
-  const T b1_172 = B_thetadot4_1_1_1 * b1_76;
-  const T b1_173 = B_thetadot3_1_1 - b1_169 * T(0.002218939466028826);
-  const T b1_174 = b1_173 * b1_79;
-  const T b1_175 = b1_113 * T(23.62948960302457);
-  const T b1_176 = b1_116 * T(23.25581395348837);
-  const T b1_177 = b1_176 * T(0.0032000000000000006) - b1_119;
-  const T b1_178 = b1_177 * T(244.9863263445761);
-  const T b1_179 = b1_157 * b1_57 - b1_156 * K_thetadot11_1_1 + b1_159 * b1_60 + b1_161 * b1_63 + b1_163 * b1_65 -
-      b1_166 * b1_68 - b1_168 * b1_70 - b1_169 * K_sdot6_1_1 + b1_170 * b1_51 - b1_171 * K_thetadot4_2_1_1 - b1_172 *
-      K_thetadot4_1_1_1 - b1_174 * b1_78 - b1_175 * b1_84 - b1_176 * b1_89 - b1_178 * b1_94;
-  const T b1_180 = b1_179 * b1_123;
-  const T b1_181 = h1_3 + b1_164 + b1_157 * b1_97 + b1_159 * b1_100 + b1_161 * b1_103 + b1_163 * b1_105 + b1_166 *
-      T(0.0023786363636363636) - b1_169 * K_sdot6_1_2 - b1_170 * K_thetadot5_1_1_2 - b1_171 * K_thetadot4_2_1_2 -
-      b1_172 * K_thetadot4_1_1_2 - b1_174 * b1_111 + b1_175 * b1_114 + b1_176 * b1_117 - b1_178 * b1_120 - b1_180 *
-      b1_122;
-  const T b1_182 = b1_181 * b1_154;
-  const T b1_183 = h1_2 + b1_156 * K_thetadot11_1_3 - b1_157 * b1_126 - b1_159 * b1_128 - b1_161 * b1_130 - b1_163 *
-      b1_132 + b1_166 * b1_135 + b1_168 * b1_137 + b1_169 * K_sdot6_1_3 + b1_170 * b1_54 + b1_171 * K_thetadot4_2_1_3
-      + b1_172 * K_thetadot4_1_1_3 + b1_174 * b1_143 - b1_175 * b1_145 + b1_176 * b1_147 + b1_178 * b1_149 + b1_180 *
-      b1_151 + b1_182 * b1_153;
-  const T b1_184 = T(1) / D_omegadot1_3;
-  const T b1_185 = b1_183 * b1_184;
-  const T D_Pddot1_1 = c.m_sub1 - b1_156 * B_thetadot11_1_1 - b1_157 * b1_96 - b1_159 * b1_158 - b1_161 * b1_160 -
-      b1_163 * b1_162 - b1_166 * b1_165 - b1_168 * b1_167 - b1_169 * B_sdot6_1_1 - b1_170 * minus_hc5a_2 - b1_171 *
-      B_thetadot4_2_1_1 - b1_172 * B_thetadot4_1_1_1 - b1_174 * b1_173 - b1_175 * b1_113 - b1_176 * b1_116 - b1_178 *
-      b1_177 - b1_180 * b1_179 - b1_182 * b1_181 - b1_185 * b1_183;
-  const T b1_186 = D_sddot10 * b1_66;
-  const T b1_187 = B_sdot6_1_2 * T(2);
-  const T b1_188 = hc5a_1 * b1_73;
-  const T b1_189 = B_thetadot4_2_1_2 * T(59.4883997620464);
-  const T b1_190 = minus_B_thetadot4_1_1_2 * b1_76;
-  const T b1_191 = B_thetadot3_1_2 - b1_187 * T(0.002218939466028826);
-  const T b1_192 = b1_191 * b1_79;
-  const T b1_193 = b1_81 * T(23.62948960302457);
-  const T b1_194 = b1_86 * T(23.25581395348837);
-  const T b1_195 = b1_194 * T(0.0032000000000000006) - b1_91;
-  const T b1_196 = b1_195 * T(244.9863263445761);
-  const T b1_197 = h1_3 - T(4.545454545454546) * K_thetadot11_1_1 - b10_6 * b1_57 - b10_9 * b1_60 - b10_11 * b1_63 +
-      b1_186 * b1_65 + T(1.2038983374737244) * b1_68 - b1_70 + b1_187 * K_sdot6_1_1 - b1_188 * b1_51 + b1_189 *
-      K_thetadot4_2_1_1 - b1_190 * K_thetadot4_1_1_1 + b1_192 * b1_78 + b1_193 * b1_84 + b1_194 * b1_89 + b1_196 *
-      b1_94;
-  const T b1_198 = b1_197 * b1_123;
-  const T b1_199 = b10_6 * b1_97 - T(4.81482486096809e-35) + b10_9 * b1_100 + b10_11 * b1_103 - b1_186 * b1_105 -
-      b1_187 * K_sdot6_1_2 - b1_188 * K_thetadot5_1_1_2 - b1_189 * K_thetadot4_2_1_2 + b1_190 * K_thetadot4_1_1_2 -
-      b1_192 * b1_111 + b1_193 * b1_114 + b1_194 * b1_117 - b1_196 * b1_120 + b1_198 * b1_122;
-  const T b1_200 = b1_199 * b1_154;
-  const T b1_201 = h1_1 + T(4.545454545454546) * K_thetadot11_1_3 + b10_6 * b1_126 + b10_9 * b1_128 + b10_11 * b1_130
-      - b1_186 * b1_132 - T(1.2038983374737244) * b1_135 + b1_137 - b1_187 * K_sdot6_1_3 - b1_188 * b1_54 - b1_189 *
-      K_thetadot4_2_1_3 + b1_190 * K_thetadot4_1_1_3 - b1_192 * b1_143 + b1_193 * b1_145 - b1_194 * b1_147 - b1_196 *
-      b1_149 + b1_198 * b1_151 - b1_200 * b1_153;
-  const T b1_202 = b1_201 * b1_184;
-  const T b1_203 = T(4.545454545454546) * B_thetadot11_1_1 - b10_6 * b1_96 - b10_9 * b1_158 - b10_11 * b1_160 + b1_186
-      * b1_162 - T(1.2038983374737244) * b1_165 + b1_167 - b1_187 * B_sdot6_1_1 - b1_188 * minus_hc5a_2 - b1_189 *
-      B_thetadot4_2_1_1 + b1_190 * B_thetadot4_1_1_1 - b1_192 * b1_173 - b1_193 * b1_113 - b1_194 * b1_116 - b1_196 *
-      b1_177 + b1_198 * b1_179 - b1_200 * b1_181 + b1_202 * b1_183;
-  const T b1_204 = T(1) / D_Pddot1_1;
-  const T b1_205 = b1_203 * b1_204;
-  const T D_Pddot1_2 = c.c1_4 - b10_12 - b1_186 * D_sddot10 - T(0.9863636363636363) - b1_187 * B_sdot6_1_2 - b1_188 *
-      hc5a_1 - b1_189 * B_thetadot4_2_1_2 - b1_190 * minus_B_thetadot4_1_1_2 - b1_192 * b1_191 - b1_193 * b1_81 -
-      b1_194 * b1_86 - b1_196 * b1_195 - b1_198 * b1_197 - b1_200 * b1_199 - b1_202 * b1_201 - b1_205 * b1_203;
-  const T b1_206 = minus_B_thetadot11_1_3 * T(1515.1515151515152);
-  const T b1_207 = b1_56 * T(416.6666666666667);
-  const T b1_208 = b1_207 * T(8e-05) - b1_59;
-  const T b1_209 = b1_208 * T(284.30629264594387);
-  const T b1_210 = b1_207 * T(0.00024) + b1_62 + b1_209 * T(0.000128);
-  const T b1_211 = b1_210 * T(374.3436923513552);
-  const T b1_212 = b1_207 * b10_5 + b1_209 * b10_8 + b1_211 * b10_10;
-  const T b1_213 = b1_212 * b1_66;
-  const T b1_214 = b1_206 * T(0.0006299999999999999);
-  const T b1_215 = b1_214 - minus_hc8_1;
-  const T b1_216 = b1_215 * T(420.4089432447927);
-  const T b1_217 = b1_206 * T(0.003) + b1_216 * T(0.0028636363636363638);
-  const T b1_218 = b1_217 * T(1.0173808227700445);
-  const T b1_219 = minus_B_sdot6_1_3 * T(2);
-  const T b1_220 = B_thetadot4_2_1_3 * T(59.4883997620464);
-  const T b1_221 = minus_B_thetadot4_1_1_3 * b1_76;
-  const T b1_222 = B_thetadot3_1_3 + b1_219 * T(0.002218939466028826);
-  const T b1_223 = b1_222 * b1_79;
-  const T b1_224 = b1_83 * T(23.62948960302457);
-  const T b1_225 = b1_88 * T(23.25581395348837);
-  const T b1_226 = b1_225 * T(0.0032000000000000006) - b1_93;
-  const T b1_227 = b1_226 * T(244.9863263445761);
-  const T b1_228 = h1_2 + b1_206 * K_thetadot11_1_1 + b1_207 * b1_57 + b1_209 * b1_60 + b1_211 * b1_63 + b1_213 *
-      b1_65 - b1_216 * b1_68 - b1_218 * b1_70 + b1_219 * K_sdot6_1_1 - b1_220 * K_thetadot4_2_1_1 + b1_221 *
-      K_thetadot4_1_1_1 - b1_223 * b1_78 - b1_224 * b1_84 - b1_225 * b1_89 - b1_227 * b1_94;
-  const T b1_229 = b1_228 * b1_123;
-  const T b1_230 = h1_1 + b1_214 - b1_207 * b1_97 - b1_209 * b1_100 - b1_211 * b1_103 - b1_213 * b1_105 - b1_216 *
-      T(0.0023786363636363636) - b1_219 * K_sdot6_1_2 + b1_220 * K_thetadot4_2_1_2 - b1_221 * K_thetadot4_1_1_2 +
-      b1_223 * b1_111 - b1_224 * b1_114 - b1_225 * b1_117 + b1_227 * b1_120 + b1_229 * b1_122;
-  const T b1_231 = b1_230 * b1_154;
-  const T b1_232 = b1_206 * K_thetadot11_1_3 + b1_207 * b1_126 + b1_209 * b1_128 + b1_211 * b1_130 + b1_213 * b1_132 -
-      b1_216 * b1_135 - b1_218 * b1_137 + b1_219 * K_sdot6_1_3 - b1_220 * K_thetadot4_2_1_3 + b1_221 *
-      K_thetadot4_1_1_3 - b1_223 * b1_143 + b1_224 * b1_145 - b1_225 * b1_147 - b1_227 * b1_149 - b1_229 * b1_151 +
-      b1_231 * b1_153;
-  const T b1_233 = b1_232 * b1_184;
-  const T b1_234 = b1_206 * B_thetadot11_1_1 - b1_207 * b1_96 - b1_209 * b1_158 - b1_211 * b1_160 - b1_213 * b1_162 -
-      b1_216 * b1_165 - b1_218 * b1_167 + b1_219 * B_sdot6_1_1 - b1_220 * B_thetadot4_2_1_1 + b1_221 *
-      B_thetadot4_1_1_1 - b1_223 * b1_173 - b1_224 * b1_113 - b1_225 * b1_116 - b1_227 * b1_177 - b1_229 * b1_179 +
-      b1_231 * b1_181 + b1_233 * b1_183;
-  const T b1_235 = b1_234 * b1_204;
-  const T b1_236 = b1_213 * D_sddot10 - (b1_217 + b1_212) + b1_218 * T(0.9829161093063252) + b1_219 * B_sdot6_1_2 -
-      b1_220 * B_thetadot4_2_1_2 - b1_221 * minus_B_thetadot4_1_1_2 - b1_223 * b1_191 - b1_224 * b1_81 - b1_225 *
-      b1_86 - b1_227 * b1_195 + b1_229 * b1_197 + b1_231 * b1_199 - b1_233 * b1_201 - b1_235 * b1_203;
-  const T b1_237 = T(1) / D_Pddot1_2;
-  const T b1_238 = b1_236 * b1_237;
-  const T D_Pddot1_3 = c.m_sub1 - b1_206 * minus_B_thetadot11_1_3 - b1_207 * b1_56 - b1_209 * b1_208 - b1_211 * b1_210
-      - b1_213 * b1_212 - b1_216 * b1_215 - b1_218 * b1_217 - b1_219 * minus_B_sdot6_1_3 - b1_220 * B_thetadot4_2_1_3
-      - b1_221 * minus_B_thetadot4_1_1_3 - b1_223 * b1_222 - b1_224 * b1_83 - b1_225 * b1_88 - b1_227 * b1_226 -
-      b1_229 * b1_228 - b1_231 * b1_230 - b1_233 * b1_232 - b1_235 * b1_234 - b1_238 * b1_236;
+  // MA1 = m1 one + Ms2_10 + Ms2_8 + Mp5a + Mp4a + Mp3 + Mb2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_11 = T(8) + Ms2_10_11 + Ms2_8_11 + Mp5a_11 + Mp4a_11 + Mp3_11 + Mb2_11;
+  const T MA1_12 = Mp5a_12 + Mp4a_12 + Mp3_12 + Mb2_12;
+  const T MA1_13 = Ms2_10_13 + Ms2_8_13 + Mp4a_13 + Mp3_13 + Mb2_13;
+  const T MA1_22 = T(8) + Mp5a_22 + Mp4a_22 + Mp3_22 + Mb2_22;
+  const T MA1_23 = Mp4a_23 + Mp3_23 + Mb2_23;
+  const T MA1_33 = T(8) + Ms2_10_33 + Ms2_8_33 + c.m_link5 + Mp4a_33 + Mp3_33 + Mb2_33;
+  // HA1 = m1 r1~ + Hb2 + Hb3 + Hb4a + Hb5a + Hb8 + Hb10: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_11 = Hb2_11 + Hb3_11 + Hb4a_11 - minus_Hb5a_11 + Hb8_11 + Hb10_11;
+  const T HA1_12 = Hb2_12 - T(0.24) + Hb3_12 + Hb4a_12 + Hb5a_12;
+  const T HA1_13 = Hb2_13 - T(0.08) + Hb3_13 + Hb4a_13 - minus_Hb5a_13 + Hb8_13 + Hb10_13;
+  const T HA1_21 = T(0.24) - minus_Hb2_21 + Hb3_21 + Hb4a_21 + Hb5a_21 + Hb10_21;
+  const T HA1_22 = Hb3_22 - minus_Hb2_22 + Hb4a_22 + Hb5a_22;
+  const T HA1_23 = Hb3_23 - (minus_Hb2_23 + T(0.16)) + Hb4a_23 - minus_Hp5a_23 + Hb10_23;
+  const T HA1_31 = Hb2_31 + T(0.08) + Hb3_31 + Hb4a_31 + Hb5a_31 + Hb8_31 - minus_Hb10_31;
+  const T HA1_32 = T(0.16) + Hb2_32 + Hb3_32 + Hb4a_32 + Hb5a_32;
+  const T HA1_33 = Hb2_33 + Hb3_33 + Hb4a_33 + Hb8_33 - Hb10_11;
+  // JA1 = q3~ Hp3^T + q4a~ Hp4a^T + q5a~ Hp5a^T - m1 r1~ r1~ + I1 + d8~ Hs2_8^T + Js2_8 + Jp5a + Jp4a + Jp3 - Hb2 q2~
+  //   - Hb3 q3~ - Hb4a q4a~ - Hb5a q5a~ - Hb8 d8~ - Hb10 d10~: moment for an angular acceleration, body axes [kg m^2]
+  const T b1_1 = Hb2_12 * T(0.2);
+  const T JA1_11 = T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 + T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + T(0.608) + d8_2 *
+      Hs2_8_13 + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 * T(0.1) -
+      Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
+  const T JA1_12 = T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 + T(0.3) * minus_Hp5a_23 + T(0.0216) +
+      Jp5a_12 + Jp4a_12 + Jp3_12 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
+      T(0.2) - minus_Hb5a_11 * T(0.1) - Hb10_13 * T(0.1) + Hb10_11 * T(0.3);
+  const T JA1_13 = T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 - T(0.0148) + d8_2 * Hs2_8_33 + Js2_8_13 + Jp4a_13 + Jp3_13 -
+      Hb2_11 * T(0.1) + b1_1 + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) - Hb8_11
+      * d8_2 - Hb10_11 * s10;
+  const T JA1_22 = T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 + T(0.1) * Hp5a_21 + T(0.5104) + Jp5a_22 +
+      Jp4a_22 + Jp3_22 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
+      T(0.2) + Hb5a_21 * T(0.1) - Hb10_23 * T(0.1) + Hb10_21 * T(0.3);
+  const T JA1_23 = T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 + T(0.0324) + Jp4a_23 + Jp3_23 - minus_Hb2_22
+      * T(0.2) + minus_Hb2_21 * T(0.1) + Hb3_22 * T(0.3) - Hb4a_21 * T(0.1) - Hb4a_22 * T(0.2) + Hb5a_21 * T(0.3) -
+      Hb10_21 * s10;
+  const T JA1_33 = T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 + T(0.704) - d8_2 * Hs2_8_31 + Js2_8_33 +
+      Jp4a_33 + Jp3_33 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
+      Hb5a_31 * T(0.3) - Hb8_31 * d8_2 + minus_Hb10_31 * s10;
+  // g1 = C2^T gb2 + G1 + gs2_10 + gs2_8 + gp5a + gp4a + gp3: force that drives it, home axes [N]
+  const T b1_2 = C2_11 * gb2_1 + C2_21 * gb2_2 + C2_31 * gb2_3;
+  const T g1_1 = b1_2 + G1_1 + gs2_10_1 + gs2_8_1 + gp5a_1 + gp4a_1 + gp3_1;
+  const T b1_3 = C2_12 * gb2_1 + C2_22 * gb2_2 + C2_32 * gb2_3;
+  const T g1_2 = b1_3 + G1_2 + gp5a_2 + gp4a_2 + gp3_2;
+  const T b1_4 = C2_13 * gb2_1 + C2_23 * gb2_2 + C2_33 * gb2_3;
+  const T g1_3 = b1_4 + G1_3 + gs2_10_3 + gs2_8_3 + gp5_3 + gp4a_3 + gp3_3;
+  // n1 = q2~ C2^T gb2 + q3~ gp3 + q4a~ gp4a + q5a~ gp5a + r1~ G1 + d8~ gs2_8 + d10~ gs2_10 + N1 + ns2_8 + np5a + np4a
+  //   + np3: moment that drives it, body axes [N m]
+  const T b1_5 = T(0.2) * b1_3;
+  const T n1_1 = b1_5 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 - T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03)
+      * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1;
+  const T n1_2 = T(0.1) * gp3_1 - (T(0.2) * b1_2 + T(0.2) * b1_4) - T(0.3) * gp3_3 + T(0.2) * gp4a_3 + T(0.1) * gp5a_1
+      + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3 + N1_2 + np5a_2 + np4a_2 + np3_2;
+  const T n1_3 = b1_5 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 - T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02)
+      * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_6 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_6;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_6);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T Y1_21 = HA1_21 - LD1_21 * HA1_11;
+  const T Y1_22 = HA1_22 - LD1_21 * HA1_12;
+  const T Y1_23 = HA1_23 - LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_31 * HA1_11 - LD1_32 * Y1_21;
+  const T Y1_32 = HA1_32 - LD1_31 * HA1_12 - LD1_32 * Y1_22;
+  const T Y1_33 = HA1_33 - LD1_31 * HA1_13 - LD1_32 * Y1_23;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_11 = LD1_11 * HA1_11;
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * Y1_21;
+  const T W1_22 = LD1_22 * Y1_22;
+  const T W1_23 = LD1_22 * Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_7 = n1_2 - LD1_21 * n1_1;
+  const T w_1_2 = LD1_22 * b1_7;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_7);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
+  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T LDs1_21 = LDs1_11 * M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - LDs1_21 * M1_12);
+  const T LDs1_31 = LDs1_11 * M1_13;
+  const T b1_8 = M1_23 - LDs1_21 * M1_13;
+  const T LDs1_32 = LDs1_22 * b1_8;
+  const T LDs1_33 = T(1) / (M1_33 - LDs1_31 * M1_13 - LDs1_32 * b1_8);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_9 = gb1_2 - LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_9;
+  const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_9);
 
   // ---- body 1 (hull), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = b11_1 + minus_rho11_2 - minus_effort_nut_11;
-  const T z1_2 = f_omega10_2 + T(0.03333333333333333) * f_omega10_1;
-  const T z1_3 = f_omega10_3 - T(0.1) * f_omega10_1 - T(0.03639120545868082) * z1_2;
-  const T z1_4 = b10_11 * z1_3 - (b10_6 * f_omega10_1 + b10_9 * z1_2);
-  const T z1_5 = b1_9 - z1_4;
-  const T z1_6 = T(0.9545454545454546) * z1_1;
-  const T z1_7 = minus_rho8_2 - z1_6;
-  const T z1_8 = T(4.545454545454546) * z1_1 - T(1.2038983374737244) * z1_7;
-  const T z1_9 = minus_S8_2 - z1_8;
-  const T z1_10 = G6_1 - minus_effort_telescope_6;
-  const T z1_11 = T(0.28) * rho4a_2 - T(0.96) * rho4a_3;
-  const T z1_12 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3 +
-      effort_boom_3 - T(0.004437878932057652) * z1_10;
-  const T z1_13 = f_omega2_3 - T(0.07441860465116279) * f_omega2_2;
-  const T z1_14 = f_omega1_1 - b1_55 * z1_1 + b1_58 * f_omega10_1 + b1_61 * z1_2 - b1_64 * z1_3 + b1_67 * z1_5 - b1_69
-      * z1_7 - b1_71 * z1_9 - b1_72 * z1_10 + b1_74 * rho5a_3 - b1_75 * rho4_2 - b1_77 * z1_11 - b1_80 * z1_12 + b1_85
-      * minus_f_omega2_1 + b1_90 * f_omega2_2 - b1_95 * z1_13;
-  const T z1_15 = f_omega1_2 + z1_6 + b1_98 * f_omega10_1 + b1_101 * z1_2 - b1_104 * z1_3 + b1_106 * z1_5 + z1_7 -
-      b1_107 * z1_10 - b1_108 * rho5a_3 - b1_109 * rho4_2 - b1_110 * z1_11 - b1_112 * z1_12 - b1_115 *
-      minus_f_omega2_1 - b1_118 * f_omega2_2 - b1_121 * z1_13 - b1_124 * z1_14;
-  const T z1_16 = f_omega1_3 - b1_125 * z1_1 + b1_127 * f_omega10_1 + b1_129 * z1_2 - b1_131 * z1_3 + b1_133 * z1_5 -
-      b1_136 * z1_7 - b1_138 * z1_9 - b1_139 * z1_10 - b1_140 * rho5a_3 - b1_141 * rho4_2 - b1_142 * z1_11 - b1_144 *
-      z1_12 - b1_146 * minus_f_omega2_1 + b1_148 * f_omega2_2 - b1_150 * z1_13 - b1_152 * z1_14 - b1_155 * z1_15;
-  const T z1_17 = S1_1 - b1_156 * z1_1 - b1_157 * f_omega10_1 - b1_159 * z1_2 + b1_161 * z1_3 - b1_163 * z1_5 - b1_166
-      * z1_7 - b1_168 * z1_9 - b1_169 * z1_10 - b1_170 * rho5a_3 - b1_171 * rho4_2 - b1_172 * z1_11 - b1_174 * z1_12 +
-      b1_175 * minus_f_omega2_1 + b1_176 * f_omega2_2 - b1_178 * z1_13 - b1_180 * z1_14 - b1_182 * z1_15 + b1_185 *
-      z1_16;
-  const T z1_18 = S1_2 + z1_8 + z1_4 + b1_186 * z1_5 + z1_9 - b1_187 * z1_10 - b1_188 * rho5a_3 - b1_189 * rho4_2 +
-      b1_190 * z1_11 - b1_192 * z1_12 + b1_193 * minus_f_omega2_1 + b1_194 * f_omega2_2 - b1_196 * z1_13 + b1_198 *
-      z1_14 - b1_200 * z1_15 - b1_202 * z1_16 - b1_205 * z1_17;
-  const T z1_19 = T(1) / D_Pddot1_3 * (S1_3 + b1_206 * z1_1 - b1_207 * f_omega10_1 - b1_209 * z1_2 + b1_211 * z1_3 -
-      b1_213 * z1_5 - b1_216 * z1_7 - b1_218 * z1_9 + b1_219 * z1_10 - b1_220 * rho4_2 + b1_221 * z1_11 - b1_223 *
-      z1_12 + b1_224 * minus_f_omega2_1 + b1_225 * f_omega2_2 - b1_227 * z1_13 - b1_229 * z1_14 + b1_231 * z1_15 -
-      b1_233 * z1_16 - b1_235 * z1_17 - b1_238 * z1_18);
-  const T z1_20 = z1_18 * b1_237 - b1_238 * z1_19;
-  const T Pddot1_1 = z1_17 * b1_204 - b1_205 * z1_20 - b1_235 * z1_19;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_21 = z1_16 * b1_184 + b1_185 * Pddot1_1 - b1_202 * z1_20 - b1_233 * z1_19;
-  const T z1_22 = z1_15 * b1_154 - b1_155 * z1_21 - b1_182 * Pddot1_1 - b1_200 * z1_20 + b1_231 * z1_19;
-  const T omegadot1_1 = z1_14 * b1_123 - b1_124 * z1_22 - b1_152 * z1_21 - b1_180 * Pddot1_1 + b1_198 * z1_20 - b1_229
-      * z1_19;
-  ydot[0] = omegadot1_1;
-  ydot[1] = z1_22;
-  ydot[2] = z1_21;
-  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_20 + R1_31 * z1_19;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_20 + R1_32 * z1_19;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_20 + R1_33 * z1_19 - T(9.81);
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1_1;
+  ydot[1] = z1_3;
+  ydot[2] = z1_2;
+  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
 
   // ---- body 2 (clapper), solved
-  // omegadot2: from A ydot = f by elimination
-  const T omegadot2_1 = b1_115 * z1_22 - (minus_f_omega2_1 * T(23.62948960302457) + b1_85 * omegadot1_1) + b1_146 *
-      z1_21 - b1_175 * Pddot1_1 - b1_193 * z1_20 - b1_224 * z1_19;
-  const T z2_1 = z1_13 * T(244.9863263445761) - b1_95 * omegadot1_1 - b1_121 * z1_22 - b1_150 * z1_21 - b1_178 *
-      Pddot1_1 - b1_196 * z1_20 - b1_227 * z1_19;
-  const T omegadot2_2 = f_omega2_2 * T(23.25581395348837) - T(0.07441860465116279) * z2_1 + b1_90 * omegadot1_1 -
-      b1_118 * z1_22 + b1_148 * z1_21 + b1_176 * Pddot1_1 + b1_194 * z1_20 + b1_225 * z1_19;
-  ydot[3] = omegadot2_1;
+  // beta2 = -C2 q2~ omegadot1_1 + C2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.2) * z1_2;
+  const T z2_2 = T(0.2) * omegadot1_1_1 + z2_1;
+  const T z2_3 = T(0.2) * z1_3;
+  const T z2_4 = T(0.1) * z1_2;
+  const T z2_5 = z2_3 + z2_4;
+  const T z2_6 = T(0.1) * omegadot1_1_1;
+  const T z2_7 = z2_3 - z2_6;
+  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot2_1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
+  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot2_1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
+  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot2_1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
+  // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
+  const T minus_omegadot2_1 = minus_w_2_1 + T(3.780718336483932) * beta2_2 + T(0.3780718336483932) * beta2_3;
+  const T z2_8 = w_2_3 + T(1.0027347310847765) * beta2_1;
+  const T omegadot2_2 = w_2_2 + T(3.7209302325581395) * beta2_1 - T(0.07441860465116279) * z2_8;
+  ydot[3] = -minus_omegadot2_1;
   ydot[4] = omegadot2_2;
-  ydot[5] = z2_1;
+  ydot[5] = z2_8;
 
   // ---- body 3 (boom), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_12 * b1_79 - b1_80 * omegadot1_1 - b1_112 * z1_22 - b1_144 * z1_21 - b1_174 * Pddot1_1 -
-      b1_192 * z1_20 - b1_223 * z1_19;
-  ydot[6] = thetaddot3;
+  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z3_1 = T(0.1) * z1_3;
+  const T z3_2 = T(0.3) * z1_2;
+  const T z3_3 = z2_6 - z3_2;
+  const T z3_4 = T(0.3) * z1_3;
+  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot2_1_1 + E3_12 * z1_1 - minus_E3_13
+      * ws1_3;
+  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot2_1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
+  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot2_1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
+  // alphaL3 = E3 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_11 * omegadot1_1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
+  const T alphaL3_2 = E3_21 * omegadot1_1_1 + E3_22 * z1_3 + E3_23 * z1_2;
+  const T alphaL3_3 = E3_31 * omegadot1_1_1 + E3_32 * z1_3 + E3_33 * z1_2;
+  // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
+  const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
+      alphaL3_2 - kK3_3 * alphaL3_3 + v3;
+  ydot[6] = phi3;
+  // alpha3 = alphaL3 + phi3 b3: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
+  const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
 
   // ---- body 4 (cross), solved
-  // thetaddot4_1: from A ydot = f by elimination
-  const T thetaddot4_1 = z1_11 * b1_76 - b1_77 * omegadot1_1 - b1_110 * z1_22 - b1_142 * z1_21 - b1_172 * Pddot1_1 +
-      b1_190 * z1_20 + b1_221 * z1_19;
-  ydot[7] = thetaddot4_1;
-  // thetaddot4_2: from A ydot = f by elimination
-  const T thetaddot4_2 = rho4_2 * T(59.4883997620464) - b1_75 * omegadot1_1 - b1_109 * z1_22 - b1_141 * z1_21 - b1_171
-      * Pddot1_1 - b1_189 * z1_20 - b1_220 * z1_19;
-  ydot[8] = thetaddot4_2;
+  // beta4a = -E4a q4a~ omegadot1_1 + E4a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = z2_3 + z2_6;
+  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot2_1_1 - minus_E4a_12 *
+      z1_1 - minus_E4a_13 * ws1_3;
+  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot2_1_1 + E4a_22 * z1_1
+      + E4a_23 * ws1_3;
+  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot2_1_1 + E4a_23 * z1_1
+      + E4a_33 * ws1_3;
+  // alphaL4a = E4a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4a_1 = E4a_11 * omegadot1_1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
+  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
+  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
+  // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
+  const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
+      alphaL4a_2) + v4a;
+  ydot[7] = phi4a;
+  // alpha4a = alphaL4a + phi4a b4_1: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
+  const T alpha4a_2 = alphaL4a_2 + phi4a * T(0.28);
+  const T alpha4a_3 = alphaL4a_3 - phi4a * T(0.96);
+  // beta4 = E4 beta4a: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta4_1 = E4_12 * beta4a_2 - minus_E4_11 * beta4a_1 - minus_E4_13 * beta4a_3;
+  const T beta4_3 = t4_5 * beta4a_1 + E4_32 * beta4a_2 - minus_E4_33 * beta4a_3;
+  // alphaL4 = E4 alpha4a: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
+  const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
+  // thetaddot4 = -b4_2 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - alphaL4_2;
+  ydot[8] = thetaddot4;
 
   // ---- body 5 (camera), solved
-  // thetaddot5_1: from A ydot = f by elimination
-  const T thetaddot5_1 = rho5a_3 * b1_73 + b1_74 * omegadot1_1 - b1_108 * z1_22 - b1_140 * z1_21 - b1_170 * Pddot1_1 -
-      b1_188 * z1_20;
-  ydot[9] = thetaddot5_1;
+  // beta5a = -E5a q5a~ omegadot1_1 + E5a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z5_1 = z3_1 + z3_2;
+  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot2_1_1 + E5a_12 * z1_1;
+  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot2_1_1;
+  // alphaL5a = E5a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5a_1 = E5a_11 * omegadot1_1_1 + E5a_12 * z1_3;
+  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1_1;
+  // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
+  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
+  // thetaddot5a = -b5_1 . alphaL5a + phi5a
+  const T thetaddot5a = phi5a - z1_2;
+  ydot[9] = thetaddot5a;
 
   // ---- body 6 (telescope), solved
-  // sddot6: from A ydot = f by elimination
-  const T sddot6 = z1_10 * T(2) - T(0.004437878932057652) * thetaddot3 - b1_72 * omegadot1_1 - b1_107 * z1_22 - b1_139
-      * z1_21 - b1_169 * Pddot1_1 - b1_187 * z1_20 + b1_219 * z1_19;
+  // phi6 = -kK6 . alpha3 + v6 - (P_u6 kB6) . Pj6
+  const T phi6 = v6 - T(0.01) * alpha3_2;
+  // sddot6 = -u6 . Pj6 + phi6
+  const T sddot6 = phi6 - beta3_1;
   ydot[19] = sddot6;
 
   // ---- body 8 (piston), solved
-  // sddot8: from A ydot = f by elimination
-  const T sddot8 = z1_9 * T(1.0173808227700445) - b1_71 * omegadot1_1 - b1_138 * z1_21 - b1_168 * Pddot1_1 + z1_20 -
-      b1_218 * z1_19;
-  ydot[22] = sddot8;
-  // thetaddot8: from A ydot = f by elimination
-  const T thetaddot8 = z1_7 * T(420.4089432447927) + T(1.2038983374737244) * sddot8 - b1_69 * omegadot1_1 + z1_22 -
-      b1_136 * z1_21 - b1_166 * Pddot1_1 - T(1.2038983374737244) * z1_20 - b1_216 * z1_19;
-  ydot[10] = thetaddot8;
+  // Pj2_8 = -d8~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_8_1 = Pddot2_1_1 - d8_2 * z1_2;
+  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1_1;
+  // phi2_8 = -kK2_8 . omegadot1_1 + v2_8 - (P_u8 kB2_8) . Pj2_8
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+      minus_kB2_8_3 * Pj2_8_3;
+  // sddot2_8 = -u8 . Pj2_8 + phi2_8
+  const T sddot2_8 = z1_1 + phi2_8;
+  ydot[22] = sddot2_8;
+  // beta8 = E8 P_u8 Pj2_8 + phi2_8 E8 u8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta8_1 = E8_11 * Pj2_8_1 + E8_13 * Pj2_8_3;
+  const T beta8_3 = E8_11 * Pj2_8_3 - E8_13 * Pj2_8_1;
+  // alphaL8 = E8 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL8_1 = E8_11 * omegadot1_1_1 + E8_13 * z1_2;
+  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1_1;
+  // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
+  const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
+      minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
+  // thetaddot1_8 = -b8 . alphaL8 + phi8
+  const T thetaddot1_8 = z1_3 + phi8;
+  ydot[10] = thetaddot1_8;
 
   // ---- body 9 (sled), solved
-  // sddot9_2: from A ydot = f by elimination
-  const T z9_1 = E9_11 * G9_1 + E9_12 * minus_G9_2 - b9_2 * N9_1;
-  const T sddot9_2 = T(1) / D_sddot9_2 * (E9_12 * G9_1 - E9_11 * minus_G9_2 + b9_4 * N9_1 - b9_7 * z9_1);
-  ydot[24] = sddot9_2;
-  // sddot9_1: from A ydot = f by elimination
-  const T sddot9_1 = z9_1 * b9_6 - b9_7 * sddot9_2;
-  ydot[23] = sddot9_1;
-  // thetaddot9: from A ydot = f by elimination
-  const T thetaddot9 = b9_2 * sddot9_1 - N9_1 * T(10) - b9_4 * sddot9_2;
-  ydot[11] = thetaddot9;
+  // phi2_9 = v2_9 - (P_u9_1 kB2_9) . Pj2_9
+  const T phi2_9 = v2_9 - kB2_9_2 * v3_9;
+  ydot[23] = phi2_9;
+  // beta9 = E9 P_u9_1 Pj2_9 + phi2_9 E9 u9_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta9_2 = E9_11 * v3_9 - phi2_9 * E9_12;
+  // phi9 = -kB1_9 . beta9 + v1_9
+  const T minus_phi9 = T(2) * beta9_2 + minus_v1_9;
+  ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
-  // sddot10: from A ydot = f by elimination
-  const T minus_sddot10 = z1_5 * b1_66 + b1_67 * omegadot1_1 + b1_106 * z1_22 + b1_133 * z1_21 - b1_163 * Pddot1_1 +
-      b1_186 * z1_20 - b1_213 * z1_19;
-  ydot[25] = -minus_sddot10;
-  // omegadot10: from A ydot = f by elimination
-  const T z10_1 = z1_3 * T(374.3436923513552) - b10_11 * minus_sddot10 - b1_64 * omegadot1_1 - b1_104 * z1_22 - b1_131
-      * z1_21 + b1_161 * Pddot1_1 + b10_11 * z1_20 + b1_211 * z1_19;
-  const T z10_2 = z1_2 * T(284.30629264594387) - T(0.03639120545868082) * z10_1 + b10_9 * minus_sddot10 + b1_61 *
-      omegadot1_1 + b1_101 * z1_22 + b1_129 * z1_21 - b1_159 * Pddot1_1 - b10_9 * z1_20 - b1_209 * z1_19;
-  const T omegadot10_1 = f_omega10_1 * T(416.6666666666667) + T(0.03333333333333333) * z10_2 - T(0.1) * z10_1 + b10_6
-      * minus_sddot10 + b1_58 * omegadot1_1 + b1_98 * z1_22 + b1_127 * z1_21 - b1_157 * Pddot1_1 - b10_6 * z1_20 -
-      b1_207 * z1_19;
-  ydot[12] = omegadot10_1;
+  // Pj2_10 = -d10~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot2_1_1;
+  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1_1 + z1_1;
+  const T Pj2_10_3 = s10 * omegadot1_1_1 - z3_1 + ws1_3;
+  // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
+  const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
+  // sddot2_10 = -u10 . Pj2_10 + phi2_10
+  const T sddot2_10 = phi2_10 - Pj2_10_2;
+  ydot[25] = sddot2_10;
+  // beta10 = C10 P_u10 Pj2_10 + phi2_10 C10 u10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta10_1 = C10_11 * Pj2_10_1 + C10_13 * Pj2_10_3 + phi2_10 * C10_12;
+  const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
+  const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
+  // omegadot1_10 = L(LD10)^-T (-W10 beta10 + w_10)
+  const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
+      beta10_3 + w_10_3;
+  const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
+      beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
+  const T omegadot1_10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
+      z10_2 - T(0.1) * z10_1;
+  ydot[12] = omegadot1_10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
 
   // ---- body 11 (nut), solved
-  // thetaddot11: from A ydot = f by elimination
-  const T thetaddot11 = z1_1 * T(1515.1515151515152) - T(0.9545454545454546) * thetaddot8 - T(4.545454545454546) *
-      sddot8 - b1_55 * omegadot1_1 + T(0.9545454545454546) * z1_22 - b1_125 * z1_21 - b1_156 * Pddot1_1 +
-      T(4.545454545454546) * z1_20 + b1_206 * z1_19;
-  ydot[15] = thetaddot11;
+  // beta11 = -E11 d11~ alpha8 + E11 beta8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta11_1 = minus_d11_2 * alphaL8_3 * E11_11 - minus_d11_2 * alphaL8_1 * E11_13 + E11_11 * beta8_1 + E11_13 *
+      beta8_3;
+  // alphaL11 = E11 alpha8: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL11_1 = E11_11 * alphaL8_1 + E11_13 * alphaL8_3;
+  // phi11 = -kB11 . beta11 - kK11 . alphaL11 + v11
+  const T phi11 = T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
+      alphaL11_1 - T(0.9545454545454546) * phi8 + v11;
+  ydot[15] = phi11;
 
   // ---- body 1 (hull) on the inertial frame
   // w1 = 1/2 omega1: half the angular velocity [rad/s]
@@ -11932,10 +12525,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   xdot[30] = sdot13_2;
   xdot[31] = sdot13_3;
   ydot[20] = -T(0);
-  ydot[21] = T(0);
+  ydot[21] = -T(0);
   ydot[26] = -T(0);
   ydot[27] = T(0);
-  ydot[28] = -T(9.81);
+  ydot[28] = -T(9.809999999999999);
 }
 
 }  // namespace kanec::every_joint

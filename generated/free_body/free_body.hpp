@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 24036269e324f6ce of free_body/scene.toml; the usual functions
+// model 038d3b1bbae26549 of free_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 handle on the inertial frame: free
 //
@@ -36,7 +36,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "24036269e324f6ce";
+inline constexpr char model_hash[] = "038d3b1bbae26549";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -259,23 +259,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x
   const T sddot1_1 = ydot[3], sddot1_2 = ydot[4], sddot1_3 = ydot[5];
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t1_1 = omega1_1 * omega1_2;
+  const T t1_1 = omega1_2 * omega1_1;
   const T U1_12 = t1_1 - omegadot1_3;
-  const T t1_2 = omega1_1 * omega1_3;
+  const T t1_2 = omega1_3 * omega1_1;
   const T U1_13 = t1_2 + omegadot1_2;
   const T U1_21 = t1_1 + omegadot1_3;
-  const T t1_3 = omega1_2 * omega1_3;
+  const T t1_3 = omega1_3 * omega1_2;
   const T U1_23 = t1_3 - omegadot1_1;
   const T U1_31 = t1_2 - omegadot1_2;
   const T U1_32 = t1_3 + omegadot1_1;
-  // G1 = m1 sddot1: force balance, inertial axes [N]
+  // G1 = m1 sddot1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(0.8) * sddot1_1;
   const T G1_2 = T(0.8) * sddot1_2;
   const T G1_3 = T(0.8) * sddot1_3;
   r[3] = G1_1;
   r[4] = G1_2;
   r[5] = G1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)): inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.009000000000000001) * U1_32 - T(0.001) * U1_23;
   const T N1_2 = T(0.001) * U1_13 - T(0.019) * U1_31;
   const T N1_3 = T(0.019) * U1_21 - T(0.009000000000000001) * U1_12;
@@ -292,10 +292,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x,
 
   // ---- body 1 (handle) on the inertial frame
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N1_1 = omega1_2 * omega1_3 * T(0.008);
-  const T N1_2 = omega1_1 * omega1_3 * T(0.018000000000000002);
-  const T minus_N1_3 = omega1_1 * omega1_2 * T(0.01);
+  // N1 = -omega1~ I1 omega1: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N1_1 = omega1_3 * omega1_2 * T(0.008);
+  const T N1_2 = omega1_3 * omega1_1 * T(0.018000000000000002);
+  const T minus_N1_3 = omega1_2 * omega1_1 * T(0.01);
   f[0] = -minus_N1_1;
   f[1] = N1_2;
   f[2] = -minus_N1_3;

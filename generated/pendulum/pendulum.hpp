@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pendulum: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model acbb955218b2f983 of pendulum/scene.toml; the usual functions
+// model 428983cc99c3ff69 of pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 rod on the inertial frame: revolute
 //
@@ -21,9 +21,9 @@
 //   energy                  14 (2 add, 12 multiply, 2 sine or cosine)
 //   momentum                12 (2 add, 10 multiply, 2 sine or cosine)
 //   power                   2 (0 add, 2 multiply)
-//   accelerations           6 (1 add, 5 multiply, 1 sine or cosine)
-//   residual                9 (3 add, 6 multiply, 1 sine or cosine)
-//   forcing                 5 (1 add, 4 multiply, 1 sine or cosine)
+//   accelerations           5 (1 add, 4 multiply, 1 sine or cosine)
+//   residual                6 (2 add, 4 multiply, 1 sine or cosine)
+//   forcing                 4 (1 add, 3 multiply, 1 sine or cosine)
 //   mass_matrix             0 (0 add, 0 multiply)
 //   partial_velocities      2 (0 add, 2 multiply, 2 sine or cosine)
 //   partial_velocity_rates  3 (0 add, 3 multiply, 2 sine or cosine)
@@ -38,7 +38,7 @@ inline constexpr int nx = 1;
 inline constexpr int ny = 1;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "acbb955218b2f983";
+inline constexpr char model_hash[] = "428983cc99c3ff69";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -198,7 +198,7 @@ void power(const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, T* out
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1 add, 5 multiply, 1 sine or cosine
+// 1 add, 4 multiply, 1 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
   using std::sin;
@@ -208,26 +208,25 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, T* ydot) noexce
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
   const T minus_E1_13 = sin(theta1);
-  // effort_rod_1 = -thetadot1 c_rod_: along the coordinate [N m], [N]
-  const T minus_effort_rod_1 = thetadot1 * c.p.c;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.2) * minus_Pddot1_1;
+  // effort_rod_1 = -thetadot1 c_rod_: along the coordinate [N m], [N]
+  const T minus_effort_rod_1 = thetadot1 * c.p.c;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N1_2 = T(0.6) * minus_Pddot1_1;
 
   // ---- body 1 (rod) and what it carries
-  // rho1 = r1~ G1 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho1_2 = T(0.5) * G1_1;
-
-  // ---- body 1 (rod), solved
-  // thetaddot1: from A ydot = f by elimination
-  const T minus_thetaddot1 = (minus_rho1_2 + minus_effort_rod_1) * T(2.5);
-  ydot[0] = -minus_thetaddot1;
+  // u_1 = b1 . N1 + effort_rod_1: drives it [N m]
+  const T minus_u_1 = minus_effort_rod_1 + minus_N1_2;
+  // v1 = invD1 u_1: u/D
+  const T minus_v1 = T(2.5) * minus_u_1;
+  ydot[0] = -minus_v1;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 3 add, 6 multiply, 1 sine or cosine
+// 2 add, 4 multiply, 1 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
   using std::sin;
@@ -238,28 +237,23 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r)
   const T thetaddot1 = ydot[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
   const T minus_E1_13 = sin(theta1);
-  // effort_rod_1 = -thetadot1 c_rod_: along the coordinate [N m], [N]
-  const T minus_effort_rod_1 = thetadot1 * c.p.c;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a1_1 = thetaddot1 * T(0.5) + minus_Pddot1_1;
-  // G1 = m1 a1: force balance, body axes [N]
-  const T minus_G1_1 = T(1.2) * minus_a1_1;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_2 = T(0.1) * thetaddot1;
+  // effort_rod_1 = -thetadot1 c_rod_: along the coordinate [N m], [N]
+  const T minus_effort_rod_1 = thetadot1 * c.p.c;
+  // N1 = h_own_1~ Pddot1 + axial(U1 (tr(J_own_1)/2 - J_own_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_2 = T(0.6) * minus_Pddot1_1 + T(0.4) * thetaddot1;
 
   // ---- body 1 (rod) and what it carries
-  // rho1 = r1~ G1 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho1_2 = T(0.5) * minus_G1_1 + N1_2;
-  // r_theta1 = b1 . rho1 - effort_rod_1: Kane's equation of the angle [N m]
-  const T r_theta1 = rho1_2 + minus_effort_rod_1;
+  // r_theta1 = b1 . N1 - effort_rod_1: Kane's equation of the angle [N m]
+  const T r_theta1 = N1_2 + minus_effort_rod_1;
   r[0] = r_theta1;
 }
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 1 add, 4 multiply, 1 sine or cosine
+// 1 add, 3 multiply, 1 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
   using std::sin;
@@ -273,14 +267,13 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
   const T minus_effort_rod_1 = thetadot1 * c.p.c;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T G1_1 = T(1.2) * minus_Pddot1_1;
+  // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N1_2 = T(0.6) * minus_Pddot1_1;
 
   // ---- body 1 (rod) and what it carries
-  // rho1 = r1~ G1 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho1_2 = T(0.5) * G1_1;
-  // f_theta1 = b1 . rho1 + effort_rod_1: Kane's equation of the angle [N m]
-  const T minus_f_theta1 = minus_rho1_2 + minus_effort_rod_1;
+  // f_theta1 = b1 . N1 + effort_rod_1: Kane's equation of the angle [N m]
+  const T minus_f_theta1 = minus_effort_rod_1 + minus_N1_2;
   f[0] = -minus_f_theta1;
 }
 

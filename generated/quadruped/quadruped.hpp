@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 3aaa491d78efc8d8 of quadruped/scene.toml; the usual functions
+// model d3066e3f3ed0c44c of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -43,10 +43,10 @@
 //   energy                  1315 (558 add, 757 multiply, 24 sine or cosine)
 //   momentum                1700 (773 add, 927 multiply, 24 sine or cosine)
 //   power                   556 (236 add, 320 multiply, 24 sine or cosine)
-//   accelerations           3884 (1796 add, 2074 multiply, 14 divide, 24 sine or cosine)
-//   residual                1986 (952 add, 1034 multiply, 24 sine or cosine)
-//   forcing                 1895 (888 add, 1007 multiply, 24 sine or cosine)
-//   mass_matrix             967 (453 add, 514 multiply, 24 sine or cosine)
+//   accelerations           3282 (1551 add, 1717 multiply, 14 divide, 24 sine or cosine)
+//   residual                1818 (868 add, 950 multiply, 24 sine or cosine)
+//   forcing                 1717 (804 add, 913 multiply, 24 sine or cosine)
+//   mass_matrix             780 (358 add, 422 multiply, 24 sine or cosine)
 //   partial_velocities      1632 (704 add, 928 multiply, 24 sine or cosine)
 //   partial_velocity_rates  3687 (1521 add, 2166 multiply, 24 sine or cosine)
 #pragma once
@@ -60,7 +60,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "3aaa491d78efc8d8";
+inline constexpr char model_hash[] = "d3066e3f3ed0c44c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -140,38 +140,64 @@ struct Prepared {
   Parameters<T> p;
   T c1_1;
   T c0_1;
+  T h_all_1_2;
   T c1_2;
+  T J_all_1_23;
+  T J_all_1_11;
+  T J_all_1_22;
+  T J_all_1_33;
   T c1_3;
   T c1_4;
   T c1_5;
   T c1_6;
+  T m_all_1;
   T c1_7;
-  T m_sub1;
+  T c1_8;
+  T c1_9;
+  T c1_10;
 };
 
-// prepare: 1 add, 8 multiply
+// prepare: 14 add, 11 multiply
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m_trunk;
   const T c0_1 = T(0.5) * p.kp;
-  const T c1_2 = p.m_trunk * T(1.7060000000000003e-05);
-  const T c1_3 = p.m_trunk * T(2.5e-07);
-  const T c1_4 = p.m_trunk * T(2.0500000000000003e-06);
-  const T c1_5 = p.m_trunk * T(1.6810000000000003e-05);
-  const T c1_6 = p.m_trunk * T(0.0041);
-  const T c1_7 = p.m_trunk * T(5e-04);
-  const T m_sub1 = p.m_trunk + T(7.739999999999999);
+  const T h_all_1_2 = p.m_trunk * T(0.0041);
+  const T c1_2 = p.m_trunk * T(5e-04);
+  const T J_all_1_23 = p.m_trunk * T(2.0500000000000003e-06) - T(2.75e-05);
+  const T J_all_1_11 = p.m_trunk * T(1.7060000000000003e-05) + T(0.03295096);
+  const T t1 = p.m_trunk * T(2.5e-07);
+  const T J_all_1_22 = t1 + T(0.28990388342668794);
+  const T t2 = p.m_trunk * T(1.6810000000000003e-05);
+  const T J_all_1_33 = t2 + T(0.314855843426688);
+  const T c1_3 = J_all_1_11 - J_all_1_22;
+  const T c1_4 = T(0.5) * (J_all_1_33 - c1_3);
+  const T c1_5 = T(0.5) * (J_all_1_33 + c1_3);
+  const T c1_6 = T(0.5) * (J_all_1_11 + J_all_1_22 - J_all_1_33);
+  const T m_all_1 = p.m_trunk + T(7.739999999999999);
+  const T c1_7 = J_all_1_33 - J_all_1_22;
+  const T c1_8 = J_all_1_11 - J_all_1_33;
+  const T c1_9 = t1 + T(0.28990388342668794);
+  const T c1_10 = t2 + T(0.314855843426688);
   c.c1_1 = c1_1;
   c.c0_1 = c0_1;
+  c.h_all_1_2 = h_all_1_2;
   c.c1_2 = c1_2;
+  c.J_all_1_23 = J_all_1_23;
+  c.J_all_1_11 = J_all_1_11;
+  c.J_all_1_22 = J_all_1_22;
+  c.J_all_1_33 = J_all_1_33;
   c.c1_3 = c1_3;
   c.c1_4 = c1_4;
   c.c1_5 = c1_5;
   c.c1_6 = c1_6;
+  c.m_all_1 = m_all_1;
   c.c1_7 = c1_7;
-  c.m_sub1 = m_sub1;
+  c.c1_8 = c1_8;
+  c.c1_9 = c1_9;
+  c.c1_10 = c1_10;
   return c;
 }
 
@@ -2376,7 +2402,8 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1796 add, 2074 multiply, 14 divide, 24 sine or cosine
+// 1551 add, 1717 multiply, 14 divide, 24 sine or cosine
+// by: articulated; composite would take 1656 add, 1904 multiply, 14 divide, 24 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::cos, std::sin;
@@ -2406,30 +2433,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = omega1~ omega1~ r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_1 * T(0.0041);
-  const T t1_14 = omega1_1 * T(5e-04);
-  const T a1_1 = omega1_2 * t1_13 - omega1_3 * t1_14;
-  const T t1_15 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
-  const T minus_a1_2 = omega1_3 * t1_15 + omega1_1 * t1_13;
-  const T a1_3 = omega1_1 * t1_14 + omega1_2 * t1_15;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G1_1 = c.p.m_trunk * a1_1;
-  const T G1_2 = c.p.m_trunk * minus_a1_2;
-  const T minus_G1_3 = c.p.m_trunk * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_2 * omega1_3;
-  const T t1_17 = omega1_2 * omega1_2;
-  const T t1_18 = omega1_3 * omega1_3;
-  const T t1_19 = omega1_1 * omega1_2;
-  const T t1_20 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
-      T(3.66e-05) * t1_20;
-  const T t1_21 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(2.75e-05) * t1_19 - (T(0.029800899999999998) * t1_20 + T(6.11e-05) * (t1_18 - t1_21) +
-      T(3.66e-05) * t1_16);
-  const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
-      T(6.11e-05) * t1_16;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // G1 = -U1 h_all_1: applied less inertia force, body axes [N]
+  const T minus_G1_1 = U1_12 * c.h_all_1_2 - U1_13 * c.c1_2;
+  const T G1_2 = minus_U1_22 * c.h_all_1_2 + U1_23 * c.c1_2;
+  const T minus_G1_3 = U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
+  // N1 = -omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N m]
+  const T minus_N1_1 = c.c1_7 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) - T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
+  const T minus_N1_2 = c.c1_8 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12;
+  const T minus_N1_3 = c.J_all_1_23 * U1_13 - (c.c1_3 * U1_12 + T(3.66e-05) * (t1_15 - t1_14)) + T(6.11e-05) * U1_23;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -2466,38 +2487,35 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U2_23 = omega2_3 * omega2_2;
   const T U2_31 = t2_4 - omegadot2_2;
   const T minus_U2_33 = t2_2 + t2_5;
-  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_6 = omega1_3 * T(0.1805);
-  const T t2_7 = omega1_3 * t2_6;
-  const T t2_8 = omega1_1 * T(0.047);
-  const T t2_9 = omega1_2 * T(0.1805);
+  // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = minus_U1_11 * T(0.1805);
+  const T t2_7 = U1_12 * T(0.047);
+  const T minus_Pddot2_1 = t2_6 + t2_7;
+  const T t2_8 = U1_12 * T(0.1805);
+  const T t2_9 = minus_U1_22 * T(0.047);
   const T t2_10 = t2_8 + t2_9;
-  const T minus_Pddot2_1 = t2_7 + omega1_2 * t2_10;
-  const T t2_11 = omega1_3 * T(0.047);
-  const T t2_12 = omega1_3 * t2_11;
-  const T t2_13 = t2_12 + omega1_1 * t2_10;
-  const T t2_14 = omega1_2 * t2_11;
-  const T t2_15 = omega1_1 * t2_6;
-  const T t2_16 = t2_14 - t2_15;
-  const T Pddot2_2 = E2_22 * t2_13 - E2_23 * t2_16;
-  const T minus_Pddot2_3 = E2_22 * t2_16 + E2_23 * t2_13;
+  const T t2_11 = U1_23 * T(0.047);
+  const T t2_12 = U1_13 * T(0.1805);
+  const T t2_13 = t2_11 - t2_12;
+  const T Pddot2_2 = E2_22 * t2_10 - E2_23 * t2_13;
+  const T minus_Pddot2_3 = E2_22 * t2_13 + E2_23 * t2_10;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
   const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) - minus_Pddot2_1;
-  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
-  const T minus_a2_3 = minus_Pddot2_3 + U2_31 * T(0.003311) + U2_23 * T(0.000635) + minus_U2_33 * T(3.1e-05);
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(0.696) * a2_1;
-  const T minus_G2_2 = T(0.696) * a2_2;
-  const T G2_3 = T(0.696) * minus_a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.00025456100000000005) * U2_23 + T(4.66e-07) * (minus_U2_22 - minus_U2_33) + T(9.409e-06) * U2_31
-      + T(3.42e-07) * U2_21;
-  const T minus_N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
-      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_23;
-  const T minus_N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
-      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_13 * T(2.1575999999999998e-05) - U2_12 * T(0.081652909);
+  const T minus_G2_2 = minus_U2_22 * T(0.081652909) + U2_23 * T(2.1575999999999998e-05);
+  const T G2_3 = U2_23 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.006588148547768) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) -
+      T(7.94567044e-06) * U2_31 - T(2.70561864e-07) * U2_21 - T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) *
+      minus_Pddot2_3;
+  const T t2_14 = T(2.1575999999999998e-05) * minus_Pddot2_1;
+  const T minus_N2_2 = T(0.000361904168856) * U2_13 + T(0.000361904168856) * U2_31 + T(2.70561864e-07) * (minus_U2_33
+      - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23 - t2_14;
+  const T t2_15 = T(0.081652909) * minus_Pddot2_1;
+  const T minus_N2_3 = T(2.70561864e-07) * U2_23 - (T(0.000361904168856) * U2_21 + T(0.006950052716624) * U2_12 +
+      T(7.94567044e-06) * (minus_U2_11 - minus_U2_22)) + T(4.7970076e-07) * U2_13 - t2_15;
 
   // ---- body 3 (fr_thigh) on body 2
   const T theta3 = x[5];
@@ -2516,8 +2534,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
   const T omega3_2 = thetadot3 + omega2_2;
   const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
-  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
-  const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_3 = thetadot3 * omega3_1 - E3_11 * minus_omegadot2_3;
@@ -2544,24 +2560,26 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
   const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
   const T minus_Pddot3_3 = E3_11 * t3_8 + minus_E3_13 * t3_7;
-  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_ - stretch_fr_thigh_3 k_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) - minus_Pddot3_1;
-  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
-  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) - minus_Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.013) * a3_1;
-  const T minus_G3_2 = T(1.013) * a3_2;
-  const T minus_G3_3 = T(1.013) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
-      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
-  const T minus_N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11)
-      + T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
-  const T minus_N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
-      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
+  const T G3_2 = U3_21 * T(0.0032790809999999997) + U3_23 * T(0.072881238);
+  const T minus_G3_3 = minus_U3_33 * T(0.072881238) - U3_31 * T(0.0032790809999999997);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.072881238) * Pddot3_2 - T(0.000499645385197) * U3_32 - T(0.014446725509588) * U3_23 -
+      T(0.0005955910008259999) * (minus_U3_22 - minus_U3_33) - T(6.838704148699999e-05) * U3_31 + T(0.000254264832594)
+      * U3_21;
+  const T minus_N3_2 = T(0.072881238) * minus_Pddot3_1 - T(0.0032790809999999997) * minus_Pddot3_3 +
+      T(0.014446725509588) * U3_13 - T(0.000499645385197) * U3_31 - T(0.000254264832594) * (minus_U3_33 - minus_U3_11)
+      - T(0.0005955910008259999) * U3_12 + T(6.838704148699999e-05) * U3_32;
+  const T minus_N3_3 = T(0.000499645385197) * U3_21 + T(0.000499645385197) * U3_12 - T(6.838704148699999e-05) *
+      (minus_U3_11 - minus_U3_22) - T(0.000254264832594) * U3_23 + T(0.0005955910008259999) * U3_13 -
+      T(0.0032790809999999997) * Pddot3_2;
 
   // ---- body 4 (fr_calf) on body 3
   const T theta4 = x[6];
@@ -2580,8 +2598,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
   const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
-  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
-  const T stretch_fr_calf_4 = theta4 + T(1.6);
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
@@ -2605,28 +2621,27 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Pddot4_1 = E4_11 * t4_5 + minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = E4_11 * t4_6 - minus_E4_13 * t4_5;
-  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a4_1 = minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814) + minus_Pddot4_1;
-  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
-  // G4 = R4 F_ground_on_fr_ - m_link4 a4: applied less inertia force at ydot = 0, body axes [N]
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  // G4 = R4 F_ground_on_fr_ - U4 h_own_4: applied less inertia force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T G4_1 = t4_7 + T(0.226) * minus_a4_1;
+  const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = t4_8 - T(0.226) * a4_2;
-  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
-  const T G4_3 = t4_9 - T(0.226) * a4_3;
-  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
-  //   body axes [N m]
-  const T N4_1 = T(0.003372578451939115) * U4_23 - T(1.2987999999999953e-05) * U4_32 + T(0.00016742735341238938) *
-      U4_21 + T(0.06802474336283187) * t4_8;
-  const T N4_2 = T(3.0862937526548714e-05) * U4_31 - T(0.003372578451939115) * U4_13 - T(0.00016742735341238938) *
-      (minus_U4_33 - minus_U4_11) + T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7;
-  const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
-      * U4_12 + T(0.00016742735341238938) * U4_23;
+  const T G4_2 = U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821) + t4_8;
+  const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
+      minus_U4_33 * T(0.029826408000000002);
+  // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
+  //   about the body origin, body axes [N m]
+  const T N4_1 = T(0.2) * t4_8 - T(0.029826408000000002) * Pddot4_2 + T(3.591193135000005e-05) * U4_32 +
+      T(0.007308926302304) * U4_23 + T(2.6450064520000005e-05) * U4_21;
+  const T minus_N4_2 = T(0.2) * t4_7 + T(0.029826408000000002) * minus_Pddot4_1 - T(0.00106821) * Pddot4_3 +
+      T(0.007308926302304) * U4_13 - T(3.591193135000005e-05) * U4_31 + T(2.6450064520000005e-05) * (minus_U4_33 -
+      minus_U4_11);
+  const T minus_N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12
+      + T(2.6450064520000005e-05) * U4_23;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -2663,30 +2678,28 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U6_23 = omega6_3 * omega6_2;
   const T U6_31 = t6_4 - omegadot6_2;
   const T minus_U6_33 = t6_2 + t6_5;
-  // Pddot6 = E6 omega1~ omega1~ q6: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_6 = t2_8 - t2_9;
-  const T minus_Pddot6_1 = t2_7 - omega1_2 * t6_6;
-  const T t6_7 = t2_15 + t2_14;
-  const T t6_8 = t2_12 + omega1_1 * t6_6;
-  const T Pddot6_2 = E6_23 * t6_7 - E6_22 * t6_8;
-  const T Pddot6_3 = E6_23 * t6_8 + E6_22 * t6_7;
+  // Pddot6 = E6 U1 q6: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot6_1 = t2_6 - t2_7;
+  const T t6_6 = t2_12 + t2_11;
+  const T t6_7 = t2_9 - t2_8;
+  const T Pddot6_2 = E6_23 * t6_6 - E6_22 * t6_7;
+  const T Pddot6_3 = E6_22 * t6_6 + E6_23 * t6_7;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
   const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) - minus_Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
-  const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(0.696) * a6_1;
-  const T minus_G6_2 = T(0.696) * a6_2;
-  const T minus_G6_3 = T(0.696) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(4.66e-07) * (minus_U6_22 - minus_U6_33) - T(0.00025456100000000005) * U6_23 + T(9.409e-06) *
-      U6_31 - T(3.42e-07) * U6_21;
-  const T minus_N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
-      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_23;
-  const T minus_N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
-      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(0.081652909) + U6_13 * T(2.1575999999999998e-05);
+  const T minus_G6_2 = U6_23 * T(2.1575999999999998e-05) - minus_U6_22 * T(0.081652909);
+  const T minus_G6_3 = U6_23 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006588148547768) * U6_23
+      + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
+  const T t6_8 = T(2.1575999999999998e-05) * minus_Pddot6_1;
+  const T minus_N6_2 = T(0.000361904168856) * U6_13 + T(0.000361904168856) * U6_31 + T(2.70561864e-07) * (minus_U6_33
+      - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23 - t6_8;
+  const T t6_9 = T(0.081652909) * minus_Pddot6_1;
+  const T minus_N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
+      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 + t6_9;
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
@@ -2705,8 +2718,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
-  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
-  const T stretch_fl_thigh_7 = theta7 - T(0.8);
   // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = minus_E7_13 * minus_omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_3 = thetadot7 * omega7_1 - E7_11 * minus_omegadot6_3;
@@ -2733,24 +2744,26 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_ - stretch_fl_thigh_7 k_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
-  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.013) * a7_1;
-  const T minus_G7_2 = T(1.013) * a7_2;
-  const T minus_G7_3 = T(1.013) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
-      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
-  const T minus_N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11)
-      - T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
-  const T minus_N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
-      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
+  const T minus_G7_1 = minus_U7_11 * T(0.0032790809999999997) - U7_13 * T(0.072881238);
+  const T G7_2 = U7_21 * T(0.0032790809999999997) + U7_23 * T(0.072881238);
+  const T minus_G7_3 = minus_U7_33 * T(0.072881238) - U7_31 * T(0.0032790809999999997);
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(0.072881238) * Pddot7_2 - T(0.000499645385197) * U7_32 - T(0.014446725509588) * U7_23 +
+      T(0.0005955910008259999) * (minus_U7_22 - minus_U7_33) + T(6.838704148699999e-05) * U7_31 + T(0.000254264832594)
+      * U7_21;
+  const T minus_N7_2 = T(0.0032790809999999997) * Pddot7_3 - T(0.072881238) * Pddot7_1 + T(0.014446725509588) * U7_13
+      - T(0.000499645385197) * U7_31 - T(0.000254264832594) * (minus_U7_33 - minus_U7_11) + T(0.0005955910008259999) *
+      U7_12 - T(6.838704148699999e-05) * U7_32;
+  const T minus_N7_3 = T(0.000499645385197) * U7_21 + T(0.000499645385197) * U7_12 + T(6.838704148699999e-05) *
+      (minus_U7_11 - minus_U7_22) - T(0.000254264832594) * U7_23 - T(0.0005955910008259999) * U7_13 -
+      T(0.0032790809999999997) * Pddot7_2;
 
   // ---- body 8 (fl_calf) on body 7
   const T theta8 = x[9];
@@ -2769,8 +2782,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
   const T omega8_2 = thetadot8 + omega7_2;
   const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
-  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
-  const T stretch_fl_calf_8 = theta8 + T(1.6);
   // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
@@ -2794,28 +2805,26 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
-  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
-  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
-  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
-  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
-  // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  // G8 = R8 F_ground_on_fl_ - U8 h_own_8: applied less inertia force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T G8_1 = t8_7 - T(0.226) * a8_1;
+  const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = t8_8 - T(0.226) * a8_2;
-  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
-  const T G8_3 = t8_9 - T(0.226) * a8_3;
-  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
-  //   body axes [N m]
-  const T N8_1 = T(0.003372578451939115) * U8_23 - T(1.2987999999999953e-05) * U8_32 + T(0.00016742735341238938) *
-      U8_21 + T(0.06802474336283187) * t8_8;
-  const T N8_2 = T(3.0862937526548714e-05) * U8_31 - T(0.003372578451939115) * U8_13 - T(0.00016742735341238938) *
-      (minus_U8_33 - minus_U8_11) + T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7;
-  const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
-      * U8_12 + T(0.00016742735341238938) * U8_23;
+  const T G8_2 = U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821) + t8_8;
+  const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
+      minus_U8_33 * T(0.029826408000000002);
+  // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
+  //   about the body origin, body axes [N m]
+  const T N8_1 = T(0.2) * t8_8 - T(0.029826408000000002) * Pddot8_2 + T(3.591193135000005e-05) * U8_32 +
+      T(0.007308926302304) * U8_23 + T(2.6450064520000005e-05) * U8_21;
+  const T N8_2 = T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3 - T(0.2) * t8_7 - T(0.007308926302304)
+      * U8_13 + T(3.591193135000005e-05) * U8_31 - T(2.6450064520000005e-05) * (minus_U8_33 - minus_U8_11);
+  const T minus_N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12
+      + T(2.6450064520000005e-05) * U8_23;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -2852,26 +2861,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U10_23 = omega10_3 * omega10_2;
   const T U10_31 = t10_4 - omegadot10_2;
   const T minus_U10_33 = t10_2 + t10_5;
-  // Pddot10 = E10 omega1~ omega1~ q10: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot10_2 = E10_22 * t6_8 - E10_23 * t6_7;
-  const T minus_Pddot10_3 = E10_23 * t6_8 + E10_22 * t6_7;
+  // Pddot10 = E10 U1 q10: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot10_2 = E10_22 * t6_7 - E10_23 * t6_6;
+  const T minus_Pddot10_3 = E10_23 * t6_7 + E10_22 * t6_6;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
   const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
-  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + minus_Pddot6_1;
-  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
-  const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) - minus_Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G10_1 = T(0.696) * a10_1;
-  const T minus_G10_2 = T(0.696) * a10_2;
-  const T minus_G10_3 = T(0.696) * a10_3;
-  // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N10_1 = T(9.409e-06) * U10_31 - (T(0.00025456100000000005) * U10_23 + T(4.66e-07) * (minus_U10_22 -
-      minus_U10_33)) + T(3.42e-07) * U10_21;
-  const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
-      minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
-  const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
-      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+  // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
+  const T minus_G10_1 = U10_13 * T(2.1575999999999998e-05) - U10_12 * T(0.081652909);
+  const T minus_G10_2 = minus_U10_22 * T(0.081652909) + U10_23 * T(2.1575999999999998e-05);
+  const T G10_3 = U10_23 * T(0.081652909) + minus_U10_33 * T(2.1575999999999998e-05);
+  // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N10_1 = T(0.081652909) * minus_Pddot10_3 - T(2.1575999999999998e-05) * Pddot10_2 +
+      T(0.006588148547768) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) + T(7.94567044e-06) * U10_31 +
+      T(2.70561864e-07) * U10_21;
+  const T minus_N10_2 = t6_8 + T(0.000361904168856) * U10_13 + T(0.000361904168856) * U10_31 - T(2.70561864e-07) *
+      (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) * U10_23;
+  const T minus_N10_3 = t6_9 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 + T(7.94567044e-06) *
+      (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
   const T theta11 = x[11];
@@ -2890,8 +2897,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
   const T omega11_2 = thetadot11 + omega10_2;
   const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
-  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
-  const T stretch_rr_thigh_11 = theta11 - T(0.8);
   // omegadot11 = -thetadot11 b11~ E11 omega10 + E11 omegadot10: angular acceleration, body axes [rad/s^2]
   const T omegadot11_1 = minus_E11_13 * minus_omegadot10_3 - thetadot11 * omega11_3;
   const T omegadot11_3 = thetadot11 * omega11_1 - E11_11 * minus_omegadot10_3;
@@ -2918,24 +2923,26 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot11_1 = E11_11 * t11_7 + minus_E11_13 * t11_8;
   const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
   const T Pddot11_3 = minus_E11_13 * t11_7 - E11_11 * t11_8;
-  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_ - stretch_rr_thigh_11 k_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
-  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G11_1 = T(1.013) * a11_1;
-  const T minus_G11_2 = T(1.013) * a11_2;
-  const T minus_G11_3 = T(1.013) * a11_3;
-  // N11 = -axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 -
-      minus_U11_33) + T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
-  const T minus_N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 -
-      minus_U11_11) + T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
-  const T minus_N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 -
-      minus_U11_22) - T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
+  const T minus_G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
+  const T G11_2 = U11_21 * T(0.0032790809999999997) + U11_23 * T(0.072881238);
+  const T minus_G11_3 = minus_U11_33 * T(0.072881238) - U11_31 * T(0.0032790809999999997);
+  // N11 = -h_own_11~ Pddot11 - axial(U11 (tr(J_own_11)/2 - J_own_11)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N11_1 = T(0.072881238) * Pddot11_2 - T(0.000499645385197) * U11_32 - T(0.014446725509588) * U11_23 -
+      T(0.0005955910008259999) * (minus_U11_22 - minus_U11_33) - T(6.838704148699999e-05) * U11_31 +
+      T(0.000254264832594) * U11_21;
+  const T minus_N11_2 = T(0.0032790809999999997) * Pddot11_3 - T(0.072881238) * Pddot11_1 + T(0.014446725509588) *
+      U11_13 - T(0.000499645385197) * U11_31 - T(0.000254264832594) * (minus_U11_33 - minus_U11_11) -
+      T(0.0005955910008259999) * U11_12 + T(6.838704148699999e-05) * U11_32;
+  const T minus_N11_3 = T(0.000499645385197) * U11_21 + T(0.000499645385197) * U11_12 - T(6.838704148699999e-05) *
+      (minus_U11_11 - minus_U11_22) - T(0.000254264832594) * U11_23 + T(0.0005955910008259999) * U11_13 -
+      T(0.0032790809999999997) * Pddot11_2;
 
   // ---- body 12 (rr_calf) on body 11
   const T theta12 = x[12];
@@ -2954,8 +2961,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
   const T omega12_2 = thetadot12 + omega11_2;
   const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
-  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
-  const T stretch_rr_calf_12 = theta12 + T(1.6);
   // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
   const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
@@ -2979,28 +2984,27 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
-  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
-  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
-  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
-  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
-  // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  // G12 = R12 F_ground_on_rr_ - U12 h_own_12: applied less inertia force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T G12_1 = t12_7 - T(0.226) * a12_1;
+  const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = t12_8 - T(0.226) * a12_2;
-  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
-  const T G12_3 = t12_9 - T(0.226) * a12_3;
-  // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
-  //   = 0, body axes [N m]
-  const T N12_1 = T(0.003372578451939115) * U12_23 - T(1.2987999999999953e-05) * U12_32 + T(0.00016742735341238938) *
-      U12_21 + T(0.06802474336283187) * t12_8;
-  const T N12_2 = T(3.0862937526548714e-05) * U12_31 - T(0.003372578451939115) * U12_13 - T(0.00016742735341238938) *
-      (minus_U12_33 - minus_U12_11) + T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7;
-  const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
-      T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
+  const T G12_2 = U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821) + t12_8;
+  const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
+      minus_U12_33 * T(0.029826408000000002);
+  // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
+  //   moment about the body origin, body axes [N m]
+  const T N12_1 = T(0.2) * t12_8 - T(0.029826408000000002) * Pddot12_2 + T(3.591193135000005e-05) * U12_32 +
+      T(0.007308926302304) * U12_23 + T(2.6450064520000005e-05) * U12_21;
+  const T N12_2 = T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3 - T(0.2) * t12_7 -
+      T(0.007308926302304) * U12_13 + T(3.591193135000005e-05) * U12_31 - T(2.6450064520000005e-05) * (minus_U12_33 -
+      minus_U12_11);
+  const T minus_N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) *
+      U12_12 + T(2.6450064520000005e-05) * U12_23;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -3037,26 +3041,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U14_23 = omega14_3 * omega14_2;
   const T U14_31 = t14_4 - omegadot14_2;
   const T minus_U14_33 = t14_2 + t14_5;
-  // Pddot14 = E14 omega1~ omega1~ q14: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot14_2 = E14_23 * t2_16 - E14_22 * t2_13;
-  const T Pddot14_3 = E14_23 * t2_13 + E14_22 * t2_16;
+  // Pddot14 = E14 U1 q14: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot14_2 = E14_23 * t2_13 - E14_22 * t2_10;
+  const T Pddot14_3 = E14_23 * t2_10 + E14_22 * t2_13;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
   const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
-  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + minus_Pddot2_1;
-  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
-  const T a14_3 = U14_31 * T(0.003311) + U14_23 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
-  // G14 = -m14 a14: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G14_1 = T(0.696) * a14_1;
-  const T minus_G14_2 = T(0.696) * a14_2;
-  const T minus_G14_3 = T(0.696) * a14_3;
-  // N14 = -axial(U14 (tr(I14)/2 - I14)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N14_1 = T(4.66e-07) * (minus_U14_22 - minus_U14_33) - T(0.00025456100000000005) * U14_23 -
-      T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
-  const T minus_N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 -
-      minus_U14_11) + T(4.66e-07) * U14_12 + T(9.409e-06) * U14_23;
-  const T minus_N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
-      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+  // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
+  const T minus_G14_1 = U14_12 * T(0.081652909) + U14_13 * T(2.1575999999999998e-05);
+  const T minus_G14_2 = U14_23 * T(2.1575999999999998e-05) - minus_U14_22 * T(0.081652909);
+  const T minus_G14_3 = U14_23 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
+  // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006588148547768) *
+      U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 + T(2.70561864e-07) *
+      U14_21;
+  const T minus_N14_2 = t2_14 + T(0.000361904168856) * U14_13 + T(0.000361904168856) * U14_31 - T(2.70561864e-07) *
+      (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) * U14_23;
+  const T N14_3 = t2_15 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 + T(7.94567044e-06) *
+      (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
   const T theta15 = x[14];
@@ -3075,8 +3077,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
   const T omega15_2 = thetadot15 + omega14_2;
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
-  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
-  const T stretch_rl_thigh_15 = theta15 - T(0.8);
   // omegadot15 = -thetadot15 b15~ E15 omega14 + E15 omegadot14: angular acceleration, body axes [rad/s^2]
   const T omegadot15_1 = minus_E15_13 * minus_omegadot14_3 - thetadot15 * omega15_3;
   const T omegadot15_3 = thetadot15 * omega15_1 - E15_11 * minus_omegadot14_3;
@@ -3103,24 +3103,26 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
-  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_ - stretch_rl_thigh_15 k_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
-  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
-  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
-  // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G15_1 = T(1.013) * a15_1;
-  const T minus_G15_2 = T(1.013) * a15_2;
-  const T minus_G15_3 = T(1.013) * a15_3;
-  // N15 = -axial(U15 (tr(I15)/2 - I15)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 -
-      minus_U15_33) - T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
-  const T minus_N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 -
-      minus_U15_11) - T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
-  const T minus_N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 -
-      minus_U15_22) - T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  // G15 = -U15 h_own_15: applied less inertia force, body axes [N]
+  const T minus_G15_1 = minus_U15_11 * T(0.0032790809999999997) - U15_13 * T(0.072881238);
+  const T G15_2 = U15_21 * T(0.0032790809999999997) + U15_23 * T(0.072881238);
+  const T minus_G15_3 = minus_U15_33 * T(0.072881238) - U15_31 * T(0.0032790809999999997);
+  // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N15_1 = T(0.072881238) * Pddot15_2 - T(0.000499645385197) * U15_32 - T(0.014446725509588) * U15_23 +
+      T(0.0005955910008259999) * (minus_U15_22 - minus_U15_33) + T(6.838704148699999e-05) * U15_31 +
+      T(0.000254264832594) * U15_21;
+  const T minus_N15_2 = T(0.0032790809999999997) * Pddot15_3 - T(0.072881238) * Pddot15_1 + T(0.014446725509588) *
+      U15_13 - T(0.000499645385197) * U15_31 - T(0.000254264832594) * (minus_U15_33 - minus_U15_11) +
+      T(0.0005955910008259999) * U15_12 - T(6.838704148699999e-05) * U15_32;
+  const T minus_N15_3 = T(0.000499645385197) * U15_21 + T(0.000499645385197) * U15_12 + T(6.838704148699999e-05) *
+      (minus_U15_11 - minus_U15_22) - T(0.000254264832594) * U15_23 - T(0.0005955910008259999) * U15_13 -
+      T(0.0032790809999999997) * Pddot15_2;
 
   // ---- body 16 (rl_calf) on body 15
   const T theta16 = x[15];
@@ -3139,8 +3141,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
   const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
-  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
-  const T stretch_rl_calf_16 = theta16 + T(1.6);
   // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
   const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
@@ -3164,911 +3164,1188 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
-  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
-  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
-  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
-  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
-  // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  // G16 = R16 F_ground_on_rl_ - U16 h_own_16: applied less inertia force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T G16_1 = t16_7 - T(0.226) * a16_1;
+  const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = t16_8 - T(0.226) * a16_2;
-  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
-  const T G16_3 = t16_9 - T(0.226) * a16_3;
-  // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
-  //   = 0, body axes [N m]
-  const T N16_1 = T(0.003372578451939115) * U16_23 - T(1.2987999999999953e-05) * U16_32 + T(0.00016742735341238938) *
-      U16_21 + T(0.06802474336283187) * t16_8;
-  const T N16_2 = T(3.0862937526548714e-05) * U16_31 - T(0.003372578451939115) * U16_13 - T(0.00016742735341238938) *
-      (minus_U16_33 - minus_U16_11) + T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7;
-  const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
-      T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
+  const T G16_2 = U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821) + t16_8;
+  const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
+      minus_U16_33 * T(0.029826408000000002);
+  // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
+  //   moment about the body origin, body axes [N m]
+  const T N16_1 = T(0.2) * t16_8 - T(0.029826408000000002) * Pddot16_2 + T(3.591193135000005e-05) * U16_32 +
+      T(0.007308926302304) * U16_23 + T(2.6450064520000005e-05) * U16_21;
+  const T N16_2 = T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3 - T(0.2) * t16_7 -
+      T(0.007308926302304) * U16_13 + T(3.591193135000005e-05) * U16_31 - T(2.6450064520000005e-05) * (minus_U16_33 -
+      minus_U16_11);
+  const T minus_N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) *
+      U16_12 + T(2.6450064520000005e-05) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
-  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
-  const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
-  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
-  const T minus_hc16_3 = E16_11 * T(0.029826408000000002) + minus_E16_13 * T(0.00106821);
+  // u_16 = b16 . N16 + effort_rl_calf_16: drives it [N m]
+  const T u_16 = N16_2 + effort_rl_calf_16;
+  // v16 = invD16 u_16: u/D
+  const T v16 = T(136.15003737155254) * u_16;
+  // gt16 = G16 - v16 B16: force with the turn solved [N]
+  const T gt16_1 = G16_1 + v16 * T(0.029826408000000002);
+  const T gt16_3 = G16_3 + v16 * T(0.00106821);
+  // Mp16 = E16^T M16 E16: M passed on, lower body's axes [kg]
+  const T b16_1 = T(2) * E16_11;
+  const T b16_2 = minus_E16_13 * T(0.1209657058895299) - b16_1 * T(0.004337858272180008);
+  const T b16_3 = minus_E16_13 * b16_2;
+  const T Mp16_11 = b16_3 - T(0.12112106296722176);
+  const T Mp16_13 = E16_11 * b16_2 + T(0.004337858272180008);
+  const T minus_Mp16_33 = T(0.00015535707769186977) + b16_3;
+  // gp16 = E16^T gt16: force passed on, lower body's axes [N]
+  const T gp16_1 = E16_11 * gt16_1 + minus_E16_13 * gt16_3;
+  const T gp16_3 = E16_11 * gt16_3 - minus_E16_13 * gt16_1;
+  // Hp16 = E16^T H16 E16: H passed on, lower body's axes [kg m]
+  const T Hp16_12 = minus_E16_13 * T(0.00106821) + E16_11 * T(0.029826408000000002);
+  const T Hp16_32 = E16_11 * T(0.00106821) - minus_E16_13 * T(0.029826408000000002);
+  // Jp16 = E16^T J16 E16: J passed on, lower body's axes [kg m^2]
+  const T b16_4 = minus_E16_13 * T(0.007273014370954) + b16_1 * T(2.6450064520000005e-05);
+  const T b16_5 = minus_E16_13 * b16_4;
+  const T Jp16_11 = T(0.007273014370954) - b16_5;
+  const T Jp16_13 = T(2.6450064520000005e-05) - E16_11 * b16_4;
+  // np16 = E16^T nt16: moment passed on, lower body's axes [N m]
+  const T np16_1 = E16_11 * N16_1 - minus_E16_13 * minus_N16_3;
+  const T minus_np16_3 = minus_E16_13 * N16_1 + E16_11 * minus_N16_3;
+  // Hb16 = q16~ Mp16 + Hp16: H of the joint at the lower body's origin, its axes
+  const T minus_Hb16_21 = T(0.2) * Mp16_11;
+  const T minus_Hb16_23 = T(0.2) * Mp16_13;
 
   // ---- body 15 (rl_thigh) and what it carries
-  // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
-  const T S15_1 = b15_1 - minus_G15_1;
-  const T S15_2 = G16_2 - minus_G15_2;
-  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 - minus_G15_3;
-  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.022327) * minus_G15_3 -
-      T(0.027326) * minus_G15_2 - minus_N15_1;
-  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.027326) * minus_G15_1 - T(0.003237) * minus_G15_3 - minus_N15_2;
-  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.003237) * minus_G15_2 - T(0.022327) * minus_G15_1
-      - minus_N15_3;
-  // h15 = m15 r15 + m_link16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h15_1 = minus_hc16_1 + T(0.0032790809999999997);
-  const T minus_h15_3 = T(0.072881238) + minus_hc16_3;
-  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m_link16 q16~ - hc16~) q16~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b15_2 = minus_E16_13 * T(2.6450064520000005e-05);
-  const T b15_3 = E16_11 * T(0.007321914302304) - b15_2;
-  const T b15_4 = E16_11 * T(2.6450064520000005e-05);
-  const T b15_5 = minus_E16_13 * T(4.889993135e-05) - b15_4;
-  const T b15_6 = T(0.2) * minus_hc16_3;
-  const T b15_7 = (minus_hc16_3 + T(0.045200000000000004)) * T(0.2);
-  const T J15_11 = b15_3 * E16_11 + b15_5 * minus_E16_13 + b15_6 + T(0.006790457872665) + b15_7;
-  const T J15_13 = T(0.000254264832594) - (T(0.2) * minus_hc16_1 - (b15_5 * E16_11 - b15_3 * minus_E16_13));
-  const T b15_8 = b15_6 + T(0.007344838233654);
-  const T J15_22 = b15_8 + T(0.005906370894785) + b15_7;
-  const T J15_33 = (minus_E16_13 * T(0.007321914302304) + b15_4) * minus_E16_13 + (b15_2 + E16_11 *
-      T(4.889993135e-05)) * E16_11 + T(0.001883377748274);
-  // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc15_1 = minus_E15_13 * minus_h15_3 + E15_11 * minus_h15_1;
-  const T minus_hc15_3 = E15_11 * minus_h15_3 - minus_E15_13 * minus_h15_1;
-  // D_thetaddot15: pivots of L D L^T
-  const T b15_9 = b15_8 * T(136.15003737155254);
-  const T D_thetaddot15 = J15_22 - b15_9 * b15_8;
+  // HA15 = h_own_15~ + Hb16: moment for an acceleration of the origin, body axes [kg m]
+  const T HA15_12 = Hp16_12 + T(0.072881238);
+  const T minus_HA15_21 = T(0.072881238) + minus_Hb16_21;
+  const T HA15_23 = T(0.0032790809999999997) - minus_Hb16_23;
+  const T HA15_32 = Hp16_32 - T(0.0032790809999999997);
+  // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA15_11 = T(0.4) * Hp16_12 + T(0.013947080124391002) + Jp16_11;
+  const T JA15_13 = T(0.2) * Hp16_32 + T(0.000254264832594) + Jp16_13;
+  const T JA15_22 = T(0.014946370894785) + minus_Hb16_21 * T(0.2);
+  // g15 = G15 + gp16: force that drives it, home axes [N]
+  const T g15_1 = gp16_1 - minus_G15_1;
+  const T g15_2 = G16_2 + G15_2;
+  const T g15_3 = gp16_3 - minus_G15_3;
+  // n15 = q16~ gp16 + N15 + np16: moment that drives it, body axes [N m]
+  const T n15_1 = T(0.2) * G16_2 - minus_N15_1 + np16_1;
+  const T minus_n15_2 = T(0.2) * gp16_1 + minus_N15_2 + effort_rl_calf_16;
+  const T minus_n15_3 = minus_N15_3 + minus_np16_3;
+  // invD15 = D15^-1: 1/D
+  const T invD15 = T(1) / JA15_22;
+  // kB15 = invD15 B15: B/D
+  const T minus_kB15_1 = invD15 * minus_HA15_21;
+  const T kB15_3 = invD15 * HA15_23;
+  // kK15 = invD15 K15: K/D
+  const T minus_kK15_1 = invD15 * T(6.838704148699999e-05);
+  const T minus_kK15_3 = invD15 * T(0.0005955910008259999);
+  // u_15 = b15 . n15 + effort_rl_thigh_15: drives it [N m]
+  const T u_15 = effort_rl_thigh_15 - minus_n15_2;
+  // v15 = invD15 u_15: u/D
+  const T v15 = invD15 * u_15;
+  // M15 = Mp16 - kB15 B15^T: MA less what the turn takes up [kg]
+  const T M15_11 = Mp16_11 - minus_kB15_1 * minus_HA15_21;
+  const T M15_13 = Mp16_13 + minus_kB15_1 * HA15_23;
+  const T minus_M15_33 = minus_Mp16_33 + kB15_3 * HA15_23;
+  // H15 = P_b15 (HA15 - kK15 B15^T): HA less what the turn takes up [kg m]
+  const T minus_H15_11 = minus_kK15_1 * minus_HA15_21;
+  const T H15_13 = minus_kK15_1 * HA15_23;
+  const T minus_H15_31 = minus_kK15_3 * minus_HA15_21;
+  const T H15_33 = minus_kK15_3 * HA15_23;
+  // J15 = P_b15 (JA15 - kK15 K15^T) P_b15: JA less what the turn takes up [kg m^2]
+  const T J15_11 = JA15_11 - minus_kK15_1 * T(6.838704148699999e-05);
+  const T J15_13 = JA15_13 - minus_kK15_1 * T(0.0005955910008259999);
+  const T J15_33 = b16_5 - minus_kK15_3 * T(0.0005955910008259999);
+  // gt15 = g15 - v15 B15: force with the turn solved [N]
+  const T gt15_1 = g15_1 + v15 * minus_HA15_21;
+  const T gt15_3 = g15_3 - v15 * HA15_23;
+  // nt15 = -effort_rl_thigh_15 b15 + P_b15 (n15 - v15 K15): moment with the turn solved [N m]
+  const T nt15_1 = n15_1 + v15 * T(6.838704148699999e-05);
+  const T nt15_3 = v15 * T(0.0005955910008259999) - minus_n15_3;
+  // Mp15 = E15^T M15 E15: M passed on, lower body's axes [kg]
+  const T b15_1 = T(2) * E15_11;
+  const T b15_2 = b15_1 * M15_13 - minus_E15_13 * (minus_M15_33 + M15_11);
+  const T b15_3 = minus_E15_13 * b15_2;
+  const T Mp15_11 = M15_11 + b15_3;
+  const T Mp15_13 = E15_11 * b15_2 - M15_13;
+  const T minus_Mp15_33 = minus_M15_33 + b15_3;
+  // gp15 = E15^T gt15: force passed on, lower body's axes [N]
+  const T gp15_1 = E15_11 * gt15_1 + minus_E15_13 * gt15_3;
+  const T gp15_3 = E15_11 * gt15_3 - minus_E15_13 * gt15_1;
+  // Hp15 = E15^T H15 E15: H passed on, lower body's axes [kg m]
+  const T b15_4 = minus_E15_13 * (H15_33 + minus_H15_11) + E15_11 * (H15_13 - minus_H15_31);
+  const T b15_5 = minus_E15_13 * b15_4;
+  const T Hp15_11 = b15_5 - minus_H15_11;
+  const T Hp15_12 = minus_E15_13 * HA15_32 + E15_11 * HA15_12;
+  const T b15_6 = E15_11 * b15_4;
+  const T Hp15_13 = b15_6 + minus_H15_31;
+  const T Hp15_31 = b15_6 - H15_13;
+  const T Hp15_32 = E15_11 * HA15_32 - minus_E15_13 * HA15_12;
+  const T Hp15_33 = H15_33 - b15_5;
+  // Jp15 = E15^T J15 E15: J passed on, lower body's axes [kg m^2]
+  const T b15_7 = minus_E15_13 * (J15_33 - J15_11) + b15_1 * J15_13;
+  const T b15_8 = minus_E15_13 * b15_7;
+  const T Jp15_11 = J15_11 + b15_8;
+  const T Jp15_13 = E15_11 * b15_7 - J15_13;
+  const T Jp15_33 = J15_33 - b15_8;
+  // np15 = E15^T nt15: moment passed on, lower body's axes [N m]
+  const T np15_1 = E15_11 * nt15_1 + minus_E15_13 * nt15_3;
+  const T np15_3 = E15_11 * nt15_3 - minus_E15_13 * nt15_1;
+  // Hb15 = q15~ Mp15 + Hp15: H of the joint at the lower body's origin, its axes
+  const T b15_9 = T(0.0838) * Mp15_13;
+  const T Hb15_11 = b15_9 + Hp15_11;
+  const T Hb15_13 = Hp15_13 - T(0.0838) * minus_Mp15_33;
+  const T Hb15_31 = Hp15_31 - T(0.0838) * Mp15_11;
+  const T Hb15_33 = Hp15_33 - b15_9;
 
   // ---- body 14 (rl_hip) and what it carries
-  // S14 = E15^T S15 + G14: sum of the force balances of the subtree, body axes [N]
-  const T b14_1 = E15_11 * S15_1 + minus_E15_13 * S15_3;
-  const T S14_1 = b14_1 - minus_G14_1;
-  const T S14_2 = S15_2 - minus_G14_2;
-  const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
-  const T S14_3 = b14_2 - minus_G14_3;
-  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(3.1e-05) * minus_G14_2 -
-      T(0.000635) * minus_G14_3 - minus_N14_1;
-  const T rho14_2 = rho15_2 + T(0.003311) * minus_G14_3 - T(3.1e-05) * minus_G14_1 - minus_N14_2;
-  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.000635) * minus_G14_1 -
-      T(0.003311) * minus_G14_2 - minus_N14_3;
-  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h14_1 = T(0.002304456) - minus_hc15_1;
-  const T h14_3 = T(2.1575999999999998e-05) - minus_hc15_3;
-  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b14_3 = minus_E15_13 * J15_13;
-  const T b14_4 = E15_11 * J15_11 + b14_3;
-  const T b14_5 = E15_11 * J15_13;
-  const T b14_6 = b14_5 + minus_E15_13 * J15_33;
-  const T J14_11 = b14_4 * E15_11 + b14_6 * minus_E15_13 + T(0.005379679205856);
-  const T b14_7 = T(0.0838) * minus_hc15_1 - (E15_11 * T(6.838704148699999e-05) + minus_E15_13 *
-      T(0.0005955910008259999));
-  const T J14_12 = T(7.94567044e-06) + b14_7;
-  const T J14_13 = b14_6 * E15_11 - b14_4 * minus_E15_13 + T(2.70561864e-07);
-  const T J14_22 = J15_22 + T(0.0008151207226720001);
-  const T b14_8 = minus_E15_13 * T(6.838704148699999e-05) - E15_11 * T(0.0005955910008259999) + T(0.0838) *
-      minus_hc15_3;
-  const T J14_23 = b14_8 - T(4.7970076e-07);
-  const T J14_33 = (E15_11 * J15_33 - b14_3) * E15_11 - (b14_5 - minus_E15_13 * J15_11) * minus_E15_13 +
-      T(0.005470991590816);
-  // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc14_2 = E14_22 * T(0.081652909) - E14_23 * h14_3;
-  const T hc14_3 = E14_22 * h14_3 + E14_23 * T(0.081652909);
-  // B_thetadot16_14 = E15^T B_thetadot16_15
-  const T B_thetadot16_14_1 = minus_E15_13 * minus_hc16_1 - E15_11 * minus_hc16_3;
-  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 + E15_11 * minus_hc16_1;
-  // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T K_thetadot16_14_1 = T(0.0838) * B_thetadot16_14_3;
-  const T minus_K_thetadot16_14_3 = T(0.0838) * B_thetadot16_14_1;
-  // D_thetaddot14: pivots of L D L^T
-  const T b14_9 = K_thetadot16_14_1 * T(136.15003737155254);
-  const T b14_10 = b14_7 - b14_9 * b15_8;
-  const T b14_11 = T(1) / D_thetaddot15;
-  const T b14_12 = b14_10 * b14_11;
-  const T D_thetaddot14 = J14_11 - b14_9 * K_thetadot16_14_1 - b14_12 * b14_10;
+  // HA14 = h_own_14~ + Hb15: moment for an acceleration of the origin, body axes [kg m]
+  const T HA14_12 = Hp15_12 - T(2.1575999999999998e-05);
+  const T HA14_13 = T(0.081652909) + Hb15_13;
+  const T HA14_31 = Hb15_31 - T(0.081652909);
+  // JA14 = q15~ Hp15^T + J_own_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA14_11 = T(0.0838) * Hp15_13 + T(0.00731195688548) + Jp15_11 + Hb15_13 * T(0.0838);
+  const T JA14_13 = T(0.0838) * Hp15_33 + T(2.70561864e-07) + Jp15_13 - Hb15_11 * T(0.0838);
+  const T JA14_33 = T(0.006588148547768) - T(0.0838) * Hp15_31 + Jp15_33 - Hb15_31 * T(0.0838);
+  // g14 = G14 + gp15: force that drives it, home axes [N]
+  const T g14_1 = gp15_1 - minus_G14_1;
+  const T g14_2 = g15_2 - minus_G14_2;
+  const T g14_3 = gp15_3 - minus_G14_3;
+  // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
+  const T n14_1 = T(0.0838) * gp15_3 - minus_N14_1 + np15_1;
+  const T minus_n14_2 = minus_N14_2 + effort_rl_thigh_15;
+  const T n14_3 = N14_3 - T(0.0838) * gp15_1 + np15_3;
+  // invD14 = D14^-1: 1/D
+  const T invD14 = T(1) / JA14_11;
+  // kB14 = invD14 B14: B/D
+  const T kB14_1 = invD14 * Hb15_11;
+  const T kB14_2 = invD14 * HA14_12;
+  const T kB14_3 = invD14 * HA14_13;
+  // kK14 = invD14 K14: K/D
+  const T kK14_2 = invD14 * T(7.94567044e-06);
+  const T kK14_3 = invD14 * JA14_13;
+  // u_14 = b14 . n14 + effort_rl_hip_14: drives it [N m]
+  const T u_14 = n14_1 + effort_rl_hip_14;
+  // v14 = invD14 u_14: u/D
+  const T v14 = invD14 * u_14;
+  // M14 = Mp15 - kB14 B14^T: MA less what the turn takes up [kg]
+  const T M14_11 = Mp15_11 - kB14_1 * Hb15_11;
+  const T minus_M14_12 = kB14_1 * HA14_12;
+  const T M14_13 = Mp15_13 - kB14_1 * HA14_13;
+  const T minus_M14_22 = kB14_2 * HA14_12;
+  const T minus_M14_23 = kB14_2 * HA14_13;
+  const T minus_M14_33 = minus_Mp15_33 + kB14_3 * HA14_13;
+  // H14 = P_b14 (HA14 - kK14 B14^T): HA less what the turn takes up [kg m]
+  const T H14_21 = T(2.1575999999999998e-05) - kK14_2 * Hb15_11;
+  const T minus_H14_22 = kK14_2 * HA14_12;
+  const T minus_H14_23 = kK14_2 * HA14_13;
+  const T H14_31 = HA14_31 - kK14_3 * Hb15_11;
+  const T H14_32 = Hp15_32 - kK14_3 * HA14_12;
+  const T H14_33 = Hb15_33 - kK14_3 * HA14_13;
+  // J14 = P_b14 (JA14 - kK14 K14^T) P_b14: JA less what the turn takes up [kg m^2]
+  const T minus_J14_22 = kK14_2 * T(7.94567044e-06);
+  const T minus_J14_23 = T(4.7970076e-07) + kK14_2 * JA14_13;
+  const T J14_33 = JA14_33 - kK14_3 * JA14_13;
+  // gt14 = g14 - v14 B14: force with the turn solved [N]
+  const T gt14_1 = g14_1 - v14 * Hb15_11;
+  const T gt14_2 = g14_2 - v14 * HA14_12;
+  const T gt14_3 = g14_3 - v14 * HA14_13;
+  // nt14 = -effort_rl_hip_14 b14 + P_b14 (n14 - v14 K14): moment with the turn solved [N m]
+  const T minus_nt14_2 = minus_n14_2 + v14 * T(7.94567044e-06);
+  const T nt14_3 = n14_3 - v14 * JA14_13;
+  // Mp14 = E14^T M14 E14: M passed on, lower body's axes [kg]
+  const T minus_Mp14_12 = E14_22 * minus_M14_12 + E14_23 * M14_13;
+  const T Mp14_13 = E14_22 * M14_13 - E14_23 * minus_M14_12;
+  const T b14_1 = T(2) * E14_22;
+  const T b14_2 = E14_23 * (minus_M14_33 - minus_M14_22) - b14_1 * minus_M14_23;
+  const T b14_3 = E14_23 * b14_2;
+  const T minus_Mp14_22 = minus_M14_22 + b14_3;
+  const T Mp14_23 = E14_22 * b14_2 + minus_M14_23;
+  const T Mp14_33 = b14_3 - minus_M14_33;
+  // gp14 = E14^T gt14: force passed on, lower body's axes [N]
+  const T gp14_2 = E14_22 * gt14_2 - E14_23 * gt14_3;
+  const T gp14_3 = E14_23 * gt14_2 + E14_22 * gt14_3;
+  // Hp14 = E14^T H14 E14: H passed on, lower body's axes [kg m]
+  const T Hp14_21 = E14_22 * H14_21 - E14_23 * H14_31;
+  const T b14_4 = E14_22 * (H14_32 - minus_H14_23) - E14_23 * (minus_H14_22 + H14_33);
+  const T b14_5 = E14_23 * b14_4;
+  const T minus_Hp14_22 = minus_H14_22 + b14_5;
+  const T b14_6 = E14_22 * b14_4;
+  const T Hp14_23 = b14_6 - H14_32;
+  const T Hp14_31 = E14_23 * H14_21 + E14_22 * H14_31;
+  const T Hp14_32 = b14_6 + minus_H14_23;
+  const T Hp14_33 = H14_33 + b14_5;
+  // Jp14 = E14^T J14 E14: J passed on, lower body's axes [kg m^2]
+  const T b14_7 = E14_23 * (minus_J14_22 + J14_33) + b14_1 * minus_J14_23;
+  const T b14_8 = E14_23 * b14_7;
+  const T Jp14_22 = b14_8 - minus_J14_22;
+  const T Jp14_23 = minus_J14_23 - E14_22 * b14_7;
+  const T Jp14_33 = J14_33 - b14_8;
+  // np14 = E14^T nt14: moment passed on, lower body's axes [N m]
+  const T minus_np14_2 = E14_22 * minus_nt14_2 + E14_23 * nt14_3;
+  const T np14_3 = E14_22 * nt14_3 - E14_23 * minus_nt14_2;
+  // Hb14 = q14~ Mp14 + Hp14: H of the joint at the lower body's origin, its axes
+  const T Hb14_11 = T(0.047) * Mp14_13;
+  const T Hb14_12 = T(0.047) * Mp14_23;
+  const T Hb14_13 = T(0.047) * Mp14_33;
+  const T Hb14_21 = T(0.1805) * Mp14_13 + Hp14_21;
+  const T b14_9 = T(0.1805) * Mp14_23;
+  const T Hb14_22 = b14_9 - minus_Hp14_22;
+  const T Hb14_23 = T(0.1805) * Mp14_33 + Hp14_23;
+  const T Hb14_31 = T(0.1805) * minus_Mp14_12 - T(0.047) * M14_11 + Hp14_31;
+  const T Hb14_32 = T(0.047) * minus_Mp14_12 + T(0.1805) * minus_Mp14_22 + Hp14_32;
+  const T Hb14_33 = Hp14_33 - (b14_9 + Hb14_11);
 
   // ---- body 12 (rr_calf) and what it carries
-  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
-  const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
-  // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
-  const T minus_hc12_3 = E12_11 * T(0.029826408000000002) + minus_E12_13 * T(0.00106821);
+  // u_12 = b12 . N12 + effort_rr_calf_12: drives it [N m]
+  const T u_12 = N12_2 + effort_rr_calf_12;
+  // v12 = invD12 u_12: u/D
+  const T v12 = T(136.15003737155254) * u_12;
+  // gt12 = G12 - v12 B12: force with the turn solved [N]
+  const T gt12_1 = G12_1 + v12 * T(0.029826408000000002);
+  const T gt12_3 = G12_3 + v12 * T(0.00106821);
+  // Mp12 = E12^T M12 E12: M passed on, lower body's axes [kg]
+  const T b12_1 = T(2) * E12_11;
+  const T b12_2 = minus_E12_13 * T(0.1209657058895299) - b12_1 * T(0.004337858272180008);
+  const T b12_3 = minus_E12_13 * b12_2;
+  const T Mp12_11 = b12_3 - T(0.12112106296722176);
+  const T Mp12_13 = E12_11 * b12_2 + T(0.004337858272180008);
+  const T minus_Mp12_33 = T(0.00015535707769186977) + b12_3;
+  // gp12 = E12^T gt12: force passed on, lower body's axes [N]
+  const T gp12_1 = E12_11 * gt12_1 + minus_E12_13 * gt12_3;
+  const T gp12_3 = E12_11 * gt12_3 - minus_E12_13 * gt12_1;
+  // Hp12 = E12^T H12 E12: H passed on, lower body's axes [kg m]
+  const T Hp12_12 = minus_E12_13 * T(0.00106821) + E12_11 * T(0.029826408000000002);
+  const T Hp12_32 = E12_11 * T(0.00106821) - minus_E12_13 * T(0.029826408000000002);
+  // Jp12 = E12^T J12 E12: J passed on, lower body's axes [kg m^2]
+  const T b12_4 = minus_E12_13 * T(0.007273014370954) + b12_1 * T(2.6450064520000005e-05);
+  const T b12_5 = minus_E12_13 * b12_4;
+  const T Jp12_11 = T(0.007273014370954) - b12_5;
+  const T Jp12_13 = T(2.6450064520000005e-05) - E12_11 * b12_4;
+  // np12 = E12^T nt12: moment passed on, lower body's axes [N m]
+  const T np12_1 = E12_11 * N12_1 - minus_E12_13 * minus_N12_3;
+  const T minus_np12_3 = minus_E12_13 * N12_1 + E12_11 * minus_N12_3;
+  // Hb12 = q12~ Mp12 + Hp12: H of the joint at the lower body's origin, its axes
+  const T minus_Hb12_21 = T(0.2) * Mp12_11;
+  const T minus_Hb12_23 = T(0.2) * Mp12_13;
 
   // ---- body 11 (rr_thigh) and what it carries
-  // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
-  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
-  const T S11_1 = b11_1 - minus_G11_1;
-  const T S11_2 = G12_2 - minus_G11_2;
-  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 - minus_G11_3;
-  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 - T(0.027326) * minus_G11_2 -
-      T(0.022327) * minus_G11_3 - minus_N11_1;
-  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.027326) * minus_G11_1 - T(0.003237) * minus_G11_3 - minus_N11_2;
-  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 + T(0.003237) * minus_G11_2 + T(0.022327) * minus_G11_1
-      - minus_N11_3;
-  // h11 = m11 r11 + m_link12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h11_1 = minus_hc12_1 + T(0.0032790809999999997);
-  const T minus_h11_3 = T(0.072881238) + minus_hc12_3;
-  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_link12 q12~ - hc12~) q12~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b11_2 = minus_E12_13 * T(2.6450064520000005e-05);
-  const T b11_3 = E12_11 * T(0.007321914302304) - b11_2;
-  const T b11_4 = E12_11 * T(2.6450064520000005e-05);
-  const T b11_5 = minus_E12_13 * T(4.889993135e-05) - b11_4;
-  const T b11_6 = T(0.2) * minus_hc12_3;
-  const T b11_7 = (minus_hc12_3 + T(0.045200000000000004)) * T(0.2);
-  const T J11_11 = b11_3 * E12_11 + b11_5 * minus_E12_13 + b11_6 + T(0.006790457872665) + b11_7;
-  const T J11_13 = b11_5 * E12_11 - b11_3 * minus_E12_13 + (T(0.000254264832594) - T(0.2) * minus_hc12_1);
-  const T b11_8 = b11_6 + T(0.007344838233654);
-  const T J11_22 = b11_8 + T(0.005906370894785) + b11_7;
-  const T J11_33 = (minus_E12_13 * T(0.007321914302304) + b11_4) * minus_E12_13 + (b11_2 + E12_11 *
-      T(4.889993135e-05)) * E12_11 + T(0.001883377748274);
-  // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc11_1 = minus_E11_13 * minus_h11_3 + E11_11 * minus_h11_1;
-  const T minus_hc11_3 = E11_11 * minus_h11_3 - minus_E11_13 * minus_h11_1;
-  // D_thetaddot11: pivots of L D L^T
-  const T b11_9 = b11_8 * T(136.15003737155254);
-  const T D_thetaddot11 = J11_22 - b11_9 * b11_8;
+  // HA11 = h_own_11~ + Hb12: moment for an acceleration of the origin, body axes [kg m]
+  const T HA11_12 = Hp12_12 + T(0.072881238);
+  const T minus_HA11_21 = T(0.072881238) + minus_Hb12_21;
+  const T HA11_23 = T(0.0032790809999999997) - minus_Hb12_23;
+  const T HA11_32 = Hp12_32 - T(0.0032790809999999997);
+  // JA11 = q12~ Hp12^T + J_own_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA11_11 = T(0.4) * Hp12_12 + T(0.013947080124391002) + Jp12_11;
+  const T JA11_13 = T(0.2) * Hp12_32 + T(0.000254264832594) + Jp12_13;
+  const T JA11_22 = T(0.014946370894785) + minus_Hb12_21 * T(0.2);
+  // g11 = G11 + gp12: force that drives it, home axes [N]
+  const T g11_1 = gp12_1 - minus_G11_1;
+  const T g11_2 = G12_2 + G11_2;
+  const T g11_3 = gp12_3 - minus_G11_3;
+  // n11 = q12~ gp12 + N11 + np12: moment that drives it, body axes [N m]
+  const T n11_1 = T(0.2) * G12_2 - minus_N11_1 + np12_1;
+  const T minus_n11_2 = T(0.2) * gp12_1 + minus_N11_2 + effort_rr_calf_12;
+  const T minus_n11_3 = minus_N11_3 + minus_np12_3;
+  // invD11 = D11^-1: 1/D
+  const T invD11 = T(1) / JA11_22;
+  // kB11 = invD11 B11: B/D
+  const T minus_kB11_1 = invD11 * minus_HA11_21;
+  const T kB11_3 = invD11 * HA11_23;
+  // kK11 = invD11 K11: K/D
+  const T kK11_1 = invD11 * T(6.838704148699999e-05);
+  const T kK11_3 = invD11 * T(0.0005955910008259999);
+  // u_11 = b11 . n11 + effort_rr_thigh_11: drives it [N m]
+  const T u_11 = effort_rr_thigh_11 - minus_n11_2;
+  // v11 = invD11 u_11: u/D
+  const T v11 = invD11 * u_11;
+  // M11 = Mp12 - kB11 B11^T: MA less what the turn takes up [kg]
+  const T M11_11 = Mp12_11 - minus_kB11_1 * minus_HA11_21;
+  const T M11_13 = Mp12_13 + minus_kB11_1 * HA11_23;
+  const T minus_M11_33 = minus_Mp12_33 + kB11_3 * HA11_23;
+  // H11 = P_b11 (HA11 - kK11 B11^T): HA less what the turn takes up [kg m]
+  const T H11_11 = kK11_1 * minus_HA11_21;
+  const T minus_H11_13 = kK11_1 * HA11_23;
+  const T H11_31 = kK11_3 * minus_HA11_21;
+  const T minus_H11_33 = kK11_3 * HA11_23;
+  // J11 = P_b11 (JA11 - kK11 K11^T) P_b11: JA less what the turn takes up [kg m^2]
+  const T J11_11 = JA11_11 - kK11_1 * T(6.838704148699999e-05);
+  const T J11_13 = JA11_13 - kK11_1 * T(0.0005955910008259999);
+  const T J11_33 = b12_5 - kK11_3 * T(0.0005955910008259999);
+  // gt11 = g11 - v11 B11: force with the turn solved [N]
+  const T gt11_1 = g11_1 + v11 * minus_HA11_21;
+  const T gt11_3 = g11_3 - v11 * HA11_23;
+  // nt11 = -effort_rr_thigh_11 b11 + P_b11 (n11 - v11 K11): moment with the turn solved [N m]
+  const T nt11_1 = n11_1 - v11 * T(6.838704148699999e-05);
+  const T minus_nt11_3 = minus_n11_3 + v11 * T(0.0005955910008259999);
+  // Mp11 = E11^T M11 E11: M passed on, lower body's axes [kg]
+  const T b11_1 = T(2) * E11_11;
+  const T b11_2 = b11_1 * M11_13 - minus_E11_13 * (minus_M11_33 + M11_11);
+  const T b11_3 = minus_E11_13 * b11_2;
+  const T Mp11_11 = M11_11 + b11_3;
+  const T Mp11_13 = E11_11 * b11_2 - M11_13;
+  const T minus_Mp11_33 = minus_M11_33 + b11_3;
+  // gp11 = E11^T gt11: force passed on, lower body's axes [N]
+  const T gp11_1 = E11_11 * gt11_1 + minus_E11_13 * gt11_3;
+  const T gp11_3 = E11_11 * gt11_3 - minus_E11_13 * gt11_1;
+  // Hp11 = E11^T H11 E11: H passed on, lower body's axes [kg m]
+  const T b11_4 = E11_11 * (H11_31 - minus_H11_13) - minus_E11_13 * (minus_H11_33 + H11_11);
+  const T b11_5 = minus_E11_13 * b11_4;
+  const T Hp11_11 = H11_11 + b11_5;
+  const T Hp11_12 = minus_E11_13 * HA11_32 + E11_11 * HA11_12;
+  const T b11_6 = E11_11 * b11_4;
+  const T Hp11_13 = b11_6 - H11_31;
+  const T Hp11_31 = b11_6 + minus_H11_13;
+  const T Hp11_32 = E11_11 * HA11_32 - minus_E11_13 * HA11_12;
+  const T minus_Hp11_33 = minus_H11_33 + b11_5;
+  // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
+  const T b11_7 = minus_E11_13 * (J11_33 - J11_11) + b11_1 * J11_13;
+  const T b11_8 = minus_E11_13 * b11_7;
+  const T Jp11_11 = J11_11 + b11_8;
+  const T Jp11_13 = E11_11 * b11_7 - J11_13;
+  const T Jp11_33 = J11_33 - b11_8;
+  // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
+  const T np11_1 = E11_11 * nt11_1 - minus_E11_13 * minus_nt11_3;
+  const T minus_np11_3 = minus_E11_13 * nt11_1 + E11_11 * minus_nt11_3;
+  // Hb11 = q11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
+  const T b11_9 = T(0.0838) * Mp11_13;
+  const T Hb11_11 = Hp11_11 - b11_9;
+  const T Hb11_13 = T(0.0838) * minus_Mp11_33 + Hp11_13;
+  const T Hb11_31 = T(0.0838) * Mp11_11 + Hp11_31;
+  const T Hb11_33 = b11_9 - minus_Hp11_33;
 
   // ---- body 10 (rr_hip) and what it carries
-  // S10 = E11^T S11 + G10: sum of the force balances of the subtree, body axes [N]
-  const T b10_1 = E11_11 * S11_1 + minus_E11_13 * S11_3;
-  const T S10_1 = b10_1 - minus_G10_1;
-  const T S10_2 = S11_2 - minus_G10_2;
-  const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
-  const T S10_3 = b10_2 - minus_G10_3;
-  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + T(3.1e-05) * minus_G10_2 +
-      T(0.000635) * minus_G10_3 - minus_N10_1;
-  const T rho10_2 = rho11_2 + T(0.003311) * minus_G10_3 - T(3.1e-05) * minus_G10_1 - minus_N10_2;
-  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 - T(0.003311) * minus_G10_2 -
-      T(0.000635) * minus_G10_1 - minus_N10_3;
-  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h10_1 = T(0.002304456) - minus_hc11_1;
-  const T h10_3 = T(2.1575999999999998e-05) - minus_hc11_3;
-  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b10_3 = minus_E11_13 * J11_13;
-  const T b10_4 = E11_11 * J11_11 + b10_3;
-  const T b10_5 = E11_11 * J11_13;
-  const T b10_6 = b10_5 + minus_E11_13 * J11_33;
-  const T J10_11 = b10_4 * E11_11 + b10_6 * minus_E11_13 + T(0.005379679205856);
-  const T b10_7 = T(0.0838) * minus_hc11_1 - (E11_11 * T(6.838704148699999e-05) + minus_E11_13 *
-      T(0.0005955910008259999));
-  const T minus_J10_12 = b10_7 + T(7.94567044e-06);
-  const T J10_13 = b10_6 * E11_11 - b10_4 * minus_E11_13 + T(2.70561864e-07);
-  const T J10_22 = J11_22 + T(0.0008151207226720001);
-  const T b10_8 = T(0.0838) * minus_hc11_3 - (E11_11 * T(0.0005955910008259999) - minus_E11_13 *
-      T(6.838704148699999e-05));
-  const T J10_23 = T(4.7970076e-07) - b10_8;
-  const T J10_33 = (E11_11 * J11_33 - b10_3) * E11_11 - (b10_5 - minus_E11_13 * J11_11) * minus_E11_13 +
-      T(0.005470991590816);
-  // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc10_2 = E10_23 * h10_3 + E10_22 * T(0.081652909);
-  const T minus_hc10_3 = E10_23 * T(0.081652909) - E10_22 * h10_3;
-  // B_thetadot12_10 = E11^T B_thetadot12_11
-  const T B_thetadot12_10_1 = minus_E11_13 * minus_hc12_1 - E11_11 * minus_hc12_3;
-  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 + E11_11 * minus_hc12_1;
-  // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
-  const T minus_K_thetadot12_10_1 = T(0.0838) * B_thetadot12_10_3;
-  const T K_thetadot12_10_3 = T(0.0838) * B_thetadot12_10_1;
-  // D_thetaddot10: pivots of L D L^T
-  const T b10_9 = minus_K_thetadot12_10_1 * T(136.15003737155254);
-  const T b10_10 = b10_9 * b11_8 - b10_7;
-  const T b10_11 = T(1) / D_thetaddot11;
-  const T b10_12 = b10_10 * b10_11;
-  const T D_thetaddot10 = J10_11 - b10_9 * minus_K_thetadot12_10_1 - b10_12 * b10_10;
+  // HA10 = h_own_10~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
+  const T HA10_12 = Hp11_12 - T(2.1575999999999998e-05);
+  const T HA10_13 = Hb11_13 - T(0.081652909);
+  const T HA10_31 = Hb11_31 + T(0.081652909);
+  // JA10 = q11~ Hp11^T + J_own_10 + Jp11 - Hb11 q11~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA10_11 = T(0.00731195688548) - T(0.0838) * Hp11_13 + Jp11_11 - Hb11_13 * T(0.0838);
+  const T JA10_13 = T(0.0838) * minus_Hp11_33 + T(2.70561864e-07) + Jp11_13 + Hb11_11 * T(0.0838);
+  const T JA10_33 = T(0.0838) * Hp11_31 + T(0.006588148547768) + Jp11_33 + Hb11_31 * T(0.0838);
+  // g10 = G10 + gp11: force that drives it, home axes [N]
+  const T g10_1 = gp11_1 - minus_G10_1;
+  const T g10_2 = g11_2 - minus_G10_2;
+  const T g10_3 = gp11_3 + G10_3;
+  // n10 = q11~ gp11 + N10 + np11: moment that drives it, body axes [N m]
+  const T n10_1 = np11_1 - (T(0.0838) * gp11_3 + minus_N10_1);
+  const T minus_n10_2 = minus_N10_2 + effort_rr_thigh_11;
+  const T n10_3 = T(0.0838) * gp11_1 - minus_N10_3 - minus_np11_3;
+  // invD10 = D10^-1: 1/D
+  const T invD10 = T(1) / JA10_11;
+  // kB10 = invD10 B10: B/D
+  const T kB10_1 = invD10 * Hb11_11;
+  const T kB10_2 = invD10 * HA10_12;
+  const T kB10_3 = invD10 * HA10_13;
+  // kK10 = invD10 K10: K/D
+  const T minus_kK10_2 = invD10 * T(7.94567044e-06);
+  const T kK10_3 = invD10 * JA10_13;
+  // u_10 = b10 . n10 + effort_rr_hip_10: drives it [N m]
+  const T u_10 = n10_1 + effort_rr_hip_10;
+  // v10 = invD10 u_10: u/D
+  const T v10 = invD10 * u_10;
+  // M10 = Mp11 - kB10 B10^T: MA less what the turn takes up [kg]
+  const T M10_11 = Mp11_11 - kB10_1 * Hb11_11;
+  const T minus_M10_12 = kB10_1 * HA10_12;
+  const T M10_13 = Mp11_13 - kB10_1 * HA10_13;
+  const T minus_M10_22 = kB10_2 * HA10_12;
+  const T minus_M10_23 = kB10_2 * HA10_13;
+  const T minus_M10_33 = minus_Mp11_33 + kB10_3 * HA10_13;
+  // H10 = P_b10 (HA10 - kK10 B10^T): HA less what the turn takes up [kg m]
+  const T H10_21 = T(2.1575999999999998e-05) + minus_kK10_2 * Hb11_11;
+  const T H10_22 = minus_kK10_2 * HA10_12;
+  const T H10_23 = minus_kK10_2 * HA10_13;
+  const T H10_31 = HA10_31 - kK10_3 * Hb11_11;
+  const T H10_32 = Hp11_32 - kK10_3 * HA10_12;
+  const T H10_33 = Hb11_33 - kK10_3 * HA10_13;
+  // J10 = P_b10 (JA10 - kK10 K10^T) P_b10: JA less what the turn takes up [kg m^2]
+  const T minus_J10_22 = minus_kK10_2 * T(7.94567044e-06);
+  const T J10_23 = T(4.7970076e-07) + minus_kK10_2 * JA10_13;
+  const T J10_33 = JA10_33 - kK10_3 * JA10_13;
+  // gt10 = g10 - v10 B10: force with the turn solved [N]
+  const T gt10_1 = g10_1 - v10 * Hb11_11;
+  const T gt10_2 = g10_2 - v10 * HA10_12;
+  const T gt10_3 = g10_3 - v10 * HA10_13;
+  // nt10 = -effort_rr_hip_10 b10 + P_b10 (n10 - v10 K10): moment with the turn solved [N m]
+  const T nt10_2 = v10 * T(7.94567044e-06) - minus_n10_2;
+  const T nt10_3 = n10_3 - v10 * JA10_13;
+  // Mp10 = E10^T M10 E10: M passed on, lower body's axes [kg]
+  const T minus_Mp10_12 = E10_22 * minus_M10_12 + E10_23 * M10_13;
+  const T Mp10_13 = E10_22 * M10_13 - E10_23 * minus_M10_12;
+  const T b10_1 = T(2) * E10_22;
+  const T b10_2 = E10_23 * (minus_M10_33 - minus_M10_22) - b10_1 * minus_M10_23;
+  const T b10_3 = E10_23 * b10_2;
+  const T minus_Mp10_22 = minus_M10_22 + b10_3;
+  const T Mp10_23 = E10_22 * b10_2 + minus_M10_23;
+  const T Mp10_33 = b10_3 - minus_M10_33;
+  // gp10 = E10^T gt10: force passed on, lower body's axes [N]
+  const T gp10_2 = E10_22 * gt10_2 - E10_23 * gt10_3;
+  const T gp10_3 = E10_23 * gt10_2 + E10_22 * gt10_3;
+  // Hp10 = E10^T H10 E10: H passed on, lower body's axes [kg m]
+  const T Hp10_21 = E10_22 * H10_21 - E10_23 * H10_31;
+  const T b10_4 = E10_23 * (H10_22 - H10_33) + E10_22 * (H10_23 + H10_32);
+  const T b10_5 = E10_23 * b10_4;
+  const T Hp10_22 = H10_22 - b10_5;
+  const T b10_6 = E10_22 * b10_4;
+  const T Hp10_23 = b10_6 - H10_32;
+  const T Hp10_31 = E10_23 * H10_21 + E10_22 * H10_31;
+  const T Hp10_32 = b10_6 - H10_23;
+  const T Hp10_33 = H10_33 + b10_5;
+  // Jp10 = E10^T J10 E10: J passed on, lower body's axes [kg m^2]
+  const T b10_7 = b10_1 * J10_23 - E10_23 * (minus_J10_22 + J10_33);
+  const T b10_8 = E10_23 * b10_7;
+  const T minus_Jp10_22 = minus_J10_22 + b10_8;
+  const T Jp10_23 = E10_22 * b10_7 - J10_23;
+  const T Jp10_33 = J10_33 + b10_8;
+  // np10 = E10^T nt10: moment passed on, lower body's axes [N m]
+  const T np10_2 = E10_22 * nt10_2 - E10_23 * nt10_3;
+  const T np10_3 = E10_23 * nt10_2 + E10_22 * nt10_3;
+  // Hb10 = q10~ Mp10 + Hp10: H of the joint at the lower body's origin, its axes
+  const T minus_Hb10_11 = T(0.047) * Mp10_13;
+  const T minus_Hb10_12 = T(0.047) * Mp10_23;
+  const T minus_Hb10_13 = T(0.047) * Mp10_33;
+  const T Hb10_21 = T(0.1805) * Mp10_13 + Hp10_21;
+  const T b10_9 = T(0.1805) * Mp10_23;
+  const T Hb10_22 = b10_9 + Hp10_22;
+  const T Hb10_23 = T(0.1805) * Mp10_33 + Hp10_23;
+  const T Hb10_31 = T(0.1805) * minus_Mp10_12 + T(0.047) * M10_11 + Hp10_31;
+  const T Hb10_32 = T(0.1805) * minus_Mp10_22 - T(0.047) * minus_Mp10_12 + Hp10_32;
+  const T Hb10_33 = minus_Hb10_11 - b10_9 + Hp10_33;
 
   // ---- body 8 (fl_calf) and what it carries
-  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
-  const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
-  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
-  const T minus_hc8_3 = E8_11 * T(0.029826408000000002) + minus_E8_13 * T(0.00106821);
+  // u_8 = b8 . N8 + effort_fl_calf_8: drives it [N m]
+  const T u_8 = N8_2 + effort_fl_calf_8;
+  // v8 = invD8 u_8: u/D
+  const T v8 = T(136.15003737155254) * u_8;
+  // gt8 = G8 - v8 B8: force with the turn solved [N]
+  const T gt8_1 = G8_1 + v8 * T(0.029826408000000002);
+  const T gt8_3 = G8_3 + v8 * T(0.00106821);
+  // Mp8 = E8^T M8 E8: M passed on, lower body's axes [kg]
+  const T b8_1 = T(2) * E8_11;
+  const T b8_2 = minus_E8_13 * T(0.1209657058895299) - b8_1 * T(0.004337858272180008);
+  const T b8_3 = minus_E8_13 * b8_2;
+  const T Mp8_11 = b8_3 - T(0.12112106296722176);
+  const T Mp8_13 = E8_11 * b8_2 + T(0.004337858272180008);
+  const T minus_Mp8_33 = T(0.00015535707769186977) + b8_3;
+  // gp8 = E8^T gt8: force passed on, lower body's axes [N]
+  const T gp8_1 = E8_11 * gt8_1 + minus_E8_13 * gt8_3;
+  const T gp8_3 = E8_11 * gt8_3 - minus_E8_13 * gt8_1;
+  // Hp8 = E8^T H8 E8: H passed on, lower body's axes [kg m]
+  const T Hp8_12 = minus_E8_13 * T(0.00106821) + E8_11 * T(0.029826408000000002);
+  const T Hp8_32 = E8_11 * T(0.00106821) - minus_E8_13 * T(0.029826408000000002);
+  // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
+  const T b8_4 = minus_E8_13 * T(0.007273014370954) + b8_1 * T(2.6450064520000005e-05);
+  const T b8_5 = minus_E8_13 * b8_4;
+  const T Jp8_11 = T(0.007273014370954) - b8_5;
+  const T Jp8_13 = T(2.6450064520000005e-05) - E8_11 * b8_4;
+  // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
+  const T np8_1 = E8_11 * N8_1 - minus_E8_13 * minus_N8_3;
+  const T minus_np8_3 = minus_E8_13 * N8_1 + E8_11 * minus_N8_3;
+  // Hb8 = q8~ Mp8 + Hp8: H of the joint at the lower body's origin, its axes
+  const T minus_Hb8_21 = T(0.2) * Mp8_11;
+  const T minus_Hb8_23 = T(0.2) * Mp8_13;
 
   // ---- body 7 (fl_thigh) and what it carries
-  // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
-  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
-  const T S7_1 = b7_1 - minus_G7_1;
-  const T S7_2 = G8_2 - minus_G7_2;
-  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 - minus_G7_3;
-  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.022327) * minus_G7_3 - T(0.027326) *
-      minus_G7_2 - minus_N7_1;
-  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.027326) * minus_G7_1 - T(0.003237) * minus_G7_3 - minus_N7_2;
-  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.003237) * minus_G7_2 - T(0.022327) * minus_G7_1 -
-      minus_N7_3;
-  // h7 = m7 r7 + m_link8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h7_1 = minus_hc8_1 + T(0.0032790809999999997);
-  const T minus_h7_3 = T(0.072881238) + minus_hc8_3;
-  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_link8 q8~ - hc8~) q8~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b7_2 = minus_E8_13 * T(2.6450064520000005e-05);
-  const T b7_3 = E8_11 * T(0.007321914302304) - b7_2;
-  const T b7_4 = E8_11 * T(2.6450064520000005e-05);
-  const T b7_5 = minus_E8_13 * T(4.889993135e-05) - b7_4;
-  const T b7_6 = T(0.2) * minus_hc8_3;
-  const T b7_7 = (minus_hc8_3 + T(0.045200000000000004)) * T(0.2);
-  const T J7_11 = b7_3 * E8_11 + b7_5 * minus_E8_13 + b7_6 + T(0.006790457872665) + b7_7;
-  const T J7_13 = b7_5 * E8_11 - b7_3 * minus_E8_13 + (T(0.000254264832594) - T(0.2) * minus_hc8_1);
-  const T b7_8 = b7_6 + T(0.007344838233654);
-  const T J7_22 = b7_8 + T(0.005906370894785) + b7_7;
-  const T J7_33 = (minus_E8_13 * T(0.007321914302304) + b7_4) * minus_E8_13 + (b7_2 + E8_11 * T(4.889993135e-05)) *
-      E8_11 + T(0.001883377748274);
-  // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc7_1 = minus_E7_13 * minus_h7_3 + E7_11 * minus_h7_1;
-  const T minus_hc7_3 = E7_11 * minus_h7_3 - minus_E7_13 * minus_h7_1;
-  // D_thetaddot7: pivots of L D L^T
-  const T b7_9 = b7_8 * T(136.15003737155254);
-  const T D_thetaddot7 = J7_22 - b7_9 * b7_8;
+  // HA7 = h_own_7~ + Hb8: moment for an acceleration of the origin, body axes [kg m]
+  const T HA7_12 = Hp8_12 + T(0.072881238);
+  const T minus_HA7_21 = T(0.072881238) + minus_Hb8_21;
+  const T HA7_23 = T(0.0032790809999999997) - minus_Hb8_23;
+  const T HA7_32 = Hp8_32 - T(0.0032790809999999997);
+  // JA7 = q8~ Hp8^T + J_own_7 + Jp8 - Hb8 q8~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA7_11 = T(0.4) * Hp8_12 + T(0.013947080124391002) + Jp8_11;
+  const T JA7_13 = T(0.2) * Hp8_32 + T(0.000254264832594) + Jp8_13;
+  const T JA7_22 = T(0.014946370894785) + minus_Hb8_21 * T(0.2);
+  // g7 = G7 + gp8: force that drives it, home axes [N]
+  const T g7_1 = gp8_1 - minus_G7_1;
+  const T g7_2 = G8_2 + G7_2;
+  const T g7_3 = gp8_3 - minus_G7_3;
+  // n7 = q8~ gp8 + N7 + np8: moment that drives it, body axes [N m]
+  const T n7_1 = T(0.2) * G8_2 - minus_N7_1 + np8_1;
+  const T minus_n7_2 = T(0.2) * gp8_1 + minus_N7_2 + effort_fl_calf_8;
+  const T minus_n7_3 = minus_N7_3 + minus_np8_3;
+  // invD7 = D7^-1: 1/D
+  const T invD7 = T(1) / JA7_22;
+  // kB7 = invD7 B7: B/D
+  const T minus_kB7_1 = invD7 * minus_HA7_21;
+  const T kB7_3 = invD7 * HA7_23;
+  // kK7 = invD7 K7: K/D
+  const T minus_kK7_1 = invD7 * T(6.838704148699999e-05);
+  const T minus_kK7_3 = invD7 * T(0.0005955910008259999);
+  // u_7 = b7 . n7 + effort_fl_thigh_7: drives it [N m]
+  const T u_7 = effort_fl_thigh_7 - minus_n7_2;
+  // v7 = invD7 u_7: u/D
+  const T v7 = invD7 * u_7;
+  // M7 = Mp8 - kB7 B7^T: MA less what the turn takes up [kg]
+  const T M7_11 = Mp8_11 - minus_kB7_1 * minus_HA7_21;
+  const T M7_13 = Mp8_13 + minus_kB7_1 * HA7_23;
+  const T minus_M7_33 = minus_Mp8_33 + kB7_3 * HA7_23;
+  // H7 = P_b7 (HA7 - kK7 B7^T): HA less what the turn takes up [kg m]
+  const T minus_H7_11 = minus_kK7_1 * minus_HA7_21;
+  const T H7_13 = minus_kK7_1 * HA7_23;
+  const T minus_H7_31 = minus_kK7_3 * minus_HA7_21;
+  const T H7_33 = minus_kK7_3 * HA7_23;
+  // J7 = P_b7 (JA7 - kK7 K7^T) P_b7: JA less what the turn takes up [kg m^2]
+  const T J7_11 = JA7_11 - minus_kK7_1 * T(6.838704148699999e-05);
+  const T J7_13 = JA7_13 - minus_kK7_1 * T(0.0005955910008259999);
+  const T J7_33 = b8_5 - minus_kK7_3 * T(0.0005955910008259999);
+  // gt7 = g7 - v7 B7: force with the turn solved [N]
+  const T gt7_1 = g7_1 + v7 * minus_HA7_21;
+  const T gt7_3 = g7_3 - v7 * HA7_23;
+  // nt7 = -effort_fl_thigh_7 b7 + P_b7 (n7 - v7 K7): moment with the turn solved [N m]
+  const T nt7_1 = n7_1 + v7 * T(6.838704148699999e-05);
+  const T nt7_3 = v7 * T(0.0005955910008259999) - minus_n7_3;
+  // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
+  const T b7_1 = T(2) * E7_11;
+  const T b7_2 = b7_1 * M7_13 - minus_E7_13 * (minus_M7_33 + M7_11);
+  const T b7_3 = minus_E7_13 * b7_2;
+  const T Mp7_11 = M7_11 + b7_3;
+  const T Mp7_13 = E7_11 * b7_2 - M7_13;
+  const T minus_Mp7_33 = minus_M7_33 + b7_3;
+  // gp7 = E7^T gt7: force passed on, lower body's axes [N]
+  const T gp7_1 = E7_11 * gt7_1 + minus_E7_13 * gt7_3;
+  const T gp7_3 = E7_11 * gt7_3 - minus_E7_13 * gt7_1;
+  // Hp7 = E7^T H7 E7: H passed on, lower body's axes [kg m]
+  const T b7_4 = minus_E7_13 * (H7_33 + minus_H7_11) + E7_11 * (H7_13 - minus_H7_31);
+  const T b7_5 = minus_E7_13 * b7_4;
+  const T Hp7_11 = b7_5 - minus_H7_11;
+  const T Hp7_12 = minus_E7_13 * HA7_32 + E7_11 * HA7_12;
+  const T b7_6 = E7_11 * b7_4;
+  const T Hp7_13 = b7_6 + minus_H7_31;
+  const T Hp7_31 = b7_6 - H7_13;
+  const T Hp7_32 = E7_11 * HA7_32 - minus_E7_13 * HA7_12;
+  const T Hp7_33 = H7_33 - b7_5;
+  // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
+  const T b7_7 = minus_E7_13 * (J7_33 - J7_11) + b7_1 * J7_13;
+  const T b7_8 = minus_E7_13 * b7_7;
+  const T Jp7_11 = J7_11 + b7_8;
+  const T Jp7_13 = E7_11 * b7_7 - J7_13;
+  const T Jp7_33 = J7_33 - b7_8;
+  // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
+  const T np7_1 = E7_11 * nt7_1 + minus_E7_13 * nt7_3;
+  const T np7_3 = E7_11 * nt7_3 - minus_E7_13 * nt7_1;
+  // Hb7 = q7~ Mp7 + Hp7: H of the joint at the lower body's origin, its axes
+  const T b7_9 = T(0.0838) * Mp7_13;
+  const T Hb7_11 = b7_9 + Hp7_11;
+  const T Hb7_13 = Hp7_13 - T(0.0838) * minus_Mp7_33;
+  const T Hb7_31 = Hp7_31 - T(0.0838) * Mp7_11;
+  const T Hb7_33 = Hp7_33 - b7_9;
 
   // ---- body 6 (fl_hip) and what it carries
-  // S6 = E7^T S7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * S7_1 + minus_E7_13 * S7_3;
-  const T S6_1 = b6_1 - minus_G6_1;
-  const T S6_2 = S7_2 - minus_G6_2;
-  const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
-  const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - (T(3.1e-05) * minus_G6_1 + T(0.003311) * minus_G6_3) - minus_N6_2;
-  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
-      minus_G6_1 - minus_N6_3;
-  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h6_1 = minus_hc7_1 + T(0.002304456);
-  const T h6_3 = T(2.1575999999999998e-05) - minus_hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_3 = minus_E7_13 * J7_13;
-  const T b6_4 = E7_11 * J7_11 + b6_3;
-  const T b6_5 = E7_11 * J7_13;
-  const T b6_6 = b6_5 + minus_E7_13 * J7_33;
-  const T J6_11 = b6_4 * E7_11 + b6_6 * minus_E7_13 + T(0.005379679205856);
-  const T b6_7 = T(0.0838) * minus_hc7_1 - (E7_11 * T(6.838704148699999e-05) + minus_E7_13 *
-      T(0.0005955910008259999));
-  const T J6_12 = b6_7 - T(7.94567044e-06);
-  const T J6_13 = b6_6 * E7_11 - b6_4 * minus_E7_13 - T(2.70561864e-07);
-  const T J6_22 = J7_22 + T(0.0008151207226720001);
-  const T b6_8 = minus_E7_13 * T(6.838704148699999e-05) - E7_11 * T(0.0005955910008259999) + T(0.0838) * minus_hc7_3;
-  const T J6_23 = b6_8 - T(4.7970076e-07);
-  const T J6_33 = (E7_11 * J7_33 - b6_3) * E7_11 - (b6_5 - minus_E7_13 * J7_11) * minus_E7_13 + T(0.005470991590816);
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * T(0.081652909) - E6_23 * h6_3;
-  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(0.081652909);
-  // B_thetadot8_6 = E7^T B_thetadot8_7
-  const T B_thetadot8_6_1 = minus_E7_13 * minus_hc8_1 - E7_11 * minus_hc8_3;
-  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 + E7_11 * minus_hc8_1;
-  // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
-  const T K_thetadot8_6_1 = T(0.0838) * B_thetadot8_6_3;
-  const T minus_K_thetadot8_6_3 = T(0.0838) * B_thetadot8_6_1;
-  // D_thetaddot6: pivots of L D L^T
-  const T b6_9 = K_thetadot8_6_1 * T(136.15003737155254);
-  const T b6_10 = b6_7 - b6_9 * b7_8;
-  const T b6_11 = T(1) / D_thetaddot7;
-  const T b6_12 = b6_10 * b6_11;
-  const T D_thetaddot6 = J6_11 - b6_9 * K_thetadot8_6_1 - b6_12 * b6_10;
+  // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
+  const T HA6_12 = Hp7_12 - T(2.1575999999999998e-05);
+  const T HA6_13 = T(0.081652909) + Hb7_13;
+  const T HA6_31 = Hb7_31 - T(0.081652909);
+  // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA6_11 = T(0.0838) * Hp7_13 + T(0.00731195688548) + Jp7_11 + Hb7_13 * T(0.0838);
+  const T JA6_13 = T(0.0838) * Hp7_33 - T(2.70561864e-07) + Jp7_13 - Hb7_11 * T(0.0838);
+  const T JA6_33 = T(0.006588148547768) - T(0.0838) * Hp7_31 + Jp7_33 - Hb7_31 * T(0.0838);
+  // g6 = G6 + gp7: force that drives it, home axes [N]
+  const T g6_1 = gp7_1 - minus_G6_1;
+  const T g6_2 = g7_2 - minus_G6_2;
+  const T g6_3 = gp7_3 - minus_G6_3;
+  // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
+  const T n6_1 = T(0.0838) * gp7_3 - minus_N6_1 + np7_1;
+  const T minus_n6_2 = minus_N6_2 + effort_fl_thigh_7;
+  const T n6_3 = np7_3 - (T(0.0838) * gp7_1 + minus_N6_3);
+  // invD6 = D6^-1: 1/D
+  const T invD6 = T(1) / JA6_11;
+  // kB6 = invD6 B6: B/D
+  const T kB6_1 = invD6 * Hb7_11;
+  const T kB6_2 = invD6 * HA6_12;
+  const T kB6_3 = invD6 * HA6_13;
+  // kK6 = invD6 K6: K/D
+  const T minus_kK6_2 = invD6 * T(7.94567044e-06);
+  const T kK6_3 = invD6 * JA6_13;
+  // u_6 = b6 . n6 + effort_fl_hip_6: drives it [N m]
+  const T u_6 = n6_1 + effort_fl_hip_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = invD6 * u_6;
+  // M6 = Mp7 - kB6 B6^T: MA less what the turn takes up [kg]
+  const T M6_11 = Mp7_11 - kB6_1 * Hb7_11;
+  const T minus_M6_12 = kB6_1 * HA6_12;
+  const T M6_13 = Mp7_13 - kB6_1 * HA6_13;
+  const T minus_M6_22 = kB6_2 * HA6_12;
+  const T minus_M6_23 = kB6_2 * HA6_13;
+  const T minus_M6_33 = minus_Mp7_33 + kB6_3 * HA6_13;
+  // H6 = P_b6 (HA6 - kK6 B6^T): HA less what the turn takes up [kg m]
+  const T H6_21 = T(2.1575999999999998e-05) + minus_kK6_2 * Hb7_11;
+  const T H6_22 = minus_kK6_2 * HA6_12;
+  const T H6_23 = minus_kK6_2 * HA6_13;
+  const T H6_31 = HA6_31 - kK6_3 * Hb7_11;
+  const T H6_32 = Hp7_32 - kK6_3 * HA6_12;
+  const T H6_33 = Hb7_33 - kK6_3 * HA6_13;
+  // J6 = P_b6 (JA6 - kK6 K6^T) P_b6: JA less what the turn takes up [kg m^2]
+  const T minus_J6_22 = minus_kK6_2 * T(7.94567044e-06);
+  const T J6_23 = minus_kK6_2 * JA6_13 - T(4.7970076e-07);
+  const T J6_33 = JA6_33 - kK6_3 * JA6_13;
+  // gt6 = g6 - v6 B6: force with the turn solved [N]
+  const T gt6_1 = g6_1 - v6 * Hb7_11;
+  const T gt6_2 = g6_2 - v6 * HA6_12;
+  const T gt6_3 = g6_3 - v6 * HA6_13;
+  // nt6 = -effort_fl_hip_6 b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
+  const T nt6_2 = v6 * T(7.94567044e-06) - minus_n6_2;
+  const T nt6_3 = n6_3 - v6 * JA6_13;
+  // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
+  const T minus_Mp6_12 = E6_22 * minus_M6_12 + E6_23 * M6_13;
+  const T Mp6_13 = E6_22 * M6_13 - E6_23 * minus_M6_12;
+  const T b6_1 = T(2) * E6_22;
+  const T b6_2 = E6_23 * (minus_M6_33 - minus_M6_22) - b6_1 * minus_M6_23;
+  const T b6_3 = E6_23 * b6_2;
+  const T minus_Mp6_22 = minus_M6_22 + b6_3;
+  const T Mp6_23 = E6_22 * b6_2 + minus_M6_23;
+  const T Mp6_33 = b6_3 - minus_M6_33;
+  // gp6 = E6^T gt6: force passed on, lower body's axes [N]
+  const T gp6_2 = E6_22 * gt6_2 - E6_23 * gt6_3;
+  const T gp6_3 = E6_23 * gt6_2 + E6_22 * gt6_3;
+  // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
+  const T Hp6_21 = E6_22 * H6_21 - E6_23 * H6_31;
+  const T b6_4 = E6_23 * (H6_22 - H6_33) + E6_22 * (H6_23 + H6_32);
+  const T b6_5 = E6_23 * b6_4;
+  const T Hp6_22 = H6_22 - b6_5;
+  const T b6_6 = E6_22 * b6_4;
+  const T Hp6_23 = b6_6 - H6_32;
+  const T Hp6_31 = E6_23 * H6_21 + E6_22 * H6_31;
+  const T Hp6_32 = b6_6 - H6_23;
+  const T Hp6_33 = H6_33 + b6_5;
+  // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
+  const T b6_7 = b6_1 * J6_23 - E6_23 * (minus_J6_22 + J6_33);
+  const T b6_8 = E6_23 * b6_7;
+  const T minus_Jp6_22 = minus_J6_22 + b6_8;
+  const T Jp6_23 = E6_22 * b6_7 - J6_23;
+  const T Jp6_33 = J6_33 + b6_8;
+  // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
+  const T np6_2 = E6_22 * nt6_2 - E6_23 * nt6_3;
+  const T np6_3 = E6_23 * nt6_2 + E6_22 * nt6_3;
+  // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
+  const T Hb6_11 = T(0.047) * Mp6_13;
+  const T Hb6_12 = T(0.047) * Mp6_23;
+  const T Hb6_13 = T(0.047) * Mp6_33;
+  const T Hb6_21 = Hp6_21 - T(0.1805) * Mp6_13;
+  const T b6_9 = T(0.1805) * Mp6_23;
+  const T Hb6_22 = Hp6_22 - b6_9;
+  const T Hb6_23 = Hp6_23 - T(0.1805) * Mp6_33;
+  const T Hb6_31 = Hp6_31 - (T(0.1805) * minus_Mp6_12 + T(0.047) * M6_11);
+  const T Hb6_32 = T(0.047) * minus_Mp6_12 - T(0.1805) * minus_Mp6_22 + Hp6_32;
+  const T Hb6_33 = b6_9 - Hb6_11 + Hp6_33;
 
   // ---- body 4 (fr_calf) and what it carries
-  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
-  const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
-  const T minus_hc4_3 = E4_11 * T(0.029826408000000002) + minus_E4_13 * T(0.00106821);
+  // u_4 = b4 . N4 + effort_fr_calf_4: drives it [N m]
+  const T u_4 = effort_fr_calf_4 - minus_N4_2;
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(136.15003737155254) * u_4;
+  // gt4 = G4 - v4 B4: force with the turn solved [N]
+  const T gt4_1 = G4_1 + v4 * T(0.029826408000000002);
+  const T gt4_3 = G4_3 + v4 * T(0.00106821);
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = T(2) * E4_11;
+  const T b4_2 = minus_E4_13 * T(0.1209657058895299) - b4_1 * T(0.004337858272180008);
+  const T b4_3 = minus_E4_13 * b4_2;
+  const T Mp4_11 = b4_3 - T(0.12112106296722176);
+  const T Mp4_13 = E4_11 * b4_2 + T(0.004337858272180008);
+  const T minus_Mp4_33 = T(0.00015535707769186977) + b4_3;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = E4_11 * gt4_1 + minus_E4_13 * gt4_3;
+  const T gp4_3 = E4_11 * gt4_3 - minus_E4_13 * gt4_1;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T Hp4_12 = minus_E4_13 * T(0.00106821) + E4_11 * T(0.029826408000000002);
+  const T Hp4_32 = E4_11 * T(0.00106821) - minus_E4_13 * T(0.029826408000000002);
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_4 = minus_E4_13 * T(0.007273014370954) + b4_1 * T(2.6450064520000005e-05);
+  const T b4_5 = minus_E4_13 * b4_4;
+  const T Jp4_11 = T(0.007273014370954) - b4_5;
+  const T Jp4_13 = T(2.6450064520000005e-05) - E4_11 * b4_4;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T np4_1 = E4_11 * N4_1 - minus_E4_13 * minus_N4_3;
+  const T minus_np4_3 = minus_E4_13 * N4_1 + E4_11 * minus_N4_3;
+  // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
+  const T minus_Hb4_21 = T(0.2) * Mp4_11;
+  const T minus_Hb4_23 = T(0.2) * Mp4_13;
 
   // ---- body 3 (fr_thigh) and what it carries
-  // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
-  const T S3_1 = b3_1 - minus_G3_1;
-  const T S3_2 = G4_2 - minus_G3_2;
-  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 - minus_G3_3;
-  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.027326) * minus_G3_2 - T(0.022327) *
-      minus_G3_3 - minus_N3_1;
-  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.027326) * minus_G3_1 - T(0.003237) * minus_G3_3 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.003237) * minus_G3_2 + T(0.022327) * minus_G3_1 -
-      minus_N3_3;
-  // h3 = m3 r3 + m_link4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h3_1 = minus_hc4_1 + T(0.0032790809999999997);
-  const T minus_h3_3 = T(0.072881238) + minus_hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_link4 q4~ - hc4~) q4~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b3_2 = minus_E4_13 * T(2.6450064520000005e-05);
-  const T b3_3 = E4_11 * T(0.007321914302304) - b3_2;
-  const T b3_4 = E4_11 * T(2.6450064520000005e-05);
-  const T b3_5 = minus_E4_13 * T(4.889993135e-05) - b3_4;
-  const T b3_6 = T(0.2) * minus_hc4_3;
-  const T b3_7 = (minus_hc4_3 + T(0.045200000000000004)) * T(0.2);
-  const T J3_11 = b3_3 * E4_11 + b3_5 * minus_E4_13 + b3_6 + T(0.006790457872665) + b3_7;
-  const T J3_13 = b3_5 * E4_11 - b3_3 * minus_E4_13 + (T(0.000254264832594) - T(0.2) * minus_hc4_1);
-  const T b3_8 = b3_6 + T(0.007344838233654);
-  const T J3_22 = b3_8 + T(0.005906370894785) + b3_7;
-  const T J3_33 = (minus_E4_13 * T(0.007321914302304) + b3_4) * minus_E4_13 + (b3_2 + E4_11 * T(4.889993135e-05)) *
-      E4_11 + T(0.001883377748274);
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_1 = minus_E3_13 * minus_h3_3 + E3_11 * minus_h3_1;
-  const T minus_hc3_3 = E3_11 * minus_h3_3 - minus_E3_13 * minus_h3_1;
-  // D_thetaddot3: pivots of L D L^T
-  const T b3_9 = b3_8 * T(136.15003737155254);
-  const T D_thetaddot3 = J3_22 - b3_9 * b3_8;
+  // HA3 = h_own_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
+  const T HA3_12 = Hp4_12 + T(0.072881238);
+  const T minus_HA3_21 = T(0.072881238) + minus_Hb4_21;
+  const T HA3_23 = T(0.0032790809999999997) - minus_Hb4_23;
+  const T HA3_32 = Hp4_32 - T(0.0032790809999999997);
+  // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_11 = T(0.4) * Hp4_12 + T(0.013947080124391002) + Jp4_11;
+  const T JA3_13 = T(0.2) * Hp4_32 + T(0.000254264832594) + Jp4_13;
+  const T JA3_22 = T(0.014946370894785) + minus_Hb4_21 * T(0.2);
+  // g3 = G3 + gp4: force that drives it, home axes [N]
+  const T g3_1 = gp4_1 - minus_G3_1;
+  const T g3_2 = G4_2 + G3_2;
+  const T g3_3 = gp4_3 - minus_G3_3;
+  // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
+  const T n3_1 = T(0.2) * G4_2 - minus_N3_1 + np4_1;
+  const T minus_n3_2 = T(0.2) * gp4_1 + minus_N3_2 + effort_fr_calf_4;
+  const T minus_n3_3 = minus_N3_3 + minus_np4_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / JA3_22;
+  // kB3 = invD3 B3: B/D
+  const T minus_kB3_1 = invD3 * minus_HA3_21;
+  const T kB3_3 = invD3 * HA3_23;
+  // kK3 = invD3 K3: K/D
+  const T kK3_1 = invD3 * T(6.838704148699999e-05);
+  const T kK3_3 = invD3 * T(0.0005955910008259999);
+  // u_3 = b3 . n3 + effort_fr_thigh_3: drives it [N m]
+  const T u_3 = effort_fr_thigh_3 - minus_n3_2;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // M3 = Mp4 - kB3 B3^T: MA less what the turn takes up [kg]
+  const T M3_11 = Mp4_11 - minus_kB3_1 * minus_HA3_21;
+  const T M3_13 = Mp4_13 + minus_kB3_1 * HA3_23;
+  const T minus_M3_33 = minus_Mp4_33 + kB3_3 * HA3_23;
+  // H3 = P_b3 (HA3 - kK3 B3^T): HA less what the turn takes up [kg m]
+  const T H3_11 = kK3_1 * minus_HA3_21;
+  const T minus_H3_13 = kK3_1 * HA3_23;
+  const T H3_31 = kK3_3 * minus_HA3_21;
+  const T minus_H3_33 = kK3_3 * HA3_23;
+  // J3 = P_b3 (JA3 - kK3 K3^T) P_b3: JA less what the turn takes up [kg m^2]
+  const T J3_11 = JA3_11 - kK3_1 * T(6.838704148699999e-05);
+  const T J3_13 = JA3_13 - kK3_1 * T(0.0005955910008259999);
+  const T J3_33 = b4_5 - kK3_3 * T(0.0005955910008259999);
+  // gt3 = g3 - v3 B3: force with the turn solved [N]
+  const T gt3_1 = g3_1 + v3 * minus_HA3_21;
+  const T gt3_3 = g3_3 - v3 * HA3_23;
+  // nt3 = -effort_fr_thigh_3 b3 + P_b3 (n3 - v3 K3): moment with the turn solved [N m]
+  const T nt3_1 = n3_1 - v3 * T(6.838704148699999e-05);
+  const T minus_nt3_3 = minus_n3_3 + v3 * T(0.0005955910008259999);
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = T(2) * E3_11;
+  const T b3_2 = b3_1 * M3_13 - minus_E3_13 * (minus_M3_33 + M3_11);
+  const T b3_3 = minus_E3_13 * b3_2;
+  const T Mp3_11 = M3_11 + b3_3;
+  const T Mp3_13 = E3_11 * b3_2 - M3_13;
+  const T minus_Mp3_33 = minus_M3_33 + b3_3;
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_1 = E3_11 * gt3_1 + minus_E3_13 * gt3_3;
+  const T gp3_3 = E3_11 * gt3_3 - minus_E3_13 * gt3_1;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T b3_4 = E3_11 * (H3_31 - minus_H3_13) - minus_E3_13 * (minus_H3_33 + H3_11);
+  const T b3_5 = minus_E3_13 * b3_4;
+  const T Hp3_11 = H3_11 + b3_5;
+  const T Hp3_12 = minus_E3_13 * HA3_32 + E3_11 * HA3_12;
+  const T b3_6 = E3_11 * b3_4;
+  const T Hp3_13 = b3_6 - H3_31;
+  const T Hp3_31 = b3_6 + minus_H3_13;
+  const T Hp3_32 = E3_11 * HA3_32 - minus_E3_13 * HA3_12;
+  const T minus_Hp3_33 = minus_H3_33 + b3_5;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_7 = minus_E3_13 * (J3_33 - J3_11) + b3_1 * J3_13;
+  const T b3_8 = minus_E3_13 * b3_7;
+  const T Jp3_11 = J3_11 + b3_8;
+  const T Jp3_13 = E3_11 * b3_7 - J3_13;
+  const T Jp3_33 = J3_33 - b3_8;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_1 = E3_11 * nt3_1 - minus_E3_13 * minus_nt3_3;
+  const T minus_np3_3 = minus_E3_13 * nt3_1 + E3_11 * minus_nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T b3_9 = T(0.0838) * Mp3_13;
+  const T Hb3_11 = Hp3_11 - b3_9;
+  const T Hb3_13 = T(0.0838) * minus_Mp3_33 + Hp3_13;
+  const T Hb3_31 = T(0.0838) * Mp3_11 + Hp3_31;
+  const T Hb3_33 = b3_9 - minus_Hp3_33;
 
   // ---- body 2 (fr_hip) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_11 * S3_1 + minus_E3_13 * S3_3;
-  const T S2_1 = b2_1 - minus_G2_1;
-  const T S2_2 = S3_2 - minus_G2_2;
-  const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
-  const T S2_3 = b2_2 + G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 - T(0.000635) *
-      G2_3 + N2_1;
-  const T rho2_2 = T(0.003311) * G2_3 - T(3.1e-05) * minus_G2_1 + rho3_2 - minus_N2_2;
-  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
-      minus_G2_1 - minus_N2_3;
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h2_1 = minus_hc3_1 + T(0.002304456);
-  const T h2_3 = T(2.1575999999999998e-05) - minus_hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_3 = minus_E3_13 * J3_13;
-  const T b2_4 = E3_11 * J3_11 + b2_3;
-  const T b2_5 = E3_11 * J3_13;
-  const T b2_6 = b2_5 + minus_E3_13 * J3_33;
-  const T J2_11 = b2_4 * E3_11 + b2_6 * minus_E3_13 + T(0.005379679205856);
-  const T b2_7 = T(0.0838) * minus_hc3_1 - (E3_11 * T(6.838704148699999e-05) + minus_E3_13 *
-      T(0.0005955910008259999));
-  const T J2_12 = T(7.94567044e-06) - b2_7;
-  const T J2_13 = b2_6 * E3_11 - b2_4 * minus_E3_13 - T(2.70561864e-07);
-  const T J2_22 = J3_22 + T(0.0008151207226720001);
-  const T b2_8 = T(0.0838) * minus_hc3_3 - (E3_11 * T(0.0005955910008259999) - minus_E3_13 *
-      T(6.838704148699999e-05));
-  const T J2_23 = T(4.7970076e-07) - b2_8;
-  const T J2_33 = (E3_11 * J3_33 - b2_3) * E3_11 - (b2_5 - minus_E3_13 * J3_11) * minus_E3_13 + T(0.005470991590816);
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_2 = E2_23 * h2_3 + E2_22 * T(0.081652909);
-  const T minus_hc2_3 = E2_23 * T(0.081652909) - E2_22 * h2_3;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T B_thetadot4_2_1 = minus_E3_13 * minus_hc4_1 - E3_11 * minus_hc4_3;
-  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 + E3_11 * minus_hc4_1;
-  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T minus_K_thetadot4_2_1 = T(0.0838) * B_thetadot4_2_3;
-  const T K_thetadot4_2_3 = T(0.0838) * B_thetadot4_2_1;
-  // D_thetaddot2: pivots of L D L^T
-  const T b2_9 = minus_K_thetadot4_2_1 * T(136.15003737155254);
-  const T b2_10 = b2_9 * b3_8 - b2_7;
-  const T b2_11 = T(1) / D_thetaddot3;
-  const T b2_12 = b2_10 * b2_11;
-  const T D_thetaddot2 = J2_11 - b2_9 * minus_K_thetadot4_2_1 - b2_12 * b2_10;
+  // HA2 = h_own_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA2_12 = Hp3_12 - T(2.1575999999999998e-05);
+  const T HA2_13 = Hb3_13 - T(0.081652909);
+  const T HA2_31 = Hb3_31 + T(0.081652909);
+  // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA2_11 = T(0.00731195688548) - T(0.0838) * Hp3_13 + Jp3_11 - Hb3_13 * T(0.0838);
+  const T JA2_13 = T(0.0838) * minus_Hp3_33 - T(2.70561864e-07) + Jp3_13 + Hb3_11 * T(0.0838);
+  const T JA2_33 = T(0.0838) * Hp3_31 + T(0.006588148547768) + Jp3_33 + Hb3_31 * T(0.0838);
+  // g2 = G2 + gp3: force that drives it, home axes [N]
+  const T g2_1 = gp3_1 - minus_G2_1;
+  const T g2_2 = g3_2 - minus_G2_2;
+  const T g2_3 = gp3_3 + G2_3;
+  // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
+  const T n2_1 = np3_1 - (T(0.0838) * gp3_3 + minus_N2_1);
+  const T minus_n2_2 = minus_N2_2 + effort_fr_thigh_3;
+  const T n2_3 = T(0.0838) * gp3_1 - minus_N2_3 - minus_np3_3;
+  // invD2 = D2^-1: 1/D
+  const T invD2 = T(1) / JA2_11;
+  // kB2 = invD2 B2: B/D
+  const T kB2_1 = invD2 * Hb3_11;
+  const T kB2_2 = invD2 * HA2_12;
+  const T kB2_3 = invD2 * HA2_13;
+  // kK2 = invD2 K2: K/D
+  const T kK2_2 = invD2 * T(7.94567044e-06);
+  const T kK2_3 = invD2 * JA2_13;
+  // u_2 = b2 . n2 + effort_fr_hip_2: drives it [N m]
+  const T u_2 = n2_1 + effort_fr_hip_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = invD2 * u_2;
+  // M2 = Mp3 - kB2 B2^T: MA less what the turn takes up [kg]
+  const T M2_11 = Mp3_11 - kB2_1 * Hb3_11;
+  const T minus_M2_12 = kB2_1 * HA2_12;
+  const T M2_13 = Mp3_13 - kB2_1 * HA2_13;
+  const T minus_M2_22 = kB2_2 * HA2_12;
+  const T minus_M2_23 = kB2_2 * HA2_13;
+  const T minus_M2_33 = minus_Mp3_33 + kB2_3 * HA2_13;
+  // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
+  const T H2_21 = T(2.1575999999999998e-05) - kK2_2 * Hb3_11;
+  const T minus_H2_22 = kK2_2 * HA2_12;
+  const T minus_H2_23 = kK2_2 * HA2_13;
+  const T H2_31 = HA2_31 - kK2_3 * Hb3_11;
+  const T H2_32 = Hp3_32 - kK2_3 * HA2_12;
+  const T H2_33 = Hb3_33 - kK2_3 * HA2_13;
+  // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
+  const T minus_J2_22 = kK2_2 * T(7.94567044e-06);
+  const T J2_23 = T(4.7970076e-07) - kK2_2 * JA2_13;
+  const T J2_33 = JA2_33 - kK2_3 * JA2_13;
+  // gt2 = g2 - v2 B2: force with the turn solved [N]
+  const T gt2_1 = g2_1 - v2 * Hb3_11;
+  const T gt2_2 = g2_2 - v2 * HA2_12;
+  const T gt2_3 = g2_3 - v2 * HA2_13;
+  // nt2 = -effort_fr_hip_2 b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
+  const T minus_nt2_2 = minus_n2_2 + v2 * T(7.94567044e-06);
+  const T nt2_3 = n2_3 - v2 * JA2_13;
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T minus_Mp2_12 = E2_22 * minus_M2_12 + E2_23 * M2_13;
+  const T Mp2_13 = E2_22 * M2_13 - E2_23 * minus_M2_12;
+  const T b2_1 = T(2) * E2_22;
+  const T b2_2 = E2_23 * (minus_M2_33 - minus_M2_22) - b2_1 * minus_M2_23;
+  const T b2_3 = E2_23 * b2_2;
+  const T minus_Mp2_22 = minus_M2_22 + b2_3;
+  const T Mp2_23 = E2_22 * b2_2 + minus_M2_23;
+  const T Mp2_33 = b2_3 - minus_M2_33;
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T gp2_2 = E2_22 * gt2_2 - E2_23 * gt2_3;
+  const T gp2_3 = E2_23 * gt2_2 + E2_22 * gt2_3;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_21 = E2_22 * H2_21 - E2_23 * H2_31;
+  const T b2_4 = E2_22 * (H2_32 - minus_H2_23) - E2_23 * (minus_H2_22 + H2_33);
+  const T b2_5 = E2_23 * b2_4;
+  const T minus_Hp2_22 = minus_H2_22 + b2_5;
+  const T b2_6 = E2_22 * b2_4;
+  const T Hp2_23 = b2_6 - H2_32;
+  const T Hp2_31 = E2_23 * H2_21 + E2_22 * H2_31;
+  const T Hp2_32 = b2_6 + minus_H2_23;
+  const T Hp2_33 = H2_33 + b2_5;
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_7 = b2_1 * J2_23 - E2_23 * (minus_J2_22 + J2_33);
+  const T b2_8 = E2_23 * b2_7;
+  const T minus_Jp2_22 = minus_J2_22 + b2_8;
+  const T Jp2_23 = E2_22 * b2_7 - J2_23;
+  const T Jp2_33 = J2_33 + b2_8;
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T minus_np2_2 = E2_22 * minus_nt2_2 + E2_23 * nt2_3;
+  const T np2_3 = E2_22 * nt2_3 - E2_23 * minus_nt2_2;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T minus_Hb2_11 = T(0.047) * Mp2_13;
+  const T minus_Hb2_12 = T(0.047) * Mp2_23;
+  const T minus_Hb2_13 = T(0.047) * Mp2_33;
+  const T Hb2_21 = Hp2_21 - T(0.1805) * Mp2_13;
+  const T b2_9 = T(0.1805) * Mp2_23;
+  const T minus_Hb2_22 = b2_9 + minus_Hp2_22;
+  const T Hb2_23 = Hp2_23 - T(0.1805) * Mp2_33;
+  const T Hb2_31 = T(0.047) * M2_11 - T(0.1805) * minus_Mp2_12 + Hp2_31;
+  const T Hb2_32 = Hp2_32 - (T(0.047) * minus_Mp2_12 + T(0.1805) * minus_Mp2_22);
+  const T Hb2_33 = b2_9 + minus_Hb2_11 + Hp2_33;
 
   // ---- body 1 (trunk) and what it carries
-  // S1 = E2^T S2 + E6^T S6 + E10^T S10 + E14^T S14 + G1: sum of the force balances of the subtree, body axes [N]
-  const T S1_1 = S2_1 + S6_1 + S10_1 + S14_1 - minus_G1_1;
-  const T b1_1 = E2_22 * S2_2 - E2_23 * S2_3;
-  const T b1_2 = E6_22 * S6_2 - E6_23 * S6_3;
-  const T b1_3 = E10_22 * S10_2 - E10_23 * S10_3;
-  const T b1_4 = E14_22 * S14_2 - E14_23 * S14_3;
-  const T S1_2 = b1_1 + b1_2 + b1_3 + b1_4 + G1_2;
-  const T b1_5 = E2_23 * S2_2 + E2_22 * S2_3;
-  const T b1_6 = E6_23 * S6_2 + E6_22 * S6_3;
-  const T b1_7 = E10_23 * S10_2 + E10_22 * S10_3;
-  const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
-  const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 - minus_G1_3;
-  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
-  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
-      b1_8 + rho14_1 + T(5e-04) * G1_2 - T(0.0041) * minus_G1_3 - minus_N1_1;
-  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
-      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
-      * rho14_3 + T(5e-04) * minus_G1_1 - minus_N1_2;
-  const T f_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
-      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
-      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + T(0.0041) *
-      minus_G1_1 - minus_N1_3;
-  // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
-  //   carried, about the body origin, body axes [kg m]
-  const T h1_1 = h10_1 - (minus_h2_1 + minus_h6_1) + h14_1;
-  const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
-  const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_7) - minus_hc10_3 + hc14_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
-  //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
-  //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_9 = T(0.047) * minus_hc2_2;
-  const T b1_10 = b1_9 + J2_11;
-  const T b1_11 = T(0.047) * hc6_2;
-  const T b1_12 = J6_11 + b1_11;
-  const T b1_13 = T(0.047) * minus_hc10_2;
-  const T b1_14 = J10_11 + b1_13;
-  const T b1_15 = T(0.047) * hc14_2;
-  const T b1_16 = J14_11 + b1_15;
-  const T b1_17 = (T(0.090945) + hc14_2) * T(0.047) + (T(0.090945) + minus_hc10_2) * T(0.047) + ((T(0.090945) + hc6_2)
-      * T(0.047) + (T(0.090945) + minus_hc2_2) * T(0.047));
-  const T J1_11 = b1_10 + b1_12 + b1_14 + b1_16 + c.c1_2 + T(0.0158533) + b1_17;
-  const T b1_18 = T(0.1805) * minus_hc2_2 - E2_23 * J2_13 + E2_22 * J2_12;
-  const T b1_19 = T(0.1805) * hc6_2 + E6_23 * J6_13;
-  const T b1_20 = E6_22 * J6_12;
-  const T b1_21 = T(0.1805) * minus_hc10_2 + E10_23 * J10_13;
-  const T b1_22 = E10_22 * minus_J10_12;
-  const T b1_23 = T(0.1805) * hc14_2 - E14_23 * J14_13;
-  const T b1_24 = E14_22 * J14_12;
-  const T b1_25 = h14_1 - T(0.34926749999999995);
-  const T b1_26 = h10_1 - T(0.34926749999999995);
-  const T b1_27 = T(0.34926749999999995) - minus_h6_1;
-  const T b1_28 = T(0.34926749999999995) - minus_h2_1;
-  const T J1_21 = b1_18 - b1_19 + b1_20 - b1_21 - b1_22 + b1_23 + b1_24 - T(3.66e-05) - b1_25 * T(0.047) + b1_26 *
-      T(0.047) - b1_27 * T(0.047) + b1_28 * T(0.047);
-  const T b1_29 = E2_23 * J2_23;
-  const T b1_30 = E2_22 * J2_22 - b1_29;
-  const T b1_31 = E2_22 * J2_23;
-  const T b1_32 = b1_31 - E2_23 * J2_33;
-  const T b1_33 = T(0.1805) * minus_h2_1 + T(0.1805) * minus_h6_1 + (T(0.1805) * h10_1 + T(0.1805) * h14_1) + (b1_25 *
-      T(0.1805) + b1_26 * T(0.1805) - (b1_27 * T(0.1805) + b1_28 * T(0.1805)));
-  const T b1_34 = E6_23 * J6_23;
-  const T b1_35 = E6_22 * J6_22 - b1_34;
-  const T b1_36 = E6_22 * J6_23;
-  const T b1_37 = b1_36 - E6_23 * J6_33;
-  const T b1_38 = E10_23 * J10_23;
-  const T b1_39 = E10_22 * J10_22 - b1_38;
-  const T b1_40 = E10_22 * J10_23;
-  const T b1_41 = b1_40 - E10_23 * J10_33;
-  const T b1_42 = E14_23 * J14_23;
-  const T b1_43 = E14_22 * J14_22 - b1_42;
-  const T b1_44 = E14_22 * J14_23;
-  const T b1_45 = b1_44 - E14_23 * J14_33;
-  const T J1_22 = b1_30 * E2_22 - b1_32 * E2_23 - b1_33 + b1_35 * E6_22 - b1_37 * E6_23 + b1_39 * E10_22 - b1_41 *
-      E10_23 + b1_43 * E14_22 - b1_45 * E14_23 + c.c1_3 + T(0.0377999);
-  const T b1_46 = T(0.1805) * minus_hc2_3 + E2_22 * J2_13 + E2_23 * J2_12;
-  const T b1_47 = T(0.1805) * hc6_3 - E6_22 * J6_13;
-  const T b1_48 = E6_23 * J6_12;
-  const T b1_49 = T(0.1805) * minus_hc10_3 - E10_22 * J10_13;
-  const T b1_50 = E10_23 * minus_J10_12;
-  const T b1_51 = T(0.1805) * hc14_3 + E14_22 * J14_13;
-  const T b1_52 = E14_23 * J14_12;
-  const T J1_31 = b1_46 - b1_47 + b1_48 - b1_49 - b1_50 + b1_51 + b1_52 - T(6.11e-05);
-  const T J1_32 = b1_30 * E2_23 + b1_32 * E2_22 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 + b1_35 * E6_23 + b1_37 *
-      E6_22 - T(0.047) * minus_hc10_3 + b1_39 * E10_23 + b1_41 * E10_22 - T(0.047) * hc14_3 + b1_43 * E14_23 + b1_45 *
-      E14_22 + c.c1_4 - T(2.75e-05);
-  const T J1_33 = (E2_23 * J2_22 + b1_31) * E2_23 + (b1_29 + E2_22 * J2_33) * E2_22 + b1_9 - b1_33 + b1_11 + (E6_23 *
-      J6_22 + b1_36) * E6_23 + (b1_34 + E6_22 * J6_33) * E6_22 + b1_13 + (E10_23 * J10_22 + b1_40) * E10_23 + (b1_38 +
-      E10_22 * J10_33) * E10_22 + b1_15 + (E14_23 * J14_22 + b1_44) * E14_23 + (b1_42 + E14_22 * J14_33) * E14_22 +
-      c.c1_5 + T(0.0456542) + b1_17;
-  // B_thetadot16_1 = E14^T B_thetadot16_14
-  const T minus_B_thetadot16_1_2 = E14_23 * B_thetadot16_14_3;
-  const T B_thetadot16_1_3 = E14_22 * B_thetadot16_14_3;
-  // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
-  const T K_thetadot16_1_1 = T(0.047) * B_thetadot16_1_3 + K_thetadot16_14_1;
-  const T K_thetadot16_1_2 = T(0.1805) * B_thetadot16_1_3 + E14_22 * b15_8 + E14_23 * minus_K_thetadot16_14_3;
-  const T K_thetadot16_1_3 = T(0.1805) * minus_B_thetadot16_1_2 - T(0.047) * B_thetadot16_14_1 + E14_23 * b15_8 -
-      E14_22 * minus_K_thetadot16_14_3;
-  // B_thetadot15_1 = E14^T B_thetadot15_14
-  const T minus_B_thetadot15_1_2 = E14_23 * minus_hc15_1;
-  const T B_thetadot15_1_3 = E14_22 * minus_hc15_1;
-  // K_thetadot15_1 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T K_thetadot15_1_1 = T(0.047) * B_thetadot15_1_3 + b14_7;
-  const T K_thetadot15_1_2 = T(0.1805) * B_thetadot15_1_3 + E14_22 * J15_22 - E14_23 * b14_8;
-  const T K_thetadot15_1_3 = T(0.1805) * minus_B_thetadot15_1_2 + T(0.047) * minus_hc15_3 + E14_23 * J15_22 + E14_22 *
-      b14_8;
-  // K_thetadot14_1 = q14~ E14^T B_thetadot14_14 + E14^T K_thetadot14_14
-  const T K_thetadot14_1_2 = b1_23 + b1_24;
-  const T K_thetadot14_1_3 = b1_51 + b1_52;
-  // B_thetadot12_1 = E10^T B_thetadot12_10
-  const T minus_B_thetadot12_1_2 = E10_23 * B_thetadot12_10_3;
-  const T B_thetadot12_1_3 = E10_22 * B_thetadot12_10_3;
-  // K_thetadot12_1 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
-  const T minus_K_thetadot12_1_1 = T(0.047) * B_thetadot12_1_3 + minus_K_thetadot12_10_1;
-  const T K_thetadot12_1_2 = T(0.1805) * B_thetadot12_1_3 + E10_22 * b11_8 - E10_23 * K_thetadot12_10_3;
-  const T K_thetadot12_1_3 = T(0.1805) * minus_B_thetadot12_1_2 + T(0.047) * B_thetadot12_10_1 + E10_23 * b11_8 +
-      E10_22 * K_thetadot12_10_3;
-  // B_thetadot11_1 = E10^T B_thetadot11_10
-  const T minus_B_thetadot11_1_2 = E10_23 * minus_hc11_1;
-  const T B_thetadot11_1_3 = E10_22 * minus_hc11_1;
-  // K_thetadot11_1 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
-  const T minus_K_thetadot11_1_1 = b10_7 + T(0.047) * B_thetadot11_1_3;
-  const T K_thetadot11_1_2 = T(0.1805) * B_thetadot11_1_3 + E10_22 * J11_22 + E10_23 * b10_8;
-  const T K_thetadot11_1_3 = T(0.1805) * minus_B_thetadot11_1_2 - T(0.047) * minus_hc11_3 + E10_23 * J11_22 - E10_22 *
-      b10_8;
-  // K_thetadot10_1 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
-  const T minus_K_thetadot10_1_2 = b1_22 + b1_21;
-  const T minus_K_thetadot10_1_3 = b1_50 + b1_49;
-  // B_thetadot8_1 = E6^T B_thetadot8_6
-  const T minus_B_thetadot8_1_2 = E6_23 * B_thetadot8_6_3;
-  const T B_thetadot8_1_3 = E6_22 * B_thetadot8_6_3;
-  // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
-  const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
-  const T K_thetadot8_1_2 = E6_22 * b7_8 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
-  const T K_thetadot8_1_3 = E6_23 * b7_8 - (T(0.1805) * minus_B_thetadot8_1_2 + T(0.047) * B_thetadot8_6_1) - E6_22 *
-      minus_K_thetadot8_6_3;
-  // B_thetadot7_1 = E6^T B_thetadot7_6
-  const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
-  const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
-  // K_thetadot7_1 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T K_thetadot7_1_1 = T(0.047) * B_thetadot7_1_3 + b6_7;
-  const T K_thetadot7_1_2 = E6_22 * J7_22 - E6_23 * b6_8 - T(0.1805) * B_thetadot7_1_3;
-  const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 - T(0.1805) * minus_B_thetadot7_1_2 + E6_23 * J7_22 + E6_22 * b6_8;
-  // K_thetadot6_1 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T K_thetadot6_1_2 = b1_20 - b1_19;
-  const T K_thetadot6_1_3 = b1_48 - b1_47;
-  // B_thetadot4_1 = E2^T B_thetadot4_2
-  const T minus_B_thetadot4_1_2 = E2_23 * B_thetadot4_2_3;
-  const T B_thetadot4_1_3 = E2_22 * B_thetadot4_2_3;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_1 = T(0.047) * B_thetadot4_1_3 + minus_K_thetadot4_2_1;
-  const T K_thetadot4_1_2 = E2_22 * b3_8 - E2_23 * K_thetadot4_2_3 - T(0.1805) * B_thetadot4_1_3;
-  const T K_thetadot4_1_3 = T(0.047) * B_thetadot4_2_1 - T(0.1805) * minus_B_thetadot4_1_2 + E2_23 * b3_8 + E2_22 *
-      K_thetadot4_2_3;
-  // B_thetadot3_1 = E2^T B_thetadot3_2
-  const T minus_B_thetadot3_1_2 = E2_23 * minus_hc3_1;
-  const T B_thetadot3_1_3 = E2_22 * minus_hc3_1;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T minus_K_thetadot3_1_1 = b2_7 + T(0.047) * B_thetadot3_1_3;
-  const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_8 - T(0.1805) * B_thetadot3_1_3;
-  const T K_thetadot3_1_3 = E2_23 * J3_22 - (T(0.1805) * minus_B_thetadot3_1_2 + T(0.047) * minus_hc3_3) - E2_22 *
-      b2_8;
-  // D_omegadot1: pivots of L D L^T
-  const T b1_53 = K_thetadot16_1_1 * T(136.15003737155254);
-  const T b1_54 = K_thetadot15_1_1 - b1_53 * b15_8;
-  const T b1_55 = b1_54 * b14_11;
-  const T b1_56 = b1_16 - b1_53 * K_thetadot16_14_1 - b1_55 * b14_10;
-  const T b1_57 = T(1) / D_thetaddot14;
-  const T b1_58 = b1_56 * b1_57;
-  const T b1_59 = minus_K_thetadot12_1_1 * T(136.15003737155254);
-  const T b1_60 = b1_59 * b11_8 - minus_K_thetadot11_1_1;
-  const T b1_61 = b1_60 * b10_11;
-  const T b1_62 = b1_14 - b1_59 * minus_K_thetadot12_10_1 - b1_61 * b10_10;
-  const T b1_63 = T(1) / D_thetaddot10;
-  const T b1_64 = b1_62 * b1_63;
-  const T b1_65 = K_thetadot8_1_1 * T(136.15003737155254);
-  const T b1_66 = K_thetadot7_1_1 - b1_65 * b7_8;
-  const T b1_67 = b1_66 * b6_11;
-  const T b1_68 = b1_12 - b1_65 * K_thetadot8_6_1 - b1_67 * b6_10;
-  const T b1_69 = T(1) / D_thetaddot6;
-  const T b1_70 = b1_68 * b1_69;
-  const T b1_71 = minus_K_thetadot4_1_1 * T(136.15003737155254);
-  const T b1_72 = b1_71 * b3_8 - minus_K_thetadot3_1_1;
-  const T b1_73 = b1_72 * b2_11;
-  const T b1_74 = b1_10 - b1_71 * minus_K_thetadot4_2_1 - b1_73 * b2_10;
-  const T b1_75 = T(1) / D_thetaddot2;
-  const T b1_76 = b1_74 * b1_75;
-  const T D_omegadot1_1 = J1_11 - b1_53 * K_thetadot16_1_1 - b1_55 * b1_54 - b1_58 * b1_56 - b1_59 *
-      minus_K_thetadot12_1_1 - b1_61 * b1_60 - b1_64 * b1_62 - b1_65 * K_thetadot8_1_1 - b1_67 * b1_66 - b1_70 * b1_68
-      - b1_71 * minus_K_thetadot4_1_1 - b1_73 * b1_72 - b1_76 * b1_74;
-  const T b1_77 = K_thetadot16_1_2 * T(136.15003737155254);
-  const T b1_78 = K_thetadot15_1_2 - b1_77 * b15_8;
-  const T b1_79 = b1_78 * b14_11;
-  const T b1_80 = K_thetadot14_1_2 - b1_77 * K_thetadot16_14_1 - b1_79 * b14_10;
-  const T b1_81 = b1_80 * b1_57;
-  const T b1_82 = K_thetadot12_1_2 * T(136.15003737155254);
-  const T b1_83 = K_thetadot11_1_2 - b1_82 * b11_8;
-  const T b1_84 = b1_83 * b10_11;
-  const T b1_85 = b1_82 * minus_K_thetadot12_10_1 - minus_K_thetadot10_1_2 - b1_84 * b10_10;
-  const T b1_86 = b1_85 * b1_63;
-  const T b1_87 = K_thetadot8_1_2 * T(136.15003737155254);
-  const T b1_88 = K_thetadot7_1_2 - b1_87 * b7_8;
-  const T b1_89 = b1_88 * b6_11;
-  const T b1_90 = K_thetadot6_1_2 - b1_87 * K_thetadot8_6_1 - b1_89 * b6_10;
-  const T b1_91 = b1_90 * b1_69;
-  const T b1_92 = K_thetadot4_1_2 * T(136.15003737155254);
-  const T b1_93 = K_thetadot3_1_2 - b1_92 * b3_8;
-  const T b1_94 = b1_93 * b2_11;
-  const T b1_95 = b1_18 + b1_92 * minus_K_thetadot4_2_1 - b1_94 * b2_10;
-  const T b1_96 = b1_95 * b1_75;
-  const T b1_97 = J1_21 - b1_77 * K_thetadot16_1_1 - b1_79 * b1_54 - b1_81 * b1_56 + b1_82 * minus_K_thetadot12_1_1 -
-      b1_84 * b1_60 - b1_86 * b1_62 - b1_87 * K_thetadot8_1_1 - b1_89 * b1_66 - b1_91 * b1_68 + b1_92 *
-      minus_K_thetadot4_1_1 - b1_94 * b1_72 - b1_96 * b1_74;
-  const T b1_98 = T(1) / D_omegadot1_1;
-  const T b1_99 = b1_97 * b1_98;
-  const T D_omegadot1_2 = J1_22 - b1_77 * K_thetadot16_1_2 - b1_79 * b1_78 - b1_81 * b1_80 - b1_82 * K_thetadot12_1_2
-      - b1_84 * b1_83 - b1_86 * b1_85 - b1_87 * K_thetadot8_1_2 - b1_89 * b1_88 - b1_91 * b1_90 - b1_92 *
-      K_thetadot4_1_2 - b1_94 * b1_93 - b1_96 * b1_95 - b1_99 * b1_97;
-  const T b1_100 = K_thetadot16_1_3 * T(136.15003737155254);
-  const T b1_101 = K_thetadot15_1_3 - b1_100 * b15_8;
-  const T b1_102 = b1_101 * b14_11;
-  const T b1_103 = K_thetadot14_1_3 - b1_100 * K_thetadot16_14_1 - b1_102 * b14_10;
-  const T b1_104 = b1_103 * b1_57;
-  const T b1_105 = K_thetadot12_1_3 * T(136.15003737155254);
-  const T b1_106 = K_thetadot11_1_3 - b1_105 * b11_8;
-  const T b1_107 = b1_106 * b10_11;
-  const T b1_108 = b1_105 * minus_K_thetadot12_10_1 - minus_K_thetadot10_1_3 - b1_107 * b10_10;
-  const T b1_109 = b1_108 * b1_63;
-  const T b1_110 = K_thetadot8_1_3 * T(136.15003737155254);
-  const T b1_111 = K_thetadot7_1_3 - b1_110 * b7_8;
-  const T b1_112 = b1_111 * b6_11;
-  const T b1_113 = K_thetadot6_1_3 - b1_110 * K_thetadot8_6_1 - b1_112 * b6_10;
-  const T b1_114 = b1_113 * b1_69;
-  const T b1_115 = K_thetadot4_1_3 * T(136.15003737155254);
-  const T b1_116 = K_thetadot3_1_3 - b1_115 * b3_8;
-  const T b1_117 = b1_116 * b2_11;
-  const T b1_118 = b1_46 + b1_115 * minus_K_thetadot4_2_1 - b1_117 * b2_10;
-  const T b1_119 = b1_118 * b1_75;
-  const T b1_120 = J1_31 - b1_100 * K_thetadot16_1_1 - b1_102 * b1_54 - b1_104 * b1_56 + b1_105 *
-      minus_K_thetadot12_1_1 - b1_107 * b1_60 - b1_109 * b1_62 - b1_110 * K_thetadot8_1_1 - b1_112 * b1_66 - b1_114 *
-      b1_68 + b1_115 * minus_K_thetadot4_1_1 - b1_117 * b1_72 - b1_119 * b1_74;
-  const T b1_121 = b1_120 * b1_98;
-  const T b1_122 = J1_32 - b1_100 * K_thetadot16_1_2 - b1_102 * b1_78 - b1_104 * b1_80 - b1_105 * K_thetadot12_1_2 -
-      b1_107 * b1_83 - b1_109 * b1_85 - b1_110 * K_thetadot8_1_2 - b1_112 * b1_88 - b1_114 * b1_90 - b1_115 *
-      K_thetadot4_1_2 - b1_117 * b1_93 - b1_119 * b1_95 - b1_121 * b1_97;
-  const T b1_123 = T(1) / D_omegadot1_2;
-  const T b1_124 = b1_122 * b1_123;
-  const T D_omegadot1_3 = J1_33 - b1_100 * K_thetadot16_1_3 - b1_102 * b1_101 - b1_104 * b1_103 - b1_105 *
-      K_thetadot12_1_3 - b1_107 * b1_106 - b1_109 * b1_108 - b1_110 * K_thetadot8_1_3 - b1_112 * b1_111 - b1_114 *
-      b1_113 - b1_115 * K_thetadot4_1_3 - b1_117 * b1_116 - b1_119 * b1_118 - b1_121 * b1_120 - b1_124 * b1_122;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_125 = B_thetadot16_14_1 * T(136.15003737155254);
-  const T b1_126 = minus_hc15_3 + b1_125 * b15_8;
-  const T b1_127 = b1_126 * b14_11;
-  const T b1_128 = b1_127 * b14_10 - b1_125 * K_thetadot16_14_1;
-  const T b1_129 = b1_128 * b1_57;
-  const T b1_130 = B_thetadot12_10_1 * T(136.15003737155254);
-  const T b1_131 = minus_hc11_3 + b1_130 * b11_8;
-  const T b1_132 = b1_131 * b10_11;
-  const T b1_133 = b1_130 * minus_K_thetadot12_10_1 + b1_132 * b10_10;
-  const T b1_134 = b1_133 * b1_63;
-  const T b1_135 = B_thetadot8_6_1 * T(136.15003737155254);
-  const T b1_136 = minus_hc7_3 + b1_135 * b7_8;
-  const T b1_137 = b1_136 * b6_11;
-  const T b1_138 = b1_137 * b6_10 - b1_135 * K_thetadot8_6_1;
-  const T b1_139 = b1_138 * b1_69;
-  const T b1_140 = B_thetadot4_2_1 * T(136.15003737155254);
-  const T b1_141 = minus_hc3_3 + b1_140 * b3_8;
-  const T b1_142 = b1_141 * b2_11;
-  const T b1_143 = b1_140 * minus_K_thetadot4_2_1 + b1_142 * b2_10;
-  const T b1_144 = b1_143 * b1_75;
-  const T b1_145 = b1_127 * b1_54 - b1_125 * K_thetadot16_1_1 - b1_129 * b1_56 + b1_130 * minus_K_thetadot12_1_1 +
-      b1_132 * b1_60 - b1_134 * b1_62 - b1_135 * K_thetadot8_1_1 + b1_137 * b1_66 - b1_139 * b1_68 + b1_140 *
-      minus_K_thetadot4_1_1 + b1_142 * b1_72 - b1_144 * b1_74;
-  const T b1_146 = b1_145 * b1_98;
-  const T b1_147 = h1_3 - b1_125 * K_thetadot16_1_2 + b1_127 * b1_78 - b1_129 * b1_80 - b1_130 * K_thetadot12_1_2 +
-      b1_132 * b1_83 - b1_134 * b1_85 - b1_135 * K_thetadot8_1_2 + b1_137 * b1_88 - b1_139 * b1_90 - b1_140 *
-      K_thetadot4_1_2 + b1_142 * b1_93 - b1_144 * b1_95 - b1_146 * b1_97;
-  const T b1_148 = b1_147 * b1_123;
-  const T b1_149 = h1_2 + b1_125 * K_thetadot16_1_3 - b1_127 * b1_101 + b1_129 * b1_103 + b1_130 * K_thetadot12_1_3 -
-      b1_132 * b1_106 + b1_134 * b1_108 + b1_135 * K_thetadot8_1_3 - b1_137 * b1_111 + b1_139 * b1_113 + b1_140 *
-      K_thetadot4_1_3 - b1_142 * b1_116 + b1_144 * b1_118 + b1_146 * b1_120 + b1_148 * b1_122;
-  const T b1_150 = T(1) / D_omegadot1_3;
-  const T b1_151 = b1_149 * b1_150;
-  const T D_Pddot1_1 = c.m_sub1 - b1_125 * B_thetadot16_14_1 - b1_127 * b1_126 - b1_129 * b1_128 - b1_130 *
-      B_thetadot12_10_1 - b1_132 * b1_131 - b1_134 * b1_133 - b1_135 * B_thetadot8_6_1 - b1_137 * b1_136 - b1_139 *
-      b1_138 - b1_140 * B_thetadot4_2_1 - b1_142 * b1_141 - b1_144 * b1_143 - b1_146 * b1_145 - b1_148 * b1_147 -
-      b1_151 * b1_149;
-  const T b1_152 = minus_B_thetadot16_1_2 * T(136.15003737155254);
-  const T b1_153 = b1_152 * b15_8 - minus_B_thetadot15_1_2;
-  const T b1_154 = b1_153 * b14_11;
-  const T b1_155 = b1_152 * K_thetadot16_14_1 - hc14_3 - b1_154 * b14_10;
-  const T b1_156 = b1_155 * b1_57;
-  const T b1_157 = minus_B_thetadot12_1_2 * T(136.15003737155254);
-  const T b1_158 = b1_157 * b11_8 - minus_B_thetadot11_1_2;
-  const T b1_159 = b1_158 * b10_11;
-  const T b1_160 = minus_hc10_3 - b1_157 * minus_K_thetadot12_10_1 - b1_159 * b10_10;
-  const T b1_161 = b1_160 * b1_63;
-  const T b1_162 = minus_B_thetadot8_1_2 * T(136.15003737155254);
-  const T b1_163 = b1_162 * b7_8 - minus_B_thetadot7_1_2;
-  const T b1_164 = b1_163 * b6_11;
-  const T b1_165 = b1_162 * K_thetadot8_6_1 - hc6_3 - b1_164 * b6_10;
-  const T b1_166 = b1_165 * b1_69;
-  const T b1_167 = minus_B_thetadot4_1_2 * T(136.15003737155254);
-  const T b1_168 = b1_167 * b3_8 - minus_B_thetadot3_1_2;
-  const T b1_169 = b1_168 * b2_11;
-  const T b1_170 = minus_hc2_3 - b1_167 * minus_K_thetadot4_2_1 - b1_169 * b2_10;
-  const T b1_171 = b1_170 * b1_75;
-  const T b1_172 = h1_3 - b1_152 * K_thetadot16_1_1 + b1_154 * b1_54 + b1_156 * b1_56 + b1_157 *
-      minus_K_thetadot12_1_1 + b1_159 * b1_60 + b1_161 * b1_62 - b1_162 * K_thetadot8_1_1 + b1_164 * b1_66 + b1_166 *
-      b1_68 + b1_167 * minus_K_thetadot4_1_1 + b1_169 * b1_72 + b1_171 * b1_74;
-  const T b1_173 = b1_172 * b1_98;
-  const T b1_174 = b1_152 * K_thetadot16_1_2 - b1_154 * b1_78 - b1_156 * b1_80 + b1_157 * K_thetadot12_1_2 - b1_159 *
-      b1_83 - b1_161 * b1_85 + b1_162 * K_thetadot8_1_2 - b1_164 * b1_88 - b1_166 * b1_90 + b1_167 * K_thetadot4_1_2 -
-      b1_169 * b1_93 - b1_171 * b1_95 + b1_173 * b1_97;
-  const T b1_175 = b1_174 * b1_123;
-  const T b1_176 = h1_1 + b1_152 * K_thetadot16_1_3 - b1_154 * b1_101 - b1_156 * b1_103 + b1_157 * K_thetadot12_1_3 -
-      b1_159 * b1_106 - b1_161 * b1_108 + b1_162 * K_thetadot8_1_3 - b1_164 * b1_111 - b1_166 * b1_113 + b1_167 *
-      K_thetadot4_1_3 - b1_169 * b1_116 - b1_171 * b1_118 + b1_173 * b1_120 - b1_175 * b1_122;
-  const T b1_177 = b1_176 * b1_150;
-  const T b1_178 = b1_152 * B_thetadot16_14_1 + b1_154 * b1_126 - b1_156 * b1_128 + b1_157 * B_thetadot12_10_1 +
-      b1_159 * b1_131 - b1_161 * b1_133 + b1_162 * B_thetadot8_6_1 + b1_164 * b1_136 - b1_166 * b1_138 + b1_167 *
-      B_thetadot4_2_1 + b1_169 * b1_141 - b1_171 * b1_143 + b1_173 * b1_145 - b1_175 * b1_147 + b1_177 * b1_149;
-  const T b1_179 = T(1) / D_Pddot1_1;
-  const T b1_180 = b1_178 * b1_179;
-  const T D_Pddot1_2 = c.m_sub1 - b1_152 * minus_B_thetadot16_1_2 - b1_154 * b1_153 - b1_156 * b1_155 - b1_157 *
-      minus_B_thetadot12_1_2 - b1_159 * b1_158 - b1_161 * b1_160 - b1_162 * minus_B_thetadot8_1_2 - b1_164 * b1_163 -
-      b1_166 * b1_165 - b1_167 * minus_B_thetadot4_1_2 - b1_169 * b1_168 - b1_171 * b1_170 - b1_173 * b1_172 - b1_175
-      * b1_174 - b1_177 * b1_176 - b1_180 * b1_178;
-  const T b1_181 = B_thetadot16_1_3 * T(136.15003737155254);
-  const T b1_182 = B_thetadot15_1_3 - b1_181 * b15_8;
-  const T b1_183 = b1_182 * b14_11;
-  const T b1_184 = hc14_2 - b1_181 * K_thetadot16_14_1 - b1_183 * b14_10;
-  const T b1_185 = b1_184 * b1_57;
-  const T b1_186 = B_thetadot12_1_3 * T(136.15003737155254);
-  const T b1_187 = B_thetadot11_1_3 - b1_186 * b11_8;
-  const T b1_188 = b1_187 * b10_11;
-  const T b1_189 = b1_186 * minus_K_thetadot12_10_1 - minus_hc10_2 - b1_188 * b10_10;
-  const T b1_190 = b1_189 * b1_63;
-  const T b1_191 = B_thetadot8_1_3 * T(136.15003737155254);
-  const T b1_192 = B_thetadot7_1_3 - b1_191 * b7_8;
-  const T b1_193 = b1_192 * b6_11;
-  const T b1_194 = hc6_2 - b1_191 * K_thetadot8_6_1 - b1_193 * b6_10;
-  const T b1_195 = b1_194 * b1_69;
-  const T b1_196 = B_thetadot4_1_3 * T(136.15003737155254);
-  const T b1_197 = B_thetadot3_1_3 - b1_196 * b3_8;
-  const T b1_198 = b1_197 * b2_11;
-  const T b1_199 = b1_196 * minus_K_thetadot4_2_1 - minus_hc2_2 - b1_198 * b2_10;
-  const T b1_200 = b1_199 * b1_75;
-  const T b1_201 = h1_2 - b1_181 * K_thetadot16_1_1 - b1_183 * b1_54 - b1_185 * b1_56 + b1_186 *
-      minus_K_thetadot12_1_1 - b1_188 * b1_60 - b1_190 * b1_62 - b1_191 * K_thetadot8_1_1 - b1_193 * b1_66 - b1_195 *
-      b1_68 + b1_196 * minus_K_thetadot4_1_1 - b1_198 * b1_72 - b1_200 * b1_74;
-  const T b1_202 = b1_201 * b1_98;
-  const T b1_203 = h1_1 + b1_181 * K_thetadot16_1_2 + b1_183 * b1_78 + b1_185 * b1_80 + b1_186 * K_thetadot12_1_2 +
-      b1_188 * b1_83 + b1_190 * b1_85 + b1_191 * K_thetadot8_1_2 + b1_193 * b1_88 + b1_195 * b1_90 + b1_196 *
-      K_thetadot4_1_2 + b1_198 * b1_93 + b1_200 * b1_95 + b1_202 * b1_97;
-  const T b1_204 = b1_203 * b1_123;
-  const T b1_205 = b1_204 * b1_122 - (b1_181 * K_thetadot16_1_3 + b1_183 * b1_101 + b1_185 * b1_103 + b1_186 *
-      K_thetadot12_1_3 + b1_188 * b1_106 + b1_190 * b1_108 + b1_191 * K_thetadot8_1_3 + b1_193 * b1_111 + b1_195 *
-      b1_113 + b1_196 * K_thetadot4_1_3 + b1_198 * b1_116 + b1_200 * b1_118 + b1_202 * b1_120);
-  const T b1_206 = b1_205 * b1_150;
-  const T b1_207 = b1_183 * b1_126 - b1_181 * B_thetadot16_14_1 - b1_185 * b1_128 - b1_186 * B_thetadot12_10_1 +
-      b1_188 * b1_131 - b1_190 * b1_133 - b1_191 * B_thetadot8_6_1 + b1_193 * b1_136 - b1_195 * b1_138 - b1_196 *
-      B_thetadot4_2_1 + b1_198 * b1_141 - b1_200 * b1_143 - b1_202 * b1_145 + b1_204 * b1_147 + b1_206 * b1_149;
-  const T b1_208 = b1_207 * b1_179;
-  const T b1_209 = b1_181 * minus_B_thetadot16_1_2 - b1_183 * b1_153 - b1_185 * b1_155 + b1_186 *
-      minus_B_thetadot12_1_2 - b1_188 * b1_158 - b1_190 * b1_160 + b1_191 * minus_B_thetadot8_1_2 - b1_193 * b1_163 -
-      b1_195 * b1_165 + b1_196 * minus_B_thetadot4_1_2 - b1_198 * b1_168 - b1_200 * b1_170 + b1_202 * b1_172 + b1_204
-      * b1_174 - b1_206 * b1_176 - b1_208 * b1_178;
-  const T b1_210 = T(1) / D_Pddot1_2;
-  const T b1_211 = b1_209 * b1_210;
-  const T D_Pddot1_3 = c.m_sub1 - b1_181 * B_thetadot16_1_3 - b1_183 * b1_182 - b1_185 * b1_184 - b1_186 *
-      B_thetadot12_1_3 - b1_188 * b1_187 - b1_190 * b1_189 - b1_191 * B_thetadot8_1_3 - b1_193 * b1_192 - b1_195 *
-      b1_194 - b1_196 * B_thetadot4_1_3 - b1_198 * b1_197 - b1_200 * b1_199 - b1_202 * b1_201 - b1_204 * b1_203 -
-      b1_206 * b1_205 - b1_208 * b1_207 - b1_211 * b1_209;
+  // MA1 = m_all_1 one + Mp14 + Mp10 + Mp6 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_11 = c.m_all_1 + M14_11 + M10_11 + M6_11 + M2_11;
+  const T minus_MA1_12 = minus_Mp14_12 + minus_Mp10_12 + minus_Mp6_12 + minus_Mp2_12;
+  const T MA1_13 = Mp14_13 + Mp10_13 + Mp6_13 + Mp2_13;
+  const T MA1_22 = c.m_all_1 - minus_Mp14_22 - minus_Mp10_22 - minus_Mp6_22 - minus_Mp2_22;
+  const T MA1_23 = Mp14_23 + Mp10_23 + Mp6_23 + Mp2_23;
+  const T MA1_33 = c.m_all_1 + Mp14_33 + Mp10_33 + Mp6_33 + Mp2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb6 + Hb10 + Hb14: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_11 = Hb6_11 - minus_Hb2_11 - minus_Hb10_11 + Hb14_11;
+  const T HA1_12 = c.c1_2 - minus_Hb2_12 + Hb6_12 - minus_Hb10_12 + Hb14_12;
+  const T HA1_13 = c.h_all_1_2 - minus_Hb2_13 + Hb6_13 - minus_Hb10_13 + Hb14_13;
+  const T HA1_21 = Hb2_21 - c.c1_2 + Hb6_21 + Hb10_21 + Hb14_21;
+  const T HA1_22 = Hb6_22 - minus_Hb2_22 + Hb10_22 + Hb14_22;
+  const T HA1_23 = Hb2_23 + Hb6_23 + Hb10_23 + Hb14_23;
+  const T HA1_31 = Hb2_31 - c.h_all_1_2 + Hb6_31 + Hb10_31 + Hb14_31;
+  const T HA1_32 = Hb2_32 + Hb6_32 + Hb10_32 + Hb14_32;
+  const T HA1_33 = Hb2_33 + Hb6_33 + Hb10_33 + Hb14_33;
+  // JA1 = q2~ Hp2^T + q6~ Hp6^T + q10~ Hp10^T + q14~ Hp14^T + J_all_1 + Jp14 + Jp10 + Jp6 + Jp2 - Hb2 q2~ - Hb6 q6~ -
+  //   Hb10 q10~ - Hb14 q14~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA1_11 = c.J_all_1_11 + minus_Hb2_13 * T(0.047) + Hb6_13 * T(0.047) + minus_Hb10_13 * T(0.047) + Hb14_13 *
+      T(0.047);
+  const T JA1_12 = T(0.047) * Hp6_23 - T(0.047) * Hp2_23 - T(0.047) * Hp10_23 + T(0.047) * Hp14_23 - T(3.66e-05) +
+      minus_Hb2_13 * T(0.1805) - Hb6_13 * T(0.1805) - minus_Hb10_13 * T(0.1805) + Hb14_13 * T(0.1805);
+  const T JA1_13 = T(0.047) * Hp6_33 - T(0.047) * Hp2_33 - T(0.047) * Hp10_33 + T(0.047) * Hp14_33 - T(6.11e-05) -
+      minus_Hb2_11 * T(0.047) - minus_Hb2_12 * T(0.1805) - Hb6_11 * T(0.047) + Hb6_12 * T(0.1805) - minus_Hb10_11 *
+      T(0.047) + minus_Hb10_12 * T(0.1805) - Hb14_11 * T(0.047) - Hb14_12 * T(0.1805);
+  const T JA1_22 = T(0.1805) * Hp10_23 - (T(0.1805) * Hp2_23 + T(0.1805) * Hp6_23) + T(0.1805) * Hp14_23 +
+      c.J_all_1_22 + Jp14_22 - minus_Jp10_22 - minus_Jp6_22 - minus_Jp2_22 - Hb2_23 * T(0.1805) - Hb6_23 * T(0.1805) +
+      Hb10_23 * T(0.1805) + Hb14_23 * T(0.1805);
+  const T JA1_23 = T(0.1805) * Hp10_33 - (T(0.1805) * Hp2_33 + T(0.1805) * Hp6_33) + T(0.1805) * Hp14_33 +
+      c.J_all_1_23 + Jp14_23 + Jp10_23 + Jp6_23 + Jp2_23 - minus_Hb2_22 * T(0.1805) + Hb2_21 * T(0.047) - Hb6_21 *
+      T(0.047) + Hb6_22 * T(0.1805) - Hb10_22 * T(0.1805) + Hb10_21 * T(0.047) - Hb14_21 * T(0.047) - Hb14_22 *
+      T(0.1805);
+  const T JA1_33 = T(0.1805) * Hp2_32 + T(0.047) * Hp2_31 + T(0.1805) * Hp6_32 - T(0.047) * Hp6_31 + T(0.047) *
+      Hp10_31 - T(0.1805) * Hp10_32 - T(0.1805) * Hp14_32 - T(0.047) * Hp14_31 + c.J_all_1_33 + Jp14_33 + Jp10_33 +
+      Jp6_33 + Jp2_33 + Hb2_31 * T(0.047) + Hb2_32 * T(0.1805) - Hb6_31 * T(0.047) + Hb6_32 * T(0.1805) - Hb10_32 *
+      T(0.1805) + Hb10_31 * T(0.047) - Hb14_31 * T(0.047) - Hb14_32 * T(0.1805);
+  // g1 = G1 + gp14 + gp10 + gp6 + gp2: force that drives it, home axes [N]
+  const T g1_1 = gt14_1 - minus_G1_1 + gt10_1 + gt6_1 + gt2_1;
+  const T g1_2 = gp14_2 + G1_2 + gp10_2 + gp6_2 + gp2_2;
+  const T g1_3 = gp14_3 - minus_G1_3 + gp10_3 + gp6_3 + gp2_3;
+  // n1 = q2~ gp2 + q6~ gp6 + q10~ gp10 + q14~ gp14 + N1 + np14 + np10 + np6 + np2: moment that drives it, body axes
+  //   [N m]
+  const T n1_1 = T(0.047) * gp6_3 - T(0.047) * gp2_3 - T(0.047) * gp10_3 + T(0.047) * gp14_3 - minus_N1_1 -
+      effort_rl_hip_14 - effort_rr_hip_10 - effort_fl_hip_6 - effort_fr_hip_2;
+  const T n1_2 = T(0.1805) * gp10_3 - (T(0.1805) * gp2_3 + T(0.1805) * gp6_3) + T(0.1805) * gp14_3 - minus_N1_2 -
+      minus_np14_2 + np10_2 + np6_2 - minus_np2_2;
+  const T n1_3 = T(0.1805) * gp2_2 + T(0.047) * gt2_1 + T(0.1805) * gp6_2 - T(0.047) * gt6_1 + T(0.047) * gt10_1 -
+      T(0.1805) * gp10_2 - T(0.1805) * gp14_2 - T(0.047) * gt14_1 - minus_N1_3 + np14_3 + np10_3 + np6_3 + np2_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T Y1_21 = HA1_21 - LD1_21 * HA1_11;
+  const T Y1_22 = HA1_22 - LD1_21 * HA1_12;
+  const T Y1_23 = HA1_23 - LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_31 * HA1_11 - LD1_32 * Y1_21;
+  const T Y1_32 = HA1_32 - LD1_31 * HA1_12 - LD1_32 * Y1_22;
+  const T Y1_33 = HA1_33 - LD1_31 * HA1_13 - LD1_32 * Y1_23;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_11 = LD1_11 * HA1_11;
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * Y1_21;
+  const T W1_22 = LD1_22 * Y1_22;
+  const T W1_23 = LD1_22 * Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_2 = n1_2 - LD1_21 * n1_1;
+  const T w_1_2 = LD1_22 * b1_2;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_2);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
+  const T minus_M1_12 = minus_MA1_12 + HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32;
+  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
+  const T LDs1_31 = LDs1_11 * M1_13;
+  const T b1_3 = M1_23 + minus_LDs1_21 * M1_13;
+  const T LDs1_32 = LDs1_22 * b1_3;
+  const T LDs1_33 = T(1) / (M1_33 - LDs1_31 * M1_13 - LDs1_32 * b1_3);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_4 = gb1_2 + minus_LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_4;
+  const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (trunk), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = rho16_2 + effort_rl_calf_16;
-  const T z1_2 = rho15_2 + effort_rl_thigh_15 - b15_9 * z1_1;
-  const T z1_3 = rho14_1 + effort_rl_hip_14 - b14_9 * z1_1 - b14_12 * z1_2;
-  const T z1_4 = rho12_2 + effort_rr_calf_12;
-  const T z1_5 = rho11_2 + effort_rr_thigh_11 - b11_9 * z1_4;
-  const T z1_6 = rho10_1 + effort_rr_hip_10 + b10_9 * z1_4 - b10_12 * z1_5;
-  const T z1_7 = rho8_2 + effort_fl_calf_8;
-  const T z1_8 = rho7_2 + effort_fl_thigh_7 - b7_9 * z1_7;
-  const T z1_9 = rho6_1 + effort_fl_hip_6 - b6_9 * z1_7 - b6_12 * z1_8;
-  const T z1_10 = rho4_2 + effort_fr_calf_4;
-  const T z1_11 = rho3_2 + effort_fr_thigh_3 - b3_9 * z1_10;
-  const T z1_12 = rho2_1 + effort_fr_hip_2 + b2_9 * z1_10 - b2_12 * z1_11;
-  const T z1_13 = f_omega1_1 - b1_53 * z1_1 - b1_55 * z1_2 - b1_58 * z1_3 + b1_59 * z1_4 - b1_61 * z1_5 - b1_64 * z1_6
-      - b1_65 * z1_7 - b1_67 * z1_8 - b1_70 * z1_9 + b1_71 * z1_10 - b1_73 * z1_11 - b1_76 * z1_12;
-  const T z1_14 = f_omega1_2 - b1_77 * z1_1 - b1_79 * z1_2 - b1_81 * z1_3 - b1_82 * z1_4 - b1_84 * z1_5 - b1_86 * z1_6
-      - b1_87 * z1_7 - b1_89 * z1_8 - b1_91 * z1_9 - b1_92 * z1_10 - b1_94 * z1_11 - b1_96 * z1_12 - b1_99 * z1_13;
-  const T z1_15 = f_omega1_3 - b1_100 * z1_1 - b1_102 * z1_2 - b1_104 * z1_3 - b1_105 * z1_4 - b1_107 * z1_5 - b1_109
-      * z1_6 - b1_110 * z1_7 - b1_112 * z1_8 - b1_114 * z1_9 - b1_115 * z1_10 - b1_117 * z1_11 - b1_119 * z1_12 -
-      b1_121 * z1_13 - b1_124 * z1_14;
-  const T z1_16 = S1_1 - b1_125 * z1_1 + b1_127 * z1_2 - b1_129 * z1_3 - b1_130 * z1_4 + b1_132 * z1_5 - b1_134 * z1_6
-      - b1_135 * z1_7 + b1_137 * z1_8 - b1_139 * z1_9 - b1_140 * z1_10 + b1_142 * z1_11 - b1_144 * z1_12 - b1_146 *
-      z1_13 - b1_148 * z1_14 + b1_151 * z1_15;
-  const T z1_17 = S1_2 + b1_152 * z1_1 - b1_154 * z1_2 - b1_156 * z1_3 + b1_157 * z1_4 - b1_159 * z1_5 - b1_161 * z1_6
-      + b1_162 * z1_7 - b1_164 * z1_8 - b1_166 * z1_9 + b1_167 * z1_10 - b1_169 * z1_11 - b1_171 * z1_12 + b1_173 *
-      z1_13 - b1_175 * z1_14 - b1_177 * z1_15 - b1_180 * z1_16;
-  const T z1_18 = T(1) / D_Pddot1_3 * (S1_3 - b1_181 * z1_1 - b1_183 * z1_2 - b1_185 * z1_3 - b1_186 * z1_4 - b1_188 *
-      z1_5 - b1_190 * z1_6 - b1_191 * z1_7 - b1_193 * z1_8 - b1_195 * z1_9 - b1_196 * z1_10 - b1_198 * z1_11 - b1_200
-      * z1_12 - b1_202 * z1_13 + b1_204 * z1_14 - b1_206 * z1_15 - b1_208 * z1_16 - b1_211 * z1_17);
-  const T z1_19 = z1_17 * b1_210 - b1_211 * z1_18;
-  const T Pddot1_1 = z1_16 * b1_179 - b1_180 * z1_19 - b1_208 * z1_18;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_20 = z1_15 * b1_150 + b1_151 * Pddot1_1 - b1_177 * z1_19 - b1_206 * z1_18;
-  const T z1_21 = z1_14 * b1_123 - b1_124 * z1_20 - b1_148 * Pddot1_1 - b1_175 * z1_19 + b1_204 * z1_18;
-  const T omegadot1_1 = z1_13 * b1_98 - b1_99 * z1_21 - b1_121 * z1_20 - b1_146 * Pddot1_1 + b1_173 * z1_19 - b1_202 *
-      z1_18;
-  ydot[0] = omegadot1_1;
-  ydot[1] = z1_21;
-  ydot[2] = z1_20;
-  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_19 + R1_31 * z1_18;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_19 + R1_32 * z1_18;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_19 + R1_33 * z1_18 - T(9.81);
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1_1;
+  ydot[1] = z1_3;
+  ydot[2] = z1_2;
+  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[15] = sddot1_1;
   ydot[16] = sddot1_2;
   ydot[17] = sddot1_3;
 
   // ---- body 2 (fr_hip), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_12 * b1_75 - b1_76 * omegadot1_1 - b1_96 * z1_21 - b1_119 * z1_20 - b1_144 * Pddot1_1 -
-      b1_171 * z1_19 - b1_200 * z1_18;
+  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.047) * z1_2;
+  const T beta2_1 = Pddot2_1_1 + z2_1;
+  const T z2_2 = T(0.1805) * z1_2;
+  const T z2_3 = T(0.1805) * z1_3;
+  const T z2_4 = T(0.047) * omegadot1_1_1;
+  const T z2_5 = z2_3 + z2_4;
+  const T beta2_2 = E2_22 * z2_2 - E2_23 * z2_5 + E2_22 * z1_1 + E2_23 * ws1_3;
+  const T beta2_3 = E2_22 * ws1_3 - (E2_23 * z2_2 + E2_22 * z2_5) - E2_23 * z1_1;
+  // alphaL2 = E2 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL2_2 = E2_22 * z1_3 + E2_23 * z1_2;
+  const T alphaL2_3 = E2_22 * z1_2 - E2_23 * z1_3;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T phi2 = v2 - (kB2_1 * beta2_1 + kB2_2 * beta2_2 + kB2_3 * beta2_3) - kK2_2 * alphaL2_2 - kK2_3 * alphaL2_3;
+  // thetaddot2 = -b2 . alphaL2 + phi2
+  const T thetaddot2 = phi2 - omegadot1_1_1;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (fr_thigh), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_11 * b2_11 - b2_12 * thetaddot2 - b1_73 * omegadot1_1 - b1_94 * z1_21 - b1_117 * z1_20 +
-      b1_142 * Pddot1_1 - b1_169 * z1_19 - b1_198 * z1_18;
+  // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z3_1 = T(0.0838) * alphaL2_3;
+  const T z3_2 = T(0.0838) * phi2;
+  const T beta3_1 = E3_11 * beta2_1 - minus_E3_13 * beta2_3 + E3_11 * z3_1 + minus_E3_13 * z3_2;
+  const T beta3_3 = minus_E3_13 * z3_1 - E3_11 * z3_2 + minus_E3_13 * beta2_1 + E3_11 * beta2_3;
+  // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_11 * phi2 - minus_E3_13 * alphaL2_3;
+  const T alphaL3_3 = minus_E3_13 * phi2 + E3_11 * alphaL2_3;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = minus_kB3_1 * beta3_1 - kB3_3 * beta3_3 + v3 - kK3_1 * alphaL3_1 - kK3_3 * alphaL3_3;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - alphaL2_2;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (fr_calf), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_10 * T(136.15003737155254) - b3_9 * thetaddot3 + b2_9 * thetaddot2 + b1_71 * omegadot1_1 -
-      b1_92 * z1_21 - b1_115 * z1_20 - b1_140 * Pddot1_1 + b1_167 * z1_19 - b1_196 * z1_18;
+  // beta4 = -E4 q4~ alpha3 + E4 beta3: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = T(0.2) * phi3;
+  const T beta4_1 = E4_11 * beta3_1 - minus_E4_13 * beta3_3 - E4_11 * z4_1;
+  const T beta4_3 = minus_E4_13 * beta3_1 + E4_11 * beta3_3 - minus_E4_13 * z4_1;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
+  const T phi4 = T(4.060866563859173) * beta4_1 + T(0.14543683142066613) * beta4_3 + v4;
+  // thetaddot4 = -b4 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - phi3;
   ydot[5] = thetaddot4;
 
   // ---- body 6 (fl_hip), solved
-  // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_9 * b1_69 - b1_70 * omegadot1_1 - b1_91 * z1_21 - b1_114 * z1_20 - b1_139 * Pddot1_1 -
-      b1_166 * z1_19 - b1_195 * z1_18;
+  // beta6 = -E6 q6~ omegadot1_1 + E6 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta6_1 = Pddot2_1_1 - z2_1;
+  const T z6_1 = z2_3 - z2_4;
+  const T beta6_2 = E6_22 * z2_2 - E6_23 * z6_1 + E6_22 * z1_1 + E6_23 * ws1_3;
+  const T beta6_3 = E6_22 * ws1_3 - (E6_23 * z2_2 + E6_22 * z6_1) - E6_23 * z1_1;
+  // alphaL6 = E6 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL6_2 = E6_22 * z1_3 + E6_23 * z1_2;
+  const T alphaL6_3 = E6_22 * z1_2 - E6_23 * z1_3;
+  // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
+  const T phi6 = v6 - (kB6_1 * beta6_1 + kB6_2 * beta6_2 + kB6_3 * beta6_3) - kK6_3 * alphaL6_3 + minus_kK6_2 *
+      alphaL6_2;
+  // thetaddot6 = -b6 . alphaL6 + phi6
+  const T thetaddot6 = phi6 - omegadot1_1_1;
   ydot[6] = thetaddot6;
 
   // ---- body 7 (fl_thigh), solved
-  // thetaddot7: from A ydot = f by elimination
-  const T thetaddot7 = z1_8 * b6_11 - b6_12 * thetaddot6 - b1_67 * omegadot1_1 - b1_89 * z1_21 - b1_112 * z1_20 +
-      b1_137 * Pddot1_1 - b1_164 * z1_19 - b1_193 * z1_18;
+  // beta7 = -E7 q7~ alpha6 + E7 beta6: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z7_1 = T(0.0838) * alphaL6_3;
+  const T z7_2 = T(0.0838) * phi6;
+  const T beta7_1 = E7_11 * beta6_1 - (E7_11 * z7_1 + minus_E7_13 * z7_2) - minus_E7_13 * beta6_3;
+  const T beta7_3 = E7_11 * z7_2 - minus_E7_13 * z7_1 + minus_E7_13 * beta6_1 + E7_11 * beta6_3;
+  // alphaL7 = E7 alpha6: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
+  const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
+  // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
+  const T phi7 = minus_kB7_1 * beta7_1 - kB7_3 * beta7_3 + v7 + minus_kK7_1 * alphaL7_1 + minus_kK7_3 * alphaL7_3;
+  // thetaddot7 = -b7 . alphaL7 + phi7
+  const T thetaddot7 = phi7 - alphaL6_2;
   ydot[7] = thetaddot7;
 
   // ---- body 8 (fl_calf), solved
-  // thetaddot8: from A ydot = f by elimination
-  const T thetaddot8 = z1_7 * T(136.15003737155254) - b7_9 * thetaddot7 - b6_9 * thetaddot6 - b1_65 * omegadot1_1 -
-      b1_87 * z1_21 - b1_110 * z1_20 - b1_135 * Pddot1_1 + b1_162 * z1_19 - b1_191 * z1_18;
+  // beta8 = -E8 q8~ alpha7 + E8 beta7: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z8_1 = T(0.2) * phi7;
+  const T beta8_1 = E8_11 * beta7_1 - minus_E8_13 * beta7_3 - E8_11 * z8_1;
+  const T beta8_3 = minus_E8_13 * beta7_1 + E8_11 * beta7_3 - minus_E8_13 * z8_1;
+  // phi8 = -kB8 . beta8 + v8 - (P_b8 kK8) . alphaL8
+  const T phi8 = T(4.060866563859173) * beta8_1 + T(0.14543683142066613) * beta8_3 + v8;
+  // thetaddot8 = -b8 . alphaL8 + phi8
+  const T thetaddot8 = phi8 - phi7;
   ydot[8] = thetaddot8;
 
   // ---- body 10 (rr_hip), solved
-  // thetaddot10: from A ydot = f by elimination
-  const T thetaddot10 = z1_6 * b1_63 - b1_64 * omegadot1_1 - b1_86 * z1_21 - b1_109 * z1_20 - b1_134 * Pddot1_1 -
-      b1_161 * z1_19 - b1_190 * z1_18;
+  // beta10 = -E10 q10~ omegadot1_1 + E10 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta10_2 = E10_23 * z6_1 - E10_22 * z2_2 + E10_22 * z1_1 + E10_23 * ws1_3;
+  const T beta10_3 = E10_22 * ws1_3 - E10_23 * z1_1 + E10_22 * z6_1 + E10_23 * z2_2;
+  // alphaL10 = E10 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL10_2 = E10_22 * z1_3 + E10_23 * z1_2;
+  const T alphaL10_3 = E10_22 * z1_2 - E10_23 * z1_3;
+  // phi10 = -kB10 . beta10 + v10 - (P_b10 kK10) . alphaL10
+  const T phi10 = v10 - (kB10_1 * beta2_1 + kB10_2 * beta10_2 + kB10_3 * beta10_3) - kK10_3 * alphaL10_3 +
+      minus_kK10_2 * alphaL10_2;
+  // thetaddot10 = -b10 . alphaL10 + phi10
+  const T thetaddot10 = phi10 - omegadot1_1_1;
   ydot[9] = thetaddot10;
 
   // ---- body 11 (rr_thigh), solved
-  // thetaddot11: from A ydot = f by elimination
-  const T thetaddot11 = z1_5 * b10_11 - b10_12 * thetaddot10 - b1_61 * omegadot1_1 - b1_84 * z1_21 - b1_107 * z1_20 +
-      b1_132 * Pddot1_1 - b1_159 * z1_19 - b1_188 * z1_18;
+  // beta11 = -E11 q11~ alpha10 + E11 beta10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z11_1 = T(0.0838) * alphaL10_3;
+  const T z11_2 = T(0.0838) * phi10;
+  const T beta11_1 = E11_11 * beta2_1 - minus_E11_13 * beta10_3 + E11_11 * z11_1 + minus_E11_13 * z11_2;
+  const T beta11_3 = minus_E11_13 * z11_1 - E11_11 * z11_2 + minus_E11_13 * beta2_1 + E11_11 * beta10_3;
+  // alphaL11 = E11 alpha10: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL11_1 = E11_11 * phi10 - minus_E11_13 * alphaL10_3;
+  const T alphaL11_3 = minus_E11_13 * phi10 + E11_11 * alphaL10_3;
+  // phi11 = -kB11 . beta11 + v11 - (P_b11 kK11) . alphaL11
+  const T phi11 = minus_kB11_1 * beta11_1 - kB11_3 * beta11_3 + v11 - kK11_1 * alphaL11_1 - kK11_3 * alphaL11_3;
+  // thetaddot11 = -b11 . alphaL11 + phi11
+  const T thetaddot11 = phi11 - alphaL10_2;
   ydot[10] = thetaddot11;
 
   // ---- body 12 (rr_calf), solved
-  // thetaddot12: from A ydot = f by elimination
-  const T thetaddot12 = z1_4 * T(136.15003737155254) - b11_9 * thetaddot11 + b10_9 * thetaddot10 + b1_59 * omegadot1_1
-      - b1_82 * z1_21 - b1_105 * z1_20 - b1_130 * Pddot1_1 + b1_157 * z1_19 - b1_186 * z1_18;
+  // beta12 = -E12 q12~ alpha11 + E12 beta11: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z12_1 = T(0.2) * phi11;
+  const T beta12_1 = E12_11 * beta11_1 - minus_E12_13 * beta11_3 - E12_11 * z12_1;
+  const T beta12_3 = minus_E12_13 * beta11_1 + E12_11 * beta11_3 - minus_E12_13 * z12_1;
+  // phi12 = -kB12 . beta12 + v12 - (P_b12 kK12) . alphaL12
+  const T phi12 = T(4.060866563859173) * beta12_1 + T(0.14543683142066613) * beta12_3 + v12;
+  // thetaddot12 = -b12 . alphaL12 + phi12
+  const T thetaddot12 = phi12 - phi11;
   ydot[11] = thetaddot12;
 
   // ---- body 14 (rl_hip), solved
-  // thetaddot14: from A ydot = f by elimination
-  const T thetaddot14 = z1_3 * b1_57 - b1_58 * omegadot1_1 - b1_81 * z1_21 - b1_104 * z1_20 - b1_129 * Pddot1_1 -
-      b1_156 * z1_19 - b1_185 * z1_18;
+  // beta14 = -E14 q14~ omegadot1_1 + E14 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta14_2 = E14_23 * z2_5 - E14_22 * z2_2 + E14_22 * z1_1 + E14_23 * ws1_3;
+  const T beta14_3 = E14_22 * ws1_3 - E14_23 * z1_1 + E14_23 * z2_2 + E14_22 * z2_5;
+  // alphaL14 = E14 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL14_2 = E14_22 * z1_3 + E14_23 * z1_2;
+  const T alphaL14_3 = E14_22 * z1_2 - E14_23 * z1_3;
+  // phi14 = -kB14 . beta14 + v14 - (P_b14 kK14) . alphaL14
+  const T phi14 = v14 - (kB14_1 * beta6_1 + kB14_2 * beta14_2 + kB14_3 * beta14_3) - kK14_2 * alphaL14_2 - kK14_3 *
+      alphaL14_3;
+  // thetaddot14 = -b14 . alphaL14 + phi14
+  const T thetaddot14 = phi14 - omegadot1_1_1;
   ydot[12] = thetaddot14;
 
   // ---- body 15 (rl_thigh), solved
-  // thetaddot15: from A ydot = f by elimination
-  const T thetaddot15 = z1_2 * b14_11 - b14_12 * thetaddot14 - b1_55 * omegadot1_1 - b1_79 * z1_21 - b1_102 * z1_20 +
-      b1_127 * Pddot1_1 - b1_154 * z1_19 - b1_183 * z1_18;
+  // beta15 = -E15 q15~ alpha14 + E15 beta14: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z15_1 = T(0.0838) * alphaL14_3;
+  const T z15_2 = T(0.0838) * phi14;
+  const T beta15_1 = E15_11 * beta6_1 - (E15_11 * z15_1 + minus_E15_13 * z15_2) - minus_E15_13 * beta14_3;
+  const T beta15_3 = E15_11 * z15_2 - minus_E15_13 * z15_1 + minus_E15_13 * beta6_1 + E15_11 * beta14_3;
+  // alphaL15 = E15 alpha14: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL15_1 = E15_11 * phi14 - minus_E15_13 * alphaL14_3;
+  const T alphaL15_3 = minus_E15_13 * phi14 + E15_11 * alphaL14_3;
+  // phi15 = -kB15 . beta15 + v15 - (P_b15 kK15) . alphaL15
+  const T phi15 = minus_kB15_1 * beta15_1 - kB15_3 * beta15_3 + v15 + minus_kK15_1 * alphaL15_1 + minus_kK15_3 *
+      alphaL15_3;
+  // thetaddot15 = -b15 . alphaL15 + phi15
+  const T thetaddot15 = phi15 - alphaL14_2;
   ydot[13] = thetaddot15;
 
   // ---- body 16 (rl_calf), solved
-  // thetaddot16: from A ydot = f by elimination
-  const T thetaddot16 = z1_1 * T(136.15003737155254) - b15_9 * thetaddot15 - b14_9 * thetaddot14 - b1_53 * omegadot1_1
-      - b1_77 * z1_21 - b1_100 * z1_20 - b1_125 * Pddot1_1 + b1_152 * z1_19 - b1_181 * z1_18;
+  // beta16 = -E16 q16~ alpha15 + E16 beta15: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z16_1 = T(0.2) * phi15;
+  const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 - E16_11 * z16_1;
+  const T beta16_3 = minus_E16_13 * beta15_1 + E16_11 * beta15_3 - minus_E16_13 * z16_1;
+  // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
+  const T phi16 = T(4.060866563859173) * beta16_1 + T(0.14543683142066613) * beta16_3 + v16;
+  // thetaddot16 = -b16 . alphaL16 + phi16
+  const T thetaddot16 = phi16 - phi15;
   ydot[14] = thetaddot16;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 952 add, 1034 multiply, 24 sine or cosine
+// 868 add, 950 multiply, 24 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::cos, std::sin;
@@ -4105,14 +4382,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -4122,21 +4399,18 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_19;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * t1_19;
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
-  // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a1_1 = U1_12 * T(0.0041) - U1_13 * T(5e-04) + Pddot1_1;
-  const T a1_2 = Pddot1_2 - (minus_U1_22 * T(0.0041) + U1_23 * T(5e-04));
-  const T a1_3 = U1_32 * T(0.0041) + minus_U1_33 * T(5e-04) + Pddot1_3;
-  // G1 = m1 a1: force balance, body axes [N]
-  const T G1_1 = c.p.m_trunk * a1_1;
-  const T G1_2 = c.p.m_trunk * a1_2;
-  const T G1_3 = c.p.m_trunk * a1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_1 = T(0.011853800000000001) * U1_32 - T(0.0039995) * U1_23 + T(2.75e-05) * (minus_U1_22 - minus_U1_33) +
-      T(3.66e-05) * U1_31 - T(6.11e-05) * U1_21;
-  const T N1_2 = T(0.0039995) * U1_13 - T(0.033800399999999994) * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) +
-      T(2.75e-05) * U1_12 - T(3.66e-05) * U1_32;
-  const T N1_3 = T(0.033800399999999994) * U1_21 - T(0.011853800000000001) * U1_12 + T(3.66e-05) * (minus_U1_11 -
-      minus_U1_22) + T(6.11e-05) * U1_23 - T(2.75e-05) * U1_13;
+  // G1 = m_all_1 Pddot1 + U1 h_all_1: inertia less applied force, body axes [N]
+  const T G1_1 = c.m_all_1 * Pddot1_1 + U1_12 * c.h_all_1_2 - U1_13 * c.c1_2;
+  const T G1_2 = c.m_all_1 * Pddot1_2 - (minus_U1_22 * c.h_all_1_2 + U1_23 * c.c1_2);
+  const T G1_3 = c.m_all_1 * Pddot1_3 + U1_32 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
+  // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_5 * U1_32 - c.c1_6 * U1_23 - c.J_all_1_23 *
+      (minus_U1_22 - minus_U1_33) + T(3.66e-05) * U1_31 - T(6.11e-05) * U1_21;
+  const T N1_2 = c.c1_6 * U1_13 - c.c1_4 * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) - c.J_all_1_23 * U1_12 -
+      T(3.66e-05) * U1_32 - c.c1_2 * Pddot1_1;
+  const T N1_3 = c.c1_4 * U1_21 - c.c1_5 * U1_12 + T(3.66e-05) * (minus_U1_11 - minus_U1_22) + T(6.11e-05) * U1_23 +
+      c.J_all_1_23 * U1_13 - c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -4156,8 +4430,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
-  // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_1 = thetaddot2 + omegadot1_1;
   const T omegadot2_2 = thetadot2 * omega2_3 + E2_22 * omegadot1_2 + E2_23 * omegadot1_3;
@@ -4194,21 +4466,21 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t2_17 = Pddot1_3 - t2_16;
   const T Pddot2_2 = E2_22 * t2_13 + E2_23 * t2_17;
   const T Pddot2_3 = E2_22 * t2_17 - E2_23 * t2_13;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
-  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
-  const T a2_3 = Pddot2_3 - (U2_31 * T(0.003311) + U2_32 * T(0.000635) + minus_U2_33 * T(3.1e-05));
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(0.696) * a2_1;
-  const T G2_2 = T(0.696) * a2_2;
-  const T G2_3 = T(0.696) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(0.00010734249999999997) * U2_32 - T(0.0003619035) * U2_23 - T(4.66e-07) * (minus_U2_22 -
-      minus_U2_33) - T(9.409e-06) * U2_31 - T(3.42e-07) * U2_21;
-  const T N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
-      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_32;
-  const T N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
-      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+  // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
+  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1 = U2_13 * T(2.1575999999999998e-05) - U2_12 * T(0.081652909);
+  const T G2_2 = minus_U2_22 * T(0.081652909) + U2_23 * T(2.1575999999999998e-05);
+  const T minus_G2_3 = U2_32 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(0.006950052716624) * U2_32 - (T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) * Pddot2_3) -
+      T(0.000361904168856) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) - T(7.94567044e-06) * U2_31 -
+      T(2.70561864e-07) * U2_21;
+  const T N2_2 = T(2.1575999999999998e-05) * Pddot2_1 + T(0.000361904168856) * U2_13 + T(0.000361904168856) * U2_31 +
+      T(2.70561864e-07) * (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_32;
+  const T N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006950052716624) * U2_12 -
+      T(7.94567044e-06) * (minus_U2_11 - minus_U2_22) + T(2.70561864e-07) * U2_23 + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
   const T theta3 = x[5];
@@ -4230,9 +4502,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
   // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
-  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
-  //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
   // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = E3_11 * omegadot2_1 - minus_E3_13 * omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_2 = thetaddot3 + omegadot2_2;
@@ -4260,21 +4529,24 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
   const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
-  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
-  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(1.013) * a3_1;
-  const T G3_2 = T(1.013) * a3_2;
-  const T G3_3 = T(1.013) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
-      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
-  const T N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11) +
-      T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
-  const T N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
-      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
+  const T minus_G3_2 = U3_21 * T(0.0032790809999999997) + U3_23 * T(0.072881238);
+  const T G3_3 = minus_U3_33 * T(0.072881238) - U3_31 * T(0.0032790809999999997);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(0.072881238) * Pddot3_2 - T(0.000499645385197) * U3_32 - T(0.014446725509588) * U3_23 -
+      T(0.0005955910008259999) * (minus_U3_22 - minus_U3_33) - T(6.838704148699999e-05) * U3_31 + T(0.000254264832594)
+      * U3_21;
+  const T N3_2 = T(0.0032790809999999997) * Pddot3_3 - T(0.072881238) * Pddot3_1 + T(0.014446725509588) * U3_13 -
+      T(0.000499645385197) * U3_31 - T(0.000254264832594) * (minus_U3_33 - minus_U3_11) - T(0.0005955910008259999) *
+      U3_12 + T(6.838704148699999e-05) * U3_32;
+  const T N3_3 = T(0.000499645385197) * U3_21 + T(0.000499645385197) * U3_12 - T(6.838704148699999e-05) * (minus_U3_11
+      - minus_U3_22) - T(0.000254264832594) * U3_23 + T(0.0005955910008259999) * U3_13 - T(0.0032790809999999997) *
+      Pddot3_2;
 
   // ---- body 4 (fr_calf) on body 3
   const T theta4 = x[6];
@@ -4296,9 +4568,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
   // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
   const T stretch_fr_calf_4 = theta4 + T(1.6);
-  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
-  //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_2 = thetaddot4 + omegadot3_2;
@@ -4323,25 +4592,25 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - (minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814));
-  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
-  // G4 = -R4 F_ground_on_fr_ + m_link4 a4: force balance, body axes [N]
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
+  // G4 = -R4 F_ground_on_fr_ + U4 h_own_4: inertia less applied force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T G4_1 = T(0.226) * a4_1 - t4_7;
+  const T minus_G4_1 = minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002) + t4_7;
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = T(0.226) * a4_2 - t4_8;
-  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
-  const T G4_3 = T(0.226) * a4_3 - t4_9;
-  // N4 = axial(U4 (tr(I_link4)/2 - I_link4)) - lever4~ R4 F_ground_on_fr_: moment balance about the mass centre, body
-  //   axes [N m]
-  const T N4_1 = T(1.2987999999999953e-05) * U4_32 - T(0.003372578451939115) * U4_23 - T(0.00016742735341238938) *
-      U4_21 - T(0.06802474336283187) * t4_8;
-  const T N4_2 = T(0.06802474336283187) * t4_7 - T(0.004726592920353982) * t4_9 + T(0.003372578451939115) * U4_13 -
-      T(3.0862937526548714e-05) * U4_31 + T(0.00016742735341238938) * (minus_U4_33 - minus_U4_11);
-  const T N4_3 = T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05) * U4_12 + T(0.00016742735341238938) *
-      U4_23 + T(0.004726592920353982) * t4_8;
+  const T G4_2 = U4_21 * T(0.00106821) - U4_23 * T(0.029826408000000002) - t4_8;
+  const T G4_3 = U4_31 * T(0.00106821) - (R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z) +
+      minus_U4_33 * T(0.029826408000000002);
+  // N4 = -o5~ R4 F_ground_on_fr_ + h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment
+  //   about the body origin, body axes [N m]
+  const T N4_1 = T(0.029826408000000002) * Pddot4_2 - T(0.2) * t4_8 - T(3.591193135000005e-05) * U4_32 -
+      T(0.007308926302304) * U4_23 - T(2.6450064520000005e-05) * U4_21;
+  const T N4_2 = T(0.2) * t4_7 - (T(0.029826408000000002) * Pddot4_1 + T(0.00106821) * Pddot4_3) +
+      T(0.007308926302304) * U4_13 - T(3.591193135000005e-05) * U4_31 + T(2.6450064520000005e-05) * (minus_U4_33 -
+      minus_U4_11);
+  const T N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12 +
+      T(2.6450064520000005e-05) * U4_23;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -4361,8 +4630,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega6_1 = thetadot6 + omega1_1;
   const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
   const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
-  // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
   // omegadot6 = -thetadot6 b6~ E6 omega1 + thetaddot6 b6 + E6 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot6_1 = thetaddot6 + omegadot1_1;
   const T omegadot6_2 = thetadot6 * omega6_3 + E6_22 * omegadot1_2 + E6_23 * omegadot1_3;
@@ -4393,21 +4660,22 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t6_11 = t6_10 + Pddot1_3;
   const T Pddot6_2 = E6_22 * t6_9 + E6_23 * t6_11;
   const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
-  const T a6_3 = U6_32 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
-  // G6 = m6 a6: force balance, body axes [N]
-  const T G6_1 = T(0.696) * a6_1;
-  const T G6_2 = T(0.696) * a6_2;
-  const T G6_3 = T(0.696) * a6_3;
-  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
-  const T N6_1 = T(0.00010734249999999997) * U6_32 - T(0.0003619035) * U6_23 + T(4.66e-07) * (minus_U6_22 -
-      minus_U6_33) + T(9.409e-06) * U6_31 - T(3.42e-07) * U6_21;
-  const T N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
-      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_32;
-  const T N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
-      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+  // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
+  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
+  // G6 = U6 h_own_6: inertia less applied force, body axes [N]
+  const T G6_1 = U6_12 * T(0.081652909) + U6_13 * T(2.1575999999999998e-05);
+  const T G6_2 = U6_23 * T(2.1575999999999998e-05) - minus_U6_22 * T(0.081652909);
+  const T G6_3 = U6_32 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
+  // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006950052716624) * U6_32 -
+      T(0.000361904168856) * U6_23 + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 -
+      T(2.70561864e-07) * U6_21;
+  const T N6_2 = T(2.1575999999999998e-05) * Pddot6_1 + T(0.000361904168856) * U6_13 + T(0.000361904168856) * U6_31 +
+      T(2.70561864e-07) * (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_32;
+  const T N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
+      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
+      Pddot6_1;
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
@@ -4429,9 +4697,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
-  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
-  //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
   // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = E7_11 * omegadot6_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_2 = thetaddot7 + omegadot6_2;
@@ -4459,21 +4724,24 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
-  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
-  // G7 = m7 a7: force balance, body axes [N]
-  const T G7_1 = T(1.013) * a7_1;
-  const T G7_2 = T(1.013) * a7_2;
-  const T G7_3 = T(1.013) * a7_3;
-  // N7 = axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
-  const T N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
-      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
-  const T N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11) -
-      T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
-  const T N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
-      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  //   [N m], [N]
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
+  // G7 = U7 h_own_7: inertia less applied force, body axes [N]
+  const T G7_1 = minus_U7_11 * T(0.0032790809999999997) - U7_13 * T(0.072881238);
+  const T minus_G7_2 = U7_21 * T(0.0032790809999999997) + U7_23 * T(0.072881238);
+  const T G7_3 = minus_U7_33 * T(0.072881238) - U7_31 * T(0.0032790809999999997);
+  // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N7_1 = T(0.072881238) * Pddot7_2 - T(0.000499645385197) * U7_32 - T(0.014446725509588) * U7_23 +
+      T(0.0005955910008259999) * (minus_U7_22 - minus_U7_33) + T(6.838704148699999e-05) * U7_31 + T(0.000254264832594)
+      * U7_21;
+  const T N7_2 = T(0.0032790809999999997) * Pddot7_3 - T(0.072881238) * Pddot7_1 + T(0.014446725509588) * U7_13 -
+      T(0.000499645385197) * U7_31 - T(0.000254264832594) * (minus_U7_33 - minus_U7_11) + T(0.0005955910008259999) *
+      U7_12 - T(6.838704148699999e-05) * U7_32;
+  const T N7_3 = T(0.000499645385197) * U7_21 + T(0.000499645385197) * U7_12 + T(6.838704148699999e-05) * (minus_U7_11
+      - minus_U7_22) - T(0.000254264832594) * U7_23 - T(0.0005955910008259999) * U7_13 - T(0.0032790809999999997) *
+      Pddot7_2;
 
   // ---- body 8 (fl_calf) on body 7
   const T theta8 = x[9];
@@ -4495,9 +4763,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
   // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
   const T stretch_fl_calf_8 = theta8 + T(1.6);
-  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
-  //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
   // omegadot8 = -thetadot8 b8~ E8 omega7 + thetaddot8 b8 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_2 = thetaddot8 + omegadot7_2;
@@ -4522,25 +4787,25 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
-  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
-  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
-  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
-  // G8 = -R8 F_ground_on_fl_ + m_link8 a8: force balance, body axes [N]
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  //   m], [N]
+  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
+  // G8 = -R8 F_ground_on_fl_ + U8 h_own_8: inertia less applied force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T G8_1 = T(0.226) * a8_1 - t8_7;
+  const T minus_G8_1 = minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002) + t8_7;
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = T(0.226) * a8_2 - t8_8;
-  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
-  const T G8_3 = T(0.226) * a8_3 - t8_9;
-  // N8 = axial(U8 (tr(I_link8)/2 - I_link8)) - lever8~ R8 F_ground_on_fl_: moment balance about the mass centre, body
-  //   axes [N m]
-  const T N8_1 = T(1.2987999999999953e-05) * U8_32 - T(0.003372578451939115) * U8_23 - T(0.00016742735341238938) *
-      U8_21 - T(0.06802474336283187) * t8_8;
-  const T N8_2 = T(0.06802474336283187) * t8_7 - T(0.004726592920353982) * t8_9 + T(0.003372578451939115) * U8_13 -
-      T(3.0862937526548714e-05) * U8_31 + T(0.00016742735341238938) * (minus_U8_33 - minus_U8_11);
-  const T N8_3 = T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05) * U8_12 + T(0.00016742735341238938) *
-      U8_23 + T(0.004726592920353982) * t8_8;
+  const T G8_2 = U8_21 * T(0.00106821) - U8_23 * T(0.029826408000000002) - t8_8;
+  const T G8_3 = U8_31 * T(0.00106821) - (R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z) +
+      minus_U8_33 * T(0.029826408000000002);
+  // N8 = -o9~ R8 F_ground_on_fl_ + h_own_8~ Pddot8 + axial(U8 (tr(J_own_8)/2 - J_own_8)): inertia less applied moment
+  //   about the body origin, body axes [N m]
+  const T N8_1 = T(0.029826408000000002) * Pddot8_2 - T(0.2) * t8_8 - T(3.591193135000005e-05) * U8_32 -
+      T(0.007308926302304) * U8_23 - T(2.6450064520000005e-05) * U8_21;
+  const T N8_2 = T(0.2) * t8_7 - (T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3) +
+      T(0.007308926302304) * U8_13 - T(3.591193135000005e-05) * U8_31 + T(2.6450064520000005e-05) * (minus_U8_33 -
+      minus_U8_11);
+  const T N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12 +
+      T(2.6450064520000005e-05) * U8_23;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -4560,8 +4825,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega10_1 = thetadot10 + omega1_1;
   const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
   const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
-  // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
   // omegadot10 = -thetadot10 b10~ E10 omega1 + thetaddot10 b10 + E10 omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot10_1 = thetaddot10 + omegadot1_1;
@@ -4590,21 +4853,22 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t10_8 = Pddot1_3 - t6_10;
   const T Pddot10_2 = E10_22 * t10_7 + E10_23 * t10_8;
   const T Pddot10_3 = E10_22 * t10_8 - E10_23 * t10_7;
-  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + Pddot10_1;
-  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
-  const T a10_3 = U10_31 * T(0.003311) - U10_32 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
-  // G10 = m10 a10: force balance, body axes [N]
-  const T G10_1 = T(0.696) * a10_1;
-  const T G10_2 = T(0.696) * a10_2;
-  const T G10_3 = T(0.696) * a10_3;
-  // N10 = axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
-  const T N10_1 = T(0.00010734249999999997) * U10_32 - T(0.0003619035) * U10_23 - T(4.66e-07) * (minus_U10_22 -
-      minus_U10_33) + T(9.409e-06) * U10_31 + T(3.42e-07) * U10_21;
-  const T N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 - minus_U10_11) -
-      T(4.66e-07) * U10_12 - T(9.409e-06) * U10_32;
-  const T N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
-      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+  // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
+  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
+  // G10 = U10 h_own_10: inertia less applied force, body axes [N]
+  const T G10_1 = U10_13 * T(2.1575999999999998e-05) - U10_12 * T(0.081652909);
+  const T G10_2 = minus_U10_22 * T(0.081652909) + U10_23 * T(2.1575999999999998e-05);
+  const T minus_G10_3 = U10_32 * T(0.081652909) + minus_U10_33 * T(2.1575999999999998e-05);
+  // N10 = h_own_10~ Pddot10 + axial(U10 (tr(J_own_10)/2 - J_own_10)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N10_1 = T(0.006950052716624) * U10_32 - (T(2.1575999999999998e-05) * Pddot10_2 + T(0.081652909) * Pddot10_3)
+      - T(0.000361904168856) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) + T(7.94567044e-06) * U10_31
+      + T(2.70561864e-07) * U10_21;
+  const T N10_2 = T(2.1575999999999998e-05) * Pddot10_1 + T(0.000361904168856) * U10_13 + T(0.000361904168856) *
+      U10_31 - T(2.70561864e-07) * (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) *
+      U10_32;
+  const T N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 +
+      T(7.94567044e-06) * (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
   const T theta11 = x[11];
@@ -4626,9 +4890,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
   // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
-  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
-  //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
   // omegadot11 = -thetadot11 b11~ E11 omega10 + thetaddot11 b11 + E11 omegadot10: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot11_1 = E11_11 * omegadot10_1 - minus_E11_13 * omegadot10_3 - thetadot11 * omega11_3;
@@ -4657,21 +4918,24 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
   const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
-  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
-  // G11 = m11 a11: force balance, body axes [N]
-  const T G11_1 = T(1.013) * a11_1;
-  const T G11_2 = T(1.013) * a11_2;
-  const T G11_3 = T(1.013) * a11_3;
-  // N11 = axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
-  const T N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 - minus_U11_33) +
-      T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
-  const T N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 - minus_U11_11) +
-      T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
-  const T N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 - minus_U11_22) -
-      T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
+  // G11 = U11 h_own_11: inertia less applied force, body axes [N]
+  const T G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
+  const T minus_G11_2 = U11_21 * T(0.0032790809999999997) + U11_23 * T(0.072881238);
+  const T G11_3 = minus_U11_33 * T(0.072881238) - U11_31 * T(0.0032790809999999997);
+  // N11 = h_own_11~ Pddot11 + axial(U11 (tr(J_own_11)/2 - J_own_11)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N11_1 = T(0.072881238) * Pddot11_2 - T(0.000499645385197) * U11_32 - T(0.014446725509588) * U11_23 -
+      T(0.0005955910008259999) * (minus_U11_22 - minus_U11_33) - T(6.838704148699999e-05) * U11_31 +
+      T(0.000254264832594) * U11_21;
+  const T N11_2 = T(0.0032790809999999997) * Pddot11_3 - T(0.072881238) * Pddot11_1 + T(0.014446725509588) * U11_13 -
+      T(0.000499645385197) * U11_31 - T(0.000254264832594) * (minus_U11_33 - minus_U11_11) - T(0.0005955910008259999)
+      * U11_12 + T(6.838704148699999e-05) * U11_32;
+  const T N11_3 = T(0.000499645385197) * U11_21 + T(0.000499645385197) * U11_12 - T(6.838704148699999e-05) *
+      (minus_U11_11 - minus_U11_22) - T(0.000254264832594) * U11_23 + T(0.0005955910008259999) * U11_13 -
+      T(0.0032790809999999997) * Pddot11_2;
 
   // ---- body 12 (rr_calf) on body 11
   const T theta12 = x[12];
@@ -4693,9 +4957,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
   // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
   const T stretch_rr_calf_12 = theta12 + T(1.6);
-  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
-  //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
   // omegadot12 = -thetadot12 b12~ E12 omega11 + thetaddot12 b12 + E12 omegadot11: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
@@ -4721,25 +4982,25 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
-  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
-  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
-  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
-  // G12 = -R12 F_ground_on_rr_ + m_link12 a12: force balance, body axes [N]
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
+  // G12 = -R12 F_ground_on_rr_ + U12 h_own_12: inertia less applied force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T G12_1 = T(0.226) * a12_1 - t12_7;
+  const T minus_G12_1 = minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002) + t12_7;
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = T(0.226) * a12_2 - t12_8;
-  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
-  const T G12_3 = T(0.226) * a12_3 - t12_9;
-  // N12 = axial(U12 (tr(I_link12)/2 - I_link12)) - lever12~ R12 F_ground_on_rr_: moment balance about the mass
-  //   centre, body axes [N m]
-  const T N12_1 = T(1.2987999999999953e-05) * U12_32 - T(0.003372578451939115) * U12_23 - T(0.00016742735341238938) *
-      U12_21 - T(0.06802474336283187) * t12_8;
-  const T N12_2 = T(0.06802474336283187) * t12_7 - T(0.004726592920353982) * t12_9 + T(0.003372578451939115) * U12_13
-      - T(3.0862937526548714e-05) * U12_31 + T(0.00016742735341238938) * (minus_U12_33 - minus_U12_11);
-  const T N12_3 = T(3.0862937526548714e-05) * U12_21 - T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938)
-      * U12_23 + T(0.004726592920353982) * t12_8;
+  const T G12_2 = U12_21 * T(0.00106821) - U12_23 * T(0.029826408000000002) - t12_8;
+  const T G12_3 = U12_31 * T(0.00106821) - (R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z)
+      + minus_U12_33 * T(0.029826408000000002);
+  // N12 = -o13~ R12 F_ground_on_rr_ + h_own_12~ Pddot12 + axial(U12 (tr(J_own_12)/2 - J_own_12)): inertia less
+  //   applied moment about the body origin, body axes [N m]
+  const T N12_1 = T(0.029826408000000002) * Pddot12_2 - T(0.2) * t12_8 - T(3.591193135000005e-05) * U12_32 -
+      T(0.007308926302304) * U12_23 - T(2.6450064520000005e-05) * U12_21;
+  const T N12_2 = T(0.2) * t12_7 - (T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3) +
+      T(0.007308926302304) * U12_13 - T(3.591193135000005e-05) * U12_31 + T(2.6450064520000005e-05) * (minus_U12_33 -
+      minus_U12_11);
+  const T N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) * U12_12 +
+      T(2.6450064520000005e-05) * U12_23;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -4759,8 +5020,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega14_1 = thetadot14 + omega1_1;
   const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
   const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
-  // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
   // omegadot14 = -thetadot14 b14~ E14 omega1 + thetaddot14 b14 + E14 omegadot1: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot14_1 = thetaddot14 + omegadot1_1;
@@ -4789,21 +5048,22 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t14_8 = t2_16 + Pddot1_3;
   const T Pddot14_2 = E14_22 * t14_7 + E14_23 * t14_8;
   const T Pddot14_3 = E14_22 * t14_8 - E14_23 * t14_7;
-  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + Pddot14_1;
-  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
-  const T a14_3 = U14_31 * T(0.003311) + U14_32 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
-  // G14 = m14 a14: force balance, body axes [N]
-  const T G14_1 = T(0.696) * a14_1;
-  const T G14_2 = T(0.696) * a14_2;
-  const T G14_3 = T(0.696) * a14_3;
-  // N14 = axial(U14 (tr(I14)/2 - I14)): moment balance about the mass centre, body axes [N m]
-  const T N14_1 = T(0.00010734249999999997) * U14_32 - T(0.0003619035) * U14_23 + T(4.66e-07) * (minus_U14_22 -
-      minus_U14_33) - T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
-  const T N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 - minus_U14_11) +
-      T(4.66e-07) * U14_12 + T(9.409e-06) * U14_32;
-  const T N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
-      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+  // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
+  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
+  // G14 = U14 h_own_14: inertia less applied force, body axes [N]
+  const T G14_1 = U14_12 * T(0.081652909) + U14_13 * T(2.1575999999999998e-05);
+  const T G14_2 = U14_23 * T(2.1575999999999998e-05) - minus_U14_22 * T(0.081652909);
+  const T G14_3 = U14_32 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
+  // N14 = h_own_14~ Pddot14 + axial(U14 (tr(J_own_14)/2 - J_own_14)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006950052716624) * U14_32 -
+      T(0.000361904168856) * U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 +
+      T(2.70561864e-07) * U14_21;
+  const T N14_2 = T(2.1575999999999998e-05) * Pddot14_1 + T(0.000361904168856) * U14_13 + T(0.000361904168856) *
+      U14_31 - T(2.70561864e-07) * (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) *
+      U14_32;
+  const T minus_N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 +
+      T(7.94567044e-06) * (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
   const T theta15 = x[14];
@@ -4825,9 +5085,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
   // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
-  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
-  //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
   // omegadot15 = -thetadot15 b15~ E15 omega14 + thetaddot15 b15 + E15 omegadot14: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot15_1 = E15_11 * omegadot14_1 - minus_E15_13 * omegadot14_3 - thetadot15 * omega15_3;
@@ -4856,21 +5113,24 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
-  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
-  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
-  // G15 = m15 a15: force balance, body axes [N]
-  const T G15_1 = T(1.013) * a15_1;
-  const T G15_2 = T(1.013) * a15_2;
-  const T G15_3 = T(1.013) * a15_3;
-  // N15 = axial(U15 (tr(I15)/2 - I15)): moment balance about the mass centre, body axes [N m]
-  const T N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 - minus_U15_33) -
-      T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
-  const T N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 - minus_U15_11) -
-      T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
-  const T N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 - minus_U15_22) -
-      T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  //   coordinate [N m], [N]
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
+  // G15 = U15 h_own_15: inertia less applied force, body axes [N]
+  const T G15_1 = minus_U15_11 * T(0.0032790809999999997) - U15_13 * T(0.072881238);
+  const T minus_G15_2 = U15_21 * T(0.0032790809999999997) + U15_23 * T(0.072881238);
+  const T G15_3 = minus_U15_33 * T(0.072881238) - U15_31 * T(0.0032790809999999997);
+  // N15 = h_own_15~ Pddot15 + axial(U15 (tr(J_own_15)/2 - J_own_15)): inertia less applied moment about the body
+  //   origin, body axes [N m]
+  const T N15_1 = T(0.072881238) * Pddot15_2 - T(0.000499645385197) * U15_32 - T(0.014446725509588) * U15_23 +
+      T(0.0005955910008259999) * (minus_U15_22 - minus_U15_33) + T(6.838704148699999e-05) * U15_31 +
+      T(0.000254264832594) * U15_21;
+  const T N15_2 = T(0.0032790809999999997) * Pddot15_3 - T(0.072881238) * Pddot15_1 + T(0.014446725509588) * U15_13 -
+      T(0.000499645385197) * U15_31 - T(0.000254264832594) * (minus_U15_33 - minus_U15_11) + T(0.0005955910008259999)
+      * U15_12 - T(6.838704148699999e-05) * U15_32;
+  const T N15_3 = T(0.000499645385197) * U15_21 + T(0.000499645385197) * U15_12 + T(6.838704148699999e-05) *
+      (minus_U15_11 - minus_U15_22) - T(0.000254264832594) * U15_23 - T(0.0005955910008259999) * U15_13 -
+      T(0.0032790809999999997) * Pddot15_2;
 
   // ---- body 16 (rl_calf) on body 15
   const T theta16 = x[15];
@@ -4892,9 +5152,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
   // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
   const T stretch_rl_calf_16 = theta16 + T(1.6);
-  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
-  //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
   // omegadot16 = -thetadot16 b16~ E16 omega15 + thetaddot16 b16 + E16 omegadot15: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
@@ -4920,47 +5177,42 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
-  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
-  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
-  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
-  // G16 = -R16 F_ground_on_rl_ + m_link16 a16: force balance, body axes [N]
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  //   [N m], [N]
+  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
+  // G16 = -R16 F_ground_on_rl_ + U16 h_own_16: inertia less applied force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T G16_1 = T(0.226) * a16_1 - t16_7;
+  const T minus_G16_1 = minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002) + t16_7;
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = T(0.226) * a16_2 - t16_8;
-  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
-  const T G16_3 = T(0.226) * a16_3 - t16_9;
-  // N16 = axial(U16 (tr(I_link16)/2 - I_link16)) - lever16~ R16 F_ground_on_rl_: moment balance about the mass
-  //   centre, body axes [N m]
-  const T N16_1 = T(1.2987999999999953e-05) * U16_32 - T(0.003372578451939115) * U16_23 - T(0.00016742735341238938) *
-      U16_21 - T(0.06802474336283187) * t16_8;
-  const T N16_2 = T(0.06802474336283187) * t16_7 - T(0.004726592920353982) * t16_9 + T(0.003372578451939115) * U16_13
-      - T(3.0862937526548714e-05) * U16_31 + T(0.00016742735341238938) * (minus_U16_33 - minus_U16_11);
-  const T N16_3 = T(3.0862937526548714e-05) * U16_21 - T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938)
-      * U16_23 + T(0.004726592920353982) * t16_8;
+  const T G16_2 = U16_21 * T(0.00106821) - U16_23 * T(0.029826408000000002) - t16_8;
+  const T G16_3 = U16_31 * T(0.00106821) - (R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z)
+      + minus_U16_33 * T(0.029826408000000002);
+  // N16 = -o17~ R16 F_ground_on_rl_ + h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less
+  //   applied moment about the body origin, body axes [N m]
+  const T N16_1 = T(0.029826408000000002) * Pddot16_2 - T(0.2) * t16_8 - T(3.591193135000005e-05) * U16_32 -
+      T(0.007308926302304) * U16_23 - T(2.6450064520000005e-05) * U16_21;
+  const T N16_2 = T(0.2) * t16_7 - (T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3) +
+      T(0.007308926302304) * U16_13 - T(3.591193135000005e-05) * U16_31 + T(2.6450064520000005e-05) * (minus_U16_33 -
+      minus_U16_11);
+  const T N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) * U16_12 +
+      T(2.6450064520000005e-05) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
-  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
-  const T rho16_3 = T(0.004726592920353982) * G16_2 + N16_3;
-  // r_theta16 = b16 . rho16 - effort_rl_calf_16: Kane's equation of the angle [N m]
-  const T r_theta16 = rho16_2 - effort_rl_calf_16;
+  // r_theta16 = b16 . N16 - effort_rl_calf_16: Kane's equation of the angle [N m]
+  const T r_theta16 = N16_2 - effort_rl_calf_16;
   r[14] = r_theta16;
 
   // ---- body 15 (rl_thigh) and what it carries
   // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T b15_1 = minus_E16_13 * G16_3 - E16_11 * minus_G16_1;
   const T S15_1 = b15_1 + G15_1;
-  const T S15_2 = G16_2 + G15_2;
-  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 + G15_3;
-  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.027326) * G15_2 - T(0.022327) *
-      G15_3 + N15_1;
-  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.003237) * G15_3 - T(0.027326) * G15_1 + N15_2;
-  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.022327) * G15_1 - T(0.003237) * G15_2 + N15_3;
+  const T S15_2 = G16_2 - minus_G15_2;
+  const T S15_3 = minus_E16_13 * minus_G16_1 + E16_11 * G16_3 + G15_3;
+  // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho15_1 = T(0.2) * G16_2 + E16_11 * N16_1 + minus_E16_13 * N16_3 + N15_1;
+  const T rho15_2 = N16_2 - T(0.2) * b15_1 + N15_2;
+  const T rho15_3 = E16_11 * N16_3 - minus_E16_13 * N16_1 + N15_3;
   // r_theta15 = b15 . rho15 - effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T r_theta15 = rho15_2 - effort_rl_thigh_15;
   r[13] = r_theta15;
@@ -4972,38 +5224,31 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S14_2 = S15_2 + G14_2;
   const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
   const T S14_3 = b14_2 + G14_3;
-  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(0.000635) * G14_3 - T(3.1e-05) *
-      G14_2 + N14_1;
-  const T rho14_2 = rho15_2 + T(3.1e-05) * G14_1 - T(0.003311) * G14_3 + N14_2;
-  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.003311) * G14_2 - T(0.000635)
-      * G14_1 + N14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + N14: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + N14_1;
+  const T rho14_2 = rho15_2 + N14_2;
+  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 - minus_N14_3;
   // r_theta14 = b14 . rho14 - effort_rl_hip_14: Kane's equation of the angle [N m]
   const T r_theta14 = rho14_1 - effort_rl_hip_14;
   r[12] = r_theta14;
 
   // ---- body 12 (rr_calf) and what it carries
-  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
-  const T rho12_3 = T(0.004726592920353982) * G12_2 + N12_3;
-  // r_theta12 = b12 . rho12 - effort_rr_calf_12: Kane's equation of the angle [N m]
-  const T r_theta12 = rho12_2 - effort_rr_calf_12;
+  // r_theta12 = b12 . N12 - effort_rr_calf_12: Kane's equation of the angle [N m]
+  const T r_theta12 = N12_2 - effort_rr_calf_12;
   r[11] = r_theta12;
 
   // ---- body 11 (rr_thigh) and what it carries
   // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
-  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
+  const T b11_1 = minus_E12_13 * G12_3 - E12_11 * minus_G12_1;
   const T S11_1 = b11_1 + G11_1;
-  const T S11_2 = G12_2 + G11_2;
-  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 + G11_3;
-  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 + T(0.027326) * G11_2 + T(0.022327) *
-      G11_3 + N11_1;
-  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.003237) * G11_3 - T(0.027326) * G11_1 + N11_2;
-  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 - T(0.003237) * G11_2 - T(0.022327) * G11_1 + N11_3;
+  const T S11_2 = G12_2 - minus_G11_2;
+  const T S11_3 = minus_E12_13 * minus_G12_1 + E12_11 * G12_3 + G11_3;
+  // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho11_1 = T(0.2) * G12_2 + E12_11 * N12_1 + minus_E12_13 * N12_3 + N11_1;
+  const T rho11_2 = N12_2 - T(0.2) * b11_1 + N11_2;
+  const T rho11_3 = E12_11 * N12_3 - minus_E12_13 * N12_1 + N11_3;
   // r_theta11 = b11 . rho11 - effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T r_theta11 = rho11_2 - effort_rr_thigh_11;
   r[10] = r_theta11;
@@ -5014,39 +5259,32 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S10_1 = b10_1 + G10_1;
   const T S10_2 = S11_2 + G10_2;
   const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
-  const T S10_3 = b10_2 + G10_3;
-  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 - T(3.1e-05) * G10_2 - T(0.000635) *
-      G10_3 + N10_1;
-  const T rho10_2 = rho11_2 + T(3.1e-05) * G10_1 - T(0.003311) * G10_3 + N10_2;
-  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 + T(0.003311) * G10_2 + T(0.000635)
-      * G10_1 + N10_3;
+  const T S10_3 = b10_2 - minus_G10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + N10: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + N10_1;
+  const T rho10_2 = rho11_2 + N10_2;
+  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 + N10_3;
   // r_theta10 = b10 . rho10 - effort_rr_hip_10: Kane's equation of the angle [N m]
   const T r_theta10 = rho10_1 - effort_rr_hip_10;
   r[9] = r_theta10;
 
   // ---- body 8 (fl_calf) and what it carries
-  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
-  const T rho8_3 = T(0.004726592920353982) * G8_2 + N8_3;
-  // r_theta8 = b8 . rho8 - effort_fl_calf_8: Kane's equation of the angle [N m]
-  const T r_theta8 = rho8_2 - effort_fl_calf_8;
+  // r_theta8 = b8 . N8 - effort_fl_calf_8: Kane's equation of the angle [N m]
+  const T r_theta8 = N8_2 - effort_fl_calf_8;
   r[8] = r_theta8;
 
   // ---- body 7 (fl_thigh) and what it carries
   // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
-  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
+  const T b7_1 = minus_E8_13 * G8_3 - E8_11 * minus_G8_1;
   const T S7_1 = b7_1 + G7_1;
-  const T S7_2 = G8_2 + G7_2;
-  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 + G7_3;
-  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.027326) * G7_2 - T(0.022327) * G7_3 +
-      N7_1;
-  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.003237) * G7_3 - T(0.027326) * G7_1 + N7_2;
-  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.022327) * G7_1 - T(0.003237) * G7_2 + N7_3;
+  const T S7_2 = G8_2 - minus_G7_2;
+  const T S7_3 = minus_E8_13 * minus_G8_1 + E8_11 * G8_3 + G7_3;
+  // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho7_1 = T(0.2) * G8_2 + E8_11 * N8_1 + minus_E8_13 * N8_3 + N7_1;
+  const T rho7_2 = N8_2 - T(0.2) * b7_1 + N7_2;
+  const T rho7_3 = E8_11 * N8_3 - minus_E8_13 * N8_1 + N7_3;
   // r_theta7 = b7 . rho7 - effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T r_theta7 = rho7_2 - effort_fl_thigh_7;
   r[7] = r_theta7;
@@ -5058,38 +5296,31 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S6_2 = S7_2 + G6_2;
   const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
   const T S6_3 = b6_2 + G6_3;
-  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(0.000635) * G6_3 - T(3.1e-05) * G6_2 +
-      N6_1;
-  const T rho6_2 = rho7_2 + T(3.1e-05) * G6_1 + T(0.003311) * G6_3 + N6_2;
-  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 - T(0.003311) * G6_2 - T(0.000635) * G6_1
-      + N6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + N6: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + N6_1;
+  const T rho6_2 = rho7_2 + N6_2;
+  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + N6_3;
   // r_theta6 = b6 . rho6 - effort_fl_hip_6: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - effort_fl_hip_6;
   r[6] = r_theta6;
 
   // ---- body 4 (fr_calf) and what it carries
-  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
-  const T rho4_3 = T(0.004726592920353982) * G4_2 + N4_3;
-  // r_theta4 = b4 . rho4 - effort_fr_calf_4: Kane's equation of the angle [N m]
-  const T r_theta4 = rho4_2 - effort_fr_calf_4;
+  // r_theta4 = b4 . N4 - effort_fr_calf_4: Kane's equation of the angle [N m]
+  const T r_theta4 = N4_2 - effort_fr_calf_4;
   r[5] = r_theta4;
 
   // ---- body 3 (fr_thigh) and what it carries
   // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T b3_1 = minus_E4_13 * G4_3 - E4_11 * minus_G4_1;
   const T S3_1 = b3_1 + G3_1;
-  const T S3_2 = G4_2 + G3_2;
-  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 + G3_3;
-  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 + T(0.027326) * G3_2 + T(0.022327) * G3_3 +
-      N3_1;
-  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.003237) * G3_3 - T(0.027326) * G3_1 + N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.003237) * G3_2 - T(0.022327) * G3_1 + N3_3;
+  const T S3_2 = G4_2 - minus_G3_2;
+  const T S3_3 = minus_E4_13 * minus_G4_1 + E4_11 * G4_3 + G3_3;
+  // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho3_1 = T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N3_1;
+  const T rho3_2 = N4_2 - T(0.2) * b3_1 + N3_2;
+  const T rho3_3 = E4_11 * N4_3 - minus_E4_13 * N4_1 + N3_3;
   // r_theta3 = b3 . rho3 - effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_2 - effort_fr_thigh_3;
   r[4] = r_theta3;
@@ -5100,14 +5331,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S2_1 = b2_1 + G2_1;
   const T S2_2 = S3_2 + G2_2;
   const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
-  const T S2_3 = b2_2 + G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 - T(3.1e-05) * G2_2 - T(0.000635) * G2_3 +
-      N2_1;
-  const T rho2_2 = rho3_2 + T(3.1e-05) * G2_1 + T(0.003311) * G2_3 + N2_2;
-  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.000635) * G2_1 - T(0.003311) * G2_2
-      + N2_3;
+  const T S2_3 = b2_2 - minus_G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + N2_1;
+  const T rho2_2 = rho3_2 + N2_2;
+  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + N2_3;
   // r_theta2 = b2 . rho2 - effort_fr_hip_2: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_1 - effort_fr_hip_2;
   r[3] = r_theta2;
@@ -5126,16 +5355,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
   const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 + G1_3;
   // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
-  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
+  //   E14^T rho14 + N1: Kane's equation of omega [N m]
   const T r_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
-      b1_8 + rho14_1 + T(5e-04) * G1_2 + T(0.0041) * G1_3 + N1_1;
+      b1_8 + rho14_1 + N1_1;
   const T r_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
       * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
-      * rho14_3 - T(5e-04) * G1_1 + N1_2;
+      * rho14_3 + N1_2;
   const T r_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
       T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
-      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 - T(0.0041) * G1_1
-      + N1_3;
+      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + N1_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -5150,7 +5378,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 888 add, 1007 multiply, 24 sine or cosine
+// 804 add, 913 multiply, 24 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -5180,34 +5408,32 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
   // Pddot1 = -R1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_13 * T(9.81);
   const T Pddot1_2 = R1_23 * T(9.81);
   const T Pddot1_3 = R1_33 * T(9.81);
-  // a1 = omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T t1_13 = omega1_1 * T(0.0041);
-  const T t1_14 = omega1_1 * T(5e-04);
-  const T a1_1 = omega1_2 * t1_13 - omega1_3 * t1_14 + Pddot1_1;
-  const T t1_15 = omega1_3 * T(0.0041) + omega1_2 * T(5e-04);
-  const T a1_2 = Pddot1_2 - (omega1_3 * t1_15 + omega1_1 * t1_13);
-  const T a1_3 = omega1_1 * t1_14 + omega1_2 * t1_15 + Pddot1_3;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G1_1 = c.p.m_trunk * a1_1;
-  const T minus_G1_2 = c.p.m_trunk * a1_2;
-  const T minus_G1_3 = c.p.m_trunk * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_16 = omega1_2 * omega1_3;
-  const T t1_17 = omega1_2 * omega1_2;
-  const T t1_18 = omega1_3 * omega1_3;
-  const T t1_19 = omega1_1 * omega1_2;
-  const T t1_20 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(0.007854300000000002) * t1_16 - T(2.75e-05) * (t1_17 - t1_18) - T(6.11e-05) * t1_19 +
-      T(3.66e-05) * t1_20;
-  const T t1_21 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(2.75e-05) * t1_19 - (T(0.029800899999999998) * t1_20 + T(6.11e-05) * (t1_18 - t1_21) +
-      T(3.66e-05) * t1_16);
-  const T minus_N1_3 = T(0.021946599999999997) * t1_19 - T(3.66e-05) * (t1_21 - t1_17) - T(2.75e-05) * t1_20 +
-      T(6.11e-05) * t1_16;
+  // G1 = -m_all_1 Pddot1 - U1 h_all_1: applied less inertia force, body axes [N]
+  const T minus_G1_1 = c.m_all_1 * Pddot1_1 + U1_12 * c.h_all_1_2 - U1_13 * c.c1_2;
+  const T minus_G1_2 = c.m_all_1 * Pddot1_2 - (minus_U1_22 * c.h_all_1_2 + U1_23 * c.c1_2);
+  const T minus_G1_3 = c.m_all_1 * Pddot1_3 + U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
+  // N1 = -h_all_1~ Pddot1 - omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N
+  //   m]
+  const T minus_N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_7 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) -
+      T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
+  const T minus_N1_2 = c.c1_8 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12 -
+      c.c1_2 * Pddot1_1;
+  const T minus_N1_3 = c.J_all_1_23 * U1_13 - (c.c1_3 * U1_12 + T(3.66e-05) * (t1_15 - t1_14)) + T(6.11e-05) * U1_23 -
+      c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -5246,39 +5472,34 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U2_23 = omega2_3 * omega2_2;
   const T U2_31 = t2_4 - omegadot2_2;
   const T minus_U2_33 = t2_2 + t2_5;
-  // Pddot2 = E2 (omega1~ omega1~ q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_6 = omega1_3 * T(0.1805);
-  const T t2_7 = omega1_3 * t2_6;
-  const T t2_8 = omega1_1 * T(0.047);
-  const T t2_9 = omega1_2 * T(0.1805);
-  const T t2_10 = t2_8 + t2_9;
-  const T t2_11 = t2_7 + omega1_2 * t2_10;
-  const T Pddot2_1 = Pddot1_1 - t2_11;
-  const T t2_12 = omega1_3 * T(0.047);
-  const T t2_13 = omega1_3 * t2_12;
-  const T t2_14 = t2_13 + omega1_1 * t2_10;
-  const T t2_15 = t2_14 + Pddot1_2;
-  const T t2_16 = omega1_2 * t2_12;
-  const T t2_17 = omega1_1 * t2_6;
-  const T t2_18 = t2_16 - t2_17;
-  const T t2_19 = Pddot1_3 - t2_18;
-  const T Pddot2_2 = E2_22 * t2_15 + E2_23 * t2_19;
-  const T Pddot2_3 = E2_22 * t2_19 - E2_23 * t2_15;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = minus_U2_11 * T(0.003311) - U2_12 * T(0.000635) + U2_13 * T(3.1e-05) + Pddot2_1;
-  const T a2_2 = minus_U2_22 * T(0.000635) - U2_21 * T(0.003311) + U2_23 * T(3.1e-05) + Pddot2_2;
-  const T a2_3 = Pddot2_3 - (U2_31 * T(0.003311) + U2_23 * T(0.000635) + minus_U2_33 * T(3.1e-05));
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(0.696) * a2_1;
-  const T minus_G2_2 = T(0.696) * a2_2;
-  const T minus_G2_3 = T(0.696) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T N2_1 = T(0.00025456100000000005) * U2_23 + T(4.66e-07) * (minus_U2_22 - minus_U2_33) + T(9.409e-06) * U2_31
-      + T(3.42e-07) * U2_21;
-  const T minus_N2_2 = T(0.0003619035) * U2_13 - T(0.0004455865) * U2_31 + T(3.42e-07) * (minus_U2_33 - minus_U2_11) -
-      T(4.66e-07) * U2_12 + T(9.409e-06) * U2_23;
-  const T minus_N2_3 = T(0.0004455865) * U2_21 - T(0.00010734249999999997) * U2_12 - T(9.409e-06) * (minus_U2_11 -
-      minus_U2_22) + T(3.42e-07) * U2_23 + T(4.66e-07) * U2_13;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_6 = minus_U1_11 * T(0.1805);
+  const T t2_7 = U1_12 * T(0.047);
+  const T t2_8 = t2_6 + t2_7;
+  const T Pddot2_1 = Pddot1_1 - t2_8;
+  const T t2_9 = U1_12 * T(0.1805);
+  const T t2_10 = minus_U1_22 * T(0.047);
+  const T t2_11 = t2_9 + t2_10;
+  const T t2_12 = t2_11 + Pddot1_2;
+  const T t2_13 = U1_23 * T(0.047);
+  const T t2_14 = U1_13 * T(0.1805);
+  const T t2_15 = t2_13 - t2_14;
+  const T t2_16 = Pddot1_3 - t2_15;
+  const T Pddot2_2 = E2_22 * t2_12 + E2_23 * t2_16;
+  const T Pddot2_3 = E2_22 * t2_16 - E2_23 * t2_12;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_13 * T(2.1575999999999998e-05) - U2_12 * T(0.081652909);
+  const T minus_G2_2 = minus_U2_22 * T(0.081652909) + U2_23 * T(2.1575999999999998e-05);
+  const T G2_3 = U2_23 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(0.006588148547768) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) -
+      T(7.94567044e-06) * U2_31 - T(2.70561864e-07) * U2_21 - T(2.1575999999999998e-05) * Pddot2_2 - T(0.081652909) *
+      Pddot2_3;
+  const T minus_N2_2 = T(2.1575999999999998e-05) * Pddot2_1 + T(0.000361904168856) * U2_13 + T(0.000361904168856) *
+      U2_31 + T(2.70561864e-07) * (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23;
+  const T minus_N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006950052716624) * U2_12 -
+      T(7.94567044e-06) * (minus_U2_11 - minus_U2_22) + T(2.70561864e-07) * U2_23 + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
   const T theta3 = x[5];
@@ -5328,21 +5549,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
   const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = minus_U3_11 * T(0.003237) + U3_12 * T(0.022327) - U3_13 * T(0.027326) + Pddot3_1;
-  const T a3_2 = Pddot3_2 - (U3_21 * T(0.003237) + minus_U3_22 * T(0.022327) + U3_23 * T(0.027326));
-  const T a3_3 = U3_32 * T(0.022327) - U3_31 * T(0.003237) + minus_U3_33 * T(0.027326) + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G3_1 = T(1.013) * a3_1;
-  const T minus_G3_2 = T(1.013) * a3_2;
-  const T minus_G3_3 = T(1.013) * a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(0.000878757) * U3_32 - T(0.004650308) * U3_23 + T(2.2448e-05) * (minus_U3_22 - minus_U3_33) +
-      T(4.825e-06) * U3_31 + T(0.000343869) * U3_21;
-  const T minus_N3_2 = T(0.004650308) * U3_13 - T(0.000489031) * U3_31 - T(0.000343869) * (minus_U3_33 - minus_U3_11)
-      + T(2.2448e-05) * U3_12 - T(4.825e-06) * U3_32;
-  const T minus_N3_3 = T(0.000489031) * U3_21 - T(0.000878757) * U3_12 + T(4.825e-06) * (minus_U3_11 - minus_U3_22) -
-      T(0.000343869) * U3_23 - T(2.2448e-05) * U3_13;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T minus_G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
+  const T G3_2 = U3_21 * T(0.0032790809999999997) + U3_23 * T(0.072881238);
+  const T minus_G3_3 = minus_U3_33 * T(0.072881238) - U3_31 * T(0.0032790809999999997);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(0.072881238) * Pddot3_2 - T(0.000499645385197) * U3_32 - T(0.014446725509588) * U3_23 -
+      T(0.0005955910008259999) * (minus_U3_22 - minus_U3_33) - T(6.838704148699999e-05) * U3_31 + T(0.000254264832594)
+      * U3_21;
+  const T minus_N3_2 = T(0.0032790809999999997) * Pddot3_3 - T(0.072881238) * Pddot3_1 + T(0.014446725509588) * U3_13
+      - T(0.000499645385197) * U3_31 - T(0.000254264832594) * (minus_U3_33 - minus_U3_11) - T(0.0005955910008259999) *
+      U3_12 + T(6.838704148699999e-05) * U3_32;
+  const T minus_N3_3 = T(0.000499645385197) * U3_21 + T(0.000499645385197) * U3_12 - T(6.838704148699999e-05) *
+      (minus_U3_11 - minus_U3_22) - T(0.000254264832594) * U3_23 + T(0.0005955910008259999) * U3_13 -
+      T(0.0032790809999999997) * Pddot3_2;
 
   // ---- body 4 (fr_calf) on body 3
   const T theta4 = x[6];
@@ -5389,25 +5610,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
-  // a4 = U4 r_link4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = Pddot4_1 - (minus_U4_11 * T(0.004726592920353982) + U4_13 * T(0.13197525663716814));
-  const T a4_2 = U4_21 * T(0.004726592920353982) - U4_23 * T(0.13197525663716814) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.004726592920353982) + minus_U4_33 * T(0.13197525663716814) + Pddot4_3;
-  // G4 = R4 F_ground_on_fr_ - m_link4 a4: applied less inertia force at ydot = 0, body axes [N]
+  // G4 = R4 F_ground_on_fr_ - U4 h_own_4: applied less inertia force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T G4_1 = t4_7 - T(0.226) * a4_1;
+  const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = t4_8 - T(0.226) * a4_2;
-  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
-  const T G4_3 = t4_9 - T(0.226) * a4_3;
-  // N4 = -axial(U4 (tr(I_link4)/2 - I_link4)) + lever4~ R4 F_ground_on_fr_: applied less inertia moment at ydot = 0,
-  //   body axes [N m]
-  const T N4_1 = T(0.003372578451939115) * U4_23 - T(1.2987999999999953e-05) * U4_32 + T(0.00016742735341238938) *
-      U4_21 + T(0.06802474336283187) * t4_8;
-  const T N4_2 = T(3.0862937526548714e-05) * U4_31 - T(0.003372578451939115) * U4_13 - T(0.00016742735341238938) *
-      (minus_U4_33 - minus_U4_11) + T(0.004726592920353982) * t4_9 - T(0.06802474336283187) * t4_7;
-  const T minus_N4_3 = T(0.004726592920353982) * t4_8 + T(3.0862937526548714e-05) * U4_21 - T(1.2987999999999953e-05)
-      * U4_12 + T(0.00016742735341238938) * U4_23;
+  const T G4_2 = U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821) + t4_8;
+  const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
+      minus_U4_33 * T(0.029826408000000002);
+  // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
+  //   about the body origin, body axes [N m]
+  const T N4_1 = T(0.2) * t4_8 - T(0.029826408000000002) * Pddot4_2 + T(3.591193135000005e-05) * U4_32 +
+      T(0.007308926302304) * U4_23 + T(2.6450064520000005e-05) * U4_21;
+  const T N4_2 = T(0.029826408000000002) * Pddot4_1 + T(0.00106821) * Pddot4_3 - T(0.2) * t4_7 - T(0.007308926302304)
+      * U4_13 + T(3.591193135000005e-05) * U4_31 - T(2.6450064520000005e-05) * (minus_U4_33 - minus_U4_11);
+  const T minus_N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12
+      + T(2.6450064520000005e-05) * U4_23;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -5446,31 +5663,28 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U6_23 = omega6_3 * omega6_2;
   const T U6_31 = t6_4 - omegadot6_2;
   const T minus_U6_33 = t6_2 + t6_5;
-  // Pddot6 = E6 (omega1~ omega1~ q6 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_6 = t2_8 - t2_9;
-  const T t6_7 = t2_7 - omega1_2 * t6_6;
-  const T Pddot6_1 = Pddot1_1 - t6_7;
-  const T t6_8 = t2_13 + omega1_1 * t6_6;
-  const T t6_9 = Pddot1_2 - t6_8;
-  const T t6_10 = t2_17 + t2_16;
-  const T t6_11 = t6_10 + Pddot1_3;
-  const T Pddot6_2 = E6_22 * t6_9 + E6_23 * t6_11;
-  const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
-  // a6 = U6 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = minus_U6_11 * T(0.003311) + U6_12 * T(0.000635) + U6_13 * T(3.1e-05) + Pddot6_1;
-  const T a6_2 = U6_23 * T(3.1e-05) - (U6_21 * T(0.003311) + minus_U6_22 * T(0.000635)) + Pddot6_2;
-  const T a6_3 = U6_23 * T(0.000635) - U6_31 * T(0.003311) - minus_U6_33 * T(3.1e-05) + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G6_1 = T(0.696) * a6_1;
-  const T minus_G6_2 = T(0.696) * a6_2;
-  const T minus_G6_3 = T(0.696) * a6_3;
-  // N6 = -axial(U6 (tr(I6)/2 - I6)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N6_1 = T(4.66e-07) * (minus_U6_22 - minus_U6_33) - T(0.00025456100000000005) * U6_23 + T(9.409e-06) *
-      U6_31 - T(3.42e-07) * U6_21;
-  const T minus_N6_2 = T(0.0003619035) * U6_13 - T(0.0004455865) * U6_31 + T(3.42e-07) * (minus_U6_33 - minus_U6_11) +
-      T(4.66e-07) * U6_12 - T(9.409e-06) * U6_23;
-  const T minus_N6_3 = T(0.0004455865) * U6_21 - T(0.00010734249999999997) * U6_12 + T(9.409e-06) * (minus_U6_11 -
-      minus_U6_22) + T(3.42e-07) * U6_23 - T(4.66e-07) * U6_13;
+  // Pddot6 = E6 (U1 q6 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t6_6 = t2_6 - t2_7;
+  const T Pddot6_1 = Pddot1_1 - t6_6;
+  const T t6_7 = t2_10 - t2_9;
+  const T t6_8 = Pddot1_2 - t6_7;
+  const T t6_9 = t2_14 + t2_13;
+  const T t6_10 = t6_9 + Pddot1_3;
+  const T Pddot6_2 = E6_22 * t6_8 + E6_23 * t6_10;
+  const T Pddot6_3 = E6_22 * t6_10 - E6_23 * t6_8;
+  // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
+  const T minus_G6_1 = U6_12 * T(0.081652909) + U6_13 * T(2.1575999999999998e-05);
+  const T minus_G6_2 = U6_23 * T(2.1575999999999998e-05) - minus_U6_22 * T(0.081652909);
+  const T minus_G6_3 = U6_23 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
+  // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006588148547768) * U6_23
+      + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
+  const T minus_N6_2 = T(2.1575999999999998e-05) * Pddot6_1 + T(0.000361904168856) * U6_13 + T(0.000361904168856) *
+      U6_31 + T(2.70561864e-07) * (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23;
+  const T minus_N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
+      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
+      Pddot6_1;
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
@@ -5520,21 +5734,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // a7 = U7 r7 + Pddot7: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a7_1 = minus_U7_11 * T(0.003237) - U7_12 * T(0.022327) - U7_13 * T(0.027326) + Pddot7_1;
-  const T a7_2 = minus_U7_22 * T(0.022327) - U7_21 * T(0.003237) - U7_23 * T(0.027326) + Pddot7_2;
-  const T a7_3 = minus_U7_33 * T(0.027326) - (U7_31 * T(0.003237) + U7_32 * T(0.022327)) + Pddot7_3;
-  // G7 = -m7 a7: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G7_1 = T(1.013) * a7_1;
-  const T minus_G7_2 = T(1.013) * a7_2;
-  const T minus_G7_3 = T(1.013) * a7_3;
-  // N7 = -axial(U7 (tr(I7)/2 - I7)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N7_1 = T(0.000878757) * U7_32 - T(0.004650308) * U7_23 - T(2.2448e-05) * (minus_U7_22 - minus_U7_33) -
-      T(4.825e-06) * U7_31 + T(0.000343869) * U7_21;
-  const T minus_N7_2 = T(0.004650308) * U7_13 - T(0.000489031) * U7_31 - T(0.000343869) * (minus_U7_33 - minus_U7_11)
-      - T(2.2448e-05) * U7_12 + T(4.825e-06) * U7_32;
-  const T minus_N7_3 = T(0.000489031) * U7_21 - T(0.000878757) * U7_12 - T(4.825e-06) * (minus_U7_11 - minus_U7_22) -
-      T(0.000343869) * U7_23 + T(2.2448e-05) * U7_13;
+  // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
+  const T minus_G7_1 = minus_U7_11 * T(0.0032790809999999997) - U7_13 * T(0.072881238);
+  const T G7_2 = U7_21 * T(0.0032790809999999997) + U7_23 * T(0.072881238);
+  const T minus_G7_3 = minus_U7_33 * T(0.072881238) - U7_31 * T(0.0032790809999999997);
+  // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N7_1 = T(0.072881238) * Pddot7_2 - T(0.000499645385197) * U7_32 - T(0.014446725509588) * U7_23 +
+      T(0.0005955910008259999) * (minus_U7_22 - minus_U7_33) + T(6.838704148699999e-05) * U7_31 + T(0.000254264832594)
+      * U7_21;
+  const T minus_N7_2 = T(0.0032790809999999997) * Pddot7_3 - T(0.072881238) * Pddot7_1 + T(0.014446725509588) * U7_13
+      - T(0.000499645385197) * U7_31 - T(0.000254264832594) * (minus_U7_33 - minus_U7_11) + T(0.0005955910008259999) *
+      U7_12 - T(6.838704148699999e-05) * U7_32;
+  const T minus_N7_3 = T(0.000499645385197) * U7_21 + T(0.000499645385197) * U7_12 + T(6.838704148699999e-05) *
+      (minus_U7_11 - minus_U7_22) - T(0.000254264832594) * U7_23 - T(0.0005955910008259999) * U7_13 -
+      T(0.0032790809999999997) * Pddot7_2;
 
   // ---- body 8 (fl_calf) on body 7
   const T theta8 = x[9];
@@ -5581,25 +5795,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
-  // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = Pddot8_1 - (minus_U8_11 * T(0.004726592920353982) + U8_13 * T(0.13197525663716814));
-  const T a8_2 = U8_21 * T(0.004726592920353982) - U8_23 * T(0.13197525663716814) + Pddot8_2;
-  const T a8_3 = U8_31 * T(0.004726592920353982) + minus_U8_33 * T(0.13197525663716814) + Pddot8_3;
-  // G8 = R8 F_ground_on_fl_ - m_link8 a8: applied less inertia force at ydot = 0, body axes [N]
+  // G8 = R8 F_ground_on_fl_ - U8 h_own_8: applied less inertia force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T G8_1 = t8_7 - T(0.226) * a8_1;
+  const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = t8_8 - T(0.226) * a8_2;
-  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
-  const T G8_3 = t8_9 - T(0.226) * a8_3;
-  // N8 = -axial(U8 (tr(I_link8)/2 - I_link8)) + lever8~ R8 F_ground_on_fl_: applied less inertia moment at ydot = 0,
-  //   body axes [N m]
-  const T N8_1 = T(0.003372578451939115) * U8_23 - T(1.2987999999999953e-05) * U8_32 + T(0.00016742735341238938) *
-      U8_21 + T(0.06802474336283187) * t8_8;
-  const T N8_2 = T(3.0862937526548714e-05) * U8_31 - T(0.003372578451939115) * U8_13 - T(0.00016742735341238938) *
-      (minus_U8_33 - minus_U8_11) + T(0.004726592920353982) * t8_9 - T(0.06802474336283187) * t8_7;
-  const T minus_N8_3 = T(0.004726592920353982) * t8_8 + T(3.0862937526548714e-05) * U8_21 - T(1.2987999999999953e-05)
-      * U8_12 + T(0.00016742735341238938) * U8_23;
+  const T G8_2 = U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821) + t8_8;
+  const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
+      minus_U8_33 * T(0.029826408000000002);
+  // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
+  //   about the body origin, body axes [N m]
+  const T N8_1 = T(0.2) * t8_8 - T(0.029826408000000002) * Pddot8_2 + T(3.591193135000005e-05) * U8_32 +
+      T(0.007308926302304) * U8_23 + T(2.6450064520000005e-05) * U8_21;
+  const T N8_2 = T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3 - T(0.2) * t8_7 - T(0.007308926302304)
+      * U8_13 + T(3.591193135000005e-05) * U8_31 - T(2.6450064520000005e-05) * (minus_U8_33 - minus_U8_11);
+  const T minus_N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12
+      + T(2.6450064520000005e-05) * U8_23;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -5638,27 +5848,26 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U10_23 = omega10_3 * omega10_2;
   const T U10_31 = t10_4 - omegadot10_2;
   const T minus_U10_33 = t10_2 + t10_5;
-  // Pddot10 = E10 (omega1~ omega1~ q10 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot10_1 = t6_7 + Pddot1_1;
-  const T t10_6 = t6_8 + Pddot1_2;
-  const T t10_7 = Pddot1_3 - t6_10;
+  // Pddot10 = E10 (U1 q10 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot10_1 = t6_6 + Pddot1_1;
+  const T t10_6 = t6_7 + Pddot1_2;
+  const T t10_7 = Pddot1_3 - t6_9;
   const T Pddot10_2 = E10_22 * t10_6 + E10_23 * t10_7;
   const T Pddot10_3 = E10_22 * t10_7 - E10_23 * t10_6;
-  // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_13 * T(3.1e-05) - (minus_U10_11 * T(0.003311) + U10_12 * T(0.000635)) + Pddot10_1;
-  const T a10_2 = U10_21 * T(0.003311) + minus_U10_22 * T(0.000635) + U10_23 * T(3.1e-05) + Pddot10_2;
-  const T a10_3 = U10_31 * T(0.003311) - U10_23 * T(0.000635) - minus_U10_33 * T(3.1e-05) + Pddot10_3;
-  // G10 = -m10 a10: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G10_1 = T(0.696) * a10_1;
-  const T minus_G10_2 = T(0.696) * a10_2;
-  const T minus_G10_3 = T(0.696) * a10_3;
-  // N10 = -axial(U10 (tr(I10)/2 - I10)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N10_1 = T(9.409e-06) * U10_31 - (T(0.00025456100000000005) * U10_23 + T(4.66e-07) * (minus_U10_22 -
-      minus_U10_33)) + T(3.42e-07) * U10_21;
-  const T minus_N10_2 = T(0.0003619035) * U10_13 - T(0.0004455865) * U10_31 - T(3.42e-07) * (minus_U10_33 -
-      minus_U10_11) - T(4.66e-07) * U10_12 - T(9.409e-06) * U10_23;
-  const T minus_N10_3 = T(0.0004455865) * U10_21 - T(0.00010734249999999997) * U10_12 + T(9.409e-06) * (minus_U10_11 -
-      minus_U10_22) - T(3.42e-07) * U10_23 + T(4.66e-07) * U10_13;
+  // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
+  const T minus_G10_1 = U10_13 * T(2.1575999999999998e-05) - U10_12 * T(0.081652909);
+  const T minus_G10_2 = minus_U10_22 * T(0.081652909) + U10_23 * T(2.1575999999999998e-05);
+  const T G10_3 = U10_23 * T(0.081652909) + minus_U10_33 * T(2.1575999999999998e-05);
+  // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N10_1 = T(0.006588148547768) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) +
+      T(7.94567044e-06) * U10_31 + T(2.70561864e-07) * U10_21 - T(2.1575999999999998e-05) * Pddot10_2 - T(0.081652909)
+      * Pddot10_3;
+  const T minus_N10_2 = T(2.1575999999999998e-05) * Pddot10_1 + T(0.000361904168856) * U10_13 + T(0.000361904168856) *
+      U10_31 - T(2.70561864e-07) * (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) *
+      U10_23;
+  const T minus_N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 +
+      T(7.94567044e-06) * (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
   const T theta11 = x[11];
@@ -5708,21 +5917,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
   const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
-  // a11 = U11 r11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = minus_U11_11 * T(0.003237) + U11_12 * T(0.022327) - U11_13 * T(0.027326) + Pddot11_1;
-  const T a11_2 = Pddot11_2 - (U11_21 * T(0.003237) + minus_U11_22 * T(0.022327) + U11_23 * T(0.027326));
-  const T a11_3 = U11_32 * T(0.022327) - U11_31 * T(0.003237) + minus_U11_33 * T(0.027326) + Pddot11_3;
-  // G11 = -m11 a11: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G11_1 = T(1.013) * a11_1;
-  const T minus_G11_2 = T(1.013) * a11_2;
-  const T minus_G11_3 = T(1.013) * a11_3;
-  // N11 = -axial(U11 (tr(I11)/2 - I11)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N11_1 = T(0.000878757) * U11_32 - T(0.004650308) * U11_23 + T(2.2448e-05) * (minus_U11_22 -
-      minus_U11_33) + T(4.825e-06) * U11_31 + T(0.000343869) * U11_21;
-  const T minus_N11_2 = T(0.004650308) * U11_13 - T(0.000489031) * U11_31 - T(0.000343869) * (minus_U11_33 -
-      minus_U11_11) + T(2.2448e-05) * U11_12 - T(4.825e-06) * U11_32;
-  const T minus_N11_3 = T(0.000489031) * U11_21 - T(0.000878757) * U11_12 + T(4.825e-06) * (minus_U11_11 -
-      minus_U11_22) - T(0.000343869) * U11_23 - T(2.2448e-05) * U11_13;
+  // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
+  const T minus_G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
+  const T G11_2 = U11_21 * T(0.0032790809999999997) + U11_23 * T(0.072881238);
+  const T minus_G11_3 = minus_U11_33 * T(0.072881238) - U11_31 * T(0.0032790809999999997);
+  // N11 = -h_own_11~ Pddot11 - axial(U11 (tr(J_own_11)/2 - J_own_11)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N11_1 = T(0.072881238) * Pddot11_2 - T(0.000499645385197) * U11_32 - T(0.014446725509588) * U11_23 -
+      T(0.0005955910008259999) * (minus_U11_22 - minus_U11_33) - T(6.838704148699999e-05) * U11_31 +
+      T(0.000254264832594) * U11_21;
+  const T minus_N11_2 = T(0.0032790809999999997) * Pddot11_3 - T(0.072881238) * Pddot11_1 + T(0.014446725509588) *
+      U11_13 - T(0.000499645385197) * U11_31 - T(0.000254264832594) * (minus_U11_33 - minus_U11_11) -
+      T(0.0005955910008259999) * U11_12 + T(6.838704148699999e-05) * U11_32;
+  const T minus_N11_3 = T(0.000499645385197) * U11_21 + T(0.000499645385197) * U11_12 - T(6.838704148699999e-05) *
+      (minus_U11_11 - minus_U11_22) - T(0.000254264832594) * U11_23 + T(0.0005955910008259999) * U11_13 -
+      T(0.0032790809999999997) * Pddot11_2;
 
   // ---- body 12 (rr_calf) on body 11
   const T theta12 = x[12];
@@ -5769,25 +5978,22 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
-  // a12 = U12 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = Pddot12_1 - (minus_U12_11 * T(0.004726592920353982) + U12_13 * T(0.13197525663716814));
-  const T a12_2 = U12_21 * T(0.004726592920353982) - U12_23 * T(0.13197525663716814) + Pddot12_2;
-  const T a12_3 = U12_31 * T(0.004726592920353982) + minus_U12_33 * T(0.13197525663716814) + Pddot12_3;
-  // G12 = R12 F_ground_on_rr_ - m_link12 a12: applied less inertia force at ydot = 0, body axes [N]
+  // G12 = R12 F_ground_on_rr_ - U12 h_own_12: applied less inertia force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T G12_1 = t12_7 - T(0.226) * a12_1;
+  const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = t12_8 - T(0.226) * a12_2;
-  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
-  const T G12_3 = t12_9 - T(0.226) * a12_3;
-  // N12 = -axial(U12 (tr(I_link12)/2 - I_link12)) + lever12~ R12 F_ground_on_rr_: applied less inertia moment at ydot
-  //   = 0, body axes [N m]
-  const T N12_1 = T(0.003372578451939115) * U12_23 - T(1.2987999999999953e-05) * U12_32 + T(0.00016742735341238938) *
-      U12_21 + T(0.06802474336283187) * t12_8;
-  const T N12_2 = T(3.0862937526548714e-05) * U12_31 - T(0.003372578451939115) * U12_13 - T(0.00016742735341238938) *
-      (minus_U12_33 - minus_U12_11) + T(0.004726592920353982) * t12_9 - T(0.06802474336283187) * t12_7;
-  const T minus_N12_3 = T(0.004726592920353982) * t12_8 + T(3.0862937526548714e-05) * U12_21 -
-      T(1.2987999999999953e-05) * U12_12 + T(0.00016742735341238938) * U12_23;
+  const T G12_2 = U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821) + t12_8;
+  const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
+      minus_U12_33 * T(0.029826408000000002);
+  // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
+  //   moment about the body origin, body axes [N m]
+  const T N12_1 = T(0.2) * t12_8 - T(0.029826408000000002) * Pddot12_2 + T(3.591193135000005e-05) * U12_32 +
+      T(0.007308926302304) * U12_23 + T(2.6450064520000005e-05) * U12_21;
+  const T N12_2 = T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3 - T(0.2) * t12_7 -
+      T(0.007308926302304) * U12_13 + T(3.591193135000005e-05) * U12_31 - T(2.6450064520000005e-05) * (minus_U12_33 -
+      minus_U12_11);
+  const T minus_N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) *
+      U12_12 + T(2.6450064520000005e-05) * U12_23;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -5826,27 +6032,26 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U14_23 = omega14_3 * omega14_2;
   const T U14_31 = t14_4 - omegadot14_2;
   const T minus_U14_33 = t14_2 + t14_5;
-  // Pddot14 = E14 (omega1~ omega1~ q14 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot14_1 = t2_11 + Pddot1_1;
-  const T t14_6 = Pddot1_2 - t2_14;
-  const T t14_7 = t2_18 + Pddot1_3;
+  // Pddot14 = E14 (U1 q14 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot14_1 = t2_8 + Pddot1_1;
+  const T t14_6 = Pddot1_2 - t2_11;
+  const T t14_7 = t2_15 + Pddot1_3;
   const T Pddot14_2 = E14_22 * t14_6 + E14_23 * t14_7;
   const T Pddot14_3 = E14_22 * t14_7 - E14_23 * t14_6;
-  // a14 = U14 r14 + Pddot14: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a14_1 = U14_12 * T(0.000635) - minus_U14_11 * T(0.003311) + U14_13 * T(3.1e-05) + Pddot14_1;
-  const T a14_2 = U14_21 * T(0.003311) - minus_U14_22 * T(0.000635) + U14_23 * T(3.1e-05) + Pddot14_2;
-  const T a14_3 = U14_31 * T(0.003311) + U14_23 * T(0.000635) - minus_U14_33 * T(3.1e-05) + Pddot14_3;
-  // G14 = -m14 a14: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G14_1 = T(0.696) * a14_1;
-  const T minus_G14_2 = T(0.696) * a14_2;
-  const T minus_G14_3 = T(0.696) * a14_3;
-  // N14 = -axial(U14 (tr(I14)/2 - I14)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N14_1 = T(4.66e-07) * (minus_U14_22 - minus_U14_33) - T(0.00025456100000000005) * U14_23 -
-      T(9.409e-06) * U14_31 + T(3.42e-07) * U14_21;
-  const T minus_N14_2 = T(0.0003619035) * U14_13 - T(0.0004455865) * U14_31 - T(3.42e-07) * (minus_U14_33 -
-      minus_U14_11) + T(4.66e-07) * U14_12 + T(9.409e-06) * U14_23;
-  const T minus_N14_3 = T(0.0004455865) * U14_21 - T(0.00010734249999999997) * U14_12 - T(9.409e-06) * (minus_U14_11 -
-      minus_U14_22) - T(3.42e-07) * U14_23 - T(4.66e-07) * U14_13;
+  // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
+  const T minus_G14_1 = U14_12 * T(0.081652909) + U14_13 * T(2.1575999999999998e-05);
+  const T minus_G14_2 = U14_23 * T(2.1575999999999998e-05) - minus_U14_22 * T(0.081652909);
+  const T minus_G14_3 = U14_23 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
+  // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006588148547768) *
+      U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 + T(2.70561864e-07) *
+      U14_21;
+  const T minus_N14_2 = T(2.1575999999999998e-05) * Pddot14_1 + T(0.000361904168856) * U14_13 + T(0.000361904168856) *
+      U14_31 - T(2.70561864e-07) * (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) *
+      U14_23;
+  const T N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 +
+      T(7.94567044e-06) * (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
   const T theta15 = x[14];
@@ -5896,21 +6101,21 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
-  // a15 = U15 r15 + Pddot15: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a15_1 = minus_U15_11 * T(0.003237) - U15_12 * T(0.022327) - U15_13 * T(0.027326) + Pddot15_1;
-  const T a15_2 = minus_U15_22 * T(0.022327) - U15_21 * T(0.003237) - U15_23 * T(0.027326) + Pddot15_2;
-  const T a15_3 = minus_U15_33 * T(0.027326) - (U15_31 * T(0.003237) + U15_32 * T(0.022327)) + Pddot15_3;
-  // G15 = -m15 a15: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G15_1 = T(1.013) * a15_1;
-  const T minus_G15_2 = T(1.013) * a15_2;
-  const T minus_G15_3 = T(1.013) * a15_3;
-  // N15 = -axial(U15 (tr(I15)/2 - I15)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N15_1 = T(0.000878757) * U15_32 - T(0.004650308) * U15_23 - T(2.2448e-05) * (minus_U15_22 -
-      minus_U15_33) - T(4.825e-06) * U15_31 + T(0.000343869) * U15_21;
-  const T minus_N15_2 = T(0.004650308) * U15_13 - T(0.000489031) * U15_31 - T(0.000343869) * (minus_U15_33 -
-      minus_U15_11) - T(2.2448e-05) * U15_12 + T(4.825e-06) * U15_32;
-  const T minus_N15_3 = T(0.000489031) * U15_21 - T(0.000878757) * U15_12 - T(4.825e-06) * (minus_U15_11 -
-      minus_U15_22) - T(0.000343869) * U15_23 + T(2.2448e-05) * U15_13;
+  // G15 = -U15 h_own_15: applied less inertia force, body axes [N]
+  const T minus_G15_1 = minus_U15_11 * T(0.0032790809999999997) - U15_13 * T(0.072881238);
+  const T G15_2 = U15_21 * T(0.0032790809999999997) + U15_23 * T(0.072881238);
+  const T minus_G15_3 = minus_U15_33 * T(0.072881238) - U15_31 * T(0.0032790809999999997);
+  // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T minus_N15_1 = T(0.072881238) * Pddot15_2 - T(0.000499645385197) * U15_32 - T(0.014446725509588) * U15_23 +
+      T(0.0005955910008259999) * (minus_U15_22 - minus_U15_33) + T(6.838704148699999e-05) * U15_31 +
+      T(0.000254264832594) * U15_21;
+  const T minus_N15_2 = T(0.0032790809999999997) * Pddot15_3 - T(0.072881238) * Pddot15_1 + T(0.014446725509588) *
+      U15_13 - T(0.000499645385197) * U15_31 - T(0.000254264832594) * (minus_U15_33 - minus_U15_11) +
+      T(0.0005955910008259999) * U15_12 - T(6.838704148699999e-05) * U15_32;
+  const T minus_N15_3 = T(0.000499645385197) * U15_21 + T(0.000499645385197) * U15_12 + T(6.838704148699999e-05) *
+      (minus_U15_11 - minus_U15_22) - T(0.000254264832594) * U15_23 - T(0.0005955910008259999) * U15_13 -
+      T(0.0032790809999999997) * Pddot15_2;
 
   // ---- body 16 (rl_calf) on body 15
   const T theta16 = x[15];
@@ -5957,48 +6162,39 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
-  // a16 = U16 r_link16 + Pddot16: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a16_1 = Pddot16_1 - (minus_U16_11 * T(0.004726592920353982) + U16_13 * T(0.13197525663716814));
-  const T a16_2 = U16_21 * T(0.004726592920353982) - U16_23 * T(0.13197525663716814) + Pddot16_2;
-  const T a16_3 = U16_31 * T(0.004726592920353982) + minus_U16_33 * T(0.13197525663716814) + Pddot16_3;
-  // G16 = R16 F_ground_on_rl_ - m_link16 a16: applied less inertia force at ydot = 0, body axes [N]
+  // G16 = R16 F_ground_on_rl_ - U16 h_own_16: applied less inertia force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T G16_1 = t16_7 - T(0.226) * a16_1;
+  const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = t16_8 - T(0.226) * a16_2;
-  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
-  const T G16_3 = t16_9 - T(0.226) * a16_3;
-  // N16 = -axial(U16 (tr(I_link16)/2 - I_link16)) + lever16~ R16 F_ground_on_rl_: applied less inertia moment at ydot
-  //   = 0, body axes [N m]
-  const T N16_1 = T(0.003372578451939115) * U16_23 - T(1.2987999999999953e-05) * U16_32 + T(0.00016742735341238938) *
-      U16_21 + T(0.06802474336283187) * t16_8;
-  const T N16_2 = T(3.0862937526548714e-05) * U16_31 - T(0.003372578451939115) * U16_13 - T(0.00016742735341238938) *
-      (minus_U16_33 - minus_U16_11) + T(0.004726592920353982) * t16_9 - T(0.06802474336283187) * t16_7;
-  const T minus_N16_3 = T(0.004726592920353982) * t16_8 + T(3.0862937526548714e-05) * U16_21 -
-      T(1.2987999999999953e-05) * U16_12 + T(0.00016742735341238938) * U16_23;
+  const T G16_2 = U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821) + t16_8;
+  const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
+      minus_U16_33 * T(0.029826408000000002);
+  // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
+  //   moment about the body origin, body axes [N m]
+  const T N16_1 = T(0.2) * t16_8 - T(0.029826408000000002) * Pddot16_2 + T(3.591193135000005e-05) * U16_32 +
+      T(0.007308926302304) * U16_23 + T(2.6450064520000005e-05) * U16_21;
+  const T N16_2 = T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3 - T(0.2) * t16_7 -
+      T(0.007308926302304) * U16_13 + T(3.591193135000005e-05) * U16_31 - T(2.6450064520000005e-05) * (minus_U16_33 -
+      minus_U16_11);
+  const T minus_N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) *
+      U16_12 + T(2.6450064520000005e-05) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
-  // rho16 = r_link16~ G16 + N16: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho16_1 = T(0.13197525663716814) * G16_2 + N16_1;
-  const T rho16_2 = N16_2 - (T(0.13197525663716814) * G16_1 + T(0.004726592920353982) * G16_3);
-  const T rho16_3 = T(0.004726592920353982) * G16_2 - minus_N16_3;
-  // f_theta16 = b16 . rho16 + effort_rl_calf_16: Kane's equation of the angle [N m]
-  const T f_theta16 = rho16_2 + effort_rl_calf_16;
+  // f_theta16 = b16 . N16 + effort_rl_calf_16: Kane's equation of the angle [N m]
+  const T f_theta16 = N16_2 + effort_rl_calf_16;
   f[14] = f_theta16;
 
   // ---- body 15 (rl_thigh) and what it carries
   // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
   const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
   const T S15_1 = b15_1 - minus_G15_1;
-  const T S15_2 = G16_2 - minus_G15_2;
+  const T S15_2 = G16_2 + G15_2;
   const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 - minus_G15_3;
-  // rho15 = q16~ E16^T G16 + E16^T rho16 + r15~ G15 + N15: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 + E16_11 * rho16_1 + minus_E16_13 * rho16_3 + T(0.022327) * minus_G15_3 -
-      T(0.027326) * minus_G15_2 - minus_N15_1;
-  const T rho15_2 = rho16_2 - T(0.2) * b15_1 + T(0.027326) * minus_G15_1 - T(0.003237) * minus_G15_3 - minus_N15_2;
-  const T rho15_3 = E16_11 * rho16_3 - minus_E16_13 * rho16_1 + T(0.003237) * minus_G15_2 - T(0.022327) * minus_G15_1
-      - minus_N15_3;
+  // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho15_1 = T(0.2) * G16_2 + E16_11 * N16_1 - minus_E16_13 * minus_N16_3 - minus_N15_1;
+  const T rho15_2 = N16_2 - T(0.2) * b15_1 - minus_N15_2;
+  const T minus_rho15_3 = minus_E16_13 * N16_1 + E16_11 * minus_N16_3 + minus_N15_3;
   // f_theta15 = b15 . rho15 + effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T f_theta15 = rho15_2 + effort_rl_thigh_15;
   f[13] = f_theta15;
@@ -6010,39 +6206,31 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S14_2 = S15_2 - minus_G14_2;
   const T b14_2 = E15_11 * S15_3 - minus_E15_13 * S15_1;
   const T S14_3 = b14_2 - minus_G14_3;
-  // rho14 = q15~ E15^T S15 + E15^T rho15 + r14~ G14 + N14: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + T(3.1e-05) * minus_G14_2 -
-      T(0.000635) * minus_G14_3 - minus_N14_1;
-  const T rho14_2 = rho15_2 + T(0.003311) * minus_G14_3 - T(3.1e-05) * minus_G14_1 - minus_N14_2;
-  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 + T(0.000635) * minus_G14_1 -
-      T(0.003311) * minus_G14_2 - minus_N14_3;
+  // rho14 = q15~ E15^T S15 + E15^T rho15 + N14: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 - minus_E15_13 * minus_rho15_3 - minus_N14_1;
+  const T rho14_2 = rho15_2 - minus_N14_2;
+  const T rho14_3 = N14_3 - (T(0.0838) * b14_1 + minus_E15_13 * rho15_1 + E15_11 * minus_rho15_3);
   // f_theta14 = b14 . rho14 + effort_rl_hip_14: Kane's equation of the angle [N m]
   const T f_theta14 = rho14_1 + effort_rl_hip_14;
   f[12] = f_theta14;
 
   // ---- body 12 (rr_calf) and what it carries
-  // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho12_1 = T(0.13197525663716814) * G12_2 + N12_1;
-  const T rho12_2 = N12_2 - (T(0.13197525663716814) * G12_1 + T(0.004726592920353982) * G12_3);
-  const T rho12_3 = T(0.004726592920353982) * G12_2 - minus_N12_3;
-  // f_theta12 = b12 . rho12 + effort_rr_calf_12: Kane's equation of the angle [N m]
-  const T f_theta12 = rho12_2 + effort_rr_calf_12;
+  // f_theta12 = b12 . N12 + effort_rr_calf_12: Kane's equation of the angle [N m]
+  const T f_theta12 = N12_2 + effort_rr_calf_12;
   f[11] = f_theta12;
 
   // ---- body 11 (rr_thigh) and what it carries
   // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
   const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
   const T S11_1 = b11_1 - minus_G11_1;
-  const T S11_2 = G12_2 - minus_G11_2;
+  const T S11_2 = G12_2 + G11_2;
   const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 - minus_G11_3;
-  // rho11 = q12~ E12^T G12 + E12^T rho12 + r11~ G11 + N11: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 + E12_11 * rho12_1 + minus_E12_13 * rho12_3 - T(0.027326) * minus_G11_2 -
-      T(0.022327) * minus_G11_3 - minus_N11_1;
-  const T rho11_2 = rho12_2 - T(0.2) * b11_1 + T(0.027326) * minus_G11_1 - T(0.003237) * minus_G11_3 - minus_N11_2;
-  const T rho11_3 = E12_11 * rho12_3 - minus_E12_13 * rho12_1 + T(0.003237) * minus_G11_2 + T(0.022327) * minus_G11_1
-      - minus_N11_3;
+  // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho11_1 = T(0.2) * G12_2 + E12_11 * N12_1 - minus_E12_13 * minus_N12_3 - minus_N11_1;
+  const T rho11_2 = N12_2 - T(0.2) * b11_1 - minus_N11_2;
+  const T minus_rho11_3 = minus_E12_13 * N12_1 + E12_11 * minus_N12_3 + minus_N11_3;
   // f_theta11 = b11 . rho11 + effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T f_theta11 = rho11_2 + effort_rr_thigh_11;
   f[10] = f_theta11;
@@ -6053,40 +6241,32 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S10_1 = b10_1 - minus_G10_1;
   const T S10_2 = S11_2 - minus_G10_2;
   const T b10_2 = E11_11 * S11_3 - minus_E11_13 * S11_1;
-  const T S10_3 = b10_2 - minus_G10_3;
-  // rho10 = q11~ E11^T S11 + E11^T rho11 + r10~ G10 + N10: sum of the moment balances of the subtree about the body
-  //   origin, body axes [N m]
-  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + T(3.1e-05) * minus_G10_2 +
-      T(0.000635) * minus_G10_3 - minus_N10_1;
-  const T rho10_2 = rho11_2 + T(0.003311) * minus_G10_3 - T(3.1e-05) * minus_G10_1 - minus_N10_2;
-  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 - T(0.003311) * minus_G10_2 -
-      T(0.000635) * minus_G10_1 - minus_N10_3;
+  const T S10_3 = b10_2 + G10_3;
+  // rho10 = q11~ E11^T S11 + E11^T rho11 + N10: sum of the moment balances of the subtree about the body origin, body
+  //   axes [N m]
+  const T rho10_1 = E11_11 * rho11_1 - minus_E11_13 * minus_rho11_3 - T(0.0838) * b10_2 - minus_N10_1;
+  const T rho10_2 = rho11_2 - minus_N10_2;
+  const T rho10_3 = T(0.0838) * b10_1 - (minus_E11_13 * rho11_1 + E11_11 * minus_rho11_3) - minus_N10_3;
   // f_theta10 = b10 . rho10 + effort_rr_hip_10: Kane's equation of the angle [N m]
   const T f_theta10 = rho10_1 + effort_rr_hip_10;
   f[9] = f_theta10;
 
   // ---- body 8 (fl_calf) and what it carries
-  // rho8 = r_link8~ G8 + N8: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho8_1 = T(0.13197525663716814) * G8_2 + N8_1;
-  const T rho8_2 = N8_2 - (T(0.13197525663716814) * G8_1 + T(0.004726592920353982) * G8_3);
-  const T rho8_3 = T(0.004726592920353982) * G8_2 - minus_N8_3;
-  // f_theta8 = b8 . rho8 + effort_fl_calf_8: Kane's equation of the angle [N m]
-  const T f_theta8 = rho8_2 + effort_fl_calf_8;
+  // f_theta8 = b8 . N8 + effort_fl_calf_8: Kane's equation of the angle [N m]
+  const T f_theta8 = N8_2 + effort_fl_calf_8;
   f[8] = f_theta8;
 
   // ---- body 7 (fl_thigh) and what it carries
   // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
   const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
   const T S7_1 = b7_1 - minus_G7_1;
-  const T S7_2 = G8_2 - minus_G7_2;
+  const T S7_2 = G8_2 + G7_2;
   const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 - minus_G7_3;
-  // rho7 = q8~ E8^T G8 + E8^T rho8 + r7~ G7 + N7: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho7_1 = T(0.2) * G8_2 + E8_11 * rho8_1 + minus_E8_13 * rho8_3 + T(0.022327) * minus_G7_3 - T(0.027326) *
-      minus_G7_2 - minus_N7_1;
-  const T rho7_2 = rho8_2 - T(0.2) * b7_1 + T(0.027326) * minus_G7_1 - T(0.003237) * minus_G7_3 - minus_N7_2;
-  const T rho7_3 = E8_11 * rho8_3 - minus_E8_13 * rho8_1 + T(0.003237) * minus_G7_2 - T(0.022327) * minus_G7_1 -
-      minus_N7_3;
+  // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho7_1 = T(0.2) * G8_2 + E8_11 * N8_1 - minus_E8_13 * minus_N8_3 - minus_N7_1;
+  const T rho7_2 = N8_2 - T(0.2) * b7_1 - minus_N7_2;
+  const T minus_rho7_3 = minus_E8_13 * N8_1 + E8_11 * minus_N8_3 + minus_N7_3;
   // f_theta7 = b7 . rho7 + effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T f_theta7 = rho7_2 + effort_fl_thigh_7;
   f[7] = f_theta7;
@@ -6098,39 +6278,31 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S6_2 = S7_2 - minus_G6_2;
   const T b6_2 = E7_11 * S7_3 - minus_E7_13 * S7_1;
   const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T S7 + E7^T rho7 + r6~ G6 + N6: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + T(3.1e-05) * minus_G6_2 - T(0.000635) *
-      minus_G6_3 - minus_N6_1;
-  const T rho6_2 = rho7_2 - (T(3.1e-05) * minus_G6_1 + T(0.003311) * minus_G6_3) - minus_N6_2;
-  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + T(0.003311) * minus_G6_2 + T(0.000635) *
-      minus_G6_1 - minus_N6_3;
+  // rho6 = q7~ E7^T S7 + E7^T rho7 + N6: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 - minus_E7_13 * minus_rho7_3 - minus_N6_1;
+  const T rho6_2 = rho7_2 - minus_N6_2;
+  const T minus_rho6_3 = T(0.0838) * b6_1 + minus_E7_13 * rho7_1 + E7_11 * minus_rho7_3 + minus_N6_3;
   // f_theta6 = b6 . rho6 + effort_fl_hip_6: Kane's equation of the angle [N m]
   const T f_theta6 = rho6_1 + effort_fl_hip_6;
   f[6] = f_theta6;
 
   // ---- body 4 (fr_calf) and what it carries
-  // rho4 = r_link4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = T(0.13197525663716814) * G4_2 + N4_1;
-  const T rho4_2 = N4_2 - (T(0.13197525663716814) * G4_1 + T(0.004726592920353982) * G4_3);
-  const T rho4_3 = T(0.004726592920353982) * G4_2 - minus_N4_3;
-  // f_theta4 = b4 . rho4 + effort_fr_calf_4: Kane's equation of the angle [N m]
-  const T f_theta4 = rho4_2 + effort_fr_calf_4;
+  // f_theta4 = b4 . N4 + effort_fr_calf_4: Kane's equation of the angle [N m]
+  const T f_theta4 = N4_2 + effort_fr_calf_4;
   f[5] = f_theta4;
 
   // ---- body 3 (fr_thigh) and what it carries
   // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
   const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
   const T S3_1 = b3_1 - minus_G3_1;
-  const T S3_2 = G4_2 - minus_G3_2;
+  const T S3_2 = G4_2 + G3_2;
   const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 - minus_G3_3;
-  // rho3 = q4~ E4^T G4 + E4^T rho4 + r3~ G3 + N3: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho3_1 = T(0.2) * G4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.027326) * minus_G3_2 - T(0.022327) *
-      minus_G3_3 - minus_N3_1;
-  const T rho3_2 = rho4_2 - T(0.2) * b3_1 + T(0.027326) * minus_G3_1 - T(0.003237) * minus_G3_3 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 + T(0.003237) * minus_G3_2 + T(0.022327) * minus_G3_1 -
-      minus_N3_3;
+  // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
+  //   m]
+  const T rho3_1 = T(0.2) * G4_2 + E4_11 * N4_1 - minus_E4_13 * minus_N4_3 - minus_N3_1;
+  const T rho3_2 = N4_2 - T(0.2) * b3_1 - minus_N3_2;
+  const T minus_rho3_3 = minus_E4_13 * N4_1 + E4_11 * minus_N4_3 + minus_N3_3;
   // f_theta3 = b3 . rho3 + effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + effort_fr_thigh_3;
   f[4] = f_theta3;
@@ -6141,14 +6313,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S2_1 = b2_1 - minus_G2_1;
   const T S2_2 = S3_2 - minus_G2_2;
   const T b2_2 = E3_11 * S3_3 - minus_E3_13 * S3_1;
-  const T S2_3 = b2_2 - minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + r2~ G2 + N2: sum of the moment balances of the subtree about the body origin,
-  //   body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + T(3.1e-05) * minus_G2_2 + T(0.000635) *
-      minus_G2_3 + N2_1;
-  const T rho2_2 = rho3_2 - (T(3.1e-05) * minus_G2_1 + T(0.003311) * minus_G2_3) - minus_N2_2;
-  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + T(0.003311) * minus_G2_2 - T(0.000635) *
-      minus_G2_1 - minus_N2_3;
+  const T S2_3 = b2_2 + G2_3;
+  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
+  //   [N m]
+  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 - T(0.0838) * b2_2 - minus_N2_1;
+  const T rho2_2 = rho3_2 - minus_N2_2;
+  const T rho2_3 = T(0.0838) * b2_1 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
   // f_theta2 = b2 . rho2 + effort_fr_hip_2: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_1 + effort_fr_hip_2;
   f[3] = f_theta2;
@@ -6167,16 +6337,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b1_8 = E14_23 * S14_2 + E14_22 * S14_3;
   const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 - minus_G1_3;
   // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
-  //   E14^T rho14 + r1~ G1 + N1: Kane's equation of omega [N m]
+  //   E14^T rho14 + N1: Kane's equation of omega [N m]
   const T f_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
-      b1_8 + rho14_1 - T(5e-04) * minus_G1_2 - T(0.0041) * minus_G1_3 - minus_N1_1;
-  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
-      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
-      * rho14_3 + T(5e-04) * minus_G1_1 - minus_N1_2;
+      b1_8 + rho14_1 - minus_N1_1;
+  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 + E6_23
+      * minus_rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 -
+      E14_23 * rho14_3 - minus_N1_2;
   const T f_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
-      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
-      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + T(0.0041) *
-      minus_G1_1 - minus_N1_3;
+      T(0.047) * S6_1 + E6_23 * rho6_2 - E6_22 * minus_rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2
+      + E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 - minus_N1_3;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -6191,7 +6360,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 453 add, 514 multiply, 24 sine or cosine
+// 358 add, 422 multiply, 24 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -6221,6 +6390,9 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  A[285] = c.m_all_1;
+  A[304] = c.m_all_1;
+  A[323] = c.m_all_1;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -6295,354 +6467,286 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T minus_E16_13 = sin(theta16);
 
   // ---- body 16 (rl_calf) and what it carries
-  // hc16 = E16^T h16: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
-  const T minus_hc16_3 = E16_11 * T(0.029826408000000002) + minus_E16_13 * T(0.00106821);
+  // hc16 = E16^T h_own_16: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc16_1 = E16_11 * T(0.00106821) - minus_E16_13 * T(0.029826408000000002);
+  const T minus_hc16_3 = minus_E16_13 * T(0.00106821) + E16_11 * T(0.029826408000000002);
 
   // ---- body 15 (rl_thigh) and what it carries
-  // h15 = m15 r15 + m_link16 q16 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h15_1 = minus_hc16_1 + T(0.0032790809999999997);
-  const T minus_h15_3 = T(0.072881238) + minus_hc16_3;
-  // J15 = -q16~ hc16~ + E16^T J16 E16 - m15 r15~ r15~ + I15 + (-m_link16 q16~ - hc16~) q16~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b15_1 = minus_E16_13 * T(2.6450064520000005e-05);
-  const T b15_2 = E16_11 * T(0.007321914302304) - b15_1;
-  const T b15_3 = E16_11 * T(2.6450064520000005e-05);
-  const T b15_4 = minus_E16_13 * T(4.889993135e-05) - b15_3;
-  const T b15_5 = T(0.2) * minus_hc16_3;
-  const T b15_6 = (minus_hc16_3 + T(0.045200000000000004)) * T(0.2);
-  const T J15_11 = b15_2 * E16_11 + b15_4 * minus_E16_13 + b15_5 + T(0.006790457872665) + b15_6;
-  const T J15_13 = T(0.000254264832594) - (T(0.2) * minus_hc16_1 - (b15_4 * E16_11 - b15_2 * minus_E16_13));
-  const T b15_7 = b15_5 + T(0.007344838233654);
-  const T J15_22 = b15_7 + T(0.005906370894785) + b15_6;
-  const T J15_33 = (minus_E16_13 * T(0.007321914302304) + b15_3) * minus_E16_13 + (b15_1 + E16_11 *
-      T(4.889993135e-05)) * E16_11 + T(0.001883377748274);
+  // h15 = h_own_15 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h15_1 = hc16_1 - T(0.0032790809999999997);
+  const T minus_h15_3 = minus_hc16_3 + T(0.072881238);
+  // J15 = -q16~ hc16~ + E16^T J_own_16 E16 + J_own_15 - hc16~ q16~: inertia carried, about the body origin, body axes
+  //   [kg m^2]
+  const T b15_1 = minus_E16_13 * T(0.007273014370954) + T(2) * E16_11 * T(2.6450064520000005e-05);
+  const T b15_2 = minus_E16_13 * b15_1;
+  const T J15_11 = T(0.021220094495345) - b15_2 + T(0.4) * minus_hc16_3;
+  const T b15_3 = minus_E16_13 * T(0.0024994529904) - E16_11 * T(8.9515998e-05);
+  const T J15_12 = b15_3 + T(0.00020639994631299998);
+  const T J15_13 = T(0.00028071489711400005) - E16_11 * b15_1 + T(0.2) * hc16_1;
+  const T b15_4 = T(0.2) * minus_hc16_3;
+  const T b15_5 = b15_4 + T(0.007344838233654);
+  const T J15_22 = b15_5 + T(0.014946370894785) + b15_4;
+  const T b15_6 = minus_E16_13 * T(8.9515998e-05) + E16_11 * T(0.0024994529904);
+  const T J15_23 = b15_6 + T(0.005511856743574);
   A[247] = J15_22;
   // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc15_1 = minus_E15_13 * minus_h15_3 + E15_11 * minus_h15_1;
-  const T minus_hc15_3 = E15_11 * minus_h15_3 - minus_E15_13 * minus_h15_1;
-  A[248] = b15_7;
-  A[265] = b15_7;
+  const T hc15_1 = E15_11 * h15_1 - minus_E15_13 * minus_h15_3;
+  const T minus_hc15_3 = minus_E15_13 * h15_1 + E15_11 * minus_h15_3;
+  A[248] = b15_5;
+  A[265] = b15_5;
 
   // ---- body 14 (rl_hip) and what it carries
-  // h14 = m14 r14 + m_sub15 q15 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h14_1 = T(0.002304456) - minus_hc15_1;
-  const T h14_3 = T(2.1575999999999998e-05) - minus_hc15_3;
-  // J14 = -q15~ hc15~ + E15^T J15 E15 - m14 r14~ r14~ + I14 + (-m_sub15 q15~ - hc15~) q15~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b14_1 = minus_E15_13 * J15_13;
-  const T b14_2 = E15_11 * J15_11 + b14_1;
-  const T b14_3 = E15_11 * J15_13;
-  const T b14_4 = b14_3 + minus_E15_13 * J15_33;
-  const T J14_11 = b14_2 * E15_11 + b14_4 * minus_E15_13 + T(0.005379679205856);
-  const T b14_5 = T(0.0838) * minus_hc15_1 - (E15_11 * T(6.838704148699999e-05) + minus_E15_13 *
-      T(0.0005955910008259999));
-  const T J14_12 = T(7.94567044e-06) + b14_5;
-  const T J14_13 = b14_4 * E15_11 - b14_2 * minus_E15_13 + T(2.70561864e-07);
-  const T J14_22 = J15_22 + T(0.0008151207226720001);
-  const T b14_6 = minus_E15_13 * T(6.838704148699999e-05) - E15_11 * T(0.0005955910008259999) + T(0.0838) *
-      minus_hc15_3;
+  // h14 = h_own_14 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h14_3 = minus_hc15_3 - T(2.1575999999999998e-05);
+  // J14 = -q15~ hc15~ + E15^T J15 E15 + J_own_14 - hc15~ q15~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b14_1 = minus_E15_13 * (b15_2 - J15_11) + T(2) * E15_11 * J15_13;
+  const T b14_2 = minus_E15_13 * b14_1;
+  const T J14_11 = J15_11 + b14_2 + T(0.00731195688548);
+  const T b14_3 = E15_11 * J15_12 + minus_E15_13 * J15_23;
+  const T J14_12 = b14_3 + T(0.014746295744939998);
+  const T J14_13 = E15_11 * b14_1 - J15_13 + T(4.165029864e-06) - T(0.1805) * minus_hc15_3;
+  const T b14_4 = T(0.1805) * hc15_1;
+  const T b14_5 = J15_22 - b14_4;
+  const T J14_22 = b14_5 - b14_4;
+  const T b14_6 = E15_11 * J15_23 - minus_E15_13 * J15_12;
   const T J14_23 = b14_6 - T(4.7970076e-07);
-  const T J14_33 = (E15_11 * J15_33 - b14_1) * E15_11 - (b14_3 - minus_E15_13 * J15_11) * minus_E15_13 +
-      T(0.005470991590816);
+  const T J14_33 = b15_2 - b14_2 - T(0.361) * hc15_1 + T(0.006588148547768);
   A[228] = J14_11;
   // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc14_2 = E14_22 * T(0.081652909) - E14_23 * h14_3;
-  const T hc14_3 = E14_22 * h14_3 + E14_23 * T(0.081652909);
+  const T hc14_2 = E14_22 * T(0.081652909) + E14_23 * minus_h14_3;
+  const T hc14_3 = E14_23 * T(0.081652909) - E14_22 * minus_h14_3;
   // B_thetadot16_14 = E15^T B_thetadot16_15
-  const T B_thetadot16_14_1 = minus_E15_13 * minus_hc16_1 - E15_11 * minus_hc16_3;
-  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 + E15_11 * minus_hc16_1;
+  const T minus_B_thetadot16_14_1 = minus_E15_13 * hc16_1 + E15_11 * minus_hc16_3;
+  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 - E15_11 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T K_thetadot16_14_1 = T(0.0838) * B_thetadot16_14_3;
-  const T minus_K_thetadot16_14_3 = T(0.0838) * B_thetadot16_14_1;
+  const T K_thetadot16_14_1 = E15_11 * b15_3 + minus_E15_13 * b15_6;
+  const T K_thetadot16_14_2 = T(0.1805) * B_thetadot16_14_3 + b15_5;
+  const T K_thetadot16_14_3 = E15_11 * b15_6 - minus_E15_13 * b15_3;
   A[230] = K_thetadot16_14_1;
   A[264] = K_thetadot16_14_1;
-  A[229] = b14_5;
-  A[246] = b14_5;
+  A[229] = b14_3;
+  A[246] = b14_3;
 
   // ---- body 12 (rr_calf) and what it carries
-  // hc12 = E12^T h12: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
-  const T minus_hc12_3 = E12_11 * T(0.029826408000000002) + minus_E12_13 * T(0.00106821);
+  // hc12 = E12^T h_own_12: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc12_1 = E12_11 * T(0.00106821) - minus_E12_13 * T(0.029826408000000002);
+  const T minus_hc12_3 = minus_E12_13 * T(0.00106821) + E12_11 * T(0.029826408000000002);
 
   // ---- body 11 (rr_thigh) and what it carries
-  // h11 = m11 r11 + m_link12 q12 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h11_1 = minus_hc12_1 + T(0.0032790809999999997);
-  const T minus_h11_3 = T(0.072881238) + minus_hc12_3;
-  // J11 = -q12~ hc12~ + E12^T J12 E12 - m11 r11~ r11~ + I11 + (-m_link12 q12~ - hc12~) q12~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b11_1 = minus_E12_13 * T(2.6450064520000005e-05);
-  const T b11_2 = E12_11 * T(0.007321914302304) - b11_1;
-  const T b11_3 = E12_11 * T(2.6450064520000005e-05);
-  const T b11_4 = minus_E12_13 * T(4.889993135e-05) - b11_3;
-  const T b11_5 = T(0.2) * minus_hc12_3;
-  const T b11_6 = (minus_hc12_3 + T(0.045200000000000004)) * T(0.2);
-  const T J11_11 = b11_2 * E12_11 + b11_4 * minus_E12_13 + b11_5 + T(0.006790457872665) + b11_6;
-  const T J11_13 = b11_4 * E12_11 - b11_2 * minus_E12_13 + (T(0.000254264832594) - T(0.2) * minus_hc12_1);
-  const T b11_7 = b11_5 + T(0.007344838233654);
-  const T J11_22 = b11_7 + T(0.005906370894785) + b11_6;
-  const T J11_33 = (minus_E12_13 * T(0.007321914302304) + b11_3) * minus_E12_13 + (b11_1 + E12_11 *
-      T(4.889993135e-05)) * E12_11 + T(0.001883377748274);
+  // h11 = h_own_11 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h11_1 = hc12_1 - T(0.0032790809999999997);
+  const T minus_h11_3 = minus_hc12_3 + T(0.072881238);
+  // J11 = -q12~ hc12~ + E12^T J_own_12 E12 + J_own_11 - hc12~ q12~: inertia carried, about the body origin, body axes
+  //   [kg m^2]
+  const T b11_1 = minus_E12_13 * T(0.007273014370954) + T(2) * E12_11 * T(2.6450064520000005e-05);
+  const T b11_2 = minus_E12_13 * b11_1;
+  const T J11_11 = T(0.021220094495345) - b11_2 + T(0.4) * minus_hc12_3;
+  const T b11_3 = E12_11 * T(8.9515998e-05) - minus_E12_13 * T(0.0024994529904);
+  const T J11_12 = b11_3 - T(0.00020639994631299998);
+  const T J11_13 = T(0.00028071489711400005) - E12_11 * b11_1 + T(0.2) * hc12_1;
+  const T b11_4 = T(0.2) * minus_hc12_3;
+  const T b11_5 = b11_4 + T(0.007344838233654);
+  const T J11_22 = b11_5 + T(0.014946370894785) + b11_4;
+  const T b11_6 = minus_E12_13 * T(8.9515998e-05) + E12_11 * T(0.0024994529904);
+  const T minus_J11_23 = b11_6 + T(0.005511856743574);
   A[190] = J11_22;
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc11_1 = minus_E11_13 * minus_h11_3 + E11_11 * minus_h11_1;
-  const T minus_hc11_3 = E11_11 * minus_h11_3 - minus_E11_13 * minus_h11_1;
-  A[191] = b11_7;
-  A[208] = b11_7;
+  const T hc11_1 = E11_11 * h11_1 - minus_E11_13 * minus_h11_3;
+  const T minus_hc11_3 = minus_E11_13 * h11_1 + E11_11 * minus_h11_3;
+  A[191] = b11_5;
+  A[208] = b11_5;
 
   // ---- body 10 (rr_hip) and what it carries
-  // h10 = m10 r10 + m_sub11 q11 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h10_1 = T(0.002304456) - minus_hc11_1;
-  const T h10_3 = T(2.1575999999999998e-05) - minus_hc11_3;
-  // J10 = -q11~ hc11~ + E11^T J11 E11 - m10 r10~ r10~ + I10 + (-m_sub11 q11~ - hc11~) q11~: inertia carried, about
-  //   the body origin, body axes [kg m^2]
-  const T b10_1 = minus_E11_13 * J11_13;
-  const T b10_2 = E11_11 * J11_11 + b10_1;
-  const T b10_3 = E11_11 * J11_13;
-  const T b10_4 = b10_3 + minus_E11_13 * J11_33;
-  const T J10_11 = b10_2 * E11_11 + b10_4 * minus_E11_13 + T(0.005379679205856);
-  const T b10_5 = T(0.0838) * minus_hc11_1 - (E11_11 * T(6.838704148699999e-05) + minus_E11_13 *
-      T(0.0005955910008259999));
-  const T minus_J10_12 = b10_5 + T(7.94567044e-06);
-  const T J10_13 = b10_4 * E11_11 - b10_2 * minus_E11_13 + T(2.70561864e-07);
-  const T J10_22 = J11_22 + T(0.0008151207226720001);
-  const T b10_6 = T(0.0838) * minus_hc11_3 - (E11_11 * T(0.0005955910008259999) - minus_E11_13 *
-      T(6.838704148699999e-05));
+  // h10 = h_own_10 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h10_3 = minus_hc11_3 - T(2.1575999999999998e-05);
+  // J10 = -q11~ hc11~ + E11^T J11 E11 + J_own_10 - hc11~ q11~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
+  const T b10_1 = minus_E11_13 * (b11_2 - J11_11) + T(2) * E11_11 * J11_13;
+  const T b10_2 = minus_E11_13 * b10_1;
+  const T J10_11 = J11_11 + b10_2 + T(0.00731195688548);
+  const T b10_3 = E11_11 * J11_12 - minus_E11_13 * minus_J11_23;
+  const T J10_12 = b10_3 - T(0.014746295744939998);
+  const T J10_13 = E11_11 * b10_1 - J11_13 + T(4.165029864e-06) - T(0.1805) * minus_hc11_3;
+  const T b10_4 = T(0.1805) * hc11_1;
+  const T b10_5 = J11_22 - b10_4;
+  const T J10_22 = b10_5 - b10_4;
+  const T b10_6 = minus_E11_13 * J11_12 + E11_11 * minus_J11_23;
   const T J10_23 = T(4.7970076e-07) - b10_6;
-  const T J10_33 = (E11_11 * J11_33 - b10_1) * E11_11 - (b10_3 - minus_E11_13 * J11_11) * minus_E11_13 +
-      T(0.005470991590816);
+  const T J10_33 = b11_2 - b10_2 - T(0.361) * hc11_1 + T(0.006588148547768);
   A[171] = J10_11;
   // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc10_2 = E10_23 * h10_3 + E10_22 * T(0.081652909);
-  const T minus_hc10_3 = E10_23 * T(0.081652909) - E10_22 * h10_3;
+  const T minus_hc10_2 = E10_22 * T(0.081652909) - E10_23 * minus_h10_3;
+  const T minus_hc10_3 = E10_23 * T(0.081652909) + E10_22 * minus_h10_3;
   // B_thetadot12_10 = E11^T B_thetadot12_11
-  const T B_thetadot12_10_1 = minus_E11_13 * minus_hc12_1 - E11_11 * minus_hc12_3;
-  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 + E11_11 * minus_hc12_1;
+  const T minus_B_thetadot12_10_1 = minus_E11_13 * hc12_1 + E11_11 * minus_hc12_3;
+  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 - E11_11 * hc12_1;
   // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
-  const T minus_K_thetadot12_10_1 = T(0.0838) * B_thetadot12_10_3;
-  const T K_thetadot12_10_3 = T(0.0838) * B_thetadot12_10_1;
-  A[173] = -minus_K_thetadot12_10_1;
-  A[207] = -minus_K_thetadot12_10_1;
-  A[172] = -b10_5;
-  A[189] = -b10_5;
+  const T K_thetadot12_10_1 = E11_11 * b11_3 - minus_E11_13 * b11_6;
+  const T K_thetadot12_10_2 = T(0.1805) * B_thetadot12_10_3 + b11_5;
+  const T minus_K_thetadot12_10_3 = minus_E11_13 * b11_3 + E11_11 * b11_6;
+  A[173] = K_thetadot12_10_1;
+  A[207] = K_thetadot12_10_1;
+  A[172] = b10_3;
+  A[189] = b10_3;
 
   // ---- body 8 (fl_calf) and what it carries
-  // hc8 = E8^T h8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
-  const T minus_hc8_3 = E8_11 * T(0.029826408000000002) + minus_E8_13 * T(0.00106821);
+  // hc8 = E8^T h_own_8: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc8_1 = E8_11 * T(0.00106821) - minus_E8_13 * T(0.029826408000000002);
+  const T minus_hc8_3 = minus_E8_13 * T(0.00106821) + E8_11 * T(0.029826408000000002);
 
   // ---- body 7 (fl_thigh) and what it carries
-  // h7 = m7 r7 + m_link8 q8 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h7_1 = minus_hc8_1 + T(0.0032790809999999997);
-  const T minus_h7_3 = T(0.072881238) + minus_hc8_3;
-  // J7 = -q8~ hc8~ + E8^T J8 E8 - m7 r7~ r7~ + I7 + (-m_link8 q8~ - hc8~) q8~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b7_1 = minus_E8_13 * T(2.6450064520000005e-05);
-  const T b7_2 = E8_11 * T(0.007321914302304) - b7_1;
-  const T b7_3 = E8_11 * T(2.6450064520000005e-05);
-  const T b7_4 = minus_E8_13 * T(4.889993135e-05) - b7_3;
-  const T b7_5 = T(0.2) * minus_hc8_3;
-  const T b7_6 = (minus_hc8_3 + T(0.045200000000000004)) * T(0.2);
-  const T J7_11 = b7_2 * E8_11 + b7_4 * minus_E8_13 + b7_5 + T(0.006790457872665) + b7_6;
-  const T J7_13 = b7_4 * E8_11 - b7_2 * minus_E8_13 + (T(0.000254264832594) - T(0.2) * minus_hc8_1);
-  const T b7_7 = b7_5 + T(0.007344838233654);
-  const T J7_22 = b7_7 + T(0.005906370894785) + b7_6;
-  const T J7_33 = (minus_E8_13 * T(0.007321914302304) + b7_3) * minus_E8_13 + (b7_1 + E8_11 * T(4.889993135e-05)) *
-      E8_11 + T(0.001883377748274);
+  // h7 = h_own_7 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h7_1 = hc8_1 - T(0.0032790809999999997);
+  const T minus_h7_3 = minus_hc8_3 + T(0.072881238);
+  // J7 = -q8~ hc8~ + E8^T J_own_8 E8 + J_own_7 - hc8~ q8~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b7_1 = minus_E8_13 * T(0.007273014370954) + T(2) * E8_11 * T(2.6450064520000005e-05);
+  const T b7_2 = minus_E8_13 * b7_1;
+  const T J7_11 = T(0.021220094495345) - b7_2 + T(0.4) * minus_hc8_3;
+  const T b7_3 = minus_E8_13 * T(0.0024994529904) - E8_11 * T(8.9515998e-05);
+  const T J7_12 = b7_3 + T(0.00020639994631299998);
+  const T J7_13 = T(0.00028071489711400005) - E8_11 * b7_1 + T(0.2) * hc8_1;
+  const T b7_4 = T(0.2) * minus_hc8_3;
+  const T b7_5 = b7_4 + T(0.007344838233654);
+  const T J7_22 = b7_5 + T(0.014946370894785) + b7_4;
+  const T b7_6 = minus_E8_13 * T(8.9515998e-05) + E8_11 * T(0.0024994529904);
+  const T J7_23 = b7_6 + T(0.005511856743574);
   A[133] = J7_22;
   // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc7_1 = minus_E7_13 * minus_h7_3 + E7_11 * minus_h7_1;
-  const T minus_hc7_3 = E7_11 * minus_h7_3 - minus_E7_13 * minus_h7_1;
-  A[134] = b7_7;
-  A[151] = b7_7;
+  const T hc7_1 = E7_11 * h7_1 - minus_E7_13 * minus_h7_3;
+  const T minus_hc7_3 = minus_E7_13 * h7_1 + E7_11 * minus_h7_3;
+  A[134] = b7_5;
+  A[151] = b7_5;
 
   // ---- body 6 (fl_hip) and what it carries
-  // h6 = m6 r6 + m_sub7 q7 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h6_1 = minus_hc7_1 + T(0.002304456);
-  const T h6_3 = T(2.1575999999999998e-05) - minus_hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J7 E7 - m6 r6~ r6~ + I6 + (-m_sub7 q7~ - hc7~) q7~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b6_1 = minus_E7_13 * J7_13;
-  const T b6_2 = E7_11 * J7_11 + b6_1;
-  const T b6_3 = E7_11 * J7_13;
-  const T b6_4 = b6_3 + minus_E7_13 * J7_33;
-  const T J6_11 = b6_2 * E7_11 + b6_4 * minus_E7_13 + T(0.005379679205856);
-  const T b6_5 = T(0.0838) * minus_hc7_1 - (E7_11 * T(6.838704148699999e-05) + minus_E7_13 *
-      T(0.0005955910008259999));
-  const T J6_12 = b6_5 - T(7.94567044e-06);
-  const T J6_13 = b6_4 * E7_11 - b6_2 * minus_E7_13 - T(2.70561864e-07);
-  const T J6_22 = J7_22 + T(0.0008151207226720001);
-  const T b6_6 = minus_E7_13 * T(6.838704148699999e-05) - E7_11 * T(0.0005955910008259999) + T(0.0838) * minus_hc7_3;
+  // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h6_3 = minus_hc7_3 - T(2.1575999999999998e-05);
+  // J6 = -q7~ hc7~ + E7^T J7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b6_1 = minus_E7_13 * (b7_2 - J7_11) + T(2) * E7_11 * J7_13;
+  const T b6_2 = minus_E7_13 * b6_1;
+  const T J6_11 = J7_11 + b6_2 + T(0.00731195688548);
+  const T b6_3 = E7_11 * J7_12 + minus_E7_13 * J7_23;
+  const T J6_12 = b6_3 - T(0.014746295744939998);
+  const T J6_13 = E7_11 * b6_1 - J7_13 - T(4.165029864e-06) + T(0.1805) * minus_hc7_3;
+  const T b6_4 = T(0.1805) * hc7_1;
+  const T b6_5 = J7_22 + b6_4;
+  const T J6_22 = b6_5 + b6_4;
+  const T b6_6 = E7_11 * J7_23 - minus_E7_13 * J7_12;
   const T J6_23 = b6_6 - T(4.7970076e-07);
-  const T J6_33 = (E7_11 * J7_33 - b6_1) * E7_11 - (b6_3 - minus_E7_13 * J7_11) * minus_E7_13 + T(0.005470991590816);
+  const T J6_33 = b7_2 - b6_2 + T(0.361) * hc7_1 + T(0.006588148547768);
   A[114] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * T(0.081652909) - E6_23 * h6_3;
-  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(0.081652909);
+  const T hc6_2 = E6_22 * T(0.081652909) + E6_23 * minus_h6_3;
+  const T hc6_3 = E6_23 * T(0.081652909) - E6_22 * minus_h6_3;
   // B_thetadot8_6 = E7^T B_thetadot8_7
-  const T B_thetadot8_6_1 = minus_E7_13 * minus_hc8_1 - E7_11 * minus_hc8_3;
-  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 + E7_11 * minus_hc8_1;
+  const T minus_B_thetadot8_6_1 = minus_E7_13 * hc8_1 + E7_11 * minus_hc8_3;
+  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 - E7_11 * hc8_1;
   // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
-  const T K_thetadot8_6_1 = T(0.0838) * B_thetadot8_6_3;
-  const T minus_K_thetadot8_6_3 = T(0.0838) * B_thetadot8_6_1;
+  const T K_thetadot8_6_1 = E7_11 * b7_3 + minus_E7_13 * b7_6;
+  const T K_thetadot8_6_2 = b7_5 - T(0.1805) * B_thetadot8_6_3;
+  const T K_thetadot8_6_3 = E7_11 * b7_6 - minus_E7_13 * b7_3;
   A[116] = K_thetadot8_6_1;
   A[150] = K_thetadot8_6_1;
-  A[115] = b6_5;
-  A[132] = b6_5;
+  A[115] = b6_3;
+  A[132] = b6_3;
 
   // ---- body 4 (fr_calf) and what it carries
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
-  const T minus_hc4_3 = E4_11 * T(0.029826408000000002) + minus_E4_13 * T(0.00106821);
+  // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc4_1 = E4_11 * T(0.00106821) - minus_E4_13 * T(0.029826408000000002);
+  const T minus_hc4_3 = minus_E4_13 * T(0.00106821) + E4_11 * T(0.029826408000000002);
 
   // ---- body 3 (fr_thigh) and what it carries
-  // h3 = m3 r3 + m_link4 q4 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h3_1 = minus_hc4_1 + T(0.0032790809999999997);
-  const T minus_h3_3 = T(0.072881238) + minus_hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 - m3 r3~ r3~ + I3 + (-m_link4 q4~ - hc4~) q4~: inertia carried, about the body
-  //   origin, body axes [kg m^2]
-  const T b3_1 = minus_E4_13 * T(2.6450064520000005e-05);
-  const T b3_2 = E4_11 * T(0.007321914302304) - b3_1;
-  const T b3_3 = E4_11 * T(2.6450064520000005e-05);
-  const T b3_4 = minus_E4_13 * T(4.889993135e-05) - b3_3;
-  const T b3_5 = T(0.2) * minus_hc4_3;
-  const T b3_6 = (minus_hc4_3 + T(0.045200000000000004)) * T(0.2);
-  const T J3_11 = b3_2 * E4_11 + b3_4 * minus_E4_13 + b3_5 + T(0.006790457872665) + b3_6;
-  const T J3_13 = b3_4 * E4_11 - b3_2 * minus_E4_13 + (T(0.000254264832594) - T(0.2) * minus_hc4_1);
-  const T b3_7 = b3_5 + T(0.007344838233654);
-  const T J3_22 = b3_7 + T(0.005906370894785) + b3_6;
-  const T J3_33 = (minus_E4_13 * T(0.007321914302304) + b3_3) * minus_E4_13 + (b3_1 + E4_11 * T(4.889993135e-05)) *
-      E4_11 + T(0.001883377748274);
+  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h3_1 = hc4_1 - T(0.0032790809999999997);
+  const T minus_h3_3 = minus_hc4_3 + T(0.072881238);
+  // J3 = -q4~ hc4~ + E4^T J_own_4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b3_1 = minus_E4_13 * T(0.007273014370954) + T(2) * E4_11 * T(2.6450064520000005e-05);
+  const T b3_2 = minus_E4_13 * b3_1;
+  const T J3_11 = T(0.021220094495345) - b3_2 + T(0.4) * minus_hc4_3;
+  const T b3_3 = E4_11 * T(8.9515998e-05) - minus_E4_13 * T(0.0024994529904);
+  const T J3_12 = b3_3 - T(0.00020639994631299998);
+  const T J3_13 = T(0.00028071489711400005) - E4_11 * b3_1 + T(0.2) * hc4_1;
+  const T b3_4 = T(0.2) * minus_hc4_3;
+  const T b3_5 = b3_4 + T(0.007344838233654);
+  const T J3_22 = b3_5 + T(0.014946370894785) + b3_4;
+  const T b3_6 = minus_E4_13 * T(8.9515998e-05) + E4_11 * T(0.0024994529904);
+  const T minus_J3_23 = b3_6 + T(0.005511856743574);
   A[76] = J3_22;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_1 = minus_E3_13 * minus_h3_3 + E3_11 * minus_h3_1;
-  const T minus_hc3_3 = E3_11 * minus_h3_3 - minus_E3_13 * minus_h3_1;
-  A[77] = b3_7;
-  A[94] = b3_7;
+  const T hc3_1 = E3_11 * h3_1 - minus_E3_13 * minus_h3_3;
+  const T minus_hc3_3 = minus_E3_13 * h3_1 + E3_11 * minus_h3_3;
+  A[77] = b3_5;
+  A[94] = b3_5;
 
   // ---- body 2 (fr_hip) and what it carries
-  // h2 = m2 r2 + m_sub3 q3 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h2_1 = minus_hc3_1 + T(0.002304456);
-  const T h2_3 = T(2.1575999999999998e-05) - minus_hc3_3;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 - m2 r2~ r2~ + I2 + (-m_sub3 q3~ - hc3~) q3~: inertia carried, about the body origin,
-  //   body axes [kg m^2]
-  const T b2_1 = minus_E3_13 * J3_13;
-  const T b2_2 = E3_11 * J3_11 + b2_1;
-  const T b2_3 = E3_11 * J3_13;
-  const T b2_4 = b2_3 + minus_E3_13 * J3_33;
-  const T J2_11 = b2_2 * E3_11 + b2_4 * minus_E3_13 + T(0.005379679205856);
-  const T b2_5 = T(0.0838) * minus_hc3_1 - (E3_11 * T(6.838704148699999e-05) + minus_E3_13 *
-      T(0.0005955910008259999));
-  const T J2_12 = T(7.94567044e-06) - b2_5;
-  const T J2_13 = b2_4 * E3_11 - b2_2 * minus_E3_13 - T(2.70561864e-07);
-  const T J2_22 = J3_22 + T(0.0008151207226720001);
-  const T b2_6 = T(0.0838) * minus_hc3_3 - (E3_11 * T(0.0005955910008259999) - minus_E3_13 *
-      T(6.838704148699999e-05));
+  // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h2_3 = minus_hc3_3 - T(2.1575999999999998e-05);
+  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
+  const T b2_1 = minus_E3_13 * (b3_2 - J3_11) + T(2) * E3_11 * J3_13;
+  const T b2_2 = minus_E3_13 * b2_1;
+  const T J2_11 = J3_11 + b2_2 + T(0.00731195688548);
+  const T b2_3 = E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
+  const T J2_12 = b2_3 + T(0.014746295744939998);
+  const T J2_13 = E3_11 * b2_1 - J3_13 - T(4.165029864e-06) + T(0.1805) * minus_hc3_3;
+  const T b2_4 = T(0.1805) * hc3_1;
+  const T b2_5 = J3_22 + b2_4;
+  const T J2_22 = b2_5 + b2_4;
+  const T b2_6 = minus_E3_13 * J3_12 + E3_11 * minus_J3_23;
   const T J2_23 = T(4.7970076e-07) - b2_6;
-  const T J2_33 = (E3_11 * J3_33 - b2_1) * E3_11 - (b2_3 - minus_E3_13 * J3_11) * minus_E3_13 + T(0.005470991590816);
+  const T J2_33 = b3_2 - b2_2 + T(0.361) * hc3_1 + T(0.006588148547768);
   A[57] = J2_11;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_2 = E2_23 * h2_3 + E2_22 * T(0.081652909);
-  const T minus_hc2_3 = E2_23 * T(0.081652909) - E2_22 * h2_3;
+  const T minus_hc2_2 = E2_22 * T(0.081652909) - E2_23 * minus_h2_3;
+  const T minus_hc2_3 = E2_23 * T(0.081652909) + E2_22 * minus_h2_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T B_thetadot4_2_1 = minus_E3_13 * minus_hc4_1 - E3_11 * minus_hc4_3;
-  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 + E3_11 * minus_hc4_1;
+  const T minus_B_thetadot4_2_1 = minus_E3_13 * hc4_1 + E3_11 * minus_hc4_3;
+  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 - E3_11 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T minus_K_thetadot4_2_1 = T(0.0838) * B_thetadot4_2_3;
-  const T K_thetadot4_2_3 = T(0.0838) * B_thetadot4_2_1;
-  A[59] = -minus_K_thetadot4_2_1;
-  A[93] = -minus_K_thetadot4_2_1;
-  A[58] = -b2_5;
-  A[75] = -b2_5;
+  const T K_thetadot4_2_1 = E3_11 * b3_3 - minus_E3_13 * b3_6;
+  const T K_thetadot4_2_2 = b3_5 - T(0.1805) * B_thetadot4_2_3;
+  const T minus_K_thetadot4_2_3 = minus_E3_13 * b3_3 + E3_11 * b3_6;
+  A[59] = K_thetadot4_2_1;
+  A[93] = K_thetadot4_2_1;
+  A[58] = b2_3;
+  A[75] = b2_3;
 
   // ---- body 1 (trunk) and what it carries
-  A[285] = c.m_sub1;
-  A[304] = c.m_sub1;
-  A[323] = c.m_sub1;
-  // h1 = m1 r1 + m_sub14 q14 + m_sub10 q10 + m_sub6 q6 + m_sub2 q2 + hc2 + hc6 + hc10 + hc14: first moment of mass
-  //   carried, about the body origin, body axes [kg m]
-  const T h1_1 = h10_1 - (minus_h2_1 + minus_h6_1) + h14_1;
-  const T h1_2 = c.c1_6 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
-  const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_7) - minus_hc10_3 + hc14_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 -
-  //   m1 r1~ r1~ + I1 + (-m_sub14 q14~ - hc14~) q14~ + (-m_sub10 q10~ - hc10~) q10~ + (-m_sub6 q6~ - hc6~) q6~ +
-  //   (-m_sub2 q2~ - hc2~) q2~: inertia carried, about the body origin, body axes [kg m^2]
+  // h1 = h_all_1 + hc2 + hc6 + hc10 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
+  const T h1_1 = hc3_1 + hc7_1 + hc11_1 + hc15_1;
+  const T h1_2 = c.h_all_1_2 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
+  const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_2) - minus_hc10_3 + hc14_3;
+  // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 +
+  //   J_all_1 - hc2~ q2~ - hc6~ q6~ - hc10~ q10~ - hc14~ q14~: inertia carried, about the body origin, body axes [kg
+  //   m^2]
   const T b1_1 = T(0.047) * minus_hc2_2;
   const T b1_2 = b1_1 + J2_11;
-  const T b1_3 = T(0.047) * hc6_2;
-  const T b1_4 = J6_11 + b1_3;
-  const T b1_5 = T(0.047) * minus_hc10_2;
-  const T b1_6 = J10_11 + b1_5;
-  const T b1_7 = T(0.047) * hc14_2;
-  const T b1_8 = J14_11 + b1_7;
-  const T b1_9 = T(0.090945) + hc14_2;
-  const T b1_10 = T(0.090945) + minus_hc10_2;
-  const T b1_11 = T(0.090945) + hc6_2;
-  const T b1_12 = T(0.090945) + minus_hc2_2;
-  const T b1_13 = b1_9 * T(0.047) + b1_10 * T(0.047) + (b1_11 * T(0.047) + b1_12 * T(0.047));
-  const T J1_11 = b1_2 + b1_4 + b1_6 + b1_8 + c.c1_2 + T(0.0158533) + b1_13;
-  const T b1_14 = E6_22 * J6_12 - E6_23 * J6_13;
-  const T b1_15 = E10_22 * minus_J10_12 + E10_23 * J10_13;
-  const T b1_16 = E14_22 * J14_12;
-  const T b1_17 = E14_23 * J14_13;
-  const T b1_18 = E2_22 * J2_12;
-  const T b1_19 = E2_23 * J2_13;
-  const T b1_20 = b1_14 - b1_15 + (b1_16 - b1_17 - (T(3.66e-05) - (b1_18 - b1_19)));
-  const T J1_12 = b1_20 - T(0.047) * minus_h2_1 + T(0.047) * minus_h6_1 + T(0.047) * h10_1 - T(0.047) * h14_1 + b1_9 *
-      T(0.1805) - b1_10 * T(0.1805) - b1_11 * T(0.1805) + b1_12 * T(0.1805);
-  const T b1_21 = E6_23 * J6_12 + E6_22 * J6_13;
-  const T b1_22 = E10_22 * J10_13 - E10_23 * minus_J10_12;
-  const T b1_23 = E14_23 * J14_12;
-  const T b1_24 = E14_22 * J14_13;
-  const T b1_25 = T(0.1805) * hc14_3;
-  const T b1_26 = T(0.1805) * minus_hc10_3;
-  const T b1_27 = T(0.1805) * hc6_3;
-  const T b1_28 = T(0.1805) * minus_hc2_3;
-  const T b1_29 = E2_23 * J2_12;
-  const T b1_30 = E2_22 * J2_13;
-  const T J1_13 = b1_21 + b1_22 + (b1_23 + b1_24 - (T(6.11e-05) - b1_25)) - (b1_26 + b1_27 - (b1_29 + b1_30 + b1_28));
-  const T b1_31 = T(0.1805) * minus_hc2_2;
-  const T b1_32 = T(0.1805) * hc6_2;
-  const T b1_33 = T(0.1805) * minus_hc10_2;
-  const T b1_34 = T(0.1805) * hc14_2;
-  const T b1_35 = h14_1 - T(0.34926749999999995);
-  const T b1_36 = h10_1 - T(0.34926749999999995);
-  const T b1_37 = T(0.34926749999999995) - minus_h6_1;
-  const T b1_38 = T(0.34926749999999995) - minus_h2_1;
-  const T J1_21 = b1_20 + b1_31 - b1_32 - b1_33 + b1_34 - b1_35 * T(0.047) + b1_36 * T(0.047) - b1_37 * T(0.047) +
-      b1_38 * T(0.047);
-  const T b1_39 = E2_23 * J2_23;
-  const T b1_40 = E2_22 * J2_22 - b1_39;
-  const T b1_41 = E2_22 * J2_23;
-  const T b1_42 = b1_41 - E2_23 * J2_33;
-  const T b1_43 = T(0.1805) * minus_h2_1 + T(0.1805) * minus_h6_1 + (T(0.1805) * h10_1 + T(0.1805) * h14_1) + (b1_35 *
-      T(0.1805) + b1_36 * T(0.1805) - (b1_37 * T(0.1805) + b1_38 * T(0.1805)));
-  const T b1_44 = E6_23 * J6_23;
-  const T b1_45 = E6_22 * J6_22 - b1_44;
-  const T b1_46 = E6_22 * J6_23;
-  const T b1_47 = b1_46 - E6_23 * J6_33;
-  const T b1_48 = E10_23 * J10_23;
-  const T b1_49 = E10_22 * J10_22 - b1_48;
-  const T b1_50 = E10_22 * J10_23;
-  const T b1_51 = b1_50 - E10_23 * J10_33;
-  const T b1_52 = E14_23 * J14_23;
-  const T b1_53 = E14_22 * J14_22 - b1_52;
-  const T b1_54 = E14_22 * J14_23;
-  const T b1_55 = b1_54 - E14_23 * J14_33;
-  const T J1_22 = b1_40 * E2_22 - b1_42 * E2_23 - b1_43 + b1_45 * E6_22 - b1_47 * E6_23 + b1_49 * E10_22 - b1_51 *
-      E10_23 + b1_53 * E14_22 - b1_55 * E14_23 + c.c1_3 + T(0.0377999);
-  const T J1_23 = b1_53 * E14_23 + b1_55 * E14_22 + c.c1_4 - (T(2.75e-05) + T(0.047) * minus_hc2_3 - (b1_40 * E2_23 +
-      b1_42 * E2_22 - T(0.047) * hc6_3)) + (b1_45 * E6_23 + b1_47 * E6_22 - T(0.047) * minus_hc10_3 + (b1_49 * E10_23
-      + b1_51 * E10_22 - T(0.047) * hc14_3));
-  const T J1_33 = (E2_23 * J2_22 + b1_41) * E2_23 + (b1_39 + E2_22 * J2_33) * E2_22 + b1_1 - b1_43 + b1_3 + (E6_23 *
-      J6_22 + b1_46) * E6_23 + (b1_44 + E6_22 * J6_33) * E6_22 + b1_5 + (E10_23 * J10_22 + b1_50) * E10_23 + (b1_48 +
-      E10_22 * J10_33) * E10_22 + b1_7 + (E14_23 * J14_22 + b1_54) * E14_23 + (b1_52 + E14_22 * J14_33) * E14_22 +
-      c.c1_5 + T(0.0456542) + b1_13;
+  const T b1_3 = T(0.094) * hc6_2 + T(0.094) * minus_hc10_2 + T(0.094) * hc14_2;
+  const T J1_11 = b1_2 + b1_3 + J6_11 + J10_11 + J14_11 + c.J_all_1_11 + b1_1;
+  const T b1_4 = E2_22 * J2_12 - E2_23 * J2_13;
+  const T b1_5 = E6_22 * J6_12 - E6_23 * J6_13;
+  const T b1_6 = E10_22 * J10_12 - E10_23 * J10_13;
+  const T b1_7 = E14_22 * J14_12 - E14_23 * J14_13;
+  const T J1_12 = b1_4 + T(0.047) * hc3_1 - T(0.047) * hc7_1 + b1_5 + T(0.047) * hc11_1 + b1_6 - T(0.047) * hc15_1 +
+      b1_7 - T(3.66e-05);
+  const T b1_8 = E2_23 * J2_12 + E2_22 * J2_13;
+  const T b1_9 = E6_23 * J6_12 + E6_22 * J6_13;
+  const T b1_10 = E10_23 * J10_12 + E10_22 * J10_13;
+  const T b1_11 = E14_23 * J14_12 + E14_22 * J14_13;
+  const T J1_13 = b1_8 + b1_9 + b1_10 + b1_11 - T(6.11e-05);
+  const T b1_12 = E2_23 * (J2_22 - J2_33) + T(2) * E2_22 * J2_23;
+  const T b1_13 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
+  const T b1_14 = E10_23 * (J10_22 - J10_33) + T(2) * E10_22 * J10_23;
+  const T b1_15 = E14_23 * (J14_22 - J14_33) + T(2) * E14_22 * J14_23;
+  const T b1_16 = E2_23 * b1_12 + E6_23 * b1_13 + (E10_23 * b1_14 + E14_23 * b1_15);
+  const T J1_22 = J2_22 - b1_16 + J6_22 + J10_22 + J14_22 + c.c1_9;
+  const T J1_23 = E2_22 * b1_12 - J2_23 + E6_22 * b1_13 - J6_23 + E10_22 * b1_14 - J10_23 + E14_22 * b1_15 - J14_23 +
+      c.J_all_1_23 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 - T(0.047) * minus_hc10_3 - T(0.047) * hc14_3;
+  const T J1_33 = J2_33 + b1_16 + T(0.094) * minus_hc2_2 + b1_3 + J6_33 + J10_33 + J14_33 + c.c1_10;
   A[0] = J1_11;
   A[1] = J1_12;
+  A[18] = J1_12;
   A[2] = J1_13;
   A[36] = J1_13;
-  A[18] = J1_21;
   A[19] = J1_22;
   A[20] = J1_23;
   A[37] = J1_23;
@@ -6652,9 +6756,9 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T B_thetadot16_1_3 = E14_22 * B_thetadot16_14_3;
   // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
   const T K_thetadot16_1_1 = T(0.047) * B_thetadot16_1_3 + K_thetadot16_14_1;
-  const T K_thetadot16_1_2 = T(0.1805) * B_thetadot16_1_3 + E14_22 * b15_7 + E14_23 * minus_K_thetadot16_14_3;
-  const T K_thetadot16_1_3 = T(0.1805) * minus_B_thetadot16_1_2 - T(0.047) * B_thetadot16_14_1 + E14_23 * b15_7 -
-      E14_22 * minus_K_thetadot16_14_3;
+  const T K_thetadot16_1_2 = E14_22 * K_thetadot16_14_2 - E14_23 * K_thetadot16_14_3;
+  const T K_thetadot16_1_3 = E14_23 * K_thetadot16_14_2 + E14_22 * K_thetadot16_14_3 + T(0.047) *
+      minus_B_thetadot16_14_1;
   A[14] = K_thetadot16_1_1;
   A[252] = K_thetadot16_1_1;
   A[32] = K_thetadot16_1_2;
@@ -6662,13 +6766,12 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[50] = K_thetadot16_1_3;
   A[254] = K_thetadot16_1_3;
   // B_thetadot15_1 = E14^T B_thetadot15_14
-  const T minus_B_thetadot15_1_2 = E14_23 * minus_hc15_1;
-  const T B_thetadot15_1_3 = E14_22 * minus_hc15_1;
+  const T B_thetadot15_1_2 = E14_23 * hc15_1;
+  const T minus_B_thetadot15_1_3 = E14_22 * hc15_1;
   // K_thetadot15_1 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T K_thetadot15_1_1 = T(0.047) * B_thetadot15_1_3 + b14_5;
-  const T K_thetadot15_1_2 = T(0.1805) * B_thetadot15_1_3 + E14_22 * J15_22 - E14_23 * b14_6;
-  const T K_thetadot15_1_3 = T(0.1805) * minus_B_thetadot15_1_2 + T(0.047) * minus_hc15_3 + E14_23 * J15_22 + E14_22 *
-      b14_6;
+  const T K_thetadot15_1_1 = b14_3 - T(0.047) * minus_B_thetadot15_1_3;
+  const T K_thetadot15_1_2 = E14_22 * b14_5 - E14_23 * b14_6;
+  const T K_thetadot15_1_3 = T(0.047) * minus_hc15_3 + E14_23 * b14_5 + E14_22 * b14_6;
   A[13] = K_thetadot15_1_1;
   A[234] = K_thetadot15_1_1;
   A[31] = K_thetadot15_1_2;
@@ -6676,59 +6779,55 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[49] = K_thetadot15_1_3;
   A[236] = K_thetadot15_1_3;
   // K_thetadot14_1 = q14~ E14^T B_thetadot14_14 + E14^T K_thetadot14_14
-  const T K_thetadot14_1_2 = b1_34 + b1_16 - b1_17;
-  const T K_thetadot14_1_3 = b1_25 + b1_23 + b1_24;
-  A[12] = b1_8;
-  A[216] = b1_8;
-  A[30] = K_thetadot14_1_2;
-  A[217] = K_thetadot14_1_2;
-  A[48] = K_thetadot14_1_3;
-  A[218] = K_thetadot14_1_3;
+  const T K_thetadot14_1_1 = T(0.047) * hc14_2 + J14_11;
+  A[12] = K_thetadot14_1_1;
+  A[216] = K_thetadot14_1_1;
+  A[30] = b1_7;
+  A[217] = b1_7;
+  A[48] = b1_11;
+  A[218] = b1_11;
   // B_thetadot12_1 = E10^T B_thetadot12_10
   const T minus_B_thetadot12_1_2 = E10_23 * B_thetadot12_10_3;
   const T B_thetadot12_1_3 = E10_22 * B_thetadot12_10_3;
   // K_thetadot12_1 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
-  const T minus_K_thetadot12_1_1 = T(0.047) * B_thetadot12_1_3 + minus_K_thetadot12_10_1;
-  const T K_thetadot12_1_2 = T(0.1805) * B_thetadot12_1_3 + E10_22 * b11_7 - E10_23 * K_thetadot12_10_3;
-  const T K_thetadot12_1_3 = T(0.1805) * minus_B_thetadot12_1_2 + T(0.047) * B_thetadot12_10_1 + E10_23 * b11_7 +
-      E10_22 * K_thetadot12_10_3;
-  A[11] = -minus_K_thetadot12_1_1;
-  A[198] = -minus_K_thetadot12_1_1;
+  const T K_thetadot12_1_1 = K_thetadot12_10_1 - T(0.047) * B_thetadot12_1_3;
+  const T K_thetadot12_1_2 = E10_22 * K_thetadot12_10_2 + E10_23 * minus_K_thetadot12_10_3;
+  const T K_thetadot12_1_3 = E10_23 * K_thetadot12_10_2 - T(0.047) * minus_B_thetadot12_10_1 - E10_22 *
+      minus_K_thetadot12_10_3;
+  A[11] = K_thetadot12_1_1;
+  A[198] = K_thetadot12_1_1;
   A[29] = K_thetadot12_1_2;
   A[199] = K_thetadot12_1_2;
   A[47] = K_thetadot12_1_3;
   A[200] = K_thetadot12_1_3;
   // B_thetadot11_1 = E10^T B_thetadot11_10
-  const T minus_B_thetadot11_1_2 = E10_23 * minus_hc11_1;
-  const T B_thetadot11_1_3 = E10_22 * minus_hc11_1;
+  const T B_thetadot11_1_2 = E10_23 * hc11_1;
+  const T minus_B_thetadot11_1_3 = E10_22 * hc11_1;
   // K_thetadot11_1 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
-  const T minus_K_thetadot11_1_1 = b10_5 + T(0.047) * B_thetadot11_1_3;
-  const T K_thetadot11_1_2 = T(0.1805) * B_thetadot11_1_3 + E10_22 * J11_22 + E10_23 * b10_6;
-  const T K_thetadot11_1_3 = T(0.1805) * minus_B_thetadot11_1_2 - T(0.047) * minus_hc11_3 + E10_23 * J11_22 - E10_22 *
-      b10_6;
-  A[10] = -minus_K_thetadot11_1_1;
-  A[180] = -minus_K_thetadot11_1_1;
+  const T K_thetadot11_1_1 = b10_3 + T(0.047) * minus_B_thetadot11_1_3;
+  const T K_thetadot11_1_2 = E10_22 * b10_5 + E10_23 * b10_6;
+  const T K_thetadot11_1_3 = E10_23 * b10_5 - E10_22 * b10_6 - T(0.047) * minus_hc11_3;
+  A[10] = K_thetadot11_1_1;
+  A[180] = K_thetadot11_1_1;
   A[28] = K_thetadot11_1_2;
   A[181] = K_thetadot11_1_2;
   A[46] = K_thetadot11_1_3;
   A[182] = K_thetadot11_1_3;
   // K_thetadot10_1 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
-  const T minus_K_thetadot10_1_2 = b1_15 + b1_33;
-  const T K_thetadot10_1_3 = b1_22 - b1_26;
-  A[9] = b1_6;
-  A[162] = b1_6;
-  A[27] = -minus_K_thetadot10_1_2;
-  A[163] = -minus_K_thetadot10_1_2;
-  A[45] = K_thetadot10_1_3;
-  A[164] = K_thetadot10_1_3;
+  const T K_thetadot10_1_1 = T(0.047) * minus_hc10_2 + J10_11;
+  A[9] = K_thetadot10_1_1;
+  A[162] = K_thetadot10_1_1;
+  A[27] = b1_6;
+  A[163] = b1_6;
+  A[45] = b1_10;
+  A[164] = b1_10;
   // B_thetadot8_1 = E6^T B_thetadot8_6
   const T minus_B_thetadot8_1_2 = E6_23 * B_thetadot8_6_3;
   const T B_thetadot8_1_3 = E6_22 * B_thetadot8_6_3;
   // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
-  const T K_thetadot8_1_2 = E6_22 * b7_7 + E6_23 * minus_K_thetadot8_6_3 - T(0.1805) * B_thetadot8_1_3;
-  const T K_thetadot8_1_3 = E6_23 * b7_7 - (T(0.1805) * minus_B_thetadot8_1_2 + T(0.047) * B_thetadot8_6_1) - E6_22 *
-      minus_K_thetadot8_6_3;
+  const T K_thetadot8_1_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3;
+  const T K_thetadot8_1_3 = E6_23 * K_thetadot8_6_2 + E6_22 * K_thetadot8_6_3 + T(0.047) * minus_B_thetadot8_6_1;
   A[8] = K_thetadot8_1_1;
   A[144] = K_thetadot8_1_1;
   A[26] = K_thetadot8_1_2;
@@ -6736,12 +6835,12 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[44] = K_thetadot8_1_3;
   A[146] = K_thetadot8_1_3;
   // B_thetadot7_1 = E6^T B_thetadot7_6
-  const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
-  const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
+  const T B_thetadot7_1_2 = E6_23 * hc7_1;
+  const T minus_B_thetadot7_1_3 = E6_22 * hc7_1;
   // K_thetadot7_1 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T K_thetadot7_1_1 = T(0.047) * B_thetadot7_1_3 + b6_5;
-  const T K_thetadot7_1_2 = E6_22 * J7_22 - E6_23 * b6_6 - T(0.1805) * B_thetadot7_1_3;
-  const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 - T(0.1805) * minus_B_thetadot7_1_2 + E6_23 * J7_22 + E6_22 * b6_6;
+  const T K_thetadot7_1_1 = b6_3 - T(0.047) * minus_B_thetadot7_1_3;
+  const T K_thetadot7_1_2 = E6_22 * b6_5 - E6_23 * b6_6;
+  const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 + E6_23 * b6_5 + E6_22 * b6_6;
   A[7] = K_thetadot7_1_1;
   A[126] = K_thetadot7_1_1;
   A[25] = K_thetadot7_1_2;
@@ -6749,51 +6848,46 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[43] = K_thetadot7_1_3;
   A[128] = K_thetadot7_1_3;
   // K_thetadot6_1 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T K_thetadot6_1_2 = b1_14 - b1_32;
-  const T K_thetadot6_1_3 = b1_21 - b1_27;
-  A[6] = b1_4;
-  A[108] = b1_4;
-  A[24] = K_thetadot6_1_2;
-  A[109] = K_thetadot6_1_2;
-  A[42] = K_thetadot6_1_3;
-  A[110] = K_thetadot6_1_3;
+  const T K_thetadot6_1_1 = T(0.047) * hc6_2 + J6_11;
+  A[6] = K_thetadot6_1_1;
+  A[108] = K_thetadot6_1_1;
+  A[24] = b1_5;
+  A[109] = b1_5;
+  A[42] = b1_9;
+  A[110] = b1_9;
   // B_thetadot4_1 = E2^T B_thetadot4_2
   const T minus_B_thetadot4_1_2 = E2_23 * B_thetadot4_2_3;
   const T B_thetadot4_1_3 = E2_22 * B_thetadot4_2_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_1 = T(0.047) * B_thetadot4_1_3 + minus_K_thetadot4_2_1;
-  const T K_thetadot4_1_2 = E2_22 * b3_7 - E2_23 * K_thetadot4_2_3 - T(0.1805) * B_thetadot4_1_3;
-  const T K_thetadot4_1_3 = T(0.047) * B_thetadot4_2_1 - T(0.1805) * minus_B_thetadot4_1_2 + E2_23 * b3_7 + E2_22 *
-      K_thetadot4_2_3;
-  A[5] = -minus_K_thetadot4_1_1;
-  A[90] = -minus_K_thetadot4_1_1;
+  const T K_thetadot4_1_1 = K_thetadot4_2_1 - T(0.047) * B_thetadot4_1_3;
+  const T K_thetadot4_1_2 = E2_22 * K_thetadot4_2_2 + E2_23 * minus_K_thetadot4_2_3;
+  const T K_thetadot4_1_3 = E2_23 * K_thetadot4_2_2 - T(0.047) * minus_B_thetadot4_2_1 - E2_22 *
+      minus_K_thetadot4_2_3;
+  A[5] = K_thetadot4_1_1;
+  A[90] = K_thetadot4_1_1;
   A[23] = K_thetadot4_1_2;
   A[91] = K_thetadot4_1_2;
   A[41] = K_thetadot4_1_3;
   A[92] = K_thetadot4_1_3;
   // B_thetadot3_1 = E2^T B_thetadot3_2
-  const T minus_B_thetadot3_1_2 = E2_23 * minus_hc3_1;
-  const T B_thetadot3_1_3 = E2_22 * minus_hc3_1;
+  const T B_thetadot3_1_2 = E2_23 * hc3_1;
+  const T minus_B_thetadot3_1_3 = E2_22 * hc3_1;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T minus_K_thetadot3_1_1 = b2_5 + T(0.047) * B_thetadot3_1_3;
-  const T K_thetadot3_1_2 = E2_22 * J3_22 + E2_23 * b2_6 - T(0.1805) * B_thetadot3_1_3;
-  const T K_thetadot3_1_3 = E2_23 * J3_22 - (T(0.1805) * minus_B_thetadot3_1_2 + T(0.047) * minus_hc3_3) - E2_22 *
-      b2_6;
-  A[4] = -minus_K_thetadot3_1_1;
-  A[72] = -minus_K_thetadot3_1_1;
+  const T K_thetadot3_1_1 = b2_3 + T(0.047) * minus_B_thetadot3_1_3;
+  const T K_thetadot3_1_2 = E2_22 * b2_5 + E2_23 * b2_6;
+  const T K_thetadot3_1_3 = E2_23 * b2_5 - E2_22 * b2_6 - T(0.047) * minus_hc3_3;
+  A[4] = K_thetadot3_1_1;
+  A[72] = K_thetadot3_1_1;
   A[22] = K_thetadot3_1_2;
   A[73] = K_thetadot3_1_2;
   A[40] = K_thetadot3_1_3;
   A[74] = K_thetadot3_1_3;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = b1_31 + b1_18 - b1_19;
-  const T K_thetadot2_1_3 = b1_28 + b1_29 + b1_30;
   A[3] = b1_2;
   A[54] = b1_2;
-  A[21] = K_thetadot2_1_2;
-  A[55] = K_thetadot2_1_2;
-  A[39] = K_thetadot2_1_3;
-  A[56] = K_thetadot2_1_3;
+  A[21] = b1_4;
+  A[55] = b1_4;
+  A[39] = b1_8;
+  A[56] = b1_8;
 
   // ---- results
   const T t1 = h1_2 * R1_31 - h1_3 * R1_21;
@@ -6814,15 +6908,15 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t6 = h1_3 * R1_13 - h1_1 * R1_33;
   A[35] = t6;
   A[307] = t6;
-  const T t7 = h1_1 * R1_21 - h1_2 * R1_11;
-  A[51] = t7;
-  A[272] = t7;
-  const T t8 = h1_1 * R1_22 - h1_2 * R1_12;
-  A[52] = t8;
-  A[290] = t8;
-  const T t9 = h1_1 * R1_23 - h1_2 * R1_13;
-  A[53] = t9;
-  A[308] = t9;
+  const T t7 = h1_2 * R1_11 - h1_1 * R1_21;
+  A[51] = -t7;
+  A[272] = -t7;
+  const T t8 = h1_2 * R1_12 - h1_1 * R1_22;
+  A[52] = -t8;
+  A[290] = -t8;
+  const T t9 = h1_2 * R1_13 - h1_1 * R1_23;
+  A[53] = -t9;
+  A[308] = -t9;
   const T t10 = R1_21 * minus_hc2_3 - R1_31 * minus_hc2_2;
   A[69] = t10;
   A[273] = t10;
@@ -6832,26 +6926,26 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t12 = R1_23 * minus_hc2_3 - R1_33 * minus_hc2_2;
   A[71] = t12;
   A[309] = t12;
-  const T t13 = R1_31 * B_thetadot3_1_3 - (R1_11 * minus_hc3_3 + R1_21 * minus_B_thetadot3_1_2);
-  A[87] = t13;
-  A[274] = t13;
-  const T t14 = R1_32 * B_thetadot3_1_3 - (R1_12 * minus_hc3_3 + R1_22 * minus_B_thetadot3_1_2);
-  A[88] = t14;
-  A[292] = t14;
-  const T t15 = R1_33 * B_thetadot3_1_3 - (R1_13 * minus_hc3_3 + R1_23 * minus_B_thetadot3_1_2);
-  A[89] = t15;
-  A[310] = t15;
+  const T t13 = R1_11 * minus_hc3_3 - R1_21 * B_thetadot3_1_2 + R1_31 * minus_B_thetadot3_1_3;
+  A[87] = -t13;
+  A[274] = -t13;
+  const T t14 = R1_12 * minus_hc3_3 - R1_22 * B_thetadot3_1_2 + R1_32 * minus_B_thetadot3_1_3;
+  A[88] = -t14;
+  A[292] = -t14;
+  const T t15 = R1_13 * minus_hc3_3 - R1_23 * B_thetadot3_1_2 + R1_33 * minus_B_thetadot3_1_3;
+  A[89] = -t15;
+  A[310] = -t15;
   A[95] = T(0.007344838233654);
   A[152] = T(0.007344838233654);
   A[209] = T(0.007344838233654);
   A[266] = T(0.007344838233654);
-  const T t16 = R1_11 * B_thetadot4_2_1 - R1_21 * minus_B_thetadot4_1_2 + R1_31 * B_thetadot4_1_3;
+  const T t16 = R1_31 * B_thetadot4_1_3 - (R1_11 * minus_B_thetadot4_2_1 + R1_21 * minus_B_thetadot4_1_2);
   A[105] = t16;
   A[275] = t16;
-  const T t17 = R1_12 * B_thetadot4_2_1 - R1_22 * minus_B_thetadot4_1_2 + R1_32 * B_thetadot4_1_3;
+  const T t17 = R1_32 * B_thetadot4_1_3 - (R1_12 * minus_B_thetadot4_2_1 + R1_22 * minus_B_thetadot4_1_2);
   A[106] = t17;
   A[293] = t17;
-  const T t18 = R1_13 * B_thetadot4_2_1 - R1_23 * minus_B_thetadot4_1_2 + R1_33 * B_thetadot4_1_3;
+  const T t18 = R1_33 * B_thetadot4_1_3 - (R1_13 * minus_B_thetadot4_2_1 + R1_23 * minus_B_thetadot4_1_2);
   A[107] = t18;
   A[311] = t18;
   const T t19 = R1_31 * hc6_2 - R1_21 * hc6_3;
@@ -6863,22 +6957,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t21 = R1_33 * hc6_2 - R1_23 * hc6_3;
   A[125] = t21;
   A[312] = t21;
-  const T t22 = R1_31 * B_thetadot7_1_3 - (R1_11 * minus_hc7_3 + R1_21 * minus_B_thetadot7_1_2);
-  A[141] = t22;
-  A[277] = t22;
-  const T t23 = R1_32 * B_thetadot7_1_3 - (R1_12 * minus_hc7_3 + R1_22 * minus_B_thetadot7_1_2);
-  A[142] = t23;
-  A[295] = t23;
-  const T t24 = R1_33 * B_thetadot7_1_3 - (R1_13 * minus_hc7_3 + R1_23 * minus_B_thetadot7_1_2);
-  A[143] = t24;
-  A[313] = t24;
-  const T t25 = R1_11 * B_thetadot8_6_1 - R1_21 * minus_B_thetadot8_1_2 + R1_31 * B_thetadot8_1_3;
+  const T t22 = R1_11 * minus_hc7_3 - R1_21 * B_thetadot7_1_2 + R1_31 * minus_B_thetadot7_1_3;
+  A[141] = -t22;
+  A[277] = -t22;
+  const T t23 = R1_12 * minus_hc7_3 - R1_22 * B_thetadot7_1_2 + R1_32 * minus_B_thetadot7_1_3;
+  A[142] = -t23;
+  A[295] = -t23;
+  const T t24 = R1_13 * minus_hc7_3 - R1_23 * B_thetadot7_1_2 + R1_33 * minus_B_thetadot7_1_3;
+  A[143] = -t24;
+  A[313] = -t24;
+  const T t25 = R1_31 * B_thetadot8_1_3 - (R1_11 * minus_B_thetadot8_6_1 + R1_21 * minus_B_thetadot8_1_2);
   A[159] = t25;
   A[278] = t25;
-  const T t26 = R1_12 * B_thetadot8_6_1 - R1_22 * minus_B_thetadot8_1_2 + R1_32 * B_thetadot8_1_3;
+  const T t26 = R1_32 * B_thetadot8_1_3 - (R1_12 * minus_B_thetadot8_6_1 + R1_22 * minus_B_thetadot8_1_2);
   A[160] = t26;
   A[296] = t26;
-  const T t27 = R1_13 * B_thetadot8_6_1 - R1_23 * minus_B_thetadot8_1_2 + R1_33 * B_thetadot8_1_3;
+  const T t27 = R1_33 * B_thetadot8_1_3 - (R1_13 * minus_B_thetadot8_6_1 + R1_23 * minus_B_thetadot8_1_2);
   A[161] = t27;
   A[314] = t27;
   const T t28 = R1_21 * minus_hc10_3 - R1_31 * minus_hc10_2;
@@ -6890,22 +6984,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t30 = R1_23 * minus_hc10_3 - R1_33 * minus_hc10_2;
   A[179] = t30;
   A[315] = t30;
-  const T t31 = R1_31 * B_thetadot11_1_3 - (R1_11 * minus_hc11_3 + R1_21 * minus_B_thetadot11_1_2);
-  A[195] = t31;
-  A[280] = t31;
-  const T t32 = R1_32 * B_thetadot11_1_3 - (R1_12 * minus_hc11_3 + R1_22 * minus_B_thetadot11_1_2);
-  A[196] = t32;
-  A[298] = t32;
-  const T t33 = R1_33 * B_thetadot11_1_3 - (R1_13 * minus_hc11_3 + R1_23 * minus_B_thetadot11_1_2);
-  A[197] = t33;
-  A[316] = t33;
-  const T t34 = R1_11 * B_thetadot12_10_1 - R1_21 * minus_B_thetadot12_1_2 + R1_31 * B_thetadot12_1_3;
+  const T t31 = R1_11 * minus_hc11_3 - R1_21 * B_thetadot11_1_2 + R1_31 * minus_B_thetadot11_1_3;
+  A[195] = -t31;
+  A[280] = -t31;
+  const T t32 = R1_12 * minus_hc11_3 - R1_22 * B_thetadot11_1_2 + R1_32 * minus_B_thetadot11_1_3;
+  A[196] = -t32;
+  A[298] = -t32;
+  const T t33 = R1_13 * minus_hc11_3 - R1_23 * B_thetadot11_1_2 + R1_33 * minus_B_thetadot11_1_3;
+  A[197] = -t33;
+  A[316] = -t33;
+  const T t34 = R1_31 * B_thetadot12_1_3 - (R1_11 * minus_B_thetadot12_10_1 + R1_21 * minus_B_thetadot12_1_2);
   A[213] = t34;
   A[281] = t34;
-  const T t35 = R1_12 * B_thetadot12_10_1 - R1_22 * minus_B_thetadot12_1_2 + R1_32 * B_thetadot12_1_3;
+  const T t35 = R1_32 * B_thetadot12_1_3 - (R1_12 * minus_B_thetadot12_10_1 + R1_22 * minus_B_thetadot12_1_2);
   A[214] = t35;
   A[299] = t35;
-  const T t36 = R1_13 * B_thetadot12_10_1 - R1_23 * minus_B_thetadot12_1_2 + R1_33 * B_thetadot12_1_3;
+  const T t36 = R1_33 * B_thetadot12_1_3 - (R1_13 * minus_B_thetadot12_10_1 + R1_23 * minus_B_thetadot12_1_2);
   A[215] = t36;
   A[317] = t36;
   const T t37 = R1_31 * hc14_2 - R1_21 * hc14_3;
@@ -6917,22 +7011,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t39 = R1_33 * hc14_2 - R1_23 * hc14_3;
   A[233] = t39;
   A[318] = t39;
-  const T t40 = R1_31 * B_thetadot15_1_3 - (R1_11 * minus_hc15_3 + R1_21 * minus_B_thetadot15_1_2);
-  A[249] = t40;
-  A[283] = t40;
-  const T t41 = R1_32 * B_thetadot15_1_3 - (R1_12 * minus_hc15_3 + R1_22 * minus_B_thetadot15_1_2);
-  A[250] = t41;
-  A[301] = t41;
-  const T t42 = R1_33 * B_thetadot15_1_3 - (R1_13 * minus_hc15_3 + R1_23 * minus_B_thetadot15_1_2);
-  A[251] = t42;
-  A[319] = t42;
-  const T t43 = R1_11 * B_thetadot16_14_1 - R1_21 * minus_B_thetadot16_1_2 + R1_31 * B_thetadot16_1_3;
+  const T t40 = R1_11 * minus_hc15_3 - R1_21 * B_thetadot15_1_2 + R1_31 * minus_B_thetadot15_1_3;
+  A[249] = -t40;
+  A[283] = -t40;
+  const T t41 = R1_12 * minus_hc15_3 - R1_22 * B_thetadot15_1_2 + R1_32 * minus_B_thetadot15_1_3;
+  A[250] = -t41;
+  A[301] = -t41;
+  const T t42 = R1_13 * minus_hc15_3 - R1_23 * B_thetadot15_1_2 + R1_33 * minus_B_thetadot15_1_3;
+  A[251] = -t42;
+  A[319] = -t42;
+  const T t43 = R1_31 * B_thetadot16_1_3 - (R1_11 * minus_B_thetadot16_14_1 + R1_21 * minus_B_thetadot16_1_2);
   A[267] = t43;
   A[284] = t43;
-  const T t44 = R1_12 * B_thetadot16_14_1 - R1_22 * minus_B_thetadot16_1_2 + R1_32 * B_thetadot16_1_3;
+  const T t44 = R1_32 * B_thetadot16_1_3 - (R1_12 * minus_B_thetadot16_14_1 + R1_22 * minus_B_thetadot16_1_2);
   A[268] = t44;
   A[302] = t44;
-  const T t45 = R1_13 * B_thetadot16_14_1 - R1_23 * minus_B_thetadot16_1_2 + R1_33 * B_thetadot16_1_3;
+  const T t45 = R1_33 * B_thetadot16_1_3 - (R1_13 * minus_B_thetadot16_14_1 + R1_23 * minus_B_thetadot16_1_2);
   A[269] = t45;
   A[320] = t45;
 }
@@ -8401,12 +8495,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T omega_omega1_4_32 = minus_E4_13 * omega_omega1_3_12 - E4_11 * minus_omega_omega1_3_32;
   const T omega_omega1_4_33 = E4_11 * omega_omega1_3_33 - minus_E4_13 * minus_omega_omega1_3_13;
   // omega_dot_omega1_4 = -thetadot4 b4~ E4 omega_omega1_3 + E4 omega_dot_omega1_3: its rate
-  const T minus_omega_dot_omega1_4_11 = thetadot4 * omega_omega1_4_31 + E4_11 * minus_omega_dot_omega1_3_11 +
-      minus_E4_13 * t3_2;
-  const T omega_dot_omega1_4_12 = E4_11 * omega_dot_omega1_3_12 + minus_E4_13 * minus_omega_dot_omega1_3_32 -
+  const T minus_omega_dot_omega1_4_11 = thetadot4 * omega_omega1_4_31 + minus_E4_13 * t3_2 + E4_11 *
+      minus_omega_dot_omega1_3_11;
+  const T omega_dot_omega1_4_12 = minus_E4_13 * minus_omega_dot_omega1_3_32 + E4_11 * omega_dot_omega1_3_12 -
       thetadot4 * omega_omega1_4_32;
-  const T minus_omega_dot_omega1_4_13 = thetadot4 * omega_omega1_4_33 + E4_11 * minus_omega_dot_omega1_3_13 -
-      minus_E4_13 * minus_omega_dot_omega1_3_33;
+  const T omega_dot_omega1_4_13 = minus_E4_13 * minus_omega_dot_omega1_3_33 - E4_11 * minus_omega_dot_omega1_3_13 -
+      thetadot4 * omega_omega1_4_33;
   const T omega_dot_omega1_4_31 = E4_11 * t3_2 - minus_E4_13 * minus_omega_dot_omega1_3_11 + thetadot4 *
       omega_omega1_4_11;
   const T omega_dot_omega1_4_32 = minus_E4_13 * omega_dot_omega1_3_12 - E4_11 * minus_omega_dot_omega1_3_32 +
@@ -8478,7 +8572,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_40 = omega4_3 * t4_39 - omega4_1 * t4_36;
   const T t4_41 = omega4_1 * t4_37 - omega4_2 * t4_39;
   const T t4_42 = T(0.107388) * omega_dot_omega1_3_23;
-  const T t4_43 = T(0.107388) * minus_omega_dot_omega1_4_13 + T(0.006435) * minus_omega_dot_omega1_4_33;
+  const T t4_43 = T(0.006435) * minus_omega_dot_omega1_4_33 - T(0.107388) * omega_dot_omega1_4_13;
   const T t4_44 = T(0.006435) * omega_dot_omega1_3_23;
   const T B7_1_13 = P_dot_omega1_4_13 - (R4_11 * t4_38 + R2_21 * t4_40 + R4_31 * t4_41 + R4_11 * t4_42 + R2_21 * t4_43
       + R4_31 * t4_44);
@@ -8544,20 +8638,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_64 = omega4_3 * t4_63;
   const T t4_65 = omega4_3 * t4_15;
   const T t4_66 = omega4_1 * t4_63 - omega4_2 * t4_15;
-  const T t4_67 = T(0.2) * minus_omega_dot_omega1_4_13;
-  const T B11_1_13 = R4_11 * t4_64 - R2_21 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 - R2_21 * t4_67 +
+  const T t4_67 = T(0.2) * omega_dot_omega1_4_13;
+  const T B11_1_13 = R4_11 * t4_64 - R2_21 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 + R2_21 * t4_67 +
       P_dot_omega1_4_13;
   const T t4_68 = R4_12 * t4_54 - R4_32 * t4_55 + R2_22 * t4_56;
   const T B11_1_21 = P_dot_omega1_4_21 - t4_68;
   const T B11_1_22 = R4_32 * t4_59 - (R4_12 * t4_60 + R2_22 * t4_61) + R4_12 * t4_9 + R2_22 * t4_62 +
       P_dot_omega1_4_22;
-  const T B11_1_23 = R4_12 * t4_64 - R2_22 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 - R2_22 * t4_67 +
+  const T B11_1_23 = R4_12 * t4_64 - R2_22 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 + R2_22 * t4_67 +
       P_dot_omega1_4_23;
   const T t4_69 = R4_13 * t4_54 - R4_33 * t4_55 + R2_23 * t4_56;
   const T B11_1_31 = P_dot_omega1_4_31 - t4_69;
   const T B11_1_32 = R4_33 * t4_59 - (R4_13 * t4_60 + R2_23 * t4_61) + R4_13 * t4_9 + R2_23 * t4_62 +
       P_dot_omega1_4_32;
-  const T B11_1_33 = R4_13 * t4_64 - R2_23 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 - R2_23 * t4_67 +
+  const T B11_1_33 = R4_13 * t4_64 - R2_23 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 + R2_23 * t4_67 +
       P_dot_omega1_4_33;
   v_y_dot[216] = B11_1_11;
   v_y_dot[217] = B11_1_12;
@@ -8813,12 +8907,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T omega_omega1_8_32 = minus_E8_13 * omega_omega1_7_12 - E8_11 * minus_omega_omega1_7_32;
   const T omega_omega1_8_33 = E8_11 * omega_omega1_7_33 - minus_E8_13 * minus_omega_omega1_7_13;
   // omega_dot_omega1_8 = -thetadot8 b8~ E8 omega_omega1_7 + E8 omega_dot_omega1_7: its rate
-  const T minus_omega_dot_omega1_8_11 = thetadot8 * omega_omega1_8_31 + E8_11 * minus_omega_dot_omega1_7_11 +
-      minus_E8_13 * t7_2;
-  const T omega_dot_omega1_8_12 = E8_11 * omega_dot_omega1_7_12 + minus_E8_13 * minus_omega_dot_omega1_7_32 -
+  const T minus_omega_dot_omega1_8_11 = thetadot8 * omega_omega1_8_31 + minus_E8_13 * t7_2 + E8_11 *
+      minus_omega_dot_omega1_7_11;
+  const T omega_dot_omega1_8_12 = minus_E8_13 * minus_omega_dot_omega1_7_32 + E8_11 * omega_dot_omega1_7_12 -
       thetadot8 * omega_omega1_8_32;
-  const T minus_omega_dot_omega1_8_13 = thetadot8 * omega_omega1_8_33 + E8_11 * minus_omega_dot_omega1_7_13 -
-      minus_E8_13 * minus_omega_dot_omega1_7_33;
+  const T omega_dot_omega1_8_13 = minus_E8_13 * minus_omega_dot_omega1_7_33 - E8_11 * minus_omega_dot_omega1_7_13 -
+      thetadot8 * omega_omega1_8_33;
   const T omega_dot_omega1_8_31 = E8_11 * t7_2 - minus_E8_13 * minus_omega_dot_omega1_7_11 + thetadot8 *
       omega_omega1_8_11;
   const T omega_dot_omega1_8_32 = minus_E8_13 * omega_dot_omega1_7_12 - E8_11 * minus_omega_dot_omega1_7_32 +
@@ -8890,7 +8984,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_40 = omega8_3 * t8_39 - omega8_1 * t8_36;
   const T t8_41 = omega8_1 * t8_37 - omega8_2 * t8_39;
   const T t8_42 = T(0.107388) * omega_dot_omega1_7_23;
-  const T t8_43 = T(0.107388) * minus_omega_dot_omega1_8_13 + T(0.006435) * minus_omega_dot_omega1_8_33;
+  const T t8_43 = T(0.006435) * minus_omega_dot_omega1_8_33 - T(0.107388) * omega_dot_omega1_8_13;
   const T t8_44 = T(0.006435) * omega_dot_omega1_7_23;
   const T B20_1_13 = P_dot_omega1_8_13 - (R8_11 * t8_38 + R6_21 * t8_40 + R8_31 * t8_41 + R8_11 * t8_42 + R6_21 *
       t8_43 + R8_31 * t8_44);
@@ -8956,20 +9050,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_64 = omega8_3 * t8_63;
   const T t8_65 = omega8_3 * t8_15;
   const T t8_66 = omega8_1 * t8_63 - omega8_2 * t8_15;
-  const T t8_67 = T(0.2) * minus_omega_dot_omega1_8_13;
-  const T B24_1_13 = R8_11 * t8_64 - R6_21 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 - R6_21 * t8_67 +
+  const T t8_67 = T(0.2) * omega_dot_omega1_8_13;
+  const T B24_1_13 = R8_11 * t8_64 - R6_21 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 + R6_21 * t8_67 +
       P_dot_omega1_8_13;
   const T t8_68 = R8_12 * t8_54 - R8_32 * t8_55 + R6_22 * t8_56;
   const T B24_1_21 = P_dot_omega1_8_21 - t8_68;
   const T B24_1_22 = R8_32 * t8_59 - (R8_12 * t8_60 + R6_22 * t8_61) + R8_12 * t8_9 + R6_22 * t8_62 +
       P_dot_omega1_8_22;
-  const T B24_1_23 = R8_12 * t8_64 - R6_22 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 - R6_22 * t8_67 +
+  const T B24_1_23 = R8_12 * t8_64 - R6_22 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 + R6_22 * t8_67 +
       P_dot_omega1_8_23;
   const T t8_69 = R8_13 * t8_54 - R8_33 * t8_55 + R6_23 * t8_56;
   const T B24_1_31 = P_dot_omega1_8_31 - t8_69;
   const T B24_1_32 = R8_33 * t8_59 - (R8_13 * t8_60 + R6_23 * t8_61) + R8_13 * t8_9 + R6_23 * t8_62 +
       P_dot_omega1_8_32;
-  const T B24_1_33 = R8_13 * t8_64 - R6_23 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 - R6_23 * t8_67 +
+  const T B24_1_33 = R8_13 * t8_64 - R6_23 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 + R6_23 * t8_67 +
       P_dot_omega1_8_33;
   v_y_dot[432] = B24_1_11;
   v_y_dot[433] = B24_1_12;
@@ -9224,12 +9318,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T omega_omega1_12_32 = minus_E12_13 * omega_omega1_11_12 - E12_11 * minus_omega_omega1_11_32;
   const T omega_omega1_12_33 = E12_11 * omega_omega1_11_33 - minus_E12_13 * minus_omega_omega1_11_13;
   // omega_dot_omega1_12 = -thetadot12 b12~ E12 omega_omega1_11 + E12 omega_dot_omega1_11: its rate
-  const T minus_omega_dot_omega1_12_11 = thetadot12 * omega_omega1_12_31 + E12_11 * minus_omega_dot_omega1_11_11 +
-      minus_E12_13 * t11_2;
-  const T omega_dot_omega1_12_12 = E12_11 * omega_dot_omega1_11_12 + minus_E12_13 * minus_omega_dot_omega1_11_32 -
+  const T minus_omega_dot_omega1_12_11 = thetadot12 * omega_omega1_12_31 + minus_E12_13 * t11_2 + E12_11 *
+      minus_omega_dot_omega1_11_11;
+  const T omega_dot_omega1_12_12 = minus_E12_13 * minus_omega_dot_omega1_11_32 + E12_11 * omega_dot_omega1_11_12 -
       thetadot12 * omega_omega1_12_32;
-  const T minus_omega_dot_omega1_12_13 = thetadot12 * omega_omega1_12_33 + E12_11 * minus_omega_dot_omega1_11_13 -
-      minus_E12_13 * minus_omega_dot_omega1_11_33;
+  const T omega_dot_omega1_12_13 = minus_E12_13 * minus_omega_dot_omega1_11_33 - E12_11 * minus_omega_dot_omega1_11_13
+      - thetadot12 * omega_omega1_12_33;
   const T omega_dot_omega1_12_31 = E12_11 * t11_2 - minus_E12_13 * minus_omega_dot_omega1_11_11 + thetadot12 *
       omega_omega1_12_11;
   const T omega_dot_omega1_12_32 = minus_E12_13 * omega_dot_omega1_11_12 - E12_11 * minus_omega_dot_omega1_11_32 +
@@ -9301,7 +9395,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_40 = omega12_3 * t12_39 - omega12_1 * t12_36;
   const T t12_41 = omega12_1 * t12_37 - omega12_2 * t12_39;
   const T t12_42 = T(0.107388) * omega_dot_omega1_11_23;
-  const T t12_43 = T(0.107388) * minus_omega_dot_omega1_12_13 + T(0.006435) * minus_omega_dot_omega1_12_33;
+  const T t12_43 = T(0.006435) * minus_omega_dot_omega1_12_33 - T(0.107388) * omega_dot_omega1_12_13;
   const T t12_44 = T(0.006435) * omega_dot_omega1_11_23;
   const T B33_1_13 = P_dot_omega1_12_13 - (R12_11 * t12_38 + R10_21 * t12_40 + R12_31 * t12_41 + R12_11 * t12_42 +
       R10_21 * t12_43 + R12_31 * t12_44);
@@ -9367,20 +9461,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_64 = omega12_3 * t12_63;
   const T t12_65 = omega12_3 * t12_15;
   const T t12_66 = omega12_1 * t12_63 - omega12_2 * t12_15;
-  const T t12_67 = T(0.2) * minus_omega_dot_omega1_12_13;
-  const T B37_1_13 = R12_11 * t12_64 - R10_21 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 - R10_21 * t12_67 +
+  const T t12_67 = T(0.2) * omega_dot_omega1_12_13;
+  const T B37_1_13 = R12_11 * t12_64 - R10_21 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 + R10_21 * t12_67 +
       P_dot_omega1_12_13;
   const T t12_68 = R12_12 * t12_54 - R12_32 * t12_55 + R10_22 * t12_56;
   const T B37_1_21 = P_dot_omega1_12_21 - t12_68;
   const T B37_1_22 = R12_32 * t12_59 - (R12_12 * t12_60 + R10_22 * t12_61) + R12_12 * t12_9 + R10_22 * t12_62 +
       P_dot_omega1_12_22;
-  const T B37_1_23 = R12_12 * t12_64 - R10_22 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 - R10_22 * t12_67 +
+  const T B37_1_23 = R12_12 * t12_64 - R10_22 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 + R10_22 * t12_67 +
       P_dot_omega1_12_23;
   const T t12_69 = R12_13 * t12_54 - R12_33 * t12_55 + R10_23 * t12_56;
   const T B37_1_31 = P_dot_omega1_12_31 - t12_69;
   const T B37_1_32 = R12_33 * t12_59 - (R12_13 * t12_60 + R10_23 * t12_61) + R12_13 * t12_9 + R10_23 * t12_62 +
       P_dot_omega1_12_32;
-  const T B37_1_33 = R12_13 * t12_64 - R10_23 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 - R10_23 * t12_67 +
+  const T B37_1_33 = R12_13 * t12_64 - R10_23 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 + R10_23 * t12_67 +
       P_dot_omega1_12_33;
   v_y_dot[648] = B37_1_11;
   v_y_dot[649] = B37_1_12;
@@ -9635,12 +9729,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T omega_omega1_16_32 = minus_E16_13 * omega_omega1_15_12 - E16_11 * minus_omega_omega1_15_32;
   const T omega_omega1_16_33 = E16_11 * omega_omega1_15_33 - minus_E16_13 * minus_omega_omega1_15_13;
   // omega_dot_omega1_16 = -thetadot16 b16~ E16 omega_omega1_15 + E16 omega_dot_omega1_15: its rate
-  const T minus_omega_dot_omega1_16_11 = thetadot16 * omega_omega1_16_31 + E16_11 * minus_omega_dot_omega1_15_11 +
-      minus_E16_13 * t15_2;
-  const T omega_dot_omega1_16_12 = E16_11 * omega_dot_omega1_15_12 + minus_E16_13 * minus_omega_dot_omega1_15_32 -
+  const T minus_omega_dot_omega1_16_11 = thetadot16 * omega_omega1_16_31 + minus_E16_13 * t15_2 + E16_11 *
+      minus_omega_dot_omega1_15_11;
+  const T omega_dot_omega1_16_12 = minus_E16_13 * minus_omega_dot_omega1_15_32 + E16_11 * omega_dot_omega1_15_12 -
       thetadot16 * omega_omega1_16_32;
-  const T minus_omega_dot_omega1_16_13 = thetadot16 * omega_omega1_16_33 + E16_11 * minus_omega_dot_omega1_15_13 -
-      minus_E16_13 * minus_omega_dot_omega1_15_33;
+  const T omega_dot_omega1_16_13 = minus_E16_13 * minus_omega_dot_omega1_15_33 - E16_11 * minus_omega_dot_omega1_15_13
+      - thetadot16 * omega_omega1_16_33;
   const T omega_dot_omega1_16_31 = E16_11 * t15_2 - minus_E16_13 * minus_omega_dot_omega1_15_11 + thetadot16 *
       omega_omega1_16_11;
   const T omega_dot_omega1_16_32 = minus_E16_13 * omega_dot_omega1_15_12 - E16_11 * minus_omega_dot_omega1_15_32 +
@@ -9712,7 +9806,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_40 = omega16_3 * t16_39 - omega16_1 * t16_36;
   const T t16_41 = omega16_1 * t16_37 - omega16_2 * t16_39;
   const T t16_42 = T(0.107388) * omega_dot_omega1_15_23;
-  const T t16_43 = T(0.107388) * minus_omega_dot_omega1_16_13 + T(0.006435) * minus_omega_dot_omega1_16_33;
+  const T t16_43 = T(0.006435) * minus_omega_dot_omega1_16_33 - T(0.107388) * omega_dot_omega1_16_13;
   const T t16_44 = T(0.006435) * omega_dot_omega1_15_23;
   const T B46_1_13 = P_dot_omega1_16_13 - (R16_11 * t16_38 + R14_21 * t16_40 + R16_31 * t16_41 + R16_11 * t16_42 +
       R14_21 * t16_43 + R16_31 * t16_44);
@@ -9778,20 +9872,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_64 = omega16_3 * t16_63;
   const T t16_65 = omega16_3 * t16_15;
   const T t16_66 = omega16_1 * t16_63 - omega16_2 * t16_15;
-  const T t16_67 = T(0.2) * minus_omega_dot_omega1_16_13;
-  const T B50_1_13 = R16_11 * t16_64 - R14_21 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 - R14_21 * t16_67 +
+  const T t16_67 = T(0.2) * omega_dot_omega1_16_13;
+  const T B50_1_13 = R16_11 * t16_64 - R14_21 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 + R14_21 * t16_67 +
       P_dot_omega1_16_13;
   const T t16_68 = R16_12 * t16_54 - R16_32 * t16_55 + R14_22 * t16_56;
   const T B50_1_21 = P_dot_omega1_16_21 - t16_68;
   const T B50_1_22 = R16_32 * t16_59 - (R16_12 * t16_60 + R14_22 * t16_61) + R16_12 * t16_9 + R14_22 * t16_62 +
       P_dot_omega1_16_22;
-  const T B50_1_23 = R16_12 * t16_64 - R14_22 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 - R14_22 * t16_67 +
+  const T B50_1_23 = R16_12 * t16_64 - R14_22 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 + R14_22 * t16_67 +
       P_dot_omega1_16_23;
   const T t16_69 = R16_13 * t16_54 - R16_33 * t16_55 + R14_23 * t16_56;
   const T B50_1_31 = P_dot_omega1_16_31 - t16_69;
   const T B50_1_32 = R16_33 * t16_59 - (R16_13 * t16_60 + R14_23 * t16_61) + R16_13 * t16_9 + R14_23 * t16_62 +
       P_dot_omega1_16_32;
-  const T B50_1_33 = R16_13 * t16_64 - R14_23 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 - R14_23 * t16_67 +
+  const T B50_1_33 = R16_13 * t16_64 - R14_23 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 + R14_23 * t16_67 +
       P_dot_omega1_16_33;
   v_y_dot[864] = B50_1_11;
   v_y_dot[865] = B50_1_12;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model f79682b37801c4e1 of random_12/scene.toml; the usual functions
+// model 1c895227424d78ad of random_12/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -44,7 +44,7 @@
 //   power                   1102 (543 add, 559 multiply)
 //   accelerations           1936 (967 add, 969 multiply)
 //   residual                2550 (1274 add, 1276 multiply)
-//   forcing                 2311 (1058 add, 1253 multiply)
+//   forcing                 2308 (1092 add, 1216 multiply)
 //   mass_matrix             4772 (1628 add, 3144 multiply)
 //   partial_velocities      918 (366 add, 552 multiply)
 //   partial_velocity_rates  1638 (672 add, 966 multiply)
@@ -57,7 +57,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "f79682b37801c4e1";
+inline constexpr char model_hash[] = "1c895227424d78ad";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -4213,14 +4213,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -4234,11 +4234,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a1_1 = R1_21 * t1_19 - R1_11 * t1_20 + R1_31 * t1_21 + sddot1_1;
   const T a1_2 = R1_22 * t1_19 - R1_12 * t1_20 + R1_32 * t1_21 + sddot1_2;
   const T a1_3 = R1_23 * t1_19 - R1_13 * t1_20 + R1_33 * t1_21 + Pddot1_3;
-  // G1 = m1 a1 - F1: force balance, inertial axes [N]
+  // G1 = m1 a1 - F1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(4.15) * a1_1 - T(1.37);
   const T G1_2 = T(4.15) * a1_2 + T(1.93);
   const T G1_3 = T(4.15) * a1_3 + T(1.76);
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.27085) * U1_32 - T(0.21275) * U1_23 + T(0.0128) * (minus_U1_22 - minus_U1_33) - T(0.0043) * U1_31
       + T(0.0129) * U1_21 - T(0.083);
   const T N1_2 = T(0.21275) * U1_13 - T(0.21165) * U1_31 - T(0.0129) * (minus_U1_33 - minus_U1_11) + T(0.0128) * U1_12
@@ -4284,14 +4284,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_13 = omega2_3 * omega2_3;
   const T t2_14 = omega2_2 * omega2_2;
   const T minus_U2_11 = t2_13 + t2_14;
-  const T t2_15 = omega2_1 * omega2_2;
+  const T t2_15 = omega2_2 * omega2_1;
   const T U2_12 = t2_15 - omegadot2_3;
-  const T t2_16 = omega2_1 * omega2_3;
+  const T t2_16 = omega2_3 * omega2_1;
   const T U2_13 = t2_16 + omegadot2_2;
   const T U2_21 = t2_15 + omegadot2_3;
   const T t2_17 = omega2_1 * omega2_1;
   const T minus_U2_22 = t2_13 + t2_17;
-  const T t2_18 = omega2_2 * omega2_3;
+  const T t2_18 = omega2_3 * omega2_2;
   const T U2_23 = t2_18 - omegadot2_1;
   const T U2_31 = t2_16 - omegadot2_2;
   const T U2_32 = t2_18 + omegadot2_1;
@@ -4314,11 +4314,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
   const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
   const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
-  // G2 = m2 a2 - F2: force balance, inertial axes [N]
+  // G2 = m2 a2 - F2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(0.64) * a2_1 - T(0.08);
   const T G2_2 = T(0.64) * a2_2 + T(1.11);
   const T G2_3 = T(0.64) * a2_3 + T(0.29);
-  // N2 = -M2 + axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) - M2: inertia less applied moment about the mass centre, body axes [N m]
   const T N2_1 = T(0.07235) * U2_32 - T(0.04715) * U2_23 - T(0.0049) * (minus_U2_22 - minus_U2_33) - T(1e-04) * U2_31
       + T(0.0037) * U2_21 + T(0.022);
   const T N2_2 = T(0.04715) * U2_13 - T(0.07275000000000001) * U2_31 - T(0.0037) * (minus_U2_33 - minus_U2_11) -
@@ -4364,14 +4364,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t3_13 = omega3_3 * omega3_3;
   const T t3_14 = omega3_2 * omega3_2;
   const T minus_U3_11 = t3_13 + t3_14;
-  const T t3_15 = omega3_1 * omega3_2;
+  const T t3_15 = omega3_2 * omega3_1;
   const T U3_12 = t3_15 - omegadot3_3;
-  const T t3_16 = omega3_1 * omega3_3;
+  const T t3_16 = omega3_3 * omega3_1;
   const T U3_13 = t3_16 + omegadot3_2;
   const T U3_21 = t3_15 + omegadot3_3;
   const T t3_17 = omega3_1 * omega3_1;
   const T minus_U3_22 = t3_13 + t3_17;
-  const T t3_18 = omega3_2 * omega3_3;
+  const T t3_18 = omega3_3 * omega3_2;
   const T U3_23 = t3_18 - omegadot3_1;
   const T U3_31 = t3_16 - omegadot3_2;
   const T U3_32 = t3_18 + omegadot3_1;
@@ -4394,11 +4394,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
   const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
   const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
-  // G3 = m3 a3 - F3: force balance, inertial axes [N]
+  // G3 = m3 a3 - F3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(2.14) * a3_1 - T(1.33);
   const T G3_2 = T(2.14) * a3_2 - T(0.56);
   const T G3_3 = T(2.14) * a3_3 + T(1.08);
-  // N3 = -M3 + axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)) - M3: inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.2094) * U3_32 - T(0.15219999999999997) * U3_23 + T(0.0036) * (minus_U3_22 - minus_U3_33) -
       T(0.0388) * U3_31 + T(0.038) * U3_21 - T(0.005);
   const T N3_2 = T(0.15219999999999997) * U3_13 - T(0.046400000000000025) * U3_31 - T(0.038) * (minus_U3_33 -
@@ -4444,14 +4444,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t4_13 = omega4_3 * omega4_3;
   const T t4_14 = omega4_2 * omega4_2;
   const T minus_U4_11 = t4_13 + t4_14;
-  const T t4_15 = omega4_1 * omega4_2;
+  const T t4_15 = omega4_2 * omega4_1;
   const T U4_12 = t4_15 - omegadot4_3;
-  const T t4_16 = omega4_1 * omega4_3;
+  const T t4_16 = omega4_3 * omega4_1;
   const T U4_13 = t4_16 + omegadot4_2;
   const T U4_21 = t4_15 + omegadot4_3;
   const T t4_17 = omega4_1 * omega4_1;
   const T minus_U4_22 = t4_13 + t4_17;
-  const T t4_18 = omega4_2 * omega4_3;
+  const T t4_18 = omega4_3 * omega4_2;
   const T U4_23 = t4_18 - omegadot4_1;
   const T U4_31 = t4_16 - omegadot4_2;
   const T U4_32 = t4_18 + omegadot4_1;
@@ -4474,11 +4474,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a4_1 = R4_11 * t4_25 + R4_21 * t4_26 + R4_31 * t4_27 + Pddot4_1;
   const T a4_2 = R4_12 * t4_25 + R4_22 * t4_26 + R4_32 * t4_27 + Pddot4_2;
   const T a4_3 = R4_13 * t4_25 + R4_23 * t4_26 + R4_33 * t4_27 + Pddot4_3;
-  // G4 = m4 a4 - F4: force balance, inertial axes [N]
+  // G4 = m4 a4 - F4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(4.49) * a4_1 - T(0.25);
   const T G4_2 = T(4.49) * a4_2 + T(1.93);
   const T G4_3 = T(4.49) * a4_3 - T(0.84);
-  // N4 = -M4 + axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)) - M4: inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.1281) * U4_32 - T(0.127) * U4_23 + T(0.0221) * (minus_U4_22 - minus_U4_33) - T(0.0225) * U4_31 -
       T(0.0283) * U4_21 - T(0.081);
   const T N4_2 = T(0.127) * U4_13 - T(0.1127) * U4_31 + T(0.0283) * (minus_U4_33 - minus_U4_11) + T(0.0221) * U4_12 +
@@ -4524,14 +4524,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t5_13 = omega5_3 * omega5_3;
   const T t5_14 = omega5_2 * omega5_2;
   const T minus_U5_11 = t5_13 + t5_14;
-  const T t5_15 = omega5_1 * omega5_2;
+  const T t5_15 = omega5_2 * omega5_1;
   const T U5_12 = t5_15 - omegadot5_3;
-  const T t5_16 = omega5_1 * omega5_3;
+  const T t5_16 = omega5_3 * omega5_1;
   const T U5_13 = t5_16 + omegadot5_2;
   const T U5_21 = t5_15 + omegadot5_3;
   const T t5_17 = omega5_1 * omega5_1;
   const T minus_U5_22 = t5_13 + t5_17;
-  const T t5_18 = omega5_2 * omega5_3;
+  const T t5_18 = omega5_3 * omega5_2;
   const T U5_23 = t5_18 - omegadot5_1;
   const T U5_31 = t5_16 - omegadot5_2;
   const T U5_32 = t5_18 + omegadot5_1;
@@ -4551,11 +4551,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24 + Pddot5_1;
   const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24 + Pddot5_2;
   const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24 + Pddot5_3;
-  // G5 = m5 a5 - F5: force balance, inertial axes [N]
+  // G5 = m5 a5 - F5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(1.96) * a5_1 - T(1.78);
   const T G5_2 = T(1.96) * a5_2 + T(1.97);
   const T G5_3 = T(1.96) * a5_3 + T(0.56);
-  // N5 = -M5 + axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)) - M5: inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.031549999999999995) * U5_32 - T(0.019850000000000007) * U5_23 + T(0.0036) * (minus_U5_22 -
       minus_U5_33) - T(0.0396) * U5_31 + T(0.0143) * U5_21 + T(0.044);
   const T N5_2 = T(0.019850000000000007) * U5_13 - T(0.10944999999999999) * U5_31 - T(0.0143) * (minus_U5_33 -
@@ -4601,14 +4601,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t6_13 = omega6_3 * omega6_3;
   const T t6_14 = omega6_2 * omega6_2;
   const T minus_U6_11 = t6_13 + t6_14;
-  const T t6_15 = omega6_1 * omega6_2;
+  const T t6_15 = omega6_2 * omega6_1;
   const T U6_12 = t6_15 - omegadot6_3;
-  const T t6_16 = omega6_1 * omega6_3;
+  const T t6_16 = omega6_3 * omega6_1;
   const T U6_13 = t6_16 + omegadot6_2;
   const T U6_21 = t6_15 + omegadot6_3;
   const T t6_17 = omega6_1 * omega6_1;
   const T minus_U6_22 = t6_13 + t6_17;
-  const T t6_18 = omega6_2 * omega6_3;
+  const T t6_18 = omega6_3 * omega6_2;
   const T U6_23 = t6_18 - omegadot6_1;
   const T U6_31 = t6_16 - omegadot6_2;
   const T U6_32 = t6_18 + omegadot6_1;
@@ -4628,11 +4628,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a6_1 = R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
   const T a6_2 = R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
   const T a6_3 = R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
-  // G6 = m6 a6 - F6: force balance, inertial axes [N]
+  // G6 = m6 a6 - F6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(3.48) * a6_1 - T(0.4);
   const T G6_2 = T(3.48) * a6_2 + T(0.44);
   const T G6_3 = T(3.48) * a6_3 - T(1.49);
-  // N6 = -M6 + axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U6 (tr(I6)/2 - I6)) - M6: inertia less applied moment about the mass centre, body axes [N m]
   const T N6_1 = T(0.19614999999999996) * U6_32 - T(0.21085) * U6_23 - T(0.0219) * (minus_U6_22 - minus_U6_33) -
       T(0.035) * U6_31 + T(0.0493) * U6_21 - T(0.079);
   const T N6_2 = T(0.21085) * U6_13 - T(0.38145000000000007) * U6_31 - T(0.0493) * (minus_U6_33 - minus_U6_11) -
@@ -4678,14 +4678,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t7_13 = omega7_3 * omega7_3;
   const T t7_14 = omega7_2 * omega7_2;
   const T minus_U7_11 = t7_13 + t7_14;
-  const T t7_15 = omega7_1 * omega7_2;
+  const T t7_15 = omega7_2 * omega7_1;
   const T U7_12 = t7_15 - omegadot7_3;
-  const T t7_16 = omega7_1 * omega7_3;
+  const T t7_16 = omega7_3 * omega7_1;
   const T U7_13 = t7_16 + omegadot7_2;
   const T U7_21 = t7_15 + omegadot7_3;
   const T t7_17 = omega7_1 * omega7_1;
   const T minus_U7_22 = t7_13 + t7_17;
-  const T t7_18 = omega7_2 * omega7_3;
+  const T t7_18 = omega7_3 * omega7_2;
   const T U7_23 = t7_18 - omegadot7_1;
   const T U7_31 = t7_16 - omegadot7_2;
   const T U7_32 = t7_18 + omegadot7_1;
@@ -4708,11 +4708,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a7_1 = R7_11 * t7_25 + R7_21 * t7_26 + R7_31 * t7_27 + Pddot7_1;
   const T a7_2 = R7_12 * t7_25 + R7_22 * t7_26 + R7_32 * t7_27 + Pddot7_2;
   const T a7_3 = R7_13 * t7_25 + R7_23 * t7_26 + R7_33 * t7_27 + Pddot7_3;
-  // G7 = m7 a7 - F7: force balance, inertial axes [N]
+  // G7 = m7 a7 - F7: inertia less applied force, inertial axes [N]
   const T G7_1 = T(0.74) * a7_1 + T(0.81);
   const T G7_2 = T(0.74) * a7_2 + T(1.24);
   const T G7_3 = T(0.74) * a7_3 + T(1.26);
-  // N7 = -M7 + axial(U7 (tr(I7)/2 - I7)): moment balance about the mass centre, body axes [N m]
+  // N7 = axial(U7 (tr(I7)/2 - I7)) - M7: inertia less applied moment about the mass centre, body axes [N m]
   const T N7_1 = T(0.06545) * U7_32 - T(0.06755000000000001) * U7_23 - T(0.0017) * (minus_U7_22 - minus_U7_33) +
       T(7e-04) * U7_31 + T(0.0025) * U7_21 + T(0.038);
   const T N7_2 = T(0.06755000000000001) * U7_13 - T(0.06845) * U7_31 - T(0.0025) * (minus_U7_33 - minus_U7_11) -
@@ -4758,14 +4758,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t8_13 = omega8_3 * omega8_3;
   const T t8_14 = omega8_2 * omega8_2;
   const T minus_U8_11 = t8_13 + t8_14;
-  const T t8_15 = omega8_1 * omega8_2;
+  const T t8_15 = omega8_2 * omega8_1;
   const T U8_12 = t8_15 - omegadot8_3;
-  const T t8_16 = omega8_1 * omega8_3;
+  const T t8_16 = omega8_3 * omega8_1;
   const T U8_13 = t8_16 + omegadot8_2;
   const T U8_21 = t8_15 + omegadot8_3;
   const T t8_17 = omega8_1 * omega8_1;
   const T minus_U8_22 = t8_13 + t8_17;
-  const T t8_18 = omega8_2 * omega8_3;
+  const T t8_18 = omega8_3 * omega8_2;
   const T U8_23 = t8_18 - omegadot8_1;
   const T U8_31 = t8_16 - omegadot8_2;
   const T U8_32 = t8_18 + omegadot8_1;
@@ -4785,11 +4785,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a8_1 = R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
   const T a8_2 = R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
   const T a8_3 = R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
-  // G8 = m8 a8 - F8: force balance, inertial axes [N]
+  // G8 = m8 a8 - F8: inertia less applied force, inertial axes [N]
   const T G8_1 = T(2.71) * a8_1 - T(0.74);
   const T G8_2 = T(2.71) * a8_2 - T(0.46);
   const T G8_3 = T(2.71) * a8_3 - T(1.86);
-  // N8 = -M8 + axial(U8 (tr(I8)/2 - I8)): moment balance about the mass centre, body axes [N m]
+  // N8 = axial(U8 (tr(I8)/2 - I8)) - M8: inertia less applied moment about the mass centre, body axes [N m]
   const T N8_1 = T(0.23319999999999996) * U8_32 - T(0.21600000000000003) * U8_23 - T(0.028) * (minus_U8_22 -
       minus_U8_33) + T(0.0147) * U8_31 - T(0.0399) * U8_21 - T(0.092);
   const T N8_2 = T(0.21600000000000003) * U8_13 - T(0.2834) * U8_31 + T(0.0399) * (minus_U8_33 - minus_U8_11) -
@@ -4835,14 +4835,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t9_13 = omega9_3 * omega9_3;
   const T t9_14 = omega9_2 * omega9_2;
   const T minus_U9_11 = t9_13 + t9_14;
-  const T t9_15 = omega9_1 * omega9_2;
+  const T t9_15 = omega9_2 * omega9_1;
   const T U9_12 = t9_15 - omegadot9_3;
-  const T t9_16 = omega9_1 * omega9_3;
+  const T t9_16 = omega9_3 * omega9_1;
   const T U9_13 = t9_16 + omegadot9_2;
   const T U9_21 = t9_15 + omegadot9_3;
   const T t9_17 = omega9_1 * omega9_1;
   const T minus_U9_22 = t9_13 + t9_17;
-  const T t9_18 = omega9_2 * omega9_3;
+  const T t9_18 = omega9_3 * omega9_2;
   const T U9_23 = t9_18 - omegadot9_1;
   const T U9_31 = t9_16 - omegadot9_2;
   const T U9_32 = t9_18 + omegadot9_1;
@@ -4865,11 +4865,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a9_1 = R9_11 * t9_25 + R9_21 * t9_26 + R9_31 * t9_27 + Pddot9_1;
   const T a9_2 = R9_12 * t9_25 + R9_22 * t9_26 + R9_32 * t9_27 + Pddot9_2;
   const T a9_3 = R9_13 * t9_25 + R9_23 * t9_26 + R9_33 * t9_27 + Pddot9_3;
-  // G9 = m9 a9 - F9: force balance, inertial axes [N]
+  // G9 = m9 a9 - F9: inertia less applied force, inertial axes [N]
   const T G9_1 = T(1.84) * a9_1 + T(0.55);
   const T G9_2 = T(1.84) * a9_2 + T(1.08);
   const T G9_3 = T(1.84) * a9_3 + T(0.46);
-  // N9 = -M9 + axial(U9 (tr(I9)/2 - I9)): moment balance about the mass centre, body axes [N m]
+  // N9 = axial(U9 (tr(I9)/2 - I9)) - M9: inertia less applied moment about the mass centre, body axes [N m]
   const T N9_1 = T(0.10434999999999998) * U9_32 - T(0.12665000000000004) * U9_23 + T(0.0093) * (minus_U9_22 -
       minus_U9_33) - T(0.0215) * U9_31 + T(0.0257) * U9_21 - T(0.022);
   const T N9_2 = T(0.12665000000000004) * U9_13 - T(0.17654999999999998) * U9_31 - T(0.0257) * (minus_U9_33 -
@@ -4915,14 +4915,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t10_13 = omega10_3 * omega10_3;
   const T t10_14 = omega10_2 * omega10_2;
   const T minus_U10_11 = t10_13 + t10_14;
-  const T t10_15 = omega10_1 * omega10_2;
+  const T t10_15 = omega10_2 * omega10_1;
   const T U10_12 = t10_15 - omegadot10_3;
-  const T t10_16 = omega10_1 * omega10_3;
+  const T t10_16 = omega10_3 * omega10_1;
   const T U10_13 = t10_16 + omegadot10_2;
   const T U10_21 = t10_15 + omegadot10_3;
   const T t10_17 = omega10_1 * omega10_1;
   const T minus_U10_22 = t10_13 + t10_17;
-  const T t10_18 = omega10_2 * omega10_3;
+  const T t10_18 = omega10_3 * omega10_2;
   const T U10_23 = t10_18 - omegadot10_1;
   const T U10_31 = t10_16 - omegadot10_2;
   const T U10_32 = t10_18 + omegadot10_1;
@@ -4948,11 +4948,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a10_1 = R10_11 * t10_25 + R10_21 * t10_26 + R10_31 * t10_27 + Pddot10_1;
   const T a10_2 = R10_12 * t10_25 + R10_22 * t10_26 + R10_32 * t10_27 + Pddot10_2;
   const T a10_3 = R10_13 * t10_25 + R10_23 * t10_26 + R10_33 * t10_27 + Pddot10_3;
-  // G10 = m10 a10 - F10: force balance, inertial axes [N]
+  // G10 = m10 a10 - F10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(2.57) * a10_1 - T(1.24);
   const T G10_2 = T(2.57) * a10_2 - T(1.96);
   const T G10_3 = T(2.57) * a10_3 - T(0.69);
-  // N10 = -M10 + axial(U10 (tr(I10)/2 - I10)): moment balance about the mass centre, body axes [N m]
+  // N10 = axial(U10 (tr(I10)/2 - I10)) - M10: inertia less applied moment about the mass centre, body axes [N m]
   const T N10_1 = T(0.050249999999999996) * U10_32 - T(0.03305) * U10_23 + T(0.0065) * (minus_U10_22 - minus_U10_33) -
       T(0.0191) * U10_31 + T(0.0097) * U10_21 + T(0.066);
   const T N10_2 = T(0.03305) * U10_13 - T(0.05865) * U10_31 - T(0.0097) * (minus_U10_33 - minus_U10_11) + T(0.0065) *
@@ -4998,14 +4998,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t11_13 = omega11_3 * omega11_3;
   const T t11_14 = omega11_2 * omega11_2;
   const T minus_U11_11 = t11_13 + t11_14;
-  const T t11_15 = omega11_1 * omega11_2;
+  const T t11_15 = omega11_2 * omega11_1;
   const T U11_12 = t11_15 - omegadot11_3;
-  const T t11_16 = omega11_1 * omega11_3;
+  const T t11_16 = omega11_3 * omega11_1;
   const T U11_13 = t11_16 + omegadot11_2;
   const T U11_21 = t11_15 + omegadot11_3;
   const T t11_17 = omega11_1 * omega11_1;
   const T minus_U11_22 = t11_13 + t11_17;
-  const T t11_18 = omega11_2 * omega11_3;
+  const T t11_18 = omega11_3 * omega11_2;
   const T U11_23 = t11_18 - omegadot11_1;
   const T U11_31 = t11_16 - omegadot11_2;
   const T U11_32 = t11_18 + omegadot11_1;
@@ -5031,11 +5031,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a11_1 = R11_11 * t11_25 + R11_21 * t11_26 + R11_31 * t11_27 + Pddot11_1;
   const T a11_2 = R11_12 * t11_25 + R11_22 * t11_26 + R11_32 * t11_27 + Pddot11_2;
   const T a11_3 = R11_13 * t11_25 + R11_23 * t11_26 + R11_33 * t11_27 + Pddot11_3;
-  // G11 = m11 a11 - F11: force balance, inertial axes [N]
+  // G11 = m11 a11 - F11: inertia less applied force, inertial axes [N]
   const T G11_1 = T(3.77) * a11_1 + T(0.34);
   const T G11_2 = T(3.77) * a11_2 + T(1.79);
   const T G11_3 = T(3.77) * a11_3 + T(1.8);
-  // N11 = -M11 + axial(U11 (tr(I11)/2 - I11)): moment balance about the mass centre, body axes [N m]
+  // N11 = axial(U11 (tr(I11)/2 - I11)) - M11: inertia less applied moment about the mass centre, body axes [N m]
   const T N11_1 = T(0.20725000000000002) * U11_32 - T(0.16565) * U11_23 - T(0.0124) * (minus_U11_22 - minus_U11_33) +
       T(3e-04) * U11_31 - T(0.0238) * U11_21 + T(0.077);
   const T N11_2 = T(0.16565) * U11_13 - T(0.22465) * U11_31 + T(0.0238) * (minus_U11_33 - minus_U11_11) - T(0.0124) *
@@ -5081,14 +5081,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t12_13 = omega12_3 * omega12_3;
   const T t12_14 = omega12_2 * omega12_2;
   const T minus_U12_11 = t12_13 + t12_14;
-  const T t12_15 = omega12_1 * omega12_2;
+  const T t12_15 = omega12_2 * omega12_1;
   const T U12_12 = t12_15 - omegadot12_3;
-  const T t12_16 = omega12_1 * omega12_3;
+  const T t12_16 = omega12_3 * omega12_1;
   const T U12_13 = t12_16 + omegadot12_2;
   const T U12_21 = t12_15 + omegadot12_3;
   const T t12_17 = omega12_1 * omega12_1;
   const T minus_U12_22 = t12_13 + t12_17;
-  const T t12_18 = omega12_2 * omega12_3;
+  const T t12_18 = omega12_3 * omega12_2;
   const T U12_23 = t12_18 - omegadot12_1;
   const T U12_31 = t12_16 - omegadot12_2;
   const T U12_32 = t12_18 + omegadot12_1;
@@ -5114,11 +5114,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a12_1 = R12_11 * t12_25 + R12_21 * t12_26 + R12_31 * t12_27 + Pddot12_1;
   const T a12_2 = R12_12 * t12_25 + R12_22 * t12_26 + R12_32 * t12_27 + Pddot12_2;
   const T a12_3 = R12_13 * t12_25 + R12_23 * t12_26 + R12_33 * t12_27 + Pddot12_3;
-  // G12 = m12 a12 - F12: force balance, inertial axes [N]
+  // G12 = m12 a12 - F12: inertia less applied force, inertial axes [N]
   const T G12_1 = T(4.06) * a12_1 - T(0.25);
   const T G12_2 = T(4.06) * a12_2 - T(1.37);
   const T G12_3 = T(4.06) * a12_3 - T(1.59);
-  // N12 = -M12 + axial(U12 (tr(I12)/2 - I12)): moment balance about the mass centre, body axes [N m]
+  // N12 = axial(U12 (tr(I12)/2 - I12)) - M12: inertia less applied moment about the mass centre, body axes [N m]
   const T N12_1 = T(0.07305000000000003) * U12_32 - T(0.34065) * U12_23 + T(0.0023) * (minus_U12_22 - minus_U12_33) -
       T(0.0121) * U12_31 - T(0.1084) * U12_21 - T(0.01);
   const T N12_2 = T(0.34065) * U12_13 - T(0.25454999999999994) * U12_31 + T(0.1084) * (minus_U12_33 - minus_U12_11) +
@@ -5392,7 +5392,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 1058 add, 1253 multiply
+// 1092 add, 1216 multiply
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
 
@@ -5421,33 +5421,34 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.163) - omega1_2 * T(0.095);
-  const T t1_14 = omega1_1 * T(0.163) + omega1_2 * T(0.187);
-  const T t1_15 = omega1_3 * t1_13 + omega1_1 * t1_14;
-  const T t1_16 = omega1_3 * T(0.187) + omega1_1 * T(0.095);
-  const T t1_17 = omega1_3 * t1_16 + omega1_2 * t1_14;
-  const T t1_18 = omega1_1 * t1_16 - omega1_2 * t1_13;
-  const T a1_1 = R1_21 * t1_15 - R1_11 * t1_17 + R1_31 * t1_18;
-  const T a1_2 = R1_22 * t1_15 - R1_12 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_23 * t1_15 - R1_13 * t1_17 + R1_33 * t1_18 + T(9.81);
-  // G1 = -m1 a1 + F1: applied less inertia force at ydot = 0, inertial axes [N]
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_16 = U1_12 * T(0.187) + minus_U1_22 * T(0.163) - U1_23 * T(0.095);
+  const T t1_17 = minus_U1_11 * T(0.187) + U1_12 * T(0.163) + U1_13 * T(0.095);
+  const T t1_18 = U1_13 * T(0.187) - U1_23 * T(0.163) + minus_U1_33 * T(0.095);
+  const T a1_1 = R1_21 * t1_16 - R1_11 * t1_17 + R1_31 * t1_18;
+  const T a1_2 = R1_22 * t1_16 - R1_12 * t1_17 + R1_32 * t1_18;
+  const T a1_3 = R1_23 * t1_16 - R1_13 * t1_17 + R1_33 * t1_18 + T(9.81);
+  // G1 = -m1 a1 + F1: applied less inertia force, inertial axes [N]
   const T G1_1 = T(1.37) - T(4.15) * a1_1;
   const T minus_G1_2 = T(4.15) * a1_2 + T(1.93);
   const T minus_G1_3 = T(4.15) * a1_3 + T(1.76);
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_2 * omega1_2;
-  const T t1_20 = omega1_3 * omega1_3;
-  const T t1_21 = omega1_2 * omega1_3;
-  const T t1_22 = omega1_1 * omega1_2;
-  const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.0128) * (t1_19 - t1_20) - T(0.058099999999999985) * t1_21 - T(0.0129) * t1_22 + T(0.0043) * t1_23
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = T(0.0128) * (t1_14 - t1_13) - T(0.058099999999999985) * U1_23 - T(0.0129) * U1_12 + T(0.0043) * U1_13
       + T(0.083);
-  const T t1_24 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * t1_23 + T(0.0129) * (t1_20 - t1_24) + T(0.0043) * t1_21 +
-      T(0.0128) * t1_22);
-  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_24 - t1_19) - T(0.059199999999999975) * t1_22 - T(0.0128) * t1_23 -
-      T(0.0129) * t1_21;
+  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * U1_13 + T(0.0129) * (t1_13 - t1_15) + T(0.0043) * U1_23 +
+      T(0.0128) * U1_12);
+  const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_15 - t1_14) - T(0.059199999999999975) * U1_12 - T(0.0128) * U1_13 -
+      T(0.0129) * U1_23;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -5480,44 +5481,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d2_1 = s2_1 - T(0.472);
   const T d2_2 = T(0.323) + s2_2;
   const T d2_3 = s2_3 - T(0.07);
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t2_13 = omega2_3 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_13 + t2_14;
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_15 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_13 + t2_15;
+  const T U2_23 = omega2_3 * omega2_2;
   // Pddot2 = R1^T omega1~ (omega1~ d2 + 2 sdot2) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t2_13 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
-  const T t2_15 = omega1_2 * t2_13 - omega1_3 * t2_14;
-  const T t2_16 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
-  const T t2_17 = omega1_3 * t2_16 - omega1_1 * t2_13;
-  const T t2_18 = omega1_1 * t2_14 - omega1_2 * t2_16;
-  const T Pddot2_1 = R1_11 * t2_15 + R1_21 * t2_17 + R1_31 * t2_18;
-  const T Pddot2_2 = R1_12 * t2_15 + R1_22 * t2_17 + R1_32 * t2_18;
-  const T Pddot2_3 = R1_13 * t2_15 + R1_23 * t2_17 + R1_33 * t2_18 + T(9.81);
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_19 = omega2_1 * T(0.31) - omega2_2 * T(0.011);
-  const T t2_20 = omega2_3 * T(0.011);
-  const T t2_21 = omega2_2 * t2_19 - omega2_3 * t2_20;
-  const T t2_22 = omega2_3 * T(0.31);
-  const T t2_23 = omega2_3 * t2_22 + omega2_1 * t2_19;
-  const T t2_24 = omega2_1 * t2_20 + omega2_2 * t2_22;
-  const T a2_1 = R2_11 * t2_21 - R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_21 - R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_21 - R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
-  // G2 = -m2 a2 + F2: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t2_16 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
+  const T t2_17 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
+  const T t2_18 = omega1_2 * t2_16 - omega1_3 * t2_17;
+  const T t2_19 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
+  const T t2_20 = omega1_3 * t2_19 - omega1_1 * t2_16;
+  const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
+  const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
+  const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
+  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21 + T(9.81);
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_22 = U2_12 * T(0.31) - minus_U2_11 * T(0.011);
+  const T t2_23 = U2_12 * T(0.011) - minus_U2_22 * T(0.31);
+  const T t2_24 = U2_13 * T(0.011) + U2_23 * T(0.31);
+  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
+  // G2 = -m2 a2 + F2: applied less inertia force, inertial axes [N]
   const T G2_1 = T(0.08) - T(0.64) * a2_1;
   const T minus_G2_2 = T(0.64) * a2_2 + T(1.11);
   const T minus_G2_3 = T(0.64) * a2_3 + T(0.29);
-  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_2 * omega2_3;
-  const T t2_26 = omega2_2 * omega2_2;
-  const T t2_27 = omega2_3 * omega2_3;
-  const T t2_28 = omega2_1 * omega2_2;
-  const T t2_29 = omega2_1 * omega2_3;
-  const T minus_N2_1 = T(0.022) + T(0.0252) * t2_25 + T(0.0049) * (t2_26 - t2_27) + T(0.0037) * t2_28 - T(1e-04) *
-      t2_29;
-  const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.02560000000000001) * t2_29 - T(0.0037) * (t2_27 - t2_30) - T(1e-04) * t2_25 + T(0.0049) * t2_28 +
+  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N2_1 = T(0.022) + T(0.0252) * U2_23 + T(0.0049) * (t2_14 - t2_13) + T(0.0037) * U2_12 - T(1e-04) *
+      U2_13;
+  const T N2_2 = T(0.02560000000000001) * U2_13 - T(0.0037) * (t2_13 - t2_15) - T(1e-04) * U2_23 + T(0.0049) * U2_12 +
       T(0.054);
-  const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * t2_28 + T(1e-04) * (t2_30 - t2_26) + T(0.0049) * t2_29 -
-      T(0.0037) * t2_25;
+  const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * U2_12 + T(1e-04) * (t2_15 - t2_14) + T(0.0049) * U2_13 -
+      T(0.0037) * U2_23;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -5550,43 +5551,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d3_1 = s3_1 - T(0.476);
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
+  // U3 = omega3~ omega3~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t3_13 = omega3_3 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_13 + t3_14;
+  const T U3_12 = omega3_2 * omega3_1;
+  const T U3_13 = omega3_3 * omega3_1;
+  const T t3_15 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_13 + t3_15;
+  const T U3_23 = omega3_3 * omega3_2;
+  const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = R2^T omega2~ (omega2~ d3 + 2 sdot3) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t3_13 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
-  const T t3_15 = omega2_2 * t3_13 - omega2_3 * t3_14;
-  const T t3_16 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
-  const T t3_17 = omega2_3 * t3_16 - omega2_1 * t3_13;
-  const T t3_18 = omega2_1 * t3_14 - omega2_2 * t3_16;
-  const T Pddot3_1 = R2_11 * t3_15 + R2_21 * t3_17 + R2_31 * t3_18 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_15 + R2_22 * t3_17 + R2_32 * t3_18 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_15 + R2_23 * t3_17 + R2_33 * t3_18 + Pddot2_3;
-  // a3 = R3^T omega3~ omega3~ r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t3_19 = omega3_1 * T(0.498) - omega3_2 * T(0.484);
-  const T t3_20 = omega3_3 * T(0.484) - omega3_1 * T(0.004);
-  const T t3_21 = omega3_2 * t3_19 - omega3_3 * t3_20;
-  const T t3_22 = omega3_2 * T(0.004) - omega3_3 * T(0.498);
-  const T t3_23 = omega3_3 * t3_22 - omega3_1 * t3_19;
-  const T t3_24 = omega3_1 * t3_20 - omega3_2 * t3_22;
-  const T a3_1 = R3_11 * t3_21 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_21 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_21 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
-  // G3 = -m3 a3 + F3: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t3_16 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
+  const T t3_17 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
+  const T t3_18 = omega2_2 * t3_16 - omega2_3 * t3_17;
+  const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
+  const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
+  const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
+  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_22 = U3_12 * T(0.498) - minus_U3_11 * T(0.484) + U3_13 * T(0.004);
+  const T t3_23 = U3_12 * T(0.484) - minus_U3_22 * T(0.498) + U3_23 * T(0.004);
+  const T t3_24 = U3_13 * T(0.484) + U3_23 * T(0.498) - minus_U3_33 * T(0.004);
+  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  // G3 = -m3 a3 + F3: applied less inertia force, inertial axes [N]
   const T G3_1 = T(1.33) - T(2.14) * a3_1;
   const T G3_2 = T(0.56) - T(2.14) * a3_2;
   const T minus_G3_3 = T(2.14) * a3_3 + T(1.08);
-  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_2 * omega3_2;
-  const T t3_26 = omega3_3 * omega3_3;
-  const T t3_27 = omega3_2 * omega3_3;
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.0036) * (t3_25 - t3_26) - T(0.05720000000000003) * t3_27 - T(0.038) * t3_28 + T(0.0388) * t3_29 +
+  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment about the mass centre, body axes [N m]
+  const T N3_1 = T(0.0036) * (t3_14 - t3_13) - T(0.05720000000000003) * U3_23 - T(0.038) * U3_12 + T(0.0388) * U3_13 +
       T(0.005);
-  const T t3_30 = omega3_1 * omega3_1;
-  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_29 + T(0.038) * (t3_26 - t3_30) + T(0.0388) * t3_27 +
-      T(0.0036) * t3_28;
-  const T N3_3 = T(0.16299999999999998) * t3_28 - T(0.0388) * (t3_30 - t3_25) + T(0.0036) * t3_29 + T(0.038) * t3_27 +
+  const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * U3_13 + T(0.038) * (t3_13 - t3_15) + T(0.0388) * U3_23 +
+      T(0.0036) * U3_12;
+  const T N3_3 = T(0.16299999999999998) * U3_12 - T(0.0388) * (t3_15 - t3_14) + T(0.0036) * U3_13 + T(0.038) * U3_23 +
       T(0.025);
 
   // ---- body 4 (body_4) on body 3
@@ -5620,43 +5622,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d4_1 = s4_1 - T(0.153);
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
+  // U4 = omega4~ omega4~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t4_13 = omega4_3 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_13 + t4_14;
+  const T U4_12 = omega4_2 * omega4_1;
+  const T U4_13 = omega4_3 * omega4_1;
+  const T t4_15 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_13 + t4_15;
+  const T U4_23 = omega4_3 * omega4_2;
+  const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = R3^T omega3~ (omega3~ d4 + 2 sdot4) + Pddot3: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t4_13 = omega3_1 * d4_2 - omega3_2 * d4_1 + T(2) * sdot4_3;
-  const T t4_14 = omega3_3 * d4_1 - omega3_1 * d4_3 + T(2) * sdot4_2;
-  const T t4_15 = omega3_2 * t4_13 - omega3_3 * t4_14;
-  const T t4_16 = omega3_2 * d4_3 - omega3_3 * d4_2 + T(2) * sdot4_1;
-  const T t4_17 = omega3_3 * t4_16 - omega3_1 * t4_13;
-  const T t4_18 = omega3_1 * t4_14 - omega3_2 * t4_16;
-  const T Pddot4_1 = R3_11 * t4_15 + R3_21 * t4_17 + R3_31 * t4_18 + Pddot3_1;
-  const T Pddot4_2 = R3_12 * t4_15 + R3_22 * t4_17 + R3_32 * t4_18 + Pddot3_2;
-  const T Pddot4_3 = R3_13 * t4_15 + R3_23 * t4_17 + R3_33 * t4_18 + Pddot3_3;
-  // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t4_19 = omega4_1 * T(0.289) - omega4_2 * T(0.401);
-  const T t4_20 = omega4_3 * T(0.401) - omega4_1 * T(0.08);
-  const T t4_21 = omega4_2 * t4_19 - omega4_3 * t4_20;
-  const T t4_22 = omega4_2 * T(0.08) - omega4_3 * T(0.289);
-  const T t4_23 = omega4_3 * t4_22 - omega4_1 * t4_19;
-  const T t4_24 = omega4_1 * t4_20 - omega4_2 * t4_22;
-  const T a4_1 = R4_11 * t4_21 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_21 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_21 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
-  // G4 = -m4 a4 + F4: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t4_16 = omega3_1 * d4_2 - omega3_2 * d4_1 + T(2) * sdot4_3;
+  const T t4_17 = omega3_3 * d4_1 - omega3_1 * d4_3 + T(2) * sdot4_2;
+  const T t4_18 = omega3_2 * t4_16 - omega3_3 * t4_17;
+  const T t4_19 = omega3_2 * d4_3 - omega3_3 * d4_2 + T(2) * sdot4_1;
+  const T t4_20 = omega3_3 * t4_19 - omega3_1 * t4_16;
+  const T t4_21 = omega3_1 * t4_17 - omega3_2 * t4_19;
+  const T Pddot4_1 = R3_11 * t4_18 + R3_21 * t4_20 + R3_31 * t4_21 + Pddot3_1;
+  const T Pddot4_2 = R3_12 * t4_18 + R3_22 * t4_20 + R3_32 * t4_21 + Pddot3_2;
+  const T Pddot4_3 = R3_13 * t4_18 + R3_23 * t4_20 + R3_33 * t4_21 + Pddot3_3;
+  // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_22 = U4_12 * T(0.289) - minus_U4_11 * T(0.401) + U4_13 * T(0.08);
+  const T t4_23 = U4_12 * T(0.401) - minus_U4_22 * T(0.289) + U4_23 * T(0.08);
+  const T t4_24 = U4_13 * T(0.401) + U4_23 * T(0.289) - minus_U4_33 * T(0.08);
+  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  // G4 = -m4 a4 + F4: applied less inertia force, inertial axes [N]
   const T G4_1 = T(0.25) - T(4.49) * a4_1;
   const T minus_G4_2 = T(4.49) * a4_2 + T(1.93);
   const T G4_3 = T(0.84) - T(4.49) * a4_3;
-  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_2;
-  const T t4_26 = omega4_3 * omega4_3;
-  const T t4_27 = omega4_2 * omega4_3;
-  const T t4_28 = omega4_1 * omega4_2;
-  const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.0221) * (t4_25 - t4_26) - T(0.0010999999999999899) * t4_27 + T(0.0283) * t4_28 + T(0.0225) *
-      t4_29 + T(0.081);
-  const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.0283) * (t4_26 - t4_30) - T(0.014300000000000007) * t4_29 - T(0.0225) * t4_27 - T(0.0221) * t4_28
+  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment about the mass centre, body axes [N m]
+  const T N4_1 = T(0.0221) * (t4_14 - t4_13) - T(0.0010999999999999899) * U4_23 + T(0.0283) * U4_12 + T(0.0225) *
+      U4_13 + T(0.081);
+  const T N4_2 = T(0.0283) * (t4_13 - t4_15) - T(0.014300000000000007) * U4_13 - T(0.0225) * U4_23 - T(0.0221) * U4_12
       + T(0.06);
-  const T N4_3 = T(0.015399999999999997) * t4_28 - T(0.0225) * (t4_30 - t4_25) + T(0.0221) * t4_29 - T(0.0283) * t4_27
+  const T N4_3 = T(0.015399999999999997) * U4_12 - T(0.0225) * (t4_15 - t4_14) + T(0.0221) * U4_13 - T(0.0283) * U4_23
       + T(0.079);
 
   // ---- body 5 (body_5) on body 3
@@ -5690,44 +5693,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d5_1 = s5_1 - T(0.159);
   const T d5_2 = s5_2 - T(0.262);
   const T d5_3 = s5_3 - T(0.173);
+  // U5 = omega5~ omega5~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t5_13 = omega5_3 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_13 + t5_14;
+  const T U5_12 = omega5_2 * omega5_1;
+  const T U5_13 = omega5_3 * omega5_1;
+  const T t5_15 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_13 + t5_15;
+  const T U5_23 = omega5_3 * omega5_2;
+  const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = R3^T omega3~ (omega3~ d5 + 2 sdot5) + Pddot3: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t5_13 = omega3_1 * d5_2 - omega3_2 * d5_1 + T(2) * sdot5_3;
-  const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + T(2) * sdot5_2;
-  const T t5_15 = omega3_2 * t5_13 - omega3_3 * t5_14;
-  const T t5_16 = omega3_2 * d5_3 - omega3_3 * d5_2 + T(2) * sdot5_1;
-  const T t5_17 = omega3_3 * t5_16 - omega3_1 * t5_13;
-  const T t5_18 = omega3_1 * t5_14 - omega3_2 * t5_16;
-  const T Pddot5_1 = R3_11 * t5_15 + R3_21 * t5_17 + R3_31 * t5_18 + Pddot3_1;
-  const T Pddot5_2 = R3_12 * t5_15 + R3_22 * t5_17 + R3_32 * t5_18 + Pddot3_2;
-  const T Pddot5_3 = R3_13 * t5_15 + R3_23 * t5_17 + R3_33 * t5_18 + Pddot3_3;
-  // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t5_19 = omega5_3 * T(0.056) + omega5_1 * T(0.167);
-  const T t5_20 = omega5_2 * T(0.056) - omega5_1 * T(0.321);
-  const T t5_21 = omega5_3 * t5_19 + omega5_2 * t5_20;
-  const T t5_22 = omega5_3 * T(0.321) + omega5_2 * T(0.167);
-  const T t5_23 = omega5_3 * t5_22 - omega5_1 * t5_20;
-  const T t5_24 = omega5_1 * t5_19 + omega5_2 * t5_22;
-  const T a5_1 = R5_11 * t5_21 + R5_21 * t5_23 - R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_21 + R5_22 * t5_23 - R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_21 + R5_23 * t5_23 - R5_33 * t5_24 + Pddot5_3;
-  // G5 = -m5 a5 + F5: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t5_16 = omega3_1 * d5_2 - omega3_2 * d5_1 + T(2) * sdot5_3;
+  const T t5_17 = omega3_3 * d5_1 - omega3_1 * d5_3 + T(2) * sdot5_2;
+  const T t5_18 = omega3_2 * t5_16 - omega3_3 * t5_17;
+  const T t5_19 = omega3_2 * d5_3 - omega3_3 * d5_2 + T(2) * sdot5_1;
+  const T t5_20 = omega3_3 * t5_19 - omega3_1 * t5_16;
+  const T t5_21 = omega3_1 * t5_17 - omega3_2 * t5_19;
+  const T Pddot5_1 = R3_11 * t5_18 + R3_21 * t5_20 + R3_31 * t5_21 + Pddot3_1;
+  const T Pddot5_2 = R3_12 * t5_18 + R3_22 * t5_20 + R3_32 * t5_21 + Pddot3_2;
+  const T Pddot5_3 = R3_13 * t5_18 + R3_23 * t5_20 + R3_33 * t5_21 + Pddot3_3;
+  // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_22 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
+  const T t5_23 = minus_U5_22 * T(0.321) - U5_12 * T(0.056) + U5_23 * T(0.167);
+  const T t5_24 = U5_13 * T(0.056) + U5_23 * T(0.321) + minus_U5_33 * T(0.167);
+  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24 + Pddot5_3;
+  // G5 = -m5 a5 + F5: applied less inertia force, inertial axes [N]
   const T G5_1 = T(1.78) - T(1.96) * a5_1;
   const T minus_G5_2 = T(1.96) * a5_2 + T(1.97);
   const T minus_G5_3 = T(1.96) * a5_3 + T(0.56);
-  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t5_25 = omega5_2 * omega5_3;
-  const T t5_26 = omega5_2 * omega5_2;
-  const T t5_27 = omega5_3 * omega5_3;
-  const T t5_28 = omega5_1 * omega5_2;
-  const T t5_29 = omega5_1 * omega5_3;
-  const T minus_N5_1 = T(0.044) + T(0.011699999999999988) * t5_25 - T(0.0036) * (t5_26 - t5_27) + T(0.0143) * t5_28 -
-      T(0.0396) * t5_29;
-  const T t5_30 = omega5_1 * omega5_1;
-  const T minus_N5_2 = T(0.06) + T(0.0143) * (t5_27 - t5_30) - T(0.08959999999999999) * t5_29 + T(0.0396) * t5_25 +
-      T(0.0036) * t5_28;
-  const T minus_N5_3 = T(0.014) + T(0.0779) * t5_28 + T(0.0396) * (t5_30 - t5_26) - T(0.0036) * t5_29 - T(0.0143) *
-      t5_25;
+  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N5_1 = T(0.044) + T(0.011699999999999988) * U5_23 - T(0.0036) * (t5_14 - t5_13) + T(0.0143) * U5_12 -
+      T(0.0396) * U5_13;
+  const T minus_N5_2 = T(0.06) + T(0.0143) * (t5_13 - t5_15) - T(0.08959999999999999) * U5_13 + T(0.0396) * U5_23 +
+      T(0.0036) * U5_12;
+  const T minus_N5_3 = T(0.014) + T(0.0779) * U5_12 + T(0.0396) * (t5_15 - t5_14) - T(0.0036) * U5_13 - T(0.0143) *
+      U5_23;
 
   // ---- body 6 (body_6) on body 2
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -5760,44 +5764,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d6_1 = T(0.304) + s6_1;
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
+  // U6 = omega6~ omega6~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t6_13 = omega6_3 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_13 + t6_14;
+  const T U6_12 = omega6_2 * omega6_1;
+  const T U6_13 = omega6_3 * omega6_1;
+  const T t6_15 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_13 + t6_15;
+  const T U6_23 = omega6_3 * omega6_2;
+  const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = R2^T omega2~ (omega2~ d6 + 2 sdot6) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t6_13 = omega2_1 * d6_2 - omega2_2 * d6_1 + T(2) * sdot6_3;
-  const T t6_14 = omega2_3 * d6_1 - omega2_1 * d6_3 + T(2) * sdot6_2;
-  const T t6_15 = omega2_2 * t6_13 - omega2_3 * t6_14;
-  const T t6_16 = omega2_2 * d6_3 - omega2_3 * d6_2 + T(2) * sdot6_1;
-  const T t6_17 = omega2_3 * t6_16 - omega2_1 * t6_13;
-  const T t6_18 = omega2_1 * t6_14 - omega2_2 * t6_16;
-  const T Pddot6_1 = R2_11 * t6_15 + R2_21 * t6_17 + R2_31 * t6_18 + Pddot2_1;
-  const T Pddot6_2 = R2_12 * t6_15 + R2_22 * t6_17 + R2_32 * t6_18 + Pddot2_2;
-  const T Pddot6_3 = R2_13 * t6_15 + R2_23 * t6_17 + R2_33 * t6_18 + Pddot2_3;
-  // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_19 = omega6_3 * T(0.248) - omega6_2 * T(0.454);
-  const T t6_20 = omega6_1 * T(0.248) + omega6_2 * T(0.044);
-  const T t6_21 = omega6_3 * t6_19 + omega6_1 * t6_20;
-  const T t6_22 = omega6_3 * T(0.044) + omega6_1 * T(0.454);
-  const T t6_23 = omega6_3 * t6_22 + omega6_2 * t6_20;
-  const T t6_24 = omega6_1 * t6_22 - omega6_2 * t6_19;
-  const T a6_1 = R6_21 * t6_21 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_22 * t6_21 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_23 * t6_21 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
-  // G6 = -m6 a6 + F6: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t6_16 = omega2_1 * d6_2 - omega2_2 * d6_1 + T(2) * sdot6_3;
+  const T t6_17 = omega2_3 * d6_1 - omega2_1 * d6_3 + T(2) * sdot6_2;
+  const T t6_18 = omega2_2 * t6_16 - omega2_3 * t6_17;
+  const T t6_19 = omega2_2 * d6_3 - omega2_3 * d6_2 + T(2) * sdot6_1;
+  const T t6_20 = omega2_3 * t6_19 - omega2_1 * t6_16;
+  const T t6_21 = omega2_1 * t6_17 - omega2_2 * t6_19;
+  const T Pddot6_1 = R2_11 * t6_18 + R2_21 * t6_20 + R2_31 * t6_21 + Pddot2_1;
+  const T Pddot6_2 = R2_12 * t6_18 + R2_22 * t6_20 + R2_32 * t6_21 + Pddot2_2;
+  const T Pddot6_3 = R2_13 * t6_18 + R2_23 * t6_20 + R2_33 * t6_21 + Pddot2_3;
+  // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_22 = U6_12 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
+  const T t6_23 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
+  const T t6_24 = U6_13 * T(0.044) - U6_23 * T(0.248) + minus_U6_33 * T(0.454);
+  const T a6_1 = R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
+  const T a6_2 = R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
+  const T a6_3 = R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  // G6 = -m6 a6 + F6: applied less inertia force, inertial axes [N]
   const T G6_1 = T(0.4) - T(3.48) * a6_1;
   const T minus_G6_2 = T(3.48) * a6_2 + T(0.44);
   const T G6_3 = T(1.49) - T(3.48) * a6_3;
-  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_2 * omega6_3;
-  const T t6_26 = omega6_2 * omega6_2;
-  const T t6_27 = omega6_3 * omega6_3;
-  const T t6_28 = omega6_1 * omega6_2;
-  const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.014700000000000046) * t6_25 - T(0.0219) * (t6_26 - t6_27) - T(0.0493) * t6_28 + T(0.035) * t6_29
+  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment about the mass centre, body axes [N m]
+  const T N6_1 = T(0.014700000000000046) * U6_23 - T(0.0219) * (t6_14 - t6_13) - T(0.0493) * U6_12 + T(0.035) * U6_13
       + T(0.079);
-  const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_27 - t6_30) - T(0.17060000000000003) * t6_29 + T(0.035) * t6_25 -
-      T(0.0219) * t6_28;
-  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * t6_28 + T(0.035) * (t6_30 - t6_26) + T(0.0219) * t6_29 -
-      T(0.0493) * t6_25;
+  const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_13 - t6_15) - T(0.17060000000000003) * U6_13 + T(0.035) * U6_23 -
+      T(0.0219) * U6_12;
+  const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * U6_12 + T(0.035) * (t6_15 - t6_14) + T(0.0219) * U6_13 -
+      T(0.0493) * U6_23;
 
   // ---- body 7 (body_7) on body 4
   const T eps7_1 = x[24], eps7_2 = x[25], eps7_3 = x[26], eps7_4 = x[27];
@@ -5830,43 +5835,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d7_1 = s7_1 - T(0.329);
   const T d7_2 = s7_2 - T(0.337);
   const T d7_3 = T(0.216) + s7_3;
+  // U7 = omega7~ omega7~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t7_13 = omega7_3 * omega7_3;
+  const T t7_14 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_13 + t7_14;
+  const T U7_12 = omega7_2 * omega7_1;
+  const T U7_13 = omega7_3 * omega7_1;
+  const T t7_15 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_13 + t7_15;
+  const T U7_23 = omega7_3 * omega7_2;
+  const T minus_U7_33 = t7_14 + t7_15;
   // Pddot7 = R4^T omega4~ (omega4~ d7 + 2 sdot7) + Pddot4: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t7_13 = omega4_1 * d7_2 - omega4_2 * d7_1 + T(2) * sdot7_3;
-  const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + T(2) * sdot7_2;
-  const T t7_15 = omega4_2 * t7_13 - omega4_3 * t7_14;
-  const T t7_16 = omega4_2 * d7_3 - omega4_3 * d7_2 + T(2) * sdot7_1;
-  const T t7_17 = omega4_3 * t7_16 - omega4_1 * t7_13;
-  const T t7_18 = omega4_1 * t7_14 - omega4_2 * t7_16;
-  const T Pddot7_1 = R4_11 * t7_15 + R4_21 * t7_17 + R4_31 * t7_18 + Pddot4_1;
-  const T Pddot7_2 = R4_12 * t7_15 + R4_22 * t7_17 + R4_32 * t7_18 + Pddot4_2;
-  const T Pddot7_3 = R4_13 * t7_15 + R4_23 * t7_17 + R4_33 * t7_18 + Pddot4_3;
-  // a7 = R7^T omega7~ omega7~ r7 + Pddot7: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t7_19 = omega7_2 * T(0.475) - omega7_1 * T(0.192);
-  const T t7_20 = omega7_1 * T(0.487) - omega7_3 * T(0.475);
-  const T t7_21 = omega7_2 * t7_19 - omega7_3 * t7_20;
-  const T t7_22 = omega7_3 * T(0.192) - omega7_2 * T(0.487);
-  const T t7_23 = omega7_3 * t7_22 - omega7_1 * t7_19;
-  const T t7_24 = omega7_1 * t7_20 - omega7_2 * t7_22;
-  const T a7_1 = R7_11 * t7_21 + R7_21 * t7_23 + R7_31 * t7_24 + Pddot7_1;
-  const T a7_2 = R7_12 * t7_21 + R7_22 * t7_23 + R7_32 * t7_24 + Pddot7_2;
-  const T a7_3 = R7_13 * t7_21 + R7_23 * t7_23 + R7_33 * t7_24 + Pddot7_3;
-  // G7 = -m7 a7 + F7: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t7_16 = omega4_1 * d7_2 - omega4_2 * d7_1 + T(2) * sdot7_3;
+  const T t7_17 = omega4_3 * d7_1 - omega4_1 * d7_3 + T(2) * sdot7_2;
+  const T t7_18 = omega4_2 * t7_16 - omega4_3 * t7_17;
+  const T t7_19 = omega4_2 * d7_3 - omega4_3 * d7_2 + T(2) * sdot7_1;
+  const T t7_20 = omega4_3 * t7_19 - omega4_1 * t7_16;
+  const T t7_21 = omega4_1 * t7_17 - omega4_2 * t7_19;
+  const T Pddot7_1 = R4_11 * t7_18 + R4_21 * t7_20 + R4_31 * t7_21 + Pddot4_1;
+  const T Pddot7_2 = R4_12 * t7_18 + R4_22 * t7_20 + R4_32 * t7_21 + Pddot4_2;
+  const T Pddot7_3 = R4_13 * t7_18 + R4_23 * t7_20 + R4_33 * t7_21 + Pddot4_3;
+  // a7 = R7^T U7 r7 + Pddot7: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t7_22 = minus_U7_11 * T(0.475) - U7_12 * T(0.192) - U7_13 * T(0.487);
+  const T t7_23 = minus_U7_22 * T(0.192) - U7_12 * T(0.475) - U7_23 * T(0.487);
+  const T t7_24 = minus_U7_33 * T(0.487) - (U7_13 * T(0.475) + U7_23 * T(0.192));
+  const T a7_1 = R7_11 * t7_22 + R7_21 * t7_23 + R7_31 * t7_24 + Pddot7_1;
+  const T a7_2 = R7_12 * t7_22 + R7_22 * t7_23 + R7_32 * t7_24 + Pddot7_2;
+  const T a7_3 = R7_13 * t7_22 + R7_23 * t7_23 + R7_33 * t7_24 + Pddot7_3;
+  // G7 = -m7 a7 + F7: applied less inertia force, inertial axes [N]
   const T minus_G7_1 = T(0.74) * a7_1 + T(0.81);
   const T minus_G7_2 = T(0.74) * a7_2 + T(1.24);
   const T minus_G7_3 = T(0.74) * a7_3 + T(1.26);
-  // N7 = -omega7~ I7 omega7 + M7: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t7_25 = omega7_2 * omega7_2;
-  const T t7_26 = omega7_3 * omega7_3;
-  const T t7_27 = omega7_2 * omega7_3;
-  const T t7_28 = omega7_1 * omega7_2;
-  const T t7_29 = omega7_1 * omega7_3;
-  const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_25 - t7_26) - T(0.0021000000000000185) * t7_27 + T(0.0025) * t7_28 +
-      T(7e-04) * t7_29;
-  const T t7_30 = omega7_1 * omega7_1;
-  const T N7_2 = T(0.0008999999999999841) * t7_29 - T(0.0025) * (t7_26 - t7_30) + T(7e-04) * t7_27 + T(0.0017) * t7_28
+  // N7 = -omega7~ I7 omega7 + M7: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_14 - t7_13) - T(0.0021000000000000185) * U7_23 + T(0.0025) * U7_12 +
+      T(7e-04) * U7_13;
+  const T N7_2 = T(0.0008999999999999841) * U7_13 - T(0.0025) * (t7_13 - t7_15) + T(7e-04) * U7_23 + T(0.0017) * U7_12
       + T(0.072);
-  const T N7_3 = T(7e-04) * (t7_30 - t7_25) - T(0.0030000000000000027) * t7_28 - T(0.0017) * t7_29 + T(0.0025) * t7_27
+  const T N7_3 = T(7e-04) * (t7_15 - t7_14) - T(0.0030000000000000027) * U7_12 - T(0.0017) * U7_13 + T(0.0025) * U7_23
       + T(0.021);
 
   // ---- body 8 (body_8) on body 1
@@ -5900,43 +5906,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d8_1 = s8_1 - T(0.492);
   const T d8_2 = s8_2 - T(0.25);
   const T d8_3 = s8_3 - T(0.387);
+  // U8 = omega8~ omega8~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t8_13 = omega8_3 * omega8_3;
+  const T t8_14 = omega8_2 * omega8_2;
+  const T minus_U8_11 = t8_13 + t8_14;
+  const T U8_12 = omega8_2 * omega8_1;
+  const T U8_13 = omega8_3 * omega8_1;
+  const T t8_15 = omega8_1 * omega8_1;
+  const T minus_U8_22 = t8_13 + t8_15;
+  const T U8_23 = omega8_3 * omega8_2;
+  const T minus_U8_33 = t8_14 + t8_15;
   // Pddot8 = R1^T omega1~ (omega1~ d8 + 2 sdot8) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t8_13 = omega1_1 * d8_2 - omega1_2 * d8_1 + T(2) * sdot8_3;
-  const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + T(2) * sdot8_2;
-  const T t8_15 = omega1_2 * t8_13 - omega1_3 * t8_14;
-  const T t8_16 = omega1_2 * d8_3 - omega1_3 * d8_2 + T(2) * sdot8_1;
-  const T t8_17 = omega1_3 * t8_16 - omega1_1 * t8_13;
-  const T t8_18 = omega1_1 * t8_14 - omega1_2 * t8_16;
-  const T Pddot8_1 = R1_11 * t8_15 + R1_21 * t8_17 + R1_31 * t8_18;
-  const T Pddot8_2 = R1_12 * t8_15 + R1_22 * t8_17 + R1_32 * t8_18;
-  const T Pddot8_3 = R1_13 * t8_15 + R1_23 * t8_17 + R1_33 * t8_18 + T(9.81);
-  // a8 = R8^T omega8~ omega8~ r8 + Pddot8: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t8_19 = omega8_2 * T(0.392) - omega8_1 * T(0.416);
-  const T t8_20 = omega8_1 * T(0.444) - omega8_3 * T(0.392);
-  const T t8_21 = omega8_2 * t8_19 - omega8_3 * t8_20;
-  const T t8_22 = omega8_3 * T(0.416) - omega8_2 * T(0.444);
-  const T t8_23 = omega8_3 * t8_22 - omega8_1 * t8_19;
-  const T t8_24 = omega8_1 * t8_20 - omega8_2 * t8_22;
-  const T a8_1 = R8_11 * t8_21 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
-  const T a8_2 = R8_12 * t8_21 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
-  const T a8_3 = R8_13 * t8_21 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
-  // G8 = -m8 a8 + F8: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t8_16 = omega1_1 * d8_2 - omega1_2 * d8_1 + T(2) * sdot8_3;
+  const T t8_17 = omega1_3 * d8_1 - omega1_1 * d8_3 + T(2) * sdot8_2;
+  const T t8_18 = omega1_2 * t8_16 - omega1_3 * t8_17;
+  const T t8_19 = omega1_2 * d8_3 - omega1_3 * d8_2 + T(2) * sdot8_1;
+  const T t8_20 = omega1_3 * t8_19 - omega1_1 * t8_16;
+  const T t8_21 = omega1_1 * t8_17 - omega1_2 * t8_19;
+  const T Pddot8_1 = R1_11 * t8_18 + R1_21 * t8_20 + R1_31 * t8_21;
+  const T Pddot8_2 = R1_12 * t8_18 + R1_22 * t8_20 + R1_32 * t8_21;
+  const T Pddot8_3 = R1_13 * t8_18 + R1_23 * t8_20 + R1_33 * t8_21 + T(9.81);
+  // a8 = R8^T U8 r8 + Pddot8: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t8_22 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
+  const T t8_23 = minus_U8_22 * T(0.416) - U8_12 * T(0.392) - U8_23 * T(0.444);
+  const T t8_24 = minus_U8_33 * T(0.444) - (U8_13 * T(0.392) + U8_23 * T(0.416));
+  const T a8_1 = R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
+  const T a8_2 = R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
+  const T a8_3 = R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
+  // G8 = -m8 a8 + F8: applied less inertia force, inertial axes [N]
   const T G8_1 = T(0.74) - T(2.71) * a8_1;
   const T G8_2 = T(0.46) - T(2.71) * a8_2;
   const T G8_3 = T(1.86) - T(2.71) * a8_3;
-  // N8 = -omega8~ I8 omega8 + M8: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t8_25 = omega8_1 * omega8_2;
-  const T t8_26 = omega8_2 * omega8_3;
-  const T t8_27 = omega8_2 * omega8_2;
-  const T t8_28 = omega8_3 * omega8_3;
-  const T t8_29 = omega8_1 * omega8_3;
-  const T N8_1 = T(0.0399) * t8_25 - (T(0.017199999999999938) * t8_26 + T(0.028) * (t8_27 - t8_28)) - T(0.0147) *
-      t8_29 + T(0.092);
-  const T t8_30 = omega8_1 * omega8_1;
-  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_29 + T(0.0399) * (t8_28 - t8_30) + T(0.0147) * t8_26 +
-      T(0.028) * t8_25;
-  const T N8_3 = T(0.0147) * (t8_30 - t8_27) - T(0.05020000000000002) * t8_25 - T(0.028) * t8_29 - T(0.0399) * t8_26 +
+  // N8 = -omega8~ I8 omega8 + M8: applied less inertia moment about the mass centre, body axes [N m]
+  const T N8_1 = T(0.0399) * U8_12 - (T(0.017199999999999938) * U8_23 + T(0.028) * (t8_14 - t8_13)) - T(0.0147) *
+      U8_13 + T(0.092);
+  const T N8_2 = T(0.049) + T(0.06739999999999996) * U8_13 + T(0.0399) * (t8_13 - t8_15) + T(0.0147) * U8_23 +
+      T(0.028) * U8_12;
+  const T N8_3 = T(0.0147) * (t8_15 - t8_14) - T(0.05020000000000002) * U8_12 - T(0.028) * U8_13 - T(0.0399) * U8_23 +
       T(0.09);
 
   // ---- body 9 (body_9) on body 6
@@ -5970,44 +5977,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d9_1 = s9_1 - T(0.305);
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
+  // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t9_13 = omega9_3 * omega9_3;
+  const T t9_14 = omega9_2 * omega9_2;
+  const T minus_U9_11 = t9_13 + t9_14;
+  const T U9_12 = omega9_2 * omega9_1;
+  const T U9_13 = omega9_3 * omega9_1;
+  const T t9_15 = omega9_1 * omega9_1;
+  const T minus_U9_22 = t9_13 + t9_15;
+  const T U9_23 = omega9_3 * omega9_2;
+  const T minus_U9_33 = t9_14 + t9_15;
   // Pddot9 = R6^T omega6~ (omega6~ d9 + 2 sdot9) + Pddot6: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t9_13 = omega6_1 * d9_2 - omega6_2 * d9_1 + T(2) * sdot9_3;
-  const T t9_14 = omega6_3 * d9_1 - omega6_1 * d9_3 + T(2) * sdot9_2;
-  const T t9_15 = omega6_2 * t9_13 - omega6_3 * t9_14;
-  const T t9_16 = omega6_2 * d9_3 - omega6_3 * d9_2 + T(2) * sdot9_1;
-  const T t9_17 = omega6_3 * t9_16 - omega6_1 * t9_13;
-  const T t9_18 = omega6_1 * t9_14 - omega6_2 * t9_16;
-  const T Pddot9_1 = R6_11 * t9_15 + R6_21 * t9_17 + R6_31 * t9_18 + Pddot6_1;
-  const T Pddot9_2 = R6_12 * t9_15 + R6_22 * t9_17 + R6_32 * t9_18 + Pddot6_2;
-  const T Pddot9_3 = R6_13 * t9_15 + R6_23 * t9_17 + R6_33 * t9_18 + Pddot6_3;
-  // a9 = R9^T omega9~ omega9~ r9 + Pddot9: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t9_19 = omega9_1 * T(0.49) - omega9_2 * T(0.362);
-  const T t9_20 = omega9_3 * T(0.362) + omega9_1 * T(0.015);
-  const T t9_21 = omega9_2 * t9_19 - omega9_3 * t9_20;
-  const T t9_22 = omega9_3 * T(0.49) + omega9_2 * T(0.015);
-  const T t9_23 = omega9_3 * t9_22 + omega9_1 * t9_19;
-  const T t9_24 = omega9_1 * t9_20 + omega9_2 * t9_22;
-  const T a9_1 = R9_11 * t9_21 - R9_21 * t9_23 + R9_31 * t9_24 + Pddot9_1;
-  const T a9_2 = R9_12 * t9_21 - R9_22 * t9_23 + R9_32 * t9_24 + Pddot9_2;
-  const T a9_3 = R9_13 * t9_21 - R9_23 * t9_23 + R9_33 * t9_24 + Pddot9_3;
-  // G9 = -m9 a9 + F9: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t9_16 = omega6_1 * d9_2 - omega6_2 * d9_1 + T(2) * sdot9_3;
+  const T t9_17 = omega6_3 * d9_1 - omega6_1 * d9_3 + T(2) * sdot9_2;
+  const T t9_18 = omega6_2 * t9_16 - omega6_3 * t9_17;
+  const T t9_19 = omega6_2 * d9_3 - omega6_3 * d9_2 + T(2) * sdot9_1;
+  const T t9_20 = omega6_3 * t9_19 - omega6_1 * t9_16;
+  const T t9_21 = omega6_1 * t9_17 - omega6_2 * t9_19;
+  const T Pddot9_1 = R6_11 * t9_18 + R6_21 * t9_20 + R6_31 * t9_21 + Pddot6_1;
+  const T Pddot9_2 = R6_12 * t9_18 + R6_22 * t9_20 + R6_32 * t9_21 + Pddot6_2;
+  const T Pddot9_3 = R6_13 * t9_18 + R6_23 * t9_20 + R6_33 * t9_21 + Pddot6_3;
+  // a9 = R9^T U9 r9 + Pddot9: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t9_22 = U9_12 * T(0.49) - minus_U9_11 * T(0.362) - U9_13 * T(0.015);
+  const T t9_23 = U9_12 * T(0.362) - minus_U9_22 * T(0.49) - U9_23 * T(0.015);
+  const T t9_24 = U9_13 * T(0.362) + U9_23 * T(0.49) + minus_U9_33 * T(0.015);
+  const T a9_1 = R9_11 * t9_22 + R9_21 * t9_23 + R9_31 * t9_24 + Pddot9_1;
+  const T a9_2 = R9_12 * t9_22 + R9_22 * t9_23 + R9_32 * t9_24 + Pddot9_2;
+  const T a9_3 = R9_13 * t9_22 + R9_23 * t9_23 + R9_33 * t9_24 + Pddot9_3;
+  // G9 = -m9 a9 + F9: applied less inertia force, inertial axes [N]
   const T minus_G9_1 = T(1.84) * a9_1 + T(0.55);
   const T minus_G9_2 = T(1.84) * a9_2 + T(1.08);
   const T minus_G9_3 = T(1.84) * a9_3 + T(0.46);
-  // N9 = -omega9~ I9 omega9 + M9: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t9_25 = omega9_2 * omega9_3;
-  const T t9_26 = omega9_2 * omega9_2;
-  const T t9_27 = omega9_3 * omega9_3;
-  const T t9_28 = omega9_1 * omega9_2;
-  const T t9_29 = omega9_1 * omega9_3;
-  const T N9_1 = T(0.022300000000000042) * t9_25 + T(0.0093) * (t9_26 - t9_27) - T(0.0257) * t9_28 + T(0.0215) * t9_29
+  // N9 = -omega9~ I9 omega9 + M9: applied less inertia moment about the mass centre, body axes [N m]
+  const T N9_1 = T(0.022300000000000042) * U9_23 + T(0.0093) * (t9_14 - t9_13) - T(0.0257) * U9_12 + T(0.0215) * U9_13
       + T(0.022);
-  const T t9_30 = omega9_1 * omega9_1;
-  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_27 - t9_30) - T(0.04989999999999997) * t9_29 + T(0.0215) * t9_25 +
-      T(0.0093) * t9_28;
-  const T N9_3 = T(0.0093) * t9_29 - (T(0.07220000000000001) * t9_28 + T(0.0215) * (t9_30 - t9_26)) + T(0.0257) *
-      t9_25 + T(0.008);
+  const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_13 - t9_15) - T(0.04989999999999997) * U9_13 + T(0.0215) * U9_23 +
+      T(0.0093) * U9_12;
+  const T N9_3 = T(0.0093) * U9_13 - (T(0.07220000000000001) * U9_12 + T(0.0215) * (t9_15 - t9_14)) + T(0.0257) *
+      U9_23 + T(0.008);
 
   // ---- body 10 (body_10) on body 8
   const T eps10_1 = x[36], eps10_2 = x[37], eps10_3 = x[38], eps10_4 = x[39];
@@ -6040,44 +6048,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d10_1 = T(0.172) + s10_1;
   const T d10_2 = s10_2 - T(0.399);
   const T d10_3 = s10_3 - T(0.25);
+  // U10 = omega10~ omega10~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t10_13 = omega10_3 * omega10_3;
+  const T t10_14 = omega10_2 * omega10_2;
+  const T minus_U10_11 = t10_13 + t10_14;
+  const T U10_12 = omega10_2 * omega10_1;
+  const T U10_13 = omega10_3 * omega10_1;
+  const T t10_15 = omega10_1 * omega10_1;
+  const T minus_U10_22 = t10_13 + t10_15;
+  const T U10_23 = omega10_3 * omega10_2;
+  const T minus_U10_33 = t10_14 + t10_15;
   // Pddot10 = R8^T omega8~ (omega8~ d10 + 2 sdot10) + Pddot8: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t10_13 = omega8_1 * d10_2 - omega8_2 * d10_1 + T(2) * sdot10_3;
-  const T t10_14 = omega8_3 * d10_1 - omega8_1 * d10_3 + T(2) * sdot10_2;
-  const T t10_15 = omega8_2 * t10_13 - omega8_3 * t10_14;
-  const T t10_16 = omega8_2 * d10_3 - omega8_3 * d10_2 + T(2) * sdot10_1;
-  const T t10_17 = omega8_3 * t10_16 - omega8_1 * t10_13;
-  const T t10_18 = omega8_1 * t10_14 - omega8_2 * t10_16;
-  const T Pddot10_1 = R8_11 * t10_15 + R8_21 * t10_17 + R8_31 * t10_18 + Pddot8_1;
-  const T Pddot10_2 = R8_12 * t10_15 + R8_22 * t10_17 + R8_32 * t10_18 + Pddot8_2;
-  const T Pddot10_3 = R8_13 * t10_15 + R8_23 * t10_17 + R8_33 * t10_18 + Pddot8_3;
-  // a10 = R10^T omega10~ omega10~ r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t10_19 = omega10_1 * T(0.148) - omega10_2 * T(0.016);
-  const T t10_20 = omega10_3 * T(0.016) + omega10_1 * T(0.426);
-  const T t10_21 = omega10_2 * t10_19 - omega10_3 * t10_20;
-  const T t10_22 = omega10_3 * T(0.148) + omega10_2 * T(0.426);
-  const T t10_23 = omega10_3 * t10_22 + omega10_1 * t10_19;
-  const T t10_24 = omega10_1 * t10_20 + omega10_2 * t10_22;
-  const T a10_1 = R10_11 * t10_21 - R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_21 - R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_21 - R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
-  // G10 = -m10 a10 + F10: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t10_16 = omega8_1 * d10_2 - omega8_2 * d10_1 + T(2) * sdot10_3;
+  const T t10_17 = omega8_3 * d10_1 - omega8_1 * d10_3 + T(2) * sdot10_2;
+  const T t10_18 = omega8_2 * t10_16 - omega8_3 * t10_17;
+  const T t10_19 = omega8_2 * d10_3 - omega8_3 * d10_2 + T(2) * sdot10_1;
+  const T t10_20 = omega8_3 * t10_19 - omega8_1 * t10_16;
+  const T t10_21 = omega8_1 * t10_17 - omega8_2 * t10_19;
+  const T Pddot10_1 = R8_11 * t10_18 + R8_21 * t10_20 + R8_31 * t10_21 + Pddot8_1;
+  const T Pddot10_2 = R8_12 * t10_18 + R8_22 * t10_20 + R8_32 * t10_21 + Pddot8_2;
+  const T Pddot10_3 = R8_13 * t10_18 + R8_23 * t10_20 + R8_33 * t10_21 + Pddot8_3;
+  // a10 = R10^T U10 r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t10_22 = U10_12 * T(0.148) - minus_U10_11 * T(0.016) - U10_13 * T(0.426);
+  const T t10_23 = U10_12 * T(0.016) - minus_U10_22 * T(0.148) - U10_23 * T(0.426);
+  const T t10_24 = U10_13 * T(0.016) + U10_23 * T(0.148) + minus_U10_33 * T(0.426);
+  const T a10_1 = R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
+  const T a10_2 = R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
+  const T a10_3 = R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
+  // G10 = -m10 a10 + F10: applied less inertia force, inertial axes [N]
   const T G10_1 = T(1.24) - T(2.57) * a10_1;
   const T G10_2 = T(1.96) - T(2.57) * a10_2;
   const T G10_3 = T(0.69) - T(2.57) * a10_3;
-  // N10 = -omega10~ I10 omega10 + M10: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t10_25 = omega10_2 * omega10_3;
-  const T t10_26 = omega10_2 * omega10_2;
-  const T t10_27 = omega10_3 * omega10_3;
-  const T t10_28 = omega10_1 * omega10_2;
-  const T t10_29 = omega10_1 * omega10_3;
-  const T minus_N10_1 = T(0.066) + T(0.017199999999999993) * t10_25 - T(0.0065) * (t10_26 - t10_27) + T(0.0097) *
-      t10_28 - T(0.0191) * t10_29;
-  const T t10_30 = omega10_1 * omega10_1;
-  const T minus_N10_2 = T(0.012) + T(0.0097) * (t10_27 - t10_30) - T(0.025599999999999998) * t10_29 + T(0.0191) *
-      t10_25 + T(0.0065) * t10_28;
-  const T minus_N10_3 = T(0.043) + T(0.008400000000000005) * t10_28 + T(0.0191) * (t10_30 - t10_26) - T(0.0065) *
-      t10_29 - T(0.0097) * t10_25;
+  // N10 = -omega10~ I10 omega10 + M10: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N10_1 = T(0.066) + T(0.017199999999999993) * U10_23 - T(0.0065) * (t10_14 - t10_13) + T(0.0097) *
+      U10_12 - T(0.0191) * U10_13;
+  const T minus_N10_2 = T(0.012) + T(0.0097) * (t10_13 - t10_15) - T(0.025599999999999998) * U10_13 + T(0.0191) *
+      U10_23 + T(0.0065) * U10_12;
+  const T minus_N10_3 = T(0.043) + T(0.008400000000000005) * U10_12 + T(0.0191) * (t10_15 - t10_14) - T(0.0065) *
+      U10_13 - T(0.0097) * U10_23;
 
   // ---- body 11 (body_11) on body 5
   const T eps11_1 = x[40], eps11_2 = x[41], eps11_3 = x[42], eps11_4 = x[43];
@@ -6110,44 +6119,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d11_1 = s11_1 - T(0.079);
   const T d11_2 = s11_2 - T(0.186);
   const T d11_3 = s11_3 - T(0.241);
+  // U11 = omega11~ omega11~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t11_13 = omega11_3 * omega11_3;
+  const T t11_14 = omega11_2 * omega11_2;
+  const T minus_U11_11 = t11_13 + t11_14;
+  const T U11_12 = omega11_2 * omega11_1;
+  const T U11_13 = omega11_3 * omega11_1;
+  const T t11_15 = omega11_1 * omega11_1;
+  const T minus_U11_22 = t11_13 + t11_15;
+  const T U11_23 = omega11_3 * omega11_2;
+  const T minus_U11_33 = t11_14 + t11_15;
   // Pddot11 = R5^T omega5~ (omega5~ d11 + 2 sdot11) + Pddot5: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t11_13 = omega5_1 * d11_2 - omega5_2 * d11_1 + T(2) * sdot11_3;
-  const T t11_14 = omega5_3 * d11_1 - omega5_1 * d11_3 + T(2) * sdot11_2;
-  const T t11_15 = omega5_2 * t11_13 - omega5_3 * t11_14;
-  const T t11_16 = omega5_2 * d11_3 - omega5_3 * d11_2 + T(2) * sdot11_1;
-  const T t11_17 = omega5_3 * t11_16 - omega5_1 * t11_13;
-  const T t11_18 = omega5_1 * t11_14 - omega5_2 * t11_16;
-  const T Pddot11_1 = R5_11 * t11_15 + R5_21 * t11_17 + R5_31 * t11_18 + Pddot5_1;
-  const T Pddot11_2 = R5_12 * t11_15 + R5_22 * t11_17 + R5_32 * t11_18 + Pddot5_2;
-  const T Pddot11_3 = R5_13 * t11_15 + R5_23 * t11_17 + R5_33 * t11_18 + Pddot5_3;
-  // a11 = R11^T omega11~ omega11~ r11 + Pddot11: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t11_19 = omega11_3 * T(0.348) + omega11_2 * T(0.337);
-  const T t11_20 = omega11_1 * T(0.348) + omega11_2 * T(0.402);
-  const T t11_21 = omega11_3 * t11_19 + omega11_1 * t11_20;
-  const T t11_22 = omega11_3 * T(0.402) - omega11_1 * T(0.337);
-  const T t11_23 = omega11_3 * t11_22 + omega11_2 * t11_20;
-  const T t11_24 = omega11_1 * t11_22 - omega11_2 * t11_19;
-  const T a11_1 = R11_21 * t11_21 - R11_11 * t11_23 + R11_31 * t11_24 + Pddot11_1;
-  const T a11_2 = R11_22 * t11_21 - R11_12 * t11_23 + R11_32 * t11_24 + Pddot11_2;
-  const T a11_3 = R11_23 * t11_21 - R11_13 * t11_23 + R11_33 * t11_24 + Pddot11_3;
-  // G11 = -m11 a11 + F11: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t11_16 = omega5_1 * d11_2 - omega5_2 * d11_1 + T(2) * sdot11_3;
+  const T t11_17 = omega5_3 * d11_1 - omega5_1 * d11_3 + T(2) * sdot11_2;
+  const T t11_18 = omega5_2 * t11_16 - omega5_3 * t11_17;
+  const T t11_19 = omega5_2 * d11_3 - omega5_3 * d11_2 + T(2) * sdot11_1;
+  const T t11_20 = omega5_3 * t11_19 - omega5_1 * t11_16;
+  const T t11_21 = omega5_1 * t11_17 - omega5_2 * t11_19;
+  const T Pddot11_1 = R5_11 * t11_18 + R5_21 * t11_20 + R5_31 * t11_21 + Pddot5_1;
+  const T Pddot11_2 = R5_12 * t11_18 + R5_22 * t11_20 + R5_32 * t11_21 + Pddot5_2;
+  const T Pddot11_3 = R5_13 * t11_18 + R5_23 * t11_20 + R5_33 * t11_21 + Pddot5_3;
+  // a11 = R11^T U11 r11 + Pddot11: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t11_22 = U11_13 * T(0.337) - (minus_U11_11 * T(0.402) + U11_12 * T(0.348));
+  const T t11_23 = U11_12 * T(0.402) + minus_U11_22 * T(0.348) + U11_23 * T(0.337);
+  const T t11_24 = U11_13 * T(0.402) - U11_23 * T(0.348) - minus_U11_33 * T(0.337);
+  const T a11_1 = R11_11 * t11_22 + R11_21 * t11_23 + R11_31 * t11_24 + Pddot11_1;
+  const T a11_2 = R11_12 * t11_22 + R11_22 * t11_23 + R11_32 * t11_24 + Pddot11_2;
+  const T a11_3 = R11_13 * t11_22 + R11_23 * t11_23 + R11_33 * t11_24 + Pddot11_3;
+  // G11 = -m11 a11 + F11: applied less inertia force, inertial axes [N]
   const T minus_G11_1 = T(3.77) * a11_1 + T(0.34);
   const T minus_G11_2 = T(3.77) * a11_2 + T(1.79);
   const T minus_G11_3 = T(3.77) * a11_3 + T(1.8);
-  // N11 = -omega11~ I11 omega11 + M11: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t11_25 = omega11_2 * omega11_3;
-  const T t11_26 = omega11_2 * omega11_2;
-  const T t11_27 = omega11_3 * omega11_3;
-  const T t11_28 = omega11_1 * omega11_2;
-  const T t11_29 = omega11_1 * omega11_3;
-  const T minus_N11_1 = T(0.077) + T(0.041600000000000026) * t11_25 + T(0.0124) * (t11_26 - t11_27) - T(0.0238) *
-      t11_28 + T(3e-04) * t11_29;
-  const T t11_30 = omega11_1 * omega11_1;
-  const T N11_2 = T(0.059) * t11_29 + T(0.0238) * (t11_27 - t11_30) + T(3e-04) * t11_25 + T(0.0124) * t11_28 -
+  // N11 = -omega11~ I11 omega11 + M11: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N11_1 = T(0.077) + T(0.041600000000000026) * U11_23 + T(0.0124) * (t11_14 - t11_13) - T(0.0238) *
+      U11_12 + T(3e-04) * U11_13;
+  const T N11_2 = T(0.059) * U11_13 + T(0.0238) * (t11_13 - t11_15) + T(3e-04) * U11_23 + T(0.0124) * U11_12 -
       T(0.039);
-  const T minus_N11_3 = T(0.068) + T(0.01739999999999997) * t11_28 - T(3e-04) * (t11_30 - t11_26) + T(0.0124) * t11_29
-      + T(0.0238) * t11_25;
+  const T minus_N11_3 = T(0.068) + T(0.01739999999999997) * U11_12 - T(3e-04) * (t11_15 - t11_14) + T(0.0124) * U11_13
+      + T(0.0238) * U11_23;
 
   // ---- body 12 (body_12) on body 11
   const T eps12_1 = x[44], eps12_2 = x[45], eps12_3 = x[46], eps12_4 = x[47];
@@ -6180,44 +6190,45 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d12_1 = s12_1 - T(0.422);
   const T d12_2 = T(0.42) + s12_2;
   const T d12_3 = T(0.022) + s12_3;
+  // U12 = omega12~ omega12~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t12_13 = omega12_3 * omega12_3;
+  const T t12_14 = omega12_2 * omega12_2;
+  const T minus_U12_11 = t12_13 + t12_14;
+  const T U12_12 = omega12_2 * omega12_1;
+  const T U12_13 = omega12_3 * omega12_1;
+  const T t12_15 = omega12_1 * omega12_1;
+  const T minus_U12_22 = t12_13 + t12_15;
+  const T U12_23 = omega12_3 * omega12_2;
+  const T minus_U12_33 = t12_14 + t12_15;
   // Pddot12 = R11^T omega11~ (omega11~ d12 + 2 sdot12) + Pddot11: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t12_13 = omega11_1 * d12_2 - omega11_2 * d12_1 + T(2) * sdot12_3;
-  const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + T(2) * sdot12_2;
-  const T t12_15 = omega11_2 * t12_13 - omega11_3 * t12_14;
-  const T t12_16 = omega11_2 * d12_3 - omega11_3 * d12_2 + T(2) * sdot12_1;
-  const T t12_17 = omega11_3 * t12_16 - omega11_1 * t12_13;
-  const T t12_18 = omega11_1 * t12_14 - omega11_2 * t12_16;
-  const T Pddot12_1 = R11_11 * t12_15 + R11_21 * t12_17 + R11_31 * t12_18 + Pddot11_1;
-  const T Pddot12_2 = R11_12 * t12_15 + R11_22 * t12_17 + R11_32 * t12_18 + Pddot11_2;
-  const T Pddot12_3 = R11_13 * t12_15 + R11_23 * t12_17 + R11_33 * t12_18 + Pddot11_3;
-  // a12 = R12^T omega12~ omega12~ r12 + Pddot12: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t12_19 = omega12_2 * T(0.006) - omega12_1 * T(0.141);
-  const T t12_20 = omega12_1 * T(0.1) - omega12_3 * T(0.006);
-  const T t12_21 = omega12_2 * t12_19 - omega12_3 * t12_20;
-  const T t12_22 = omega12_3 * T(0.141) - omega12_2 * T(0.1);
-  const T t12_23 = omega12_3 * t12_22 - omega12_1 * t12_19;
-  const T t12_24 = omega12_1 * t12_20 - omega12_2 * t12_22;
-  const T a12_1 = R12_11 * t12_21 + R12_21 * t12_23 + R12_31 * t12_24 + Pddot12_1;
-  const T a12_2 = R12_12 * t12_21 + R12_22 * t12_23 + R12_32 * t12_24 + Pddot12_2;
-  const T a12_3 = R12_13 * t12_21 + R12_23 * t12_23 + R12_33 * t12_24 + Pddot12_3;
-  // G12 = -m12 a12 + F12: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t12_16 = omega11_1 * d12_2 - omega11_2 * d12_1 + T(2) * sdot12_3;
+  const T t12_17 = omega11_3 * d12_1 - omega11_1 * d12_3 + T(2) * sdot12_2;
+  const T t12_18 = omega11_2 * t12_16 - omega11_3 * t12_17;
+  const T t12_19 = omega11_2 * d12_3 - omega11_3 * d12_2 + T(2) * sdot12_1;
+  const T t12_20 = omega11_3 * t12_19 - omega11_1 * t12_16;
+  const T t12_21 = omega11_1 * t12_17 - omega11_2 * t12_19;
+  const T Pddot12_1 = R11_11 * t12_18 + R11_21 * t12_20 + R11_31 * t12_21 + Pddot11_1;
+  const T Pddot12_2 = R11_12 * t12_18 + R11_22 * t12_20 + R11_32 * t12_21 + Pddot11_2;
+  const T Pddot12_3 = R11_13 * t12_18 + R11_23 * t12_20 + R11_33 * t12_21 + Pddot11_3;
+  // a12 = R12^T U12 r12 + Pddot12: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t12_22 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
+  const T t12_23 = minus_U12_22 * T(0.141) - U12_12 * T(0.006) - U12_23 * T(0.1);
+  const T t12_24 = minus_U12_33 * T(0.1) - (U12_13 * T(0.006) + U12_23 * T(0.141));
+  const T a12_1 = R12_11 * t12_22 + R12_21 * t12_23 + R12_31 * t12_24 + Pddot12_1;
+  const T a12_2 = R12_12 * t12_22 + R12_22 * t12_23 + R12_32 * t12_24 + Pddot12_2;
+  const T a12_3 = R12_13 * t12_22 + R12_23 * t12_23 + R12_33 * t12_24 + Pddot12_3;
+  // G12 = -m12 a12 + F12: applied less inertia force, inertial axes [N]
   const T G12_1 = T(0.25) - T(4.06) * a12_1;
   const T G12_2 = T(1.37) - T(4.06) * a12_2;
   const T G12_3 = T(1.59) - T(4.06) * a12_3;
-  // N12 = -omega12~ I12 omega12 + M12: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t12_25 = omega12_2 * omega12_3;
-  const T t12_26 = omega12_2 * omega12_2;
-  const T t12_27 = omega12_3 * omega12_3;
-  const T t12_28 = omega12_1 * omega12_2;
-  const T t12_29 = omega12_1 * omega12_3;
-  const T N12_1 = T(0.01) + T(0.26759999999999995) * t12_25 + T(0.0023) * (t12_26 - t12_27) + T(0.1084) * t12_28 +
-      T(0.0121) * t12_29;
-  const T t12_30 = omega12_1 * omega12_1;
-  const T N12_2 = T(0.1084) * (t12_27 - t12_30) - T(0.08610000000000001) * t12_29 - T(0.0121) * t12_25 - T(0.0023) *
-      t12_28 + T(0.009);
-  const T N12_3 = T(0.0023) * t12_29 - (T(0.18149999999999994) * t12_28 + T(0.0121) * (t12_30 - t12_26)) - T(0.1084) *
-      t12_25 + T(0.069);
+  // N12 = -omega12~ I12 omega12 + M12: applied less inertia moment about the mass centre, body axes [N m]
+  const T N12_1 = T(0.01) + T(0.26759999999999995) * U12_23 + T(0.0023) * (t12_14 - t12_13) + T(0.1084) * U12_12 +
+      T(0.0121) * U12_13;
+  const T N12_2 = T(0.1084) * (t12_13 - t12_15) - T(0.08610000000000001) * U12_13 - T(0.0121) * U12_23 - T(0.0023) *
+      U12_12 + T(0.009);
+  const T N12_3 = T(0.0023) * U12_13 - (T(0.18149999999999994) * U12_12 + T(0.0121) * (t12_15 - t12_14)) - T(0.1084) *
+      U12_23 + T(0.069);
 
   // ---- body 12 (body_12) and what it carries
   // f_omega12 = r12~ R12 G12 + N12: Kane's equation of omega [N m]

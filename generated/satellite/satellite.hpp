@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 902e52c4611d383e of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 5998b582642d41de of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -29,12 +29,12 @@
 //   energy                        230 (99 add, 131 multiply, 6 sine or cosine)
 //   momentum                      389 (180 add, 209 multiply, 6 sine or cosine)
 //   power                         62 (26 add, 36 multiply)
-//   accelerations                 663 (297 add, 360 multiply, 6 divide, 6 sine or cosine)
-//   residual                      431 (209 add, 222 multiply, 6 sine or cosine)
-//   mass_matrix                   164 (77 add, 87 multiply, 6 sine or cosine)
-//   kinematics_and_accelerations  686 (305 add, 375 multiply, 6 divide, 6 sine or cosine)
-//   state_matrix                  3411 (1585 add, 1820 multiply, 6 divide, 6 sine or cosine)
-//   input_matrix                  402 (175 add, 221 multiply, 6 divide, 6 sine or cosine)
+//   accelerations                 555 (250 add, 299 multiply, 6 divide, 6 sine or cosine)
+//   residual                      357 (172 add, 185 multiply, 6 sine or cosine)
+//   mass_matrix                   138 (65 add, 73 multiply, 6 sine or cosine)
+//   kinematics_and_accelerations  578 (258 add, 314 multiply, 6 divide, 6 sine or cosine)
+//   state_matrix                  3235 (1444 add, 1785 multiply, 6 divide, 6 sine or cosine)
+//   input_matrix                  449 (193 add, 250 multiply, 6 divide, 6 sine or cosine)
 //   tip_position                  40 (16 add, 24 multiply, 2 sine or cosine)
 //   tip_acceleration              131 (55 add, 76 multiply, 2 sine or cosine)
 #pragma once
@@ -48,7 +48,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "902e52c4611d383e";
+inline constexpr char model_hash[] = "5998b582642d41de";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -709,7 +709,8 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 297 add, 360 multiply, 6 divide, 6 sine or cosine
+// 250 add, 299 multiply, 6 divide, 6 sine or cosine
+// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::cos, std::sin;
@@ -739,16 +740,25 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_13 = omega1_2 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T t1_15 = omega1_3 * omega1_3;
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
-  const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
-  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_14;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_2;
+  const T minus_U1_33 = t1_15 + t1_14;
+  // G1 = -U1 h_all_1 + F_thruster_: applied less inertia force, body axes [N]
+  const T G1_1 = u.thrust + U1_13 * T(0.8);
+  const T G1_2 = U1_23 * T(0.8);
+  const T minus_G1_3 = minus_U1_33 * T(0.8);
+  // N1 = -omega1~ J_all_1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment about the body origin, body
+  //   axes [N m]
+  const T minus_N1_1 = T(10.32) * U1_23 + T(0.3) * (t1_15 - t1_13) - T(0.1) * U1_12 - T(0.2) * U1_13;
+  const T minus_N1_2 = T(0.2) * U1_23 - (T(3.34) * U1_13 + T(0.1) * (t1_13 - t1_14)) - T(0.3) * U1_12;
+  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_14 - t1_15) - T(6.9799999999999995) * U1_12 + T(0.3) * U1_13 +
+      T(0.1) * U1_23;
 
   // ---- body 2 (left_panel) on body 1
   const T theta2 = x[4];
@@ -761,38 +771,28 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot2_2 = thetadot2 * omega2_3;
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = omega2_2 * omega2_1;
-  const T U2_12 = t2_1 + minus_omegadot2_3;
-  const T U2_21 = t2_1 - minus_omegadot2_3;
+  const T U2_12 = omega2_2 * omega2_1 + minus_omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
   const T U2_23 = omega2_3 * omega2_2;
-  const T U2_31 = omega2_3 * omega2_1 - omegadot2_2;
-  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_2 = omega1_1 * T(0.6);
-  const T Pddot2_1 = omega1_2 * t2_2;
-  const T t2_3 = omega1_3 * T(0.6);
-  const T t2_4 = omega1_2 * t2_3;
-  const T t2_5 = omega1_3 * t2_3 + omega1_1 * t2_2;
-  const T Pddot2_2 = E2_23 * t2_4 - E2_22 * t2_5;
-  const T Pddot2_3 = E2_23 * t2_5 + E2_22 * t2_4;
+  // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot2_1 = U1_12 * T(0.6);
+  const T t2_1 = minus_U1_22 * T(0.6);
+  const T t2_2 = U1_23 * T(0.6);
+  const T Pddot2_3 = E2_23 * t2_1 + E2_22 * t2_2;
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 + Pddot2_1;
-  const T a2_2 = Pddot2_2 - minus_U2_22;
-  const T a2_3 = U2_23 + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(9) * a2_1;
-  const T minus_G2_2 = T(9) * a2_2;
-  const T minus_G2_3 = T(9) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(3) * U2_23;
-  const T N2_2 = T(0.75) * U2_31;
-  const T minus_N2_3 = T(0.75) * U2_21 - T(3) * U2_12;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_12 * T(9);
+  const T G2_2 = minus_U2_22 * T(9);
+  const T minus_G2_3 = U2_23 * T(9);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(9) * Pddot2_3 + T(12) * U2_23;
+  const T t2_3 = T(9) * Pddot2_1;
+  const T N2_3 = t2_3 + T(12) * U2_12;
 
   // ---- body 3 (right_panel) on body 1
   const T theta3 = x[5];
@@ -805,33 +805,24 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
   const T omega3_3 = E3_22 * omega1_3 - E3_23 * omega1_2;
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_2 = thetadot3 * omega3_3;
   const T minus_omegadot3_3 = thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_2 * omega3_1;
-  const T U3_12 = t3_1 + minus_omegadot3_3;
-  const T U3_21 = t3_1 - minus_omegadot3_3;
+  const T U3_12 = omega3_2 * omega3_1 + minus_omegadot3_3;
   const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
   const T U3_23 = omega3_3 * omega3_2;
-  const T U3_31 = omega3_3 * omega3_1 - omegadot3_2;
-  // Pddot3 = E3 omega1~ omega1~ q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_2 = E3_22 * t2_5 - E3_23 * t2_4;
-  const T minus_Pddot3_3 = E3_23 * t2_5 + E3_22 * t2_4;
+  // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot3_3 = E3_23 * t2_1 + E3_22 * t2_2;
   // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
   const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a3_1 = U3_12 + Pddot2_1;
-  const T a3_2 = minus_U3_22 + Pddot3_2;
-  const T minus_a3_3 = U3_23 + minus_Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T G3_1 = T(9) * minus_a3_1;
-  const T minus_G3_2 = T(9) * a3_2;
-  const T G3_3 = T(9) * minus_a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(3) * U3_23;
-  const T N3_2 = T(0.75) * U3_31;
-  const T minus_N3_3 = T(0.75) * U3_21 - T(3) * U3_12;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T G3_1 = U3_12 * T(9);
+  const T minus_G3_2 = minus_U3_22 * T(9);
+  const T G3_3 = U3_23 * T(9);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(9) * minus_Pddot3_3 + T(12) * U3_23;
+  const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
   const T theta4 = x[6];
@@ -875,20 +866,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_31 = t4_14 + minus_omegadot4_2;
   const T U4_32 = t4_16 - minus_omegadot4_1;
   const T minus_U4_33 = t4_12 + t4_15;
-  // Pddot4 = E4 omega1~ omega1~ q4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_17 = T(0.2) * omega1_1;
-  const T t4_18 = T(0.2) * omega1_2;
-  const T t4_19 = omega1_1 * t4_17 + omega1_2 * t4_18;
-  const T t4_20 = omega1_3 * t4_17;
-  const T t4_21 = omega1_3 * t4_18;
-  const T Pddot4_1 = E4_13 * t4_19 - (E4_11 * t4_20 + E4_12 * t4_21);
-  const T Pddot4_2 = E4_12 * t4_19 - (E4_13 * t4_20 + E4_11 * t4_21);
-  const T Pddot4_3 = E4_11 * t4_19 - (E4_12 * t4_20 + E4_13 * t4_21);
-  // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(4) * Pddot4_1;
-  const T minus_G4_2 = T(4) * Pddot4_2;
-  const T minus_G4_3 = T(4) * Pddot4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the body origin, body axes [N m]
   const T minus_N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - T(0.0021) * (minus_U4_22 - minus_U4_33) - T(0.0021) *
       U4_31 + T(0.0021) * U4_21;
   const T minus_N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - T(0.0021) * (minus_U4_33 - minus_U4_11) - T(0.0021) *
@@ -896,178 +874,233 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N4_3 = T(0.0079) * U4_21 - T(0.0079) * U4_12 - T(0.0021) * (minus_U4_11 - minus_U4_22) - T(0.0021) *
       U4_23 + T(0.0021) * U4_13;
 
+  // ---- body 4 (wheel) and what it carries
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(50) * u_4;
+  // nt4 = N4 - v4 K4: moment with the turn solved [N m]
+  const T b4_1 = v4 * T(0.011547005383792516);
+  const T minus_nt4_1 = b4_1 + minus_N4_1;
+  const T minus_nt4_2 = b4_1 + minus_N4_2;
+  const T minus_nt4_3 = b4_1 + minus_N4_3;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_2 = E4_13 * T(0.004566666666666667);
+  const T b4_3 = E4_12 * T(0.004566666666666667);
+  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_5 = b4_4 * E4_11;
+  const T b4_6 = E4_11 * T(0.004566666666666667);
+  const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
+  const T b4_8 = b4_7 * E4_13;
+  const T b4_9 = E4_12 * T(0.009133333333333334) - (b4_2 + b4_6);
+  const T b4_10 = b4_9 * E4_12;
+  const T Jp4_11 = b4_5 + b4_8 + b4_10;
+  const T b4_11 = b4_4 * E4_12;
+  const T b4_12 = b4_7 * E4_11;
+  const T b4_13 = b4_9 * E4_13;
+  const T Jp4_12 = b4_11 + b4_12 + b4_13;
+  const T Jp4_13 = b4_4 * E4_13 + b4_7 * E4_12 + b4_9 * E4_11;
+  const T Jp4_22 = b4_10 + b4_5 + b4_8;
+  const T Jp4_23 = b4_13 + b4_11 + b4_12;
+  const T Jp4_33 = T(0.027400000000000004) - Jp4_11 - Jp4_22;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T minus_np4_1 = E4_11 * minus_nt4_1 + E4_13 * minus_nt4_2 + E4_12 * minus_nt4_3;
+  const T minus_np4_2 = E4_12 * minus_nt4_1 + E4_11 * minus_nt4_2 + E4_13 * minus_nt4_3;
+  const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
+
   // ---- body 3 (right_panel) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho3_1 = G3_3 + minus_N3_1;
-  const T rho3_3 = G3_1 - minus_N3_3;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_2 = E3_22 * T(9);
-  const T minus_hc3_3 = E3_23 * T(9);
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
+  // v3 = invD3 u_3: u/D
+  const T minus_v3 = T(0.08333333333333333) * minus_u_3;
+  // gt3 = G3 - v3 B3: force with the turn solved [N]
+  const T gt3_3 = G3_3 - minus_v3 * T(9);
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = E3_23 * T(6.75);
+  const T minus_Mp3_22 = E3_23 * b3_1;
+  const T Mp3_23 = E3_22 * b3_1;
+  const T Mp3_33 = minus_Mp3_22 - T(6.75);
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T minus_gp3_2 = E3_22 * minus_G3_2 + E3_23 * gt3_3;
+  const T gp3_3 = E3_22 * gt3_3 - E3_23 * minus_G3_2;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T minus_Hp3_21 = E3_23 * T(9);
+  const T Hp3_31 = E3_22 * T(9);
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_2 = E3_23 * T(12);
+  const T Jp3_22 = E3_23 * b3_2;
+  const T minus_Jp3_23 = E3_22 * b3_2;
+  const T Jp3_33 = T(12) - Jp3_22;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T minus_np3_2 = E3_23 * N3_3;
+  const T np3_3 = E3_22 * N3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T minus_Hb3_12 = T(0.6) * Mp3_23;
+  const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_1 = minus_G2_3 + minus_N2_1;
-  const T rho2_3 = minus_G2_1 - minus_N2_3;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_2 = E2_22 * T(9);
-  const T hc2_3 = E2_23 * T(9);
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
+  // v2 = invD2 u_2: u/D
+  const T minus_v2 = T(0.08333333333333333) * minus_u_2;
+  // gt2 = G2 - v2 B2: force with the turn solved [N]
+  const T gt2_3 = minus_v2 * T(9) - minus_G2_3;
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T b2_1 = E2_23 * T(6.75);
+  const T minus_Mp2_22 = E2_23 * b2_1;
+  const T Mp2_23 = E2_22 * b2_1;
+  const T Mp2_33 = minus_Mp2_22 - T(6.75);
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T gp2_2 = E2_22 * G2_2 - E2_23 * gt2_3;
+  const T gp2_3 = E2_23 * G2_2 + E2_22 * gt2_3;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_21 = E2_23 * T(9);
+  const T minus_Hp2_31 = E2_22 * T(9);
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_2 = E2_23 * T(12);
+  const T Jp2_22 = E2_23 * b2_2;
+  const T minus_Jp2_23 = E2_22 * b2_2;
+  const T Jp2_33 = T(12) - Jp2_22;
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T minus_np2_2 = E2_23 * N2_3;
+  const T np2_3 = E2_22 * N2_3;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_12 = T(0.6) * Mp2_23;
+  const T Hb2_13 = T(0.6) * Mp2_33;
 
   // ---- body 1 (hub) and what it carries
-  // S1 = E2^T G2 + E3^T G3 + E4^T G4 + F_thruster_: sum of the force balances of the subtree, body axes [N]
-  const T b1_1 = E4_11 * minus_G4_1 + E4_13 * minus_G4_2 + E4_12 * minus_G4_3;
-  const T S1_1 = G3_1 - minus_G2_1 - b1_1 + u.thrust;
-  const T b1_2 = E4_12 * minus_G4_1 + E4_11 * minus_G4_2 + E4_13 * minus_G4_3;
-  const T S1_2 = E2_23 * minus_G2_3 - E2_22 * minus_G2_2 - E3_22 * minus_G3_2 - E3_23 * G3_3 - b1_2;
-  const T b1_3 = E3_22 * G3_3 - E3_23 * minus_G3_2;
-  const T b1_4 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_3 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_4;
-  // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
-  //   omega [N m]
-  const T minus_f_omega1_1 = T(0.6) * b1_4 + minus_rho2_1 + T(0.6) * b1_3 + minus_rho3_1 + T(0.2) * b1_2 + E4_11 *
-      minus_N4_1 + E4_13 * minus_N4_2 + E4_12 * minus_N4_3 + minus_N1_1;
-  const T f_omega1_2 = E2_22 * N2_2 - E2_23 * rho2_3 + E3_22 * N3_2 - E3_23 * rho3_3 + T(0.2) * b1_1 - E4_12 *
-      minus_N4_1 - E4_11 * minus_N4_2 - E4_13 * minus_N4_3 - minus_N1_2;
-  const T f_omega1_3 = T(0.6) * minus_G2_1 + E2_23 * N2_2 + E2_22 * rho2_3 + T(0.6) * G3_1 + E3_23 * N3_2 + E3_22 *
-      rho3_3 - E4_13 * minus_N4_1 - E4_12 * minus_N4_2 - E4_11 * minus_N4_3 - minus_N1_3;
-  // h1 = m2 q2 + m3 q3 + m4 q4 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_2 = hc2_2 - minus_hc3_2;
-  const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q3~ hc3~ + E3^T J3 E3 + E4^T I4 E4 + I1 + (-m2 q2~ - hc2~) q2~ + (-m3 q3~ - hc3~)
-  //   q3~ - m4 q4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_5 = T(0.6) * hc2_2;
-  const T b1_6 = b1_5 + T(12);
-  const T b1_7 = T(0.6) * minus_hc3_2;
-  const T b1_8 = b1_7 + (T(5.3999999999999995) + hc2_2) * T(0.6) + (T(5.3999999999999995) + minus_hc3_2) * T(0.6);
-  const T b1_9 = E4_13 * T(0.0021);
-  const T b1_10 = E4_12 * T(0.0021);
-  const T b1_11 = E4_11 * T(0.0158) + b1_9 + b1_10;
-  const T b1_12 = b1_11 * E4_11;
-  const T b1_13 = E4_11 * T(0.0021);
-  const T b1_14 = b1_10 + b1_13 + E4_13 * T(0.0158);
-  const T b1_15 = b1_14 * E4_13;
-  const T b1_16 = b1_9 + b1_13 + E4_12 * T(0.0158);
-  const T b1_17 = b1_16 * E4_12;
-  const T J1_11 = b1_6 + b1_8 + T(28.16) + b1_12 + b1_15 + b1_17;
-  const T b1_18 = b1_11 * E4_12;
-  const T b1_19 = b1_14 * E4_11;
-  const T b1_20 = b1_16 * E4_13;
-  const T J1_12 = b1_18 + b1_19 + b1_20 + T(0.2);
-  const T J1_13 = b1_11 * E4_13 + b1_14 * E4_12 + b1_16 * E4_11 - T(0.1);
-  const T b1_21 = E2_22 * T(0.75);
-  const T b1_22 = E2_23 * T(12.75);
-  const T b1_23 = E3_22 * T(0.75);
-  const T b1_24 = E3_23 * T(12.75);
-  const T J1_22 = b1_21 * E2_22 + b1_22 * E2_23 + b1_23 * E3_22 + b1_24 * E3_23 + b1_17 + b1_12 + b1_15 + T(14.16);
-  const T J1_32 = b1_21 * E2_23 - b1_22 * E2_22 - T(0.6) * hc2_3 - T(0.6) * minus_hc3_3 + b1_23 * E3_23 - b1_24 *
-      E3_22 + b1_20 + b1_18 + b1_19 + T(0.3);
-  const T J1_33 = E2_23 * T(0.75) * E2_23 + E2_22 * T(12.75) * E2_22 + b1_5 + b1_8 + E3_23 * T(0.75) * E3_23 + E3_22 *
-      T(12.75) * E3_22 + b1_15 + b1_17 + b1_12 + T(18);
-  // K_thetadot4_1 = E4^T K_thetadot4_4
-  const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
-      T(0.011547005383792516);
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = b1_7 + T(12);
-  // D_omegadot1: pivots of L D L^T
-  const T b1_25 = K_thetadot4_1_1 * T(50);
-  const T b1_26 = b1_25 * K_thetadot4_1_1;
-  const T b1_27 = K_thetadot3_1_1 * T(0.08333333333333333);
-  const T b1_28 = b1_6 * T(0.08333333333333333);
-  const T D_omegadot1_1 = J1_11 - b1_26 - b1_27 * K_thetadot3_1_1 - b1_28 * b1_6;
-  const T b1_29 = J1_12 - b1_26;
-  const T b1_30 = T(1) / D_omegadot1_1;
-  const T b1_31 = b1_29 * b1_30;
-  const T D_omegadot1_2 = J1_22 - b1_26 - b1_31 * b1_29;
-  const T b1_32 = J1_13 - b1_26;
-  const T b1_33 = b1_32 * b1_30;
-  const T b1_34 = J1_32 - b1_26 - b1_33 * b1_29;
-  const T b1_35 = T(1) / D_omegadot1_2;
-  const T b1_36 = b1_34 * b1_35;
-  const T D_omegadot1_3 = J1_33 - b1_26 - b1_33 * b1_32 - b1_36 * b1_34;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_37 = h1_3 * b1_35;
-  const T b1_38 = h1_2 + b1_37 * b1_34;
-  const T b1_39 = T(1) / D_omegadot1_3;
-  const T b1_40 = b1_38 * b1_39;
-  const T D_Pddot1_1 = T(142) - b1_37 * h1_3 - b1_40 * b1_38;
-  const T b1_41 = minus_hc3_3 * T(0.08333333333333333);
-  const T b1_42 = hc2_3 * T(0.08333333333333333);
-  const T b1_43 = h1_3 + b1_41 * K_thetadot3_1_1 - b1_42 * b1_6;
-  const T b1_44 = b1_43 * b1_30;
-  const T b1_45 = b1_44 * b1_29;
-  const T b1_46 = b1_45 * b1_35;
-  const T b1_47 = b1_44 * b1_32 - b1_46 * b1_34;
-  const T b1_48 = b1_47 * b1_39;
-  const T b1_49 = b1_48 * b1_38 - b1_46 * h1_3;
-  const T b1_50 = T(1) / D_Pddot1_1;
-  const T b1_51 = b1_49 * b1_50;
-  const T D_Pddot1_2 = T(142) - b1_41 * minus_hc3_3 - b1_42 * hc2_3 - b1_44 * b1_43 - b1_46 * b1_45 - b1_48 * b1_47 -
-      b1_51 * b1_49;
-  const T b1_52 = minus_hc3_2 * T(0.08333333333333333);
-  const T b1_53 = hc2_2 * T(0.08333333333333333);
-  const T b1_54 = h1_2 + b1_52 * K_thetadot3_1_1 - b1_53 * b1_6;
-  const T b1_55 = b1_54 * b1_30;
-  const T b1_56 = b1_55 * b1_29;
-  const T b1_57 = b1_56 * b1_35;
-  const T b1_58 = b1_57 * b1_34 - b1_55 * b1_32;
-  const T b1_59 = b1_58 * b1_39;
-  const T b1_60 = b1_57 * h1_3 + b1_59 * b1_38;
-  const T b1_61 = b1_60 * b1_50;
-  const T b1_62 = b1_52 * minus_hc3_3 + b1_53 * hc2_3 + b1_55 * b1_43 + b1_57 * b1_45 - b1_59 * b1_47 - b1_61 * b1_49;
-  const T b1_63 = T(1) / D_Pddot1_2;
-  const T b1_64 = b1_62 * b1_63;
-  const T D_Pddot1_3 = T(142) - b1_52 * minus_hc3_2 - b1_53 * hc2_2 - b1_55 * b1_54 - b1_57 * b1_56 - b1_59 * b1_58 -
-      b1_61 * b1_60 - b1_64 * b1_62;
+  // MA1 = m_all_1 one + Mp3 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_22 = T(142) - minus_Mp3_22 - minus_Mp2_22;
+  const T MA1_23 = Mp3_23 + Mp2_23;
+  const T MA1_33 = T(142) + Mp3_33 + Mp2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_12 = Hb2_12 + T(0.8) - minus_Hb3_12;
+  const T HA1_13 = Hb2_13 - minus_Hb3_13;
+  const T HA1_21 = Hp2_21 - T(0.8) - minus_Hp3_21;
+  const T HA1_31 = Hp3_31 - minus_Hp2_31;
+  // JA1 = q2~ Hp2^T + q3~ Hp3^T + J_all_1 + Jp4 + Jp3 + Jp2 - Hb2 q2~ - Hb3 q3~: moment for an angular acceleration,
+  //   body axes [kg m^2]
+  const T JA1_11 = T(22.64) + Jp4_11 + Hb2_13 * T(0.6) + minus_Hb3_13 * T(0.6);
+  const T JA1_12 = T(0.2) + Jp4_12;
+  const T JA1_13 = Jp4_13 - T(0.1);
+  const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
+  const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
+  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
+  const T g1_1 = G1_1 + G3_1 - minus_G2_1;
+  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
+  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
+  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
+      minus_effort_left_panel_2;
+  const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
+  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T minus_Y1_22 = LD1_21 * HA1_12;
+  const T minus_Y1_23 = LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_32 * HA1_21;
+  const T Y1_32 = LD1_32 * minus_Y1_22 - LD1_31 * HA1_12;
+  const T Y1_33 = LD1_32 * minus_Y1_23 - LD1_31 * HA1_13;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * HA1_21;
+  const T minus_W1_22 = LD1_22 * minus_Y1_22;
+  const T minus_W1_23 = LD1_22 * minus_Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_2 = minus_n1_2 + LD1_21 * n1_1;
+  const T minus_w_1_2 = LD1_22 * b1_2;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
+  const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
+  const T minus_LDs1_31 = LDs1_11 * minus_M1_13;
+  const T b1_3 = M1_23 - minus_LDs1_21 * minus_M1_13;
+  const T LDs1_32 = LDs1_22 * b1_3;
+  const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_3);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_4 = gb1_2 + minus_LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_4;
+  const T ws1_3 = LDs1_33 * (gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (hub), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
-  const T z1_2 = b1_25 * z1_1;
-  const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
-  const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_27 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_28 * z1_4;
-  const T z1_6 = f_omega1_2 - z1_2 - b1_31 * z1_5;
-  const T z1_7 = f_omega1_3 - z1_2 - b1_33 * z1_5 - b1_36 * z1_6;
-  const T z1_8 = S1_1 - b1_37 * z1_6 + b1_40 * z1_7;
-  const T z1_9 = S1_2 + b1_41 * z1_3 - b1_42 * z1_4 + b1_44 * z1_5 - b1_46 * z1_6 - b1_48 * z1_7 - b1_51 * z1_8;
-  const T z1_10 = T(1) / D_Pddot1_3 * (S1_3 - b1_52 * z1_3 + b1_53 * z1_4 - b1_55 * z1_5 + b1_57 * z1_6 - b1_59 * z1_7
-      - b1_61 * z1_8 - b1_64 * z1_9);
-  const T z1_11 = z1_9 * b1_63 - b1_64 * z1_10;
-  const T Pddot1_1 = z1_8 * b1_50 - b1_51 * z1_11 - b1_61 * z1_10;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_12 = z1_7 * b1_39 + b1_40 * Pddot1_1 - b1_48 * z1_11 - b1_59 * z1_10;
-  const T z1_13 = z1_6 * b1_35 - b1_36 * z1_12 - b1_37 * Pddot1_1 - b1_46 * z1_11 + b1_57 * z1_10;
-  const T omegadot1_1 = z1_5 * b1_30 - b1_31 * z1_13 - b1_33 * z1_12 + b1_44 * z1_11 - b1_55 * z1_10;
-  ydot[0] = omegadot1_1;
-  ydot[1] = z1_13;
-  ydot[2] = z1_12;
-  // sddot1 = R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_11 + R1_31 * z1_10;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_11 + R1_32 * z1_10;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_11 + R1_33 * z1_10;
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1_1;
+  ydot[1] = -z1_3;
+  ydot[2] = z1_2;
+  // sddot1 = R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[6] = sddot1_1;
   ydot[7] = sddot1_2;
   ydot[8] = sddot1_3;
 
   // ---- body 2 (left_panel), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = b1_42 * z1_11 - (z1_4 * T(0.08333333333333333) + b1_28 * omegadot1_1) - b1_53 * z1_10;
-  ydot[3] = thetaddot2;
+  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.6) * omegadot1_1_1;
+  const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  // thetaddot2 = -b2 . alphaL2 + phi2
+  const T minus_thetaddot2 = omegadot1_1_1 + minus_phi2;
+  ydot[3] = -minus_thetaddot2;
 
   // ---- body 3 (right_panel), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = b1_52 * z1_10 - (z1_3 * T(0.08333333333333333) + b1_27 * omegadot1_1 + b1_41 * z1_11);
+  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta3_3 = E3_22 * ws1_3 - E3_23 * z1_1 - E3_22 * z2_1;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = T(0.75) * beta3_3 - minus_v3;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - omegadot1_1_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_1 * T(50) - b1_25 * omegadot1_1 - b1_25 * z1_13 - b1_25 * z1_12;
-  ydot[5] = thetaddot4;
+  // alphaL4 = E4 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * omegadot1_1_1 - E4_12 * z1_3 + E4_13 * z1_2;
+  const T alphaL4_2 = E4_13 * omegadot1_1_1 - E4_11 * z1_3 + E4_12 * z1_2;
+  const T alphaL4_3 = E4_12 * omegadot1_1_1 - E4_13 * z1_3 + E4_11 * z1_2;
+  // phi4 = -kK4 . alphaL4 + v4
+  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
+      alphaL4_3);
+  ydot[5] = phi4;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 209 add, 222 multiply, 6 sine or cosine
+// 172 add, 185 multiply, 6 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::cos, std::sin;
@@ -1104,14 +1137,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -1120,16 +1153,18 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * sddot1_3;
-  // G1 = m1 Pddot1 - F_thruster_: force balance, body axes [N]
-  const T G1_1 = T(120) * Pddot1_1 - u.thrust;
-  const T G1_2 = T(120) * Pddot1_2;
-  const T G1_3 = T(120) * Pddot1_3;
-  // N1 = -r_thruster_~ F_thruster_ + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_1 = T(10) * U1_32 - T(6) * U1_23 - T(0.3) * (minus_U1_22 - minus_U1_33) - T(0.2) * U1_31 - T(0.1) *
-      U1_21;
-  const T N1_2 = T(6) * U1_13 - T(8) * U1_31 + T(0.1) * (minus_U1_33 - minus_U1_11) - T(0.3) * U1_12 + T(0.2) * U1_32;
-  const T N1_3 = T(8) * U1_21 - T(10) * U1_12 - T(0.2) * (minus_U1_11 - minus_U1_22) + T(0.1) * U1_23 + T(0.3) * U1_13
-      + T(0.1) * u.thrust;
+  // G1 = m_all_1 Pddot1 + U1 h_all_1 - F_thruster_: inertia less applied force, body axes [N]
+  const T G1_1 = T(142) * Pddot1_1 - U1_13 * T(0.8) - u.thrust;
+  const T G1_2 = T(142) * Pddot1_2 - U1_23 * T(0.8);
+  const T G1_3 = T(142) * Pddot1_3 + minus_U1_33 * T(0.8);
+  // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - r_thruster_~ F_thruster_: inertia less applied
+  //   moment about the body origin, body axes [N m]
+  const T N1_1 = T(0.8) * Pddot1_2 + T(16.48) * U1_32 - T(6.16) * U1_23 - T(0.3) * (minus_U1_22 - minus_U1_33) -
+      T(0.2) * U1_31 - T(0.1) * U1_21;
+  const T N1_2 = T(6.16) * U1_13 - T(9.5) * U1_31 + T(0.1) * (minus_U1_33 - minus_U1_11) - T(0.3) * U1_12 + T(0.2) *
+      U1_32 - T(0.8) * Pddot1_1;
+  const T N1_3 = T(9.5) * U1_21 - T(16.48) * U1_12 - T(0.2) * (minus_U1_11 - minus_U1_22) + T(0.1) * U1_23 + T(0.3) *
+      U1_13 + T(0.1) * u.thrust;
 
   // ---- body 2 (left_panel) on body 1
   const T theta2 = x[4];
@@ -1142,41 +1177,30 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
-  // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
-  const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_1 = thetaddot2 + omegadot1_1;
-  const T omegadot2_2 = thetadot2 * omega2_3 + E2_22 * omegadot1_2 + E2_23 * omegadot1_3;
   const T omegadot2_3 = E2_22 * omegadot1_3 - E2_23 * omegadot1_2 - thetadot2 * omega2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = omega2_2 * omega2_1;
-  const T U2_12 = t2_1 - omegadot2_3;
-  const T U2_21 = t2_1 + omegadot2_3;
+  const T U2_12 = omega2_2 * omega2_1 - omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
-  const T U2_31 = omega2_3 * omega2_1 - omegadot2_2;
   const T U2_32 = omega2_3 * omega2_2 + omegadot2_1;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_2 = U1_12 * T(0.6);
-  const T Pddot2_1 = t2_2 + Pddot1_1;
+  const T t2_1 = U1_12 * T(0.6);
+  const T Pddot2_1 = t2_1 + Pddot1_1;
+  const T t2_2 = U1_32 * T(0.6);
   const T t2_3 = minus_U1_22 * T(0.6);
-  const T t2_4 = Pddot1_2 - t2_3;
-  const T t2_5 = U1_32 * T(0.6);
-  const T t2_6 = t2_5 + Pddot1_3;
-  const T Pddot2_2 = E2_22 * t2_4 + E2_23 * t2_6;
-  const T Pddot2_3 = E2_22 * t2_6 - E2_23 * t2_4;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 + Pddot2_1;
-  const T a2_2 = Pddot2_2 - minus_U2_22;
-  const T a2_3 = U2_32 + Pddot2_3;
-  // G2 = m2 a2: force balance, body axes [N]
-  const T G2_1 = T(9) * a2_1;
-  const T G2_2 = T(9) * a2_2;
-  const T G2_3 = T(9) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
-  const T N2_1 = T(3) * U2_32;
-  const T minus_N2_2 = T(0.75) * U2_31;
-  const T N2_3 = T(0.75) * U2_21 - T(3) * U2_12;
+  const T Pddot2_3 = E2_22 * (t2_2 + Pddot1_3) - E2_23 * (Pddot1_2 - t2_3);
+  // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
+  const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1 = U2_12 * T(9);
+  const T minus_G2_2 = minus_U2_22 * T(9);
+  const T G2_3 = U2_32 * T(9);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N2_1 = T(9) * Pddot2_3 + T(12) * U2_32;
+  const T minus_N2_3 = T(9) * Pddot2_1 + T(12) * U2_12;
 
   // ---- body 3 (right_panel) on body 1
   const T theta3 = x[5];
@@ -1189,38 +1213,27 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
   const T omega3_3 = E3_22 * omega1_3 - E3_23 * omega1_2;
-  // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
-  const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
   // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = thetaddot3 + omegadot1_1;
-  const T omegadot3_2 = thetadot3 * omega3_3 + E3_22 * omegadot1_2 + E3_23 * omegadot1_3;
   const T omegadot3_3 = E3_22 * omegadot1_3 - E3_23 * omegadot1_2 - thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_2 * omega3_1;
-  const T U3_12 = t3_1 - omegadot3_3;
-  const T U3_21 = t3_1 + omegadot3_3;
+  const T U3_12 = omega3_2 * omega3_1 - omegadot3_3;
   const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
-  const T U3_31 = omega3_3 * omega3_1 - omegadot3_2;
   const T U3_32 = omega3_3 * omega3_2 + omegadot3_1;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = Pddot1_1 - t2_2;
-  const T t3_2 = t2_3 + Pddot1_2;
-  const T t3_3 = Pddot1_3 - t2_5;
-  const T Pddot3_2 = E3_22 * t3_2 + E3_23 * t3_3;
-  const T Pddot3_3 = E3_22 * t3_3 - E3_23 * t3_2;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = Pddot3_1 - U3_12;
-  const T a3_2 = minus_U3_22 + Pddot3_2;
-  const T a3_3 = Pddot3_3 - U3_32;
-  // G3 = m3 a3: force balance, body axes [N]
-  const T G3_1 = T(9) * a3_1;
-  const T G3_2 = T(9) * a3_2;
-  const T G3_3 = T(9) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
-  const T N3_1 = T(3) * U3_32;
-  const T minus_N3_2 = T(0.75) * U3_31;
-  const T N3_3 = T(0.75) * U3_21 - T(3) * U3_12;
+  const T Pddot3_1 = Pddot1_1 - t2_1;
+  const T Pddot3_3 = E3_22 * (Pddot1_3 - t2_2) - E3_23 * (t2_3 + Pddot1_2);
+  // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
+  const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T minus_G3_1 = U3_12 * T(9);
+  const T G3_2 = minus_U3_22 * T(9);
+  const T minus_G3_3 = U3_32 * T(9);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_1 = T(12) * U3_32 - T(9) * Pddot3_3;
+  const T N3_3 = T(9) * Pddot3_1 - T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
   const T theta4 = x[6];
@@ -1269,18 +1282,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_31 = t4_15 - omegadot4_2;
   const T U4_32 = t4_17 + omegadot4_1;
   const T minus_U4_33 = t4_13 + t4_16;
-  // Pddot4 = E4 (U1 q4 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_18 = Pddot1_1 - U1_13 * T(0.2);
-  const T t4_19 = Pddot1_2 - U1_23 * T(0.2);
-  const T t4_20 = minus_U1_33 * T(0.2) + Pddot1_3;
-  const T Pddot4_1 = E4_11 * t4_18 + E4_12 * t4_19 + E4_13 * t4_20;
-  const T Pddot4_2 = E4_13 * t4_18 + E4_11 * t4_19 + E4_12 * t4_20;
-  const T Pddot4_3 = E4_12 * t4_18 + E4_13 * t4_19 + E4_11 * t4_20;
-  // G4 = m4 Pddot4: force balance, body axes [N]
-  const T G4_1 = T(4) * Pddot4_1;
-  const T G4_2 = T(4) * Pddot4_2;
-  const T G4_3 = T(4) * Pddot4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the body origin, body axes [N m]
   const T N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - T(0.0021) * (minus_U4_22 - minus_U4_33) - T(0.0021) * U4_31 +
       T(0.0021) * U4_21;
   const T N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - T(0.0021) * (minus_U4_33 - minus_U4_11) - T(0.0021) * U4_12 +
@@ -1295,38 +1297,28 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   r[5] = r_theta4;
 
   // ---- body 3 (right_panel) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho3_1 = N3_1 - G3_3;
-  const T rho3_3 = G3_1 + N3_3;
-  // r_theta3 = b3 . rho3 - effort_right_panel_3: Kane's equation of the angle [N m]
-  const T r_theta3 = rho3_1 + minus_effort_right_panel_3;
+  // r_theta3 = b3 . N3 - effort_right_panel_3: Kane's equation of the angle [N m]
+  const T r_theta3 = N3_1 + minus_effort_right_panel_3;
   r[4] = r_theta3;
 
   // ---- body 2 (left_panel) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_1 = G2_3 + N2_1;
-  const T rho2_3 = N2_3 - G2_1;
-  // r_theta2 = b2 . rho2 - effort_left_panel_2: Kane's equation of the angle [N m]
-  const T r_theta2 = rho2_1 + minus_effort_left_panel_2;
+  // r_theta2 = b2 . N2 - effort_left_panel_2: Kane's equation of the angle [N m]
+  const T r_theta2 = N2_1 + minus_effort_left_panel_2;
   r[3] = r_theta2;
 
   // ---- body 1 (hub) and what it carries
-  // S1 = E2^T G2 + E3^T G3 + E4^T G4 + G1: sum of the force balances of the subtree, body axes [N]
-  const T b1_1 = E4_11 * G4_1 + E4_13 * G4_2 + E4_12 * G4_3;
-  const T S1_1 = G2_1 + G3_1 + b1_1 + G1_1;
-  const T b1_2 = E4_12 * G4_1 + E4_11 * G4_2 + E4_13 * G4_3;
-  const T S1_2 = E2_22 * G2_2 - E2_23 * G2_3 + E3_22 * G3_2 - E3_23 * G3_3 + b1_2 + G1_2;
-  const T b1_3 = E2_23 * G2_2 + E2_22 * G2_3;
-  const T b1_4 = E3_23 * G3_2 + E3_22 * G3_3;
-  const T S1_3 = b1_3 + b1_4 + E4_13 * G4_1 + E4_12 * G4_2 + E4_11 * G4_3 + G1_3;
-  // r_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
-  //   omega [N m]
-  const T r_omega1_1 = T(0.6) * b1_3 + rho2_1 - T(0.6) * b1_4 + rho3_1 + T(0.2) * b1_2 + E4_11 * N4_1 + E4_13 * N4_2 +
-      E4_12 * N4_3 + N1_1;
-  const T r_omega1_2 = E4_12 * N4_1 - (E2_22 * minus_N2_2 + E2_23 * rho2_3 + E3_22 * minus_N3_2 + E3_23 * rho3_3 +
-      T(0.2) * b1_1) + E4_11 * N4_2 + E4_13 * N4_3 + N1_2;
-  const T r_omega1_3 = E2_22 * rho2_3 - E2_23 * minus_N2_2 - T(0.6) * G2_1 + T(0.6) * G3_1 + E3_22 * rho3_3 - E3_23 *
-      minus_N3_2 + E4_13 * N4_1 + E4_12 * N4_2 + E4_11 * N4_3 + N1_3;
+  // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1 = G2_1 - minus_G3_1 + G1_1;
+  const T S1_2 = E3_22 * G3_2 - (E2_22 * minus_G2_2 + E2_23 * G2_3) + E3_23 * minus_G3_3 + G1_2;
+  const T b1_1 = E2_22 * G2_3 - E2_23 * minus_G2_2;
+  const T b1_2 = E3_23 * G3_2 - E3_22 * minus_G3_3;
+  const T S1_3 = b1_1 + b1_2 + G1_3;
+  // r_omega1 = q2~ E2^T G2 + E2^T N2 + q3~ E3^T G3 + E3^T N3 + E4^T N4 + N1: Kane's equation of omega [N m]
+  const T r_omega1_1 = T(0.6) * b1_1 + N2_1 - T(0.6) * b1_2 + N3_1 + E4_11 * N4_1 + E4_13 * N4_2 + E4_12 * N4_3 +
+      N1_1;
+  const T r_omega1_2 = E2_23 * minus_N2_3 - E3_23 * N3_3 + E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3 + N1_2;
+  const T r_omega1_3 = E3_22 * N3_3 - (T(0.6) * G2_1 + E2_22 * minus_N2_3 + T(0.6) * minus_G3_1) + E4_13 * N4_1 +
+      E4_12 * N4_2 + E4_11 * N4_3 + N1_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -1341,7 +1333,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 77 add, 87 multiply, 6 sine or cosine
+// 65 add, 73 multiply, 6 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -1395,49 +1387,47 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T E4_13 = t4_3 - t4_2;
 
   // ---- body 3 (right_panel) and what it carries
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc3_2 = E3_22 * T(9);
   const T minus_hc3_3 = E3_23 * T(9);
 
   // ---- body 2 (left_panel) and what it carries
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
+  // hc2 = E2^T h_own_2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_2 = E2_22 * T(9);
   const T hc2_3 = E2_23 * T(9);
 
   // ---- body 1 (hub) and what it carries
-  // h1 = m2 q2 + m3 q3 + m4 q4 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_2 = hc2_2 - minus_hc3_2;
+  // h1 = h_all_1 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h1_2 = minus_hc3_2 - hc2_2;
   const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q3~ hc3~ + E3^T J3 E3 + E4^T I4 E4 + I1 + (-m2 q2~ - hc2~) q2~ + (-m3 q3~ - hc3~)
-  //   q3~ - m4 q4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
+  // J1 = -q2~ hc2~ + E2^T J_own_2 E2 - q3~ hc3~ + E3^T J_own_3 E3 + E4^T I4 E4 + J_all_1 - hc2~ q2~ - hc3~ q3~:
+  //   inertia carried, about the body origin, body axes [kg m^2]
   const T b1_1 = T(0.6) * hc2_2;
   const T b1_2 = b1_1 + T(12);
-  const T b1_3 = T(0.6) * minus_hc3_2;
-  const T b1_4 = b1_3 + (T(5.3999999999999995) + hc2_2) * T(0.6) + (T(5.3999999999999995) + minus_hc3_2) * T(0.6);
-  const T b1_5 = E4_13 * T(0.0021);
-  const T b1_6 = E4_12 * T(0.0021);
-  const T b1_7 = E4_11 * T(0.0158) + b1_5 + b1_6;
-  const T b1_8 = b1_7 * E4_11;
-  const T b1_9 = E4_11 * T(0.0021);
-  const T b1_10 = b1_6 + b1_9 + E4_13 * T(0.0158);
-  const T b1_11 = b1_10 * E4_13;
-  const T b1_12 = b1_5 + b1_9 + E4_12 * T(0.0158);
-  const T b1_13 = b1_12 * E4_12;
-  const T J1_11 = b1_2 + b1_4 + T(28.16) + b1_8 + b1_11 + b1_13;
-  const T b1_14 = b1_7 * E4_12;
-  const T b1_15 = b1_10 * E4_11;
-  const T b1_16 = b1_12 * E4_13;
+  const T b1_3 = T(1.2) * minus_hc3_2;
+  const T b1_4 = E4_13 * T(0.0021);
+  const T b1_5 = E4_12 * T(0.0021);
+  const T b1_6 = E4_11 * T(0.0158) + b1_4 + b1_5;
+  const T b1_7 = b1_6 * E4_11;
+  const T b1_8 = E4_11 * T(0.0021);
+  const T b1_9 = b1_5 + b1_8 + E4_13 * T(0.0158);
+  const T b1_10 = b1_9 * E4_13;
+  const T b1_11 = b1_4 + b1_8 + E4_12 * T(0.0158);
+  const T b1_12 = b1_11 * E4_12;
+  const T b1_13 = b1_7 + b1_10 + b1_12;
+  const T J1_11 = b1_2 + b1_3 + T(34.64) + b1_13 + b1_1;
+  const T b1_14 = b1_6 * E4_12;
+  const T b1_15 = b1_9 * E4_11;
+  const T b1_16 = b1_11 * E4_13;
   const T J1_12 = b1_14 + b1_15 + b1_16 + T(0.2);
-  const T J1_13 = b1_7 * E4_13 + b1_10 * E4_12 + b1_12 * E4_11 - T(0.1);
-  const T b1_17 = E2_22 * T(0.75);
-  const T b1_18 = E2_23 * T(12.75);
-  const T b1_19 = E3_22 * T(0.75);
-  const T b1_20 = E3_23 * T(12.75);
-  const T J1_22 = b1_17 * E2_22 + b1_18 * E2_23 + b1_19 * E3_22 + b1_20 * E3_23 + b1_13 + b1_8 + b1_11 + T(14.16);
-  const T J1_23 = T(0.3) - T(0.6) * hc2_3 + (b1_17 * E2_23 - b1_18 * E2_22 - T(0.6) * minus_hc3_3) + (b1_19 * E3_23 -
-      b1_20 * E3_22 + (b1_16 + b1_14 + b1_15));
-  const T J1_33 = E2_23 * T(0.75) * E2_23 + E2_22 * T(12.75) * E2_22 + b1_1 + b1_4 + E3_23 * T(0.75) * E3_23 + E3_22 *
-      T(12.75) * E3_22 + b1_11 + b1_13 + b1_8 + T(18);
+  const T J1_13 = b1_6 * E4_13 + b1_9 * E4_12 + b1_11 * E4_11 - T(0.1);
+  const T b1_17 = E2_23 * T(12);
+  const T b1_18 = E3_23 * T(12);
+  const T b1_19 = b1_12 + b1_7 + b1_10 + (E2_23 * b1_17 + E3_23 * b1_18);
+  const T J1_22 = b1_19 + T(15.66);
+  const T J1_23 = b1_16 - (E2_22 * b1_17 + E3_22 * b1_18) + b1_14 + b1_15 + T(0.3) - T(0.6) * hc2_3 - T(0.6) *
+      minus_hc3_3;
+  const T J1_33 = T(50.0274) - b1_19 + T(1.2) * hc2_2 + b1_3 - b1_13;
   A[0] = J1_11;
   A[1] = J1_12;
   A[9] = J1_12;
@@ -1457,22 +1447,22 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[46] = K_thetadot4_1_1;
   A[47] = K_thetadot4_1_1;
   // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = b1_3 + T(12);
+  const T K_thetadot3_1_1 = T(0.6) * minus_hc3_2 + T(12);
   A[4] = K_thetadot3_1_1;
   A[36] = K_thetadot3_1_1;
   A[3] = b1_2;
   A[27] = b1_2;
 
   // ---- results
-  const T t1 = h1_2 * R1_31 - h1_3 * R1_21;
-  A[6] = t1;
-  A[54] = t1;
-  const T t2 = h1_2 * R1_32 - h1_3 * R1_22;
-  A[7] = t2;
-  A[63] = t2;
-  const T t3 = h1_2 * R1_33 - h1_3 * R1_23;
-  A[8] = t3;
-  A[72] = t3;
+  const T t1 = minus_h1_2 * R1_31 + h1_3 * R1_21;
+  A[6] = -t1;
+  A[54] = -t1;
+  const T t2 = minus_h1_2 * R1_32 + h1_3 * R1_22;
+  A[7] = -t2;
+  A[63] = -t2;
+  const T t3 = minus_h1_2 * R1_33 + h1_3 * R1_23;
+  A[8] = -t3;
+  A[72] = -t3;
   const T t4 = h1_3 * R1_11;
   A[15] = t4;
   A[55] = t4;
@@ -1482,15 +1472,15 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T t6 = h1_3 * R1_13;
   A[17] = t6;
   A[73] = t6;
-  const T t7 = h1_2 * R1_11;
-  A[24] = -t7;
-  A[56] = -t7;
-  const T t8 = h1_2 * R1_12;
-  A[25] = -t8;
-  A[65] = -t8;
-  const T t9 = h1_2 * R1_13;
-  A[26] = -t9;
-  A[74] = -t9;
+  const T t7 = minus_h1_2 * R1_11;
+  A[24] = t7;
+  A[56] = t7;
+  const T t8 = minus_h1_2 * R1_12;
+  A[25] = t8;
+  A[65] = t8;
+  const T t9 = minus_h1_2 * R1_13;
+  A[26] = t9;
+  A[74] = t9;
   A[30] = T(12);
   A[40] = T(12);
   const T t10 = R1_31 * hc2_2 - R1_21 * hc2_3;
@@ -1520,7 +1510,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 // kinematics_and_accelerations: xdot, the kinematical equations; ydot from A ydot = f.
 // xdot: rates of x (nx) [1/s], [rad/s], [m/s]
 // ydot: rates of y (ny) [rad/s^2], [m/s^2]
-// 305 add, 375 multiply, 6 divide, 6 sine or cosine
+// 258 add, 314 multiply, 6 divide, 6 sine or cosine
+// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* xdot, T* ydot)
     noexcept {
@@ -1551,16 +1542,25 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_13 = omega1_2 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T t1_15 = omega1_3 * omega1_3;
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
-  const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
-  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_14;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_2;
+  const T minus_U1_33 = t1_15 + t1_14;
+  // G1 = -U1 h_all_1 + F_thruster_: applied less inertia force, body axes [N]
+  const T G1_1 = u.thrust + U1_13 * T(0.8);
+  const T G1_2 = U1_23 * T(0.8);
+  const T minus_G1_3 = minus_U1_33 * T(0.8);
+  // N1 = -omega1~ J_all_1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment about the body origin, body
+  //   axes [N m]
+  const T minus_N1_1 = T(10.32) * U1_23 + T(0.3) * (t1_15 - t1_13) - T(0.1) * U1_12 - T(0.2) * U1_13;
+  const T minus_N1_2 = T(0.2) * U1_23 - (T(3.34) * U1_13 + T(0.1) * (t1_13 - t1_14)) - T(0.3) * U1_12;
+  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_14 - t1_15) - T(6.9799999999999995) * U1_12 + T(0.3) * U1_13 +
+      T(0.1) * U1_23;
 
   // ---- body 2 (left_panel) on body 1
   const T theta2 = x[4];
@@ -1573,38 +1573,28 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot2_2 = thetadot2 * omega2_3;
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = omega2_2 * omega2_1;
-  const T U2_12 = t2_1 + minus_omegadot2_3;
-  const T U2_21 = t2_1 - minus_omegadot2_3;
+  const T U2_12 = omega2_2 * omega2_1 + minus_omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
   const T U2_23 = omega2_3 * omega2_2;
-  const T U2_31 = omega2_3 * omega2_1 - omegadot2_2;
-  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_2 = omega1_1 * T(0.6);
-  const T Pddot2_1 = omega1_2 * t2_2;
-  const T t2_3 = omega1_3 * T(0.6);
-  const T t2_4 = omega1_2 * t2_3;
-  const T t2_5 = omega1_3 * t2_3 + omega1_1 * t2_2;
-  const T Pddot2_2 = E2_23 * t2_4 - E2_22 * t2_5;
-  const T Pddot2_3 = E2_23 * t2_5 + E2_22 * t2_4;
+  // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot2_1 = U1_12 * T(0.6);
+  const T t2_1 = minus_U1_22 * T(0.6);
+  const T t2_2 = U1_23 * T(0.6);
+  const T Pddot2_3 = E2_23 * t2_1 + E2_22 * t2_2;
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 + Pddot2_1;
-  const T a2_2 = Pddot2_2 - minus_U2_22;
-  const T a2_3 = U2_23 + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(9) * a2_1;
-  const T minus_G2_2 = T(9) * a2_2;
-  const T minus_G2_3 = T(9) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(3) * U2_23;
-  const T N2_2 = T(0.75) * U2_31;
-  const T minus_N2_3 = T(0.75) * U2_21 - T(3) * U2_12;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_12 * T(9);
+  const T G2_2 = minus_U2_22 * T(9);
+  const T minus_G2_3 = U2_23 * T(9);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(9) * Pddot2_3 + T(12) * U2_23;
+  const T t2_3 = T(9) * Pddot2_1;
+  const T N2_3 = t2_3 + T(12) * U2_12;
 
   // ---- body 3 (right_panel) on body 1
   const T theta3 = x[5];
@@ -1617,33 +1607,24 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
   const T omega3_3 = E3_22 * omega1_3 - E3_23 * omega1_2;
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_2 = thetadot3 * omega3_3;
   const T minus_omegadot3_3 = thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_2 * omega3_1;
-  const T U3_12 = t3_1 + minus_omegadot3_3;
-  const T U3_21 = t3_1 - minus_omegadot3_3;
+  const T U3_12 = omega3_2 * omega3_1 + minus_omegadot3_3;
   const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
   const T U3_23 = omega3_3 * omega3_2;
-  const T U3_31 = omega3_3 * omega3_1 - omegadot3_2;
-  // Pddot3 = E3 omega1~ omega1~ q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_2 = E3_22 * t2_5 - E3_23 * t2_4;
-  const T minus_Pddot3_3 = E3_23 * t2_5 + E3_22 * t2_4;
+  // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T minus_Pddot3_3 = E3_23 * t2_1 + E3_22 * t2_2;
   // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
   const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a3_1 = U3_12 + Pddot2_1;
-  const T a3_2 = minus_U3_22 + Pddot3_2;
-  const T minus_a3_3 = U3_23 + minus_Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T G3_1 = T(9) * minus_a3_1;
-  const T minus_G3_2 = T(9) * a3_2;
-  const T G3_3 = T(9) * minus_a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(3) * U3_23;
-  const T N3_2 = T(0.75) * U3_31;
-  const T minus_N3_3 = T(0.75) * U3_21 - T(3) * U3_12;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T G3_1 = U3_12 * T(9);
+  const T minus_G3_2 = minus_U3_22 * T(9);
+  const T G3_3 = U3_23 * T(9);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(9) * minus_Pddot3_3 + T(12) * U3_23;
+  const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
   const T theta4 = x[6];
@@ -1687,20 +1668,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T U4_31 = t4_14 + minus_omegadot4_2;
   const T U4_32 = t4_16 - minus_omegadot4_1;
   const T minus_U4_33 = t4_12 + t4_15;
-  // Pddot4 = E4 omega1~ omega1~ q4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_17 = T(0.2) * omega1_1;
-  const T t4_18 = T(0.2) * omega1_2;
-  const T t4_19 = omega1_1 * t4_17 + omega1_2 * t4_18;
-  const T t4_20 = omega1_3 * t4_17;
-  const T t4_21 = omega1_3 * t4_18;
-  const T Pddot4_1 = E4_13 * t4_19 - (E4_11 * t4_20 + E4_12 * t4_21);
-  const T Pddot4_2 = E4_12 * t4_19 - (E4_13 * t4_20 + E4_11 * t4_21);
-  const T Pddot4_3 = E4_11 * t4_19 - (E4_12 * t4_20 + E4_13 * t4_21);
-  // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(4) * Pddot4_1;
-  const T minus_G4_2 = T(4) * Pddot4_2;
-  const T minus_G4_3 = T(4) * Pddot4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the body origin, body axes [N m]
   const T minus_N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - T(0.0021) * (minus_U4_22 - minus_U4_33) - T(0.0021) *
       U4_31 + T(0.0021) * U4_21;
   const T minus_N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - T(0.0021) * (minus_U4_33 - minus_U4_11) - T(0.0021) *
@@ -1708,173 +1676,228 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T minus_N4_3 = T(0.0079) * U4_21 - T(0.0079) * U4_12 - T(0.0021) * (minus_U4_11 - minus_U4_22) - T(0.0021) *
       U4_23 + T(0.0021) * U4_13;
 
+  // ---- body 4 (wheel) and what it carries
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(50) * u_4;
+  // nt4 = N4 - v4 K4: moment with the turn solved [N m]
+  const T b4_1 = v4 * T(0.011547005383792516);
+  const T minus_nt4_1 = b4_1 + minus_N4_1;
+  const T minus_nt4_2 = b4_1 + minus_N4_2;
+  const T minus_nt4_3 = b4_1 + minus_N4_3;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_2 = E4_13 * T(0.004566666666666667);
+  const T b4_3 = E4_12 * T(0.004566666666666667);
+  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_5 = b4_4 * E4_11;
+  const T b4_6 = E4_11 * T(0.004566666666666667);
+  const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
+  const T b4_8 = b4_7 * E4_13;
+  const T b4_9 = E4_12 * T(0.009133333333333334) - (b4_2 + b4_6);
+  const T b4_10 = b4_9 * E4_12;
+  const T Jp4_11 = b4_5 + b4_8 + b4_10;
+  const T b4_11 = b4_4 * E4_12;
+  const T b4_12 = b4_7 * E4_11;
+  const T b4_13 = b4_9 * E4_13;
+  const T Jp4_12 = b4_11 + b4_12 + b4_13;
+  const T Jp4_13 = b4_4 * E4_13 + b4_7 * E4_12 + b4_9 * E4_11;
+  const T Jp4_22 = b4_10 + b4_5 + b4_8;
+  const T Jp4_23 = b4_13 + b4_11 + b4_12;
+  const T Jp4_33 = T(0.027400000000000004) - Jp4_11 - Jp4_22;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T minus_np4_1 = E4_11 * minus_nt4_1 + E4_13 * minus_nt4_2 + E4_12 * minus_nt4_3;
+  const T minus_np4_2 = E4_12 * minus_nt4_1 + E4_11 * minus_nt4_2 + E4_13 * minus_nt4_3;
+  const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
+
   // ---- body 3 (right_panel) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho3_1 = G3_3 + minus_N3_1;
-  const T rho3_3 = G3_1 - minus_N3_3;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_2 = E3_22 * T(9);
-  const T minus_hc3_3 = E3_23 * T(9);
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
+  // v3 = invD3 u_3: u/D
+  const T minus_v3 = T(0.08333333333333333) * minus_u_3;
+  // gt3 = G3 - v3 B3: force with the turn solved [N]
+  const T gt3_3 = G3_3 - minus_v3 * T(9);
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = E3_23 * T(6.75);
+  const T minus_Mp3_22 = E3_23 * b3_1;
+  const T Mp3_23 = E3_22 * b3_1;
+  const T Mp3_33 = minus_Mp3_22 - T(6.75);
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T minus_gp3_2 = E3_22 * minus_G3_2 + E3_23 * gt3_3;
+  const T gp3_3 = E3_22 * gt3_3 - E3_23 * minus_G3_2;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T minus_Hp3_21 = E3_23 * T(9);
+  const T Hp3_31 = E3_22 * T(9);
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_2 = E3_23 * T(12);
+  const T Jp3_22 = E3_23 * b3_2;
+  const T minus_Jp3_23 = E3_22 * b3_2;
+  const T Jp3_33 = T(12) - Jp3_22;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T minus_np3_2 = E3_23 * N3_3;
+  const T np3_3 = E3_22 * N3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T minus_Hb3_12 = T(0.6) * Mp3_23;
+  const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_1 = minus_G2_3 + minus_N2_1;
-  const T rho2_3 = minus_G2_1 - minus_N2_3;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_2 = E2_22 * T(9);
-  const T hc2_3 = E2_23 * T(9);
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
+  // v2 = invD2 u_2: u/D
+  const T minus_v2 = T(0.08333333333333333) * minus_u_2;
+  // gt2 = G2 - v2 B2: force with the turn solved [N]
+  const T gt2_3 = minus_v2 * T(9) - minus_G2_3;
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T b2_1 = E2_23 * T(6.75);
+  const T minus_Mp2_22 = E2_23 * b2_1;
+  const T Mp2_23 = E2_22 * b2_1;
+  const T Mp2_33 = minus_Mp2_22 - T(6.75);
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T gp2_2 = E2_22 * G2_2 - E2_23 * gt2_3;
+  const T gp2_3 = E2_23 * G2_2 + E2_22 * gt2_3;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_21 = E2_23 * T(9);
+  const T minus_Hp2_31 = E2_22 * T(9);
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_2 = E2_23 * T(12);
+  const T Jp2_22 = E2_23 * b2_2;
+  const T minus_Jp2_23 = E2_22 * b2_2;
+  const T Jp2_33 = T(12) - Jp2_22;
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T minus_np2_2 = E2_23 * N2_3;
+  const T np2_3 = E2_22 * N2_3;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_12 = T(0.6) * Mp2_23;
+  const T Hb2_13 = T(0.6) * Mp2_33;
 
   // ---- body 1 (hub) and what it carries
-  // S1 = E2^T G2 + E3^T G3 + E4^T G4 + F_thruster_: sum of the force balances of the subtree, body axes [N]
-  const T b1_1 = E4_11 * minus_G4_1 + E4_13 * minus_G4_2 + E4_12 * minus_G4_3;
-  const T S1_1 = G3_1 - minus_G2_1 - b1_1 + u.thrust;
-  const T b1_2 = E4_12 * minus_G4_1 + E4_11 * minus_G4_2 + E4_13 * minus_G4_3;
-  const T S1_2 = E2_23 * minus_G2_3 - E2_22 * minus_G2_2 - E3_22 * minus_G3_2 - E3_23 * G3_3 - b1_2;
-  const T b1_3 = E3_22 * G3_3 - E3_23 * minus_G3_2;
-  const T b1_4 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_3 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_4;
-  // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
-  //   omega [N m]
-  const T minus_f_omega1_1 = T(0.6) * b1_4 + minus_rho2_1 + T(0.6) * b1_3 + minus_rho3_1 + T(0.2) * b1_2 + E4_11 *
-      minus_N4_1 + E4_13 * minus_N4_2 + E4_12 * minus_N4_3 + minus_N1_1;
-  const T f_omega1_2 = E2_22 * N2_2 - E2_23 * rho2_3 + E3_22 * N3_2 - E3_23 * rho3_3 + T(0.2) * b1_1 - E4_12 *
-      minus_N4_1 - E4_11 * minus_N4_2 - E4_13 * minus_N4_3 - minus_N1_2;
-  const T f_omega1_3 = T(0.6) * minus_G2_1 + E2_23 * N2_2 + E2_22 * rho2_3 + T(0.6) * G3_1 + E3_23 * N3_2 + E3_22 *
-      rho3_3 - E4_13 * minus_N4_1 - E4_12 * minus_N4_2 - E4_11 * minus_N4_3 - minus_N1_3;
-  // h1 = m2 q2 + m3 q3 + m4 q4 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_2 = hc2_2 - minus_hc3_2;
-  const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q3~ hc3~ + E3^T J3 E3 + E4^T I4 E4 + I1 + (-m2 q2~ - hc2~) q2~ + (-m3 q3~ - hc3~)
-  //   q3~ - m4 q4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_5 = T(0.6) * hc2_2;
-  const T b1_6 = b1_5 + T(12);
-  const T b1_7 = T(0.6) * minus_hc3_2;
-  const T b1_8 = b1_7 + (T(5.3999999999999995) + hc2_2) * T(0.6) + (T(5.3999999999999995) + minus_hc3_2) * T(0.6);
-  const T b1_9 = E4_13 * T(0.0021);
-  const T b1_10 = E4_12 * T(0.0021);
-  const T b1_11 = E4_11 * T(0.0158) + b1_9 + b1_10;
-  const T b1_12 = b1_11 * E4_11;
-  const T b1_13 = E4_11 * T(0.0021);
-  const T b1_14 = b1_10 + b1_13 + E4_13 * T(0.0158);
-  const T b1_15 = b1_14 * E4_13;
-  const T b1_16 = b1_9 + b1_13 + E4_12 * T(0.0158);
-  const T b1_17 = b1_16 * E4_12;
-  const T J1_11 = b1_6 + b1_8 + T(28.16) + b1_12 + b1_15 + b1_17;
-  const T b1_18 = b1_11 * E4_12;
-  const T b1_19 = b1_14 * E4_11;
-  const T b1_20 = b1_16 * E4_13;
-  const T J1_12 = b1_18 + b1_19 + b1_20 + T(0.2);
-  const T J1_13 = b1_11 * E4_13 + b1_14 * E4_12 + b1_16 * E4_11 - T(0.1);
-  const T b1_21 = E2_22 * T(0.75);
-  const T b1_22 = E2_23 * T(12.75);
-  const T b1_23 = E3_22 * T(0.75);
-  const T b1_24 = E3_23 * T(12.75);
-  const T J1_22 = b1_21 * E2_22 + b1_22 * E2_23 + b1_23 * E3_22 + b1_24 * E3_23 + b1_17 + b1_12 + b1_15 + T(14.16);
-  const T J1_32 = b1_21 * E2_23 - b1_22 * E2_22 - T(0.6) * hc2_3 - T(0.6) * minus_hc3_3 + b1_23 * E3_23 - b1_24 *
-      E3_22 + b1_20 + b1_18 + b1_19 + T(0.3);
-  const T J1_33 = E2_23 * T(0.75) * E2_23 + E2_22 * T(12.75) * E2_22 + b1_5 + b1_8 + E3_23 * T(0.75) * E3_23 + E3_22 *
-      T(12.75) * E3_22 + b1_15 + b1_17 + b1_12 + T(18);
-  // K_thetadot4_1 = E4^T K_thetadot4_4
-  const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
-      T(0.011547005383792516);
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = b1_7 + T(12);
-  // D_omegadot1: pivots of L D L^T
-  const T b1_25 = K_thetadot4_1_1 * T(50);
-  const T b1_26 = b1_25 * K_thetadot4_1_1;
-  const T b1_27 = K_thetadot3_1_1 * T(0.08333333333333333);
-  const T b1_28 = b1_6 * T(0.08333333333333333);
-  const T D_omegadot1_1 = J1_11 - b1_26 - b1_27 * K_thetadot3_1_1 - b1_28 * b1_6;
-  const T b1_29 = J1_12 - b1_26;
-  const T b1_30 = T(1) / D_omegadot1_1;
-  const T b1_31 = b1_29 * b1_30;
-  const T D_omegadot1_2 = J1_22 - b1_26 - b1_31 * b1_29;
-  const T b1_32 = J1_13 - b1_26;
-  const T b1_33 = b1_32 * b1_30;
-  const T b1_34 = J1_32 - b1_26 - b1_33 * b1_29;
-  const T b1_35 = T(1) / D_omegadot1_2;
-  const T b1_36 = b1_34 * b1_35;
-  const T D_omegadot1_3 = J1_33 - b1_26 - b1_33 * b1_32 - b1_36 * b1_34;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_37 = h1_3 * b1_35;
-  const T b1_38 = h1_2 + b1_37 * b1_34;
-  const T b1_39 = T(1) / D_omegadot1_3;
-  const T b1_40 = b1_38 * b1_39;
-  const T D_Pddot1_1 = T(142) - b1_37 * h1_3 - b1_40 * b1_38;
-  const T b1_41 = minus_hc3_3 * T(0.08333333333333333);
-  const T b1_42 = hc2_3 * T(0.08333333333333333);
-  const T b1_43 = h1_3 + b1_41 * K_thetadot3_1_1 - b1_42 * b1_6;
-  const T b1_44 = b1_43 * b1_30;
-  const T b1_45 = b1_44 * b1_29;
-  const T b1_46 = b1_45 * b1_35;
-  const T b1_47 = b1_44 * b1_32 - b1_46 * b1_34;
-  const T b1_48 = b1_47 * b1_39;
-  const T b1_49 = b1_48 * b1_38 - b1_46 * h1_3;
-  const T b1_50 = T(1) / D_Pddot1_1;
-  const T b1_51 = b1_49 * b1_50;
-  const T D_Pddot1_2 = T(142) - b1_41 * minus_hc3_3 - b1_42 * hc2_3 - b1_44 * b1_43 - b1_46 * b1_45 - b1_48 * b1_47 -
-      b1_51 * b1_49;
-  const T b1_52 = minus_hc3_2 * T(0.08333333333333333);
-  const T b1_53 = hc2_2 * T(0.08333333333333333);
-  const T b1_54 = h1_2 + b1_52 * K_thetadot3_1_1 - b1_53 * b1_6;
-  const T b1_55 = b1_54 * b1_30;
-  const T b1_56 = b1_55 * b1_29;
-  const T b1_57 = b1_56 * b1_35;
-  const T b1_58 = b1_57 * b1_34 - b1_55 * b1_32;
-  const T b1_59 = b1_58 * b1_39;
-  const T b1_60 = b1_57 * h1_3 + b1_59 * b1_38;
-  const T b1_61 = b1_60 * b1_50;
-  const T b1_62 = b1_52 * minus_hc3_3 + b1_53 * hc2_3 + b1_55 * b1_43 + b1_57 * b1_45 - b1_59 * b1_47 - b1_61 * b1_49;
-  const T b1_63 = T(1) / D_Pddot1_2;
-  const T b1_64 = b1_62 * b1_63;
-  const T D_Pddot1_3 = T(142) - b1_52 * minus_hc3_2 - b1_53 * hc2_2 - b1_55 * b1_54 - b1_57 * b1_56 - b1_59 * b1_58 -
-      b1_61 * b1_60 - b1_64 * b1_62;
+  // MA1 = m_all_1 one + Mp3 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_22 = T(142) - minus_Mp3_22 - minus_Mp2_22;
+  const T MA1_23 = Mp3_23 + Mp2_23;
+  const T MA1_33 = T(142) + Mp3_33 + Mp2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_12 = Hb2_12 + T(0.8) - minus_Hb3_12;
+  const T HA1_13 = Hb2_13 - minus_Hb3_13;
+  const T HA1_21 = Hp2_21 - T(0.8) - minus_Hp3_21;
+  const T HA1_31 = Hp3_31 - minus_Hp2_31;
+  // JA1 = q2~ Hp2^T + q3~ Hp3^T + J_all_1 + Jp4 + Jp3 + Jp2 - Hb2 q2~ - Hb3 q3~: moment for an angular acceleration,
+  //   body axes [kg m^2]
+  const T JA1_11 = T(22.64) + Jp4_11 + Hb2_13 * T(0.6) + minus_Hb3_13 * T(0.6);
+  const T JA1_12 = T(0.2) + Jp4_12;
+  const T JA1_13 = Jp4_13 - T(0.1);
+  const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
+  const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
+  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
+  const T g1_1 = G1_1 + G3_1 - minus_G2_1;
+  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
+  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
+  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
+      minus_effort_left_panel_2;
+  const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
+  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T minus_Y1_22 = LD1_21 * HA1_12;
+  const T minus_Y1_23 = LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_32 * HA1_21;
+  const T Y1_32 = LD1_32 * minus_Y1_22 - LD1_31 * HA1_12;
+  const T Y1_33 = LD1_32 * minus_Y1_23 - LD1_31 * HA1_13;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * HA1_21;
+  const T minus_W1_22 = LD1_22 * minus_Y1_22;
+  const T minus_W1_23 = LD1_22 * minus_Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_2 = minus_n1_2 + LD1_21 * n1_1;
+  const T minus_w_1_2 = LD1_22 * b1_2;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
+  const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
+  const T minus_LDs1_31 = LDs1_11 * minus_M1_13;
+  const T b1_3 = M1_23 - minus_LDs1_21 * minus_M1_13;
+  const T LDs1_32 = LDs1_22 * b1_3;
+  const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_3);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_4 = gb1_2 + minus_LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_4;
+  const T ws1_3 = LDs1_33 * (gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (hub), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
-  const T z1_2 = b1_25 * z1_1;
-  const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
-  const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_27 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_28 * z1_4;
-  const T z1_6 = f_omega1_2 - z1_2 - b1_31 * z1_5;
-  const T z1_7 = f_omega1_3 - z1_2 - b1_33 * z1_5 - b1_36 * z1_6;
-  const T z1_8 = S1_1 - b1_37 * z1_6 + b1_40 * z1_7;
-  const T z1_9 = S1_2 + b1_41 * z1_3 - b1_42 * z1_4 + b1_44 * z1_5 - b1_46 * z1_6 - b1_48 * z1_7 - b1_51 * z1_8;
-  const T z1_10 = T(1) / D_Pddot1_3 * (S1_3 - b1_52 * z1_3 + b1_53 * z1_4 - b1_55 * z1_5 + b1_57 * z1_6 - b1_59 * z1_7
-      - b1_61 * z1_8 - b1_64 * z1_9);
-  const T z1_11 = z1_9 * b1_63 - b1_64 * z1_10;
-  const T Pddot1_1 = z1_8 * b1_50 - b1_51 * z1_11 - b1_61 * z1_10;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_12 = z1_7 * b1_39 + b1_40 * Pddot1_1 - b1_48 * z1_11 - b1_59 * z1_10;
-  const T z1_13 = z1_6 * b1_35 - b1_36 * z1_12 - b1_37 * Pddot1_1 - b1_46 * z1_11 + b1_57 * z1_10;
-  const T omegadot1_1 = z1_5 * b1_30 - b1_31 * z1_13 - b1_33 * z1_12 + b1_44 * z1_11 - b1_55 * z1_10;
-  ydot[0] = omegadot1_1;
-  ydot[1] = z1_13;
-  ydot[2] = z1_12;
-  // sddot1 = R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_11 + R1_31 * z1_10;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_11 + R1_32 * z1_10;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_11 + R1_33 * z1_10;
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1_1;
+  ydot[1] = -z1_3;
+  ydot[2] = z1_2;
+  // sddot1 = R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[6] = sddot1_1;
   ydot[7] = sddot1_2;
   ydot[8] = sddot1_3;
 
   // ---- body 2 (left_panel), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = b1_42 * z1_11 - (z1_4 * T(0.08333333333333333) + b1_28 * omegadot1_1) - b1_53 * z1_10;
-  ydot[3] = thetaddot2;
+  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.6) * omegadot1_1_1;
+  const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  // thetaddot2 = -b2 . alphaL2 + phi2
+  const T minus_thetaddot2 = omegadot1_1_1 + minus_phi2;
+  ydot[3] = -minus_thetaddot2;
 
   // ---- body 3 (right_panel), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = b1_52 * z1_10 - (z1_3 * T(0.08333333333333333) + b1_27 * omegadot1_1 + b1_41 * z1_11);
+  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta3_3 = E3_22 * ws1_3 - E3_23 * z1_1 - E3_22 * z2_1;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = T(0.75) * beta3_3 - minus_v3;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - omegadot1_1_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_1 * T(50) - b1_25 * omegadot1_1 - b1_25 * z1_13 - b1_25 * z1_12;
-  ydot[5] = thetaddot4;
+  // alphaL4 = E4 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * omegadot1_1_1 - E4_12 * z1_3 + E4_13 * z1_2;
+  const T alphaL4_2 = E4_13 * omegadot1_1_1 - E4_11 * z1_3 + E4_12 * z1_2;
+  const T alphaL4_3 = E4_12 * omegadot1_1_1 - E4_13 * z1_3 + E4_11 * z1_2;
+  // phi4 = -kK4 . alphaL4 + v4
+  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
+      alphaL4_3);
+  ydot[5] = phi4;
 
   // ---- body 1 (hub) on the inertial frame
   // w1 = 1/2 omega1: half the angular velocity [rad/s]
@@ -1904,7 +1927,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
 // state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
 // S (2 ny x 2 ny)
-// 1585 add, 1820 multiply, 6 divide, 6 sine or cosine
+// 1444 add, 1785 multiply, 6 divide, 6 sine or cosine
+// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
   using std::cos, std::sin;
@@ -1935,16 +1959,25 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // N1 = -omega1~ I1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_13 = omega1_2 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T t1_15 = omega1_3 * omega1_3;
-  const T t1_16 = omega1_1 * omega1_2;
-  const T t1_17 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(4) * t1_13 + T(0.3) * (t1_14 - t1_15) - T(0.1) * t1_16 - T(0.2) * t1_17;
-  const T t1_18 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.2) * t1_13 - (T(2) * t1_17 + T(0.1) * (t1_15 - t1_18)) - T(0.3) * t1_16;
-  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_18 - t1_14) - T(2) * t1_16 + T(0.3) * t1_17 + T(0.1) * t1_13;
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_14;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_2;
+  const T minus_U1_33 = t1_15 + t1_14;
+  // G1 = -U1 h_all_1 + F_thruster_: applied less inertia force, body axes [N]
+  const T G1_1 = u.thrust + U1_13 * T(0.8);
+  const T G1_2 = U1_23 * T(0.8);
+  const T minus_G1_3 = minus_U1_33 * T(0.8);
+  // N1 = -omega1~ J_all_1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment about the body origin, body
+  //   axes [N m]
+  const T minus_N1_1 = T(10.32) * U1_23 + T(0.3) * (t1_15 - t1_13) - T(0.1) * U1_12 - T(0.2) * U1_13;
+  const T minus_N1_2 = T(0.2) * U1_23 - (T(3.34) * U1_13 + T(0.1) * (t1_13 - t1_14)) - T(0.3) * U1_12;
+  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_14 - t1_15) - T(6.9799999999999995) * U1_12 + T(0.3) * U1_13 +
+      T(0.1) * U1_23;
 
   // ---- body 2 (left_panel) on body 1
   const T theta2 = x[4];
@@ -1961,38 +1994,28 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t2_1 = omega2_2 * omega2_1;
-  const T U2_12 = t2_1 + minus_omegadot2_3;
-  const T t2_2 = omega2_3 * omega2_1;
-  const T U2_13 = t2_2 + omegadot2_2;
-  const T U2_21 = t2_1 - minus_omegadot2_3;
-  const T t2_3 = omega2_3 * omega2_3;
-  const T minus_U2_22 = t2_3 + omega2_1 * omega2_1;
+  const T U2_12 = omega2_2 * omega2_1 + minus_omegadot2_3;
+  const T U2_13 = omega2_3 * omega2_1 + omegadot2_2;
+  const T t2_1 = omega2_3 * omega2_3;
+  const T minus_U2_22 = t2_1 + omega2_1 * omega2_1;
   const T U2_23 = omega2_3 * omega2_2;
-  const T U2_31 = t2_2 - omegadot2_2;
-  // Pddot2 = E2 omega1~ omega1~ q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = omega1_1 * T(0.6);
-  const T Pddot2_1 = omega1_2 * t2_4;
-  const T t2_5 = omega1_3 * T(0.6);
-  const T t2_6 = omega1_2 * t2_5;
-  const T t2_7 = omega1_3 * t2_5 + omega1_1 * t2_4;
-  const T Pddot2_2 = E2_23 * t2_6 - E2_22 * t2_7;
-  const T Pddot2_3 = E2_23 * t2_7 + E2_22 * t2_6;
+  // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot2_1 = U1_12 * T(0.6);
+  const T t2_2 = U1_23 * T(0.6);
+  const T t2_3 = minus_U1_22 * T(0.6);
+  const T Pddot2_2 = E2_23 * t2_2 - E2_22 * t2_3;
+  const T Pddot2_3 = E2_23 * t2_3 + E2_22 * t2_2;
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 + Pddot2_1;
-  const T a2_2 = Pddot2_2 - minus_U2_22;
-  const T a2_3 = U2_23 + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G2_1 = T(9) * a2_1;
-  const T minus_G2_2 = T(9) * a2_2;
-  const T minus_G2_3 = T(9) * a2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N2_1 = T(3) * U2_23;
-  const T N2_2 = T(0.75) * U2_31;
-  const T t2_8 = T(0.75) * U2_21;
-  const T minus_N2_3 = t2_8 - T(3) * U2_12;
+  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
+  const T minus_G2_1 = U2_12 * T(9);
+  const T G2_2 = minus_U2_22 * T(9);
+  const T minus_G2_3 = U2_23 * T(9);
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_1 = T(9) * Pddot2_3 + T(12) * U2_23;
+  const T t2_4 = T(9) * Pddot2_1;
+  const T N2_3 = t2_4 + T(12) * U2_12;
 
   // ---- body 3 (right_panel) on body 1
   const T theta3 = x[5];
@@ -2009,33 +2032,24 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_omegadot3_3 = thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_2 * omega3_1;
-  const T U3_12 = t3_1 + minus_omegadot3_3;
-  const T t3_2 = omega3_3 * omega3_1;
-  const T U3_13 = t3_2 + omegadot3_2;
-  const T U3_21 = t3_1 - minus_omegadot3_3;
-  const T t3_3 = omega3_3 * omega3_3;
-  const T minus_U3_22 = t3_3 + omega3_1 * omega3_1;
+  const T U3_12 = omega3_2 * omega3_1 + minus_omegadot3_3;
+  const T U3_13 = omega3_3 * omega3_1 + omegadot3_2;
+  const T t3_1 = omega3_3 * omega3_3;
+  const T minus_U3_22 = t3_1 + omega3_1 * omega3_1;
   const T U3_23 = omega3_3 * omega3_2;
-  const T U3_31 = t3_2 - omegadot3_2;
-  // Pddot3 = E3 omega1~ omega1~ q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_2 = E3_22 * t2_7 - E3_23 * t2_6;
-  const T minus_Pddot3_3 = E3_23 * t2_7 + E3_22 * t2_6;
+  // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot3_2 = E3_22 * t2_3 - E3_23 * t2_2;
+  const T minus_Pddot3_3 = E3_23 * t2_3 + E3_22 * t2_2;
   // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
   const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
-  // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a3_1 = U3_12 + Pddot2_1;
-  const T a3_2 = minus_U3_22 + Pddot3_2;
-  const T minus_a3_3 = U3_23 + minus_Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, body axes [N]
-  const T G3_1 = T(9) * minus_a3_1;
-  const T minus_G3_2 = T(9) * a3_2;
-  const T G3_3 = T(9) * minus_a3_3;
-  // N3 = -axial(U3 (tr(I3)/2 - I3)): applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N3_1 = T(3) * U3_23;
-  const T N3_2 = T(0.75) * U3_31;
-  const T t3_4 = T(0.75) * U3_21;
-  const T minus_N3_3 = t3_4 - T(3) * U3_12;
+  // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
+  const T G3_1 = U3_12 * T(9);
+  const T minus_G3_2 = minus_U3_22 * T(9);
+  const T G3_3 = U3_23 * T(9);
+  // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
+  //   body axes [N m]
+  const T minus_N3_1 = T(9) * minus_Pddot3_3 + T(12) * U3_23;
+  const T N3_3 = t2_4 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
   const T theta4 = x[6];
@@ -2083,20 +2097,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T U4_31 = t4_18 + minus_omegadot4_2;
   const T U4_32 = t4_20 - minus_omegadot4_1;
   const T minus_U4_33 = t4_16 + t4_19;
-  // Pddot4 = E4 omega1~ omega1~ q4: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_21 = T(0.2) * omega1_1;
-  const T t4_22 = T(0.2) * omega1_2;
-  const T t4_23 = omega1_1 * t4_21 + omega1_2 * t4_22;
-  const T t4_24 = omega1_3 * t4_21;
-  const T t4_25 = omega1_3 * t4_22;
-  const T Pddot4_1 = E4_13 * t4_23 - (E4_11 * t4_24 + E4_12 * t4_25);
-  const T Pddot4_2 = E4_12 * t4_23 - (E4_13 * t4_24 + E4_11 * t4_25);
-  const T Pddot4_3 = E4_11 * t4_23 - (E4_12 * t4_24 + E4_13 * t4_25);
-  // G4 = -m4 Pddot4: applied less inertia force at ydot = 0, body axes [N]
-  const T minus_G4_1 = T(4) * Pddot4_1;
-  const T minus_G4_2 = T(4) * Pddot4_2;
-  const T minus_G4_3 = T(4) * Pddot4_3;
-  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment at ydot = 0, body axes [N m]
+  // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the body origin, body axes [N m]
   const T minus_N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - T(0.0021) * (minus_U4_22 - minus_U4_33) - T(0.0021) *
       U4_31 + T(0.0021) * U4_21;
   const T minus_N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - T(0.0021) * (minus_U4_33 - minus_U4_11) - T(0.0021) *
@@ -2104,178 +2105,191 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_N4_3 = T(0.0079) * U4_21 - T(0.0079) * U4_12 - T(0.0021) * (minus_U4_11 - minus_U4_22) - T(0.0021) *
       U4_23 + T(0.0021) * U4_13;
 
+  // ---- body 4 (wheel) and what it carries
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
+      T(0.5773502691896257) * minus_N4_3);
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(50) * u_4;
+  // nt4 = N4 - v4 K4: moment with the turn solved [N m]
+  const T b4_1 = v4 * T(0.011547005383792516);
+  const T minus_nt4_1 = b4_1 + minus_N4_1;
+  const T minus_nt4_2 = b4_1 + minus_N4_2;
+  const T minus_nt4_3 = b4_1 + minus_N4_3;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_2 = E4_13 * T(0.004566666666666667);
+  const T b4_3 = E4_12 * T(0.004566666666666667);
+  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_5 = b4_4 * E4_11;
+  const T b4_6 = E4_11 * T(0.004566666666666667);
+  const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
+  const T b4_8 = b4_7 * E4_13;
+  const T b4_9 = E4_12 * T(0.009133333333333334) - (b4_2 + b4_6);
+  const T b4_10 = b4_9 * E4_12;
+  const T Jp4_11 = b4_5 + b4_8 + b4_10;
+  const T b4_11 = b4_4 * E4_12;
+  const T b4_12 = b4_7 * E4_11;
+  const T b4_13 = b4_9 * E4_13;
+  const T Jp4_12 = b4_11 + b4_12 + b4_13;
+  const T Jp4_13 = b4_4 * E4_13 + b4_7 * E4_12 + b4_9 * E4_11;
+  const T Jp4_22 = b4_10 + b4_5 + b4_8;
+  const T Jp4_23 = b4_13 + b4_11 + b4_12;
+  const T Jp4_33 = T(0.027400000000000004) - Jp4_11 - Jp4_22;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T minus_np4_1 = E4_11 * minus_nt4_1 + E4_13 * minus_nt4_2 + E4_12 * minus_nt4_3;
+  const T minus_np4_2 = E4_12 * minus_nt4_1 + E4_11 * minus_nt4_2 + E4_13 * minus_nt4_3;
+  const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
+
   // ---- body 3 (right_panel) and what it carries
-  // rho3 = r3~ G3 + N3: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho3_1 = G3_3 + minus_N3_1;
-  const T rho3_3 = G3_1 - minus_N3_3;
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_2 = E3_22 * T(9);
-  const T minus_hc3_3 = E3_23 * T(9);
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
+  // v3 = invD3 u_3: u/D
+  const T minus_v3 = T(0.08333333333333333) * minus_u_3;
+  // gt3 = G3 - v3 B3: force with the turn solved [N]
+  const T gt3_3 = G3_3 - minus_v3 * T(9);
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = E3_23 * T(6.75);
+  const T minus_Mp3_22 = E3_23 * b3_1;
+  const T Mp3_23 = E3_22 * b3_1;
+  const T Mp3_33 = minus_Mp3_22 - T(6.75);
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T minus_gp3_2 = E3_22 * minus_G3_2 + E3_23 * gt3_3;
+  const T gp3_3 = E3_22 * gt3_3 - E3_23 * minus_G3_2;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T minus_Hp3_21 = E3_23 * T(9);
+  const T Hp3_31 = E3_22 * T(9);
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_2 = E3_23 * T(12);
+  const T Jp3_22 = E3_23 * b3_2;
+  const T minus_Jp3_23 = E3_22 * b3_2;
+  const T Jp3_33 = T(12) - Jp3_22;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T minus_np3_2 = E3_23 * N3_3;
+  const T np3_3 = E3_22 * N3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T minus_Hb3_12 = T(0.6) * Mp3_23;
+  const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_1 = minus_G2_3 + minus_N2_1;
-  const T rho2_3 = minus_G2_1 - minus_N2_3;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_2 = E2_22 * T(9);
-  const T hc2_3 = E2_23 * T(9);
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
+  // v2 = invD2 u_2: u/D
+  const T minus_v2 = T(0.08333333333333333) * minus_u_2;
+  // gt2 = G2 - v2 B2: force with the turn solved [N]
+  const T gt2_3 = minus_v2 * T(9) - minus_G2_3;
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T b2_1 = E2_23 * T(6.75);
+  const T minus_Mp2_22 = E2_23 * b2_1;
+  const T Mp2_23 = E2_22 * b2_1;
+  const T Mp2_33 = minus_Mp2_22 - T(6.75);
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T gp2_2 = E2_22 * G2_2 - E2_23 * gt2_3;
+  const T gp2_3 = E2_23 * G2_2 + E2_22 * gt2_3;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_21 = E2_23 * T(9);
+  const T minus_Hp2_31 = E2_22 * T(9);
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_2 = E2_23 * T(12);
+  const T Jp2_22 = E2_23 * b2_2;
+  const T minus_Jp2_23 = E2_22 * b2_2;
+  const T Jp2_33 = T(12) - Jp2_22;
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T minus_np2_2 = E2_23 * N2_3;
+  const T np2_3 = E2_22 * N2_3;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_12 = T(0.6) * Mp2_23;
+  const T Hb2_13 = T(0.6) * Mp2_33;
 
   // ---- body 1 (hub) and what it carries
-  // S1 = E2^T G2 + E3^T G3 + E4^T G4 + F_thruster_: sum of the force balances of the subtree, body axes [N]
-  const T b1_1 = E4_11 * minus_G4_1 + E4_13 * minus_G4_2 + E4_12 * minus_G4_3;
-  const T S1_1 = G3_1 - minus_G2_1 - b1_1 + u.thrust;
-  const T b1_2 = E3_22 * minus_G3_2 + E3_23 * G3_3;
-  const T b1_3 = E2_23 * minus_G2_3 - E2_22 * minus_G2_2;
-  const T b1_4 = E4_12 * minus_G4_1 + E4_11 * minus_G4_2 + E4_13 * minus_G4_3;
-  const T minus_S1_2 = b1_2 - b1_3 + b1_4;
-  const T b1_5 = E3_22 * G3_3 - E3_23 * minus_G3_2;
-  const T b1_6 = E2_23 * minus_G2_2 + E2_22 * minus_G2_3;
-  const T S1_3 = b1_5 - (E4_13 * minus_G4_1 + E4_12 * minus_G4_2 + E4_11 * minus_G4_3) - b1_6;
-  // f_omega1 = q2~ E2^T G2 + E2^T rho2 + q3~ E3^T G3 + E3^T rho3 + q4~ E4^T G4 + E4^T N4 + N1: Kane's equation of
-  //   omega [N m]
-  const T minus_f_omega1_1 = T(0.6) * b1_6 + minus_rho2_1 + T(0.6) * b1_5 + minus_rho3_1 + T(0.2) * b1_4 + E4_11 *
-      minus_N4_1 + E4_13 * minus_N4_2 + E4_12 * minus_N4_3 + minus_N1_1;
-  const T b1_7 = E2_22 * N2_2 - E2_23 * rho2_3;
-  const T b1_8 = E3_22 * N3_2 - E3_23 * rho3_3;
-  const T f_omega1_2 = b1_7 + b1_8 + T(0.2) * b1_1 - E4_12 * minus_N4_1 - E4_11 * minus_N4_2 - E4_13 * minus_N4_3 -
-      minus_N1_2;
-  const T b1_9 = E2_23 * N2_2 + E2_22 * rho2_3;
-  const T b1_10 = E3_23 * N3_2 + E3_22 * rho3_3;
-  const T f_omega1_3 = T(0.6) * minus_G2_1 + b1_9 + T(0.6) * G3_1 + b1_10 - E4_13 * minus_N4_1 - E4_12 * minus_N4_2 -
-      E4_11 * minus_N4_3 - minus_N1_3;
-  // h1 = m2 q2 + m3 q3 + m4 q4 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_2 = hc2_2 - minus_hc3_2;
-  const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q3~ hc3~ + E3^T J3 E3 + E4^T I4 E4 + I1 + (-m2 q2~ - hc2~) q2~ + (-m3 q3~ - hc3~)
-  //   q3~ - m4 q4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_11 = T(0.6) * hc2_2;
-  const T b1_12 = b1_11 + T(12);
-  const T b1_13 = T(0.6) * minus_hc3_2;
-  const T b1_14 = E4_13 * T(0.0021);
-  const T b1_15 = E4_12 * T(0.0021);
-  const T b1_16 = E4_11 * T(0.0158) + b1_14 + b1_15;
-  const T b1_17 = b1_16 * E4_11;
-  const T b1_18 = E4_11 * T(0.0021);
-  const T b1_19 = b1_15 + b1_18 + E4_13 * T(0.0158);
-  const T b1_20 = b1_19 * E4_13;
-  const T b1_21 = b1_14 + b1_18 + E4_12 * T(0.0158);
-  const T b1_22 = b1_21 * E4_12;
-  const T b1_23 = (T(5.3999999999999995) + hc2_2) * T(0.6) + (T(5.3999999999999995) + minus_hc3_2) * T(0.6);
-  const T J1_11 = b1_12 + b1_13 + T(28.16) + b1_17 + b1_20 + b1_22 + b1_23;
-  const T b1_24 = b1_16 * E4_12;
-  const T b1_25 = b1_19 * E4_11;
-  const T b1_26 = b1_21 * E4_13;
-  const T J1_12 = b1_24 + b1_25 + b1_26 + T(0.2);
-  const T J1_13 = b1_16 * E4_13 + b1_19 * E4_12 + b1_21 * E4_11 - T(0.1);
-  const T b1_27 = E2_22 * T(0.75);
-  const T b1_28 = E2_23 * T(12.75);
-  const T b1_29 = b1_27 * E2_22 + b1_28 * E2_23;
-  const T b1_30 = E3_22 * T(0.75);
-  const T b1_31 = E3_23 * T(12.75);
-  const T b1_32 = b1_30 * E3_22 + b1_31 * E3_23;
-  const T J1_22 = b1_29 + b1_32 + b1_22 + b1_17 + b1_20 + T(14.16);
-  const T b1_33 = b1_27 * E2_23 - b1_28 * E2_22;
-  const T b1_34 = T(0.6) * hc2_3;
-  const T b1_35 = T(0.6) * minus_hc3_3;
-  const T b1_36 = b1_30 * E3_23 - b1_31 * E3_22;
-  const T J1_32 = b1_33 - b1_34 - b1_35 + b1_36 + b1_26 + b1_24 + b1_25 + T(0.3);
-  const T b1_37 = E2_22 * T(12.75);
-  const T b1_38 = E2_23 * T(0.75);
-  const T b1_39 = b1_11 + b1_38 * E2_23 + b1_37 * E2_22;
-  const T b1_40 = E3_22 * T(12.75);
-  const T b1_41 = E3_23 * T(0.75);
-  const T b1_42 = b1_13 + b1_41 * E3_23 + b1_40 * E3_22;
-  const T J1_33 = b1_39 + b1_42 + b1_20 + b1_22 + b1_17 + T(18) + b1_23;
-  // K_thetadot4_1 = E4^T K_thetadot4_4
-  const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
-      T(0.011547005383792516);
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = b1_13 + T(12);
-  // D_omegadot1: pivots of L D L^T
-  const T b1_43 = K_thetadot4_1_1 * T(50);
-  const T b1_44 = b1_43 * K_thetadot4_1_1;
-  const T b1_45 = K_thetadot3_1_1 * T(0.08333333333333333);
-  const T b1_46 = b1_12 * T(0.08333333333333333);
-  const T D_omegadot1_1 = J1_11 - b1_44 - b1_45 * K_thetadot3_1_1 - b1_46 * b1_12;
-  const T b1_47 = J1_12 - b1_44;
-  const T b1_48 = T(1) / D_omegadot1_1;
-  const T b1_49 = b1_47 * b1_48;
-  const T D_omegadot1_2 = J1_22 - b1_44 - b1_49 * b1_47;
-  const T b1_50 = J1_13 - b1_44;
-  const T b1_51 = b1_50 * b1_48;
-  const T b1_52 = J1_32 - b1_44 - b1_51 * b1_47;
-  const T b1_53 = T(1) / D_omegadot1_2;
-  const T b1_54 = b1_52 * b1_53;
-  const T D_omegadot1_3 = J1_33 - b1_44 - b1_51 * b1_50 - b1_54 * b1_52;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_55 = h1_3 * b1_53;
-  const T b1_56 = h1_2 + b1_55 * b1_52;
-  const T b1_57 = T(1) / D_omegadot1_3;
-  const T b1_58 = b1_56 * b1_57;
-  const T D_Pddot1_1 = T(142) - b1_55 * h1_3 - b1_58 * b1_56;
-  const T b1_59 = minus_hc3_3 * T(0.08333333333333333);
-  const T b1_60 = b1_59 * minus_hc3_3;
-  const T b1_61 = hc2_3 * T(0.08333333333333333);
-  const T b1_62 = b1_61 * hc2_3;
-  const T b1_63 = b1_59 * K_thetadot3_1_1;
-  const T b1_64 = b1_61 * b1_12;
-  const T b1_65 = h1_3 + b1_63 - b1_64;
-  const T b1_66 = b1_65 * b1_48;
-  const T b1_67 = b1_66 * b1_47;
-  const T b1_68 = b1_67 * b1_53;
-  const T b1_69 = b1_66 * b1_50 - b1_68 * b1_52;
-  const T b1_70 = b1_69 * b1_57;
-  const T b1_71 = b1_70 * b1_56 - b1_68 * h1_3;
-  const T b1_72 = T(1) / D_Pddot1_1;
-  const T b1_73 = b1_71 * b1_72;
-  const T D_Pddot1_2 = T(142) - b1_60 - b1_62 - b1_66 * b1_65 - b1_68 * b1_67 - b1_70 * b1_69 - b1_73 * b1_71;
-  const T b1_74 = minus_hc3_2 * T(0.08333333333333333);
-  const T b1_75 = b1_74 * minus_hc3_2;
-  const T b1_76 = hc2_2 * T(0.08333333333333333);
-  const T b1_77 = b1_76 * hc2_2;
-  const T b1_78 = b1_74 * K_thetadot3_1_1;
-  const T b1_79 = b1_76 * b1_12;
-  const T b1_80 = h1_2 + b1_78 - b1_79;
-  const T b1_81 = b1_80 * b1_48;
-  const T b1_82 = b1_81 * b1_47;
-  const T b1_83 = b1_82 * b1_53;
-  const T b1_84 = b1_83 * b1_52 - b1_81 * b1_50;
-  const T b1_85 = b1_84 * b1_57;
-  const T b1_86 = b1_83 * h1_3 + b1_85 * b1_56;
-  const T b1_87 = b1_86 * b1_72;
-  const T b1_88 = b1_74 * minus_hc3_3;
-  const T b1_89 = b1_76 * hc2_3;
-  const T b1_90 = b1_88 + b1_89 + b1_81 * b1_65 + b1_83 * b1_67 - b1_85 * b1_69 - b1_87 * b1_71;
-  const T b1_91 = T(1) / D_Pddot1_2;
-  const T b1_92 = b1_90 * b1_91;
-  const T D_Pddot1_3 = T(142) - b1_75 - b1_77 - b1_81 * b1_80 - b1_83 * b1_82 - b1_85 * b1_84 - b1_87 * b1_86 - b1_92
-      * b1_90;
+  // MA1 = m_all_1 one + Mp3 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_22 = T(142) - minus_Mp3_22 - minus_Mp2_22;
+  const T MA1_23 = Mp3_23 + Mp2_23;
+  const T MA1_33 = T(142) + Mp3_33 + Mp2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_12 = Hb2_12 + T(0.8) - minus_Hb3_12;
+  const T HA1_13 = Hb2_13 - minus_Hb3_13;
+  const T HA1_21 = Hp2_21 - T(0.8) - minus_Hp3_21;
+  const T HA1_31 = Hp3_31 - minus_Hp2_31;
+  // JA1 = q2~ Hp2^T + q3~ Hp3^T + J_all_1 + Jp4 + Jp3 + Jp2 - Hb2 q2~ - Hb3 q3~: moment for an angular acceleration,
+  //   body axes [kg m^2]
+  const T JA1_11 = T(22.64) + Jp4_11 + Hb2_13 * T(0.6) + minus_Hb3_13 * T(0.6);
+  const T JA1_12 = T(0.2) + Jp4_12;
+  const T JA1_13 = Jp4_13 - T(0.1);
+  const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
+  const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
+  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
+  const T g1_1 = G1_1 + G3_1 - minus_G2_1;
+  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
+  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
+  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
+      minus_effort_left_panel_2;
+  const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
+  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T minus_Y1_22 = LD1_21 * HA1_12;
+  const T minus_Y1_23 = LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_32 * HA1_21;
+  const T Y1_32 = LD1_32 * minus_Y1_22 - LD1_31 * HA1_12;
+  const T Y1_33 = LD1_32 * minus_Y1_23 - LD1_31 * HA1_13;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * HA1_21;
+  const T minus_W1_22 = LD1_22 * minus_Y1_22;
+  const T minus_W1_23 = LD1_22 * minus_Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_2 = minus_n1_2 + LD1_21 * n1_1;
+  const T minus_w_1_2 = LD1_22 * b1_2;
+  const T b1_3 = n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2;
+  const T w_1_3 = LD1_33 * b1_3;
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
+  const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
+  const T minus_LDs1_31 = LDs1_11 * minus_M1_13;
+  const T b1_4 = M1_23 - minus_LDs1_21 * minus_M1_13;
+  const T LDs1_32 = LDs1_22 * b1_4;
+  const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_4);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_5 = gb1_2 + minus_LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_5;
+  const T b1_6 = gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_5;
+  const T ws1_3 = LDs1_33 * b1_6;
 
   // ---- body 1 (hub), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
-  const T z1_2 = b1_43 * z1_1;
-  const T z1_3 = minus_rho3_1 + minus_effort_right_panel_3;
-  const T z1_4 = minus_rho2_1 + minus_effort_left_panel_2;
-  const T z1_5 = b1_45 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_46 * z1_4;
-  const T z1_6 = f_omega1_2 - z1_2 - b1_49 * z1_5;
-  const T z1_7 = f_omega1_3 - z1_2 - b1_51 * z1_5 - b1_54 * z1_6;
-  const T z1_8 = S1_1 - b1_55 * z1_6 + b1_58 * z1_7;
-  const T z1_9 = b1_59 * z1_3;
-  const T z1_10 = b1_61 * z1_4;
-  const T z1_11 = z1_9 - minus_S1_2 - z1_10 + b1_66 * z1_5 - b1_68 * z1_6 - b1_70 * z1_7 - b1_73 * z1_8;
-  const T z1_12 = b1_74 * z1_3;
-  const T z1_13 = b1_76 * z1_4;
-  const T z1_14 = S1_3 - z1_12 + z1_13 - b1_81 * z1_5 + b1_83 * z1_6 - b1_85 * z1_7 - b1_87 * z1_8 - b1_92 * z1_11;
-  const T z1_15 = T(1) / D_Pddot1_3;
-  const T z1_16 = z1_14 * z1_15;
-  const T z1_17 = z1_11 * b1_91 - b1_92 * z1_16;
-  const T Pddot1_1 = z1_8 * b1_72 - b1_73 * z1_17 - b1_87 * z1_16;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_18 = z1_7 * b1_57 + b1_58 * Pddot1_1 - b1_70 * z1_17 - b1_85 * z1_16;
-  const T z1_19 = z1_6 * b1_53 - b1_54 * z1_18 - b1_55 * Pddot1_1 - b1_68 * z1_17 + b1_83 * z1_16;
-  const T omegadot1_1 = z1_5 * b1_48 - b1_49 * z1_19 - b1_51 * z1_18 + b1_66 * z1_17 - b1_81 * z1_16;
+  // Pddot2_1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
 
   // ---- results
   S[1] = omega1_3;
@@ -2293,712 +2307,652 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[161] = T(1);
   S[20] = omega1_1;
   S[37] = -omega1_1;
-  const T t1 = b1_48 * b1_48;
-  const T t2 = T(0.08333333333333333) * b1_34;
-  const T t3 = T(1.2) * hc2_3;
-  const T t4 = t1 * (b1_12 * t2 + b1_46 * b1_34 - t3);
-  const T t5 = b1_50 * t4;
-  const T t6 = b1_64 + b1_76 * b1_34 - hc2_3;
-  const T t7 = b1_48 * t6 - b1_80 * t4;
-  const T t8 = t2_3 - omega2_2 * omega2_2;
-  const T t9 = T(9) * (t8 - Pddot2_2);
-  const T t10 = t9 + T(3) * t8;
-  const T t11 = t10 + c.p.k;
-  const T t12 = b1_47 * t7;
-  const T t13 = b1_53 * b1_53;
-  const T t14 = E2_23 * b1_37 - b1_33 - E2_22 * b1_38;
-  const T t15 = b1_47 * t4;
-  const T t16 = t13 * (t14 + b1_47 * t15);
-  const T t17 = b1_53 * t12 - b1_82 * t16;
-  const T t18 = b1_29 - b1_39 + b1_47 * t5;
-  const T t19 = b1_52 * t17 + b1_83 * t18 - b1_50 * t7;
-  const T t20 = b1_57 * b1_57;
-  const T t21 = b1_53 * t18 - b1_52 * t16;
-  const T t22 = t20 * (b1_50 * t5 - t14 - t3 - b1_52 * t21 - b1_54 * t18);
-  const T t23 = b1_57 * t19 - b1_84 * t22;
-  const T t24 = b1_53 * hc2_2 - h1_3 * t16;
-  const T t25 = b1_52 * t24 + b1_55 * t18 - hc2_3;
-  const T t26 = h1_3 * t17 + b1_83 * hc2_2 + b1_56 * t23 + b1_85 * t25;
-  const T t27 = b1_72 * b1_72;
-  const T t28 = b1_57 * t25 - b1_56 * t22;
-  const T t29 = t27 * (h1_3 * t24 + b1_55 * hc2_2 + b1_56 * t28 + b1_58 * t25);
-  const T t30 = b1_72 * t26 + b1_86 * t29;
-  const T t31 = hc2_2 + b1_61 * b1_34 - b1_79;
-  const T t32 = b1_48 * t31 - b1_65 * t4;
-  const T t33 = b1_47 * t32;
-  const T t34 = b1_53 * t33 - b1_67 * t16;
-  const T t35 = b1_50 * t32 - (b1_52 * t34 + b1_68 * t18);
-  const T t36 = b1_57 * t35 - b1_69 * t22;
-  const T t37 = b1_56 * t36 + b1_70 * t25 - h1_3 * t34 - b1_68 * hc2_2;
-  const T t38 = b1_65 * t7 - (b1_71 * t30 + b1_87 * t37 + b1_69 * t23 + b1_85 * t35) + b1_81 * t31 - b1_62 + b1_77 +
-      b1_67 * t17 + b1_83 * t33;
-  const T t39 = b1_91 * b1_91;
-  const T t40 = b1_89 + b1_61 * hc2_2;
-  const T t41 = b1_72 * t37 + b1_71 * t29;
-  const T t42 = t39 * (t40 + b1_65 * t32 + b1_66 * t31 + b1_67 * t34 + b1_68 * t33 + b1_69 * t36 + b1_70 * t35 + b1_71
-      * t41 + b1_73 * t37);
-  const T t43 = b1_91 * t38 + b1_90 * t42;
-  const T t44 = N2_2 - T(12) * U2_13;
-  const T t45 = T(9) * (a2_3 + U2_23);
-  const T t46 = E2_22 * t9 - b1_3 + E2_23 * t45;
-  const T t47 = b1_46 * t11 - z1_4 * t2 - T(0.6) * t46 - t10;
-  const T t48 = E2_22 * t2_8 + b1_9 - E2_23 * t44 + b1_49 * t47 - z1_5 * t15;
-  const T t49 = T(9) * U2_13;
-  const T t50 = b1_54 * t48 - z1_6 * t21 - b1_51 * t47 + z1_5 * t5 + b1_7 - E2_22 * t44 - E2_23 * t2_8 + T(0.6) * t49;
-  const T t51 = z1_7 * t28 + b1_58 * t50 - t49 - z1_6 * t24 + b1_55 * t48;
-  const T t52 = b1_68 * t48 - (z1_8 * t41 + b1_73 * t51 + z1_7 * t36 + b1_70 * t50 + z1_6 * t34) + b1_6 - E2_22 * t45
-      + E2_23 * t9 - z1_13 - b1_61 * t11 + z1_5 * t32 + b1_66 * t47;
-  const T t53 = z1_15 * z1_15;
-  const T t54 = z1_15 * (b1_76 * t11 - (z1_11 * t43 + b1_92 * t52 + z1_8 * t30 + b1_87 * t51 + z1_7 * t23 + b1_85 *
-      t50 + z1_5 * t7 + b1_81 * t47 + z1_10) - t46 + z1_6 * t17 - b1_83 * t48) + t53 * (b1_80 * t7 + b1_81 * t6 - t40
-      + b1_82 * t17 + b1_83 * t12 + b1_84 * t23 + b1_85 * t19 + b1_86 * t30 + b1_87 * t26 + b1_90 * t43 + b1_92 * t38)
-      * z1_14;
-  const T t55 = b1_91 * t52 - (z1_16 * t43 + b1_92 * t54) + z1_11 * t42;
-  const T t56 = b1_72 * t51 - (z1_16 * t30 + b1_87 * t54 + z1_17 * t41 + b1_73 * t55) + z1_8 * t29;
-  const T t57 = b1_57 * t50 - (z1_16 * t23 + b1_85 * t54 + z1_17 * t36 + b1_70 * t55) - z1_7 * t22 + Pddot1_1 * t28 +
-      b1_58 * t56;
-  const T t58 = z1_16 * t17 + b1_83 * t54 - b1_53 * t48 - z1_6 * t16 - z1_18 * t21 - b1_54 * t57 - Pddot1_1 * t24 -
-      b1_55 * t56 - z1_17 * t34 - b1_68 * t55;
-  const T t59 = z1_18 * t5 - (z1_16 * t7 + b1_81 * t54 + b1_51 * t57) - b1_49 * t58 + z1_19 * t15 + b1_48 * t47 - z1_5
-      * t4 + z1_17 * t32 + b1_66 * t55;
-  S[165] = t59;
-  const T t60 = b1_78 - b1_59 * b1_35 - minus_hc3_2;
-  const T t61 = T(0.08333333333333333) * b1_35;
-  const T t62 = T(1.2) * minus_hc3_3;
-  const T t63 = t1 * (K_thetadot3_1_1 * t61 + b1_45 * b1_35 - t62);
-  const T t64 = b1_48 * t60 - b1_65 * t63;
-  const T t65 = minus_hc3_3 - (b1_63 + b1_74 * b1_35);
-  const T t66 = b1_48 * t65 - b1_80 * t63;
-  const T t67 = t3_3 - omega3_2 * omega3_2;
-  const T t68 = T(9) * (Pddot3_2 + t67);
-  const T t69 = T(9) * (minus_a3_3 + U3_23);
-  const T t70 = E3_22 * t68 - b1_2 + E3_23 * t69;
-  const T t71 = T(3) * t67 + t68;
-  const T t72 = t71 + c.p.k;
-  const T t73 = T(0.6) * t70 + t71 + z1_3 * t61 - b1_45 * t72;
-  const T t74 = b1_47 * t66;
-  const T t75 = E3_23 * b1_40 - b1_36 - E3_22 * b1_41;
-  const T t76 = b1_47 * t63;
-  const T t77 = t13 * (t75 + b1_47 * t76);
-  const T t78 = b1_53 * t74 - b1_82 * t77;
-  const T t79 = b1_50 * t63;
-  const T t80 = b1_32 - b1_42 + b1_47 * t79;
-  const T t81 = b1_52 * t78 + b1_83 * t80 - b1_50 * t66;
-  const T t82 = b1_53 * t80 - b1_52 * t77;
-  const T t83 = t20 * (b1_50 * t79 - t75 - t62 - b1_52 * t82 - b1_54 * t80);
-  const T t84 = b1_57 * t81 - b1_84 * t83;
-  const T t85 = b1_53 * minus_hc3_2 + h1_3 * t77;
-  const T t86 = minus_hc3_3 + b1_55 * t80 - b1_52 * t85;
-  const T t87 = h1_3 * t78 - b1_83 * minus_hc3_2 + b1_56 * t84 + b1_85 * t86;
-  const T t88 = b1_57 * t86 - b1_56 * t83;
-  const T t89 = t27 * (h1_3 * t85 - (b1_56 * t88 + b1_58 * t86) + b1_55 * minus_hc3_2);
-  const T t90 = b1_72 * t87 - b1_86 * t89;
-  const T t91 = b1_47 * t64;
-  const T t92 = b1_53 * t91 - b1_67 * t77;
-  const T t93 = b1_50 * t64 - (b1_52 * t92 + b1_68 * t80);
-  const T t94 = b1_57 * t93 - b1_69 * t83;
-  const T t95 = b1_56 * t94 + b1_70 * t86 - h1_3 * t92 + b1_68 * minus_hc3_2;
-  const T t96 = b1_65 * t66 - (b1_71 * t90 + b1_87 * t95 + b1_69 * t84 + b1_85 * t93) + b1_81 * t60 - b1_60 + b1_75 +
-      b1_67 * t78 + b1_83 * t91;
-  const T t97 = b1_88 + b1_59 * minus_hc3_2;
-  const T t98 = b1_72 * t95 - b1_71 * t89;
-  const T t99 = t39 * (t97 + b1_65 * t64 + b1_66 * t60 + b1_67 * t92 + b1_68 * t91 + b1_69 * t94 + b1_70 * t93 + b1_71
-      * t98 + b1_73 * t95);
-  const T t100 = b1_91 * t96 + b1_90 * t99;
-  const T t101 = T(12) * U3_13 - N3_2;
-  const T t102 = z1_5 * t76 + b1_49 * t73 - E3_22 * t3_4 - b1_10 - E3_23 * t101;
-  const T t103 = T(9) * U3_13;
-  const T t104 = b1_8 - (z1_6 * t82 + b1_54 * t102) - E3_23 * t3_4 + E3_22 * t101 + T(0.6) * t103 + z1_5 * t79 + b1_51
-      * t73;
-  const T t105 = z1_6 * t85 - b1_55 * t102 + t103 + z1_7 * t88 + b1_58 * t104;
-  const T t106 = E3_22 * t69 - (z1_8 * t98 + b1_73 * t105 + z1_7 * t94 + b1_70 * t104 + z1_6 * t92 + b1_68 * t102 +
-      E3_23 * t68 + b1_5) + z1_12 + b1_59 * t72 + z1_5 * t64 - b1_66 * t73;
-  const T t107 = z1_15 * (b1_81 * t73 - (z1_11 * t100 + b1_92 * t106 + z1_8 * t90 + b1_87 * t105 + z1_7 * t84 + b1_85
-      * t104 + z1_5 * t66) - b1_74 * t72 + z1_9 + t70 + z1_6 * t78 + b1_83 * t102) + t53 * (b1_80 * t66 + b1_81 * t65
-      - t97 + b1_82 * t78 + b1_83 * t74 + b1_84 * t84 + b1_85 * t81 + b1_86 * t90 + b1_87 * t87 + b1_90 * t100 + b1_92
-      * t96) * z1_14;
-  const T t108 = b1_91 * t106 - (z1_16 * t100 + b1_92 * t107) + z1_11 * t99;
-  const T t109 = b1_72 * t105 - (z1_16 * t90 + b1_87 * t107 + z1_17 * t98 + b1_73 * t108) - z1_8 * t89;
-  const T t110 = b1_57 * t104 - (z1_16 * t84 + b1_85 * t107 + z1_17 * t94 + b1_70 * t108) - z1_7 * t83 + Pddot1_1 *
-      t88 + b1_58 * t109;
-  const T t111 = Pddot1_1 * t85 - (z1_17 * t92 + b1_68 * t108 + b1_55 * t109) - z1_18 * t82 - b1_54 * t110 + b1_53 *
-      t102 - z1_6 * t77 + z1_16 * t78 + b1_83 * t107;
-  const T t112 = z1_17 * t64 - (z1_16 * t66 + b1_81 * t107) + b1_66 * t108 - b1_48 * t73 - z1_5 * t63 - b1_49 * t111 +
-      z1_19 * t76 - b1_51 * t110 + z1_18 * t79;
-  S[166] = t112;
-  const T t113 = T(0.5773502691896257) * t4_1;
-  const T t114 = T(0.3333333333333333) * t4_2;
-  const T t115 = t113 + t114;
-  const T t116 = t113 - t114;
-  const T t117 = T(0.0021) * t116;
-  const T t118 = T(0.6666666666666666) * t4_2;
-  const T t119 = T(0.0021) * t118;
-  const T t120 = T(0.0158) * t115 - t117 - t119;
-  const T t121 = E4_12 * t120;
-  const T t122 = T(0.011547005383792516) * t115 - T(0.011547005383792516) * t116 - T(0.011547005383792516) * t118;
-  const T t123 = T(50) * t122;
-  const T t124 = K_thetadot4_1_1 * t123;
-  const T t125 = b1_43 * t122;
-  const T t126 = t124 + t125;
-  const T t127 = T(0.0021) * t115;
-  const T t128 = t117 - t127 + T(0.0158) * t118;
+  const T t1 = LD1_11 * LD1_11;
+  const T t2 = T(6.75) * E2_22;
+  const T t3 = Mp2_23 + E2_23 * t2;
+  const T t4 = T(0.6) * t3;
+  const T t5 = T(0.6) * t4 * t1;
+  const T t6 = JA1_13 * t5;
+  const T t7 = T(9) * (U2_23 + U2_23);
+  const T t8 = t2_1 - omega2_2 * omega2_2;
+  const T t9 = T(0.08333333333333333) * (c.p.k + T(12) * t8 - T(9) * Pddot2_2);
+  const T t10 = T(9) * t9 - T(9) * t8;
+  const T t11 = gp2_2 - E2_23 * t7 + E2_22 * t10;
+  const T t12 = T(0.6) * t11 + c.p.k;
+  const T t13 = T(12) * U2_13;
+  const T t14 = T(9) * U2_13;
+  const T t15 = T(12) * E2_22;
+  const T t16 = JA1_12 * t5;
+  const T t17 = Jp2_22 - E2_22 * t15 - T(0.6) * minus_Hp2_31 + JA1_13 * t16;
+  const T t18 = LD1_22 * LD1_22;
+  const T t19 = minus_Jp2_23 + E2_23 * t15;
+  const T t20 = t18 * (t19 + JA1_12 * t16);
+  const T t21 = LD1_22 * t17 - b1_1 * t20;
+  const T t22 = np2_3 + E2_23 * t13 + LD1_21 * t12 - n1_1 * t16;
+  const T t23 = LD1_33 * LD1_33;
+  const T t24 = t23 * (JA1_13 * t6 - t19 - T(1.2) * Hp2_21 - b1_1 * t21 - LD1_32 * t17);
+  const T t25 = LD1_33 * (n1_1 * t6 - LD1_31 * t12 + E2_22 * t13 - minus_np2_2 + T(0.6) * t14 + b1_2 * t21 + LD1_32 *
+      t22) - b1_3 * t24;
+  const T t26 = Hp2_21 - (HA1_21 * t21 + LD1_32 * minus_Hp2_31);
+  const T t27 = LD1_33 * t26 - Y1_31 * t24;
+  const T t28 = LDs1_11 * LDs1_11;
+  const T t29 = LD1_22 * minus_Hp2_31 - HA1_21 * t20;
+  const T t30 = t28 * (HA1_21 * t29 + W1_21 * minus_Hp2_31 + W1_31 * t26 + Y1_31 * t27);
+  const T t31 = b1_2 * t20 - LD1_22 * t22;
+  const T t32 = t14 + HA1_21 * t31 - minus_w_1_2 * minus_Hp2_31 + w_1_3 * t26 + Y1_31 * t25;
+  const T t33 = E2_22 * t2 - minus_Mp2_22;
+  const T t34 = T(0.6) * t33;
+  const T t35 = LD1_21 * t34 - HA1_12 * t16;
+  const T t36 = minus_Y1_22 * t20 - LD1_22 * t35;
+  const T t37 = minus_Y1_22 * t21 + LD1_32 * t35 - LD1_31 * t34 + HA1_12 * t6;
+  const T t38 = LD1_33 * t37 - Y1_32 * t24;
+  const T t39 = HA1_21 * t36 - minus_W1_22 * minus_Hp2_31 + W1_32 * t26 + Y1_31 * t38;
+  const T t40 = minus_M1_12 * t30 + LDs1_11 * t39;
+  const T t41 = LDs1_22 * LDs1_22;
+  const T t42 = LD1_11 * t34 - HA1_12 * t5;
+  const T t43 = t41 * (t3 + W1_12 * t34 + HA1_12 * t42 + minus_W1_22 * t35 - minus_Y1_22 * t36 + W1_32 * t37 + Y1_32 *
+      t38 + minus_M1_12 * t40 + minus_LDs1_21 * t39);
+  const T t44 = LD1_21 * t4 - HA1_13 * t16;
+  const T t45 = minus_Y1_23 * t20 - LD1_22 * t44;
+  const T t46 = minus_Y1_23 * t21 + LD1_32 * t44 - LD1_31 * t4 + HA1_13 * t6;
+  const T t47 = LD1_33 * t46 - Y1_33 * t24;
+  const T t48 = HA1_21 * t45 - minus_W1_23 * minus_Hp2_31 + W1_33 * t26 + Y1_31 * t47;
+  const T t49 = LD1_11 * t4 - HA1_13 * t5;
+  const T t50 = minus_Y1_22 * t45 - (minus_M1_13 * t40 + minus_LDs1_21 * t48 + W1_13 * t34 + HA1_12 * t49 +
+      minus_W1_23 * t35) - W1_33 * t37 - Y1_32 * t47 + t33;
+  const T t51 = b1_4 * t43 + LDs1_22 * t50;
+  const T t52 = LD1_11 * t12 - n1_1 * t5;
+  const T t53 = E2_22 * t7 + gp2_3 + E2_23 * t10 + w_1_1 * t34 + HA1_12 * t52 + minus_w_1_2 * t35 - minus_Y1_22 * t31
+      + w_1_3 * t37 + Y1_32 * t25 + minus_LDs1_21 * t32 - gb1_1 * t40;
+  const T t54 = minus_M1_13 * t30 + LDs1_11 * t48;
+  const T t55 = LDs1_33 * LDs1_33;
+  const T t56 = LDs1_33 * (LDs1_32 * t53 - b1_5 * t51 - minus_LDs1_31 * t32 + gb1_1 * t54 - w_1_1 * t4 - HA1_13 * t52
+      - minus_w_1_2 * t44 + minus_Y1_23 * t31 - w_1_3 * t46 - Y1_33 * t25 + t11) - t55 * (minus_Y1_23 * t45 - (b1_4 *
+      t51 + LDs1_32 * t50 + minus_M1_13 * t54 + minus_LDs1_31 * t48 + W1_13 * t4 + HA1_13 * t49 + minus_W1_23 * t44) -
+      W1_33 * t46 - Y1_33 * t47 + t3) * b1_6;
+  const T t57 = b1_5 * t43 - (ws1_3 * t51 + LDs1_32 * t56) - LDs1_22 * t53;
+  const T t58 = gb1_1 * t30 - LDs1_11 * t32 + z1_1 * t40 + minus_LDs1_21 * t57 + ws1_3 * t54 + minus_LDs1_31 * t56;
+  const T t59 = t25 - (Pddot2_1_1 * t27 + W1_31 * t58 + z1_1 * t38 + W1_32 * t57 + ws1_3 * t47 + W1_33 * t56);
+  const T t60 = minus_W1_22 * t57 - (z1_2 * t21 + LD1_32 * t59 + Pddot2_1_1 * t29 + W1_21 * t58 + z1_1 * t36) - ws1_3
+      * t45 + minus_W1_23 * t56 + t31;
+  const T t61 = z1_2 * t6 - LD1_31 * t59 - z1_3 * t16 - LD1_21 * t60 - z1_1 * t42 - W1_12 * t57 - ws1_3 * t49 - W1_13
+      * t56 + t52;
+  S[165] = t61;
+  const T t62 = T(6.75) * E3_22;
+  const T t63 = Mp3_23 + E3_23 * t62;
+  const T t64 = T(0.6) * t63;
+  const T t65 = T(0.6) * t64 * t1;
+  const T t66 = JA1_13 * t65;
+  const T t67 = T(12) * E3_22;
+  const T t68 = JA1_12 * t65;
+  const T t69 = Jp3_22 - E3_22 * t67 - T(0.6) * Hp3_31 + JA1_13 * t68;
+  const T t70 = minus_Jp3_23 + E3_23 * t67;
+  const T t71 = t18 * (t70 + JA1_12 * t68);
+  const T t72 = LD1_22 * t69 - b1_1 * t71;
+  const T t73 = minus_Hp3_21 + HA1_21 * t72 - LD1_32 * Hp3_31;
+  const T t74 = t23 * (JA1_13 * t66 - t70 - T(1.2) * minus_Hp3_21 - b1_1 * t72 - LD1_32 * t69);
+  const T t75 = LD1_33 * t73 + Y1_31 * t74;
+  const T t76 = T(12) * U3_13;
+  const T t77 = T(9) * (U3_23 + U3_23);
+  const T t78 = t3_1 - omega3_2 * omega3_2;
+  const T t79 = T(0.08333333333333333) * (c.p.k + T(12) * t78 + T(9) * Pddot3_2);
+  const T t80 = T(9) * t78 - T(9) * t79;
+  const T t81 = E3_23 * t77 - minus_gp3_2 + E3_22 * t80;
+  const T t82 = c.p.k - T(0.6) * t81;
+  const T t83 = np3_3 + E3_23 * t76 + LD1_21 * t82 - n1_1 * t68;
+  const T t84 = b1_2 * t71 - LD1_22 * t83;
+  const T t85 = T(9) * U3_13;
+  const T t86 = LD1_33 * (n1_1 * t66 - LD1_31 * t82 + E3_22 * t76 - minus_np3_2 + T(0.6) * t85 + b1_2 * t72 + LD1_32 *
+      t83) - b1_3 * t74;
+  const T t87 = w_1_3 * t73 - (HA1_21 * t84 + minus_w_1_2 * Hp3_31 + Y1_31 * t86) + t85;
+  const T t88 = E3_22 * t62 - minus_Mp3_22;
+  const T t89 = T(0.6) * t88;
+  const T t90 = HA1_12 * t68 + LD1_21 * t89;
+  const T t91 = minus_Y1_22 * t72 - LD1_32 * t90 + HA1_12 * t66 + LD1_31 * t89;
+  const T t92 = LD1_33 * t91 - Y1_32 * t74;
+  const T t93 = LD1_11 * t89 + HA1_12 * t65;
+  const T t94 = minus_Y1_22 * t71 + LD1_22 * t90;
+  const T t95 = HA1_21 * t94 + minus_W1_22 * Hp3_31 + Y1_31 * t92 - W1_32 * t73;
+  const T t96 = HA1_21 * t71 + LD1_22 * Hp3_31;
+  const T t97 = t28 * (HA1_21 * t96 + W1_21 * Hp3_31 + W1_31 * t73 + Y1_31 * t75);
+  const T t98 = minus_M1_12 * t97 - LDs1_11 * t95;
+  const T t99 = t41 * (t63 + W1_32 * t91 + Y1_32 * t92 - W1_12 * t89 - HA1_12 * t93 - minus_Y1_22 * t94 - minus_W1_22
+      * t90 + minus_LDs1_21 * t95 - minus_M1_12 * t98);
+  const T t100 = HA1_13 * t68 + LD1_21 * t64;
+  const T t101 = minus_Y1_23 * t71 + LD1_22 * t100;
+  const T t102 = minus_Y1_23 * t72 - LD1_32 * t100 + HA1_13 * t66 + LD1_31 * t64;
+  const T t103 = LD1_33 * t102 - Y1_33 * t74;
+  const T t104 = HA1_21 * t101 + minus_W1_23 * Hp3_31 + Y1_31 * t103 - W1_33 * t73;
+  const T t105 = LD1_11 * t64 + HA1_13 * t65;
+  const T t106 = minus_M1_13 * t98 - minus_LDs1_21 * t104 - W1_33 * t91 - Y1_32 * t103 + W1_13 * t89 + HA1_12 * t105 +
+      minus_Y1_22 * t101 + minus_W1_23 * t90 + t88;
+  const T t107 = b1_4 * t99 + LDs1_22 * t106;
+  const T t108 = LD1_11 * t82 - n1_1 * t65;
+  const T t109 = minus_LDs1_21 * t87 - gb1_1 * t98 - gp3_3 - E3_23 * t80 + E3_22 * t77 + minus_Y1_22 * t84 +
+      minus_w_1_2 * t90 - HA1_12 * t108 + w_1_1 * t89 - w_1_3 * t91 - Y1_32 * t86;
+  const T t110 = minus_M1_13 * t97 - LDs1_11 * t104;
+  const T t111 = LDs1_33 * (minus_LDs1_31 * t87 - (b1_5 * t107 + LDs1_32 * t109 + gb1_1 * t110) + minus_w_1_2 * t100 +
+      minus_Y1_23 * t84 - HA1_13 * t108 + w_1_1 * t64 - w_1_3 * t102 - Y1_33 * t86 + t81) - t55 * (minus_M1_13 * t110
+      - (b1_4 * t107 + LDs1_32 * t106 + minus_LDs1_31 * t104) - W1_33 * t102 - Y1_33 * t103 + W1_13 * t64 + HA1_13 *
+      t105 + minus_W1_23 * t100 + minus_Y1_23 * t101 + t63) * b1_6;
+  const T t112 = b1_5 * t99 - (ws1_3 * t107 + LDs1_32 * t111) + LDs1_22 * t109;
+  const T t113 = minus_LDs1_31 * t111 - ws1_3 * t110 - z1_1 * t98 + minus_LDs1_21 * t112 + LDs1_11 * t87 - gb1_1 *
+      t97;
+  const T t114 = Pddot2_1_1 * t75 - W1_31 * t113 - z1_1 * t92 - W1_32 * t112 - ws1_3 * t103 - W1_33 * t111 + t86;
+  const T t115 = Pddot2_1_1 * t96 - (z1_2 * t72 + LD1_32 * t114 + W1_21 * t113) - z1_1 * t94 + minus_W1_22 * t112 -
+      ws1_3 * t101 + minus_W1_23 * t111 + t84;
+  const T t116 = z1_2 * t66 - LD1_31 * t114 - z1_3 * t68 - LD1_21 * t115 - W1_12 * t112 + z1_1 * t93 - W1_13 * t111 +
+      ws1_3 * t105 + t108;
+  S[166] = t116;
+  const T t117 = T(0.5773502691896257) * t4_1;
+  const T t118 = T(0.3333333333333333) * t4_2;
+  const T t119 = t117 - t118;
+  const T t120 = T(0.004566666666666667) * t119;
+  const T t121 = t117 + t118;
+  const T t122 = T(0.004566666666666667) * t121;
+  const T t123 = T(0.6666666666666666) * t4_2;
+  const T t124 = t120 - t122 - T(0.009133333333333334) * t123;
+  const T t125 = E4_12 * t124;
+  const T t126 = b4_4 * t121;
+  const T t127 = T(0.004566666666666667) * t123;
+  const T t128 = t127 - t122 - T(0.009133333333333334) * t119;
   const T t129 = E4_11 * t128;
-  const T t130 = b1_16 * t118;
-  const T t131 = t119 - t127 + T(0.0158) * t116;
+  const T t130 = b4_7 * t123;
+  const T t131 = T(0.009133333333333334) * t121 + t120 + t127;
   const T t132 = E4_13 * t131;
-  const T t133 = b1_19 * t116;
-  const T t134 = b1_21 * t115;
-  const T t135 = t1 * (t121 - (t126 + t129 + t130 + t132 + t133) + t134);
-  const T t136 = b1_80 * t135;
-  const T t137 = omega1_1 * t115 - omega1_2 * t116 - omega1_3 * t118;
-  const T t138 = omega1_3 * t115 - (omega1_2 * t118 + omega1_1 * t116);
-  const T t139 = omega4_2 * t137 + omega4_3 * t138;
-  const T t140 = T(0.5773502691896257) * t137;
-  const T t141 = T(0.5773502691896257) * t138;
-  const T t142 = thetadot4 * (t140 - t141);
-  const T t143 = t139 - t142;
-  const T t144 = t139 + t142;
-  const T t145 = omega4_3 * t137;
-  const T t146 = t145 + t145;
-  const T t147 = omega1_2 * t115 - omega1_1 * t118 - omega1_3 * t116;
-  const T t148 = omega4_1 * t147;
-  const T t149 = t148 + t148;
-  const T t150 = t146 + t149;
-  const T t151 = omega4_2 * t138;
-  const T t152 = t151 + t151;
-  const T t153 = t152 + t149;
-  const T t154 = omega4_1 * t137 + omega4_3 * t147;
-  const T t155 = T(0.5773502691896257) * t147;
-  const T t156 = thetadot4 * (t155 - t140);
-  const T t157 = t154 + t156;
-  const T t158 = omega4_1 * t138 + omega4_2 * t147;
-  const T t159 = thetadot4 * (t141 - t155);
-  const T t160 = t158 - t159;
-  const T t161 = T(0.0079) * t143 - T(0.0079) * t144 - T(0.0021) * (t150 - t153) - T(0.0021) * t157 + T(0.0021) *
-      t160;
-  const T t162 = t154 - t156;
-  const T t163 = t146 + t152;
-  const T t164 = t158 + t159;
-  const T t165 = T(0.0079) * t162 - T(0.0079) * t157 - T(0.0021) * (t153 - t163) - T(0.0021) * t164 + T(0.0021) *
-      t143;
-  const T t166 = T(0.0079) * t160 - T(0.0079) * t164 - T(0.0021) * (t163 - t150) - T(0.0021) * t144 + T(0.0021) *
-      t162;
-  const T t167 = z1_1 * t123;
-  const T t168 = T(0.5773502691896257) * t161 + T(0.5773502691896257) * t165 + T(0.5773502691896257) * t166;
-  const T t169 = b1_43 * t168;
-  const T t170 = b1_19 * t115 - (t126 + E4_13 * t128 + b1_16 * t116 + E4_12 * t131) + E4_11 * t120 - b1_21 * t118;
-  const T t171 = b1_48 * t170 - b1_50 * t135;
-  const T t172 = T(4) * (t4_25 * t118 + t4_24 * t116 + t4_23 * t115);
-  const T t173 = T(4) * (t4_24 * t118 - t4_25 * t115 - t4_23 * t116);
-  const T t174 = T(4) * (t4_25 * t116 - t4_24 * t115 - t4_23 * t118);
-  const T t175 = minus_G4_2 * t118 - E4_11 * t172 - minus_G4_1 * t115 - E4_12 * t173 + minus_G4_3 * t116 - E4_13 *
+  const T t133 = b4_9 * t119;
+  const T t134 = t125 + t126 + t129 - t130 + t132 - t133;
+  const T t135 = E4_11 * t124;
+  const T t136 = b4_4 * t123;
+  const T t137 = E4_13 * t128;
+  const T t138 = b4_7 * t119;
+  const T t139 = E4_12 * t131;
+  const T t140 = b4_9 * t121;
+  const T t141 = t135 - t136 + t137 - t138 + t139 + t140;
+  const T t142 = t1 * t141;
+  const T t143 = LD1_11 * t134 - JA1_12 * t142;
+  const T t144 = E4_13 * t124 - b4_4 * t119 + E4_12 * t128 + b4_7 * t121 + E4_11 * t131 - b4_9 * t123;
+  const T t145 = LD1_11 * t144 - JA1_13 * t142;
+  const T t146 = t139 + t140 + t135 - t136 + t137 - t138;
+  const T t147 = t132 - (JA1_13 * t143 + LD1_21 * t144) - t133 + t125 + t126 + t129 - t130;
+  const T t148 = t18 * (t146 - (JA1_12 * t143 + LD1_21 * t134));
+  const T t149 = LD1_22 * t147 - b1_1 * t148;
+  const T t150 = t23 * (t141 + t146 + JA1_13 * t145 + LD1_31 * t144 + b1_1 * t149 + LD1_32 * t147);
+  const T t151 = omega1_1 * t121 - omega1_2 * t119 - omega1_3 * t123;
+  const T t152 = omega1_3 * t121 - (omega1_2 * t123 + omega1_1 * t119);
+  const T t153 = omega4_2 * t151 + omega4_3 * t152;
+  const T t154 = T(0.5773502691896257) * t151;
+  const T t155 = T(0.5773502691896257) * t152;
+  const T t156 = thetadot4 * (t154 - t155);
+  const T t157 = t153 - t156;
+  const T t158 = t153 + t156;
+  const T t159 = omega4_3 * t151;
+  const T t160 = t159 + t159;
+  const T t161 = omega1_2 * t121 - omega1_1 * t123 - omega1_3 * t119;
+  const T t162 = omega4_1 * t161;
+  const T t163 = t162 + t162;
+  const T t164 = t160 + t163;
+  const T t165 = omega4_2 * t152;
+  const T t166 = t165 + t165;
+  const T t167 = t166 + t163;
+  const T t168 = omega4_1 * t151 + omega4_3 * t161;
+  const T t169 = T(0.5773502691896257) * t161;
+  const T t170 = thetadot4 * (t169 - t154);
+  const T t171 = t168 + t170;
+  const T t172 = omega4_1 * t152 + omega4_2 * t161;
+  const T t173 = thetadot4 * (t155 - t169);
+  const T t174 = t172 - t173;
+  const T t175 = T(0.0079) * t157 - T(0.0079) * t158 - T(0.0021) * (t164 - t167) - T(0.0021) * t171 + T(0.0021) *
       t174;
-  const T t176 = E4_11 * t161 - minus_N4_1 * t118 + E4_13 * t165 - minus_N4_2 * t116 + minus_N4_3 * t115 + E4_12 *
-      t166 - T(0.2) * t175 + t167 - t169;
-  const T t177 = E4_13 * t120;
-  const T t178 = b1_16 * t115;
-  const T t179 = E4_12 * t128;
-  const T t180 = E4_11 * t131;
-  const T t181 = b1_19 * t118;
-  const T t182 = b1_21 * t116;
-  const T t183 = t178 - (t126 + t179) - t180 - t181 + t177 - t182;
-  const T t184 = t177 - (b1_47 * t171 + b1_51 * t183 + t124 + t125) - t182 - t179 + t178 - t180 - t181;
-  const T t185 = b1_48 * t183 - b1_47 * t135;
-  const T t186 = t13 * (t121 - (b1_47 * t185 + b1_49 * t183 + t124 + t125) + t134 - t129 - t130 - t132 - t133);
-  const T t187 = b1_53 * t184 - b1_52 * t186;
-  const T t188 = minus_G4_1 * t118 - (minus_G4_3 * t115 + E4_12 * t174) - E4_11 * t173 + minus_G4_2 * t116 - E4_13 *
-      t172;
-  const T t189 = T(0.2) * t188 + minus_N4_1 * t115 + E4_12 * t161 + E4_11 * t165 - minus_N4_2 * t118 + E4_13 * t166 -
-      minus_N4_3 * t116 + t167 - t169 + z1_5 * t185 - b1_49 * t176;
-  const T t190 = E4_13 * t161 - minus_N4_1 * t116 + minus_N4_2 * t115 + E4_12 * t165 + E4_11 * t166 - minus_N4_3 *
-      t118 + t167 - t169 + z1_5 * t171 - b1_51 * t176 + z1_6 * t187 - b1_54 * t189;
-  const T t191 = b1_81 * t183 - b1_47 * t136;
-  const T t192 = b1_53 * t191 - b1_82 * t186;
-  const T t193 = b1_52 * t192 + b1_83 * t184 - b1_81 * t170 + b1_50 * t136;
-  const T t194 = t20 * (t121 - (b1_52 * t187 + b1_54 * t184 + b1_50 * t171 + b1_51 * t170 + t124 + t125 + t132 + t133)
-      + t134 - t129 - t130);
-  const T t195 = b1_57 * t193 - b1_84 * t194;
-  const T t196 = h1_3 * t186;
-  const T t197 = b1_55 * t184 - b1_52 * t196;
-  const T t198 = h1_3 * t192 + b1_56 * t195 + b1_85 * t197;
-  const T t199 = b1_57 * t197 - b1_56 * t194;
-  const T t200 = t27 * (h1_3 * t196 - (b1_56 * t199 + b1_58 * t197));
-  const T t201 = b1_72 * t198 - b1_86 * t200;
-  const T t202 = b1_65 * t135;
-  const T t203 = b1_66 * t183 - b1_47 * t202;
-  const T t204 = b1_53 * t203 - b1_67 * t186;
-  const T t205 = b1_66 * t170 - (b1_52 * t204 + b1_68 * t184) - b1_50 * t202;
-  const T t206 = b1_57 * t205 - b1_69 * t194;
-  const T t207 = b1_56 * t206 + b1_70 * t197 - h1_3 * t204;
-  const T t208 = b1_67 * t192 - (b1_71 * t201 + b1_87 * t207 + b1_69 * t195 + b1_85 * t205) + b1_83 * t203 - b1_65 *
-      t136;
-  const T t209 = b1_72 * t207 - b1_71 * t200;
-  const T t210 = t39 * (b1_65 * t202 - (b1_71 * t209 + b1_73 * t207 + b1_69 * t206 + b1_70 * t205 + b1_67 * t204 +
-      b1_68 * t203));
-  const T t211 = b1_91 * t208 - b1_90 * t210;
-  const T t212 = t188 + b1_55 * t189 + z1_6 * t196 + z1_7 * t199 - b1_58 * t190;
-  const T t213 = b1_70 * t190 - (z1_8 * t209 + b1_73 * t212 + z1_7 * t206) - z1_6 * t204 + b1_68 * t189 - z1_5 * t202
-      - b1_66 * t176 + t175;
-  const T t214 = z1_15 * (b1_85 * t190 - (z1_11 * t211 + b1_92 * t213 + z1_8 * t201 + b1_87 * t212 + z1_7 * t195) -
-      minus_G4_2 * t115 - E4_12 * t172 + minus_G4_1 * t116 - E4_13 * t173 + minus_G4_3 * t118 - E4_11 * t174 + z1_5 *
-      t136 + b1_81 * t176 + z1_6 * t192 - b1_83 * t189) - t53 * (b1_80 * t136 - (b1_90 * t211 + b1_92 * t208 + b1_86 *
-      t201 + b1_87 * t198 + b1_84 * t195 + b1_85 * t193 + b1_82 * t192 + b1_83 * t191)) * z1_14;
-  const T t215 = b1_91 * t213 - (z1_16 * t211 + b1_92 * t214) - z1_11 * t210;
-  const T t216 = b1_72 * t212 - (z1_16 * t201 + b1_87 * t214 + z1_17 * t209 + b1_73 * t215) - z1_8 * t200;
-  const T t217 = Pddot1_1 * t199 - (z1_16 * t195 + b1_85 * t214 + z1_17 * t206 + b1_70 * t215) + b1_58 * t216 - b1_57
-      * t190 - z1_7 * t194;
-  const T t218 = z1_16 * t192 + b1_83 * t214 - b1_53 * t189 - z1_6 * t186 - z1_18 * t187 - b1_54 * t217 - b1_55 * t216
-      + Pddot1_1 * t196 - z1_17 * t204 - b1_68 * t215;
-  const T t219 = z1_16 * t136 - b1_81 * t214 + b1_66 * t215 - z1_17 * t202 - b1_48 * t176 - z1_5 * t135 - z1_19 * t185
-      - b1_49 * t218 - z1_18 * t171 - b1_51 * t217;
+  const T t176 = t168 - t170;
+  const T t177 = t160 + t166;
+  const T t178 = t172 + t173;
+  const T t179 = T(0.0079) * t176 - T(0.0079) * t171 - T(0.0021) * (t167 - t177) - T(0.0021) * t178 + T(0.0021) *
+      t157;
+  const T t180 = T(0.0079) * t174 - T(0.0079) * t178 - T(0.0021) * (t177 - t164) - T(0.0021) * t158 + T(0.0021) *
+      t176;
+  const T t181 = T(50) * (T(0.5773502691896257) * t175 + T(0.5773502691896257) * t179 + T(0.5773502691896257) * t180);
+  const T t182 = T(0.011547005383792516) * t181;
+  const T t183 = t182 - t175;
+  const T t184 = t182 - t179;
+  const T t185 = t182 - t180;
+  const T t186 = minus_nt4_1 * t123 + E4_11 * t183 + E4_13 * t184 + minus_nt4_2 * t119 + E4_12 * t185 - minus_nt4_3 *
+      t121;
+  const T t187 = E4_12 * t183 - (n1_1 * t143 + LD1_21 * t186) - minus_nt4_1 * t121 + minus_nt4_2 * t123 + E4_11 * t184
+      + E4_13 * t185 + minus_nt4_3 * t119;
+  const T t188 = b1_3 * t150 + LD1_33 * (b1_2 * t149 - LD1_32 * t187 - n1_1 * t145 - LD1_31 * t186 + E4_13 * t183 +
+      minus_nt4_1 * t119 + E4_12 * t184 - minus_nt4_2 * t121 + minus_nt4_3 * t123 + E4_11 * t185);
+  const T t189 = HA1_21 * t149;
+  const T t190 = Y1_31 * t150 - LD1_33 * t189;
+  const T t191 = HA1_21 * t148;
+  const T t192 = t28 * (Y1_31 * t190 - W1_31 * t189 - HA1_21 * t191);
+  const T t193 = LD1_22 * t187 + b1_2 * t148;
+  const T t194 = HA1_21 * t193 + Y1_31 * t188 - w_1_3 * t189;
+  const T t195 = HA1_12 * t143;
+  const T t196 = HA1_12 * t145 - (minus_Y1_22 * t149 + LD1_32 * t195);
+  const T t197 = Y1_32 * t150 - LD1_33 * t196;
+  const T t198 = LD1_22 * t195 - minus_Y1_22 * t148;
+  const T t199 = Y1_31 * t197 - W1_32 * t189 - HA1_21 * t198;
+  const T t200 = minus_M1_12 * t192 + LDs1_11 * t199;
+  const T t201 = HA1_12 * t142;
+  const T t202 = t41 * (Y1_32 * t197 - W1_32 * t196 + minus_W1_22 * t195 + minus_Y1_22 * t198 - HA1_12 * t201 +
+      minus_M1_12 * t200 + minus_LDs1_21 * t199);
+  const T t203 = HA1_13 * t143;
+  const T t204 = HA1_13 * t145 - (minus_Y1_23 * t149 + LD1_32 * t203);
+  const T t205 = Y1_33 * t150 - LD1_33 * t204;
+  const T t206 = LD1_22 * t203 - minus_Y1_23 * t148;
+  const T t207 = HA1_13 * t142;
+  const T t208 = Y1_31 * t205 - W1_33 * t189 - HA1_21 * t206;
+  const T t209 = Y1_32 * t205 - W1_33 * t196 + minus_W1_23 * t195 + minus_Y1_22 * t206 - HA1_12 * t207 + minus_M1_13 *
+      t200 + minus_LDs1_21 * t208;
+  const T t210 = b1_4 * t202 - LDs1_22 * t209;
+  const T t211 = minus_M1_13 * t192 + LDs1_11 * t208;
+  const T t212 = LD1_11 * t186 - n1_1 * t142;
+  const T t213 = HA1_12 * t212 + minus_w_1_2 * t195 - minus_Y1_22 * t193 + Y1_32 * t188 - w_1_3 * t196 + minus_LDs1_21
+      * t194 - gb1_1 * t200;
+  const T t214 = t55 * (Y1_33 * t205 - W1_33 * t204 + minus_W1_23 * t203 + minus_Y1_23 * t206 - HA1_13 * t207 +
+      minus_M1_13 * t211 + minus_LDs1_31 * t208 + b1_4 * t210 - LDs1_32 * t209) * b1_6 - LDs1_33 * (HA1_13 * t212 +
+      minus_w_1_2 * t203 - minus_Y1_23 * t193 + Y1_33 * t188 - w_1_3 * t204 + minus_LDs1_31 * t194 - gb1_1 * t211 +
+      b1_5 * t210 - LDs1_32 * t213);
+  const T t215 = b1_5 * t202 - (ws1_3 * t210 + LDs1_32 * t214) - LDs1_22 * t213;
+  const T t216 = gb1_1 * t192 - LDs1_11 * t194 + z1_1 * t200 + minus_LDs1_21 * t215 + ws1_3 * t211 + minus_LDs1_31 *
+      t214;
+  const T t217 = t188 - (Pddot2_1_1 * t190 + W1_31 * t216 + z1_1 * t197 + W1_32 * t215 + ws1_3 * t205 + W1_33 * t214);
+  const T t218 = minus_W1_23 * t214 - (z1_2 * t149 + LD1_32 * t217) + ws1_3 * t206 + minus_W1_22 * t215 + z1_1 * t198
+      - W1_21 * t216 + Pddot2_1_1 * t191 + t193;
+  const T t219 = z1_3 * t143 - (z1_2 * t145 + LD1_31 * t217 + LD1_21 * t218) - W1_12 * t215 + z1_1 * t201 - W1_13 *
+      t214 + ws1_3 * t207 + t212;
   S[167] = t219;
-  const T t220 = T(1.2) * omega1_1;
-  const T t221 = omega2_1 + omega2_1;
-  const T t222 = T(9) * (E2_22 * t220 + t221);
-  const T t223 = E2_23 * t220 * T(9);
-  const T t224 = E2_23 * t222 - E2_22 * t223;
-  const T t225 = omega4_2 * E4_12;
-  const T t226 = omega4_3 * E4_13;
-  const T t227 = t225 + t226;
-  const T t228 = T(0.5773502691896257) * E4_12;
-  const T t229 = T(0.5773502691896257) * E4_13;
-  const T t230 = thetadot4 * (t228 - t229);
-  const T t231 = t227 - t230;
-  const T t232 = t227 + t230;
-  const T t233 = omega4_3 * E4_12;
-  const T t234 = t233 + t233;
-  const T t235 = omega4_1 * E4_11;
-  const T t236 = t235 + t235;
-  const T t237 = t234 + t236;
-  const T t238 = omega4_2 * E4_13;
-  const T t239 = t238 + t238;
-  const T t240 = t239 + t236;
-  const T t241 = omega4_1 * E4_12;
-  const T t242 = omega4_3 * E4_11;
-  const T t243 = t241 + t242;
-  const T t244 = T(0.5773502691896257) * E4_11;
-  const T t245 = thetadot4 * (t244 - t228);
-  const T t246 = t243 + t245;
-  const T t247 = omega4_1 * E4_13;
-  const T t248 = omega4_2 * E4_11;
-  const T t249 = t247 + t248;
-  const T t250 = thetadot4 * (t229 - t244);
-  const T t251 = t249 - t250;
-  const T t252 = T(0.0079) * t231 - T(0.0079) * t232 - T(0.0021) * (t237 - t240) - T(0.0021) * t246 + T(0.0021) *
-      t251;
-  const T t253 = t243 - t245;
-  const T t254 = t234 + t239;
-  const T t255 = t249 + t250;
-  const T t256 = T(0.0079) * t253 - T(0.0079) * t246 - T(0.0021) * (t240 - t254) - T(0.0021) * t255 + T(0.0021) *
-      t231;
-  const T t257 = T(0.0079) * t251 - T(0.0079) * t255 - T(0.0021) * (t254 - t237) - T(0.0021) * t232 + T(0.0021) *
-      t253;
-  const T t258 = E3_23 * t220 * T(9);
-  const T t259 = omega3_1 + omega3_1;
-  const T t260 = T(9) * (t259 + E3_22 * t220);
-  const T t261 = E3_22 * t258 - E3_23 * t260;
-  const T t262 = T(0.4) * omega1_1;
-  const T t263 = T(0.2) * omega1_3;
-  const T t264 = E4_11 * t263;
-  const T t265 = T(4) * (E4_13 * t262 - t264);
-  const T t266 = E4_13 * t263;
-  const T t267 = T(4) * (E4_12 * t262 - t266);
-  const T t268 = E4_12 * t263;
-  const T t269 = T(4) * (E4_11 * t262 - t268);
-  const T t270 = E4_12 * t265 + E4_11 * t267 + E4_13 * t269;
-  const T t271 = T(0.1) * omega1_2;
-  const T t272 = T(0.5773502691896257) * t252 + T(0.5773502691896257) * t256 + T(0.5773502691896257) * t257;
-  const T t273 = b1_43 * t272;
-  const T t274 = T(0.6) * t224 - (E4_11 * t252 + E4_13 * t256 + E4_12 * t257) - t223 - T(0.6) * t261 - t258 - T(0.2) *
-      t270 + t271 + t263 + t273 + b1_45 * t258 + b1_46 * t223;
-  const T t275 = omega1_1 + omega1_1;
-  const T t276 = T(0.75) * omega2_3;
-  const T t277 = omega1_2 * T(0.6);
-  const T t278 = T(9) * (omega2_2 + t277);
-  const T t279 = T(2.25) * omega2_2 + t278;
-  const T t280 = T(0.75) * omega3_3;
-  const T t281 = T(9) * (t277 + omega3_2);
-  const T t282 = t281 + T(2.25) * omega3_2;
-  const T t283 = E4_11 * t265 + E4_13 * t267 + E4_12 * t269;
-  const T t284 = T(2) * omega1_3 - T(0.1) * t275 + T(0.3) * omega1_2 - E4_12 * t252 - E4_11 * t256 - E4_13 * t257 +
-      E2_22 * t276 - E2_23 * t279 + E3_22 * t280 - E3_23 * t282 + T(0.2) * t283 + t273 - b1_49 * t274;
-  const T t285 = T(2) * omega1_2 - T(0.2) * t275 - T(0.3) * omega1_3 - E4_13 * t252 - E4_12 * t256 - E4_11 * t257 +
-      E2_23 * t276 + E2_22 * t279 + T(0.6) * t278 + T(0.6) * t281 + E3_22 * t282 + E3_23 * t280 + t273 - b1_51 * t274
-      - b1_54 * t284;
-  const T t286 = t281 - t278 - t283 - b1_55 * t284 + b1_58 * t285;
-  const T t287 = E2_22 * t222 - (E3_22 * t260 + E3_23 * t258) + E2_23 * t223 - t270 + b1_59 * t258 - b1_61 * t223 +
-      b1_66 * t274 - b1_68 * t284 - b1_70 * t285 - b1_73 * t286;
-  const T t288 = z1_15 * (t224 - (E4_13 * t265 + E4_12 * t267 + E4_11 * t269) + t261 - b1_74 * t258 + b1_76 * t223 -
-      b1_81 * t274 + b1_83 * t284 - b1_85 * t285 - b1_87 * t286 - b1_92 * t287);
-  const T t289 = b1_91 * t287 - b1_92 * t288;
-  const T t290 = b1_72 * t286 - b1_73 * t289 - b1_87 * t288;
-  const T t291 = b1_57 * t285 + b1_58 * t290 - b1_70 * t289 - b1_85 * t288;
-  const T t292 = b1_53 * t284 - b1_54 * t291 - b1_55 * t290 - b1_68 * t289 + b1_83 * t288;
-  const T t293 = b1_48 * t274 - b1_49 * t292 - b1_51 * t291 + b1_66 * t289 - b1_81 * t288;
-  S[171] = t293;
-  const T t294 = omega2_3 * E2_23;
-  const T t295 = T(9) * (E2_23 * t2_5 + t294 + t294);
-  const T t296 = omega2_3 * E2_22;
-  const T t297 = t296 - omega2_2 * E2_23;
-  const T t298 = T(9) * (t297 + E2_22 * t2_5);
-  const T t299 = E2_23 * t295 + E2_22 * t298;
-  const T t300 = t298 + T(3) * t297;
-  const T t301 = omega3_3 * E3_23;
-  const T t302 = T(9) * (t301 + t301 + E3_23 * t2_5);
-  const T t303 = omega3_3 * E3_22;
-  const T t304 = t303 - omega3_2 * E3_23;
-  const T t305 = T(9) * (E3_22 * t2_5 + t304);
-  const T t306 = E3_23 * t302 + E3_22 * t305;
-  const T t307 = t305 + T(3) * t304;
-  const T t308 = T(0.4) * omega1_2;
-  const T t309 = T(4) * (E4_13 * t308 - t268);
-  const T t310 = T(4) * (E4_12 * t308 - t264);
-  const T t311 = T(4) * (E4_11 * t308 - t266);
-  const T t312 = E4_12 * t309 + E4_11 * t310 + E4_13 * t311;
-  const T t313 = t238 + t242;
-  const T t314 = t313 - t250;
-  const T t315 = t313 + t250;
-  const T t316 = t226 + t226;
-  const T t317 = t241 + t241;
-  const T t318 = t316 + t317;
-  const T t319 = t248 + t248;
-  const T t320 = t319 + t317;
-  const T t321 = t247 + t233;
-  const T t322 = t321 + t230;
-  const T t323 = t235 + t225;
-  const T t324 = t323 - t245;
-  const T t325 = T(0.0079) * t314 - T(0.0079) * t315 - T(0.0021) * (t318 - t320) - T(0.0021) * t322 + T(0.0021) *
-      t324;
-  const T t326 = t321 - t230;
-  const T t327 = t316 + t319;
-  const T t328 = t323 + t245;
-  const T t329 = T(0.0079) * t326 - T(0.0079) * t322 - T(0.0021) * (t320 - t327) - T(0.0021) * t328 + T(0.0021) *
-      t314;
-  const T t330 = T(0.0079) * t324 - T(0.0079) * t328 - T(0.0021) * (t327 - t318) - T(0.0021) * t315 + T(0.0021) *
-      t326;
-  const T t331 = omega1_2 + omega1_2;
-  const T t332 = T(0.5773502691896257) * t325 + T(0.5773502691896257) * t329 + T(0.5773502691896257) * t330;
-  const T t333 = b1_43 * t332;
-  const T t334 = T(0.1) * omega1_1 - (T(0.6) * t299 + t300 + T(0.6) * t306 + t307 + T(0.2) * t312 + E4_11 * t325 +
-      E4_13 * t329 + E4_12 * t330 + T(4) * omega1_3 + T(0.3) * t331) + t333 + b1_45 * t307 + b1_46 * t300;
-  const T t335 = T(0.3) * omega1_1;
-  const T t336 = thetadot2 * E2_23;
-  const T t337 = omega2_1 * E2_23;
-  const T t338 = T(0.75) * (t336 - t337);
-  const T t339 = omega2_1 * E2_22;
-  const T t340 = thetadot2 * E2_22;
-  const T t341 = T(0.75) * (t339 - t340);
-  const T t342 = t339 + t340;
-  const T t343 = T(9) * (t342 + t2_4);
-  const T t344 = t341 - T(3) * t342 - t343;
-  const T t345 = thetadot3 * E3_23;
-  const T t346 = omega3_1 * E3_23;
-  const T t347 = T(0.75) * (t345 - t346);
-  const T t348 = omega3_1 * E3_22;
-  const T t349 = thetadot3 * E3_22;
-  const T t350 = t348 + t349;
-  const T t351 = T(0.75) * (t348 - t349);
-  const T t352 = T(9) * (t2_4 + t350);
-  const T t353 = T(3) * t350 - t351 + t352;
-  const T t354 = E4_11 * t309 + E4_13 * t310 + E4_12 * t311;
-  const T t355 = t335 - t263 - E4_12 * t325 - E4_11 * t329 - E4_13 * t330 + E2_22 * t338 + E2_23 * t344 + E3_22 * t347
-      - E3_23 * t353 + T(0.2) * t354 + t333 - b1_49 * t334;
-  const T t356 = T(2) * omega1_1;
-  const T t357 = t356 + T(0.2) * t331 - T(0.1) * omega1_3 - E4_13 * t325 - E4_12 * t329 - E4_11 * t330 + E2_23 * t338
-      - E2_22 * t344 + T(0.6) * t343 + T(0.6) * t352 + E3_22 * t353 + E3_23 * t347 + t333 - b1_51 * t334 - b1_54 *
-      t355;
-  const T t358 = t352 - t343 - t354 - b1_55 * t355 + b1_58 * t357;
-  const T t359 = E2_23 * t298 - E2_22 * t295 + E3_22 * t302 - E3_23 * t305 - t312 + b1_59 * t307 - b1_61 * t300 +
-      b1_66 * t334 - b1_68 * t355 - b1_70 * t357 - b1_73 * t358;
-  const T t360 = z1_15 * (t306 - (E4_13 * t309 + E4_12 * t310 + E4_11 * t311) - t299 - b1_74 * t307 + b1_76 * t300 -
-      b1_81 * t334 + b1_83 * t355 - b1_85 * t357 - b1_87 * t358 - b1_92 * t359);
-  const T t361 = b1_91 * t359 - b1_92 * t360;
-  const T t362 = b1_72 * t358 - b1_73 * t361 - b1_87 * t360;
-  const T t363 = b1_57 * t357 + b1_58 * t362 - b1_70 * t361 - b1_85 * t360;
-  const T t364 = b1_53 * t355 - b1_54 * t363 - b1_55 * t362 - b1_68 * t361 + b1_83 * t360;
-  const T t365 = b1_48 * t334 - b1_49 * t364 - b1_51 * t363 + b1_66 * t361 - b1_81 * t360;
-  S[172] = t365;
-  const T t366 = omega1_3 + omega1_3;
-  const T t367 = t248 + t233;
-  const T t368 = t367 - t245;
-  const T t369 = t367 + t245;
-  const T t370 = t242 + t242;
-  const T t371 = t247 + t247;
-  const T t372 = t370 + t371;
-  const T t373 = t225 + t225;
-  const T t374 = t373 + t371;
-  const T t375 = t235 + t226;
-  const T t376 = t375 + t250;
-  const T t377 = t241 + t238;
-  const T t378 = t377 - t230;
-  const T t379 = T(0.0079) * t368 - T(0.0079) * t369 - T(0.0021) * (t372 - t374) - T(0.0021) * t376 + T(0.0021) *
-      t378;
-  const T t380 = t375 - t250;
-  const T t381 = t370 + t373;
-  const T t382 = t377 + t230;
-  const T t383 = T(0.0079) * t380 - T(0.0079) * t376 - T(0.0021) * (t374 - t381) - T(0.0021) * t382 + T(0.0021) *
-      t368;
-  const T t384 = T(0.0079) * t378 - T(0.0079) * t382 - T(0.0021) * (t381 - t372) - T(0.0021) * t369 + T(0.0021) *
-      t380;
-  const T t385 = T(1.2) * omega1_3;
-  const T t386 = T(9) * (E2_23 * t277 - (t296 + t296) - E2_22 * t385);
-  const T t387 = omega2_2 * E2_22 + t294;
-  const T t388 = T(9) * (t387 + E2_23 * t385 + E2_22 * t277);
-  const T t389 = E2_23 * t386 + E2_22 * t388;
-  const T t390 = t388 + T(3) * t387;
-  const T t391 = omega3_2 * E3_22 + t301;
-  const T t392 = T(9) * (E3_23 * t385 + E3_22 * t277 + t391);
-  const T t393 = T(9) * (t303 + t303 + E3_22 * t385 - E3_23 * t277);
-  const T t394 = E3_22 * t392 - E3_23 * t393;
-  const T t395 = t392 + T(3) * t391;
-  const T t396 = T(4) * (E4_12 * t4_22 + E4_11 * t4_21);
-  const T t397 = T(4) * (E4_11 * t4_22 + E4_13 * t4_21);
-  const T t398 = T(4) * (E4_13 * t4_22 + E4_12 * t4_21);
-  const T t399 = E4_12 * t396 + E4_11 * t397 + E4_13 * t398;
-  const T t400 = T(0.5773502691896257) * t379 + T(0.5773502691896257) * t383 + T(0.5773502691896257) * t384;
-  const T t401 = b1_43 * t400;
-  const T t402 = T(0.3) * t366 - T(4) * omega1_2 + t4_21 - E4_11 * t379 - E4_13 * t383 - E4_12 * t384 - T(0.6) * t389
-      - t390 - T(0.6) * t394 - t395 + T(0.2) * t399 + t401 + b1_45 * t395 + b1_46 * t390;
-  const T t403 = t337 + t336;
-  const T t404 = t338 + T(12) * t403;
-  const T t405 = t346 + t345;
-  const T t406 = T(12) * t405 + t347;
-  const T t407 = E4_11 * t396 + E4_13 * t397 + E4_12 * t398;
-  const T t408 = t356 + T(0.1) * t366 - t4_22 - E4_12 * t379 - E4_11 * t383 - E4_13 * t384 + E2_22 * t341 - E2_23 *
-      t404 + E3_22 * t351 - E3_23 * t406 - T(0.2) * t407 + t401 - b1_49 * t402;
-  const T t409 = T(9) * t403;
-  const T t410 = T(9) * t405;
-  const T t411 = E2_23 * t341 - (t335 + t271 + E4_13 * t379 + E4_12 * t383 + E4_11 * t384) + E2_22 * t404 + T(0.6) *
-      t409 + T(0.6) * t410 + E3_22 * t406 + E3_23 * t351 + t401 - b1_51 * t402 - b1_54 * t408;
-  const T t412 = t410 - t409 + t407 - b1_55 * t408 + b1_58 * t411;
-  const T t413 = E2_23 * t388 - (E3_22 * t393 + E3_23 * t392) - E2_22 * t386 + t399 + b1_59 * t395 - b1_61 * t390 +
-      b1_66 * t402 - b1_68 * t408 - b1_70 * t411 - b1_73 * t412;
-  const T t414 = z1_15 * (t394 - t389 + E4_13 * t396 + E4_12 * t397 + E4_11 * t398 - b1_74 * t395 + b1_76 * t390 -
-      b1_81 * t402 + b1_83 * t408 - b1_85 * t411 - b1_87 * t412 - b1_92 * t413);
-  const T t415 = b1_91 * t413 - b1_92 * t414;
-  const T t416 = b1_72 * t412 - b1_73 * t415 - b1_87 * t414;
-  const T t417 = b1_57 * t411 + b1_58 * t416 - b1_70 * t415 - b1_85 * t414;
-  const T t418 = b1_53 * t408 - b1_54 * t417 - b1_55 * t416 - b1_68 * t415 + b1_83 * t414;
-  const T t419 = b1_48 * t402 - b1_49 * t418 - b1_51 * t417 + b1_66 * t415 - b1_81 * t414;
-  S[173] = t419;
-  const T t420 = T(9) * t221;
-  const T t421 = E2_23 * t420;
-  const T t422 = T(0.6) * t421 + b1_46 * c.p.c;
-  const T t423 = omega2_2 + omega2_2;
-  const T t424 = T(12) * t423;
-  const T t425 = E2_23 * t424 + b1_49 * t422;
-  const T t426 = T(9) * t423;
-  const T t427 = E2_22 * t424 + T(0.6) * t426 - b1_51 * t422 + b1_54 * t425;
-  const T t428 = b1_55 * t425 - t426 + b1_58 * t427;
-  const T t429 = E2_22 * t420 - b1_61 * c.p.c + b1_66 * t422 + b1_68 * t425 - b1_70 * t427 - b1_73 * t428;
-  const T t430 = z1_15 * (t421 + b1_76 * c.p.c - b1_81 * t422 - b1_83 * t425 - b1_85 * t427 - b1_87 * t428 - b1_92 *
-      t429);
-  const T t431 = b1_91 * t429 - b1_92 * t430;
-  const T t432 = b1_72 * t428 - b1_73 * t431 - b1_87 * t430;
-  const T t433 = b1_57 * t427 + b1_58 * t432 - b1_70 * t431 - b1_85 * t430;
-  const T t434 = b1_83 * t430 - (b1_53 * t425 + b1_54 * t433 + b1_55 * t432 + b1_68 * t431);
-  const T t435 = b1_48 * t422 - b1_49 * t434 - b1_51 * t433 + b1_66 * t431 - b1_81 * t430;
-  S[174] = t435;
-  const T t436 = T(9) * t259;
-  const T t437 = E3_23 * t436;
-  const T t438 = T(0.6) * t437 + b1_45 * c.p.c;
-  const T t439 = omega3_2 + omega3_2;
-  const T t440 = T(12) * t439;
-  const T t441 = E3_23 * t440 + b1_49 * t438;
-  const T t442 = T(9) * t439;
-  const T t443 = E3_22 * t440 + T(0.6) * t442 - b1_51 * t438 + b1_54 * t441;
-  const T t444 = t442 + b1_55 * t441 + b1_58 * t443;
-  const T t445 = b1_59 * c.p.c - E3_22 * t436 + b1_66 * t438 + b1_68 * t441 - b1_70 * t443 - b1_73 * t444;
-  const T t446 = z1_15 * (b1_83 * t441 + t437 + b1_74 * c.p.c + b1_81 * t438 + b1_85 * t443 + b1_87 * t444 + b1_92 *
-      t445);
-  const T t447 = b1_91 * t445 + b1_92 * t446;
-  const T t448 = b1_72 * t444 - b1_73 * t447 + b1_87 * t446;
-  const T t449 = b1_57 * t443 + b1_58 * t448 - b1_70 * t447 + b1_85 * t446;
-  const T t450 = b1_53 * t441 + b1_54 * t449 + b1_55 * t448 + b1_68 * t447 + b1_83 * t446;
-  const T t451 = b1_48 * t438 + b1_49 * t450 - b1_51 * t449 + b1_66 * t447 + b1_81 * t446;
-  S[175] = t451;
-  const T t452 = omega4_2 * T(0.5773502691896257);
-  const T t453 = omega4_3 * T(0.5773502691896257);
-  const T t454 = t452 + t453;
-  const T t455 = t454 - t4_11;
-  const T t456 = t454 + t4_11;
-  const T t457 = T(1.1547005383792515) * omega4_3;
-  const T t458 = T(1.1547005383792515) * omega4_1;
-  const T t459 = t457 + t458;
-  const T t460 = T(1.1547005383792515) * omega4_2;
-  const T t461 = t460 + t458;
-  const T t462 = omega4_1 * T(0.5773502691896257);
-  const T t463 = t462 + t453;
-  const T t464 = t463 + t4_13;
-  const T t465 = t462 + t452;
-  const T t466 = t465 - t4_14;
-  const T t467 = T(0.0079) * t455 - T(0.0079) * t456 - T(0.0021) * (t459 - t461) - T(0.0021) * t464 + T(0.0021) *
-      t466;
-  const T t468 = t463 - t4_13;
-  const T t469 = t457 + t460;
-  const T t470 = t465 + t4_14;
-  const T t471 = T(0.0079) * t468 - T(0.0079) * t464 - T(0.0021) * (t461 - t469) - T(0.0021) * t470 + T(0.0021) *
-      t455;
-  const T t472 = T(0.0079) * t466 - T(0.0079) * t470 - T(0.0021) * (t469 - t459) - T(0.0021) * t456 + T(0.0021) *
-      t468;
-  const T t473 = T(0.5773502691896257) * t467 + T(0.5773502691896257) * t471 + T(0.5773502691896257) * t472;
-  const T t474 = b1_43 * t473;
-  const T t475 = t474 - (E4_11 * t467 + E4_13 * t471 + E4_12 * t472);
-  const T t476 = t474 - (E4_12 * t467 + E4_11 * t471 + E4_13 * t472) - b1_49 * t475;
-  const T t477 = t474 - (E4_13 * t467 + E4_12 * t471 + E4_11 * t472) - b1_51 * t475 - b1_54 * t476;
-  const T t478 = b1_58 * t477 - b1_55 * t476;
-  const T t479 = b1_66 * t475 - b1_68 * t476 - b1_70 * t477 - b1_73 * t478;
-  const T t480 = z1_15 * (b1_83 * t476 - b1_81 * t475 - b1_85 * t477 - b1_87 * t478 - b1_92 * t479);
-  const T t481 = b1_91 * t479 - b1_92 * t480;
-  const T t482 = b1_72 * t478 - b1_73 * t481 - b1_87 * t480;
-  const T t483 = b1_57 * t477 + b1_58 * t482 - b1_70 * t481 - b1_85 * t480;
-  const T t484 = b1_53 * t476 - b1_54 * t483 - b1_55 * t482 - b1_68 * t481 + b1_83 * t480;
-  const T t485 = b1_48 * t475 - b1_49 * t484 - b1_51 * t483 + b1_66 * t481 - b1_81 * t480;
-  S[176] = t485;
-  S[183] = t58;
-  S[184] = t111;
+  const T t220 = T(0.2) * omega1_3;
+  const T t221 = T(0.1) * omega1_2;
+  const T t222 = E3_23 * T(0.6);
+  const T t223 = T(9) * (omega3_1 + omega3_1);
+  const T t224 = t222 * t223;
+  const T t225 = E2_23 * T(0.6);
+  const T t226 = T(9) * (omega2_1 + omega2_1);
+  const T t227 = t225 * t226;
+  const T t228 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
+  const T t229 = t228 * T(0.5773502691896257);
+  const T t230 = t229 - E4_11;
+  const T t231 = T(0.013700000000000002) * t4_5;
+  const T t232 = t231 * E4_13;
+  const T t233 = t231 * E4_12;
+  const T t234 = t232 - t233;
+  const T t235 = T(0.0021) * omega4_2;
+  const T t236 = T(0.0021) * omega4_3;
+  const T t237 = t235 - t236;
+  const T t238 = T(0.0021) * (omega4_2 + omega4_2);
+  const T t239 = T(0.0021) * omega4_1;
+  const T t240 = t238 + t239;
+  const T t241 = T(0.0021) * (omega4_3 + omega4_3);
+  const T t242 = t241 + t239;
+  const T t243 = t234 + t237 * E4_11 + t240 * E4_13 - t242 * E4_12;
+  const T t244 = t229 - E4_13;
+  const T t245 = t231 * E4_11;
+  const T t246 = t233 - t245;
+  const T t247 = T(0.0021) * (omega4_1 + omega4_1);
+  const T t248 = t247 + t235;
+  const T t249 = t236 - t239;
+  const T t250 = t241 + t235;
+  const T t251 = t246 - t248 * E4_11 + t249 * E4_13 + t250 * E4_12;
+  const T t252 = t229 - E4_12;
+  const T t253 = t245 - t232;
+  const T t254 = t247 + t236;
+  const T t255 = t238 + t236;
+  const T t256 = t239 - t235;
+  const T t257 = t253 + t254 * E4_11 - t255 * E4_13 + t256 * E4_12;
+  const T t258 = E3_22 * T(0.6);
+  const T t259 = T(0.75) * t258;
+  const T t260 = T(9) * t222;
+  const T t261 = omega1_1 + omega1_1;
+  const T t262 = t260 * t261;
+  const T t263 = E2_22 * T(0.6);
+  const T t264 = T(0.75) * t263;
+  const T t265 = T(9) * t225;
+  const T t266 = t265 * t261;
+  const T t267 = t220 + t221 + t224 + t227 + t230 * t243 + t244 * t251 + t252 * t257 + t259 * t262 + t264 * t266;
+  const T t268 = LD1_21 * LD1_22;
+  const T t269 = T(5.3999999999999995) * omega1_2;
+  const T t270 = T(3.34) * omega1_3 - T(0.1) * t261 + T(0.3) * omega1_2 - E3_23 * t269 - b3_2 * omega3_2 - E2_23 *
+      t269 - b2_2 * omega2_2 + t252 * t243 + t230 * t251 + t244 * t257 - LD1_21 * t267;
+  const T t271 = LD1_32 * LD1_33;
+  const T t272 = LD1_21 * t271 - LD1_31 * LD1_33;
+  const T t273 = T(5.3999999999999995) + t67;
+  const T t274 = T(5.3999999999999995) + t15;
+  const T t275 = T(6.9799999999999995) * omega1_2 - T(0.2) * t261 - T(0.3) * omega1_3 + E3_22 * t269 + t273 * omega3_2
+      + E2_22 * t269 + t274 * omega2_2 + t244 * t243 + t252 * t251 + t230 * t257 - LD1_31 * t267 - LD1_32 * t270;
+  const T t276 = LD1_32 * W1_31 - W1_21;
+  const T t277 = LD1_31 * W1_31 - LD1_21 * t276;
+  const T t278 = t277 * LDs1_11;
+  const T t279 = T(9) * omega2_2;
+  const T t280 = T(0.8) * omega1_3;
+  const T t281 = T(9) * omega3_2;
+  const T t282 = t279 - (t280 + t281) + W1_21 * t270 + W1_31 * t275;
+  const T t283 = W1_32 * LDs1_22;
+  const T t284 = W1_12 * LDs1_22;
+  const T t285 = LD1_32 * t283 + minus_W1_22 * LDs1_22;
+  const T t286 = minus_LDs1_21 * LDs1_22;
+  const T t287 = LD1_31 * t283 - t284 - LD1_21 * t285 + t277 * t286;
+  const T t288 = E2_22 * t226;
+  const T t289 = E3_22 * t223;
+  const T t290 = T(0.75) * E3_23;
+  const T t291 = T(0.75) * E2_23;
+  const T t292 = t288 - t289 + t290 * t262 - t291 * t266 - W1_12 * t267 + minus_W1_22 * t270 - W1_32 * t275 -
+      minus_LDs1_21 * t282;
+  const T t293 = LDs1_32 * LDs1_33;
+  const T t294 = W1_12 * t293 - W1_13 * LDs1_33;
+  const T t295 = W1_32 * t293 - W1_33 * LDs1_33;
+  const T t296 = minus_W1_23 * LDs1_33 - minus_W1_22 * t293 - LD1_32 * t295;
+  const T t297 = minus_LDs1_31 * LDs1_33 - minus_LDs1_21 * t293;
+  const T t298 = t294 - LD1_31 * t295 - LD1_21 * t296 + t277 * t297;
+  const T t299 = E2_23 * t226;
+  const T t300 = E3_23 * t223;
+  const T t301 = T(0.75) * E3_22;
+  const T t302 = T(0.75) * E2_22;
+  const T t303 = t299 - (T(0.8) * t261 + t300) - t301 * t262 + t302 * t266 - W1_13 * t267 + minus_W1_23 * t270 - W1_33
+      * t275 - minus_LDs1_31 * t282 - LDs1_32 * t292;
+  S[171] = LD1_11 * t267 - t268 * t270 + t272 * t275 - t278 * t282 + t287 * t292 + t298 * t303;
+  const T t304 = T(9) * (omega3_3 + omega3_3);
+  const T t305 = t304 * E3_23;
+  const T t306 = omega1_2 + omega1_2;
+  const T t307 = T(9) * omega3_3;
+  const T t308 = t307 * E3_22 - t281 * E3_23;
+  const T t309 = T(9) * (omega2_3 + omega2_3);
+  const T t310 = t309 * E2_23;
+  const T t311 = T(9) * omega2_3;
+  const T t312 = t279 * E2_23 - t311 * E2_22;
+  const T t313 = t253 + t237 * E4_12 + t240 * E4_11 - t242 * E4_13;
+  const T t314 = t234 - t248 * E4_12 + t249 * E4_11 + t250 * E4_13;
+  const T t315 = t246 + t254 * E4_12 - t255 * E4_11 + t256 * E4_13;
+  const T t316 = T(12) * omega3_2;
+  const T t317 = T(9) * t258;
+  const T t318 = T(12) * omega3_3;
+  const T t319 = t316 * E3_23 - (t317 * omega1_3 + t318 * E3_22);
+  const T t320 = T(12) * omega2_2;
+  const T t321 = T(9) * t263;
+  const T t322 = T(12) * omega2_3;
+  const T t323 = t320 * E2_23 - (t321 * omega1_3 + t322 * E2_22);
+  const T t324 = T(0.1) * omega1_1 - (t222 * t305 + T(0.3) * t306 + T(10.32) * omega1_3) - t258 * t308 - t225 * t310 +
+      t263 * t312 + t230 * t313 + t244 * t314 + t252 * t315 - t259 * t319 - t264 * t323;
+  const T t325 = T(0.3) * omega1_1;
+  const T t326 = T(5.3999999999999995) * omega1_1;
+  const T t327 = omega3_1 * E3_22 + thetadot3 * E3_22;
+  const T t328 = omega2_1 * E2_22 + thetadot2 * E2_22;
+  const T t329 = t325 - t220 - E3_23 * t326 - b3_2 * t327 - E2_23 * t326 - b2_2 * t328 + t252 * t313 + t230 * t314 +
+      t244 * t315 - LD1_21 * t324;
+  const T t330 = T(0.2) * t306 + T(6.9799999999999995) * omega1_1 - T(0.1) * omega1_3 + E3_22 * t326 + t273 * t327 +
+      E2_22 * t326 + t274 * t328 + t244 * t313 + t252 * t314 + t230 * t315 - LD1_31 * t324 - LD1_32 * t329;
+  const T t331 = T(9) * t327 - T(9) * t328 - W1_21 * t329 - W1_31 * t330;
+  const T t332 = t280 - t290 * t319 + E3_22 * t305 - E3_23 * t308 - E2_22 * t310 - E2_23 * t312 + t291 * t323 - W1_12
+      * t324 + minus_W1_22 * t329 - W1_32 * t330 + minus_LDs1_21 * t331;
+  const T t333 = E3_23 * t305 - T(0.8) * t306 + E3_22 * t308 - E2_23 * t310 + E2_22 * t312 + t301 * t319 - t302 * t323
+      - W1_13 * t324 + minus_W1_23 * t329 - W1_33 * t330 + minus_LDs1_31 * t331 - LDs1_32 * t332;
+  S[172] = LD1_11 * t324 - t268 * t329 + t272 * t330 + t278 * t331 + t287 * t332 + t298 * t333;
+  const T t334 = omega1_3 + omega1_3;
+  const T t335 = t304 * E3_22;
+  const T t336 = t307 * E3_23 + t281 * E3_22;
+  const T t337 = t309 * E2_22;
+  const T t338 = t311 * E2_23 + t279 * E2_22;
+  const T t339 = t246 + t237 * E4_13 + t240 * E4_12 - t242 * E4_11;
+  const T t340 = t253 - t248 * E4_13 + t249 * E4_12 + t250 * E4_11;
+  const T t341 = t234 + t254 * E4_13 - t255 * E4_12 + t256 * E4_11;
+  const T t342 = t260 * t334 + t317 * omega1_2 + t318 * E3_23 + t316 * E3_22;
+  const T t343 = t321 * omega1_2 + t265 * t334 + t322 * E2_23 + t320 * E2_22;
+  const T t344 = T(0.3) * t334 - T(10.32) * omega1_2 + T(0.2) * omega1_1 + t222 * t335 - t258 * t336 + t225 * t337 -
+      t263 * t338 + t230 * t339 + t244 * t340 + t252 * t341 + t259 * t342 + t264 * t343;
+  const T t345 = omega3_1 * E3_23 + thetadot3 * E3_23;
+  const T t346 = omega2_1 * E2_23 + thetadot2 * E2_23;
+  const T t347 = T(0.1) * t334 + T(3.34) * omega1_1 - T(0.2) * omega1_2 - b3_2 * t345 - b2_2 * t346 + t252 * t339 +
+      t230 * t340 + t244 * t341 - LD1_21 * t344;
+  const T t348 = t273 * t345 - (t221 + t325) + t274 * t346 + t244 * t339 + t252 * t340 + t230 * t341 - LD1_31 * t344 -
+      LD1_32 * t347;
+  const T t349 = T(0.8) * omega1_1 + T(9) * t345 - T(9) * t346 - W1_21 * t347 - W1_31 * t348;
+  const T t350 = T(0.8) * omega1_2 - E3_22 * t335 - E3_23 * t336 + E2_22 * t337 + E2_23 * t338 + t290 * t342 - t291 *
+      t343 - W1_12 * t344 + minus_W1_22 * t347 - W1_32 * t348 + minus_LDs1_21 * t349;
+  const T t351 = E3_22 * t336 - E3_23 * t335 + E2_23 * t337 - E2_22 * t338 - t301 * t342 + t302 * t343 - W1_13 * t344
+      + minus_W1_23 * t347 - W1_33 * t348 + minus_LDs1_31 * t349 - LDs1_32 * t350;
+  S[173] = LD1_11 * t344 - t268 * t347 + t272 * t348 + t278 * t349 + t287 * t350 + t298 * t351;
+  const T t352 = c.p.c + t227 + t264 * c.p.c;
+  const T t353 = omega2_2 + omega2_2;
+  const T t354 = b2_2 * t353 + LD1_21 * t352;
+  const T t355 = t274 * t353 - LD1_31 * t352 + LD1_32 * t354;
+  const T t356 = T(9) * t353 - W1_21 * t354 + W1_31 * t355;
+  const T t357 = t288 - t291 * c.p.c - W1_12 * t352 - minus_W1_22 * t354 - W1_32 * t355 - minus_LDs1_21 * t356;
+  const T t358 = t299 + t302 * c.p.c - W1_13 * t352 - minus_W1_23 * t354 - W1_33 * t355 - minus_LDs1_31 * t356 -
+      LDs1_32 * t357;
+  S[174] = LD1_11 * t352 + t268 * t354 + t272 * t355 - t278 * t356 + t287 * t357 + t298 * t358;
+  const T t359 = c.p.c + t224 + t259 * c.p.c;
+  const T t360 = omega3_2 + omega3_2;
+  const T t361 = b3_2 * t360 + LD1_21 * t359;
+  const T t362 = t273 * t360 - LD1_31 * t359 + LD1_32 * t361;
+  const T t363 = W1_31 * t362 - (T(9) * t360 + W1_21 * t361);
+  const T t364 = t290 * c.p.c - t289 - W1_12 * t359 - minus_W1_22 * t361 - W1_32 * t362 - minus_LDs1_21 * t363;
+  const T t365 = t300 + t301 * c.p.c + W1_13 * t359 + minus_W1_23 * t361 + W1_33 * t362 + minus_LDs1_31 * t363 +
+      LDs1_32 * t364;
+  S[175] = LD1_11 * t359 + t268 * t361 + t272 * t362 - t278 * t363 + t287 * t364 - t298 * t365;
+  const T t366 = T(0.0021) * t4_14;
+  const T t367 = T(0.0021) * t4_13;
+  const T t368 = t237 * T(0.5773502691896257) - t366 - T(0.0158) * t4_11 - t367 + t240 * T(0.5773502691896257) - t242
+      * T(0.5773502691896257);
+  const T t369 = T(0.0021) * t4_11;
+  const T t370 = t249 * T(0.5773502691896257) - (t248 * T(0.5773502691896257) + t366 + T(0.0158) * t4_13 + t369) +
+      t250 * T(0.5773502691896257);
+  const T t371 = t254 * T(0.5773502691896257) - T(0.0158) * t4_14 - t367 - t369 - t255 * T(0.5773502691896257) + t256
+      * T(0.5773502691896257);
+  const T t372 = t230 * t368 + t244 * t370 + t252 * t371;
+  const T t373 = t252 * t368 + t230 * t370 + t244 * t371 - LD1_21 * t372;
+  const T t374 = t244 * t368 + t252 * t370 + t230 * t371 - LD1_31 * t372 - LD1_32 * t373;
+  const T t375 = W1_21 * t373 + W1_31 * t374;
+  const T t376 = minus_LDs1_21 * t375 + W1_12 * t372 - minus_W1_22 * t373 + W1_32 * t374;
+  const T t377 = minus_W1_23 * t373 - (minus_LDs1_31 * t375 + W1_13 * t372) - W1_33 * t374 + LDs1_32 * t376;
+  S[176] = LD1_11 * t372 - t268 * t373 + t272 * t374 - t278 * t375 - t287 * t376 + t298 * t377;
+  S[183] = t60;
+  S[184] = t115;
   S[185] = t218;
-  S[189] = t292;
-  S[190] = t364;
-  S[191] = t418;
-  S[192] = t434;
-  S[193] = -t450;
-  S[194] = t484;
-  S[201] = t57;
-  S[202] = t110;
+  const T t378 = t276 * LDs1_11;
+  const T t379 = t285 + t276 * t286;
+  const T t380 = t296 + t276 * t297;
+  S[189] = LD1_22 * t270 - t271 * t275 - t378 * t282 + t379 * t292 + t380 * t303;
+  S[190] = LD1_22 * t329 - t271 * t330 + t378 * t331 + t379 * t332 + t380 * t333;
+  S[191] = LD1_22 * t347 - t271 * t348 + t378 * t349 + t379 * t350 + t380 * t351;
+  S[192] = t379 * t357 - (LD1_22 * t354 + t271 * t355 + t378 * t356) + t380 * t358;
+  S[193] = t379 * t364 - (LD1_22 * t361 + t271 * t362 + t378 * t363) - t380 * t365;
+  S[194] = LD1_22 * t373 - t271 * t374 - t378 * t375 - t379 * t376 + t380 * t377;
+  S[201] = t59;
+  S[202] = t114;
   S[203] = t217;
-  S[207] = t291;
-  S[208] = t363;
-  S[209] = t417;
-  S[210] = t433;
-  S[211] = t449;
-  S[212] = t483;
-  S[219] = z1_16 * b1_61 - b1_76 * t54 + z1_17 * b1_76 + b1_61 * t55 - T(0.08333333333333333) * t11 - b1_46 * t59 +
-      omegadot1_1 * t2;
-  S[220] = -(b1_46 * t112 - b1_61 * t108 + b1_76 * t107);
-  S[221] = -(b1_46 * t219 - b1_61 * t215 + b1_76 * t214);
-  S[225] = b1_61 * t289 - (T(0.08333333333333333) * t223 + b1_46 * t293) - b1_76 * t288;
-  S[226] = b1_61 * t361 - (T(0.08333333333333333) * t300 + b1_46 * t365) - b1_76 * t360;
-  S[227] = b1_61 * t415 - (T(0.08333333333333333) * t390 + b1_46 * t419) - b1_76 * t414;
-  S[228] = b1_61 * t431 - (c.c0_1 + b1_46 * t435) - b1_76 * t430;
-  S[229] = -(b1_46 * t451 - b1_61 * t447 - b1_76 * t446);
-  S[230] = -(b1_46 * t485 - b1_61 * t481 + b1_76 * t480);
-  S[237] = -(b1_45 * t59 + b1_59 * t55 - b1_74 * t54);
-  S[238] = -(T(0.08333333333333333) * t72 + b1_45 * t112 - omegadot1_1 * t61 + z1_17 * b1_74 + b1_59 * t108 + z1_16 *
-      b1_59 - b1_74 * t107);
-  S[239] = -(b1_45 * t219 + b1_59 * t215 - b1_74 * t214);
-  S[243] = -(T(0.08333333333333333) * t258 + b1_45 * t293 + b1_59 * t289 - b1_74 * t288);
-  S[244] = -(T(0.08333333333333333) * t307 + b1_45 * t365 + b1_59 * t361 - b1_74 * t360);
-  S[245] = -(T(0.08333333333333333) * t395 + b1_45 * t419 + b1_59 * t415 - b1_74 * t414);
-  S[246] = -(b1_45 * t435 + b1_59 * t431 - b1_74 * t430);
-  S[247] = -(b1_74 * t446 + c.c0_1 + b1_45 * t451 + b1_59 * t447);
-  S[248] = -(b1_45 * t485 + b1_59 * t481 - b1_74 * t480);
-  S[255] = -(b1_43 * t59 + b1_43 * t58 + b1_43 * t57);
-  S[256] = -(b1_43 * t112 + b1_43 * t111 + b1_43 * t110);
-  S[257] = -(T(50) * t168 + omegadot1_1 * t123 + b1_43 * t219 + z1_19 * t123 + b1_43 * t218 + z1_18 * t123 + b1_43 *
-      t217);
-  S[261] = -(T(50) * t272 + b1_43 * t293 + b1_43 * t292 + b1_43 * t291);
-  S[262] = -(T(50) * t332 + b1_43 * t365 + b1_43 * t364 + b1_43 * t363);
-  S[263] = -(T(50) * t400 + b1_43 * t419 + b1_43 * t418 + b1_43 * t417);
-  S[264] = -(b1_43 * t435 + b1_43 * t434 + b1_43 * t433);
-  S[265] = -(b1_43 * t451 - b1_43 * t450 + b1_43 * t449);
-  S[266] = -(T(50) * t473 + b1_43 * t485 + b1_43 * t484 + b1_43 * t483);
-  const T t486 = T(0.5) * eps1_2;
-  const T t487 = T(2) * t486;
-  const T t488 = eps1_3 * t487;
-  const T t489 = t1_3 * t486;
-  const T t490 = t488 + t489;
-  const T t491 = T(0.5) * eps1_3;
-  const T t492 = T(2) * t491;
-  const T t493 = eps1_2 * t492;
-  const T t494 = t1_1 * t491;
-  const T t495 = t493 + t494;
-  const T t496 = T(0.5) * eps1_4;
-  const T t497 = T(2) * t496;
-  const T t498 = eps1_2 * t497;
-  const T t499 = t1_5 * t491;
-  const T t500 = t498 + t499;
-  const T t501 = eps1_4 * t487;
-  const T t502 = T(0.5) * eps1_1;
-  const T t503 = t1_3 * t502;
-  const T t504 = t501 + t503;
-  const T t505 = eps1_3 * t497;
-  const T t506 = t1_5 * t486;
-  const T t507 = t505 - t506;
-  const T t508 = eps1_4 * t492;
-  const T t509 = t1_1 * t502;
-  const T t510 = t508 - t509;
-  S[270] = Pddot1_1 * (t490 - t495) + z1_17 * (t500 + t504) + z1_16 * (t507 + t510);
-  const T t511 = t1_5 * t496;
-  const T t512 = t511 - t493;
-  const T t513 = T(2) * t502;
-  const T t514 = eps1_4 * t513;
-  const T t515 = t514 - t489;
-  const T t516 = t1_1 * t496;
-  const T t517 = t498 + t516;
-  const T t518 = eps1_3 * t513;
-  const T t519 = t518 + t503;
-  const T t520 = t1_5 * t502;
-  const T t521 = eps1_3 * t492;
-  const T t522 = t520 - t521;
-  const T t523 = eps1_4 * t497;
-  const T t524 = t1_1 * t486;
-  const T t525 = t523 - t524;
-  S[271] = z1_17 * (t512 - t515) - Pddot1_1 * (t517 + t519) + z1_16 * (t522 + t525);
-  const T t526 = eps1_2 * t513 + t509;
-  const T t527 = t505 + t1_3 * t496;
-  const T t528 = eps1_2 * t487 - t520;
-  const T t529 = t523 - t1_3 * t491;
-  const T t530 = t488 + t511;
-  const T t531 = t514 + t494;
-  S[272] = Pddot1_1 * (t526 - t527) + z1_17 * (t528 - t529) + z1_16 * (t530 - t531);
-  S[273] = R1_11 * t56 + R1_21 * t55 + R1_31 * t54;
-  S[274] = R1_11 * t109 + R1_21 * t108 + R1_31 * t107;
+  const T t381 = W1_31 * LDs1_11;
+  const T t382 = W1_31 * t286 + t283;
+  const T t383 = t295 - W1_31 * t297;
+  S[207] = LD1_33 * t275 + t381 * t282 - t382 * t292 + t383 * t303;
+  S[208] = LD1_33 * t330 - t381 * t331 - t382 * t332 + t383 * t333;
+  S[209] = LD1_33 * t348 - t381 * t349 - t382 * t350 + t383 * t351;
+  S[210] = LD1_33 * t355 + t381 * t356 - t382 * t357 + t383 * t358;
+  S[211] = LD1_33 * t362 + t381 * t363 - t382 * t364 - t383 * t365;
+  S[212] = LD1_33 * t374 + t381 * t375 + t382 * t376 + t383 * t377;
+  const T t384 = T(0.6) * t61;
+  const T t385 = T(0.6) * omegadot1_1_1;
+  S[219] = -(t61 + T(0.75) * (E2_22 * t56 - E2_23 * ws1_3 - E2_22 * z1_1 - E2_23 * t57 + E2_22 * t384 - E2_23 * t385)
+      + t9);
+  const T t386 = T(0.6) * t116;
+  S[220] = -(t116 + T(0.75) * (E2_22 * t111 - E2_23 * t112 + E2_22 * t386));
+  const T t387 = T(0.6) * t219;
+  S[221] = -(t219 + T(0.75) * (E2_22 * t214 - E2_23 * t215 + E2_22 * t387));
+  const T t388 = T(1) + t264;
+  const T t389 = t388 * LD1_21;
+  const T t390 = t389 * LD1_22;
+  const T t391 = t388 * LD1_11;
+  const T t392 = t388 * LD1_31;
+  const T t393 = t392 * LD1_33 - t389 * t271;
+  const T t394 = t389 * t276 - t392 * W1_31;
+  const T t395 = t394 * LDs1_11;
+  const T t396 = t291 * LDs1_22 + t388 * t284 - t392 * t283 + t389 * t285 + t394 * t286;
+  const T t397 = t392 * t295 - (t302 * LDs1_33 + t291 * t293 + t388 * t294) + t389 * t296 + t394 * t297;
+  S[225] = t390 * t270 - (T(0.08333333333333333) * t266 + t391 * t267) + t393 * t275 - t395 * t282 + t396 * t292 +
+      t397 * t303;
+  S[226] = T(0.08333333333333333) * t323 - t391 * t324 + t390 * t329 + t393 * t330 + t395 * t331 + t396 * t332 + t397
+      * t333;
+  S[227] = t390 * t347 - (T(0.08333333333333333) * t343 + t391 * t344) + t393 * t348 + t395 * t349 + t396 * t350 +
+      t397 * t351;
+  S[228] = t393 * t355 - (c.c0_1 + t391 * t352 + t390 * t354) - t395 * t356 + t396 * t357 + t397 * t358;
+  S[229] = t393 * t362 - (t390 * t361 + t391 * t359) - t395 * t363 + t396 * t364 - t397 * t365;
+  S[230] = t390 * t373 - t391 * t372 + t393 * t374 - t395 * t375 - t396 * t376 + t397 * t377;
+  S[237] = -(t61 - T(0.75) * (E3_22 * t56 - E3_23 * t57 - E3_22 * t384));
+  S[238] = -(t116 + t79 - T(0.75) * (E3_22 * t111 - E3_23 * ws1_3 - E3_22 * z1_1 - E3_23 * t112 + E3_23 * t385 - E3_22
+      * t386));
+  S[239] = -(t219 - T(0.75) * (E3_22 * t214 - E3_23 * t215 - E3_22 * t387));
+  const T t398 = T(1) + t259;
+  const T t399 = t398 * LD1_21;
+  const T t400 = t399 * LD1_22;
+  const T t401 = t398 * LD1_11;
+  const T t402 = t398 * LD1_31;
+  const T t403 = t399 * t271 - t402 * LD1_33;
+  const T t404 = t399 * t276 - t402 * W1_31;
+  const T t405 = t404 * LDs1_11;
+  const T t406 = t398 * t284 - t290 * LDs1_22 - t402 * t283 + t399 * t285 + t404 * t286;
+  const T t407 = t301 * LDs1_33 + t290 * t293 - t398 * t294 + t402 * t295 + t399 * t296 + t404 * t297;
+  S[243] = t400 * t270 - (T(0.08333333333333333) * t262 + t401 * t267) - t403 * t275 - t405 * t282 + t406 * t292 +
+      t407 * t303;
+  S[244] = T(0.08333333333333333) * t319 - t401 * t324 + t400 * t329 - t403 * t330 + t405 * t331 + t406 * t332 + t407
+      * t333;
+  S[245] = t400 * t347 - (T(0.08333333333333333) * t342 + t401 * t344) - t403 * t348 + t405 * t349 + t406 * t350 +
+      t407 * t351;
+  S[246] = t406 * t357 - (t401 * t352 + t400 * t354 + t403 * t355 + t405 * t356) + t407 * t358;
+  S[247] = t406 * t364 - (c.c0_1 + t401 * t359 + t400 * t361 + t403 * t362 + t405 * t363) - t407 * t365;
+  S[248] = t400 * t373 - t401 * t372 - t403 * t374 - t405 * t375 - t406 * t376 + t407 * t377;
+  S[255] = -(T(0.5773502691896258) * (E4_11 * t61 + E4_12 * t60 + E4_13 * t59) + T(0.5773502691896258) * (E4_13 * t61
+      + E4_11 * t60 + E4_12 * t59) + T(0.5773502691896258) * (E4_12 * t61 + E4_13 * t60 + E4_11 * t59));
+  S[256] = -(T(0.5773502691896258) * (E4_11 * t116 + E4_12 * t115 + E4_13 * t114) + T(0.5773502691896258) * (E4_13 *
+      t116 + E4_11 * t115 + E4_12 * t114) + T(0.5773502691896258) * (E4_12 * t116 + E4_13 * t115 + E4_11 * t114));
+  S[257] = -(T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1_1 * t123 + E4_12 * t218 - z1_3 * t121 + E4_13 * t217
+      - z1_2 * t119) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1_1 * t119 + z1_3 * t123 + E4_11 * t218 +
+      z1_2 * t121 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1_1 * t121 + E4_12 * t219 + E4_13 * t218 + z1_3
+      * t119 + E4_11 * t217 - z1_2 * t123) + t181);
+  const T t408 = t228 * LD1_21 - t228;
+  const T t409 = t408 * LD1_22;
+  const T t410 = t228 * LD1_11;
+  const T t411 = t228 * LD1_31 - t228;
+  const T t412 = t411 * LD1_33 - t408 * t271;
+  const T t413 = t408 * t276 - t411 * W1_31;
+  const T t414 = t413 * LDs1_11;
+  const T t415 = t228 * t284 - t411 * t283 + t408 * t285 + t413 * t286;
+  const T t416 = t411 * t295 - t228 * t294 + t408 * t296 + t413 * t297;
+  S[261] = t409 * t270 - (T(28.867513459481287) * t243 + T(28.867513459481287) * t251 + T(28.867513459481287) * t257 +
+      t410 * t267) + t412 * t275 - t414 * t282 + t415 * t292 + t416 * t303;
+  S[262] = t409 * t329 - (T(28.867513459481287) * t313 + T(28.867513459481287) * t314 + T(28.867513459481287) * t315 +
+      t410 * t324) + t412 * t330 + t414 * t331 + t415 * t332 + t416 * t333;
+  S[263] = t409 * t347 - (T(28.867513459481287) * t339 + T(28.867513459481287) * t340 + T(28.867513459481287) * t341 +
+      t410 * t344) + t412 * t348 + t414 * t349 + t415 * t350 + t416 * t351;
+  S[264] = t412 * t355 - (t409 * t354 + t410 * t352) - t414 * t356 + t415 * t357 + t416 * t358;
+  S[265] = t412 * t362 - (t409 * t361 + t410 * t359) - t414 * t363 + t415 * t364 - t416 * t365;
+  S[266] = t409 * t373 - (T(28.867513459481287) * t368 + T(28.867513459481287) * t370 + T(28.867513459481287) * t371 +
+      t410 * t372) + t412 * t374 - t414 * t375 - t415 * t376 + t416 * t377;
+  const T t417 = T(0.5) * eps1_2;
+  const T t418 = T(2) * t417;
+  const T t419 = eps1_3 * t418;
+  const T t420 = t1_3 * t417;
+  const T t421 = t419 + t420;
+  const T t422 = T(0.5) * eps1_3;
+  const T t423 = T(2) * t422;
+  const T t424 = eps1_2 * t423;
+  const T t425 = t1_1 * t422;
+  const T t426 = t424 + t425;
+  const T t427 = T(0.5) * eps1_4;
+  const T t428 = T(2) * t427;
+  const T t429 = eps1_2 * t428;
+  const T t430 = t1_5 * t422;
+  const T t431 = t429 + t430;
+  const T t432 = eps1_4 * t418;
+  const T t433 = T(0.5) * eps1_1;
+  const T t434 = t1_3 * t433;
+  const T t435 = t432 + t434;
+  const T t436 = eps1_3 * t428;
+  const T t437 = t1_5 * t417;
+  const T t438 = t436 - t437;
+  const T t439 = eps1_4 * t423;
+  const T t440 = t1_1 * t433;
+  const T t441 = t439 - t440;
+  S[270] = Pddot2_1_1 * (t421 - t426) + z1_1 * (t431 + t435) + ws1_3 * (t438 + t441);
+  const T t442 = t1_5 * t427;
+  const T t443 = t442 - t424;
+  const T t444 = T(2) * t433;
+  const T t445 = eps1_4 * t444;
+  const T t446 = t445 - t420;
+  const T t447 = t1_1 * t427;
+  const T t448 = t429 + t447;
+  const T t449 = eps1_3 * t444;
+  const T t450 = t449 + t434;
+  const T t451 = t1_5 * t433;
+  const T t452 = eps1_3 * t423;
+  const T t453 = t451 - t452;
+  const T t454 = eps1_4 * t428;
+  const T t455 = t1_1 * t417;
+  const T t456 = t454 - t455;
+  S[271] = z1_1 * (t443 - t446) - Pddot2_1_1 * (t448 + t450) + ws1_3 * (t453 + t456);
+  const T t457 = eps1_2 * t444 + t440;
+  const T t458 = t436 + t1_3 * t427;
+  const T t459 = eps1_2 * t418 - t451;
+  const T t460 = t454 - t1_3 * t422;
+  const T t461 = t419 + t442;
+  const T t462 = t445 + t425;
+  S[272] = Pddot2_1_1 * (t457 - t458) + z1_1 * (t459 - t460) + ws1_3 * (t461 - t462);
+  S[273] = R1_11 * t58 + R1_21 * t57 + R1_31 * t56;
+  S[274] = R1_11 * t113 + R1_21 * t112 + R1_31 * t111;
   S[275] = R1_11 * t216 + R1_21 * t215 + R1_31 * t214;
-  S[279] = R1_11 * t290 + R1_21 * t289 + R1_31 * t288;
-  S[280] = R1_11 * t362 + R1_21 * t361 + R1_31 * t360;
-  S[281] = R1_11 * t416 + R1_21 * t415 + R1_31 * t414;
-  S[282] = R1_11 * t432 + R1_21 * t431 + R1_31 * t430;
-  S[283] = R1_11 * t448 + R1_21 * t447 - R1_31 * t446;
-  S[284] = R1_11 * t482 + R1_21 * t481 + R1_31 * t480;
-  const T t532 = eps1_1 * t497 + t511;
-  const T t533 = t521 - t524;
-  const T t534 = t523 - t520;
-  S[288] = Pddot1_1 * (t500 - t504) + z1_17 * (t490 - t532) + z1_16 * (t533 - t534);
-  const T t535 = eps1_1 * t492 + t499;
-  const T t536 = t505 + t509;
-  const T t537 = t508 + t506;
-  S[289] = Pddot1_1 * (t512 + t515) + z1_17 * (t535 - t519) + z1_16 * (t536 + t537);
-  const T t538 = eps1_1 * t487 + t506;
-  const T t539 = t516 - t518;
-  const T t540 = t501 - t499;
-  S[290] = Pddot1_1 * (t528 + t529) - z1_17 * (t538 + t527) + z1_16 * (t539 - t540);
-  S[291] = R1_12 * t56 + R1_22 * t55 + R1_32 * t54;
-  S[292] = R1_12 * t109 + R1_22 * t108 + R1_32 * t107;
+  const T t463 = R1_21 * LDs1_22 + R1_11 * t286;
+  const T t464 = R1_11 * LDs1_11;
+  const T t465 = R1_31 * LDs1_33 - R1_21 * t293 + R1_11 * t297;
+  S[279] = t463 * t292 - t464 * t282 + t465 * t303;
+  S[280] = t464 * t331 + t463 * t332 + t465 * t333;
+  S[281] = t464 * t349 + t463 * t350 + t465 * t351;
+  S[282] = t463 * t357 - t464 * t356 + t465 * t358;
+  S[283] = t463 * t364 - t464 * t363 - t465 * t365;
+  S[284] = t465 * t377 - (t463 * t376 + t464 * t375);
+  const T t466 = eps1_1 * t428 + t442;
+  const T t467 = t452 - t455;
+  const T t468 = t454 - t451;
+  S[288] = Pddot2_1_1 * (t431 - t435) + z1_1 * (t421 - t466) + ws1_3 * (t467 - t468);
+  const T t469 = eps1_1 * t423 + t430;
+  const T t470 = t436 + t440;
+  const T t471 = t439 + t437;
+  S[289] = Pddot2_1_1 * (t443 + t446) + z1_1 * (t469 - t450) + ws1_3 * (t470 + t471);
+  const T t472 = eps1_1 * t418 + t437;
+  const T t473 = t447 - t449;
+  const T t474 = t432 - t430;
+  S[290] = Pddot2_1_1 * (t459 + t460) - z1_1 * (t472 + t458) + ws1_3 * (t473 - t474);
+  S[291] = R1_12 * t58 + R1_22 * t57 + R1_32 * t56;
+  S[292] = R1_12 * t113 + R1_22 * t112 + R1_32 * t111;
   S[293] = R1_12 * t216 + R1_22 * t215 + R1_32 * t214;
-  S[297] = R1_12 * t290 + R1_22 * t289 + R1_32 * t288;
-  S[298] = R1_12 * t362 + R1_22 * t361 + R1_32 * t360;
-  S[299] = R1_12 * t416 + R1_22 * t415 + R1_32 * t414;
-  S[300] = R1_12 * t432 + R1_22 * t431 + R1_32 * t430;
-  S[301] = R1_12 * t448 + R1_22 * t447 - R1_32 * t446;
-  S[302] = R1_12 * t482 + R1_22 * t481 + R1_32 * t480;
-  S[306] = Pddot1_1 * (t507 - t510) + z1_17 * (t533 + t534) - z1_16 * (t532 + t495);
-  S[307] = Pddot1_1 * (t522 - t525) + z1_17 * (t536 - t537) + z1_16 * (t535 - t517);
-  S[308] = Pddot1_1 * (t530 + t531) + z1_17 * (t539 + t540) + z1_16 * (t526 - t538);
-  S[309] = R1_13 * t56 + R1_23 * t55 + R1_33 * t54;
-  S[310] = R1_13 * t109 + R1_23 * t108 + R1_33 * t107;
+  const T t475 = R1_22 * LDs1_22 + R1_12 * t286;
+  const T t476 = R1_12 * LDs1_11;
+  const T t477 = R1_32 * LDs1_33 - R1_22 * t293 + R1_12 * t297;
+  S[297] = t475 * t292 - t476 * t282 + t477 * t303;
+  S[298] = t476 * t331 + t475 * t332 + t477 * t333;
+  S[299] = t476 * t349 + t475 * t350 + t477 * t351;
+  S[300] = t475 * t357 - t476 * t356 + t477 * t358;
+  S[301] = t475 * t364 - t476 * t363 - t477 * t365;
+  S[302] = t477 * t377 - (t475 * t376 + t476 * t375);
+  S[306] = Pddot2_1_1 * (t438 - t441) + z1_1 * (t467 + t468) - ws1_3 * (t466 + t426);
+  S[307] = Pddot2_1_1 * (t453 - t456) + z1_1 * (t470 - t471) + ws1_3 * (t469 - t448);
+  S[308] = Pddot2_1_1 * (t461 + t462) + z1_1 * (t473 + t474) + ws1_3 * (t457 - t472);
+  S[309] = R1_13 * t58 + R1_23 * t57 + R1_33 * t56;
+  S[310] = R1_13 * t113 + R1_23 * t112 + R1_33 * t111;
   S[311] = R1_13 * t216 + R1_23 * t215 + R1_33 * t214;
-  S[315] = R1_13 * t290 + R1_23 * t289 + R1_33 * t288;
-  S[316] = R1_13 * t362 + R1_23 * t361 + R1_33 * t360;
-  S[317] = R1_13 * t416 + R1_23 * t415 + R1_33 * t414;
-  S[318] = R1_13 * t432 + R1_23 * t431 + R1_33 * t430;
-  S[319] = R1_13 * t448 + R1_23 * t447 - R1_33 * t446;
-  S[320] = R1_13 * t482 + R1_23 * t481 + R1_33 * t480;
+  const T t478 = R1_23 * LDs1_22 + R1_13 * t286;
+  const T t479 = R1_13 * LDs1_11;
+  const T t480 = R1_33 * LDs1_33 - R1_23 * t293 + R1_13 * t297;
+  S[315] = t478 * t292 - t479 * t282 + t480 * t303;
+  S[316] = t479 * t331 + t478 * t332 + t480 * t333;
+  S[317] = t479 * t349 + t478 * t350 + t480 * t351;
+  S[318] = t478 * t357 - t479 * t356 + t480 * t358;
+  S[319] = t478 * t364 - t479 * t363 - t480 * t365;
+  S[320] = t480 * t377 - (t478 * t376 + t479 * t375);
 }
 
 // input_matrix: rates of (xi, y) for small changes of the inputs.
 // B (2 ny x n_inputs)
-// 175 add, 221 multiply, 6 divide, 6 sine or cosine
+// 193 add, 250 multiply, 6 divide, 6 sine or cosine
+// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]]
     const Inputs<T>& u, T* B) noexcept {
@@ -3052,144 +3006,181 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
 
+  // ---- body 4 (wheel) and what it carries
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_1 = E4_13 * T(0.004566666666666667);
+  const T b4_2 = E4_12 * T(0.004566666666666667);
+  const T b4_3 = E4_11 * T(0.009133333333333334) - b4_1 - b4_2;
+  const T b4_4 = b4_3 * E4_11;
+  const T b4_5 = E4_11 * T(0.004566666666666667);
+  const T b4_6 = E4_13 * T(0.009133333333333334) - (b4_2 + b4_5);
+  const T b4_7 = b4_6 * E4_13;
+  const T b4_8 = E4_12 * T(0.009133333333333334) - (b4_1 + b4_5);
+  const T b4_9 = b4_8 * E4_12;
+  const T Jp4_11 = b4_4 + b4_7 + b4_9;
+  const T b4_10 = b4_3 * E4_12;
+  const T b4_11 = b4_6 * E4_11;
+  const T b4_12 = b4_8 * E4_13;
+  const T Jp4_12 = b4_10 + b4_11 + b4_12;
+  const T Jp4_13 = b4_3 * E4_13 + b4_6 * E4_12 + b4_8 * E4_11;
+  const T Jp4_22 = b4_9 + b4_4 + b4_7;
+  const T Jp4_23 = b4_12 + b4_10 + b4_11;
+  const T Jp4_33 = T(0.027400000000000004) - Jp4_11 - Jp4_22;
+
   // ---- body 3 (right_panel) and what it carries
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc3_2 = E3_22 * T(9);
-  const T minus_hc3_3 = E3_23 * T(9);
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = E3_23 * T(6.75);
+  const T minus_Mp3_22 = E3_23 * b3_1;
+  const T Mp3_23 = E3_22 * b3_1;
+  const T Mp3_33 = minus_Mp3_22 - T(6.75);
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T minus_Hp3_21 = E3_23 * T(9);
+  const T Hp3_31 = E3_22 * T(9);
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_2 = E3_23 * T(12);
+  const T Jp3_22 = E3_23 * b3_2;
+  const T minus_Jp3_23 = E3_22 * b3_2;
+  const T Jp3_33 = T(12) - Jp3_22;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T minus_Hb3_12 = T(0.6) * Mp3_23;
+  const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_2 = E2_22 * T(9);
-  const T hc2_3 = E2_23 * T(9);
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T b2_1 = E2_23 * T(6.75);
+  const T minus_Mp2_22 = E2_23 * b2_1;
+  const T Mp2_23 = E2_22 * b2_1;
+  const T Mp2_33 = minus_Mp2_22 - T(6.75);
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_21 = E2_23 * T(9);
+  const T minus_Hp2_31 = E2_22 * T(9);
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_2 = E2_23 * T(12);
+  const T Jp2_22 = E2_23 * b2_2;
+  const T minus_Jp2_23 = E2_22 * b2_2;
+  const T Jp2_33 = T(12) - Jp2_22;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_12 = T(0.6) * Mp2_23;
+  const T Hb2_13 = T(0.6) * Mp2_33;
 
   // ---- body 1 (hub) and what it carries
-  // h1 = m2 q2 + m3 q3 + m4 q4 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_2 = hc2_2 - minus_hc3_2;
-  const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q3~ hc3~ + E3^T J3 E3 + E4^T I4 E4 + I1 + (-m2 q2~ - hc2~) q2~ + (-m3 q3~ - hc3~)
-  //   q3~ - m4 q4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b1_1 = T(0.6) * hc2_2;
-  const T b1_2 = b1_1 + T(12);
-  const T b1_3 = T(0.6) * minus_hc3_2;
-  const T b1_4 = b1_3 + (T(5.3999999999999995) + hc2_2) * T(0.6) + (T(5.3999999999999995) + minus_hc3_2) * T(0.6);
-  const T b1_5 = E4_13 * T(0.0021);
-  const T b1_6 = E4_12 * T(0.0021);
-  const T b1_7 = E4_11 * T(0.0158) + b1_5 + b1_6;
-  const T b1_8 = b1_7 * E4_11;
-  const T b1_9 = E4_11 * T(0.0021);
-  const T b1_10 = b1_6 + b1_9 + E4_13 * T(0.0158);
-  const T b1_11 = b1_10 * E4_13;
-  const T b1_12 = b1_5 + b1_9 + E4_12 * T(0.0158);
-  const T b1_13 = b1_12 * E4_12;
-  const T J1_11 = b1_2 + b1_4 + T(28.16) + b1_8 + b1_11 + b1_13;
-  const T b1_14 = b1_7 * E4_12;
-  const T b1_15 = b1_10 * E4_11;
-  const T b1_16 = b1_12 * E4_13;
-  const T J1_12 = b1_14 + b1_15 + b1_16 + T(0.2);
-  const T J1_13 = b1_7 * E4_13 + b1_10 * E4_12 + b1_12 * E4_11 - T(0.1);
-  const T b1_17 = E2_22 * T(0.75);
-  const T b1_18 = E2_23 * T(12.75);
-  const T b1_19 = E3_22 * T(0.75);
-  const T b1_20 = E3_23 * T(12.75);
-  const T J1_22 = b1_17 * E2_22 + b1_18 * E2_23 + b1_19 * E3_22 + b1_20 * E3_23 + b1_13 + b1_8 + b1_11 + T(14.16);
-  const T J1_32 = b1_17 * E2_23 - b1_18 * E2_22 - T(0.6) * hc2_3 - T(0.6) * minus_hc3_3 + b1_19 * E3_23 - b1_20 *
-      E3_22 + b1_16 + b1_14 + b1_15 + T(0.3);
-  const T J1_33 = E2_23 * T(0.75) * E2_23 + E2_22 * T(12.75) * E2_22 + b1_1 + b1_4 + E3_23 * T(0.75) * E3_23 + E3_22 *
-      T(12.75) * E3_22 + b1_11 + b1_13 + b1_8 + T(18);
-  // K_thetadot4_1 = E4^T K_thetadot4_4
-  const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
-      T(0.011547005383792516);
-  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = b1_3 + T(12);
-  // D_omegadot1: pivots of L D L^T
-  const T b1_21 = K_thetadot4_1_1 * T(50);
-  const T b1_22 = b1_21 * K_thetadot4_1_1;
-  const T b1_23 = K_thetadot3_1_1 * T(0.08333333333333333);
-  const T b1_24 = b1_2 * T(0.08333333333333333);
-  const T D_omegadot1_1 = J1_11 - b1_22 - b1_23 * K_thetadot3_1_1 - b1_24 * b1_2;
-  const T b1_25 = J1_12 - b1_22;
-  const T b1_26 = T(1) / D_omegadot1_1;
-  const T b1_27 = b1_25 * b1_26;
-  const T D_omegadot1_2 = J1_22 - b1_22 - b1_27 * b1_25;
-  const T b1_28 = J1_13 - b1_22;
-  const T b1_29 = b1_28 * b1_26;
-  const T b1_30 = J1_32 - b1_22 - b1_29 * b1_25;
-  const T b1_31 = T(1) / D_omegadot1_2;
-  const T b1_32 = b1_30 * b1_31;
-  const T D_omegadot1_3 = J1_33 - b1_22 - b1_29 * b1_28 - b1_32 * b1_30;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_33 = h1_3 * b1_31;
-  const T b1_34 = h1_2 + b1_33 * b1_30;
-  const T b1_35 = T(1) / D_omegadot1_3;
-  const T b1_36 = b1_34 * b1_35;
-  const T D_Pddot1_1 = T(142) - b1_33 * h1_3 - b1_36 * b1_34;
-  const T b1_37 = minus_hc3_3 * T(0.08333333333333333);
-  const T b1_38 = hc2_3 * T(0.08333333333333333);
-  const T b1_39 = h1_3 + b1_37 * K_thetadot3_1_1 - b1_38 * b1_2;
-  const T b1_40 = b1_39 * b1_26;
-  const T b1_41 = b1_40 * b1_25;
-  const T b1_42 = b1_41 * b1_31;
-  const T b1_43 = b1_40 * b1_28 - b1_42 * b1_30;
-  const T b1_44 = b1_43 * b1_35;
-  const T b1_45 = b1_44 * b1_34 - b1_42 * h1_3;
-  const T b1_46 = T(1) / D_Pddot1_1;
-  const T b1_47 = b1_45 * b1_46;
-  const T D_Pddot1_2 = T(142) - b1_37 * minus_hc3_3 - b1_38 * hc2_3 - b1_40 * b1_39 - b1_42 * b1_41 - b1_44 * b1_43 -
-      b1_47 * b1_45;
-  const T b1_48 = minus_hc3_2 * T(0.08333333333333333);
-  const T b1_49 = hc2_2 * T(0.08333333333333333);
-  const T b1_50 = h1_2 + b1_48 * K_thetadot3_1_1 - b1_49 * b1_2;
-  const T b1_51 = b1_50 * b1_26;
-  const T b1_52 = b1_51 * b1_25;
-  const T b1_53 = b1_52 * b1_31;
-  const T b1_54 = b1_53 * b1_30 - b1_51 * b1_28;
-  const T b1_55 = b1_54 * b1_35;
-  const T b1_56 = b1_53 * h1_3 + b1_55 * b1_34;
-  const T b1_57 = b1_56 * b1_46;
-  const T b1_58 = b1_48 * minus_hc3_3 + b1_49 * hc2_3 + b1_51 * b1_39 + b1_53 * b1_41 - b1_55 * b1_43 - b1_57 * b1_45;
-  const T b1_59 = T(1) / D_Pddot1_2;
-  const T b1_60 = b1_58 * b1_59;
-  const T D_Pddot1_3 = T(142) - b1_48 * minus_hc3_2 - b1_49 * hc2_2 - b1_51 * b1_50 - b1_53 * b1_52 - b1_55 * b1_54 -
-      b1_57 * b1_56 - b1_60 * b1_58;
+  // MA1 = m_all_1 one + Mp3 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_22 = T(142) - minus_Mp3_22 - minus_Mp2_22;
+  const T MA1_23 = Mp3_23 + Mp2_23;
+  const T MA1_33 = T(142) + Mp3_33 + Mp2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_12 = Hb2_12 + T(0.8) - minus_Hb3_12;
+  const T HA1_13 = Hb2_13 - minus_Hb3_13;
+  const T HA1_21 = Hp2_21 - T(0.8) - minus_Hp3_21;
+  const T HA1_31 = Hp3_31 - minus_Hp2_31;
+  // JA1 = q2~ Hp2^T + q3~ Hp3^T + J_all_1 + Jp4 + Jp3 + Jp2 - Hb2 q2~ - Hb3 q3~: moment for an angular acceleration,
+  //   body axes [kg m^2]
+  const T JA1_11 = T(22.64) + Jp4_11 + Hb2_13 * T(0.6) + minus_Hb3_13 * T(0.6);
+  const T JA1_12 = T(0.2) + Jp4_12;
+  const T JA1_13 = Jp4_13 - T(0.1);
+  const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
+  const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
+  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T minus_Y1_22 = LD1_21 * HA1_12;
+  const T minus_Y1_23 = LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_32 * HA1_21;
+  const T Y1_32 = LD1_32 * minus_Y1_22 - LD1_31 * HA1_12;
+  const T Y1_33 = LD1_32 * minus_Y1_23 - LD1_31 * HA1_13;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * HA1_21;
+  const T minus_W1_22 = LD1_22 * minus_Y1_22;
+  const T minus_W1_23 = LD1_22 * minus_Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
+  const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
+  const T minus_LDs1_31 = LDs1_11 * minus_M1_13;
+  const T b1_2 = M1_23 - minus_LDs1_21 * minus_M1_13;
+  const T LDs1_32 = LDs1_22 * b1_2;
+  const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_2);
 
   // ---- results
-  const T t1 = b1_27 * b1_21 - b1_21;
-  const T t2 = b1_29 * b1_21 - b1_21 - b1_32 * t1;
-  const T t3 = b1_36 * t2 - b1_33 * t1;
-  const T t4 = b1_40 * b1_21 + b1_42 * t1 + b1_44 * t2 + b1_47 * t3;
-  const T t5 = T(1) / D_Pddot1_3;
-  const T t6 = t5 * (b1_51 * b1_21 + b1_53 * t1 - b1_55 * t2 - b1_57 * t3 + b1_60 * t4);
-  const T t7 = b1_59 * t4 + b1_60 * t6;
-  const T t8 = b1_46 * t3 + b1_47 * t7 - b1_57 * t6;
-  const T t9 = b1_35 * t2 + b1_36 * t8 + b1_44 * t7 - b1_55 * t6;
-  const T t10 = b1_31 * t1 - b1_32 * t9 - b1_33 * t8 + b1_42 * t7 + b1_53 * t6;
-  const T t11 = b1_26 * b1_21 + b1_27 * t10 + b1_29 * t9 + b1_40 * t7 + b1_51 * t6;
-  B[18] = -t11;
-  const T t12 = T(1) - b1_36 * T(0.1);
-  const T t13 = b1_44 * T(0.1) - b1_47 * t12;
-  const T t14 = t5 * (b1_55 * T(0.1) - b1_57 * t12 - b1_60 * t13);
-  const T t15 = b1_59 * t13 - b1_60 * t14;
-  const T t16 = b1_46 * t12 - b1_47 * t15 - b1_57 * t14;
-  const T t17 = b1_36 * t16 - b1_35 * T(0.1) - b1_44 * t15 - b1_55 * t14;
-  const T t18 = b1_53 * t14 - (b1_32 * t17 + b1_33 * t16 + b1_42 * t15);
-  const T t19 = b1_40 * t15 - (b1_27 * t18 + b1_29 * t17) - b1_51 * t14;
-  B[19] = t19;
-  B[20] = t10;
-  B[21] = t18;
-  B[22] = t9;
-  B[23] = t17;
-  B[24] = b1_24 * t11 - b1_38 * t7 - b1_49 * t6;
-  B[25] = -(b1_24 * t19 - b1_38 * t15 + b1_49 * t14);
-  B[26] = b1_23 * t11 + b1_37 * t7 + b1_48 * t6;
-  B[27] = -(b1_23 * t19 + b1_37 * t15 - b1_48 * t14);
-  B[28] = T(50) + b1_21 * t11 - b1_21 * t10 - b1_21 * t9;
-  B[29] = -(b1_21 * t19 + b1_21 * t18 + b1_21 * t17);
-  B[30] = R1_11 * t8 - R1_21 * t7 + R1_31 * t6;
-  B[31] = R1_11 * t16 + R1_21 * t15 + R1_31 * t14;
-  B[32] = R1_12 * t8 - R1_22 * t7 + R1_32 * t6;
-  B[33] = R1_12 * t16 + R1_22 * t15 + R1_32 * t14;
-  B[34] = R1_13 * t8 - R1_23 * t7 + R1_33 * t6;
-  B[35] = R1_13 * t16 + R1_23 * t15 + R1_33 * t14;
+  const T t1 = LD1_21 * LD1_32 - LD1_31;
+  const T t2 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
+  const T t3 = t2 * LD1_21 - t2;
+  const T t4 = t2 * LD1_31 - t2 - LD1_32 * t3;
+  const T t5 = LD1_33 * t4;
+  const T t6 = t2 * LD1_11;
+  const T t7 = t3 * LD1_22;
+  const T t8 = LDs1_33 * Y1_33;
+  const T t9 = minus_LDs1_31 * LDs1_33;
+  const T t10 = HA1_21 * t7 + Y1_31 * t5;
+  const T t11 = LDs1_32 * LDs1_33;
+  const T t12 = HA1_12 * t6 + minus_Y1_22 * t7 - Y1_32 * t5 - minus_LDs1_21 * t10;
+  const T t13 = LDs1_33 * (HA1_13 * t6 + minus_Y1_23 * t7) - t8 * t5 - t9 * t10 - t11 * t12;
+  const T t14 = LDs1_22 * t12 - LDs1_32 * t13;
+  const T t15 = t5 - W1_33 * t13 - W1_32 * t14;
+  const T t16 = LD1_21 * minus_W1_23 + W1_13;
+  const T t17 = LD1_21 * minus_W1_22 + W1_12;
+  const T t18 = LD1_21 * W1_21 - t1 * W1_31;
+  const T t19 = minus_LDs1_31 * t13 - LDs1_11 * t10 + minus_LDs1_21 * t14;
+  B[18] = t1 * t15 - (t16 * t13 + t6 + LD1_21 * t7 + t17 * t14) + t18 * t19;
+  const T t20 = LD1_33 * T(0.1);
+  const T t21 = T(1) + Y1_31 * t20;
+  const T t22 = Y1_32 * t20 + minus_LDs1_21 * t21;
+  const T t23 = t8 * t20 + t9 * t21 - t11 * t22;
+  const T t24 = LDs1_22 * t22 - LDs1_32 * t23;
+  const T t25 = LDs1_11 * t21 + minus_LDs1_31 * t23 + minus_LDs1_21 * t24;
+  const T t26 = t20 + W1_33 * t23 + W1_32 * t24;
+  B[19] = t18 * t25 - (t16 * t23 + t17 * t24 + t1 * t26);
+  const T t27 = LD1_32 * W1_31 - W1_21;
+  B[20] = t7 + minus_W1_23 * t13 + minus_W1_22 * t14 - LD1_32 * t15 + t27 * t19;
+  B[21] = LD1_32 * t26 + minus_W1_23 * t23 + minus_W1_22 * t24 + t27 * t25;
+  B[22] = t15 - W1_31 * t19;
+  B[23] = -(t26 + W1_31 * t25);
+  const T t28 = T(1) + E2_22 * T(0.6) * T(0.75);
+  const T t29 = t28 * LD1_21;
+  const T t30 = t28 * W1_13 - T(0.75) * E2_22 + t29 * minus_W1_23;
+  const T t31 = T(0.75) * E2_23 + t28 * W1_12 + t29 * minus_W1_22;
+  const T t32 = t28 * LD1_31 - t29 * LD1_32;
+  const T t33 = t29 * W1_21 + t32 * W1_31;
+  B[24] = t28 * t6 + t29 * t7 + t30 * t13 + t31 * t14 + t32 * t15 - t33 * t19;
+  B[25] = t30 * t23 + t31 * t24 - t32 * t26 - t33 * t25;
+  const T t34 = T(1) + E3_22 * T(0.6) * T(0.75);
+  const T t35 = t34 * LD1_21;
+  const T t36 = T(0.75) * E3_22 + t34 * W1_13 + t35 * minus_W1_23;
+  const T t37 = t34 * W1_12 - T(0.75) * E3_23 + t35 * minus_W1_22;
+  const T t38 = t35 * LD1_32 - t34 * LD1_31;
+  const T t39 = t38 * W1_31 - t35 * W1_21;
+  B[26] = t35 * t7 + t34 * t6 + t36 * t13 + t37 * t14 - t38 * t15 + t39 * t19;
+  B[27] = t37 * t24 + t36 * t23 + t38 * t26 + t39 * t25;
+  const T t40 = t2 * W1_13 + t3 * minus_W1_23;
+  const T t41 = t2 * W1_12 + t3 * minus_W1_22;
+  const T t42 = t3 * W1_21 + t4 * W1_31;
+  B[28] = T(50) + t2 * t6 + t3 * t7 + t40 * t13 + t41 * t14 + t4 * t15 - t42 * t19;
+  B[29] = t40 * t23 + t41 * t24 - t4 * t26 - t42 * t25;
+  B[30] = R1_31 * t13 + R1_21 * t14 + R1_11 * t19;
+  B[31] = R1_31 * t23 + R1_21 * t24 + R1_11 * t25;
+  B[32] = R1_32 * t13 + R1_22 * t14 + R1_12 * t19;
+  B[33] = R1_32 * t23 + R1_22 * t24 + R1_12 * t25;
+  B[34] = R1_33 * t13 + R1_23 * t14 + R1_13 * t19;
+  B[35] = R1_33 * t23 + R1_23 * t24 + R1_13 * t25;
 }
 
 // tip_position: position of tip, inertial axes.
@@ -3273,9 +3264,9 @@ void tip_acceleration([[maybe_unused]] const Prepared<T>& c, const T* x, const T
   const T R1_33 = t1_10 - t1_2;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T U1_12 = omega1_1 * omega1_2 - omegadot1_3;
+  const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
   const T minus_U1_22 = omega1_3 * omega1_3 + omega1_1 * omega1_1;
-  const T U1_32 = omega1_2 * omega1_3 + omegadot1_1;
+  const T U1_32 = omega1_3 * omega1_2 + omegadot1_1;
   // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;

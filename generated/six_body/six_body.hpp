@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2a5815098764a039 of six_body/scene.toml; the usual functions
+// model f52b6a10b0910695 of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -33,7 +33,7 @@
 //   power                   535 (263 add, 272 multiply)
 //   accelerations           944 (472 add, 472 multiply)
 //   residual                1237 (619 add, 618 multiply)
-//   forcing                 1119 (510 add, 609 multiply)
+//   forcing                 1115 (528 add, 587 multiply)
 //   mass_matrix             1395 (501 add, 894 multiply)
 //   partial_velocities      450 (180 add, 270 multiply)
 //   partial_velocity_rates  792 (324 add, 468 multiply)
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "2a5815098764a039";
+inline constexpr char model_hash[] = "f52b6a10b0910695";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -147,7 +147,7 @@ struct Prepared {
   Parameters<T> p;
   T c4_1;
   T a4_1;
-  T c4_2;
+  T c1_1;
   T a4_3;
   T J4_11;
   T J4_12;
@@ -155,7 +155,7 @@ struct Prepared {
   T J4_22;
   T J4_23;
   T J4_33;
-  T c4_3;
+  T c1_2;
   T h4_2;
   T h4_3;
   T m_sub2;
@@ -170,7 +170,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T c4_1 = T(0.5) * p.m_payload;
   const T t1 = T(1) / p.m_payload;
   const T a4_1 = t1 * T(0.1);
-  const T c4_2 = t1 * T(0.15);
+  const T c1_1 = t1 * T(0.15);
   const T a4_3 = t1 * T(0.05);
   const T J4_11 = p.m_payload * T(0.013600000000000001) + T(0.06);
   const T J4_12 = p.m_payload * T(0.0018) + T(0.004);
@@ -178,14 +178,14 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T J4_22 = p.m_payload * T(0.010900000000000002) + T(0.075);
   const T J4_23 = T(0.003) - p.m_payload * T(0.006);
   const T J4_33 = p.m_payload * T(0.0045) + T(0.052);
-  const T c4_3 = p.m_payload * T(0.03);
+  const T c1_2 = p.m_payload * T(0.03);
   const T h4_2 = p.m_payload * T(0.06);
   const T h4_3 = p.m_payload * T(0.1);
   const T m_sub2 = T(5.3) + p.m_payload;
   const T m_sub1 = T(15.5) + m_sub2;
   c.c4_1 = c4_1;
   c.a4_1 = a4_1;
-  c.c4_2 = c4_2;
+  c.c1_1 = c1_1;
   c.a4_3 = a4_3;
   c.J4_11 = J4_11;
   c.J4_12 = J4_12;
@@ -193,7 +193,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.J4_22 = J4_22;
   c.J4_23 = J4_23;
   c.J4_33 = J4_33;
-  c.c4_3 = c4_3;
+  c.c1_2 = c1_2;
   c.h4_2 = h4_2;
   c.h4_3 = h4_3;
   c.m_sub2 = m_sub2;
@@ -1968,7 +1968,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t4_20 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_21 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   const T Pddot4_1 = c.a4_1 - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
-  const T minus_Pddot4_2 = c.c4_2 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
+  const T minus_Pddot4_2 = c.c1_1 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
   const T Pddot4_3 = c.a4_3 - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
   // sddot4 = R2 (-Pddot2 + Pddot4) - 2 omega2~ sdot4 - U2 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot2_1;
@@ -2217,11 +2217,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21 + sddot1_1;
   const T a1_2 = R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21 + sddot1_2;
   const T a1_3 = R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21 + Pddot1_3;
-  // G1 = m1 a1 - F1: force balance, inertial axes [N]
+  // G1 = m1 a1 - F1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(12) * a1_1 - T(0.5);
   const T G1_2 = T(12) * a1_2 + T(0.3);
   const T G1_3 = T(12) * a1_3 - u.thrust;
-  // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.7250000000000001) * U1_32 - T(0.375) * U1_23 - T(0.05) * (minus_U1_22 - minus_U1_33) - T(0.04) *
       U1_31 - T(0.03) * U1_21 - T(0.05);
   const T N1_2 = T(0.375) * U1_13 - T(0.575) * U1_31 + T(0.03) * (minus_U1_33 - minus_U1_11) - T(0.05) * U1_12 +
@@ -2297,11 +2297,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
   const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
   const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
-  // G2 = m2 a2 - F2: force balance, inertial axes [N]
+  // G2 = m2 a2 - F2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(3.5) * a2_1 - T(0.2);
   const T G2_2 = T(3.5) * a2_2 - T(0.1);
   const T G2_3 = T(3.5) * a2_3 + T(0.4);
-  // N2 = -M2 + axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) - M2: inertia less applied moment about the mass centre, body axes [N m]
   const T N2_1 = T(0.07499999999999998) * U2_32 - T(0.345) * U2_23 + T(0.03) * (minus_U2_22 - minus_U2_33) - T(0.02) *
       U2_31 + T(0.01) * U2_21 - T(0.01);
   const T N2_2 = T(0.345) * U2_13 - T(0.03500000000000001) * U2_31 - T(0.01) * (minus_U2_33 - minus_U2_11) + T(0.03) *
@@ -2377,11 +2377,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
   const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
   const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
-  // G3 = m3 a3 - F3: force balance, inertial axes [N]
+  // G3 = m3 a3 - F3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(1.8) * a3_1 + T(0.1);
   const T G3_2 = T(1.8) * a3_2 - T(0.05);
   const T G3_3 = T(1.8) * a3_3 - T(0.15);
-  // N3 = -M3 + axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)) - M3: inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.195) * U3_32 - T(0.014999999999999986) * U3_23 - T(0.008) * (minus_U3_22 - minus_U3_33) +
       T(0.012) * U3_31 + T(0.006) * U3_21 + T(0.008);
   const T N3_2 = T(0.014999999999999986) * U3_13 - T(0.07500000000000001) * U3_31 - T(0.006) * (minus_U3_33 -
@@ -2454,11 +2454,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
   const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
   const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
-  // G4 = m4 a4 - F4: force balance, inertial axes [N]
+  // G4 = m4 a4 - F4: inertia less applied force, inertial axes [N]
   const T G4_1 = c.p.m_payload * a4_1 - T(0.1);
   const T G4_2 = c.p.m_payload * a4_2 + T(0.15);
   const T G4_3 = c.p.m_payload * a4_3 - T(0.05);
-  // N4 = -M4 + axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)) - M4: inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.0185) * U4_32 - T(0.041499999999999995) * U4_23 - T(0.003) * (minus_U4_22 - minus_U4_33) -
       T(0.004) * U4_31 - T(0.002) * U4_21 - T(0.003);
   const T N4_2 = T(0.041499999999999995) * U4_13 - T(0.0335) * U4_31 + T(0.002) * (minus_U4_33 - minus_U4_11) -
@@ -2531,11 +2531,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
   const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
   const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = m5 a5 - F5: force balance, inertial axes [N]
+  // G5 = m5 a5 - F5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(2.6) * a5_1 - T(0.12);
   const T G5_2 = T(2.6) * a5_2 + T(0.07);
   const T G5_3 = T(2.6) * a5_3 - T(0.09);
-  // N5 = -M5 + axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)) - M5: inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.05000000000000001) * U5_32 - T(0.029999999999999992) * U5_23 + T(0.007) * (minus_U5_22 -
       minus_U5_33) - T(0.005) * U5_31 + T(0.012) * U5_21 + T(0.02);
   const T N5_2 = T(0.029999999999999992) * U5_13 - T(0.28) * U5_31 - T(0.012) * (minus_U5_33 - minus_U5_11) + T(0.007)
@@ -2611,11 +2611,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
   const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
   const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
-  // G6 = m6 a6 - F6: force balance, inertial axes [N]
+  // G6 = m6 a6 - F6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(0.9) * a6_1 - T(0.05);
   const T G6_2 = T(0.9) * a6_2 - T(0.08);
   const T G6_3 = T(0.9) * a6_3 + T(0.06);
-  // N6 = -M6 + axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U6 (tr(I6)/2 - I6)) - M6: inertia less applied moment about the mass centre, body axes [N m]
   const T N6_1 = T(0.0155) * U6_32 - T(0.006499999999999999) * U6_23 - T(0.002) * (minus_U6_22 - minus_U6_33) -
       T(0.0015) * U6_31 - T(0.001) * U6_21 - T(0.002);
   const T N6_2 = T(0.006499999999999999) * U6_13 - T(0.0115) * U6_31 + T(0.001) * (minus_U6_33 - minus_U6_11) -
@@ -2754,7 +2754,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 510 add, 609 multiply
+// 528 add, 587 multiply
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
 
@@ -2783,33 +2783,34 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
-  const T t1_14 = omega1_1 * T(0.02) + T(0.05) * omega1_2;
-  const T t1_15 = omega1_3 * t1_13 + omega1_1 * t1_14;
-  const T t1_16 = T(0.05) * omega1_3 - omega1_1 * T(0.08);
-  const T t1_17 = omega1_3 * t1_16 + omega1_2 * t1_14;
-  const T t1_18 = omega1_1 * t1_16 - omega1_2 * t1_13;
-  const T a1_1 = R1_21 * t1_15 - R1_11 * t1_17 + R1_31 * t1_18;
-  const T a1_2 = R1_22 * t1_15 - R1_12 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_23 * t1_15 - R1_13 * t1_17 + R1_33 * t1_18 + T(9.81);
-  // G1 = -m1 a1 + F1: applied less inertia force at ydot = 0, inertial axes [N]
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_1 * omega1_2;
+  const T U1_13 = omega1_1 * omega1_3;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_2 * omega1_3;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_16 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
+  const T t1_17 = T(0.05) * U1_12;
+  const T t1_18 = t1_17 + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
+  const T t1_19 = T(0.05) * U1_13;
+  const T t1_20 = t1_19 - U1_23 * T(0.02) - minus_U1_33 * T(0.08);
+  const T a1_1 = R1_11 * t1_16 + R1_21 * t1_18 + R1_31 * t1_20;
+  const T a1_2 = R1_12 * t1_16 + R1_22 * t1_18 + R1_32 * t1_20;
+  const T a1_3 = R1_13 * t1_16 + R1_23 * t1_18 + R1_33 * t1_20 + T(9.81);
+  // G1 = -m1 a1 + F1: applied less inertia force, inertial axes [N]
   const T G1_1 = T(0.5) - T(12) * a1_1;
   const T minus_G1_2 = T(12) * a1_2 + T(0.3);
   const T G1_3 = u.thrust - T(12) * a1_3;
-  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_1 * omega1_2;
-  const T t1_20 = omega1_2 * omega1_3;
-  const T t1_21 = omega1_2 * omega1_2;
-  const T t1_22 = omega1_3 * omega1_3;
-  const T t1_23 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.03) * t1_19 - (T(0.3500000000000001) * t1_20 + T(0.05) * (t1_21 - t1_22)) + T(0.04) * t1_23 +
+  // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
+  const T N1_1 = T(0.03) * U1_12 - (T(0.3500000000000001) * U1_23 + T(0.05) * (t1_14 - t1_13)) + T(0.04) * U1_13 +
       T(0.05);
-  const T t1_24 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.02) - T(0.19999999999999996) * t1_23 - T(0.03) * (t1_22 - t1_24) + T(0.04) * t1_20 -
-      T(0.05) * t1_19;
-  const T N1_3 = T(0.15000000000000013) * t1_19 - T(0.04) * (t1_24 - t1_21) - T(0.05) * t1_23 - T(0.03) * t1_20 +
-      T(0.03);
+  const T minus_N1_2 = T(0.02) - T(0.19999999999999996) * U1_13 - T(0.03) * (t1_13 - t1_15) + T(0.04) * U1_23 - t1_17;
+  const T N1_3 = T(0.15000000000000013) * U1_12 - T(0.04) * (t1_15 - t1_14) - t1_19 - T(0.03) * U1_23 + T(0.03);
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2842,42 +2843,45 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T d2_1 = T(0.4) + s2_1;
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.25) + s2_3;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t2_13 = omega2_3 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_13 + t2_14;
+  const T U2_12 = omega2_1 * omega2_2;
+  const T U2_13 = omega2_1 * omega2_3;
+  const T t2_15 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_13 + t2_15;
+  const T U2_23 = omega2_2 * omega2_3;
+  const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = R1^T omega1~ (omega1~ d2 + 2 sdot2) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t2_13 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
-  const T t2_15 = omega1_2 * t2_13 - omega1_3 * t2_14;
-  const T t2_16 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
-  const T t2_17 = omega1_3 * t2_16 - omega1_1 * t2_13;
-  const T t2_18 = omega1_1 * t2_14 - omega1_2 * t2_16;
-  const T Pddot2_1 = R1_11 * t2_15 + R1_21 * t2_17 + R1_31 * t2_18;
-  const T Pddot2_2 = R1_12 * t2_15 + R1_22 * t2_17 + R1_32 * t2_18;
-  const T Pddot2_3 = R1_13 * t2_15 + R1_23 * t2_17 + R1_33 * t2_18 + T(9.81);
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_19 = omega2_1 * T(0.04) - T(0.03) * omega2_2;
-  const T t2_20 = T(0.03) * omega2_3 - omega2_1 * T(0.45);
-  const T t2_21 = omega2_2 * t2_19 - omega2_3 * t2_20;
-  const T t2_22 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
-  const T t2_23 = omega2_3 * t2_22 - omega2_1 * t2_19;
-  const T t2_24 = omega2_1 * t2_20 - omega2_2 * t2_22;
-  const T a2_1 = R2_11 * t2_21 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_21 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_21 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
-  // G2 = -m2 a2 + F2: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t2_16 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
+  const T t2_17 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
+  const T t2_18 = omega1_2 * t2_16 - omega1_3 * t2_17;
+  const T t2_19 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
+  const T t2_20 = omega1_3 * t2_19 - omega1_1 * t2_16;
+  const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
+  const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
+  const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
+  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21 + T(9.81);
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_22 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
+  const T t2_23 = T(0.03) * U2_12;
+  const T t2_24 = t2_23 - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
+  const T t2_25 = T(0.03) * U2_13;
+  const T t2_26 = t2_25 + U2_23 * T(0.04) - minus_U2_33 * T(0.45);
+  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_24 + R2_31 * t2_26 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_24 + R2_32 * t2_26 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_24 + R2_33 * t2_26 + Pddot2_3;
+  // G2 = -m2 a2 + F2: applied less inertia force, inertial axes [N]
   const T G2_1 = T(0.2) - T(3.5) * a2_1;
   const T G2_2 = T(0.1) - T(3.5) * a2_2;
   const T minus_G2_3 = T(3.5) * a2_3 + T(0.4);
-  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_2 * omega2_3;
-  const T t2_26 = omega2_2 * omega2_2;
-  const T t2_27 = omega2_3 * omega2_3;
-  const T t2_28 = omega2_1 * omega2_2;
-  const T t2_29 = omega2_1 * omega2_3;
-  const T N2_1 = T(0.27) * t2_25 + T(0.03) * (t2_26 - t2_27) - T(0.01) * t2_28 + T(0.02) * t2_29 + T(0.01);
-  const T t2_30 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.02) - (T(0.31) * t2_29 + T(0.01) * (t2_27 - t2_30) + T(0.02) * t2_25 + T(0.03) * t2_28);
-  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_30 - t2_26) - T(0.03999999999999998) * t2_28 - T(0.03) * t2_29 -
-      T(0.01) * t2_25;
+  // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment about the mass centre, body axes [N m]
+  const T N2_1 = T(0.27) * U2_23 + T(0.03) * (t2_14 - t2_13) - T(0.01) * U2_12 + T(0.02) * U2_13 + T(0.01);
+  const T N2_2 = T(0.02) - (T(0.31) * U2_13 + T(0.01) * (t2_13 - t2_15) + T(0.02) * U2_23 + t2_23);
+  const T minus_N2_3 = T(0.015) + T(0.02) * (t2_15 - t2_14) - T(0.03999999999999998) * U2_12 - t2_25 - T(0.01) *
+      U2_23;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2910,43 +2914,44 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T d3_1 = T(0.05) + s3_1;
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
+  // U3 = omega3~ omega3~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t3_13 = omega3_3 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_13 + t3_14;
+  const T U3_12 = omega3_1 * omega3_2;
+  const T U3_13 = omega3_1 * omega3_3;
+  const T t3_15 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_13 + t3_15;
+  const T U3_23 = omega3_2 * omega3_3;
+  const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = R2^T omega2~ (omega2~ d3 + 2 sdot3) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t3_13 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
-  const T t3_15 = omega2_2 * t3_13 - omega2_3 * t3_14;
-  const T t3_16 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
-  const T t3_17 = omega2_3 * t3_16 - omega2_1 * t3_13;
-  const T t3_18 = omega2_1 * t3_14 - omega2_2 * t3_16;
-  const T Pddot3_1 = R2_11 * t3_15 + R2_21 * t3_17 + R2_31 * t3_18 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_15 + R2_22 * t3_17 + R2_32 * t3_18 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_15 + R2_23 * t3_17 + R2_33 * t3_18 + Pddot2_3;
-  // a3 = R3^T omega3~ omega3~ r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t3_19 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
-  const T t3_20 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
-  const T t3_21 = omega3_2 * t3_19 - omega3_3 * t3_20;
-  const T t3_22 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
-  const T t3_23 = omega3_3 * t3_22 + omega3_1 * t3_19;
-  const T t3_24 = omega3_1 * t3_20 + omega3_2 * t3_22;
-  const T a3_1 = R3_11 * t3_21 - R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_21 - R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_21 - R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
-  // G3 = -m3 a3 + F3: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t3_16 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
+  const T t3_17 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
+  const T t3_18 = omega2_2 * t3_16 - omega2_3 * t3_17;
+  const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
+  const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
+  const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
+  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_22 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
+  const T t3_23 = U3_12 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
+  const T t3_24 = U3_13 * T(0.1) + U3_23 * T(0.35) + minus_U3_33 * T(0.02);
+  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  // G3 = -m3 a3 + F3: applied less inertia force, inertial axes [N]
   const T minus_G3_1 = T(1.8) * a3_1 + T(0.1);
   const T G3_2 = T(0.05) - T(1.8) * a3_2;
   const T G3_3 = T(0.15) - T(1.8) * a3_3;
-  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_2 * omega3_3;
-  const T t3_26 = omega3_2 * omega3_2;
-  const T t3_27 = omega3_3 * omega3_3;
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_1 * omega3_3;
-  const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * t3_25 + T(0.008) * (t3_26 - t3_27) + T(0.006) * t3_28 +
-      T(0.012) * t3_29;
-  const T t3_30 = omega3_1 * omega3_1;
-  const T N3_2 = T(0.060000000000000026) * t3_29 - T(0.006) * (t3_27 - t3_30) + T(0.012) * t3_25 + T(0.008) * t3_28 +
+  // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N3_1 = T(0.008) + T(0.18000000000000002) * U3_23 + T(0.008) * (t3_14 - t3_13) + T(0.006) * U3_12 +
+      T(0.012) * U3_13;
+  const T N3_2 = T(0.060000000000000026) * U3_13 - T(0.006) * (t3_13 - t3_15) + T(0.012) * U3_23 + T(0.008) * U3_12 +
       T(0.004);
-  const T N3_3 = T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26) - T(0.008) * t3_29 + T(0.006) * t3_25 + T(0.012);
+  const T N3_3 = T(0.12) * U3_12 + T(0.012) * (t3_15 - t3_14) - T(0.008) * U3_13 + T(0.006) * U3_23 + T(0.012);
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2979,41 +2984,42 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T d4_1 = s4_1 - T(0.06);
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
+  // U4 = omega4~ omega4~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t4_13 = omega4_3 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_13 + t4_14;
+  const T U4_12 = omega4_1 * omega4_2;
+  const T U4_13 = omega4_1 * omega4_3;
+  const T t4_15 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_13 + t4_15;
+  const T U4_23 = omega4_2 * omega4_3;
+  const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = R2^T omega2~ (omega2~ d4 + 2 sdot4) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t4_13 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
-  const T t4_15 = omega2_2 * t4_13 - omega2_3 * t4_14;
-  const T t4_16 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
-  const T t4_17 = omega2_3 * t4_16 - omega2_1 * t4_13;
-  const T t4_18 = omega2_1 * t4_14 - omega2_2 * t4_16;
-  const T Pddot4_1 = R2_11 * t4_15 + R2_21 * t4_17 + R2_31 * t4_18 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_15 + R2_22 * t4_17 + R2_32 * t4_18 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_15 + R2_23 * t4_17 + R2_33 * t4_18 + Pddot2_3;
-  // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t4_19 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
-  const T t4_20 = T(0.06) * omega4_1 + omega4_2 * T(0.03);
-  const T t4_21 = omega4_3 * t4_19 + omega4_2 * t4_20;
-  const T t4_22 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
-  const T t4_23 = omega4_3 * t4_22 - omega4_1 * t4_20;
-  const T t4_24 = omega4_1 * t4_19 + omega4_2 * t4_22;
-  const T a4_1 = R4_11 * t4_21 + R4_21 * t4_23 - R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_21 + R4_22 * t4_23 - R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_21 + R4_23 * t4_23 - R4_33 * t4_24 + Pddot4_3;
-  // G4 = -m4 a4 + F4: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t4_16 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
+  const T t4_17 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
+  const T t4_18 = omega2_2 * t4_16 - omega2_3 * t4_17;
+  const T t4_19 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
+  const T t4_20 = omega2_3 * t4_19 - omega2_1 * t4_16;
+  const T t4_21 = omega2_1 * t4_17 - omega2_2 * t4_19;
+  const T Pddot4_1 = R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
+  const T Pddot4_2 = R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
+  const T Pddot4_3 = R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
+  const T t4_23 = U4_23 * T(0.1) - (U4_12 * T(0.03) + minus_U4_22 * T(0.06));
+  const T t4_24 = U4_23 * T(0.06) - U4_13 * T(0.03) - minus_U4_33 * T(0.1);
+  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  // G4 = -m4 a4 + F4: applied less inertia force, inertial axes [N]
   const T G4_1 = T(0.1) - c.p.m_payload * a4_1;
   const T minus_G4_2 = c.p.m_payload * a4_2 + T(0.15);
   const T G4_3 = T(0.05) - c.p.m_payload * a4_3;
-  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_3;
-  const T t4_26 = omega4_2 * omega4_2;
-  const T t4_27 = omega4_3 * omega4_3;
-  const T t4_28 = omega4_1 * omega4_2;
-  const T t4_29 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.023) * t4_25 - T(0.003) * (t4_26 - t4_27) + T(0.002) * t4_28 + T(0.004) * t4_29 + T(0.003);
-  const T t4_30 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.002) * (t4_27 - t4_30) - T(0.008) * t4_29 - T(0.004) * t4_25 + T(0.003) * t4_28 + T(0.002);
-  const T minus_N4_3 = T(0.004) + T(0.015) * t4_28 + T(0.004) * (t4_30 - t4_26) + T(0.003) * t4_29 + T(0.002) * t4_25;
+  // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment about the mass centre, body axes [N m]
+  const T N4_1 = T(0.023) * U4_23 - T(0.003) * (t4_14 - t4_13) + T(0.002) * U4_12 + T(0.004) * U4_13 + T(0.003);
+  const T N4_2 = T(0.002) * (t4_13 - t4_15) - T(0.008) * U4_13 - T(0.004) * U4_23 + T(0.003) * U4_12 + T(0.002);
+  const T minus_N4_3 = T(0.004) + T(0.015) * U4_12 + T(0.004) * (t4_15 - t4_14) + T(0.003) * U4_13 + T(0.002) * U4_23;
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3046,42 +3052,43 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T d5_1 = s5_1 - T(0.35);
   const T d5_2 = T(0.12) + s5_2;
   const T d5_3 = s5_3 - T(0.2);
+  // U5 = omega5~ omega5~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t5_13 = omega5_3 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_13 + t5_14;
+  const T U5_12 = omega5_1 * omega5_2;
+  const T U5_13 = omega5_1 * omega5_3;
+  const T t5_15 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_13 + t5_15;
+  const T U5_23 = omega5_2 * omega5_3;
+  const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = R1^T omega1~ (omega1~ d5 + 2 sdot5) + Pddot1: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t5_13 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
-  const T t5_15 = omega1_2 * t5_13 - omega1_3 * t5_14;
-  const T t5_16 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
-  const T t5_17 = omega1_3 * t5_16 - omega1_1 * t5_13;
-  const T t5_18 = omega1_1 * t5_14 - omega1_2 * t5_16;
-  const T Pddot5_1 = R1_11 * t5_15 + R1_21 * t5_17 + R1_31 * t5_18;
-  const T Pddot5_2 = R1_12 * t5_15 + R1_22 * t5_17 + R1_32 * t5_18;
-  const T Pddot5_3 = R1_13 * t5_15 + R1_23 * t5_17 + R1_33 * t5_18 + T(9.81);
-  // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t5_19 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
-  const T t5_20 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
-  const T t5_21 = omega5_2 * t5_19 - omega5_3 * t5_20;
-  const T t5_22 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
-  const T t5_23 = omega5_3 * t5_22 + omega5_1 * t5_19;
-  const T t5_24 = omega5_1 * t5_20 + omega5_2 * t5_22;
-  const T a5_1 = R5_11 * t5_21 - R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_21 - R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_21 - R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = -m5 a5 + F5: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t5_16 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
+  const T t5_17 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
+  const T t5_18 = omega1_2 * t5_16 - omega1_3 * t5_17;
+  const T t5_19 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
+  const T t5_20 = omega1_3 * t5_19 - omega1_1 * t5_16;
+  const T t5_21 = omega1_1 * t5_17 - omega1_2 * t5_19;
+  const T Pddot5_1 = R1_11 * t5_18 + R1_21 * t5_20 + R1_31 * t5_21;
+  const T Pddot5_2 = R1_12 * t5_18 + R1_22 * t5_20 + R1_32 * t5_21;
+  const T Pddot5_3 = R1_13 * t5_18 + R1_23 * t5_20 + R1_33 * t5_21 + T(9.81);
+  // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_22 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
+  const T t5_23 = U5_12 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
+  const T t5_24 = U5_13 * T(0.38) + U5_23 * T(0.02) + minus_U5_33 * T(0.04);
+  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  // G5 = -m5 a5 + F5: applied less inertia force, inertial axes [N]
   const T G5_1 = T(0.12) - T(2.6) * a5_1;
   const T minus_G5_2 = T(2.6) * a5_2 + T(0.07);
   const T G5_3 = T(0.09) - T(2.6) * a5_3;
-  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t5_25 = omega5_2 * omega5_3;
-  const T t5_26 = omega5_2 * omega5_2;
-  const T t5_27 = omega5_3 * omega5_3;
-  const T t5_28 = omega5_1 * omega5_2;
-  const T t5_29 = omega5_1 * omega5_3;
-  const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * t5_25 - T(0.007) * (t5_26 - t5_27) + T(0.012) * t5_28 -
-      T(0.005) * t5_29;
-  const T t5_30 = omega5_1 * omega5_1;
-  const T N5_2 = T(0.25) * t5_29 - T(0.012) * (t5_27 - t5_30) - T(0.005) * t5_25 - T(0.007) * t5_28 + T(0.01);
-  const T N5_3 = T(0.007) * t5_29 - (T(0.22999999999999998) * t5_28 + T(0.005) * (t5_30 - t5_26)) + T(0.012) * t5_25 +
+  // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N5_1 = T(0.02) + T(0.020000000000000018) * U5_23 - T(0.007) * (t5_14 - t5_13) + T(0.012) * U5_12 -
+      T(0.005) * U5_13;
+  const T N5_2 = T(0.25) * U5_13 - T(0.012) * (t5_13 - t5_15) - T(0.005) * U5_23 - T(0.007) * U5_12 + T(0.01);
+  const T N5_3 = T(0.007) * U5_13 - (T(0.22999999999999998) * U5_12 + T(0.005) * (t5_15 - t5_14)) + T(0.012) * U5_23 +
       T(0.005);
 
   // ---- body 6 (tool) on body 5
@@ -3115,43 +3122,44 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T d6_1 = T(0.75) + s6_1;
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
+  // U6 = omega6~ omega6~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t6_13 = omega6_3 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_13 + t6_14;
+  const T U6_12 = omega6_1 * omega6_2;
+  const T U6_13 = omega6_1 * omega6_3;
+  const T t6_15 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_13 + t6_15;
+  const T U6_23 = omega6_2 * omega6_3;
+  const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = R5^T omega5~ (omega5~ d6 + 2 sdot6) + Pddot5: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t6_13 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
-  const T t6_15 = omega5_2 * t6_13 - omega5_3 * t6_14;
-  const T t6_16 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
-  const T t6_17 = omega5_3 * t6_16 - omega5_1 * t6_13;
-  const T t6_18 = omega5_1 * t6_14 - omega5_2 * t6_16;
-  const T Pddot6_1 = R5_11 * t6_15 + R5_21 * t6_17 + R5_31 * t6_18 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_15 + R5_22 * t6_17 + R5_32 * t6_18 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_15 + R5_23 * t6_17 + R5_33 * t6_18 + Pddot5_3;
-  // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_19 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
-  const T t6_20 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
-  const T t6_21 = omega6_3 * t6_19 + omega6_1 * t6_20;
-  const T t6_22 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
-  const T t6_23 = omega6_3 * t6_22 + omega6_2 * t6_20;
-  const T t6_24 = omega6_1 * t6_22 - omega6_2 * t6_19;
-  const T a6_1 = R6_21 * t6_21 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_22 * t6_21 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_23 * t6_21 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
-  // G6 = -m6 a6 + F6: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t6_16 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
+  const T t6_17 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
+  const T t6_18 = omega5_2 * t6_16 - omega5_3 * t6_17;
+  const T t6_19 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
+  const T t6_20 = omega5_3 * t6_19 - omega5_1 * t6_16;
+  const T t6_21 = omega5_1 * t6_17 - omega5_2 * t6_19;
+  const T Pddot6_1 = R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21 + Pddot5_1;
+  const T Pddot6_2 = R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21 + Pddot5_2;
+  const T Pddot6_3 = R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21 + Pddot5_3;
+  // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_22 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
+  const T t6_23 = U6_12 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
+  const T t6_24 = U6_13 * T(0.09) - U6_23 * T(0.05) - minus_U6_33 * T(0.07);
+  const T a6_1 = R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
+  const T a6_2 = R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
+  const T a6_3 = R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  // G6 = -m6 a6 + F6: applied less inertia force, inertial axes [N]
   const T G6_1 = T(0.05) - T(0.9) * a6_1;
   const T G6_2 = T(0.08) - T(0.9) * a6_2;
   const T minus_G6_3 = T(0.9) * a6_3 + T(0.06);
-  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_1 * omega6_2;
-  const T t6_26 = omega6_2 * omega6_3;
-  const T t6_27 = omega6_2 * omega6_2;
-  const T t6_28 = omega6_3 * omega6_3;
-  const T t6_29 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.001) * t6_25 - (T(0.009000000000000001) * t6_26 + T(0.002) * (t6_27 - t6_28)) + T(0.0015) * t6_29
+  // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment about the mass centre, body axes [N m]
+  const T N6_1 = T(0.001) * U6_12 - (T(0.009000000000000001) * U6_23 + T(0.002) * (t6_14 - t6_13)) + T(0.0015) * U6_13
       + T(0.002);
-  const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.001) - T(0.005000000000000001) * t6_29 - T(0.001) * (t6_28 - t6_30) + T(0.0015) * t6_26 -
-      T(0.002) * t6_25;
-  const T N6_3 = T(0.004) * t6_25 - T(0.0015) * (t6_30 - t6_27) - T(0.002) * t6_29 - T(0.001) * t6_26 + T(0.0015);
+  const T minus_N6_2 = T(0.001) - T(0.005000000000000001) * U6_13 - T(0.001) * (t6_13 - t6_15) + T(0.0015) * U6_23 -
+      T(0.002) * U6_12;
+  const T N6_3 = T(0.004) * U6_12 - T(0.0015) * (t6_15 - t6_14) - T(0.002) * U6_13 - T(0.001) * U6_23 + T(0.0015);
 
   // ---- body 6 (tool) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
@@ -3313,6 +3321,21 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
+  A[333] = c.J4_11;
+  A[334] = c.J4_12;
+  A[369] = c.J4_12;
+  A[335] = c.J4_13;
+  A[405] = c.J4_13;
+  A[370] = c.J4_22;
+  A[371] = c.J4_23;
+  A[406] = c.J4_23;
+  A[407] = c.J4_33;
+  A[777] = c.m_sub2;
+  A[814] = c.m_sub2;
+  A[851] = c.m_sub2;
+  A[666] = c.m_sub1;
+  A[703] = c.m_sub1;
+  A[740] = c.m_sub1;
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -3572,21 +3595,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[517] = -minus_J5_23;
   A[518] = J5_33;
 
-  // ---- body 4 (payload) and what it carries
-  A[333] = c.J4_11;
-  A[334] = c.J4_12;
-  A[369] = c.J4_12;
-  A[335] = c.J4_13;
-  A[405] = c.J4_13;
-  A[370] = c.J4_22;
-  A[371] = c.J4_23;
-  A[406] = c.J4_23;
-  A[407] = c.J4_33;
-
   // ---- body 2 (boom) and what it carries
-  A[777] = c.m_sub2;
-  A[814] = c.m_sub2;
-  A[851] = c.m_sub2;
   // h2 = m2 r2 + m3 d3 + m4 d4: first moment of mass carried, about the body origin, body axes [kg m]
   const T b2_1 = T(1.8) * d3_1;
   const T b2_2 = c.p.m_payload * d4_1;
@@ -3621,9 +3630,6 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[185] = J2_33;
 
   // ---- body 1 (hub) and what it carries
-  A[666] = c.m_sub1;
-  A[703] = c.m_sub1;
-  A[740] = c.m_sub1;
   // h1 = m1 r1 + m_sub5 d5 + m_sub2 d2: first moment of mass carried, about the body origin, body axes [kg m]
   const T b1_1 = T(3.5) * d5_1;
   const T b1_2 = c.m_sub2 * d2_1;
@@ -3694,13 +3700,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t21 = d2_2 * t19 - d2_3 * t20;
   A[9] = -t21;
   A[324] = -t21;
-  const T t22 = C1_4_21 * c.h4_3 + C1_4_23 * c.c4_3;
-  const T t23 = C1_4_31 * c.h4_3 + C1_4_33 * c.c4_3;
+  const T t22 = C1_4_21 * c.h4_3 + C1_4_23 * c.c1_2;
+  const T t23 = C1_4_31 * c.h4_3 + C1_4_33 * c.c1_2;
   const T t24 = d2_3 * t22 - d2_2 * t23;
   A[10] = -t24;
   A[360] = -t24;
-  const T t25 = C1_4_31 * c.h4_2 + C1_4_32 * c.c4_3;
-  const T t26 = C1_4_21 * c.h4_2 + C1_4_22 * c.c4_3;
+  const T t25 = C1_4_31 * c.h4_2 + C1_4_32 * c.c1_2;
+  const T t26 = C1_4_21 * c.h4_2 + C1_4_22 * c.c1_2;
   const T t27 = d2_2 * t25 - d2_3 * t26;
   A[11] = -t27;
   A[396] = -t27;
@@ -3817,11 +3823,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t74 = d2_3 * t73 - d2_1 * t19;
   A[45] = -t74;
   A[325] = -t74;
-  const T t75 = C1_4_11 * c.h4_3 + C1_4_13 * c.c4_3;
+  const T t75 = C1_4_11 * c.h4_3 + C1_4_13 * c.c1_2;
   const T t76 = d2_1 * t23 - d2_3 * t75;
   A[46] = -t76;
   A[361] = -t76;
-  const T t77 = C1_4_11 * c.h4_2 + C1_4_12 * c.c4_3;
+  const T t77 = C1_4_11 * c.h4_2 + C1_4_12 * c.c1_2;
   const T t78 = d2_3 * t77 - d2_1 * t25;
   A[47] = -t78;
   A[397] = -t78;
@@ -4000,13 +4006,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t147 = d4_2 * t145 - d4_3 * t146;
   A[117] = -t147;
   A[327] = -t147;
-  const T t148 = C2_4_21 * c.h4_3 + C2_4_23 * c.c4_3;
-  const T t149 = C2_4_31 * c.h4_3 + C2_4_33 * c.c4_3;
+  const T t148 = C2_4_21 * c.h4_3 + C2_4_23 * c.c1_2;
+  const T t149 = C2_4_31 * c.h4_3 + C2_4_33 * c.c1_2;
   const T t150 = d4_3 * t148 - d4_2 * t149;
   A[118] = -t150;
   A[363] = -t150;
-  const T t151 = C2_4_31 * c.h4_2 + C2_4_32 * c.c4_3;
-  const T t152 = C2_4_21 * c.h4_2 + C2_4_22 * c.c4_3;
+  const T t151 = C2_4_31 * c.h4_2 + C2_4_32 * c.c1_2;
+  const T t152 = C2_4_21 * c.h4_2 + C2_4_22 * c.c1_2;
   const T t153 = d4_2 * t151 - d4_3 * t152;
   A[119] = -t153;
   A[399] = -t153;
@@ -4057,11 +4063,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t164 = d4_3 * t163 - d4_1 * t145;
   A[153] = -t164;
   A[328] = -t164;
-  const T t165 = C2_4_11 * c.h4_3 + C2_4_13 * c.c4_3;
+  const T t165 = C2_4_11 * c.h4_3 + C2_4_13 * c.c1_2;
   const T t166 = d4_1 * t149 - d4_3 * t165;
   A[154] = -t166;
   A[364] = -t166;
-  const T t167 = C2_4_11 * c.h4_2 + C2_4_12 * c.c4_3;
+  const T t167 = C2_4_11 * c.h4_2 + C2_4_12 * c.c1_2;
   const T t168 = d4_3 * t167 - d4_1 * t151;
   A[155] = -t168;
   A[400] = -t168;
@@ -4214,13 +4220,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[1017] = -t146;
   A[353] = -t145;
   A[1053] = -t145;
-  const T t193 = R4_11 * c.h4_3 + R4_31 * c.c4_3;
+  const T t193 = R4_11 * c.h4_3 + R4_31 * c.c1_2;
   A[378] = t193;
   A[658] = t193;
-  const T t194 = R4_12 * c.h4_3 + R4_32 * c.c4_3;
+  const T t194 = R4_12 * c.h4_3 + R4_32 * c.c1_2;
   A[379] = t194;
   A[694] = t194;
-  const T t195 = R4_13 * c.h4_3 + R4_33 * c.c4_3;
+  const T t195 = R4_13 * c.h4_3 + R4_33 * c.c1_2;
   A[380] = t195;
   A[730] = t195;
   A[381] = t75;
@@ -4235,13 +4241,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[1018] = t148;
   A[389] = t149;
   A[1054] = t149;
-  const T t196 = R4_11 * c.h4_2 + R4_21 * c.c4_3;
+  const T t196 = R4_11 * c.h4_2 + R4_21 * c.c1_2;
   A[414] = -t196;
   A[659] = -t196;
-  const T t197 = R4_12 * c.h4_2 + R4_22 * c.c4_3;
+  const T t197 = R4_12 * c.h4_2 + R4_22 * c.c1_2;
   A[415] = -t197;
   A[695] = -t197;
-  const T t198 = R4_13 * c.h4_2 + R4_23 * c.c4_3;
+  const T t198 = R4_13 * c.h4_2 + R4_23 * c.c1_2;
   A[416] = -t198;
   A[731] = -t198;
   A[417] = -t77;

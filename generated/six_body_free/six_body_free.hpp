@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 40d0531c415f512c of six_body_free/scene.toml; the usual functions
+// model 9fcda2cfbfc1a497 of six_body_free/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -32,7 +32,7 @@
 //   momentum                958 (465 add, 493 multiply)
 //   accelerations           906 (435 add, 471 multiply)
 //   residual                1200 (582 add, 618 multiply)
-//   forcing                 1080 (471 add, 609 multiply)
+//   forcing                 1076 (489 add, 587 multiply)
 //   mass_matrix             1395 (501 add, 894 multiply)
 //   partial_velocities      450 (180 add, 270 multiply)
 //   partial_velocity_rates  792 (324 add, 468 multiply)
@@ -45,7 +45,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "40d0531c415f512c";
+inline constexpr char model_hash[] = "9fcda2cfbfc1a497";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1841,14 +1841,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_13 = omega1_3 * omega1_3;
   const T t1_14 = omega1_2 * omega1_2;
   const T minus_U1_11 = t1_13 + t1_14;
-  const T t1_15 = omega1_1 * omega1_2;
+  const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
-  const T t1_16 = omega1_1 * omega1_3;
+  const T t1_16 = omega1_3 * omega1_1;
   const T U1_13 = t1_16 + omegadot1_2;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
   const T minus_U1_22 = t1_13 + t1_17;
-  const T t1_18 = omega1_2 * omega1_3;
+  const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
@@ -1860,11 +1860,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a1_1 = sddot1_1 + R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21;
   const T a1_2 = sddot1_2 + R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21;
   const T a1_3 = sddot1_3 + R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21;
-  // G1 = m1 a1: force balance, inertial axes [N]
+  // G1 = m1 a1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(12) * a1_1;
   const T G1_2 = T(12) * a1_2;
   const T G1_3 = T(12) * a1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I1)/2 - I1)): inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.7250000000000001) * U1_32 - T(0.375) * U1_23 - T(0.05) * (minus_U1_22 - minus_U1_33) - T(0.04) *
       U1_31 - T(0.03) * U1_21;
   const T N1_2 = T(0.375) * U1_13 - T(0.575) * U1_31 + T(0.03) * (minus_U1_33 - minus_U1_11) - T(0.05) * U1_12 +
@@ -1910,14 +1910,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_13 = omega2_3 * omega2_3;
   const T t2_14 = omega2_2 * omega2_2;
   const T minus_U2_11 = t2_13 + t2_14;
-  const T t2_15 = omega2_1 * omega2_2;
+  const T t2_15 = omega2_2 * omega2_1;
   const T U2_12 = t2_15 - omegadot2_3;
-  const T t2_16 = omega2_1 * omega2_3;
+  const T t2_16 = omega2_3 * omega2_1;
   const T U2_13 = t2_16 + omegadot2_2;
   const T U2_21 = t2_15 + omegadot2_3;
   const T t2_17 = omega2_1 * omega2_1;
   const T minus_U2_22 = t2_13 + t2_17;
-  const T t2_18 = omega2_2 * omega2_3;
+  const T t2_18 = omega2_3 * omega2_2;
   const T U2_23 = t2_18 - omegadot2_1;
   const T U2_31 = t2_16 - omegadot2_2;
   const T U2_32 = t2_18 + omegadot2_1;
@@ -1940,11 +1940,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
   const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
   const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
-  // G2 = m2 a2: force balance, inertial axes [N]
+  // G2 = m2 a2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(3.5) * a2_1;
   const T G2_2 = T(3.5) * a2_2;
   const T G2_3 = T(3.5) * a2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)): moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)): inertia less applied moment about the mass centre, body axes [N m]
   const T N2_1 = T(0.07499999999999998) * U2_32 - T(0.345) * U2_23 + T(0.03) * (minus_U2_22 - minus_U2_33) - T(0.02) *
       U2_31 + T(0.01) * U2_21;
   const T N2_2 = T(0.345) * U2_13 - T(0.03500000000000001) * U2_31 - T(0.01) * (minus_U2_33 - minus_U2_11) + T(0.03) *
@@ -1990,14 +1990,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t3_13 = omega3_3 * omega3_3;
   const T t3_14 = omega3_2 * omega3_2;
   const T minus_U3_11 = t3_13 + t3_14;
-  const T t3_15 = omega3_1 * omega3_2;
+  const T t3_15 = omega3_2 * omega3_1;
   const T U3_12 = t3_15 - omegadot3_3;
-  const T t3_16 = omega3_1 * omega3_3;
+  const T t3_16 = omega3_3 * omega3_1;
   const T U3_13 = t3_16 + omegadot3_2;
   const T U3_21 = t3_15 + omegadot3_3;
   const T t3_17 = omega3_1 * omega3_1;
   const T minus_U3_22 = t3_13 + t3_17;
-  const T t3_18 = omega3_2 * omega3_3;
+  const T t3_18 = omega3_3 * omega3_2;
   const T U3_23 = t3_18 - omegadot3_1;
   const T U3_31 = t3_16 - omegadot3_2;
   const T U3_32 = t3_18 + omegadot3_1;
@@ -2020,11 +2020,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
   const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
   const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
-  // G3 = m3 a3: force balance, inertial axes [N]
+  // G3 = m3 a3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(1.8) * a3_1;
   const T G3_2 = T(1.8) * a3_2;
   const T G3_3 = T(1.8) * a3_3;
-  // N3 = axial(U3 (tr(I3)/2 - I3)): moment balance about the mass centre, body axes [N m]
+  // N3 = axial(U3 (tr(I3)/2 - I3)): inertia less applied moment about the mass centre, body axes [N m]
   const T N3_1 = T(0.195) * U3_32 - T(0.014999999999999986) * U3_23 - T(0.008) * (minus_U3_22 - minus_U3_33) +
       T(0.012) * U3_31 + T(0.006) * U3_21;
   const T N3_2 = T(0.014999999999999986) * U3_13 - T(0.07500000000000001) * U3_31 - T(0.006) * (minus_U3_33 -
@@ -2070,14 +2070,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t4_13 = omega4_3 * omega4_3;
   const T t4_14 = omega4_2 * omega4_2;
   const T minus_U4_11 = t4_13 + t4_14;
-  const T t4_15 = omega4_1 * omega4_2;
+  const T t4_15 = omega4_2 * omega4_1;
   const T U4_12 = t4_15 - omegadot4_3;
-  const T t4_16 = omega4_1 * omega4_3;
+  const T t4_16 = omega4_3 * omega4_1;
   const T U4_13 = t4_16 + omegadot4_2;
   const T U4_21 = t4_15 + omegadot4_3;
   const T t4_17 = omega4_1 * omega4_1;
   const T minus_U4_22 = t4_13 + t4_17;
-  const T t4_18 = omega4_2 * omega4_3;
+  const T t4_18 = omega4_3 * omega4_2;
   const T U4_23 = t4_18 - omegadot4_1;
   const T U4_31 = t4_16 - omegadot4_2;
   const T U4_32 = t4_18 + omegadot4_1;
@@ -2097,11 +2097,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
   const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
   const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
-  // G4 = m4 a4: force balance, inertial axes [N]
+  // G4 = m4 a4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(1.2) * a4_1;
   const T G4_2 = T(1.2) * a4_2;
   const T G4_3 = T(1.2) * a4_3;
-  // N4 = axial(U4 (tr(I4)/2 - I4)): moment balance about the mass centre, body axes [N m]
+  // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the mass centre, body axes [N m]
   const T N4_1 = T(0.0185) * U4_32 - T(0.041499999999999995) * U4_23 - T(0.003) * (minus_U4_22 - minus_U4_33) -
       T(0.004) * U4_31 - T(0.002) * U4_21;
   const T N4_2 = T(0.041499999999999995) * U4_13 - T(0.0335) * U4_31 + T(0.002) * (minus_U4_33 - minus_U4_11) -
@@ -2147,14 +2147,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t5_13 = omega5_3 * omega5_3;
   const T t5_14 = omega5_2 * omega5_2;
   const T minus_U5_11 = t5_13 + t5_14;
-  const T t5_15 = omega5_1 * omega5_2;
+  const T t5_15 = omega5_2 * omega5_1;
   const T U5_12 = t5_15 - omegadot5_3;
-  const T t5_16 = omega5_1 * omega5_3;
+  const T t5_16 = omega5_3 * omega5_1;
   const T U5_13 = t5_16 + omegadot5_2;
   const T U5_21 = t5_15 + omegadot5_3;
   const T t5_17 = omega5_1 * omega5_1;
   const T minus_U5_22 = t5_13 + t5_17;
-  const T t5_18 = omega5_2 * omega5_3;
+  const T t5_18 = omega5_3 * omega5_2;
   const T U5_23 = t5_18 - omegadot5_1;
   const T U5_31 = t5_16 - omegadot5_2;
   const T U5_32 = t5_18 + omegadot5_1;
@@ -2174,11 +2174,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
   const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
   const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = m5 a5: force balance, inertial axes [N]
+  // G5 = m5 a5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(2.6) * a5_1;
   const T G5_2 = T(2.6) * a5_2;
   const T G5_3 = T(2.6) * a5_3;
-  // N5 = axial(U5 (tr(I5)/2 - I5)): moment balance about the mass centre, body axes [N m]
+  // N5 = axial(U5 (tr(I5)/2 - I5)): inertia less applied moment about the mass centre, body axes [N m]
   const T N5_1 = T(0.05000000000000001) * U5_32 - T(0.029999999999999992) * U5_23 + T(0.007) * (minus_U5_22 -
       minus_U5_33) - T(0.005) * U5_31 + T(0.012) * U5_21;
   const T N5_2 = T(0.029999999999999992) * U5_13 - T(0.28) * U5_31 - T(0.012) * (minus_U5_33 - minus_U5_11) + T(0.007)
@@ -2224,14 +2224,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t6_13 = omega6_3 * omega6_3;
   const T t6_14 = omega6_2 * omega6_2;
   const T minus_U6_11 = t6_13 + t6_14;
-  const T t6_15 = omega6_1 * omega6_2;
+  const T t6_15 = omega6_2 * omega6_1;
   const T U6_12 = t6_15 - omegadot6_3;
-  const T t6_16 = omega6_1 * omega6_3;
+  const T t6_16 = omega6_3 * omega6_1;
   const T U6_13 = t6_16 + omegadot6_2;
   const T U6_21 = t6_15 + omegadot6_3;
   const T t6_17 = omega6_1 * omega6_1;
   const T minus_U6_22 = t6_13 + t6_17;
-  const T t6_18 = omega6_2 * omega6_3;
+  const T t6_18 = omega6_3 * omega6_2;
   const T U6_23 = t6_18 - omegadot6_1;
   const T U6_31 = t6_16 - omegadot6_2;
   const T U6_32 = t6_18 + omegadot6_1;
@@ -2254,11 +2254,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
   const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
   const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
-  // G6 = m6 a6: force balance, inertial axes [N]
+  // G6 = m6 a6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(0.9) * a6_1;
   const T G6_2 = T(0.9) * a6_2;
   const T G6_3 = T(0.9) * a6_3;
-  // N6 = axial(U6 (tr(I6)/2 - I6)): moment balance about the mass centre, body axes [N m]
+  // N6 = axial(U6 (tr(I6)/2 - I6)): inertia less applied moment about the mass centre, body axes [N m]
   const T N6_1 = T(0.0155) * U6_32 - T(0.006499999999999999) * U6_23 - T(0.002) * (minus_U6_22 - minus_U6_33) -
       T(0.0015) * U6_31 - T(0.001) * U6_21;
   const T N6_2 = T(0.006499999999999999) * U6_13 - T(0.0115) * U6_31 + T(0.001) * (minus_U6_33 - minus_U6_11) -
@@ -2397,7 +2397,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 471 add, 609 multiply
+// 489 add, 587 multiply
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
 
@@ -2426,31 +2426,33 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_3 * T(0.02) + omega1_2 * T(0.08);
-  const T t1_14 = omega1_1 * T(0.02) + T(0.05) * omega1_2;
-  const T t1_15 = omega1_3 * t1_13 + omega1_1 * t1_14;
-  const T t1_16 = T(0.05) * omega1_3 - omega1_1 * T(0.08);
-  const T t1_17 = omega1_3 * t1_16 + omega1_2 * t1_14;
-  const T t1_18 = omega1_1 * t1_16 - omega1_2 * t1_13;
-  const T a1_1 = R1_21 * t1_15 - R1_11 * t1_17 + R1_31 * t1_18;
-  const T a1_2 = R1_22 * t1_15 - R1_12 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_23 * t1_15 - R1_13 * t1_17 + R1_33 * t1_18;
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, inertial axes [N]
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
+  const T U1_23 = omega1_3 * omega1_2;
+  const T minus_U1_33 = t1_14 + t1_15;
+  // a1 = R1^T U1 r1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_16 = U1_13 * T(0.08) - (minus_U1_11 * T(0.05) + U1_12 * T(0.02));
+  const T t1_17 = U1_12 * T(0.05);
+  const T t1_18 = t1_17 + minus_U1_22 * T(0.02) + U1_23 * T(0.08);
+  const T t1_19 = U1_13 * T(0.05);
+  const T t1_20 = t1_19 - U1_23 * T(0.02) - minus_U1_33 * T(0.08);
+  const T a1_1 = R1_11 * t1_16 + R1_21 * t1_18 + R1_31 * t1_20;
+  const T a1_2 = R1_12 * t1_16 + R1_22 * t1_18 + R1_32 * t1_20;
+  const T a1_3 = R1_13 * t1_16 + R1_23 * t1_18 + R1_33 * t1_20;
+  // G1 = -m1 a1: applied less inertia force, inertial axes [N]
   const T minus_G1_1 = T(12) * a1_1;
   const T minus_G1_2 = T(12) * a1_2;
   const T minus_G1_3 = T(12) * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t1_19 = omega1_2 * omega1_3;
-  const T t1_20 = omega1_2 * omega1_2;
-  const T t1_21 = omega1_3 * omega1_3;
-  const T t1_22 = omega1_1 * omega1_2;
-  const T t1_23 = omega1_1 * omega1_3;
-  const T minus_N1_1 = T(0.3500000000000001) * t1_19 + T(0.05) * (t1_20 - t1_21) - T(0.03) * t1_22 - T(0.04) * t1_23;
-  const T t1_24 = omega1_1 * omega1_1;
-  const T minus_N1_2 = T(0.04) * t1_19 - (T(0.19999999999999996) * t1_23 + T(0.03) * (t1_21 - t1_24)) - T(0.05) *
-      t1_22;
-  const T minus_N1_3 = T(0.04) * (t1_24 - t1_20) - T(0.15000000000000013) * t1_22 + T(0.05) * t1_23 + T(0.03) * t1_19;
+  // N1 = -omega1~ I1 omega1: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N1_1 = T(0.3500000000000001) * U1_23 + T(0.05) * (t1_14 - t1_13) - T(0.03) * U1_12 - T(0.04) * U1_13;
+  const T minus_N1_2 = T(0.04) * U1_23 - (T(0.19999999999999996) * U1_13 + T(0.03) * (t1_13 - t1_15)) - t1_17;
+  const T minus_N1_3 = T(0.04) * (t1_15 - t1_14) - T(0.15000000000000013) * U1_12 + t1_19 + T(0.03) * U1_23;
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2483,41 +2485,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d2_1 = T(0.4) + s2_1;
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.25) + s2_3;
+  // U2 = omega2~ omega2~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t2_13 = omega2_3 * omega2_3;
+  const T t2_14 = omega2_2 * omega2_2;
+  const T minus_U2_11 = t2_13 + t2_14;
+  const T U2_12 = omega2_2 * omega2_1;
+  const T U2_13 = omega2_3 * omega2_1;
+  const T t2_15 = omega2_1 * omega2_1;
+  const T minus_U2_22 = t2_13 + t2_15;
+  const T U2_23 = omega2_3 * omega2_2;
+  const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = R1^T omega1~ (omega1~ d2 + 2 sdot2): acceleration of the body origin, less gravity, inertial axes
   //   [m/s^2]
-  const T t2_13 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
-  const T t2_15 = omega1_2 * t2_13 - omega1_3 * t2_14;
-  const T t2_16 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
-  const T t2_17 = omega1_3 * t2_16 - omega1_1 * t2_13;
-  const T t2_18 = omega1_1 * t2_14 - omega1_2 * t2_16;
-  const T Pddot2_1 = R1_11 * t2_15 + R1_21 * t2_17 + R1_31 * t2_18;
-  const T Pddot2_2 = R1_12 * t2_15 + R1_22 * t2_17 + R1_32 * t2_18;
-  const T Pddot2_3 = R1_13 * t2_15 + R1_23 * t2_17 + R1_33 * t2_18;
-  // a2 = R2^T omega2~ omega2~ r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t2_19 = omega2_1 * T(0.04) - T(0.03) * omega2_2;
-  const T t2_20 = T(0.03) * omega2_3 - omega2_1 * T(0.45);
-  const T t2_21 = omega2_2 * t2_19 - omega2_3 * t2_20;
-  const T t2_22 = omega2_2 * T(0.45) - omega2_3 * T(0.04);
-  const T t2_23 = omega2_3 * t2_22 - omega2_1 * t2_19;
-  const T t2_24 = omega2_1 * t2_20 - omega2_2 * t2_22;
-  const T a2_1 = R2_11 * t2_21 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_21 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_21 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
-  // G2 = -m2 a2: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t2_16 = omega1_1 * d2_2 - omega1_2 * d2_1 + T(2) * sdot2_3;
+  const T t2_17 = omega1_3 * d2_1 - omega1_1 * d2_3 + T(2) * sdot2_2;
+  const T t2_18 = omega1_2 * t2_16 - omega1_3 * t2_17;
+  const T t2_19 = omega1_2 * d2_3 - omega1_3 * d2_2 + T(2) * sdot2_1;
+  const T t2_20 = omega1_3 * t2_19 - omega1_1 * t2_16;
+  const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
+  const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
+  const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
+  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21;
+  // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t2_22 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
+  const T t2_23 = U2_12 * T(0.03);
+  const T t2_24 = t2_23 - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
+  const T t2_25 = U2_13 * T(0.03);
+  const T t2_26 = t2_25 + U2_23 * T(0.04) - minus_U2_33 * T(0.45);
+  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_24 + R2_31 * t2_26 + Pddot2_1;
+  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_24 + R2_32 * t2_26 + Pddot2_2;
+  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_24 + R2_33 * t2_26 + Pddot2_3;
+  // G2 = -m2 a2: applied less inertia force, inertial axes [N]
   const T minus_G2_1 = T(3.5) * a2_1;
   const T minus_G2_2 = T(3.5) * a2_2;
   const T minus_G2_3 = T(3.5) * a2_3;
-  // N2 = -omega2~ I2 omega2: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t2_25 = omega2_1 * omega2_2;
-  const T t2_26 = omega2_2 * omega2_3;
-  const T t2_27 = omega2_2 * omega2_2;
-  const T t2_28 = omega2_3 * omega2_3;
-  const T t2_29 = omega2_1 * omega2_3;
-  const T minus_N2_1 = T(0.01) * t2_25 - (T(0.27) * t2_26 + T(0.03) * (t2_27 - t2_28)) - T(0.02) * t2_29;
-  const T t2_30 = omega2_1 * omega2_1;
-  const T minus_N2_2 = T(0.31) * t2_29 + T(0.01) * (t2_28 - t2_30) + T(0.02) * t2_26 + T(0.03) * t2_25;
-  const T minus_N2_3 = T(0.02) * (t2_30 - t2_27) - T(0.03999999999999998) * t2_25 - T(0.03) * t2_29 - T(0.01) * t2_26;
+  // N2 = -omega2~ I2 omega2: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N2_1 = T(0.01) * U2_12 - (T(0.27) * U2_23 + T(0.03) * (t2_14 - t2_13)) - T(0.02) * U2_13;
+  const T minus_N2_2 = T(0.31) * U2_13 + T(0.01) * (t2_13 - t2_15) + T(0.02) * U2_23 + t2_23;
+  const T minus_N2_3 = T(0.02) * (t2_15 - t2_14) - T(0.03999999999999998) * U2_12 - t2_25 - T(0.01) * U2_23;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2550,43 +2555,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d3_1 = T(0.05) + s3_1;
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
+  // U3 = omega3~ omega3~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t3_13 = omega3_3 * omega3_3;
+  const T t3_14 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_13 + t3_14;
+  const T U3_12 = omega3_2 * omega3_1;
+  const T U3_13 = omega3_3 * omega3_1;
+  const T t3_15 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_13 + t3_15;
+  const T U3_23 = omega3_3 * omega3_2;
+  const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = R2^T omega2~ (omega2~ d3 + 2 sdot3) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t3_13 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
-  const T t3_15 = omega2_2 * t3_13 - omega2_3 * t3_14;
-  const T t3_16 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
-  const T t3_17 = omega2_3 * t3_16 - omega2_1 * t3_13;
-  const T t3_18 = omega2_1 * t3_14 - omega2_2 * t3_16;
-  const T Pddot3_1 = R2_11 * t3_15 + R2_21 * t3_17 + R2_31 * t3_18 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_15 + R2_22 * t3_17 + R2_32 * t3_18 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_15 + R2_23 * t3_17 + R2_33 * t3_18 + Pddot2_3;
-  // a3 = R3^T omega3~ omega3~ r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t3_19 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
-  const T t3_20 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
-  const T t3_21 = omega3_2 * t3_19 - omega3_3 * t3_20;
-  const T t3_22 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
-  const T t3_23 = omega3_3 * t3_22 + omega3_1 * t3_19;
-  const T t3_24 = omega3_1 * t3_20 + omega3_2 * t3_22;
-  const T a3_1 = R3_11 * t3_21 - R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_21 - R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_21 - R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
-  // G3 = -m3 a3: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t3_16 = omega2_1 * d3_2 - omega2_2 * d3_1 + T(2) * sdot3_3;
+  const T t3_17 = omega2_3 * d3_1 - omega2_1 * d3_3 + T(2) * sdot3_2;
+  const T t3_18 = omega2_2 * t3_16 - omega2_3 * t3_17;
+  const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
+  const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
+  const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
+  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
+  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
+  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t3_22 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
+  const T t3_23 = U3_12 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
+  const T t3_24 = U3_13 * T(0.1) + U3_23 * T(0.35) + minus_U3_33 * T(0.02);
+  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
+  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
+  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  // G3 = -m3 a3: applied less inertia force, inertial axes [N]
   const T minus_G3_1 = T(1.8) * a3_1;
   const T minus_G3_2 = T(1.8) * a3_2;
   const T minus_G3_3 = T(1.8) * a3_3;
-  // N3 = -omega3~ I3 omega3: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t3_25 = omega3_2 * omega3_3;
-  const T t3_26 = omega3_2 * omega3_2;
-  const T t3_27 = omega3_3 * omega3_3;
-  const T t3_28 = omega3_1 * omega3_2;
-  const T t3_29 = omega3_1 * omega3_3;
-  const T minus_N3_1 = T(0.18000000000000002) * t3_25 + T(0.008) * (t3_26 - t3_27) + T(0.006) * t3_28 + T(0.012) *
-      t3_29;
-  const T t3_30 = omega3_1 * omega3_1;
-  const T minus_N3_2 = T(0.006) * (t3_27 - t3_30) - T(0.060000000000000026) * t3_29 - T(0.012) * t3_25 - T(0.008) *
-      t3_28;
-  const T minus_N3_3 = T(0.008) * t3_29 - (T(0.12) * t3_28 + T(0.012) * (t3_30 - t3_26)) - T(0.006) * t3_25;
+  // N3 = -omega3~ I3 omega3: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N3_1 = T(0.18000000000000002) * U3_23 + T(0.008) * (t3_14 - t3_13) + T(0.006) * U3_12 + T(0.012) *
+      U3_13;
+  const T minus_N3_2 = T(0.006) * (t3_13 - t3_15) - T(0.060000000000000026) * U3_13 - T(0.012) * U3_23 - T(0.008) *
+      U3_12;
+  const T minus_N3_3 = T(0.008) * U3_13 - (T(0.12) * U3_12 + T(0.012) * (t3_15 - t3_14)) - T(0.006) * U3_23;
 
   // ---- body 4 (payload) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2619,41 +2625,42 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d4_1 = s4_1 - T(0.06);
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
+  // U4 = omega4~ omega4~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t4_13 = omega4_3 * omega4_3;
+  const T t4_14 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_13 + t4_14;
+  const T U4_12 = omega4_2 * omega4_1;
+  const T U4_13 = omega4_3 * omega4_1;
+  const T t4_15 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_13 + t4_15;
+  const T U4_23 = omega4_3 * omega4_2;
+  const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = R2^T omega2~ (omega2~ d4 + 2 sdot4) + Pddot2: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t4_13 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
-  const T t4_15 = omega2_2 * t4_13 - omega2_3 * t4_14;
-  const T t4_16 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
-  const T t4_17 = omega2_3 * t4_16 - omega2_1 * t4_13;
-  const T t4_18 = omega2_1 * t4_14 - omega2_2 * t4_16;
-  const T Pddot4_1 = R2_11 * t4_15 + R2_21 * t4_17 + R2_31 * t4_18 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_15 + R2_22 * t4_17 + R2_32 * t4_18 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_15 + R2_23 * t4_17 + R2_33 * t4_18 + Pddot2_3;
-  // a4 = R4^T omega4~ omega4~ r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t4_19 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
-  const T t4_20 = T(0.06) * omega4_1 + omega4_2 * T(0.03);
-  const T t4_21 = omega4_3 * t4_19 + omega4_2 * t4_20;
-  const T t4_22 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
-  const T t4_23 = omega4_3 * t4_22 - omega4_1 * t4_20;
-  const T t4_24 = omega4_1 * t4_19 + omega4_2 * t4_22;
-  const T a4_1 = R4_11 * t4_21 + R4_21 * t4_23 - R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_21 + R4_22 * t4_23 - R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_21 + R4_23 * t4_23 - R4_33 * t4_24 + Pddot4_3;
-  // G4 = -m4 a4: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t4_16 = omega2_1 * d4_2 - omega2_2 * d4_1 + T(2) * sdot4_3;
+  const T t4_17 = omega2_3 * d4_1 - omega2_1 * d4_3 + T(2) * sdot4_2;
+  const T t4_18 = omega2_2 * t4_16 - omega2_3 * t4_17;
+  const T t4_19 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
+  const T t4_20 = omega2_3 * t4_19 - omega2_1 * t4_16;
+  const T t4_21 = omega2_1 * t4_17 - omega2_2 * t4_19;
+  const T Pddot4_1 = R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
+  const T Pddot4_2 = R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
+  const T Pddot4_3 = R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
+  const T t4_23 = U4_23 * T(0.1) - (U4_12 * T(0.03) + minus_U4_22 * T(0.06));
+  const T t4_24 = U4_23 * T(0.06) - U4_13 * T(0.03) - minus_U4_33 * T(0.1);
+  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
+  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
+  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  // G4 = -m4 a4: applied less inertia force, inertial axes [N]
   const T minus_G4_1 = T(1.2) * a4_1;
   const T minus_G4_2 = T(1.2) * a4_2;
   const T minus_G4_3 = T(1.2) * a4_3;
-  // N4 = -omega4~ I4 omega4: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t4_25 = omega4_2 * omega4_2;
-  const T t4_26 = omega4_3 * omega4_3;
-  const T t4_27 = omega4_2 * omega4_3;
-  const T t4_28 = omega4_1 * omega4_2;
-  const T t4_29 = omega4_1 * omega4_3;
-  const T minus_N4_1 = T(0.003) * (t4_25 - t4_26) - T(0.023) * t4_27 - T(0.002) * t4_28 - T(0.004) * t4_29;
-  const T t4_30 = omega4_1 * omega4_1;
-  const T minus_N4_2 = T(0.008) * t4_29 - T(0.002) * (t4_26 - t4_30) + T(0.004) * t4_27 - T(0.003) * t4_28;
-  const T minus_N4_3 = T(0.015) * t4_28 + T(0.004) * (t4_30 - t4_25) + T(0.003) * t4_29 + T(0.002) * t4_27;
+  // N4 = -omega4~ I4 omega4: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N4_1 = T(0.003) * (t4_14 - t4_13) - T(0.023) * U4_23 - T(0.002) * U4_12 - T(0.004) * U4_13;
+  const T minus_N4_2 = T(0.008) * U4_13 - T(0.002) * (t4_13 - t4_15) + T(0.004) * U4_23 - T(0.003) * U4_12;
+  const T minus_N4_3 = T(0.015) * U4_12 + T(0.004) * (t4_15 - t4_14) + T(0.003) * U4_13 + T(0.002) * U4_23;
 
   // ---- body 5 (arm) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -2686,43 +2693,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d5_1 = s5_1 - T(0.35);
   const T d5_2 = T(0.12) + s5_2;
   const T d5_3 = s5_3 - T(0.2);
+  // U5 = omega5~ omega5~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t5_13 = omega5_3 * omega5_3;
+  const T t5_14 = omega5_2 * omega5_2;
+  const T minus_U5_11 = t5_13 + t5_14;
+  const T U5_12 = omega5_2 * omega5_1;
+  const T U5_13 = omega5_3 * omega5_1;
+  const T t5_15 = omega5_1 * omega5_1;
+  const T minus_U5_22 = t5_13 + t5_15;
+  const T U5_23 = omega5_3 * omega5_2;
+  const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = R1^T omega1~ (omega1~ d5 + 2 sdot5): acceleration of the body origin, less gravity, inertial axes
   //   [m/s^2]
-  const T t5_13 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
-  const T t5_15 = omega1_2 * t5_13 - omega1_3 * t5_14;
-  const T t5_16 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
-  const T t5_17 = omega1_3 * t5_16 - omega1_1 * t5_13;
-  const T t5_18 = omega1_1 * t5_14 - omega1_2 * t5_16;
-  const T Pddot5_1 = R1_11 * t5_15 + R1_21 * t5_17 + R1_31 * t5_18;
-  const T Pddot5_2 = R1_12 * t5_15 + R1_22 * t5_17 + R1_32 * t5_18;
-  const T Pddot5_3 = R1_13 * t5_15 + R1_23 * t5_17 + R1_33 * t5_18;
-  // a5 = R5^T omega5~ omega5~ r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t5_19 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
-  const T t5_20 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
-  const T t5_21 = omega5_2 * t5_19 - omega5_3 * t5_20;
-  const T t5_22 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
-  const T t5_23 = omega5_3 * t5_22 + omega5_1 * t5_19;
-  const T t5_24 = omega5_1 * t5_20 + omega5_2 * t5_22;
-  const T a5_1 = R5_11 * t5_21 - R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_21 - R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_21 - R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
-  // G5 = -m5 a5: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t5_16 = omega1_1 * d5_2 - omega1_2 * d5_1 + T(2) * sdot5_3;
+  const T t5_17 = omega1_3 * d5_1 - omega1_1 * d5_3 + T(2) * sdot5_2;
+  const T t5_18 = omega1_2 * t5_16 - omega1_3 * t5_17;
+  const T t5_19 = omega1_2 * d5_3 - omega1_3 * d5_2 + T(2) * sdot5_1;
+  const T t5_20 = omega1_3 * t5_19 - omega1_1 * t5_16;
+  const T t5_21 = omega1_1 * t5_17 - omega1_2 * t5_19;
+  const T Pddot5_1 = R1_11 * t5_18 + R1_21 * t5_20 + R1_31 * t5_21;
+  const T Pddot5_2 = R1_12 * t5_18 + R1_22 * t5_20 + R1_32 * t5_21;
+  const T Pddot5_3 = R1_13 * t5_18 + R1_23 * t5_20 + R1_33 * t5_21;
+  // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t5_22 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
+  const T t5_23 = U5_12 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
+  const T t5_24 = U5_13 * T(0.38) + U5_23 * T(0.02) + minus_U5_33 * T(0.04);
+  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
+  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
+  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  // G5 = -m5 a5: applied less inertia force, inertial axes [N]
   const T minus_G5_1 = T(2.6) * a5_1;
   const T minus_G5_2 = T(2.6) * a5_2;
   const T minus_G5_3 = T(2.6) * a5_3;
-  // N5 = -omega5~ I5 omega5: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t5_25 = omega5_2 * omega5_3;
-  const T t5_26 = omega5_2 * omega5_2;
-  const T t5_27 = omega5_3 * omega5_3;
-  const T t5_28 = omega5_1 * omega5_2;
-  const T t5_29 = omega5_1 * omega5_3;
-  const T minus_N5_1 = T(0.020000000000000018) * t5_25 - T(0.007) * (t5_26 - t5_27) + T(0.012) * t5_28 - T(0.005) *
-      t5_29;
-  const T t5_30 = omega5_1 * omega5_1;
-  const T minus_N5_2 = T(0.012) * (t5_27 - t5_30) - T(0.25) * t5_29 + T(0.005) * t5_25 + T(0.007) * t5_28;
-  const T minus_N5_3 = T(0.22999999999999998) * t5_28 + T(0.005) * (t5_30 - t5_26) - T(0.007) * t5_29 - T(0.012) *
-      t5_25;
+  // N5 = -omega5~ I5 omega5: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N5_1 = T(0.020000000000000018) * U5_23 - T(0.007) * (t5_14 - t5_13) + T(0.012) * U5_12 - T(0.005) *
+      U5_13;
+  const T minus_N5_2 = T(0.012) * (t5_13 - t5_15) - T(0.25) * U5_13 + T(0.005) * U5_23 + T(0.007) * U5_12;
+  const T minus_N5_3 = T(0.22999999999999998) * U5_12 + T(0.005) * (t5_15 - t5_14) - T(0.007) * U5_13 - T(0.012) *
+      U5_23;
 
   // ---- body 6 (tool) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -2755,43 +2763,44 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T d6_1 = T(0.75) + s6_1;
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
+  // U6 = omega6~ omega6~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t6_13 = omega6_3 * omega6_3;
+  const T t6_14 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_13 + t6_14;
+  const T U6_12 = omega6_2 * omega6_1;
+  const T U6_13 = omega6_3 * omega6_1;
+  const T t6_15 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_13 + t6_15;
+  const T U6_23 = omega6_3 * omega6_2;
+  const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = R5^T omega5~ (omega5~ d6 + 2 sdot6) + Pddot5: acceleration of the body origin, less gravity, inertial
   //   axes [m/s^2]
-  const T t6_13 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
-  const T t6_15 = omega5_2 * t6_13 - omega5_3 * t6_14;
-  const T t6_16 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
-  const T t6_17 = omega5_3 * t6_16 - omega5_1 * t6_13;
-  const T t6_18 = omega5_1 * t6_14 - omega5_2 * t6_16;
-  const T Pddot6_1 = R5_11 * t6_15 + R5_21 * t6_17 + R5_31 * t6_18 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_15 + R5_22 * t6_17 + R5_32 * t6_18 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_15 + R5_23 * t6_17 + R5_33 * t6_18 + Pddot5_3;
-  // a6 = R6^T omega6~ omega6~ r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t6_19 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
-  const T t6_20 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
-  const T t6_21 = omega6_3 * t6_19 + omega6_1 * t6_20;
-  const T t6_22 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
-  const T t6_23 = omega6_3 * t6_22 + omega6_2 * t6_20;
-  const T t6_24 = omega6_1 * t6_22 - omega6_2 * t6_19;
-  const T a6_1 = R6_21 * t6_21 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_22 * t6_21 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_23 * t6_21 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
-  // G6 = -m6 a6: applied less inertia force at ydot = 0, inertial axes [N]
+  const T t6_16 = omega5_1 * d6_2 - omega5_2 * d6_1 + T(2) * sdot6_3;
+  const T t6_17 = omega5_3 * d6_1 - omega5_1 * d6_3 + T(2) * sdot6_2;
+  const T t6_18 = omega5_2 * t6_16 - omega5_3 * t6_17;
+  const T t6_19 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
+  const T t6_20 = omega5_3 * t6_19 - omega5_1 * t6_16;
+  const T t6_21 = omega5_1 * t6_17 - omega5_2 * t6_19;
+  const T Pddot6_1 = R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21 + Pddot5_1;
+  const T Pddot6_2 = R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21 + Pddot5_2;
+  const T Pddot6_3 = R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21 + Pddot5_3;
+  // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t6_22 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
+  const T t6_23 = U6_12 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
+  const T t6_24 = U6_13 * T(0.09) - U6_23 * T(0.05) - minus_U6_33 * T(0.07);
+  const T a6_1 = R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
+  const T a6_2 = R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
+  const T a6_3 = R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  // G6 = -m6 a6: applied less inertia force, inertial axes [N]
   const T minus_G6_1 = T(0.9) * a6_1;
   const T minus_G6_2 = T(0.9) * a6_2;
   const T minus_G6_3 = T(0.9) * a6_3;
-  // N6 = -omega6~ I6 omega6: applied less inertia moment at ydot = 0, body axes [N m]
-  const T t6_25 = omega6_2 * omega6_3;
-  const T t6_26 = omega6_2 * omega6_2;
-  const T t6_27 = omega6_3 * omega6_3;
-  const T t6_28 = omega6_1 * omega6_2;
-  const T t6_29 = omega6_1 * omega6_3;
-  const T minus_N6_1 = T(0.009000000000000001) * t6_25 + T(0.002) * (t6_26 - t6_27) - T(0.001) * t6_28 - T(0.0015) *
-      t6_29;
-  const T t6_30 = omega6_1 * omega6_1;
-  const T minus_N6_2 = T(0.0015) * t6_25 - (T(0.005000000000000001) * t6_29 + T(0.001) * (t6_27 - t6_30)) - T(0.002) *
-      t6_28;
-  const T minus_N6_3 = T(0.0015) * (t6_30 - t6_26) - T(0.004) * t6_28 + T(0.002) * t6_29 + T(0.001) * t6_25;
+  // N6 = -omega6~ I6 omega6: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N6_1 = T(0.009000000000000001) * U6_23 + T(0.002) * (t6_14 - t6_13) - T(0.001) * U6_12 - T(0.0015) *
+      U6_13;
+  const T minus_N6_2 = T(0.0015) * U6_23 - (T(0.005000000000000001) * U6_13 + T(0.001) * (t6_13 - t6_15)) - T(0.002) *
+      U6_12;
+  const T minus_N6_3 = T(0.0015) * (t6_15 - t6_14) - T(0.004) * U6_12 + T(0.002) * U6_13 + T(0.001) * U6_23;
 
   // ---- body 6 (tool) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 02a71f4c96d80662 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model 89d62ff185df4c99 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -26,8 +26,8 @@
 //   poses                   15 (4 add, 11 multiply, 4 sine or cosine)
 //   energy                  54 (19 add, 35 multiply, 4 sine or cosine)
 //   power                   38 (13 add, 24 multiply, 1 divide, 4 sine or cosine, 1 other function)
-//   accelerations           55 (19 add, 35 multiply, 1 divide, 4 sine or cosine, 1 other function)
-//   residual                59 (22 add, 36 multiply, 1 divide, 4 sine or cosine, 1 other function)
+//   accelerations           53 (18 add, 34 multiply, 1 divide, 4 sine or cosine, 1 other function)
+//   residual                55 (20 add, 34 multiply, 1 divide, 4 sine or cosine, 1 other function)
 //   mass_matrix             0 (0 add, 0 multiply)
 //   driving_loads           73 (27 add, 45 multiply, 1 divide, 4 sine or cosine)
 //   load_powers             38 (13 add, 24 multiply, 1 divide, 4 sine or cosine, 1 other function)
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "02a71f4c96d80662";
+inline constexpr char model_hash[] = "89d62ff185df4c99";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -298,7 +298,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, T* out) noexcept {
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 19 add, 35 multiply, 1 divide, 4 sine or cosine, 1 other function
+// 18 add, 34 multiply, 1 divide, 4 sine or cosine, 1 other function
 template <class T>
 void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) noexcept {
   using std::cos, std::sin, std::tanh;
@@ -346,38 +346,33 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   const T t3_1 = omega2_2 * T(0.2);
   const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
   const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_:
+  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1:
   //   attraction by the length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 +
-      line_joint_pin_3_3 * line_rate_joint_pin_3_3) * c.p.c_pin;
+  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_rate_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
   // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
   const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
   const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
-  // G2 = R2 F_joint_pin_3 - m2 a2: applied less inertia force at ydot = 0, body axes [N]
-  const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
-  const T G2_3 = t3_2 - T(0.3) * Pddot2_3;
-  // N2 = -axial(U2 (tr(I2)/2 - I2)) + lever2~ R2 F_joint_pin_3: applied less inertia moment at ydot = 0, body axes [N
-  //   m]
-  const T minus_N2_2 = T(0.1) * t3_2;
+  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)) + r_joint_pin_~ R2 F_joint_pin_3: applied less
+  //   inertia moment about the body origin, body axes [N m]
+  const T N2_2 = T(0.03) * Pddot2_3 - T(0.2) * (minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3);
+
+  // ---- body 3 (slider) and what it carries
+  // u_3 = u3 . G3 + tau_slider_: drives it [N]
+  const T minus_u_3 = F_joint_pin_3_1 + c.p.friction * tanh(sdot3 * T(100));
+  // v3 = invD3 u_3: u/D
+  const T minus_v3 = T(2.5) * minus_u_3;
+  ydot[1] = -minus_v3;
 
   // ---- body 2 (rod) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho2_2 = T(0.1) * G2_3 + minus_N2_2;
-
-  // ---- body 2 (rod), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T minus_thetaddot2 = minus_rho2_2 * T(249.99999999999997);
-  ydot[0] = -minus_thetaddot2;
-
-  // ---- body 3 (slider), solved
-  // sddot3: from A ydot = f by elimination
-  const T minus_sddot3 = (F_joint_pin_3_1 + c.p.friction * tanh(sdot3 * T(100))) * T(2.5);
-  ydot[1] = -minus_sddot3;
+  // v2 = invD2 u_2: u/D
+  const T v2 = T(249.99999999999997) * N2_2;
+  ydot[0] = v2;
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 22 add, 36 multiply, 1 divide, 4 sine or cosine, 1 other function
+// 20 add, 34 multiply, 1 divide, 4 sine or cosine, 1 other function
 template <class T>
 void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, T* r) noexcept {
   using std::cos, std::sin, std::tanh;
@@ -395,7 +390,6 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // ---- body 2 (rod) on body 1
   const T theta2 = x[0];
   const T thetadot2 = y[0];
-  const T thetaddot2 = ydot[0];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
   const T E2_11 = cos(theta2);
   const T minus_E2_13 = sin(theta2);
@@ -412,12 +406,11 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T minus_Pdot2_3 = E1_11 * c.c2_1;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot2_3 = E2_11 * Pddot1_3 - minus_E2_13 * (c.c2_2 + minus_Pddot1_1);
-  // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_3 = Pddot2_3 - thetaddot2 * T(0.1);
 
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   const T sdot3 = y[1];
+  const T thetaddot2 = ydot[0];
   const T sddot3 = ydot[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
   const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
@@ -429,30 +422,25 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t3_1 = omega2_2 * T(0.2);
   const T line_rate_joint_pin_3_1 = sdot3 + minus_R2_13 * t3_1 + minus_Pdot2_1;
   const T line_rate_joint_pin_3_3 = R2_11 * t3_1 + minus_Pdot2_3;
-  // f_joint_pin_3 = k_joint_pin_ + line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1 c_joint_pin_:
+  // f_joint_pin_3 = k_joint_pin_ + c_joint_pin_ line_joint_pin_3 . line_rate_joint_pin_3 ll_joint_pin_3^-1:
   //   attraction by the length [N/m]
-  const T f_joint_pin_3 = c.p.k_pin + T(1) / ll_joint_pin_3 * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 +
-      line_joint_pin_3_3 * line_rate_joint_pin_3_3) * c.p.c_pin;
+  const T f_joint_pin_3 = c.p.k_pin + c.p.c_pin * (line_joint_pin_3_1 * line_rate_joint_pin_3_1 + line_joint_pin_3_3 *
+      line_rate_joint_pin_3_3) * (T(1) / ll_joint_pin_3);
   // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
   const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
   const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
-  // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
-  const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
-  const T G2_3 = T(0.3) * a2_3 - t3_2;
-  // N2 = axial(U2 (tr(I2)/2 - I2)) - lever2~ R2 F_joint_pin_3: moment balance about the mass centre, body axes [N m]
-  const T N2_2 = T(0.001) * thetaddot2 + T(0.1) * t3_2;
-  // G3 = m3 Pddot3 + F_joint_pin_3: force balance, inertial axes [N]
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)) - r_joint_pin_~ R2 F_joint_pin_3: inertia less applied
+  //   moment about the body origin, body axes [N m]
+  const T N2_2 = T(0.004) * thetaddot2 - T(0.03) * Pddot2_3 + T(0.2) * (minus_R2_13 * F_joint_pin_3_1 + R2_11 *
+      F_joint_pin_3_3);
+  r[0] = N2_2;
+  // G3 = m3 Pddot3 + F_joint_pin_3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(0.4) * sddot3 + F_joint_pin_3_1;
 
   // ---- body 3 (slider) and what it carries
   // r_sdot3 = u3 . G3 - tau_slider_: Kane's equation of sdot [N]
   const T r_sdot3 = G3_1 + c.p.friction * tanh(sdot3 * T(100));
   r[1] = r_sdot3;
-
-  // ---- body 2 (rod) and what it carries
-  // rho2 = r2~ G2 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_2 = N2_2 - T(0.1) * G2_3;
-  r[0] = rho2_2;
 }
 
 // mass_matrix: A, symmetric positive definite.
@@ -484,7 +472,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot1_1 = minus_E1_13 * T(9.81);
   const T Pddot1_3 = E1_11 * T(9.81);
-  // G1 = m1 a1: force balance, body axes [N]
+  // G1 = m1 a1: inertia less applied force, body axes [N]
   const T G1_3 = T(0.5) * Pddot1_3;
 
   // ---- body 2 (rod) on body 1
@@ -536,11 +524,12 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
   const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
   const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
-  // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
+  // G2 = -R2 F_joint_pin_3 + m2 a2: inertia less applied force, body axes [N]
   const T minus_G2_1 = T(0.3) * minus_a2_1 + R2_11 * F_joint_pin_3_1 - minus_R2_13 * F_joint_pin_3_3;
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
   const T G2_3 = T(0.3) * a2_3 - t3_2;
-  // N2 = axial(U2 (tr(I2)/2 - I2)) - lever2~ R2 F_joint_pin_3: moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) - lever2~ R2 F_joint_pin_3: inertia less applied moment about the mass centre,
+  //   body axes [N m]
   const T N2_2 = T(0.001) * thetaddot2 + T(0.1) * t3_2;
 
   // ---- body 2 (rod) and what it carries
@@ -632,7 +621,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot1_3 = E1_11 * T(9.81);
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T minus_a1_1 = c.c1_3 + minus_Pddot1_1;
-  // G1 = m1 a1: force balance, body axes [N]
+  // G1 = m1 a1: inertia less applied force, body axes [N]
   const T minus_G1_1 = T(0.5) * minus_a1_1;
   const T G1_3 = T(0.5) * Pddot1_3;
 
@@ -686,15 +675,16 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // F_joint_pin_3 = f_joint_pin_3 line_joint_pin_3: on the first end, inertial axes [N]
   const T F_joint_pin_3_1 = f_joint_pin_3 * line_joint_pin_3_1;
   const T F_joint_pin_3_3 = f_joint_pin_3 * line_joint_pin_3_3;
-  // G2 = -R2 F_joint_pin_3 + m2 a2: force balance, body axes [N]
+  // G2 = -R2 F_joint_pin_3 + m2 a2: inertia less applied force, body axes [N]
   const T minus_G2_1 = T(0.3) * minus_a2_1 + R2_11 * F_joint_pin_3_1 - minus_R2_13 * F_joint_pin_3_3;
   const T t3_2 = minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3;
   const T G2_3 = T(0.3) * a2_3 - t3_2;
   reaction[6] = -minus_G2_1;
   reaction[8] = G2_3;
-  // N2 = axial(U2 (tr(I2)/2 - I2)) - lever2~ R2 F_joint_pin_3: moment balance about the mass centre, body axes [N m]
+  // N2 = axial(U2 (tr(I2)/2 - I2)) - lever2~ R2 F_joint_pin_3: inertia less applied moment about the mass centre,
+  //   body axes [N m]
   const T N2_2 = T(0.001) * thetaddot2 + T(0.1) * t3_2;
-  // G3 = m3 Pddot3 + F_joint_pin_3: force balance, inertial axes [N]
+  // G3 = m3 Pddot3 + F_joint_pin_3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(0.4) * sddot3 + F_joint_pin_3_1;
   const T G3_3 = T(3.9240000000000004) + F_joint_pin_3_3;
   reaction[12] = G3_1;

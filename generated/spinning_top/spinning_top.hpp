@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spinning_top: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 4f45145e72ccc0c3 of spinning_top/scene.toml; the usual functions
+// model f332932dae444e29 of spinning_top/scene.toml; the usual functions
 // bodies and their joints:
 //   1 top on the inertial frame: ball
 //
@@ -19,9 +19,9 @@
 //   poses                   26 (11 add, 15 multiply)
 //   energy                  51 (17 add, 34 multiply)
 //   momentum                70 (26 add, 44 multiply)
-//   accelerations           69 (25 add, 44 multiply)
-//   residual                80 (34 add, 46 multiply)
-//   forcing                 67 (25 add, 42 multiply)
+//   accelerations           20 (4 add, 16 multiply)
+//   residual                32 (13 add, 19 multiply)
+//   forcing                 18 (4 add, 14 multiply)
 //   mass_matrix             0 (0 add, 0 multiply)
 //   partial_velocities      25 (7 add, 18 multiply)
 //   partial_velocity_rates  47 (17 add, 30 multiply)
@@ -34,7 +34,7 @@ inline constexpr int nx = 4;
 inline constexpr int ny = 3;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "4f45145e72ccc0c3";
+inline constexpr char model_hash[] = "f332932dae444e29";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -249,7 +249,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 25 add, 44 multiply
+// 4 add, 16 multiply
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
 
@@ -257,55 +257,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
   // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
-  const T t1_1 = T(2) * eps1_2;
-  const T t1_2 = t1_1 * eps1_2;
-  const T t1_3 = T(2) * eps1_3;
-  const T t1_4 = t1_3 * eps1_3;
-  const T R1_11 = T(1) - t1_2 - t1_4;
-  const T t1_5 = T(2) * eps1_1;
-  const T t1_6 = t1_5 * eps1_2;
-  const T t1_7 = t1_3 * eps1_4;
-  const T R1_12 = t1_6 + t1_7;
-  const T t1_8 = t1_5 * eps1_3;
-  const T t1_9 = t1_1 * eps1_4;
-  const T R1_13 = t1_8 - t1_9;
-  const T R1_21 = t1_6 - t1_7;
-  const T t1_10 = T(1) - t1_5 * eps1_1;
-  const T R1_22 = t1_10 - t1_4;
-  const T t1_11 = t1_1 * eps1_3;
-  const T t1_12 = t1_5 * eps1_4;
-  const T R1_23 = t1_11 + t1_12;
-  const T R1_31 = t1_8 + t1_9;
-  const T R1_32 = t1_11 - t1_12;
-  const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_1 * T(0.05);
-  const T t1_14 = omega1_3 * t1_13;
-  const T t1_15 = omega1_2 * T(0.05);
-  const T t1_16 = omega1_3 * t1_15;
-  const T t1_17 = omega1_1 * t1_13 + omega1_2 * t1_15;
-  const T a1_1 = R1_11 * t1_14 + R1_21 * t1_16 - R1_31 * t1_17;
-  const T a1_2 = R1_12 * t1_14 + R1_22 * t1_16 - R1_32 * t1_17;
-  const T a1_3 = R1_13 * t1_14 + R1_23 * t1_16 - R1_33 * t1_17 + T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, inertial axes [N]
-  const T minus_G1_1 = T(0.3) * a1_1;
-  const T minus_G1_2 = T(0.3) * a1_2;
-  const T minus_G1_3 = T(0.3) * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N1_1 = omega1_2 * omega1_3 * T(4.9999999999999996e-05);
-  const T N1_2 = omega1_1 * omega1_3 * T(4.9999999999999996e-05);
+  const T t1_1 = T(2) * eps1_1;
+  const T t1_2 = T(2) * eps1_2;
+  const T R1_13 = t1_1 * eps1_3 - t1_2 * eps1_4;
+  const T R1_23 = t1_2 * eps1_3 + t1_1 * eps1_4;
+  // N1 = -h_all_1~ R1 Pddot1 - omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes
+  //   [N m]
+  const T N1_1 = R1_23 * T(9.81) * T(0.015) + omega1_2 * omega1_3 * T(0.0007000000000000001);
+  const T minus_N1_2 = R1_13 * T(9.81) * T(0.015) + omega1_1 * omega1_3 * T(0.0007000000000000001);
 
   // ---- body 1 (top) and what it carries
-  // f_omega1 = r1~ R1 G1 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.05) * (R1_21 * minus_G1_1 + R1_22 * minus_G1_2 + R1_23 * minus_G1_3) - minus_N1_1;
-  const T f_omega1_2 = N1_2 - T(0.05) * (R1_11 * minus_G1_1 + R1_12 * minus_G1_2 + R1_13 * minus_G1_3);
-
-  // ---- body 1 (top), solved
-  // omegadot1: from A ydot = f by elimination
-  const T omegadot1_1 = f_omega1_1 * T(1052.6315789473683);
-  const T omegadot1_2 = f_omega1_2 * T(1052.6315789473683);
-  ydot[0] = omegadot1_1;
-  ydot[1] = omegadot1_2;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 N1: D^-1 L^-1 n
+  const T w_1_1 = T(1052.6315789473683) * N1_1;
+  const T minus_w_1_2 = T(1052.6315789473683) * minus_N1_2;
+  ydot[0] = w_1_1;
+  ydot[1] = -minus_w_1_2;
 
   // ---- results
   ydot[2] = T(0);
@@ -313,7 +279,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 34 add, 46 multiply
+// 13 add, 19 multiply
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
 
@@ -322,67 +288,34 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
   const T omegadot1_1 = ydot[0], omegadot1_2 = ydot[1], omegadot1_3 = ydot[2];
   // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
-  const T t1_1 = T(2) * eps1_2;
-  const T t1_2 = t1_1 * eps1_2;
-  const T t1_3 = T(2) * eps1_3;
-  const T t1_4 = t1_3 * eps1_3;
-  const T R1_11 = T(1) - t1_2 - t1_4;
-  const T t1_5 = T(2) * eps1_1;
-  const T t1_6 = t1_5 * eps1_2;
-  const T t1_7 = t1_3 * eps1_4;
-  const T R1_12 = t1_6 + t1_7;
-  const T t1_8 = t1_5 * eps1_3;
-  const T t1_9 = t1_1 * eps1_4;
-  const T R1_13 = t1_8 - t1_9;
-  const T R1_21 = t1_6 - t1_7;
-  const T t1_10 = T(1) - t1_5 * eps1_1;
-  const T R1_22 = t1_10 - t1_4;
-  const T t1_11 = t1_1 * eps1_3;
-  const T t1_12 = t1_5 * eps1_4;
-  const T R1_23 = t1_11 + t1_12;
-  const T R1_31 = t1_8 + t1_9;
-  const T R1_32 = t1_11 - t1_12;
-  const T R1_33 = t1_10 - t1_2;
+  const T t1_1 = T(2) * eps1_1;
+  const T t1_2 = T(2) * eps1_2;
+  const T R1_13 = t1_1 * eps1_3 - t1_2 * eps1_4;
+  const T R1_23 = t1_2 * eps1_3 + t1_1 * eps1_4;
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t1_13 = omega1_1 * omega1_2;
-  const T U1_12 = t1_13 - omegadot1_3;
-  const T t1_14 = omega1_1 * omega1_3;
-  const T U1_13 = t1_14 + omegadot1_2;
-  const T U1_21 = t1_13 + omegadot1_3;
-  const T t1_15 = omega1_2 * omega1_3;
-  const T U1_23 = t1_15 - omegadot1_1;
-  const T U1_31 = t1_14 - omegadot1_2;
-  const T U1_32 = t1_15 + omegadot1_1;
-  const T minus_U1_33 = omega1_2 * omega1_2 + omega1_1 * omega1_1;
-  // a1 = R1^T U1 r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_16 = U1_13 * T(0.05);
-  const T t1_17 = U1_23 * T(0.05);
-  const T t1_18 = minus_U1_33 * T(0.05);
-  const T a1_1 = R1_11 * t1_16 + R1_21 * t1_17 - R1_31 * t1_18;
-  const T a1_2 = R1_12 * t1_16 + R1_22 * t1_17 - R1_32 * t1_18;
-  const T a1_3 = R1_13 * t1_16 + R1_23 * t1_17 - R1_33 * t1_18 + T(9.81);
-  // G1 = m1 a1: force balance, inertial axes [N]
-  const T G1_1 = T(0.3) * a1_1;
-  const T G1_2 = T(0.3) * a1_2;
-  const T G1_3 = T(0.3) * a1_3;
-  // N1 = axial(U1 (tr(I1)/2 - I1)): moment balance about the mass centre, body axes [N m]
-  const T N1_1 = T(0.000125) * U1_32 - T(7.500000000000001e-05) * U1_23;
-  const T N1_2 = T(7.500000000000001e-05) * U1_13 - T(0.000125) * U1_31;
+  const T t1_3 = omega1_2 * omega1_1;
+  const T U1_12 = t1_3 - omegadot1_3;
+  const T t1_4 = omega1_3 * omega1_1;
+  const T U1_13 = t1_4 + omegadot1_2;
+  const T U1_21 = t1_3 + omegadot1_3;
+  const T t1_5 = omega1_3 * omega1_2;
+  const T U1_23 = t1_5 - omegadot1_1;
+  const T U1_31 = t1_4 - omegadot1_2;
+  const T U1_32 = t1_5 + omegadot1_1;
+  // N1 = h_all_1~ R1 Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N1_1 = T(0.000125) * U1_32 - T(0.0008250000000000001) * U1_23 - R1_23 * T(9.81) * T(0.015);
+  const T N1_2 = R1_13 * T(9.81) * T(0.015) + T(0.0008250000000000001) * U1_13 - T(0.000125) * U1_31;
   const T N1_3 = T(0.000125) * U1_21 - T(0.000125) * U1_12;
+  r[0] = N1_1;
+  r[1] = N1_2;
   r[2] = N1_3;
-
-  // ---- body 1 (top) and what it carries
-  // r_omega1 = r1~ R1 G1 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = N1_1 - T(0.05) * (R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3);
-  const T r_omega1_2 = T(0.05) * (R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3) + N1_2;
-  r[0] = r_omega1_1;
-  r[1] = r_omega1_2;
 }
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 25 add, 42 multiply
+// 4 add, 14 multiply
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
 
@@ -390,53 +323,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
   // R1^T = 1 + 2 e1~ (eps4_1 + e1~): R takes inertial components to body components; e = (eps_1, eps_2, eps_3)
-  const T t1_1 = T(2) * eps1_2;
-  const T t1_2 = t1_1 * eps1_2;
-  const T t1_3 = T(2) * eps1_3;
-  const T t1_4 = t1_3 * eps1_3;
-  const T R1_11 = T(1) - t1_2 - t1_4;
-  const T t1_5 = T(2) * eps1_1;
-  const T t1_6 = t1_5 * eps1_2;
-  const T t1_7 = t1_3 * eps1_4;
-  const T R1_12 = t1_6 + t1_7;
-  const T t1_8 = t1_5 * eps1_3;
-  const T t1_9 = t1_1 * eps1_4;
-  const T R1_13 = t1_8 - t1_9;
-  const T R1_21 = t1_6 - t1_7;
-  const T t1_10 = T(1) - t1_5 * eps1_1;
-  const T R1_22 = t1_10 - t1_4;
-  const T t1_11 = t1_1 * eps1_3;
-  const T t1_12 = t1_5 * eps1_4;
-  const T R1_23 = t1_11 + t1_12;
-  const T R1_31 = t1_8 + t1_9;
-  const T R1_32 = t1_11 - t1_12;
-  const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r1 + Pddot1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_1 * T(0.05);
-  const T t1_14 = omega1_3 * t1_13;
-  const T t1_15 = omega1_2 * T(0.05);
-  const T t1_16 = omega1_3 * t1_15;
-  const T t1_17 = omega1_1 * t1_13 + omega1_2 * t1_15;
-  const T a1_1 = R1_11 * t1_14 + R1_21 * t1_16 - R1_31 * t1_17;
-  const T a1_2 = R1_12 * t1_14 + R1_22 * t1_16 - R1_32 * t1_17;
-  const T a1_3 = R1_13 * t1_14 + R1_23 * t1_16 - R1_33 * t1_17 + T(9.81);
-  // G1 = -m1 a1: applied less inertia force at ydot = 0, inertial axes [N]
-  const T minus_G1_1 = T(0.3) * a1_1;
-  const T minus_G1_2 = T(0.3) * a1_2;
-  const T minus_G1_3 = T(0.3) * a1_3;
-  // N1 = -omega1~ I1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N1_1 = omega1_2 * omega1_3 * T(4.9999999999999996e-05);
-  const T N1_2 = omega1_1 * omega1_3 * T(4.9999999999999996e-05);
-
-  // ---- body 1 (top) and what it carries
-  // f_omega1 = r1~ R1 G1 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.05) * (R1_21 * minus_G1_1 + R1_22 * minus_G1_2 + R1_23 * minus_G1_3) - minus_N1_1;
-  const T f_omega1_2 = N1_2 - T(0.05) * (R1_11 * minus_G1_1 + R1_12 * minus_G1_2 + R1_13 * minus_G1_3);
-  f[0] = f_omega1_1;
-  f[1] = f_omega1_2;
+  const T t1_1 = T(2) * eps1_1;
+  const T t1_2 = T(2) * eps1_2;
+  const T R1_13 = t1_1 * eps1_3 - t1_2 * eps1_4;
+  const T R1_23 = t1_2 * eps1_3 + t1_1 * eps1_4;
+  // N1 = -h_all_1~ R1 Pddot1 - omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes
+  //   [N m]
+  const T N1_1 = R1_23 * T(9.81) * T(0.015) + omega1_3 * omega1_2 * T(0.0007000000000000001);
+  const T minus_N1_2 = R1_13 * T(9.81) * T(0.015) + omega1_3 * omega1_1 * T(0.0007000000000000001);
+  f[0] = N1_1;
+  f[1] = -minus_N1_2;
 
   // ---- results
-  f[2] = T(0);
+  f[2] = -T(0);
 }
 
 // mass_matrix: A, symmetric positive definite.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 31aa3fe8dd02f883 of spring_chain/scene.toml; the usual functions
+// model 9e0480452e015d58 of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -25,7 +25,7 @@
 //   energy                  53 (25 add, 28 multiply, 1 square root)
 //   momentum                13 (8 add, 5 multiply)
 //   power                   0 (0 add, 0 multiply)
-//   accelerations           60 (32 add, 27 multiply, 1 divide, 1 square root)
+//   accelerations           35 (21 add, 13 multiply, 1 divide, 1 square root)
 //   residual                40 (26 add, 13 multiply, 1 divide, 1 square root)
 //   forcing                 26 (17 add, 8 multiply, 1 divide, 1 square root)
 //   mass_matrix             0 (0 add, 0 multiply)
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "31aa3fe8dd02f883";
+inline constexpr char model_hash[] = "9e0480452e015d58";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -71,62 +71,32 @@ struct Prepared {
   Parameters<T> p;
   T c1_1;
   T c0_1;
+  T invD5;
   T m_sub4;
   T m_sub3;
   T m_sub2;
   T m_sub1;
-  T c4_1;
-  T c4_2;
-  T c3_1;
-  T c3_2;
-  T c2_1;
-  T c2_2;
-  T c1_2;
-  T c1_3;
-  T c1_4;
 };
 
-// prepare: 11 add, 10 multiply, 5 divide
+// prepare: 4 add, 2 multiply, 1 divide
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m;
   const T c0_1 = T(0.5) * p.k;
+  const T invD5 = T(1) / p.m;
   const T m_sub4 = p.m + p.m;
   const T m_sub3 = p.m + m_sub4;
   const T m_sub2 = p.m + m_sub3;
   const T m_sub1 = p.m + m_sub2;
-  const T c4_1 = T(1) / p.m;
-  const T c4_2 = p.m * c4_1;
-  const T t1 = c4_2 * p.m;
-  const T t2 = m_sub4 - t1;
-  const T c3_1 = T(1) / t2;
-  const T c3_2 = t2 * c3_1;
-  const T t3 = t1 + c3_2 * t2;
-  const T t4 = m_sub3 - t3;
-  const T c2_1 = T(1) / t4;
-  const T c2_2 = t4 * c2_1;
-  const T t5 = c2_2 * t4 + t3;
-  const T t6 = m_sub2 - t5;
-  const T c1_2 = T(1) / t6;
-  const T c1_3 = t6 * c1_2;
-  const T c1_4 = T(1) / (m_sub1 - t5 - c1_3 * t6);
   c.c1_1 = c1_1;
   c.c0_1 = c0_1;
+  c.invD5 = invD5;
   c.m_sub4 = m_sub4;
   c.m_sub3 = m_sub3;
   c.m_sub2 = m_sub2;
   c.m_sub1 = m_sub1;
-  c.c4_1 = c4_1;
-  c.c4_2 = c4_2;
-  c.c3_1 = c3_1;
-  c.c3_2 = c3_2;
-  c.c2_1 = c2_1;
-  c.c2_2 = c2_2;
-  c.c1_2 = c1_2;
-  c.c1_3 = c1_3;
-  c.c1_4 = c1_4;
   return c;
 }
 
@@ -355,7 +325,8 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, [
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 32 add, 27 multiply, 1 divide, 1 square root
+// 21 add, 13 multiply, 1 divide, 1 square root
+// by: articulated; composite would take 32 add, 27 multiply, 1 divide, 1 square root
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, T* ydot) noexcept {
   using std::sqrt;
@@ -400,50 +371,69 @@ void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
+  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
+  const T minus_effort_mass_5_5 = s5 * c.p.k;
   // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
   const T line_last_spring_5_1 = T(6) - P5_1;
   // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
   const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
-  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
-  const T minus_effort_mass_5_5 = s5 * c.p.k;
-  // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
+  // f_last_spring_5 = k_last_spring_ - k_last_spring_ l_last_spring_ length_last_spring_5^-1: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
   // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
   const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
 
-  // ---- body 1 (mass_1), solved
-  // sddot1: from A ydot = f by elimination
-  const T z1_1 = F_last_spring_5_1 - minus_effort_mass_5_5;
-  const T z1_2 = F_last_spring_5_1 - c.c4_2 * z1_1;
-  const T z1_3 = z1_2 - minus_effort_mass_4_4;
-  const T z1_4 = c.c3_2 * z1_3;
-  const T z1_5 = z1_2 - minus_effort_mass_3_3 - z1_4;
-  const T z1_6 = z1_2 - (z1_4 + c.c2_2 * z1_5);
-  const T z1_7 = z1_6 - minus_effort_mass_2_2;
-  const T sddot1 = (z1_6 - minus_effort_mass_1_1 - c.c1_3 * z1_7) * c.c1_4;
-  ydot[0] = sddot1;
+  // ---- body 5 (mass_5) and what it carries
+  // u_5 = u5 . F_last_spring_5 + effort_mass_5_5: drives it [N]
+  const T u_5 = F_last_spring_5_1 - minus_effort_mass_5_5;
+  // v5 = invD5 u_5: u/D
+  const T v5 = c.invD5 * u_5;
+
+  // ---- body 4 (mass_4) and what it carries
+  // u_4 = u4 . gs5 + effort_mass_4_4: drives it [N]
+  const T u_4 = minus_effort_mass_5_5 - minus_effort_mass_4_4;
+  // v4 = invD4 u_4: u/D
+  const T v4 = c.invD5 * u_4;
+
+  // ---- body 3 (mass_3) and what it carries
+  // u_3 = u3 . gs4 + effort_mass_3_3: drives it [N]
+  const T u_3 = minus_effort_mass_4_4 - minus_effort_mass_3_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = c.invD5 * u_3;
+
+  // ---- body 2 (mass_2) and what it carries
+  // u_2 = u2 . gs3 + effort_mass_2_2: drives it [N]
+  const T u_2 = minus_effort_mass_3_3 - minus_effort_mass_2_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = c.invD5 * u_2;
+
+  // ---- body 1 (mass_1) and what it carries
+  // u_1 = u1 . gs2 + effort_mass_1_1: drives it [N]
+  const T u_1 = minus_effort_mass_2_2 - minus_effort_mass_1_1;
+  // v1 = invD1 u_1: u/D
+  const T v1 = c.invD5 * u_1;
+  ydot[0] = v1;
 
   // ---- body 2 (mass_2), solved
-  // sddot2: from A ydot = f by elimination
-  const T sddot2 = z1_7 * c.c1_2 - c.c1_3 * sddot1;
+  // sddot2 = -u2 . beta1 + phi2
+  const T sddot2 = v2 - v1;
   ydot[1] = sddot2;
 
   // ---- body 3 (mass_3), solved
-  // sddot3: from A ydot = f by elimination
-  const T sddot3 = z1_5 * c.c2_1 - c.c2_2 * sddot2 - c.c2_2 * sddot1;
+  // sddot3 = -u3 . beta2 + phi3
+  const T sddot3 = v3 - v2;
   ydot[2] = sddot3;
 
   // ---- body 4 (mass_4), solved
-  // sddot4: from A ydot = f by elimination
-  const T sddot4 = z1_3 * c.c3_1 - c.c3_2 * sddot3 - c.c3_2 * sddot2 - c.c3_2 * sddot1;
+  // sddot4 = -u4 . beta3 + phi4
+  const T sddot4 = v4 - v3;
   ydot[3] = sddot4;
 
   // ---- body 5 (mass_5), solved
-  // sddot5: from A ydot = f by elimination
-  const T sddot5 = z1_1 * c.c4_1 - c.c4_2 * sddot4 - c.c4_2 * sddot3 - c.c4_2 * sddot2 - c.c4_2 * sddot1;
+  // sddot5 = -u5 . beta4 + phi5
+  const T sddot5 = v5 - v4;
   ydot[4] = sddot5;
 }
 
@@ -461,7 +451,7 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d1_1 = T(1) + s1;
   // effort_mass_1_1 = -s1 k_mass_1_: along the coordinate [N m], [N]
   const T minus_effort_mass_1_1 = s1 * c.p.k;
-  // G1 = m1 Pddot1: force balance, inertial axes [N]
+  // G1 = m1 Pddot1: inertia less applied force, inertial axes [N]
   const T G1_1 = c.p.m * sddot1;
 
   // ---- body 2 (mass_2) on body 1
@@ -471,11 +461,11 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d2_1 = T(1) + s2;
   // P2 = d1 + d2: position of the body origin, inertial axes [m]
   const T P2_1 = d1_1 + d2_1;
-  // effort_mass_2_2 = -s2 k_mass_2_: along the coordinate [N m], [N]
-  const T minus_effort_mass_2_2 = s2 * c.p.k;
   // Pddot2 = sddot2 u2 + Pddot1: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot2_1 = sddot2 + sddot1;
-  // G2 = m2 Pddot2: force balance, inertial axes [N]
+  // effort_mass_2_2 = -s2 k_mass_2_: along the coordinate [N m], [N]
+  const T minus_effort_mass_2_2 = s2 * c.p.k;
+  // G2 = m2 Pddot2: inertia less applied force, inertial axes [N]
   const T G2_1 = c.p.m * Pddot2_1;
 
   // ---- body 3 (mass_3) on body 2
@@ -485,11 +475,11 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d3_1 = T(1) + s3;
   // P3 = P2 + d3: position of the body origin, inertial axes [m]
   const T P3_1 = P2_1 + d3_1;
-  // effort_mass_3_3 = -s3 k_mass_3_: along the coordinate [N m], [N]
-  const T minus_effort_mass_3_3 = s3 * c.p.k;
   // Pddot3 = sddot3 u3 + Pddot2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot3_1 = sddot3 + Pddot2_1;
-  // G3 = m3 Pddot3: force balance, inertial axes [N]
+  // effort_mass_3_3 = -s3 k_mass_3_: along the coordinate [N m], [N]
+  const T minus_effort_mass_3_3 = s3 * c.p.k;
+  // G3 = m3 Pddot3: inertia less applied force, inertial axes [N]
   const T G3_1 = c.p.m * Pddot3_1;
 
   // ---- body 4 (mass_4) on body 3
@@ -499,11 +489,11 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d4_1 = T(1) + s4;
   // P4 = P3 + d4: position of the body origin, inertial axes [m]
   const T P4_1 = P3_1 + d4_1;
-  // effort_mass_4_4 = -s4 k_mass_4_: along the coordinate [N m], [N]
-  const T minus_effort_mass_4_4 = s4 * c.p.k;
   // Pddot4 = sddot4 u4 + Pddot3: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T Pddot4_1 = sddot4 + Pddot3_1;
-  // G4 = m4 Pddot4: force balance, inertial axes [N]
+  // effort_mass_4_4 = -s4 k_mass_4_: along the coordinate [N m], [N]
+  const T minus_effort_mass_4_4 = s4 * c.p.k;
+  // G4 = m4 Pddot4: inertia less applied force, inertial axes [N]
   const T G4_1 = c.p.m * Pddot4_1;
 
   // ---- body 5 (mass_5) on body 4
@@ -513,22 +503,22 @@ void residual(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, con
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
+  // Pddot5 = sddot5 u5 + Pddot4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
+  const T Pddot5_1 = sddot5 + Pddot4_1;
+  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
+  const T minus_effort_mass_5_5 = s5 * c.p.k;
   // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
   const T line_last_spring_5_1 = T(6) - P5_1;
   // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
   const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
-  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
-  const T minus_effort_mass_5_5 = s5 * c.p.k;
-  // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
+  // f_last_spring_5 = k_last_spring_ - k_last_spring_ l_last_spring_ length_last_spring_5^-1: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
   // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
   const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
-  // Pddot5 = sddot5 u5 + Pddot4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T Pddot5_1 = sddot5 + Pddot4_1;
-  // G5 = m5 Pddot5 - F_last_spring_5: force balance, inertial axes [N]
+  // G5 = m5 Pddot5 - F_last_spring_5: inertia less applied force, inertial axes [N]
   const T G5_1 = c.p.m * Pddot5_1 - F_last_spring_5_1;
 
   // ---- body 5 (mass_5) and what it carries
@@ -612,15 +602,15 @@ void forcing(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, T* f
   const T d5_1 = T(1) + s5;
   // P5 = P4 + d5: position of the body origin, inertial axes [m]
   const T P5_1 = P4_1 + d5_1;
+  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
+  const T minus_effort_mass_5_5 = s5 * c.p.k;
   // line_last_spring_5 = -P5 + r_last_spring_other_: from one end of the spring to the other, inertial axes [m]
   const T line_last_spring_5_1 = T(6) - P5_1;
   // ll_last_spring_5 = 1e-36 + line_last_spring_5 . line_last_spring_5: length squared [m^2]
   const T ll_last_spring_5 = T(1e-36) + line_last_spring_5_1 * line_last_spring_5_1;
   // length_last_spring_5 = ll_last_spring_5^1/2: length [m]
   const T length_last_spring_5 = sqrt(ll_last_spring_5);
-  // effort_mass_5_5 = -s5 k_mass_5_: along the coordinate [N m], [N]
-  const T minus_effort_mass_5_5 = s5 * c.p.k;
-  // f_last_spring_5 = k_last_spring_ - k_last_spring_ length_last_spring_5^-1 l_last_spring_: attraction by the
+  // f_last_spring_5 = k_last_spring_ - k_last_spring_ l_last_spring_ length_last_spring_5^-1: attraction by the
   //   length [N/m]
   const T f_last_spring_5 = c.p.k - T(1) / length_last_spring_5 * c.p.k;
   // F_last_spring_5 = f_last_spring_5 line_last_spring_5: on the first end, inertial axes [N]
@@ -658,7 +648,7 @@ void forcing(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, T* f
 template <class T>
 void mass_matrix(const Prepared<T>& c, [[maybe_unused]] const T* x, T* A) noexcept {
 
-  // ---- body 4 (mass_4) and what it carries
+  // ---- body 1 (mass_1) on the inertial frame
   A[3] = c.m_sub4;
   A[8] = c.m_sub4;
   A[13] = c.m_sub4;
@@ -666,20 +656,14 @@ void mass_matrix(const Prepared<T>& c, [[maybe_unused]] const T* x, T* A) noexce
   A[16] = c.m_sub4;
   A[17] = c.m_sub4;
   A[18] = c.m_sub4;
-
-  // ---- body 3 (mass_3) and what it carries
   A[2] = c.m_sub3;
   A[7] = c.m_sub3;
   A[10] = c.m_sub3;
   A[11] = c.m_sub3;
   A[12] = c.m_sub3;
-
-  // ---- body 2 (mass_2) and what it carries
   A[1] = c.m_sub2;
   A[5] = c.m_sub2;
   A[6] = c.m_sub2;
-
-  // ---- body 1 (mass_1) and what it carries
   A[0] = c.m_sub1;
 
   // ---- results

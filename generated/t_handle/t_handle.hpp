@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // t_handle: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9fc5f2f2bd1015b8 of t_handle/scene.toml; the usual functions
+// model 93348243ff07fab0 of t_handle/scene.toml; the usual functions
 // bodies and their joints:
 //   1 bar on the inertial frame: free
 //   2 stem on 1: weld
@@ -24,7 +24,7 @@
 //   momentum                76 (32 add, 44 multiply)
 //   accelerations           55 (20 add, 35 multiply)
 //   residual                82 (36 add, 46 multiply)
-//   forcing                 68 (24 add, 44 multiply)
+//   forcing                 67 (24 add, 43 multiply)
 //   mass_matrix             25 (7 add, 18 multiply)
 //   partial_velocities      31 (7 add, 24 multiply)
 //   partial_velocity_rates  53 (17 add, 36 multiply)
@@ -37,7 +37,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9fc5f2f2bd1015b8";
+inline constexpr char model_hash[] = "93348243ff07fab0";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -360,12 +360,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U1_11 = omega1_3 * omega1_3 + omega1_2 * omega1_2;
-  const T t1_13 = omega1_1 * omega1_2;
+  const T t1_13 = omega1_2 * omega1_1;
   const T U1_12 = t1_13 - omegadot1_3;
-  const T t1_14 = omega1_1 * omega1_3;
+  const T t1_14 = omega1_3 * omega1_1;
   const T U1_13 = t1_14 + omegadot1_2;
   const T U1_21 = t1_13 + omegadot1_3;
-  const T t1_15 = omega1_2 * omega1_3;
+  const T t1_15 = omega1_3 * omega1_2;
   const T U1_23 = t1_15 - omegadot1_1;
   const T U1_31 = t1_14 - omegadot1_2;
   const T U1_32 = t1_15 + omegadot1_1;
@@ -376,14 +376,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T a1_1 = sddot1_1 + R1_21 * t1_16 - R1_11 * t1_17 + R1_31 * t1_18;
   const T a1_2 = sddot1_2 + R1_22 * t1_16 - R1_12 * t1_17 + R1_32 * t1_18;
   const T a1_3 = sddot1_3 + R1_23 * t1_16 - R1_13 * t1_17 + R1_33 * t1_18;
-  // G1 = m_link1 a1: force balance, inertial axes [N]
+  // G1 = m_link1 a1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(0.4) * a1_1;
   const T G1_2 = T(0.4) * a1_2;
   const T G1_3 = T(0.4) * a1_3;
   r[3] = G1_1;
   r[4] = G1_2;
   r[5] = G1_3;
-  // N1 = axial(U1 (tr(I_link1)/2 - I_link1)): moment balance about the mass centre, body axes [N m]
+  // N1 = axial(U1 (tr(I_link1)/2 - I_link1)): inertia less applied moment about the mass centre, body axes [N m]
   const T N1_1 = T(0.0003616) * U1_32 - T(9.100000000000001e-06) * U1_23;
   const T N1_2 = T(9.100000000000001e-06) * U1_13 - T(0.0001575) * U1_31;
   const T N1_3 = T(0.0001575) * U1_21 - T(0.0003616) * U1_12;
@@ -399,7 +399,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 24 add, 44 multiply
+// 24 add, 43 multiply
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
 
@@ -428,26 +428,29 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  // a1 = R1^T omega1~ omega1~ r_link1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T t1_13 = omega1_2 * T(2.6020852139652105e-19);
-  const T t1_14 = omega1_1 * t1_13;
-  const T t1_15 = omega1_3 * T(2.6020852139652105e-19);
-  const T t1_16 = omega1_3 * t1_15 + omega1_2 * t1_13;
-  const T t1_17 = omega1_1 * t1_15;
-  const T a1_1 = R1_21 * t1_14 - R1_11 * t1_16 + R1_31 * t1_17;
-  const T a1_2 = R1_22 * t1_14 - R1_12 * t1_16 + R1_32 * t1_17;
-  const T a1_3 = R1_23 * t1_14 - R1_13 * t1_16 + R1_33 * t1_17;
-  // G1 = -m_link1 a1: applied less inertia force at ydot = 0, inertial axes [N]
+  // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T minus_U1_11 = omega1_3 * omega1_3 + omega1_2 * omega1_2;
+  const T U1_12 = omega1_2 * omega1_1;
+  const T U1_13 = omega1_3 * omega1_1;
+  const T U1_23 = omega1_3 * omega1_2;
+  // a1 = R1^T U1 r_link1: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T t1_13 = U1_12 * T(2.6020852139652105e-19);
+  const T t1_14 = minus_U1_11 * T(2.6020852139652105e-19);
+  const T t1_15 = U1_13 * T(2.6020852139652105e-19);
+  const T a1_1 = R1_21 * t1_13 - R1_11 * t1_14 + R1_31 * t1_15;
+  const T a1_2 = R1_22 * t1_13 - R1_12 * t1_14 + R1_32 * t1_15;
+  const T a1_3 = R1_23 * t1_13 - R1_13 * t1_14 + R1_33 * t1_15;
+  // G1 = -m_link1 a1: applied less inertia force, inertial axes [N]
   const T minus_G1_1 = T(0.4) * a1_1;
   const T minus_G1_2 = T(0.4) * a1_2;
   const T minus_G1_3 = T(0.4) * a1_3;
   f[3] = -minus_G1_1;
   f[4] = -minus_G1_2;
   f[5] = -minus_G1_3;
-  // N1 = -omega1~ I_link1 omega1: applied less inertia moment at ydot = 0, body axes [N m]
-  const T minus_N1_1 = omega1_2 * omega1_3 * T(0.0003525);
-  const T N1_2 = omega1_1 * omega1_3 * T(0.0001484);
-  const T N1_3 = omega1_1 * omega1_2 * T(0.00020409999999999997);
+  // N1 = -omega1~ I_link1 omega1: applied less inertia moment about the mass centre, body axes [N m]
+  const T minus_N1_1 = T(0.0003525) * U1_23;
+  const T N1_2 = T(0.0001484) * U1_13;
+  const T N1_3 = T(0.00020409999999999997) * U1_12;
   f[0] = -minus_N1_1;
 
   // ---- body 1 (bar) and what it carries

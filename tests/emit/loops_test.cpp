@@ -74,7 +74,7 @@ TEST(Loops, give_the_bits_of_the_program_at_the_cost_of_its_ledger) {
     SCOPED_TRACE(c.name);
     Random random(22);
     const Sample sample = sample_of(c.scene, random);
-    const Generated generated = generate(sample.scene, {c.functions, emit::Optimize::loops});
+    const Generated generated = generate(sample.scene, {c.functions, {}, emit::Optimize::loops});
     ASSERT_NE(generated.header.find("_sections {"), std::string::npos);
     Driver driver(sample, generated);
     ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off"}, {"double", "counted"}), "");
@@ -88,7 +88,7 @@ TEST(Loops, give_the_bits_of_the_program_at_the_cost_of_its_ledger) {
 // The program does not depend on how it is written.
 TEST(Loops, change_no_program) {
   const scene::Scene scene = cases()[0].scene;
-  const Generated line = generate(scene, {{"residual"}}), loops = generate(scene, {{"residual"}, emit::Optimize::loops});
+  const Generated line = generate(scene, {{"residual"}}), loops = generate(scene, {{"residual"}, {}, emit::Optimize::loops});
   EXPECT_EQ(program::ledger(line.program, line.program.functions[0]),
             program::ledger(loops.program, loops.program.functions[0]));
   EXPECT_NE(line.hash, loops.hash);
@@ -97,8 +97,8 @@ TEST(Loops, change_no_program) {
 
 TEST(Loops, are_the_same_twice) {
   const scene::Scene scene = cases()[1].scene;
-  EXPECT_EQ(generate(scene, {{"residual"}, emit::Optimize::loops}).header,
-            generate(scene, {{"residual"}, emit::Optimize::loops}).header);
+  EXPECT_EQ(generate(scene, {{"residual"}, {}, emit::Optimize::loops}).header,
+            generate(scene, {{"residual"}, {}, emit::Optimize::loops}).header);
 }
 
 // Joints repeat, numbers and their signs are random. Measured: 1779, 2226 and 2375 operations of 24, 96 and 192 bodies.
