@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 6628d2f259ffa606 of arm_6/scene.toml; the usual functions
+// model 345970f782be92b3 of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "6628d2f259ffa606";
+inline constexpr char model_hash[] = "345970f782be92b3";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -88,7 +88,7 @@ struct Prepared {
   T r_link6_3;
   T I_link6_11;
   T c6_1;
-  T h_all_6_3;
+  T h_all_5_3;
   T J_all_5_22;
   T J_own_5_11;
   T c5_1;
@@ -130,7 +130,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T t3 = T(0.10650000000000001) - r_link6_3;
   const T I_link6_11 = t2 * t2 * T(0.09) + T(0.00015) + t3 * t3 * p.m_payload;
   const T c6_1 = T(0.5) * m_link6;
-  const T h_all_6_3 = m_link6 * r_link6_3;
+  const T h_all_5_3 = m_link6 * r_link6_3;
   const T t4 = r_link6_3 * r_link6_3 * m_link6 + I_link6_11;
   const T J_all_5_22 = T(4e-04) + t4;
   const T J_own_5_11 = T(3e-04) + t4 - T(3e-04);
@@ -172,7 +172,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.r_link6_3 = r_link6_3;
   c.I_link6_11 = I_link6_11;
   c.c6_1 = c6_1;
-  c.h_all_6_3 = h_all_6_3;
+  c.h_all_5_3 = h_all_5_3;
   c.J_all_5_22 = J_all_5_22;
   c.J_own_5_11 = J_own_5_11;
   c.c5_1 = c5_1;
@@ -994,13 +994,13 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
   const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
-  const T minus_G5_1 = U5_13 * c.h_all_6_3;
-  const T minus_G5_2 = U5_23 * c.h_all_6_3;
-  const T G5_3 = minus_U5_33 * c.h_all_6_3;
+  const T minus_G5_1 = U5_13 * c.h_all_5_3;
+  const T minus_G5_2 = U5_23 * c.h_all_5_3;
+  const T G5_3 = minus_U5_33 * c.h_all_5_3;
   // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
-  const T minus_N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_5_3 * Pddot5_2;
+  const T minus_N5_2 = c.h_all_5_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
   const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
@@ -1039,8 +1039,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_rho5_2 = E6_12 * minus_N6_1 - E6_11 * N6_2 + minus_N5_2;
   const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = minus_E5_13 * c.h_all_6_3;
-  const T hc5_3 = E5_11 * c.h_all_6_3;
+  const T hc5_1 = minus_E5_13 * c.h_all_5_3;
+  const T hc5_3 = E5_11 * c.h_all_5_3;
 
   // ---- body 4 (wrist) and what it carries
   // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
@@ -1406,13 +1406,13 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
   const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
   // G5 = U5 h_own_5: inertia less applied force, body axes [N]
-  const T G5_1 = U5_13 * c.h_all_6_3;
-  const T G5_2 = U5_23 * c.h_all_6_3;
-  const T minus_G5_3 = minus_U5_33 * c.h_all_6_3;
+  const T G5_1 = U5_13 * c.h_all_5_3;
+  const T G5_2 = U5_23 * c.h_all_5_3;
+  const T minus_G5_3 = minus_U5_33 * c.h_all_5_3;
   // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T minus_N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
-  const T N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T minus_N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_5_3 * Pddot5_2;
+  const T N5_2 = c.h_all_5_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
   const T N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
@@ -1665,13 +1665,13 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
   const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
-  const T minus_G5_1 = U5_13 * c.h_all_6_3;
-  const T minus_G5_2 = U5_23 * c.h_all_6_3;
-  const T G5_3 = minus_U5_33 * c.h_all_6_3;
+  const T minus_G5_1 = U5_13 * c.h_all_5_3;
+  const T minus_G5_2 = U5_23 * c.h_all_5_3;
+  const T G5_3 = minus_U5_33 * c.h_all_5_3;
   // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_6_3 * Pddot5_2;
-  const T minus_N5_2 = c.h_all_6_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
+  const T N5_1 = c.c5_1 * U5_32 + c.c5_2 * U5_23 + c.h_all_5_3 * Pddot5_2;
+  const T minus_N5_2 = c.h_all_5_3 * Pddot5_1 + c.c5_2 * U5_13 - c.c5_1 * U5_31;
   const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
@@ -1801,8 +1801,8 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 5 (hand) and what it carries
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = minus_E5_13 * c.h_all_6_3;
-  const T hc5_3 = E5_11 * c.h_all_6_3;
+  const T hc5_1 = minus_E5_13 * c.h_all_5_3;
+  const T hc5_3 = E5_11 * c.h_all_5_3;
 
   // ---- body 4 (wrist) and what it carries
   // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6b: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 11dc7ce77d9a83e7 of bench_s6b/scene.toml; the usual functions
+// model 77f757deb767a8b3 of bench_s6b/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: ball
@@ -44,7 +44,7 @@ inline constexpr int nx = 27;
 inline constexpr int ny = 21;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 21;
-inline constexpr char model_hash[] = "11dc7ce77d9a83e7";
+inline constexpr char model_hash[] = "77f757deb767a8b3";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -2251,36 +2251,36 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_13);
 
   // ---- body 1 (body_1), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) + minus_LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) + minus_LD1_21 * z1_3 +
-      minus_LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) + minus_LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) + minus_LD1_21 * z1_3 + minus_LD1_31
+      * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
-  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[18] = sddot1_1;
   ydot[19] = sddot1_2;
   ydot[20] = sddot1_3;
 
   // ---- body 2 (body_2), solved
-  // beta2 = -C2 q2~ omegadot1_1 + C2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta2 = -C2 q2~ omegadot1 + C2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.1) * z1_3;
   const T z2_2 = T(0.1) * z1_2 - z2_1;
-  const T z2_3 = T(0.1) * omegadot1_1_1;
+  const T z2_3 = T(0.1) * omegadot1_1;
   const T z2_4 = z2_3 - T(0.3) * z1_2;
   const T z2_5 = T(0.3) * z1_3;
   const T z2_6 = z2_5 - z2_3;
-  const T beta2_1 = C2_11 * Pddot2_1_1 - (C2_11 * z2_2 + C2_12 * z2_4 + C2_13 * z2_6) + C2_12 * z1_1 + C2_13 * ws1_3;
-  const T beta2_2 = C2_21 * Pddot2_1_1 - (C2_21 * z2_2 + C2_22 * z2_4 + C2_23 * z2_6) + C2_22 * z1_1 + C2_23 * ws1_3;
-  const T beta2_3 = C2_31 * Pddot2_1_1 - (C2_31 * z2_2 + C2_32 * z2_4 + C2_33 * z2_6) + C2_32 * z1_1 + C2_33 * ws1_3;
+  const T beta2_1 = C2_11 * Pddot1_1 - (C2_11 * z2_2 + C2_12 * z2_4 + C2_13 * z2_6) + C2_12 * z1_1 + C2_13 * ws1_3;
+  const T beta2_2 = C2_21 * Pddot1_1 - (C2_21 * z2_2 + C2_22 * z2_4 + C2_23 * z2_6) + C2_22 * z1_1 + C2_23 * ws1_3;
+  const T beta2_3 = C2_31 * Pddot1_1 - (C2_31 * z2_2 + C2_32 * z2_4 + C2_33 * z2_6) + C2_32 * z1_1 + C2_33 * ws1_3;
   // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
   const T z2_7 = w_2_3 - (W2_31 * beta2_1 + W2_32 * beta2_2 + W2_33 * beta2_3);
   const T z2_8 = minus_W2_23 * beta2_3 - (W2_21 * beta2_1 + W2_22 * beta2_2) + w_2_2 + minus_LD2_32 * z2_7;
@@ -2336,12 +2336,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[11] = z4_3;
 
   // ---- body 5 (body_5), solved
-  // beta5 = -C5 q5~ omegadot1_1 + C5 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta5 = -C5 q5~ omegadot1 + C5 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z5_1 = T(0.25) * z1_2 - z2_1;
-  const T z5_2 = z2_5 - T(0.25) * omegadot1_1_1;
-  const T beta5_1 = C5_11 * Pddot2_1_1 - (C5_11 * z5_1 + C5_12 * z2_4 + C5_13 * z5_2) + C5_12 * z1_1 + C5_13 * ws1_3;
-  const T beta5_2 = C5_21 * Pddot2_1_1 - (C5_21 * z5_1 + C5_22 * z2_4 + C5_23 * z5_2) + C5_22 * z1_1 + C5_23 * ws1_3;
-  const T beta5_3 = C5_31 * Pddot2_1_1 - (C5_31 * z5_1 + C5_32 * z2_4 + C5_33 * z5_2) + C5_32 * z1_1 + C5_33 * ws1_3;
+  const T z5_2 = z2_5 - T(0.25) * omegadot1_1;
+  const T beta5_1 = C5_11 * Pddot1_1 - (C5_11 * z5_1 + C5_12 * z2_4 + C5_13 * z5_2) + C5_12 * z1_1 + C5_13 * ws1_3;
+  const T beta5_2 = C5_21 * Pddot1_1 - (C5_21 * z5_1 + C5_22 * z2_4 + C5_23 * z5_2) + C5_22 * z1_1 + C5_23 * ws1_3;
+  const T beta5_3 = C5_31 * Pddot1_1 - (C5_31 * z5_1 + C5_32 * z2_4 + C5_33 * z5_2) + C5_32 * z1_1 + C5_33 * ws1_3;
   // omegadot5 = L(LD5)^-T (-W5 beta5 + w_5)
   const T z5_3 = w_5_3 - (W5_31 * beta5_1 + W5_32 * beta5_2 + W5_33 * beta5_3);
   const T z5_4 = minus_W5_23 * beta5_3 - (W5_21 * beta5_1 + W5_22 * beta5_2) + w_5_2 + minus_LD5_32 * z5_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model cd6a42df942cd4aa of bench_s6f/scene.toml; the usual functions
+// model 53420b327157b7e4 of bench_s6f/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "cd6a42df942cd4aa";
+inline constexpr char model_hash[] = "53420b327157b7e4";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1688,26 +1688,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // sddot1 = g + Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_3 = Pddot1_3 - T(9.81);
   ydot[20] = sddot1_3;
-  // a2 = m2^-1 F2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a2_1 = T(0.8333333333333334) * u.F_2_1;
-  const T a2_2 = T(0.8333333333333334) * u.F_2_2;
-  const T a2_3 = T(0.8333333333333334) * u.F_2_3;
-  // a3 = m3^-1 F3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a3_1 = T(0.7692307692307692) * u.F_3_1;
-  const T a3_2 = T(0.7692307692307692) * u.F_3_2;
-  const T a3_3 = T(0.7692307692307692) * u.F_3_3;
-  // a4 = m4^-1 F4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a4_1 = T(0.7142857142857143) * u.F_4_1;
-  const T a4_2 = T(0.7142857142857143) * u.F_4_2;
-  const T a4_3 = T(0.7142857142857143) * u.F_4_3;
-  // a5 = m5^-1 F5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a5_1 = T(0.6666666666666666) * u.F_5_1;
-  const T a5_2 = T(0.6666666666666666) * u.F_5_2;
-  const T a5_3 = T(0.6666666666666666) * u.F_5_3;
-  // a6 = m6^-1 F6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
-  const T a6_1 = T(0.625) * u.F_6_1;
-  const T a6_2 = T(0.625) * u.F_6_2;
-  const T a6_3 = T(0.625) * u.F_6_3;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -1771,6 +1751,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_31 = t2_17 - omegadot2_2;
   const T U2_32 = t2_13 + omegadot2_1;
   const T minus_U2_33 = t2_14 + t2_18;
+  // a2 = m2^-1 F2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a2_1 = T(0.8333333333333334) * u.F_2_1;
+  const T a2_2 = T(0.8333333333333334) * u.F_2_2;
+  const T a2_3 = T(0.8333333333333334) * u.F_2_3;
   // Pddot2 = -R2^T U2 r2 + a2: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_19 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
   const T t2_20 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
@@ -1857,6 +1841,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_31 = t3_17 - omegadot3_2;
   const T U3_32 = t3_13 + omegadot3_1;
   const T minus_U3_33 = t3_14 + t3_18;
+  // a3 = m3^-1 F3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a3_1 = T(0.7692307692307692) * u.F_3_1;
+  const T a3_2 = T(0.7692307692307692) * u.F_3_2;
+  const T a3_3 = T(0.7692307692307692) * u.F_3_3;
   // Pddot3 = -R3^T U3 r3 + a3: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t3_19 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
   const T t3_20 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
@@ -1943,6 +1931,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_31 = t4_17 - omegadot4_2;
   const T U4_32 = t4_13 + omegadot4_1;
   const T minus_U4_33 = t4_14 + t4_18;
+  // a4 = m4^-1 F4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a4_1 = T(0.7142857142857143) * u.F_4_1;
+  const T a4_2 = T(0.7142857142857143) * u.F_4_2;
+  const T a4_3 = T(0.7142857142857143) * u.F_4_3;
   // Pddot4 = -R4^T U4 r4 + a4: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t4_19 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
   const T t4_20 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
@@ -2023,6 +2015,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_31 = t5_17 - omegadot5_2;
   const T U5_32 = t5_13 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_18;
+  // a5 = m5^-1 F5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a5_1 = T(0.6666666666666666) * u.F_5_1;
+  const T a5_2 = T(0.6666666666666666) * u.F_5_2;
+  const T a5_3 = T(0.6666666666666666) * u.F_5_3;
   // Pddot5 = -R5^T U5 r5 + a5: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t5_19 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
   const T t5_20 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
@@ -2103,6 +2099,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_31 = t6_17 - omegadot6_2;
   const T U6_32 = t6_13 + omegadot6_1;
   const T minus_U6_33 = t6_14 + t6_18;
+  // a6 = m6^-1 F6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
+  const T a6_1 = T(0.625) * u.F_6_1;
+  const T a6_2 = T(0.625) * u.F_6_2;
+  const T a6_3 = T(0.625) * u.F_6_3;
   // Pddot6 = -R6^T U6 r6 + a6: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t6_19 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
   const T t6_20 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 68f08710f83d44e8 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model a25ab51c21bc7e24 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "68f08710f83d44e8";
+inline constexpr char model_hash[] = "a25ab51c21bc7e24";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -3800,36 +3800,36 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_9);
 
   // ---- body 1 (hull), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
-  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
 
   // ---- body 2 (clapper), solved
-  // beta2 = -C2 q2~ omegadot1_1 + C2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta2 = -C2 q2~ omegadot1 + C2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.2) * z1_2;
-  const T z2_2 = T(0.2) * omegadot1_1_1 + z2_1;
+  const T z2_2 = T(0.2) * omegadot1_1 + z2_1;
   const T z2_3 = T(0.2) * z1_3;
   const T z2_4 = T(0.1) * z1_2;
   const T z2_5 = z2_3 + z2_4;
-  const T z2_6 = T(0.1) * omegadot1_1_1;
+  const T z2_6 = T(0.1) * omegadot1_1;
   const T z2_7 = z2_3 - z2_6;
-  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot2_1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
-  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot2_1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
-  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot2_1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
+  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
+  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
+  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
   // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
   const T minus_omegadot2_1 = minus_w_2_1 + T(3.780718336483932) * beta2_2 + T(0.3780718336483932) * beta2_3;
   const T z2_8 = w_2_3 + T(1.0027347310847765) * beta2_1;
@@ -3839,19 +3839,19 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   ydot[5] = z2_8;
 
   // ---- body 3 (boom), solved
-  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta3 = -E3 q3~ omegadot1 + E3 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z3_1 = T(0.1) * z1_3;
   const T z3_2 = T(0.3) * z1_2;
   const T z3_3 = z2_6 - z3_2;
   const T z3_4 = T(0.3) * z1_3;
-  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot2_1_1 + E3_12 * z1_1 - minus_E3_13
-      * ws1_3;
-  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot2_1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
-  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot2_1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
-  // alphaL3 = E3 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL3_1 = E3_11 * omegadot1_1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
-  const T alphaL3_2 = E3_21 * omegadot1_1_1 + E3_22 * z1_3 + E3_23 * z1_2;
-  const T alphaL3_3 = E3_31 * omegadot1_1_1 + E3_32 * z1_3 + E3_33 * z1_2;
+  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot1_1 + E3_12 * z1_1 - minus_E3_13 *
+      ws1_3;
+  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
+  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
+  // alphaL3 = E3 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_11 * omegadot1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
+  const T alphaL3_2 = E3_21 * omegadot1_1 + E3_22 * z1_3 + E3_23 * z1_2;
+  const T alphaL3_3 = E3_31 * omegadot1_1 + E3_32 * z1_3 + E3_33 * z1_2;
   // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
   const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
       alphaL3_2 - kK3_3 * alphaL3_3 + v3;
@@ -3860,18 +3860,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
 
   // ---- body 4 (cross), solved
-  // beta4a = -E4a q4a~ omegadot1_1 + E4a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta4a = -E4a q4a~ omegadot1 + E4a Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z4_1 = z2_3 + z2_6;
-  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot2_1_1 - minus_E4a_12 *
+  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot1_1 - minus_E4a_12 *
       z1_1 - minus_E4a_13 * ws1_3;
-  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot2_1_1 + E4a_22 * z1_1
-      + E4a_23 * ws1_3;
-  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot2_1_1 + E4a_23 * z1_1
-      + E4a_33 * ws1_3;
-  // alphaL4a = E4a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL4a_1 = E4a_11 * omegadot1_1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
-  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
-  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
+  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot1_1 + E4a_22 * z1_1 +
+      E4a_23 * ws1_3;
+  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot1_1 + E4a_23 * z1_1 +
+      E4a_33 * ws1_3;
+  // alphaL4a = E4a omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4a_1 = E4a_11 * omegadot1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
+  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
+  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
   // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
   const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
       alphaL4a_2) + v4a;
@@ -3886,23 +3886,23 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
   const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
-  // thetaddot4 = -b4_2 . alphaL4 + phi4
-  const T thetaddot4 = phi4 - alphaL4_2;
-  ydot[8] = thetaddot4;
+  // thetaddot4_2 = -b4_2 . alphaL4 + phi4
+  const T thetaddot4_2 = phi4 - alphaL4_2;
+  ydot[8] = thetaddot4_2;
 
   // ---- body 5 (camera), solved
-  // beta5a = -E5a q5a~ omegadot1_1 + E5a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta5a = -E5a q5a~ omegadot1 + E5a Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z5_1 = z3_1 + z3_2;
-  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot2_1_1 + E5a_12 * z1_1;
-  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot2_1_1;
-  // alphaL5a = E5a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL5a_1 = E5a_11 * omegadot1_1_1 + E5a_12 * z1_3;
-  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1_1;
+  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot1_1 + E5a_12 * z1_1;
+  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot1_1;
+  // alphaL5a = E5a omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
+  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
   const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
-  // thetaddot5a = -b5_1 . alphaL5a + phi5a
-  const T thetaddot5a = phi5a - z1_2;
-  ydot[9] = thetaddot5a;
+  // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
+  const T thetaddot5_1 = phi5a - z1_2;
+  ydot[9] = thetaddot5_1;
 
   // ---- body 6 (telescope), solved
   // phi6 = -kK6 . alpha3 + v6 - (P_u6 kB6) . Pj6
@@ -3912,27 +3912,27 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   ydot[19] = sddot6;
 
   // ---- body 8 (piston), solved
-  // Pj2_8 = -d8~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_8_1 = Pddot2_1_1 - d8_2 * z1_2;
-  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1_1;
-  // phi2_8 = -kK2_8 . omegadot1_1 + v2_8 - (P_u8 kB2_8) . Pj2_8
-  const T phi2_8 = minus_kK2_8_1 * omegadot1_1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+  // Pj2_8 = -d8~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_8_1 = Pddot1_1 - d8_2 * z1_2;
+  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1;
+  // phi2_8 = -kK2_8 . omegadot1 + v2_8 - (P_u8 kB2_8) . Pj2_8
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
       minus_kB2_8_3 * Pj2_8_3;
-  // sddot2_8 = -u8 . Pj2_8 + phi2_8
-  const T sddot2_8 = z1_1 + phi2_8;
-  ydot[22] = sddot2_8;
+  // sddot8 = -u8 . Pj2_8 + phi2_8
+  const T sddot8 = z1_1 + phi2_8;
+  ydot[22] = sddot8;
   // beta8 = E8 P_u8 Pj2_8 + phi2_8 E8 u8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta8_1 = E8_11 * Pj2_8_1 + E8_13 * Pj2_8_3;
   const T beta8_3 = E8_11 * Pj2_8_3 - E8_13 * Pj2_8_1;
-  // alphaL8 = E8 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL8_1 = E8_11 * omegadot1_1_1 + E8_13 * z1_2;
-  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1_1;
+  // alphaL8 = E8 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL8_1 = E8_11 * omegadot1_1 + E8_13 * z1_2;
+  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1;
   // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
   const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
       minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
-  // thetaddot1_8 = -b8 . alphaL8 + phi8
-  const T thetaddot1_8 = z1_3 + phi8;
-  ydot[10] = thetaddot1_8;
+  // thetaddot8 = -b8 . alphaL8 + phi8
+  const T thetaddot8 = z1_3 + phi8;
+  ydot[10] = thetaddot8;
 
   // ---- body 9 (sled), solved
   // phi2_9 = v2_9 - (P_u9_1 kB2_9) . Pj2_9
@@ -3945,27 +3945,27 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
-  // Pj2_10 = -d10~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot2_1_1;
-  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1_1 + z1_1;
-  const T Pj2_10_3 = s10 * omegadot1_1_1 - z3_1 + ws1_3;
+  // Pj2_10 = -d10~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot1_1;
+  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1 + z1_1;
+  const T Pj2_10_3 = s10 * omegadot1_1 - z3_1 + ws1_3;
   // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
   const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
-  // sddot2_10 = -u10 . Pj2_10 + phi2_10
-  const T sddot2_10 = phi2_10 - Pj2_10_2;
-  ydot[25] = sddot2_10;
+  // sddot10 = -u10 . Pj2_10 + phi2_10
+  const T sddot10 = phi2_10 - Pj2_10_2;
+  ydot[25] = sddot10;
   // beta10 = C10 P_u10 Pj2_10 + phi2_10 C10 u10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta10_1 = C10_11 * Pj2_10_1 + C10_13 * Pj2_10_3 + phi2_10 * C10_12;
   const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
   const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
-  // omegadot1_10 = L(LD10)^-T (-W10 beta10 + w_10)
+  // omegadot10 = L(LD10)^-T (-W10 beta10 + w_10)
   const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
       beta10_3 + w_10_3;
   const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
       beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
-  const T omegadot1_10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
+  const T omegadot10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
       z10_2 - T(0.1) * z10_1;
-  ydot[12] = omegadot1_10_1;
+  ydot[12] = omegadot10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
 
@@ -12273,36 +12273,36 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_9);
 
   // ---- body 1 (hull), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
-  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
 
   // ---- body 2 (clapper), solved
-  // beta2 = -C2 q2~ omegadot1_1 + C2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta2 = -C2 q2~ omegadot1 + C2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.2) * z1_2;
-  const T z2_2 = T(0.2) * omegadot1_1_1 + z2_1;
+  const T z2_2 = T(0.2) * omegadot1_1 + z2_1;
   const T z2_3 = T(0.2) * z1_3;
   const T z2_4 = T(0.1) * z1_2;
   const T z2_5 = z2_3 + z2_4;
-  const T z2_6 = T(0.1) * omegadot1_1_1;
+  const T z2_6 = T(0.1) * omegadot1_1;
   const T z2_7 = z2_3 - z2_6;
-  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot2_1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
-  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot2_1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
-  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot2_1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
+  const T beta2_1 = C2_12 * z2_2 - C2_11 * z2_5 - C2_13 * z2_7 + C2_11 * Pddot1_1 + C2_12 * z1_1 + C2_13 * ws1_3;
+  const T beta2_2 = C2_22 * z2_2 - C2_21 * z2_5 - C2_23 * z2_7 + C2_21 * Pddot1_1 + C2_22 * z1_1 + C2_23 * ws1_3;
+  const T beta2_3 = C2_32 * z2_2 - C2_31 * z2_5 - C2_33 * z2_7 + C2_31 * Pddot1_1 + C2_32 * z1_1 + C2_33 * ws1_3;
   // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
   const T minus_omegadot2_1 = minus_w_2_1 + T(3.780718336483932) * beta2_2 + T(0.3780718336483932) * beta2_3;
   const T z2_8 = w_2_3 + T(1.0027347310847765) * beta2_1;
@@ -12312,19 +12312,19 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   ydot[5] = z2_8;
 
   // ---- body 3 (boom), solved
-  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta3 = -E3 q3~ omegadot1 + E3 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z3_1 = T(0.1) * z1_3;
   const T z3_2 = T(0.3) * z1_2;
   const T z3_3 = z2_6 - z3_2;
   const T z3_4 = T(0.3) * z1_3;
-  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot2_1_1 + E3_12 * z1_1 - minus_E3_13
-      * ws1_3;
-  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot2_1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
-  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot2_1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
-  // alphaL3 = E3 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL3_1 = E3_11 * omegadot1_1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
-  const T alphaL3_2 = E3_21 * omegadot1_1_1 + E3_22 * z1_3 + E3_23 * z1_2;
-  const T alphaL3_3 = E3_31 * omegadot1_1_1 + E3_32 * z1_3 + E3_33 * z1_2;
+  const T beta3_1 = E3_11 * z3_1 - E3_12 * z3_3 + minus_E3_13 * z3_4 + E3_11 * Pddot1_1 + E3_12 * z1_1 - minus_E3_13 *
+      ws1_3;
+  const T beta3_2 = E3_21 * z3_1 - E3_22 * z3_3 - E3_23 * z3_4 + E3_21 * Pddot1_1 + E3_22 * z1_1 + E3_23 * ws1_3;
+  const T beta3_3 = E3_31 * z3_1 - E3_32 * z3_3 - E3_33 * z3_4 + E3_31 * Pddot1_1 + E3_32 * z1_1 + E3_33 * ws1_3;
+  // alphaL3 = E3 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_1 = E3_11 * omegadot1_1 + E3_12 * z1_3 - minus_E3_13 * z1_2;
+  const T alphaL3_2 = E3_21 * omegadot1_1 + E3_22 * z1_3 + E3_23 * z1_2;
+  const T alphaL3_3 = E3_31 * omegadot1_1 + E3_32 * z1_3 + E3_33 * z1_2;
   // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
   const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
       alphaL3_2 - kK3_3 * alphaL3_3 + v3;
@@ -12333,18 +12333,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
 
   // ---- body 4 (cross), solved
-  // beta4a = -E4a q4a~ omegadot1_1 + E4a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta4a = -E4a q4a~ omegadot1 + E4a Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z4_1 = z2_3 + z2_6;
-  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot2_1_1 - minus_E4a_12 *
+  const T beta4a_1 = minus_E4a_12 * z2_1 - E4a_11 * z2_4 - minus_E4a_13 * z4_1 + E4a_11 * Pddot1_1 - minus_E4a_12 *
       z1_1 - minus_E4a_13 * ws1_3;
-  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot2_1_1 + E4a_22 * z1_1
-      + E4a_23 * ws1_3;
-  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot2_1_1 + E4a_23 * z1_1
-      + E4a_33 * ws1_3;
-  // alphaL4a = E4a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL4a_1 = E4a_11 * omegadot1_1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
-  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
-  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
+  const T beta4a_2 = E4a_23 * z4_1 - (minus_E4a_12 * z2_4 + E4a_22 * z2_1) + minus_E4a_12 * Pddot1_1 + E4a_22 * z1_1 +
+      E4a_23 * ws1_3;
+  const T beta4a_3 = E4a_33 * z4_1 - (minus_E4a_13 * z2_4 + E4a_23 * z2_1) + minus_E4a_13 * Pddot1_1 + E4a_23 * z1_1 +
+      E4a_33 * ws1_3;
+  // alphaL4a = E4a omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4a_1 = E4a_11 * omegadot1_1 - minus_E4a_12 * z1_3 - minus_E4a_13 * z1_2;
+  const T alphaL4a_2 = minus_E4a_12 * omegadot1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
+  const T alphaL4a_3 = minus_E4a_13 * omegadot1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
   // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
   const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
       alphaL4a_2) + v4a;
@@ -12359,23 +12359,23 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
   const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
-  // thetaddot4 = -b4_2 . alphaL4 + phi4
-  const T thetaddot4 = phi4 - alphaL4_2;
-  ydot[8] = thetaddot4;
+  // thetaddot4_2 = -b4_2 . alphaL4 + phi4
+  const T thetaddot4_2 = phi4 - alphaL4_2;
+  ydot[8] = thetaddot4_2;
 
   // ---- body 5 (camera), solved
-  // beta5a = -E5a q5a~ omegadot1_1 + E5a Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta5a = -E5a q5a~ omegadot1 + E5a Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z5_1 = z3_1 + z3_2;
-  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot2_1_1 + E5a_12 * z1_1;
-  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot2_1_1;
-  // alphaL5a = E5a omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL5a_1 = E5a_11 * omegadot1_1_1 + E5a_12 * z1_3;
-  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1_1;
+  const T beta5a_1 = E5a_11 * z5_1 - E5a_12 * z2_6 + E5a_11 * Pddot1_1 + E5a_12 * z1_1;
+  const T beta5a_2 = E5a_11 * z1_1 - (E5a_11 * z2_6 + E5a_12 * z5_1) - E5a_12 * Pddot1_1;
+  // alphaL5a = E5a omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
+  const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
   const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
-  // thetaddot5a = -b5_1 . alphaL5a + phi5a
-  const T thetaddot5a = phi5a - z1_2;
-  ydot[9] = thetaddot5a;
+  // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
+  const T thetaddot5_1 = phi5a - z1_2;
+  ydot[9] = thetaddot5_1;
 
   // ---- body 6 (telescope), solved
   // phi6 = -kK6 . alpha3 + v6 - (P_u6 kB6) . Pj6
@@ -12385,27 +12385,27 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   ydot[19] = sddot6;
 
   // ---- body 8 (piston), solved
-  // Pj2_8 = -d8~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_8_1 = Pddot2_1_1 - d8_2 * z1_2;
-  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1_1;
-  // phi2_8 = -kK2_8 . omegadot1_1 + v2_8 - (P_u8 kB2_8) . Pj2_8
-  const T phi2_8 = minus_kK2_8_1 * omegadot1_1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+  // Pj2_8 = -d8~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_8_1 = Pddot1_1 - d8_2 * z1_2;
+  const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1;
+  // phi2_8 = -kK2_8 . omegadot1 + v2_8 - (P_u8 kB2_8) . Pj2_8
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
       minus_kB2_8_3 * Pj2_8_3;
-  // sddot2_8 = -u8 . Pj2_8 + phi2_8
-  const T sddot2_8 = z1_1 + phi2_8;
-  ydot[22] = sddot2_8;
+  // sddot8 = -u8 . Pj2_8 + phi2_8
+  const T sddot8 = z1_1 + phi2_8;
+  ydot[22] = sddot8;
   // beta8 = E8 P_u8 Pj2_8 + phi2_8 E8 u8: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta8_1 = E8_11 * Pj2_8_1 + E8_13 * Pj2_8_3;
   const T beta8_3 = E8_11 * Pj2_8_3 - E8_13 * Pj2_8_1;
-  // alphaL8 = E8 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL8_1 = E8_11 * omegadot1_1_1 + E8_13 * z1_2;
-  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1_1;
+  // alphaL8 = E8 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL8_1 = E8_11 * omegadot1_1 + E8_13 * z1_2;
+  const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1;
   // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
   const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
       minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
-  // thetaddot1_8 = -b8 . alphaL8 + phi8
-  const T thetaddot1_8 = z1_3 + phi8;
-  ydot[10] = thetaddot1_8;
+  // thetaddot8 = -b8 . alphaL8 + phi8
+  const T thetaddot8 = z1_3 + phi8;
+  ydot[10] = thetaddot8;
 
   // ---- body 9 (sled), solved
   // phi2_9 = v2_9 - (P_u9_1 kB2_9) . Pj2_9
@@ -12418,27 +12418,27 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
-  // Pj2_10 = -d10~ omegadot1_1 + Pddot2_1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot2_1_1;
-  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1_1 + z1_1;
-  const T Pj2_10_3 = s10 * omegadot1_1_1 - z3_1 + ws1_3;
+  // Pj2_10 = -d10~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
+  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot1_1;
+  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1 + z1_1;
+  const T Pj2_10_3 = s10 * omegadot1_1 - z3_1 + ws1_3;
   // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
   const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
-  // sddot2_10 = -u10 . Pj2_10 + phi2_10
-  const T sddot2_10 = phi2_10 - Pj2_10_2;
-  ydot[25] = sddot2_10;
+  // sddot10 = -u10 . Pj2_10 + phi2_10
+  const T sddot10 = phi2_10 - Pj2_10_2;
+  ydot[25] = sddot10;
   // beta10 = C10 P_u10 Pj2_10 + phi2_10 C10 u10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta10_1 = C10_11 * Pj2_10_1 + C10_13 * Pj2_10_3 + phi2_10 * C10_12;
   const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
   const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
-  // omegadot1_10 = L(LD10)^-T (-W10 beta10 + w_10)
+  // omegadot10 = L(LD10)^-T (-W10 beta10 + w_10)
   const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
       beta10_3 + w_10_3;
   const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
       beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
-  const T omegadot1_10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
+  const T omegadot10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
       z10_2 - T(0.1) * z10_1;
-  ydot[12] = omegadot1_10_1;
+  ydot[12] = omegadot10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model d3066e3f3ed0c44c of quadruped/scene.toml; the usual functions
+// model 3a6d635533afbeaa of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -60,7 +60,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "d3066e3f3ed0c44c";
+inline constexpr char model_hash[] = "3a6d635533afbeaa";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -4156,41 +4156,41 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (trunk), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 - LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot2_1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_11 * Pddot2_1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
-  // sddot1 = g + R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[15] = sddot1_1;
   ydot[16] = sddot1_2;
   ydot[17] = sddot1_3;
 
   // ---- body 2 (fr_hip), solved
-  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta2 = -E2 q2~ omegadot1 + E2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.047) * z1_2;
-  const T beta2_1 = Pddot2_1_1 + z2_1;
+  const T beta2_1 = Pddot1_1 + z2_1;
   const T z2_2 = T(0.1805) * z1_2;
   const T z2_3 = T(0.1805) * z1_3;
-  const T z2_4 = T(0.047) * omegadot1_1_1;
+  const T z2_4 = T(0.047) * omegadot1_1;
   const T z2_5 = z2_3 + z2_4;
   const T beta2_2 = E2_22 * z2_2 - E2_23 * z2_5 + E2_22 * z1_1 + E2_23 * ws1_3;
   const T beta2_3 = E2_22 * ws1_3 - (E2_23 * z2_2 + E2_22 * z2_5) - E2_23 * z1_1;
-  // alphaL2 = E2 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  // alphaL2 = E2 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL2_2 = E2_22 * z1_3 + E2_23 * z1_2;
   const T alphaL2_3 = E2_22 * z1_2 - E2_23 * z1_3;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
   const T phi2 = v2 - (kB2_1 * beta2_1 + kB2_2 * beta2_2 + kB2_3 * beta2_3) - kK2_2 * alphaL2_2 - kK2_3 * alphaL2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
-  const T thetaddot2 = phi2 - omegadot1_1_1;
+  const T thetaddot2 = phi2 - omegadot1_1;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (fr_thigh), solved
@@ -4220,19 +4220,19 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[5] = thetaddot4;
 
   // ---- body 6 (fl_hip), solved
-  // beta6 = -E6 q6~ omegadot1_1 + E6 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T beta6_1 = Pddot2_1_1 - z2_1;
+  // beta6 = -E6 q6~ omegadot1 + E6 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T beta6_1 = Pddot1_1 - z2_1;
   const T z6_1 = z2_3 - z2_4;
   const T beta6_2 = E6_22 * z2_2 - E6_23 * z6_1 + E6_22 * z1_1 + E6_23 * ws1_3;
   const T beta6_3 = E6_22 * ws1_3 - (E6_23 * z2_2 + E6_22 * z6_1) - E6_23 * z1_1;
-  // alphaL6 = E6 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  // alphaL6 = E6 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL6_2 = E6_22 * z1_3 + E6_23 * z1_2;
   const T alphaL6_3 = E6_22 * z1_2 - E6_23 * z1_3;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
   const T phi6 = v6 - (kB6_1 * beta6_1 + kB6_2 * beta6_2 + kB6_3 * beta6_3) - kK6_3 * alphaL6_3 + minus_kK6_2 *
       alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
-  const T thetaddot6 = phi6 - omegadot1_1_1;
+  const T thetaddot6 = phi6 - omegadot1_1;
   ydot[6] = thetaddot6;
 
   // ---- body 7 (fl_thigh), solved
@@ -4262,17 +4262,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[8] = thetaddot8;
 
   // ---- body 10 (rr_hip), solved
-  // beta10 = -E10 q10~ omegadot1_1 + E10 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta10 = -E10 q10~ omegadot1 + E10 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta10_2 = E10_23 * z6_1 - E10_22 * z2_2 + E10_22 * z1_1 + E10_23 * ws1_3;
   const T beta10_3 = E10_22 * ws1_3 - E10_23 * z1_1 + E10_22 * z6_1 + E10_23 * z2_2;
-  // alphaL10 = E10 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  // alphaL10 = E10 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL10_2 = E10_22 * z1_3 + E10_23 * z1_2;
   const T alphaL10_3 = E10_22 * z1_2 - E10_23 * z1_3;
   // phi10 = -kB10 . beta10 + v10 - (P_b10 kK10) . alphaL10
   const T phi10 = v10 - (kB10_1 * beta2_1 + kB10_2 * beta10_2 + kB10_3 * beta10_3) - kK10_3 * alphaL10_3 +
       minus_kK10_2 * alphaL10_2;
   // thetaddot10 = -b10 . alphaL10 + phi10
-  const T thetaddot10 = phi10 - omegadot1_1_1;
+  const T thetaddot10 = phi10 - omegadot1_1;
   ydot[9] = thetaddot10;
 
   // ---- body 11 (rr_thigh), solved
@@ -4302,17 +4302,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   ydot[11] = thetaddot12;
 
   // ---- body 14 (rl_hip), solved
-  // beta14 = -E14 q14~ omegadot1_1 + E14 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta14 = -E14 q14~ omegadot1 + E14 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta14_2 = E14_23 * z2_5 - E14_22 * z2_2 + E14_22 * z1_1 + E14_23 * ws1_3;
   const T beta14_3 = E14_22 * ws1_3 - E14_23 * z1_1 + E14_23 * z2_2 + E14_22 * z2_5;
-  // alphaL14 = E14 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  // alphaL14 = E14 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL14_2 = E14_22 * z1_3 + E14_23 * z1_2;
   const T alphaL14_3 = E14_22 * z1_2 - E14_23 * z1_3;
   // phi14 = -kB14 . beta14 + v14 - (P_b14 kK14) . alphaL14
   const T phi14 = v14 - (kB14_1 * beta6_1 + kB14_2 * beta14_2 + kB14_3 * beta14_3) - kK14_2 * alphaL14_2 - kK14_3 *
       alphaL14_3;
   // thetaddot14 = -b14 . alphaL14 + phi14
-  const T thetaddot14 = phi14 - omegadot1_1_1;
+  const T thetaddot14 = phi14 - omegadot1_1;
   ydot[12] = thetaddot14;
 
   // ---- body 15 (rl_thigh), solved

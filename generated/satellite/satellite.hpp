@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 5998b582642d41de of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model fec6f8200b70d11e of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -48,7 +48,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "5998b582642d41de";
+inline constexpr char model_hash[] = "fec6f8200b70d11e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1050,48 +1050,48 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T ws1_3 = LDs1_33 * (gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (hub), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
-  // sddot1 = R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
+  // sddot1 = R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[6] = sddot1_1;
   ydot[7] = sddot1_2;
   ydot[8] = sddot1_3;
 
   // ---- body 2 (left_panel), solved
-  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z2_1 = T(0.6) * omegadot1_1_1;
+  // beta2 = -E2 q2~ omegadot1 + E2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
   const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
   // thetaddot2 = -b2 . alphaL2 + phi2
-  const T minus_thetaddot2 = omegadot1_1_1 + minus_phi2;
+  const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
 
   // ---- body 3 (right_panel), solved
-  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta3 = -E3 q3~ omegadot1 + E3 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta3_3 = E3_22 * ws1_3 - E3_23 * z1_1 - E3_22 * z2_1;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
   const T phi3 = T(0.75) * beta3_3 - minus_v3;
   // thetaddot3 = -b3 . alphaL3 + phi3
-  const T thetaddot3 = phi3 - omegadot1_1_1;
+  const T thetaddot3 = phi3 - omegadot1_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
-  // alphaL4 = E4 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL4_1 = E4_11 * omegadot1_1_1 - E4_12 * z1_3 + E4_13 * z1_2;
-  const T alphaL4_2 = E4_13 * omegadot1_1_1 - E4_11 * z1_3 + E4_12 * z1_2;
-  const T alphaL4_3 = E4_12 * omegadot1_1_1 - E4_13 * z1_3 + E4_11 * z1_2;
+  // alphaL4 = E4 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * omegadot1_1 - E4_12 * z1_3 + E4_13 * z1_2;
+  const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
+  const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
   const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
       alphaL4_3);
@@ -1852,48 +1852,48 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T ws1_3 = LDs1_33 * (gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (hub), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
-  ydot[0] = omegadot1_1_1;
+  const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
-  // sddot1 = R1^T Pddot2_1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot2_1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
-  const T sddot1_2 = R1_12 * Pddot2_1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot2_1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
+  // sddot1 = R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[6] = sddot1_1;
   ydot[7] = sddot1_2;
   ydot[8] = sddot1_3;
 
   // ---- body 2 (left_panel), solved
-  // beta2 = -E2 q2~ omegadot1_1 + E2 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z2_1 = T(0.6) * omegadot1_1_1;
+  // beta2 = -E2 q2~ omegadot1 + E2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
   const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
   // thetaddot2 = -b2 . alphaL2 + phi2
-  const T minus_thetaddot2 = omegadot1_1_1 + minus_phi2;
+  const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
 
   // ---- body 3 (right_panel), solved
-  // beta3 = -E3 q3~ omegadot1_1 + E3 Pddot2_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  // beta3 = -E3 q3~ omegadot1 + E3 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta3_3 = E3_22 * ws1_3 - E3_23 * z1_1 - E3_22 * z2_1;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
   const T phi3 = T(0.75) * beta3_3 - minus_v3;
   // thetaddot3 = -b3 . alphaL3 + phi3
-  const T thetaddot3 = phi3 - omegadot1_1_1;
+  const T thetaddot3 = phi3 - omegadot1_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (wheel), solved
-  // alphaL4 = E4 omegadot1_1: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL4_1 = E4_11 * omegadot1_1_1 - E4_12 * z1_3 + E4_13 * z1_2;
-  const T alphaL4_2 = E4_13 * omegadot1_1_1 - E4_11 * z1_3 + E4_12 * z1_2;
-  const T alphaL4_3 = E4_12 * omegadot1_1_1 - E4_13 * z1_3 + E4_11 * z1_2;
+  // alphaL4 = E4 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * omegadot1_1 - E4_12 * z1_3 + E4_13 * z1_2;
+  const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
+  const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
   const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
       alphaL4_3);
@@ -2283,13 +2283,13 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T ws1_3 = LDs1_33 * b1_6;
 
   // ---- body 1 (hub), solved
-  // Pddot2_1 = L(LDs1)^-T ws1
+  // Pddot1 = L(LDs1)^-T ws1
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot2_1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
-  // omegadot1_1 = L(LD1)^-T (-W1 Pddot2_1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot2_1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = minus_w_1_2 + W1_21 * Pddot2_1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
 
   // ---- results
   S[1] = omega1_3;
@@ -2372,9 +2372,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       W1_33 * t46 - Y1_33 * t47 + t3) * b1_6;
   const T t57 = b1_5 * t43 - (ws1_3 * t51 + LDs1_32 * t56) - LDs1_22 * t53;
   const T t58 = gb1_1 * t30 - LDs1_11 * t32 + z1_1 * t40 + minus_LDs1_21 * t57 + ws1_3 * t54 + minus_LDs1_31 * t56;
-  const T t59 = t25 - (Pddot2_1_1 * t27 + W1_31 * t58 + z1_1 * t38 + W1_32 * t57 + ws1_3 * t47 + W1_33 * t56);
-  const T t60 = minus_W1_22 * t57 - (z1_2 * t21 + LD1_32 * t59 + Pddot2_1_1 * t29 + W1_21 * t58 + z1_1 * t36) - ws1_3
-      * t45 + minus_W1_23 * t56 + t31;
+  const T t59 = t25 - (Pddot1_1 * t27 + W1_31 * t58 + z1_1 * t38 + W1_32 * t57 + ws1_3 * t47 + W1_33 * t56);
+  const T t60 = minus_W1_22 * t57 - (z1_2 * t21 + LD1_32 * t59 + Pddot1_1 * t29 + W1_21 * t58 + z1_1 * t36) - ws1_3 *
+      t45 + minus_W1_23 * t56 + t31;
   const T t61 = z1_2 * t6 - LD1_31 * t59 - z1_3 * t16 - LD1_21 * t60 - z1_1 * t42 - W1_12 * t57 - ws1_3 * t49 - W1_13
       * t56 + t52;
   S[165] = t61;
@@ -2438,8 +2438,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t112 = b1_5 * t99 - (ws1_3 * t107 + LDs1_32 * t111) + LDs1_22 * t109;
   const T t113 = minus_LDs1_31 * t111 - ws1_3 * t110 - z1_1 * t98 + minus_LDs1_21 * t112 + LDs1_11 * t87 - gb1_1 *
       t97;
-  const T t114 = Pddot2_1_1 * t75 - W1_31 * t113 - z1_1 * t92 - W1_32 * t112 - ws1_3 * t103 - W1_33 * t111 + t86;
-  const T t115 = Pddot2_1_1 * t96 - (z1_2 * t72 + LD1_32 * t114 + W1_21 * t113) - z1_1 * t94 + minus_W1_22 * t112 -
+  const T t114 = Pddot1_1 * t75 - W1_31 * t113 - z1_1 * t92 - W1_32 * t112 - ws1_3 * t103 - W1_33 * t111 + t86;
+  const T t115 = Pddot1_1 * t96 - (z1_2 * t72 + LD1_32 * t114 + W1_21 * t113) - z1_1 * t94 + minus_W1_22 * t112 -
       ws1_3 * t101 + minus_W1_23 * t111 + t84;
   const T t116 = z1_2 * t66 - LD1_31 * t114 - z1_3 * t68 - LD1_21 * t115 - W1_12 * t112 + z1_1 * t93 - W1_13 * t111 +
       ws1_3 * t105 + t108;
@@ -2557,9 +2557,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t215 = b1_5 * t202 - (ws1_3 * t210 + LDs1_32 * t214) - LDs1_22 * t213;
   const T t216 = gb1_1 * t192 - LDs1_11 * t194 + z1_1 * t200 + minus_LDs1_21 * t215 + ws1_3 * t211 + minus_LDs1_31 *
       t214;
-  const T t217 = t188 - (Pddot2_1_1 * t190 + W1_31 * t216 + z1_1 * t197 + W1_32 * t215 + ws1_3 * t205 + W1_33 * t214);
+  const T t217 = t188 - (Pddot1_1 * t190 + W1_31 * t216 + z1_1 * t197 + W1_32 * t215 + ws1_3 * t205 + W1_33 * t214);
   const T t218 = minus_W1_23 * t214 - (z1_2 * t149 + LD1_32 * t217) + ws1_3 * t206 + minus_W1_22 * t215 + z1_1 * t198
-      - W1_21 * t216 + Pddot2_1_1 * t191 + t193;
+      - W1_21 * t216 + Pddot1_1 * t191 + t193;
   const T t219 = z1_3 * t143 - (z1_2 * t145 + LD1_31 * t217 + LD1_21 * t218) - W1_12 * t215 + z1_1 * t201 - W1_13 *
       t214 + ws1_3 * t207 + t212;
   S[167] = t219;
@@ -2771,7 +2771,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[211] = LD1_33 * t362 + t381 * t363 - t382 * t364 - t383 * t365;
   S[212] = LD1_33 * t374 + t381 * t375 + t382 * t376 + t383 * t377;
   const T t384 = T(0.6) * t61;
-  const T t385 = T(0.6) * omegadot1_1_1;
+  const T t385 = T(0.6) * omegadot1_1;
   S[219] = -(t61 + T(0.75) * (E2_22 * t56 - E2_23 * ws1_3 - E2_22 * z1_1 - E2_23 * t57 + E2_22 * t384 - E2_23 * t385)
       + t9);
   const T t386 = T(0.6) * t116;
@@ -2824,10 +2824,10 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       + E4_11 * t60 + E4_12 * t59) + T(0.5773502691896258) * (E4_12 * t61 + E4_13 * t60 + E4_11 * t59));
   S[256] = -(T(0.5773502691896258) * (E4_11 * t116 + E4_12 * t115 + E4_13 * t114) + T(0.5773502691896258) * (E4_13 *
       t116 + E4_11 * t115 + E4_12 * t114) + T(0.5773502691896258) * (E4_12 * t116 + E4_13 * t115 + E4_11 * t114));
-  S[257] = -(T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1_1 * t123 + E4_12 * t218 - z1_3 * t121 + E4_13 * t217
-      - z1_2 * t119) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1_1 * t119 + z1_3 * t123 + E4_11 * t218 +
-      z1_2 * t121 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1_1 * t121 + E4_12 * t219 + E4_13 * t218 + z1_3
-      * t119 + E4_11 * t217 - z1_2 * t123) + t181);
+  S[257] = -(T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1 * t123 + E4_12 * t218 - z1_3 * t121 + E4_13 * t217 -
+      z1_2 * t119) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1 * t119 + z1_3 * t123 + E4_11 * t218 + z1_2 *
+      t121 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1 * t121 + E4_12 * t219 + E4_13 * t218 + z1_3 * t119 +
+      E4_11 * t217 - z1_2 * t123) + t181);
   const T t408 = t228 * LD1_21 - t228;
   const T t409 = t408 * LD1_22;
   const T t410 = t228 * LD1_11;
@@ -2872,7 +2872,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t439 = eps1_4 * t423;
   const T t440 = t1_1 * t433;
   const T t441 = t439 - t440;
-  S[270] = Pddot2_1_1 * (t421 - t426) + z1_1 * (t431 + t435) + ws1_3 * (t438 + t441);
+  S[270] = Pddot1_1 * (t421 - t426) + z1_1 * (t431 + t435) + ws1_3 * (t438 + t441);
   const T t442 = t1_5 * t427;
   const T t443 = t442 - t424;
   const T t444 = T(2) * t433;
@@ -2888,14 +2888,14 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t454 = eps1_4 * t428;
   const T t455 = t1_1 * t417;
   const T t456 = t454 - t455;
-  S[271] = z1_1 * (t443 - t446) - Pddot2_1_1 * (t448 + t450) + ws1_3 * (t453 + t456);
+  S[271] = z1_1 * (t443 - t446) - Pddot1_1 * (t448 + t450) + ws1_3 * (t453 + t456);
   const T t457 = eps1_2 * t444 + t440;
   const T t458 = t436 + t1_3 * t427;
   const T t459 = eps1_2 * t418 - t451;
   const T t460 = t454 - t1_3 * t422;
   const T t461 = t419 + t442;
   const T t462 = t445 + t425;
-  S[272] = Pddot2_1_1 * (t457 - t458) + z1_1 * (t459 - t460) + ws1_3 * (t461 - t462);
+  S[272] = Pddot1_1 * (t457 - t458) + z1_1 * (t459 - t460) + ws1_3 * (t461 - t462);
   S[273] = R1_11 * t58 + R1_21 * t57 + R1_31 * t56;
   S[274] = R1_11 * t113 + R1_21 * t112 + R1_31 * t111;
   S[275] = R1_11 * t216 + R1_21 * t215 + R1_31 * t214;
@@ -2911,15 +2911,15 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t466 = eps1_1 * t428 + t442;
   const T t467 = t452 - t455;
   const T t468 = t454 - t451;
-  S[288] = Pddot2_1_1 * (t431 - t435) + z1_1 * (t421 - t466) + ws1_3 * (t467 - t468);
+  S[288] = Pddot1_1 * (t431 - t435) + z1_1 * (t421 - t466) + ws1_3 * (t467 - t468);
   const T t469 = eps1_1 * t423 + t430;
   const T t470 = t436 + t440;
   const T t471 = t439 + t437;
-  S[289] = Pddot2_1_1 * (t443 + t446) + z1_1 * (t469 - t450) + ws1_3 * (t470 + t471);
+  S[289] = Pddot1_1 * (t443 + t446) + z1_1 * (t469 - t450) + ws1_3 * (t470 + t471);
   const T t472 = eps1_1 * t418 + t437;
   const T t473 = t447 - t449;
   const T t474 = t432 - t430;
-  S[290] = Pddot2_1_1 * (t459 + t460) - z1_1 * (t472 + t458) + ws1_3 * (t473 - t474);
+  S[290] = Pddot1_1 * (t459 + t460) - z1_1 * (t472 + t458) + ws1_3 * (t473 - t474);
   S[291] = R1_12 * t58 + R1_22 * t57 + R1_32 * t56;
   S[292] = R1_12 * t113 + R1_22 * t112 + R1_32 * t111;
   S[293] = R1_12 * t216 + R1_22 * t215 + R1_32 * t214;
@@ -2932,9 +2932,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[300] = t475 * t357 - t476 * t356 + t477 * t358;
   S[301] = t475 * t364 - t476 * t363 - t477 * t365;
   S[302] = t477 * t377 - (t475 * t376 + t476 * t375);
-  S[306] = Pddot2_1_1 * (t438 - t441) + z1_1 * (t467 + t468) - ws1_3 * (t466 + t426);
-  S[307] = Pddot2_1_1 * (t453 - t456) + z1_1 * (t470 - t471) + ws1_3 * (t469 - t448);
-  S[308] = Pddot2_1_1 * (t461 + t462) + z1_1 * (t473 + t474) + ws1_3 * (t457 - t472);
+  S[306] = Pddot1_1 * (t438 - t441) + z1_1 * (t467 + t468) - ws1_3 * (t466 + t426);
+  S[307] = Pddot1_1 * (t453 - t456) + z1_1 * (t470 - t471) + ws1_3 * (t469 - t448);
+  S[308] = Pddot1_1 * (t461 + t462) + z1_1 * (t473 + t474) + ws1_3 * (t457 - t472);
   S[309] = R1_13 * t58 + R1_23 * t57 + R1_33 * t56;
   S[310] = R1_13 * t113 + R1_23 * t112 + R1_33 * t111;
   S[311] = R1_13 * t216 + R1_23 * t215 + R1_33 * t214;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model f52b6a10b0910695 of six_body/scene.toml; the usual functions
+// model d6975af171a4dd25 of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "f52b6a10b0910695";
+inline constexpr char model_hash[] = "d6975af171a4dd25";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -147,7 +147,7 @@ struct Prepared {
   Parameters<T> p;
   T c4_1;
   T a4_1;
-  T c1_1;
+  T c4_2;
   T a4_3;
   T J4_11;
   T J4_12;
@@ -155,7 +155,7 @@ struct Prepared {
   T J4_22;
   T J4_23;
   T J4_33;
-  T c1_2;
+  T c4_3;
   T h4_2;
   T h4_3;
   T m_sub2;
@@ -170,7 +170,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T c4_1 = T(0.5) * p.m_payload;
   const T t1 = T(1) / p.m_payload;
   const T a4_1 = t1 * T(0.1);
-  const T c1_1 = t1 * T(0.15);
+  const T c4_2 = t1 * T(0.15);
   const T a4_3 = t1 * T(0.05);
   const T J4_11 = p.m_payload * T(0.013600000000000001) + T(0.06);
   const T J4_12 = p.m_payload * T(0.0018) + T(0.004);
@@ -178,14 +178,14 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T J4_22 = p.m_payload * T(0.010900000000000002) + T(0.075);
   const T J4_23 = T(0.003) - p.m_payload * T(0.006);
   const T J4_33 = p.m_payload * T(0.0045) + T(0.052);
-  const T c1_2 = p.m_payload * T(0.03);
+  const T c4_3 = p.m_payload * T(0.03);
   const T h4_2 = p.m_payload * T(0.06);
   const T h4_3 = p.m_payload * T(0.1);
   const T m_sub2 = T(5.3) + p.m_payload;
   const T m_sub1 = T(15.5) + m_sub2;
   c.c4_1 = c4_1;
   c.a4_1 = a4_1;
-  c.c1_1 = c1_1;
+  c.c4_2 = c4_2;
   c.a4_3 = a4_3;
   c.J4_11 = J4_11;
   c.J4_12 = J4_12;
@@ -193,7 +193,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.J4_22 = J4_22;
   c.J4_23 = J4_23;
   c.J4_33 = J4_33;
-  c.c1_2 = c1_2;
+  c.c4_3 = c4_3;
   c.h4_2 = h4_2;
   c.h4_3 = h4_3;
   c.m_sub2 = m_sub2;
@@ -1968,7 +1968,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t4_20 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_21 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   const T Pddot4_1 = c.a4_1 - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
-  const T minus_Pddot4_2 = c.c1_1 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
+  const T minus_Pddot4_2 = c.c4_2 + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
   const T Pddot4_3 = c.a4_3 - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
   // sddot4 = R2 (-Pddot2 + Pddot4) - 2 omega2~ sdot4 - U2 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot2_1;
@@ -3321,18 +3321,6 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T R1_31 = t1_8 + t1_9;
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
-  A[333] = c.J4_11;
-  A[334] = c.J4_12;
-  A[369] = c.J4_12;
-  A[335] = c.J4_13;
-  A[405] = c.J4_13;
-  A[370] = c.J4_22;
-  A[371] = c.J4_23;
-  A[406] = c.J4_23;
-  A[407] = c.J4_33;
-  A[777] = c.m_sub2;
-  A[814] = c.m_sub2;
-  A[851] = c.m_sub2;
   A[666] = c.m_sub1;
   A[703] = c.m_sub1;
   A[740] = c.m_sub1;
@@ -3595,7 +3583,21 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[517] = -minus_J5_23;
   A[518] = J5_33;
 
+  // ---- body 4 (payload) and what it carries
+  A[333] = c.J4_11;
+  A[334] = c.J4_12;
+  A[369] = c.J4_12;
+  A[335] = c.J4_13;
+  A[405] = c.J4_13;
+  A[370] = c.J4_22;
+  A[371] = c.J4_23;
+  A[406] = c.J4_23;
+  A[407] = c.J4_33;
+
   // ---- body 2 (boom) and what it carries
+  A[777] = c.m_sub2;
+  A[814] = c.m_sub2;
+  A[851] = c.m_sub2;
   // h2 = m2 r2 + m3 d3 + m4 d4: first moment of mass carried, about the body origin, body axes [kg m]
   const T b2_1 = T(1.8) * d3_1;
   const T b2_2 = c.p.m_payload * d4_1;
@@ -3700,13 +3702,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t21 = d2_2 * t19 - d2_3 * t20;
   A[9] = -t21;
   A[324] = -t21;
-  const T t22 = C1_4_21 * c.h4_3 + C1_4_23 * c.c1_2;
-  const T t23 = C1_4_31 * c.h4_3 + C1_4_33 * c.c1_2;
+  const T t22 = C1_4_21 * c.h4_3 + C1_4_23 * c.c4_3;
+  const T t23 = C1_4_31 * c.h4_3 + C1_4_33 * c.c4_3;
   const T t24 = d2_3 * t22 - d2_2 * t23;
   A[10] = -t24;
   A[360] = -t24;
-  const T t25 = C1_4_31 * c.h4_2 + C1_4_32 * c.c1_2;
-  const T t26 = C1_4_21 * c.h4_2 + C1_4_22 * c.c1_2;
+  const T t25 = C1_4_31 * c.h4_2 + C1_4_32 * c.c4_3;
+  const T t26 = C1_4_21 * c.h4_2 + C1_4_22 * c.c4_3;
   const T t27 = d2_2 * t25 - d2_3 * t26;
   A[11] = -t27;
   A[396] = -t27;
@@ -3823,11 +3825,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t74 = d2_3 * t73 - d2_1 * t19;
   A[45] = -t74;
   A[325] = -t74;
-  const T t75 = C1_4_11 * c.h4_3 + C1_4_13 * c.c1_2;
+  const T t75 = C1_4_11 * c.h4_3 + C1_4_13 * c.c4_3;
   const T t76 = d2_1 * t23 - d2_3 * t75;
   A[46] = -t76;
   A[361] = -t76;
-  const T t77 = C1_4_11 * c.h4_2 + C1_4_12 * c.c1_2;
+  const T t77 = C1_4_11 * c.h4_2 + C1_4_12 * c.c4_3;
   const T t78 = d2_3 * t77 - d2_1 * t25;
   A[47] = -t78;
   A[397] = -t78;
@@ -4006,13 +4008,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t147 = d4_2 * t145 - d4_3 * t146;
   A[117] = -t147;
   A[327] = -t147;
-  const T t148 = C2_4_21 * c.h4_3 + C2_4_23 * c.c1_2;
-  const T t149 = C2_4_31 * c.h4_3 + C2_4_33 * c.c1_2;
+  const T t148 = C2_4_21 * c.h4_3 + C2_4_23 * c.c4_3;
+  const T t149 = C2_4_31 * c.h4_3 + C2_4_33 * c.c4_3;
   const T t150 = d4_3 * t148 - d4_2 * t149;
   A[118] = -t150;
   A[363] = -t150;
-  const T t151 = C2_4_31 * c.h4_2 + C2_4_32 * c.c1_2;
-  const T t152 = C2_4_21 * c.h4_2 + C2_4_22 * c.c1_2;
+  const T t151 = C2_4_31 * c.h4_2 + C2_4_32 * c.c4_3;
+  const T t152 = C2_4_21 * c.h4_2 + C2_4_22 * c.c4_3;
   const T t153 = d4_2 * t151 - d4_3 * t152;
   A[119] = -t153;
   A[399] = -t153;
@@ -4063,11 +4065,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t164 = d4_3 * t163 - d4_1 * t145;
   A[153] = -t164;
   A[328] = -t164;
-  const T t165 = C2_4_11 * c.h4_3 + C2_4_13 * c.c1_2;
+  const T t165 = C2_4_11 * c.h4_3 + C2_4_13 * c.c4_3;
   const T t166 = d4_1 * t149 - d4_3 * t165;
   A[154] = -t166;
   A[364] = -t166;
-  const T t167 = C2_4_11 * c.h4_2 + C2_4_12 * c.c1_2;
+  const T t167 = C2_4_11 * c.h4_2 + C2_4_12 * c.c4_3;
   const T t168 = d4_3 * t167 - d4_1 * t151;
   A[155] = -t168;
   A[400] = -t168;
@@ -4220,13 +4222,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[1017] = -t146;
   A[353] = -t145;
   A[1053] = -t145;
-  const T t193 = R4_11 * c.h4_3 + R4_31 * c.c1_2;
+  const T t193 = R4_11 * c.h4_3 + R4_31 * c.c4_3;
   A[378] = t193;
   A[658] = t193;
-  const T t194 = R4_12 * c.h4_3 + R4_32 * c.c1_2;
+  const T t194 = R4_12 * c.h4_3 + R4_32 * c.c4_3;
   A[379] = t194;
   A[694] = t194;
-  const T t195 = R4_13 * c.h4_3 + R4_33 * c.c1_2;
+  const T t195 = R4_13 * c.h4_3 + R4_33 * c.c4_3;
   A[380] = t195;
   A[730] = t195;
   A[381] = t75;
@@ -4241,13 +4243,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[1018] = t148;
   A[389] = t149;
   A[1054] = t149;
-  const T t196 = R4_11 * c.h4_2 + R4_21 * c.c1_2;
+  const T t196 = R4_11 * c.h4_2 + R4_21 * c.c4_3;
   A[414] = -t196;
   A[659] = -t196;
-  const T t197 = R4_12 * c.h4_2 + R4_22 * c.c1_2;
+  const T t197 = R4_12 * c.h4_2 + R4_22 * c.c4_3;
   A[415] = -t197;
   A[695] = -t197;
-  const T t198 = R4_13 * c.h4_2 + R4_23 * c.c1_2;
+  const T t198 = R4_13 * c.h4_2 + R4_23 * c.c4_3;
   A[416] = -t198;
   A[731] = -t198;
   A[417] = -t77;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9e0480452e015d58 of spring_chain/scene.toml; the usual functions
+// model 5dc6c80dcdf73d3b of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9e0480452e015d58";
+inline constexpr char model_hash[] = "5dc6c80dcdf73d3b";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -71,8 +71,8 @@ struct Prepared {
   Parameters<T> p;
   T c1_1;
   T c0_1;
-  T invD5;
-  T m_sub4;
+  T invD4;
+  T B_sdot4_3_1;
   T m_sub3;
   T m_sub2;
   T m_sub1;
@@ -85,15 +85,15 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.p = p;
   const T c1_1 = T(0.5) * p.m;
   const T c0_1 = T(0.5) * p.k;
-  const T invD5 = T(1) / p.m;
-  const T m_sub4 = p.m + p.m;
-  const T m_sub3 = p.m + m_sub4;
+  const T invD4 = T(1) / p.m;
+  const T B_sdot4_3_1 = p.m + p.m;
+  const T m_sub3 = p.m + B_sdot4_3_1;
   const T m_sub2 = p.m + m_sub3;
   const T m_sub1 = p.m + m_sub2;
   c.c1_1 = c1_1;
   c.c0_1 = c0_1;
-  c.invD5 = invD5;
-  c.m_sub4 = m_sub4;
+  c.invD4 = invD4;
+  c.B_sdot4_3_1 = B_sdot4_3_1;
   c.m_sub3 = m_sub3;
   c.m_sub2 = m_sub2;
   c.m_sub1 = m_sub1;
@@ -389,31 +389,31 @@ void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y
   // u_5 = u5 . F_last_spring_5 + effort_mass_5_5: drives it [N]
   const T u_5 = F_last_spring_5_1 - minus_effort_mass_5_5;
   // v5 = invD5 u_5: u/D
-  const T v5 = c.invD5 * u_5;
+  const T v5 = c.invD4 * u_5;
 
   // ---- body 4 (mass_4) and what it carries
   // u_4 = u4 . gs5 + effort_mass_4_4: drives it [N]
   const T u_4 = minus_effort_mass_5_5 - minus_effort_mass_4_4;
   // v4 = invD4 u_4: u/D
-  const T v4 = c.invD5 * u_4;
+  const T v4 = c.invD4 * u_4;
 
   // ---- body 3 (mass_3) and what it carries
   // u_3 = u3 . gs4 + effort_mass_3_3: drives it [N]
   const T u_3 = minus_effort_mass_4_4 - minus_effort_mass_3_3;
   // v3 = invD3 u_3: u/D
-  const T v3 = c.invD5 * u_3;
+  const T v3 = c.invD4 * u_3;
 
   // ---- body 2 (mass_2) and what it carries
   // u_2 = u2 . gs3 + effort_mass_2_2: drives it [N]
   const T u_2 = minus_effort_mass_3_3 - minus_effort_mass_2_2;
   // v2 = invD2 u_2: u/D
-  const T v2 = c.invD5 * u_2;
+  const T v2 = c.invD4 * u_2;
 
   // ---- body 1 (mass_1) and what it carries
   // u_1 = u1 . gs2 + effort_mass_1_1: drives it [N]
   const T u_1 = minus_effort_mass_2_2 - minus_effort_mass_1_1;
   // v1 = invD1 u_1: u/D
-  const T v1 = c.invD5 * u_1;
+  const T v1 = c.invD4 * u_1;
   ydot[0] = v1;
 
   // ---- body 2 (mass_2), solved
@@ -649,13 +649,6 @@ template <class T>
 void mass_matrix(const Prepared<T>& c, [[maybe_unused]] const T* x, T* A) noexcept {
 
   // ---- body 1 (mass_1) on the inertial frame
-  A[3] = c.m_sub4;
-  A[8] = c.m_sub4;
-  A[13] = c.m_sub4;
-  A[15] = c.m_sub4;
-  A[16] = c.m_sub4;
-  A[17] = c.m_sub4;
-  A[18] = c.m_sub4;
   A[2] = c.m_sub3;
   A[7] = c.m_sub3;
   A[10] = c.m_sub3;
@@ -665,6 +658,13 @@ void mass_matrix(const Prepared<T>& c, [[maybe_unused]] const T* x, T* A) noexce
   A[5] = c.m_sub2;
   A[6] = c.m_sub2;
   A[0] = c.m_sub1;
+  A[3] = c.B_sdot4_3_1;
+  A[8] = c.B_sdot4_3_1;
+  A[13] = c.B_sdot4_3_1;
+  A[15] = c.B_sdot4_3_1;
+  A[16] = c.B_sdot4_3_1;
+  A[17] = c.B_sdot4_3_1;
+  A[18] = c.B_sdot4_3_1;
 
   // ---- results
   A[4] = c.p.m;

@@ -52,6 +52,15 @@ bool Sections::is_constant(const ex& e) const {
   return std::all_of(e.begin(), e.end(), [this](const ex& operand) { return is_constant(operand); });
 }
 
+// Of numbers of the same body alone: then it may stand in that body's section.
+bool Sections::is_of_body(const ex& e, int body) const {
+  if (!GiNaC::is_a<Atom>(e))
+    return std::all_of(e.begin(), e.end(), [&](const ex& operand) { return is_of_body(operand, body); });
+  const ex letter = is_defined(e) ? e : equations_.table.of(e).transpose;
+  const symbolic::Quantity* quantity = definition(letter);
+  return quantity == nullptr || (quantity->body == body && is_of_body(quantity->value, body));
+}
+
 bool Sections::is_defined(const ex& letter) const {
   return definition(letter) != nullptr || unknowns_.count(index(letter)) > 0;
 }
@@ -109,7 +118,9 @@ std::vector<Placed> Sections::in_order(const std::vector<bool>& used) const {
   for (const symbolic::Quantity& quantity : equations_.quantities)
     if (is_used(quantity.symbol)) {
       const Section section = section_of(quantity.symbol, known);
-      result.push_back({section.body < 0 ? Section() : section, &quantity, 0, false});
+      const bool has_own = is_constant(quantity.symbol) && is_of_body(quantity.value, quantity.body);
+      const Section own{quantity.pass, quantity.body};
+      result.push_back({has_own ? own : section.body < 0 ? Section() : section, &quantity, 0, false});
     }
   for (const symbolic::Solve& solve : equations_.solves)
     for (const symbolic::Solve::Unknown& unknown : solve.unknowns)

@@ -49,6 +49,7 @@ class Sections {
 
  private:
   bool is_constant(const GiNaC::ex& e) const;
+  bool is_of_body(const GiNaC::ex& e, int body) const;
   Section section_of(const GiNaC::ex& e, std::map<int, Section>& known) const;
   Section own_section(const GiNaC::ex& letter) const;
 

@@ -51,11 +51,16 @@ std::string Articulated::of(const std::string& letter, int k, std::size_t i) con
   return coordinates(k).size() == 1 ? letter : letter + std::to_string(i + 1) + "_";
 }
 
-// From one frame's components to another's, by name where it is a product.
+// From one frame's components to another's, by name where it is a product; k: the link whose axes are `from`.
 ex Articulated::rotation(Frame from, Frame to, int k) {
   const ex value = derivation_.in_axes(ex(1), from, to);
   if (value.is_equal(1) || GiNaC::is_a<Atom>(value)) return value;
-  return derivation_.define("C", "C", k, Pass::outward, value, "components in the body to those in the lower body");
+  ex& known = rotations_[{from, to}];
+  const std::string other = to == 0 ? "0" : derivation_.mechanism().link(to).suffix;
+  if (known.is_zero())
+    known = derivation_.define("C" + other + "_", "C_{" + other + "}", k, Pass::outward, value,
+                               "takes components in the body to those in body " + other);
+  return known;
 }
 
 // 1 − a aᵀ where a is a coordinate axis, of which zeros follow; else 1.
@@ -73,8 +78,12 @@ ex Articulated::found(int k, std::size_t i, const ex& value) {
   const bool is_root = is_cut(k) && i == 1;
   const std::string name = is_root ? "Pddot" : rate.name;
   const std::string latex = is_root ? "\\ddot P" : rate.latex;
-  const ex letter = derivation_.define(of(name, k, i), latex, k, Pass::solved, value, "");
-  found_[{k, i}] = letter;
+  ex& letter = found_[{k, i}];
+  letter = value;
+  if (value.is_zero() || GiNaC::is_a<Atom>(value)) return letter;
+  const std::string suffix = rate.suffix;
+  letter = derivation_.equations.table.add(Role::quantity, name, latex, suffix, shape_of(value));
+  derivation_.equations.quantities.push_back({letter, value, derivation_.mechanism().link(k).body, Pass::solved, ""});
   return letter;
 }
 

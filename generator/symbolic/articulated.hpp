@@ -75,6 +75,7 @@ class Articulated {
   std::map<Place, Triple> triples_;
   std::vector<GiNaC::ex> spin_, origin_;  // ω̇ (link axes) and P̈ (home axes) beyond those at ẏ = 0
   std::map<Place, GiNaC::ex> found_;
+  std::map<std::pair<Frame, Frame>, GiNaC::ex> rotations_;
   GiNaC::ex identity_;
 };
 

@@ -47,7 +47,7 @@ TEST_F(Generate, standard_output_takes_the_header_and_nothing_else) {
 }
 
 TEST_F(Generate, code_is_made_for_what_is_asked) {
-  const std::string scene = model("chain_32");
+  const std::string scene = model("bench_cr32");
   EXPECT_EQ(kanec({"generate", scene, "--functions", "residual", "--optimize", "size", "-o", "size.hpp"}).status, 0);
   const std::string header = read_file(work() / "size.hpp");
   EXPECT_THAT(header, HasSubstr("; for size; functions residual"));

@@ -104,7 +104,7 @@ TEST(Loops, are_the_same_twice) {
 // Joints repeat, numbers and their signs are random. Measured: 1779, 2226 and 2375 operations of 24, 96 and 192 bodies.
 TEST(Loops, over_a_chain_of_four_times_the_length_write_less_than_half_as_much_again) {
   const auto written = [](int n) {
-    const scene::Scene scene = regular(connection(n, before), {.joints = {"revolute"}});
+    const scene::Scene scene = regular(connection(n, before), {.loads = false, .joints = {"revolute"}});
     const Generated generated = generate(scene, {{"residual"}});
     return program::rolled(generated.program, generated.program.functions[0])->written;
   };
@@ -114,7 +114,7 @@ TEST(Loops, over_a_chain_of_four_times_the_length_write_less_than_half_as_much_a
 // Beyond what fits a processor's caches a straight line is no faster: see docs/compile_time.md.
 TEST(Loops, are_written_of_a_long_function_without_being_asked_for) {
   const auto is_looped = [](int n) {
-    const scene::Scene scene = regular(connection(n, before), {.joints = {"revolute"}});
+    const scene::Scene scene = regular(connection(n, before), {.loads = false, .joints = {"revolute"}});
     return generate(scene, {{"residual"}}).header.find("residual_sections {") != std::string::npos;
   };
   EXPECT_FALSE(is_looped(8));
