@@ -168,6 +168,62 @@ TEST_F(Blocks, rotation_of_unit_euler_parameters_is_orthonormal) {
   EXPECT_EQ(transpose(R) * R, identity());
 }
 
+// Of a random element t, ((1 − t²) / (1 + t²), 2t / (1 + t²)) lies on the unit circle in every field.
+TEST_F(Blocks, congruence_and_similarity_by_a_plane_rotation_are_the_products_of_matrices) {
+  for (int i = 0; i < 3; ++i) {
+    const Field t = Field::random(random), norm = Field(1.0) + t * t;
+    arguments.x = {(Field(1.0) - t * t) / norm, Field(2.0) * t / norm};
+    const Ref c = b.variable(Group::x, 0), s = b.variable(Group::x, 1);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    Block C{3, 3, {}};
+    C.entries.fill(b.constant(0.0));
+    C.at(i, i) = b.constant(1.0);
+    C.at(j, j) = C.at(k, k) = c;
+    C.at(k, j) = s;
+    C.at(j, k) = -s;
+    const Block A = matrix(), J = symmetric();
+    EXPECT_EQ(value(congruence(b, C, J)), value(C) * value(J) * transpose(value(C)));
+    EXPECT_EQ(value(similarity(b, C, A)), value(C) * value(A) * transpose(value(C)));
+    EXPECT_EQ(cost(congruence(b, C, J)).operations(), 15 + 1);  // and twice the cosine
+  }
+}
+
+TEST_F(Blocks, congruence_by_any_rotation_is_the_product_of_matrices_and_takes_59_operations) {
+  const Field x = Field::random(random), y = Field::random(random), z = Field::random(random),
+              w = Field::random(random);
+  const Field norm = x * x + y * y + z * z + w * w, two(2.0);
+  arguments.x = {two * w * x / norm, two * w * y / norm, two * w * z / norm, (w * w - x * x - y * y - z * z) / norm};
+  const Ref e1 = b.variable(Group::x, 0), e2 = b.variable(Group::x, 1), e3 = b.variable(Group::x, 2);
+  const Block C = rotation(b, lower::vector(e1, e2, e3), b.variable(Group::x, 3)), J = symmetric();
+  EXPECT_EQ(value(congruence(b, C, J)), value(C) * value(J) * transpose(value(C)));
+  EXPECT_EQ(cost(congruence(b, matrix(), symmetric())).operations(), 59);
+}
+
+TEST_F(Blocks, ldl_solves_a_symmetric_system_with_three_divisions) {
+  const Block A = symmetric(), B = matrix();
+  const Block factors = ldl(b, A);
+  const Block X = backward(b, factors, scaled(b, factors, forward(b, factors, B)));
+  EXPECT_EQ(value(A) * value(X), value(B));
+  EXPECT_EQ(cost(factors).divides, 3);
+}
+
+TEST_F(Blocks, outer_is_a_column_times_a_row) {
+  const Block u = vector(), v = vector();
+  EXPECT_EQ(value(outer(b, u, v)), value(u) * transpose(value(v)));
+}
+
+TEST_F(Blocks, turn_about_a_coordinate_axis_is_that_about_any_vector) {
+  const Ref angle = number();
+  for (int i = 0; i < 3; ++i)
+    for (const double sign : {1.0, -1.0}) {
+      Block axis = lower::vector(b.constant(0.0), b.constant(0.0), b.constant(0.0));
+      axis.at(i) = b.constant(sign);
+      const Plain cross = cross_matrix(value(axis));
+      const Field s = value(b.sine(angle)), c = value(b.cosine(angle));
+      EXPECT_EQ(value(turn(b, axis, angle)), identity() + s * cross + (Field(1.0) + Field(-1.0) * c) * (cross * cross));
+    }
+}
+
 TEST_F(Blocks, inverse_undoes_a_symmetric_matrix_with_one_division) {
   const Block A = symmetric();
   const Block inverted = inverse(b, A);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "generator/program/ledger.hpp"
 #include "generator/scene/read.hpp"
@@ -46,13 +47,13 @@ struct Tree {
 
 TEST(Growth, of_operations_is_that_of_the_number_of_bodies) {
   for (const Tree& tree : {Tree{"chain", before}, {"star", hub}, {"random", any}})
-    for (const char* function : {"residual"}) {
+    for (const auto& [function, most] : {std::pair("residual", 131), {"accelerations", 299}}) {
       SCOPED_TRACE(std::string(tree.name) + " " + function);
       const int few = operations(8, tree.lower, function), some = operations(64, tree.lower, function),
                 many = operations(500, tree.lower, function);
       const double first = (some - few) / 56.0, later = (many - some) / 436.0;  // a body
-      EXPECT_LT(later, 1.02 * first);  // random trees differ in how many bodies carry none
-      EXPECT_LT(later, 152);           // measured 149.8, 76.4 and 143.6
+      EXPECT_LT(later, 1.1 * first);  // trees differ in how many bodies carry none, and in what repeats
+      EXPECT_LT(later, most);
     }
 }
 
