@@ -41,7 +41,7 @@ Ledger prepare_ledger(const Program& program) {
 }
 
 long weighted_cost(const Ledger& ledger) {
-  constexpr long divide = 6, square_root = 8, trigonometric = 45, function = 60;
+  constexpr long divide = 8, square_root = 12, trigonometric = 44, function = 70;
   return ledger.adds + ledger.multiplies + divide * ledger.divides + square_root * ledger.square_roots +
          trigonometric * ledger.trigonometric + function * ledger.functions;
 }

@@ -30,8 +30,7 @@ std::vector<Ledger> ledgers(const Program& program);
 // What prepare() does for all functions of the program.
 Ledger prepare_ledger(const Program& program);
 
-// Operations as additions cost them: measured on straight-line code, where divisions and functions are the longest of
-// what waits. docs/weights in DESIGN.md.
+// All operations as so many additions: throughputs of independent evaluations, measured (DESIGN.md).
 long weighted_cost(const Ledger& ledger);
 
 // "512 add, 449 multiply"; zero counts but the first two are left out.
