@@ -36,8 +36,8 @@ Size size_of(const scene::Scene& scene, const Reductions& base) {
   return size;
 }
 
-// The function whose cost decides on the way of a requested one: accelerations where it has a part in it, else what it is
-// derived from, else itself.
+// The function whose cost decides on the way of a requested one: accelerations where it has a part in it, else what it
+// is derived from, else itself.
 std::string deciding(const scene::Scene& scene, const std::string& name) {
   std::string result;
   for (const std::string& part : parts(name)) {
@@ -124,8 +124,7 @@ void add_all(Comparison& comparison, const std::vector<Algorithm>& algorithms, c
 // Which algorithm is kept; nothing where there was no choice, or no difference.
 std::string choice_of(const Comparison& comparison, const std::string& name) {
   const Candidate& kept = comparison.best(name);
-  const Algorithm other =
-      kept.way.algorithm == Algorithm::composite ? Algorithm::articulated : Algorithm::composite;
+  const Algorithm other = kept.way.algorithm == Algorithm::composite ? Algorithm::articulated : Algorithm::composite;
   const Candidate* next = comparison.best(name, [other](const Way& way) { return way.algorithm == other; });
   if (next == nullptr || next->cost == kept.cost) return "";
   return kanec::name(kept.way.algorithm) + "; " + kanec::name(other) + " would take " + program::text(next->cost);

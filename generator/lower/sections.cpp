@@ -45,7 +45,8 @@ bool Sections::is_constant(const ex& e) const {
   if (GiNaC::is_a<Atom>(e)) {
     const symbolic::Symbol& symbol = equations_.table.of(e);
     if (symbol.role == symbolic::Role::numbers) return true;
-    const auto at = static_cast<std::size_t>(index(definitions_[static_cast<std::size_t>(index(e))] ? e : symbol.transpose));
+    const auto at =
+        static_cast<std::size_t>(index(definitions_[static_cast<std::size_t>(index(e))] ? e : symbol.transpose));
     return definitions_[at] != nullptr && constant_[at];
   }
   if (is_ex_the_function(e, symbolic::expression)) return false;

@@ -9,19 +9,6 @@ namespace kanec::symbolic {
 
 using GiNaC::ex;
 
-namespace {
-
-bool is_coordinate_axis(const scene::Axis& a) {
-  int ones = 0, zeros = 0;
-  for (const double entry : a) {
-    ones += entry == 1 || entry == -1;
-    zeros += entry == 0;
-  }
-  return ones == 1 && zeros == 2;
-}
-
-}  // namespace
-
 Articulated::Articulated(Derivation& derivation, const Balance& balance, const AppliedLoads& loads,
                          std::vector<bool> skip)
     : derivation_(derivation),
@@ -65,7 +52,7 @@ ex Articulated::rotation(Frame from, Frame to, int k) {
 
 // 1 − a aᵀ where a is a coordinate axis, of which zeros follow; else 1.
 ex Articulated::projection(const Coordinate& c, int k) {
-  if (!is_coordinate_axis(c.freedom.axis) || derivation_.mechanism().link(k).pitch != 0) return 1;
+  if (coordinate_axis(c.freedom.axis) < 0 || derivation_.mechanism().link(k).pitch != 0) return 1;
   std::vector<scene::Number> entries(9, scene::Number::constant(0.0));
   for (std::size_t i = 0; i < 3; ++i)
     if (c.freedom.axis[i] == 0) entries[4 * i] = scene::Number::constant(1.0);
@@ -100,8 +87,12 @@ Articulated::Load Articulated::carried(int k) {
     identity_ = derivation_.equations.table.add_numbers("one", "1", "", entries);
   }
   const ex& G = balance_.force[at];
-  Load sum{own.mass * identity_, skew(own.moment), own.inertia, G,
-           balance_.moment[at] + skew(own.reference) * derivation_.in_axes(G, home, k), home};
+  Load sum{own.mass * identity_,
+           skew(own.moment),
+           own.inertia,
+           G,
+           balance_.moment[at] + skew(own.reference) * derivation_.in_axes(G, home, k),
+           home};
   for (const int c : derivation_.mechanism().children(k))
     if (!is_cut(c)) add(sum, k, c);
   Load named;
@@ -121,7 +112,8 @@ void Articulated::add(Load& sum, int k, int c) {
   const Load& joint = passed_[static_cast<std::size_t>(c)];
   const Frame home = derivation_.home(k);
   const ex& d = derivation_.joint_offsets[static_cast<std::size_t>(c)];
-  const ex M = symmetric("Mb", c, congruence(rotation(joint.frame, k, c), joint.M), "M of the joint, lower body's axes");
+  const ex M =
+      symmetric("Mb", c, congruence(rotation(joint.frame, k, c), joint.M), "M of the joint, lower body's axes");
   sum.M += joint.frame == home ? joint.M : home == k ? M : congruence(rotation(joint.frame, home, c), joint.M);
   const ex H = define("Hb", c, joint.H + skew(d) * M, "H of the joint at the lower body's origin, its axes");
   sum.H += H;
@@ -275,7 +267,8 @@ void Articulated::outward(int k) {
     origin = derivation_.in_axes(follow_slides(joint, k), below, home);
   }
   origin_[at] = define("beta", k, origin, "acceleration of the origin beyond that at ydot = 0 [m/s^2]", Pass::solved);
-  const ex turned = passes_moment(k) ? derivation_.letters(k).from_lower * spin_[static_cast<std::size_t>(below)] : ex(0);
+  const ex turned =
+      passes_moment(k) ? derivation_.letters(k).from_lower * spin_[static_cast<std::size_t>(below)] : ex(0);
   spin_[at] = follow_turn(turned, k);
 }
 
@@ -313,8 +306,8 @@ ex Articulated::follow_turn(const ex& turned, int k) {
     return found(k, 0, backward(of.factors, of.w - of.W * origin_[at]));
   }
   if (c.freedom.kind != Freedom::Kind::turn) return define("alpha", k, turned, "", Pass::solved);
-  const ex spin = define("alphaL", k, turned, "angular acceleration of the lower body beyond that at ydot = 0, body axes",
-                         Pass::solved);
+  const ex spin = define("alphaL", k, turned,
+                         "angular acceleration of the lower body beyond that at ydot = 0, body axes", Pass::solved);
   const Scalar& of = scalars_.at({k, 0});
   const ex along = define("phi", k, of.v - dot(of.kB, origin_[at]) - dot(of.normal * of.kK, spin), "", Pass::solved);
   const bool is_plain = of.normal.is_equal(1);
@@ -322,8 +315,9 @@ ex Articulated::follow_turn(const ex& turned, int k) {
   if (const double pitch = derivation_.mechanism().link(k).pitch; pitch != 0) {
     const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
                                                                {scene::Number::constant(pitch)});
-    origin_[at] = define("betas", k, origin_[at] + advance * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
-                         "acceleration of the origin on its screw [m/s^2]", Pass::solved);
+    origin_[at] =
+        define("betas", k, origin_[at] + advance * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
+               "acceleration of the origin on its screw [m/s^2]", Pass::solved);
   }
   return define("alpha", k, (is_plain ? spin : of.normal * spin) + along * c.axis,
                 "angular acceleration beyond that at ydot = 0, body axes [rad/s^2]", Pass::solved);

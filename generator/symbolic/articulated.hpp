@@ -70,7 +70,8 @@ class Articulated {
   const Balance& balance_;
   const AppliedLoads& loads_;
   std::vector<bool> skip_;
-  std::vector<Load> passed_;  // by link: what its joint passes on, about the link's origin, moments in the lower link's axes
+  std::vector<Load>
+      passed_;  // by link: what its joint passes on, about the link's origin, moments in the lower link's axes
   std::map<Place, Scalar> scalars_;
   std::map<Place, Triple> triples_;
   std::vector<GiNaC::ex> spin_, origin_;  // ω̇ (link axes) and P̈ (home axes) beyond those at ẏ = 0

@@ -21,8 +21,7 @@ ex Rates::operator()(const Atom& atom) const {
   return at < rates_.size() ? rates_[at] : ex(0);
 }
 
-Derivation::Derivation(const scene::Scene& scene, const Way& chosen)
-    : equations(scene), way(chosen) {
+Derivation::Derivation(const scene::Scene& scene, const Way& chosen) : equations(scene), way(chosen) {
   equations.mechanism = symbolic::mechanism(scene, way.reductions);
   define_letters(*this);
   derive_inertias(*this);

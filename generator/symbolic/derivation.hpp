@@ -60,8 +60,8 @@ class Derivation {
   Equations equations;
   Way way;
   std::vector<Inertia> inertias;  // by link
-  Rates partial_rates;  // of `rates` and of the names of partial velocities
-  Rates rates;          // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
+  Rates partial_rates;            // of `rates` and of the names of partial velocities
+  Rates rates;                    // of rotations, s and what is defined from them; ω̇, θ̈ and s̈ are letters
   std::vector<GiNaC::ex> joint_offsets;             // d, by link
   std::vector<GiNaC::ex> origins, centres;          // P, p, by link; [0] is zero
   std::vector<GiNaC::ex> origin_rates, velocities;  // Ṗ, v

@@ -94,12 +94,6 @@ class Regrouping {
     moved.inertia -= lambda * (skew(d) * skew(below) + skew(below) * skew(d)) + mu * (skew(below) * skew(below));
   }
 
-  static int coordinate_axis(const scene::Axis& a) {
-    for (int i = 0; i < 3; ++i)
-      if (a[static_cast<std::size_t>(i)] * a[static_cast<std::size_t>(i)] == 1) return i;
-    return -1;
-  }
-
   static std::vector<scene::Number> numbers(const scene::Axis& a) {
     return {scene::Number::constant(a[0]), scene::Number::constant(a[1]), scene::Number::constant(a[2])};
   }

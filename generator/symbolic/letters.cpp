@@ -285,14 +285,12 @@ class Definition {
     if (!is_identity(link.zero)) {
       ex zero, other;
       constant_rotation(link.zero, "Z", "Z", link.suffix, zero, other);
-      const bool along_lower = is_along_axis(freedom.axis) && !is_along_axis(own.axis);
+      const bool along_lower = coordinate_axis(freedom.axis) >= 0 && coordinate_axis(own.axis) < 0;
       value = along_lower ? turn(table_.add_numbers("a", "a", link.suffix, entries(freedom.axis)), c.value) * zero
                           : zero * turn(c.axis, c.value);
     }
     add_quantity(l.to_lower, value, j, "E takes components in the lower body to those in the body");
   }
-
-  static bool is_along_axis(const scene::Axis& a) { return (a[0] != 0) + (a[1] != 0) + (a[2] != 0) == 1; }
 
   void add_absolute(int j, const Letters& lower) {
     Letters& l = letters(j);

@@ -23,8 +23,6 @@ double snapped(long double value) {
   return static_cast<double>(value);
 }
 
-bool is_along_axis(const Axis& a) { return (a[0] != 0) + (a[1] != 0) + (a[2] != 0) == 1; }
-
 // Of a rotation that only exchanges axes, and turns them round: which component becomes component i.
 std::optional<std::size_t> source_of(const Rotation& a, std::size_t i) {
   std::optional<std::size_t> source;
@@ -38,7 +36,7 @@ std::optional<std::size_t> source_of(const Rotation& a, std::size_t i) {
 // Takes what is along a coordinate axis out of an offset.
 Offset taken_along(const Axis& axis, Offset& offset) {
   Offset along;
-  const std::size_t i = axis[0] != 0 ? 0 : axis[1] != 0 ? 1 : 2;
+  const auto i = static_cast<std::size_t>(coordinate_axis(axis));
   for (OffsetTerm& term : offset) {
     const auto j = source_of(term.orientation, i);
     if (!j || term.numbers[*j].is_zero()) continue;
@@ -151,7 +149,7 @@ class Builder {
   Offset taken_along_axis(Link& link) const {
     if (!reductions_.place_origins || link.freedoms.empty() || link.freedoms[0].kind != Freedom::Kind::turn) return {};
     const bool is_by_three = link.freedoms.back().kind == Freedom::Kind::translation;
-    return is_by_three || !is_along_axis(link.freedoms[0].axis) ? Offset{}
+    return is_by_three || coordinate_axis(link.freedoms[0].axis) < 0 ? Offset{}
                                                                 : taken_along(link.freedoms[0].axis, link.offset);
   }
 
@@ -180,7 +178,7 @@ class Builder {
     }
     push(link, scene::no_rotation);
     mechanism_.bodies.back().offset = along;
-    const bool is_plane = link.turning == Link::Turning::fixed || is_along_axis(link.freedoms.front().axis);
+    const bool is_plane = link.turning == Link::Turning::fixed || coordinate_axis(link.freedoms.front().axis) >= 0;
     if (!is_plane) mechanism_.links.back().zero = constant;
     mechanism_.bodies.back().orientation = is_plane ? constant : scene::no_rotation;
   }
@@ -204,6 +202,11 @@ class Builder {
 };
 
 }  // namespace
+
+int coordinate_axis(const Axis& a) {
+  if ((a[0] != 0) + (a[1] != 0) + (a[2] != 0) != 1) return -1;
+  return a[0] != 0 ? 0 : a[1] != 0 ? 1 : 2;
+}
 
 bool is_identity(const Rotation& a) { return a == scene::no_rotation; }
 

@@ -67,6 +67,9 @@ struct Mechanism {
 
 Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions);
 
+// Which coordinate axis a unit vector lies along, either way; -1: none.
+int coordinate_axis(const scene::Axis& a);
+
 bool is_identity(const scene::Rotation& a);
 scene::Rotation product(const scene::Rotation& a, const scene::Rotation& b);
 scene::Axis turned(const scene::Rotation& a, const scene::Axis& v);
