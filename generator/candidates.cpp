@@ -16,19 +16,21 @@ using symbolic::Axes;
 using symbolic::Reductions;
 using symbolic::Way;
 
-// Blocks of A up to which it is tried: its cost grows with them, and joint by joint is cheaper long before.
+// A is tried up to so many blocks, or so many a link: its cost grows with them, and joint by joint is cheaper long before.
 constexpr int most_pairs = 600;
+constexpr int most_pairs_a_link = 8;
 // And up to which all ways are: what they save is known by then, and deriving takes its time.
 constexpr int few_pairs = 120;
 
 struct Size {
+  int links = 0;
   int pairs = 0;  // of links of which one moves the other, about the blocks of A
   bool has_balls = false;
 };
 
 Size size_of(const scene::Scene& scene, const Reductions& base) {
   const symbolic::Mechanism mechanism = symbolic::mechanism(scene, base);
-  Size size;
+  Size size{mechanism.size()};
   for (int j = 1; j <= mechanism.size(); ++j) {
     size.has_balls |= mechanism.link(j).turning == symbolic::Link::Turning::ball && mechanism.link(j).lower > 0;
     for (int k = j; k > 0; k = mechanism.link(k).lower) ++size.pairs;
@@ -172,7 +174,7 @@ program::Program cheapest_program(const scene::Scene& scene, const std::vector<s
     if (depends_on_way(decides)) insert(others, decides);
   }
   std::vector<Algorithm> algorithms = {Algorithm::articulated};
-  if (size.pairs <= most_pairs) algorithms.push_back(Algorithm::composite);
+  if (size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links)) algorithms.push_back(Algorithm::composite);
   if (algorithm) algorithms = {*algorithm};
   Comparison of_solved(scene, base, solved), of_others(scene, base, others);
   add_all(of_solved, algorithms, size, base);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model f2fb3882f724d541 of arm_7/scene.toml; the usual functions
+// model 90a8f8bb4a4ca2f9 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "f2fb3882f724d541";
+inline constexpr char model_hash[] = "90a8f8bb4a4ca2f9";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1213,7 +1213,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N7_3 = T(5e-04) * U7_21 - T(5e-04) * U7_12;
 
   // ---- body 7 (link_7) and what it carries
-  // u_7 = b7 . N7 + effort_link_7_7: drives it [N m]
+  // u_7 = b7 . N7 + effort_link_7_7: drives it [N m], [N]
   const T u_7 = effort_link_7_7 - minus_N7_3;
   // v7 = invD7 u_7: u/D
   const T v7 = T(1000) * u_7;
@@ -1226,7 +1226,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_n6_1 = minus_np7_1 + minus_N6_1;
   const T n6_2 = np7_2 - minus_N6_2;
   const T minus_n6_3 = effort_link_7_7 + minus_N6_3;
-  // u_6 = b6 . n6 + effort_link_6_6: drives it [N m]
+  // u_6 = b6 . n6 + effort_link_6_6: drives it [N m], [N]
   const T u_6 = n6_2 + effort_link_6_6;
   // v6 = invD6 u_6: u/D
   const T v6 = T(59.37590696697892) * u_6;
@@ -1292,7 +1292,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK5 = invD5 K5: K/D
   const T kK5_1 = invD5 * JA5_13;
   const T kK5_2 = invD5 * JA5_23;
-  // u_5 = b5 . n5 + effort_link_5_5: drives it [N m]
+  // u_5 = b5 . n5 + effort_link_5_5: drives it [N m], [N]
   const T u_5 = n5_3 + effort_link_5_5;
   // v5 = invD5 u_5: u/D
   const T v5 = invD5 * u_5;
@@ -1377,7 +1377,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK4 = invD4 K4: K/D
   const T minus_kK4_1 = invD4 * Jp5_12;
   const T minus_kK4_3 = invD4 * T(0.007973000000000001);
-  // u_4 = b4 . n4 + effort_link_4_4: drives it [N m]
+  // u_4 = b4 . n4 + effort_link_4_4: drives it [N m], [N]
   const T u_4 = effort_link_4_4 - n4_2;
   // v4 = invD4 u_4: u/D
   const T v4 = invD4 * u_4;
@@ -1450,7 +1450,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK3 = invD3 K3: K/D
   const T kK3_1 = invD3 * JA3_13;
   const T kK3_2 = invD3 * JA3_23;
-  // u_3 = b3 . n3 + effort_link_3_3: drives it [N m]
+  // u_3 = b3 . n3 + effort_link_3_3: drives it [N m], [N]
   const T u_3 = n3_3 + effort_link_3_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
@@ -1485,7 +1485,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK2 = invD2 K2: K/D
   const T kK2_1 = invD2 * JA2_12;
   const T minus_kK2_3 = invD2 * T(0.0157353);
-  // u_2 = b2 . n2 + effort_link_2_2: drives it [N m]
+  // u_2 = b2 . n2 + effort_link_2_2: drives it [N m], [N]
   const T u_2 = n2_2 + effort_link_2_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
@@ -1506,7 +1506,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T JA1_33 = T(0.0590859715) - minus_Jp2_33;
   // invD1 = D1^-1: 1/D
   const T invD1 = T(1) / JA1_33;
-  // u_1 = b1 . n1 + effort_link_1_1: drives it [N m]
+  // u_1 = b1 . n1 + effort_link_1_1: drives it [N m], [N]
   const T u_1 = np2_3 + effort_link_1_1;
   // v1 = invD1 u_1: u/D
   const T v1 = invD1 * u_1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7c2da581e660e3ad of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model 88898d47bde5531f of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -49,7 +49,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "7c2da581e660e3ad";
+inline constexpr char model_hash[] = "88898d47bde5531f";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1593,7 +1593,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       (minus_U16_11 - minus_U16_22) + T(0.005200000000000002) * U16_23 - T(0.14040000000000002) * U16_13;
 
   // ---- body 16 (body_16) and what it carries
-  // u_16 = b16 . N16 + tau_body_16_: drives it [N m]
+  // u_16 = b16 . N16 + tau_body_16_: drives it [N m], [N]
   const T u_16 = u.tau_16 - minus_N16_2;
   // v16 = invD16 u_16: u/D
   const T v16 = T(2.9027576197387517) * u_16;
@@ -1666,7 +1666,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK15 = invD15 K15: K/D
   const T kK15_2 = invD15 * JA15_12;
   const T kK15_3 = invD15 * JA15_13;
-  // u_15 = b15 . n15 + tau_body_15_: drives it [N m]
+  // u_15 = b15 . n15 + tau_body_15_: drives it [N m], [N]
   const T u_15 = n15_1 + u.tau_15;
   // v15 = invD15 u_15: u/D
   const T v15 = invD15 * u_15;
@@ -1769,7 +1769,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK14 = invD14 K14: K/D
   const T kK14_1 = invD14 * JA14_13;
   const T kK14_2 = invD14 * JA14_23;
-  // u_14 = b14 . n14 + tau_body_14_: drives it [N m]
+  // u_14 = b14 . n14 + tau_body_14_: drives it [N m], [N]
   const T u_14 = n14_3 + u.tau_14;
   // v14 = invD14 u_14: u/D
   const T v14 = invD14 * u_14;
@@ -1872,7 +1872,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK13 = invD13 K13: K/D
   const T kK13_1 = invD13 * JA13_12;
   const T minus_kK13_3 = invD13 * minus_JA13_23;
-  // u_13 = b13 . n13 + tau_body_13_: drives it [N m]
+  // u_13 = b13 . n13 + tau_body_13_: drives it [N m], [N]
   const T u_13 = n13_2 + u.tau_13;
   // v13 = invD13 u_13: u/D
   const T v13 = invD13 * u_13;
@@ -1975,7 +1975,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK12 = invD12 K12: K/D
   const T minus_kK12_2 = invD12 * minus_JA12_12;
   const T kK12_3 = invD12 * JA12_13;
-  // u_12 = b12 . n12 + tau_body_12_: drives it [N m]
+  // u_12 = b12 . n12 + tau_body_12_: drives it [N m], [N]
   const T u_12 = n12_1 + u.tau_12;
   // v12 = invD12 u_12: u/D
   const T v12 = invD12 * u_12;
@@ -2078,7 +2078,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK11 = invD11 K11: K/D
   const T kK11_1 = invD11 * JA11_13;
   const T kK11_2 = invD11 * JA11_23;
-  // u_11 = b11 . n11 + tau_body_11_: drives it [N m]
+  // u_11 = b11 . n11 + tau_body_11_: drives it [N m], [N]
   const T u_11 = n11_3 + u.tau_11;
   // v11 = invD11 u_11: u/D
   const T v11 = invD11 * u_11;
@@ -2181,7 +2181,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK10 = invD10 K10: K/D
   const T kK10_1 = invD10 * JA10_12;
   const T minus_kK10_3 = invD10 * minus_JA10_23;
-  // u_10 = b10 . n10 + tau_body_10_: drives it [N m]
+  // u_10 = b10 . n10 + tau_body_10_: drives it [N m], [N]
   const T u_10 = n10_2 + u.tau_10;
   // v10 = invD10 u_10: u/D
   const T v10 = invD10 * u_10;
@@ -2284,7 +2284,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK9 = invD9 K9: K/D
   const T minus_kK9_2 = invD9 * minus_JA9_12;
   const T kK9_3 = invD9 * JA9_13;
-  // u_9 = b9 . n9 + tau_body_9_: drives it [N m]
+  // u_9 = b9 . n9 + tau_body_9_: drives it [N m], [N]
   const T u_9 = n9_1 + u.tau_9;
   // v9 = invD9 u_9: u/D
   const T v9 = invD9 * u_9;
@@ -2387,7 +2387,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK8 = invD8 K8: K/D
   const T kK8_1 = invD8 * JA8_13;
   const T kK8_2 = invD8 * JA8_23;
-  // u_8 = b8 . n8 + tau_body_8_: drives it [N m]
+  // u_8 = b8 . n8 + tau_body_8_: drives it [N m], [N]
   const T u_8 = n8_3 + u.tau_8;
   // v8 = invD8 u_8: u/D
   const T v8 = invD8 * u_8;
@@ -2490,7 +2490,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK7 = invD7 K7: K/D
   const T kK7_1 = invD7 * JA7_12;
   const T minus_kK7_3 = invD7 * minus_JA7_23;
-  // u_7 = b7 . n7 + tau_body_7_: drives it [N m]
+  // u_7 = b7 . n7 + tau_body_7_: drives it [N m], [N]
   const T u_7 = n7_2 + u.tau_7;
   // v7 = invD7 u_7: u/D
   const T v7 = invD7 * u_7;
@@ -2593,7 +2593,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK6 = invD6 K6: K/D
   const T minus_kK6_2 = invD6 * minus_JA6_12;
   const T kK6_3 = invD6 * JA6_13;
-  // u_6 = b6 . n6 + tau_body_6_: drives it [N m]
+  // u_6 = b6 . n6 + tau_body_6_: drives it [N m], [N]
   const T u_6 = n6_1 + u.tau_6;
   // v6 = invD6 u_6: u/D
   const T v6 = invD6 * u_6;
@@ -2696,7 +2696,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK5 = invD5 K5: K/D
   const T kK5_1 = invD5 * JA5_13;
   const T kK5_2 = invD5 * JA5_23;
-  // u_5 = b5 . n5 + tau_body_5_: drives it [N m]
+  // u_5 = b5 . n5 + tau_body_5_: drives it [N m], [N]
   const T u_5 = n5_3 + u.tau_5;
   // v5 = invD5 u_5: u/D
   const T v5 = invD5 * u_5;
@@ -2799,7 +2799,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK4 = invD4 K4: K/D
   const T kK4_1 = invD4 * JA4_12;
   const T minus_kK4_3 = invD4 * minus_JA4_23;
-  // u_4 = b4 . n4 + tau_body_4_: drives it [N m]
+  // u_4 = b4 . n4 + tau_body_4_: drives it [N m], [N]
   const T u_4 = n4_2 + u.tau_4;
   // v4 = invD4 u_4: u/D
   const T v4 = invD4 * u_4;
@@ -2902,7 +2902,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK3 = invD3 K3: K/D
   const T minus_kK3_2 = invD3 * minus_JA3_12;
   const T kK3_3 = invD3 * JA3_13;
-  // u_3 = b3 . n3 + tau_body_3_: drives it [N m]
+  // u_3 = b3 . n3 + tau_body_3_: drives it [N m], [N]
   const T u_3 = n3_1 + u.tau_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
@@ -2996,7 +2996,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // kK2 = invD2 K2: K/D
   const T kK2_1 = invD2 * JA2_13;
   const T kK2_2 = invD2 * JA2_23;
-  // u_2 = b2 . n2 + tau_body_2_: drives it [N m]
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m], [N]
   const T u_2 = n2_3 + u.tau_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
@@ -3030,7 +3030,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
   // invD1 = D1^-1: 1/D
   const T invD1 = T(1) / JA1_22;
-  // u_1 = b1 . n1 + tau_body_1_: drives it [N m]
+  // u_1 = b1 . n1 + tau_body_1_: drives it [N m], [N]
   const T u_1 = n1_2 + u.tau_1;
   // v1 = invD1 u_1: u/D
   const T v1 = invD1 * u_1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model f7b84a3e8a7ce768 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
+// model 6e02623b957be77e of bench_cr32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -71,7 +71,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "f7b84a3e8a7ce768";
+inline constexpr char model_hash[] = "6e02623b957be77e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -2380,7 +2380,7 @@ template <class T>
   const T N32_2 = own[frame::N_2];
   const T E32_12 = own[frame::E_12];
   const T E32_11 = own[frame::E_11];
-  // u_32 = b32 . N32 + tau_body_32_: drives it [N m]
+  // u_32 = b32 . N32 + tau_body_32_: drives it [N m], [N]
   const T u_32 = u.tau_32 + N32_3;
   // v32 = invD32 u_32: u/D
   const T v32 = T(1.8315018315018314) * u_32;
@@ -2504,7 +2504,7 @@ template <class T>
   // kK31 = invD31 K31: K/D
   const T kK31_1 = invD31 * JA31_12;
   const T kK31_3 = invD31 * JA31_23;
-  // u_31 = b31 . n31 + tau_body_31_: drives it [N m]
+  // u_31 = b31 . n31 + tau_body_31_: drives it [N m], [N]
   const T u_31 = n31_2 + u.tau_31;
   // v31 = invD31 u_31: u/D
   const T v31 = invD31 * u_31;
@@ -2680,7 +2680,7 @@ template <class T>
   // kK30 = invD30 K30: K/D
   const T kK30_2 = invD30 * JA30_12;
   const T kK30_3 = invD30 * JA30_13;
-  // u_30 = b30 . n30 + tau_body_30_: drives it [N m]
+  // u_30 = b30 . n30 + tau_body_30_: drives it [N m], [N]
   const T u_30 = n30_1 + u.tau_30;
   // v30 = invD30 u_30: u/D
   const T v30 = invD30 * u_30;
@@ -2864,7 +2864,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_1 = invDK * JAK_13;
   const T kKK_2 = invDK * JAK_23;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_3 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -3040,7 +3040,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_1 = invDK * JAK_12;
   const T kKK_3 = invDK * JAK_23;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_2 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -3220,7 +3220,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_2 = invDK * JAK_12;
   const T kKK_3 = invDK * JAK_13;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_1 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -3398,7 +3398,7 @@ template <class T>
   // kK3 = invD3 K3: K/D
   const T kK3_2 = invD3 * JA3_12;
   const T kK3_3 = invD3 * JA3_13;
-  // u_3 = b3 . n3 + tau_body_3_: drives it [N m]
+  // u_3 = b3 . n3 + tau_body_3_: drives it [N m], [N]
   const T u_3 = n3_1 + u.tau_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
@@ -3553,7 +3553,7 @@ template <class T>
   // kK2 = invD2 K2: K/D
   const T kK2_1 = invD2 * JA2_13;
   const T kK2_2 = invD2 * JA2_23;
-  // u_2 = b2 . n2 + tau_body_2_: drives it [N m]
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m], [N]
   const T u_2 = n2_3 + u.tau_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
@@ -3607,7 +3607,7 @@ template <class T>
   const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
   // invD1 = D1^-1: 1/D
   const T invD1 = T(1) / JA1_22;
-  // u_1 = b1 . n1 + tau_body_1_: drives it [N m]
+  // u_1 = b1 . n1 + tau_body_1_: drives it [N m], [N]
   const T u_1 = n1_2 + u.tau_1;
   // v1 = invD1 u_1: u/D
   const T v1 = invD1 * u_1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr64: equations of motion of 64 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 13a2b7b7d9f7abc3 of bench_cr64/scene.toml; functions kinematics energy accelerations residual
+// model 9a304d3539c5514f of bench_cr64/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -110,7 +110,7 @@ inline constexpr int nx = 64;
 inline constexpr int ny = 64;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 64;
-inline constexpr char model_hash[] = "13a2b7b7d9f7abc3";
+inline constexpr char model_hash[] = "9a304d3539c5514f";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -4178,7 +4178,7 @@ template <class T>
   const T N64_3 = own[frame::N_3];
   const T minus_E64_13 = own[frame::minus_E_13];
   const T E64_11 = own[frame::E_11];
-  // u_64 = b64 . N64 + tau_body_64_: drives it [N m]
+  // u_64 = b64 . N64 + tau_body_64_: drives it [N m], [N]
   const T u_64 = u.tau_64 + N64_2;
   // v64 = invD64 u_64: u/D
   const T v64 = T(1.0198878123406425) * u_64;
@@ -4302,7 +4302,7 @@ template <class T>
   // kK63 = invD63 K63: K/D
   const T kK63_2 = invD63 * JA63_12;
   const T kK63_3 = invD63 * JA63_13;
-  // u_63 = b63 . n63 + tau_body_63_: drives it [N m]
+  // u_63 = b63 . n63 + tau_body_63_: drives it [N m], [N]
   const T u_63 = n63_1 + u.tau_63;
   // v63 = invD63 u_63: u/D
   const T v63 = invD63 * u_63;
@@ -4482,7 +4482,7 @@ template <class T>
   // kK62 = invD62 K62: K/D
   const T kK62_1 = invD62 * JA62_13;
   const T kK62_2 = invD62 * JA62_23;
-  // u_62 = b62 . n62 + tau_body_62_: drives it [N m]
+  // u_62 = b62 . n62 + tau_body_62_: drives it [N m], [N]
   const T u_62 = n62_3 + u.tau_62;
   // v62 = invD62 u_62: u/D
   const T v62 = invD62 * u_62;
@@ -4658,7 +4658,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_1 = invDK * JAK_12;
   const T kKK_3 = invDK * JAK_23;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_2 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -4838,7 +4838,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_2 = invDK * JAK_12;
   const T kKK_3 = invDK * JAK_13;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_1 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -5022,7 +5022,7 @@ template <class T>
   // kKK = invDK KK: K/D
   const T kKK_1 = invDK * JAK_13;
   const T kKK_2 = invDK * JAK_23;
-  // u_K = bK . nK + tau_body_K_: drives it [N m]
+  // u_K = bK . nK + tau_body_K_: drives it [N m], [N]
   const T u_K = nK_3 + tau_K;
   // vK = invDK u_K: u/D
   const T vK = invDK * u_K;
@@ -5196,7 +5196,7 @@ template <class T>
   // kK3 = invD3 K3: K/D
   const T kK3_2 = invD3 * JA3_12;
   const T kK3_3 = invD3 * JA3_13;
-  // u_3 = b3 . n3 + tau_body_3_: drives it [N m]
+  // u_3 = b3 . n3 + tau_body_3_: drives it [N m], [N]
   const T u_3 = n3_1 + u.tau_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
@@ -5351,7 +5351,7 @@ template <class T>
   // kK2 = invD2 K2: K/D
   const T kK2_1 = invD2 * JA2_13;
   const T kK2_2 = invD2 * JA2_23;
-  // u_2 = b2 . n2 + tau_body_2_: drives it [N m]
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m], [N]
   const T u_2 = n2_3 + u.tau_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
@@ -5405,7 +5405,7 @@ template <class T>
   const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
   // invD1 = D1^-1: 1/D
   const T invD1 = T(1) / JA1_22;
-  // u_1 = b1 . n1 + tau_body_1_: drives it [N m]
+  // u_1 = b1 . n1 + tau_body_1_: drives it [N m], [N]
   const T u_1 = n1_2 + u.tau_1;
   // v1 = invD1 u_1: u/D
   const T v1 = invD1 * u_1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a25ab51c21bc7e24 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 07b02568aedfcf1e of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "a25ab51c21bc7e24";
+inline constexpr char model_hash[] = "07b02568aedfcf1e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -2979,7 +2979,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b11_1 = minus_G11_2 * T(0.01);
   const T n11_1 = b11_1 - minus_N11_1;
   const T minus_n11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
-  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m]
+  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m], [N]
   const T u_11 = b11_1 + minus_n11_2 - minus_effort_nut_11;
   // v11 = invD11 u_11: u/D
   const T v11 = T(1515.1515151515152) * u_11;
@@ -3248,7 +3248,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T n6_1 = N6_1 - T(0.01) * G6_2;
   const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
   const T n6_3 = T(0.1) * G6_2 + N6_3;
-  // u_6 = u6 . G6 + effort_telescope_6: drives it [N]
+  // u_6 = u6 . G6 + effort_telescope_6: drives it [N m], [N]
   const T u_6 = G6_1 - minus_effort_telescope_6;
   // v6 = invD6 u_6: u/D
   const T v6 = T(2) * u_6;
@@ -3415,7 +3415,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T kK4a_1 = invD4a * K4a_1;
   const T kK4a_2 = invD4a * K4a_2;
   const T minus_kK4a_3 = invD4a * minus_K4a_3;
-  // u_4a = b4_1 . np4: drives it [N m]
+  // u_4a = b4_1 . np4: drives it [N m], [N]
   const T u_4a = T(0.28) * np4_2 - T(0.96) * np4_3;
   // v4a = invD4a u_4a: u/D
   const T v4a = invD4a * u_4a;
@@ -3544,7 +3544,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T kK3_1 = invD3 * K3_1;
   const T kK3_2 = invD3 * K3_2;
   const T kK3_3 = invD3 * K3_3;
-  // u_3 = b3 . n3 + effort_boom_3: drives it [N m]
+  // u_3 = b3 . n3 + effort_boom_3: drives it [N m], [N]
   const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
       effort_boom_3;
   // v3 = invD3 u_3: u/D
@@ -11452,7 +11452,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b11_1 = minus_G11_2 * T(0.01);
   const T n11_1 = b11_1 - minus_N11_1;
   const T minus_n11_2 = T(0.01) * minus_G11_1 + minus_N11_2;
-  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m]
+  // u_11 = b11 . G11 pitch11 + b11 . n11 + effort_nut_11: drives it [N m], [N]
   const T u_11 = b11_1 + minus_n11_2 - minus_effort_nut_11;
   // v11 = invD11 u_11: u/D
   const T v11 = T(1515.1515151515152) * u_11;
@@ -11721,7 +11721,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T n6_1 = N6_1 - T(0.01) * G6_2;
   const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
   const T n6_3 = T(0.1) * G6_2 + N6_3;
-  // u_6 = u6 . G6 + effort_telescope_6: drives it [N]
+  // u_6 = u6 . G6 + effort_telescope_6: drives it [N m], [N]
   const T u_6 = G6_1 - minus_effort_telescope_6;
   // v6 = invD6 u_6: u/D
   const T v6 = T(2) * u_6;
@@ -11888,7 +11888,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T kK4a_1 = invD4a * K4a_1;
   const T kK4a_2 = invD4a * K4a_2;
   const T minus_kK4a_3 = invD4a * minus_K4a_3;
-  // u_4a = b4_1 . np4: drives it [N m]
+  // u_4a = b4_1 . np4: drives it [N m], [N]
   const T u_4a = T(0.28) * np4_2 - T(0.96) * np4_3;
   // v4a = invD4a u_4a: u/D
   const T v4a = invD4a * u_4a;
@@ -12017,7 +12017,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T kK3_1 = invD3 * K3_1;
   const T kK3_2 = invD3 * K3_2;
   const T kK3_3 = invD3 * K3_3;
-  // u_3 = b3 . n3 + effort_boom_3: drives it [N m]
+  // u_3 = b3 . n3 + effort_boom_3: drives it [N m], [N]
   const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
       effort_boom_3;
   // v3 = invD3 u_3: u/D

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pendulum: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 428983cc99c3ff69 of pendulum/scene.toml; the usual functions
+// model 23be25962338a5b5 of pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 rod on the inertial frame: revolute
 //
@@ -38,7 +38,7 @@ inline constexpr int nx = 1;
 inline constexpr int ny = 1;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "428983cc99c3ff69";
+inline constexpr char model_hash[] = "23be25962338a5b5";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -217,7 +217,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, T* ydot) noexce
   const T minus_N1_2 = T(0.6) * minus_Pddot1_1;
 
   // ---- body 1 (rod) and what it carries
-  // u_1 = b1 . N1 + effort_rod_1: drives it [N m]
+  // u_1 = b1 . N1 + effort_rod_1: drives it [N m], [N]
   const T minus_u_1 = minus_effort_rod_1 + minus_N1_2;
   // v1 = invD1 u_1: u/D
   const T minus_v1 = T(2.5) * minus_u_1;

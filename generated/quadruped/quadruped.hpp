@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 3a6d635533afbeaa of quadruped/scene.toml; the usual functions
+// model ba736e6d4801efa0 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -60,7 +60,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "3a6d635533afbeaa";
+inline constexpr char model_hash[] = "ba736e6d4801efa0";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -3187,7 +3187,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       U16_12 + T(2.6450064520000005e-05) * U16_23;
 
   // ---- body 16 (rl_calf) and what it carries
-  // u_16 = b16 . N16 + effort_rl_calf_16: drives it [N m]
+  // u_16 = b16 . N16 + effort_rl_calf_16: drives it [N m], [N]
   const T u_16 = N16_2 + effort_rl_calf_16;
   // v16 = invD16 u_16: u/D
   const T v16 = T(136.15003737155254) * u_16;
@@ -3245,7 +3245,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK15 = invD15 K15: K/D
   const T minus_kK15_1 = invD15 * T(6.838704148699999e-05);
   const T minus_kK15_3 = invD15 * T(0.0005955910008259999);
-  // u_15 = b15 . n15 + effort_rl_thigh_15: drives it [N m]
+  // u_15 = b15 . n15 + effort_rl_thigh_15: drives it [N m], [N]
   const T u_15 = effort_rl_thigh_15 - minus_n15_2;
   // v15 = invD15 u_15: u/D
   const T v15 = invD15 * u_15;
@@ -3330,7 +3330,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK14 = invD14 K14: K/D
   const T kK14_2 = invD14 * T(7.94567044e-06);
   const T kK14_3 = invD14 * JA14_13;
-  // u_14 = b14 . n14 + effort_rl_hip_14: drives it [N m]
+  // u_14 = b14 . n14 + effort_rl_hip_14: drives it [N m], [N]
   const T u_14 = n14_1 + effort_rl_hip_14;
   // v14 = invD14 u_14: u/D
   const T v14 = invD14 * u_14;
@@ -3403,7 +3403,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb14_33 = Hp14_33 - (b14_9 + Hb14_11);
 
   // ---- body 12 (rr_calf) and what it carries
-  // u_12 = b12 . N12 + effort_rr_calf_12: drives it [N m]
+  // u_12 = b12 . N12 + effort_rr_calf_12: drives it [N m], [N]
   const T u_12 = N12_2 + effort_rr_calf_12;
   // v12 = invD12 u_12: u/D
   const T v12 = T(136.15003737155254) * u_12;
@@ -3461,7 +3461,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK11 = invD11 K11: K/D
   const T kK11_1 = invD11 * T(6.838704148699999e-05);
   const T kK11_3 = invD11 * T(0.0005955910008259999);
-  // u_11 = b11 . n11 + effort_rr_thigh_11: drives it [N m]
+  // u_11 = b11 . n11 + effort_rr_thigh_11: drives it [N m], [N]
   const T u_11 = effort_rr_thigh_11 - minus_n11_2;
   // v11 = invD11 u_11: u/D
   const T v11 = invD11 * u_11;
@@ -3546,7 +3546,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK10 = invD10 K10: K/D
   const T minus_kK10_2 = invD10 * T(7.94567044e-06);
   const T kK10_3 = invD10 * JA10_13;
-  // u_10 = b10 . n10 + effort_rr_hip_10: drives it [N m]
+  // u_10 = b10 . n10 + effort_rr_hip_10: drives it [N m], [N]
   const T u_10 = n10_1 + effort_rr_hip_10;
   // v10 = invD10 u_10: u/D
   const T v10 = invD10 * u_10;
@@ -3619,7 +3619,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb10_33 = minus_Hb10_11 - b10_9 + Hp10_33;
 
   // ---- body 8 (fl_calf) and what it carries
-  // u_8 = b8 . N8 + effort_fl_calf_8: drives it [N m]
+  // u_8 = b8 . N8 + effort_fl_calf_8: drives it [N m], [N]
   const T u_8 = N8_2 + effort_fl_calf_8;
   // v8 = invD8 u_8: u/D
   const T v8 = T(136.15003737155254) * u_8;
@@ -3677,7 +3677,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK7 = invD7 K7: K/D
   const T minus_kK7_1 = invD7 * T(6.838704148699999e-05);
   const T minus_kK7_3 = invD7 * T(0.0005955910008259999);
-  // u_7 = b7 . n7 + effort_fl_thigh_7: drives it [N m]
+  // u_7 = b7 . n7 + effort_fl_thigh_7: drives it [N m], [N]
   const T u_7 = effort_fl_thigh_7 - minus_n7_2;
   // v7 = invD7 u_7: u/D
   const T v7 = invD7 * u_7;
@@ -3762,7 +3762,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK6 = invD6 K6: K/D
   const T minus_kK6_2 = invD6 * T(7.94567044e-06);
   const T kK6_3 = invD6 * JA6_13;
-  // u_6 = b6 . n6 + effort_fl_hip_6: drives it [N m]
+  // u_6 = b6 . n6 + effort_fl_hip_6: drives it [N m], [N]
   const T u_6 = n6_1 + effort_fl_hip_6;
   // v6 = invD6 u_6: u/D
   const T v6 = invD6 * u_6;
@@ -3835,7 +3835,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb6_33 = b6_9 - Hb6_11 + Hp6_33;
 
   // ---- body 4 (fr_calf) and what it carries
-  // u_4 = b4 . N4 + effort_fr_calf_4: drives it [N m]
+  // u_4 = b4 . N4 + effort_fr_calf_4: drives it [N m], [N]
   const T u_4 = effort_fr_calf_4 - minus_N4_2;
   // v4 = invD4 u_4: u/D
   const T v4 = T(136.15003737155254) * u_4;
@@ -3893,7 +3893,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK3 = invD3 K3: K/D
   const T kK3_1 = invD3 * T(6.838704148699999e-05);
   const T kK3_3 = invD3 * T(0.0005955910008259999);
-  // u_3 = b3 . n3 + effort_fr_thigh_3: drives it [N m]
+  // u_3 = b3 . n3 + effort_fr_thigh_3: drives it [N m], [N]
   const T u_3 = effort_fr_thigh_3 - minus_n3_2;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
@@ -3978,7 +3978,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // kK2 = invD2 K2: K/D
   const T kK2_2 = invD2 * T(7.94567044e-06);
   const T kK2_3 = invD2 * JA2_13;
-  // u_2 = b2 . n2 + effort_fr_hip_2: drives it [N m]
+  // u_2 = b2 . n2 + effort_fr_hip_2: drives it [N m], [N]
   const T u_2 = n2_1 + effort_fr_hip_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;

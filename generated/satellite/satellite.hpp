@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model fec6f8200b70d11e of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 74cb4825ebb4f1b6 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -48,7 +48,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "fec6f8200b70d11e";
+inline constexpr char model_hash[] = "74cb4825ebb4f1b6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -875,7 +875,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       U4_23 + T(0.0021) * U4_13;
 
   // ---- body 4 (wheel) and what it carries
-  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
   const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
       T(0.5773502691896257) * minus_N4_3);
   // v4 = invD4 u_4: u/D
@@ -910,7 +910,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
 
   // ---- body 3 (right_panel) and what it carries
-  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m], [N]
   const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
   // v3 = invD3 u_3: u/D
   const T minus_v3 = T(0.08333333333333333) * minus_u_3;
@@ -940,7 +940,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m], [N]
   const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
   // v2 = invD2 u_2: u/D
   const T minus_v2 = T(0.08333333333333333) * minus_u_2;
@@ -1677,7 +1677,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
       U4_23 + T(0.0021) * U4_13;
 
   // ---- body 4 (wheel) and what it carries
-  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
   const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
       T(0.5773502691896257) * minus_N4_3);
   // v4 = invD4 u_4: u/D
@@ -1712,7 +1712,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
 
   // ---- body 3 (right_panel) and what it carries
-  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m], [N]
   const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
   // v3 = invD3 u_3: u/D
   const T minus_v3 = T(0.08333333333333333) * minus_u_3;
@@ -1742,7 +1742,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m], [N]
   const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
   // v2 = invD2 u_2: u/D
   const T minus_v2 = T(0.08333333333333333) * minus_u_2;
@@ -2106,7 +2106,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       U4_23 + T(0.0021) * U4_13;
 
   // ---- body 4 (wheel) and what it carries
-  // u_4 = b4 . N4 + tau_wheel_: drives it [N m]
+  // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
   const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
       T(0.5773502691896257) * minus_N4_3);
   // v4 = invD4 u_4: u/D
@@ -2141,7 +2141,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
 
   // ---- body 3 (right_panel) and what it carries
-  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m]
+  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m], [N]
   const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
   // v3 = invD3 u_3: u/D
   const T minus_v3 = T(0.08333333333333333) * minus_u_3;
@@ -2171,7 +2171,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_Hb3_13 = T(0.6) * Mp3_33;
 
   // ---- body 2 (left_panel) and what it carries
-  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m]
+  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m], [N]
   const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
   // v2 = invD2 u_2: u/D
   const T minus_v2 = T(0.08333333333333333) * minus_u_2;

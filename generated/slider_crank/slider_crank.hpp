@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 89d62ff185df4c99 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model 691ad984801579a6 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "89d62ff185df4c99";
+inline constexpr char model_hash[] = "691ad984801579a6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -358,7 +358,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   const T N2_2 = T(0.03) * Pddot2_3 - T(0.2) * (minus_R2_13 * F_joint_pin_3_1 + R2_11 * F_joint_pin_3_3);
 
   // ---- body 3 (slider) and what it carries
-  // u_3 = u3 . G3 + tau_slider_: drives it [N]
+  // u_3 = u3 . G3 + tau_slider_: drives it [N m], [N]
   const T minus_u_3 = F_joint_pin_3_1 + c.p.friction * tanh(sdot3 * T(100));
   // v3 = invD3 u_3: u/D
   const T minus_v3 = T(2.5) * minus_u_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 5dc6c80dcdf73d3b of spring_chain/scene.toml; the usual functions
+// model 66690b1cf4583f8c of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "5dc6c80dcdf73d3b";
+inline constexpr char model_hash[] = "66690b1cf4583f8c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -386,31 +386,31 @@ void accelerations(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y
   const T F_last_spring_5_1 = f_last_spring_5 * line_last_spring_5_1;
 
   // ---- body 5 (mass_5) and what it carries
-  // u_5 = u5 . F_last_spring_5 + effort_mass_5_5: drives it [N]
+  // u_5 = u5 . F_last_spring_5 + effort_mass_5_5: drives it [N m], [N]
   const T u_5 = F_last_spring_5_1 - minus_effort_mass_5_5;
   // v5 = invD5 u_5: u/D
   const T v5 = c.invD4 * u_5;
 
   // ---- body 4 (mass_4) and what it carries
-  // u_4 = u4 . gs5 + effort_mass_4_4: drives it [N]
+  // u_4 = u4 . gs5 + effort_mass_4_4: drives it [N m], [N]
   const T u_4 = minus_effort_mass_5_5 - minus_effort_mass_4_4;
   // v4 = invD4 u_4: u/D
   const T v4 = c.invD4 * u_4;
 
   // ---- body 3 (mass_3) and what it carries
-  // u_3 = u3 . gs4 + effort_mass_3_3: drives it [N]
+  // u_3 = u3 . gs4 + effort_mass_3_3: drives it [N m], [N]
   const T u_3 = minus_effort_mass_4_4 - minus_effort_mass_3_3;
   // v3 = invD3 u_3: u/D
   const T v3 = c.invD4 * u_3;
 
   // ---- body 2 (mass_2) and what it carries
-  // u_2 = u2 . gs3 + effort_mass_2_2: drives it [N]
+  // u_2 = u2 . gs3 + effort_mass_2_2: drives it [N m], [N]
   const T u_2 = minus_effort_mass_3_3 - minus_effort_mass_2_2;
   // v2 = invD2 u_2: u/D
   const T v2 = c.invD4 * u_2;
 
   // ---- body 1 (mass_1) and what it carries
-  // u_1 = u1 . gs2 + effort_mass_1_1: drives it [N]
+  // u_1 = u1 . gs2 + effort_mass_1_1: drives it [N m], [N]
   const T u_1 = minus_effort_mass_2_2 - minus_effort_mass_1_1;
   // v1 = invD1 u_1: u/D
   const T v1 = c.invD4 * u_1;

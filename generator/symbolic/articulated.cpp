@@ -9,6 +9,15 @@ namespace kanec::symbolic {
 
 using GiNaC::ex;
 
+namespace {
+
+// The part normal to an axis, where that has zeros, and what is applied along it.
+ex across(const ex& all, const ex& normal, const ex& applied) {
+  return normal.is_equal(1) ? all : normal * all - applied;
+}
+
+}  // namespace
+
 Articulated::Articulated(Derivation& derivation, const Balance& balance, const AppliedLoads& loads,
                          std::vector<bool> skip)
     : derivation_(derivation),
@@ -52,7 +61,7 @@ ex Articulated::rotation(Frame from, Frame to, int k) {
 
 // 1 − a aᵀ where a is a coordinate axis, of which zeros follow; else 1.
 ex Articulated::projection(const Coordinate& c, int k) {
-  if (coordinate_axis(c.freedom.axis) < 0 || derivation_.mechanism().link(k).pitch != 0) return 1;
+  if (coordinate_axis(c.freedom.axis) < 0 || !derivation_.letters(k).pitch.is_zero()) return 1;
   std::vector<scene::Number> entries(9, scene::Number::constant(0.0));
   for (std::size_t i = 0; i < 3; ++i)
     if (c.freedom.axis[i] == 0) entries[4 * i] = scene::Number::constant(1.0);
@@ -172,59 +181,49 @@ void Articulated::eliminate_attitude(Load& load, int k, std::size_t i) {
   load.H = load.J = load.n = 0;
 }
 
-// D θ̈ + B·P̈ + K·ω̇ = u; what passes on has nothing along the axis.
+// D q̈ + B·P̈ + K·ω̇ = u for a coordinate q, u with what is applied along it.
+const Articulated::Scalar& Articulated::solve(int k, std::size_t i, const Pivot& p, const ex& driving) {
+  const ex inverse_D = define(of("invD", k, i), k, 1 / p.D, "1/D");
+  const ex kB = define(of("kB", k, i), k, inverse_D * p.B, "B/D");
+  const ex kK = define(of("kK", k, i), k, inverse_D * p.K, "K/D");
+  const ex tau = define(of("tau", k, i), k, effort(k, i), "applied along the coordinate [N m], [N]");
+  const ex u = define(of("u_", k, i), k, driving + tau, "drives it [N m], [N]");
+  const ex v = define(of("v", k, i), k, inverse_D * u, "u/D");
+  return scalars_[{k, i}] = {v, kB, kK, projection(coordinates(k)[i], k), tau};
+}
+
+// What passes on has nothing along the axis but what is applied there.
 void Articulated::eliminate_turn(Load& load, int k, std::size_t i) {
-  const Coordinate& c = coordinates(k)[i];
-  const ex& b = c.axis;
+  const ex& b = coordinates(k)[i].axis;
   ex force = derivation_.transposed(load.H) * b, moment = load.J * b;
-  ex driving = load.n.is_zero() ? ex(0) : dot(b, load.n);
-  ex pivot;
-  if (const double pitch = derivation_.mechanism().link(k).pitch; pitch != 0) {
-    const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
-                                                               {scene::Number::constant(pitch)});
-    force += advance * (load.M * b);
-    moment += advance * (load.H * b);
-    driving += advance * dot(b, load.g);
-    pivot = advance * dot(b, define("B", k, force, ""));
+  ex driving = dot(b, load.n);
+  const ex& pitch = derivation_.letters(k).pitch;
+  if (!pitch.is_zero()) {
+    force += pitch * (load.M * b);
+    moment += pitch * (load.H * b);
+    driving += pitch * dot(b, load.g);
   }
   const ex B = define(of("B", k, i), k, force, "force of a unit of the angle's acceleration [kg m]");
   const ex K = define(of("K", k, i), k, moment, "its moment about the body origin, body axes [kg m^2]");
-  const ex D = define(of("D", k, i), k, dot(b, K) + pivot, "pivot: inertia that the angle feels [kg m^2]");
-  const ex inverse_D = define(of("invD", k, i), k, 1 / D, "1/D");
-  const ex kB = define(of("kB", k, i), k, inverse_D * B, "B/D");
-  const ex kK = define(of("kK", k, i), k, inverse_D * K, "K/D");
-  const ex tau = define(of("tau", k, i), k, effort(k, i), "applied along the angle [N m]");
-  const ex u = define(of("u_", k, i), k, driving + tau, "drives it [N m]");
-  const ex v = define(of("v", k, i), k, inverse_D * u, "u/D");
-  const ex normal = projection(c, k);
-  scalars_[{k, i}] = {v, kB, kK, normal};
+  const ex D = define(of("D", k, i), k, dot(b, K) + pitch * dot(b, B), "pivot: inertia that the angle feels [kg m^2]");
+  const auto& [v, kB, kK, normal, tau] = solve(k, i, {B, K, D}, driving);
   load.M = symmetric("M", k, load.M - outer(kB, B), "MA less what the turn takes up [kg]");
   load.H = define("H", k, normal * (load.H - outer(kK, B)), "HA less what the turn takes up [kg m]");
   load.J = symmetric("J", k, normal * (load.J - outer(kK, K)) * normal, "JA less what the turn takes up [kg m^2]");
   load.g = define("gt", k, load.g - v * B, "force with the turn solved [N]");
-  const ex across = normal.is_equal(1) ? load.n - v * K : normal * (load.n - v * K) - tau * b;
-  load.n = define("nt", k, across, "moment with the turn solved [N m]");
+  load.n = define("nt", k, across(load.n - v * K, normal, tau * b), "moment with the turn solved [N m]");
 }
 
 void Articulated::eliminate_slide(Load& load, int k, std::size_t i) {
-  const Coordinate& c = coordinates(k)[i];
-  const ex& a = c.axis;
+  const ex& a = coordinates(k)[i].axis;
   const ex B = define(of("B", k, i), k, load.M * a, "force of a unit of the slide's acceleration [kg]");
   const ex K = define(of("K", k, i), k, load.H * a, "its moment [kg m]");
   const ex D = define(of("D", k, i), k, dot(a, B), "pivot: mass that the slide feels [kg]");
-  const ex inverse_D = define(of("invD", k, i), k, 1 / D, "1/D");
-  const ex kB = define(of("kB", k, i), k, inverse_D * B, "B/D");
-  const ex kK = define(of("kK", k, i), k, inverse_D * K, "K/D");
-  const ex tau = define(of("tau", k, i), k, effort(k, i), "applied along the slide [N]");
-  const ex u = define(of("u_", k, i), k, dot(a, load.g) + tau, "drives it [N]");
-  const ex v = define(of("v", k, i), k, inverse_D * u, "u/D");
-  const ex normal = projection(c, k);
-  scalars_[{k, i}] = {v, kB, kK, normal};
+  const auto& [v, kB, kK, normal, tau] = solve(k, i, {B, K, D}, dot(a, load.g));
   load.M = symmetric(of("Ms", k, i), k, normal * (load.M - outer(kB, B)) * normal, "M with the slide solved [kg]");
   load.H = define(of("Hs", k, i), k, (load.H - outer(kK, B)) * normal, "H with the slide solved [kg m]");
   load.J = symmetric(of("Js", k, i), k, load.J - outer(kK, K), "J with the slide solved [kg m^2]");
-  const ex across = normal.is_equal(1) ? load.g - v * B : normal * (load.g - v * B) - tau * a;
-  load.g = define(of("gs", k, i), k, across, "force with the slide solved [N]");
+  load.g = define(of("gs", k, i), k, across(load.g - v * B, normal, tau * a), "force with the slide solved [N]");
   load.n = define(of("ns", k, i), k, load.n - v * K, "moment with the slide solved [N m]");
 }
 
@@ -312,11 +311,9 @@ ex Articulated::follow_turn(const ex& turned, int k) {
   const ex along = define("phi", k, of.v - dot(of.kB, origin_[at]) - dot(of.normal * of.kK, spin), "", Pass::solved);
   const bool is_plain = of.normal.is_equal(1);
   found(k, 0, is_plain ? along : along - dot(c.axis, spin));
-  if (const double pitch = derivation_.mechanism().link(k).pitch; pitch != 0) {
-    const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
-                                                               {scene::Number::constant(pitch)});
+  if (const ex& pitch = derivation_.letters(k).pitch; !pitch.is_zero()) {
     origin_[at] =
-        define("betas", k, origin_[at] + advance * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
+        define("betas", k, origin_[at] + pitch * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
                "acceleration of the origin on its screw [m/s^2]", Pass::solved);
   }
   return define("alpha", k, (is_plain ? spin : of.normal * spin) + along * c.axis,

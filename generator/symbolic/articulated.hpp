@@ -30,9 +30,14 @@ class Articulated {
     GiNaC::ex M, H, J, g, n;
     Frame frame = 0;
   };
-  // What is needed on the way out to find a scalar coordinate's rate: (v − kB·P̈ − kK·ω̇).
+  // Of a scalar coordinate: force and moment of a unit of its acceleration, and what of them it feels itself.
+  struct Pivot {
+    GiNaC::ex B, K, D;
+  };
+  // What is needed on the way out to find its rate: v − kB·P̈ − kK·ω̇; with the projection normal to its axis (1 where
+  // that gives no zeros) and what is applied along it.
   struct Scalar {
-    GiNaC::ex v, kB, kK, normal;
+    GiNaC::ex v, kB, kK, normal, tau;
   };
   // The same for three: L⁻ᵀ (w − W P̈).
   struct Triple {
@@ -45,6 +50,7 @@ class Articulated {
   Load carried(int link);
   void add(Load& sum, int link, int child);
   void eliminate_attitude(Load& load, int link, std::size_t i);
+  const Scalar& solve(int link, std::size_t i, const Pivot& pivot, const GiNaC::ex& driving);
   void eliminate_turn(Load& load, int link, std::size_t i);
   void eliminate_slide(Load& load, int link, std::size_t i);
   void eliminate_translation(Load& load, int link, std::size_t i);

@@ -87,14 +87,12 @@ Composites::Wrench Composites::unit(int k, const Coordinate& c) {
       break;
   }
   const std::string name = column_name(derivation_, c);
-  const double pitch = derivation_.mechanism().link(k).pitch;
+  const ex& pitch = derivation_.letters(k).pitch;
   ex force = skew(c.axis) * moment_[at];
   ex moment = inertia_[at] * c.axis;
-  if (pitch != 0) {
-    const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
-                                                               {scene::Number::constant(pitch)});
-    force += advance * mass_[at] * c.axis;
-    moment += advance * (skew(moment_[at]) * c.axis);
+  if (!pitch.is_zero()) {
+    force += pitch * mass_[at] * c.axis;
+    moment += pitch * (skew(moment_[at]) * c.axis);
   }
   return {define("B_" + name, "B", k, force, "force of a unit of the rate of the speed"), k,
           define("K_" + name, "K", k, moment, "its moment about the body origin, body axes")};
@@ -134,12 +132,10 @@ ex Composites::row(const Wrench& wrench, int k, const Coordinate& c, bool column
     case Freedom::Kind::turn:
       break;
   }
-  const double pitch = derivation_.mechanism().link(k).pitch;
+  const ex& pitch = derivation_.letters(k).pitch;
   ex value = along(c.axis, wrench.moment);
-  if (pitch != 0) {
-    const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
-                                                               {scene::Number::constant(pitch)});
-    value += advance * along(c.axis, derivation_.in_axes(wrench.force, wrench.frame, k));
+  if (!pitch.is_zero()) {
+    value += pitch * along(c.axis, derivation_.in_axes(wrench.force, wrench.frame, k));
   }
   return value;
 }

@@ -99,6 +99,7 @@ struct Letters {
   GiNaC::ex omega_value;                   // of a link that turns with its lower link: ω written with the lower one's
   GiNaC::ex s, sdot;                       // translation and its rate, lower link's axes
   GiNaC::ex offset;                        // q, and what locked coordinates add
+  GiNaC::ex pitch;                         // of a screw [m/rad], else 0
   GiNaC::ex mass, r, inertia;              // of all bodies on the link, link axes; 0 where there is none
   std::vector<Coordinate> coordinates;     // rotation first
 };

@@ -64,12 +64,10 @@ ex InwardSums::row(int k, const Coordinate& c) const {
       break;
   }
   // the axis is the same in the axes of both bodies that it joins
-  const double pitch = derivation_.mechanism().link(k).pitch;
+  const ex& pitch = derivation_.letters(k).pitch;
   ex value = dot(c.axis, moment(k));
-  if (pitch != 0) {
-    const ex advance = derivation_.equations.table.add_numbers("pitch", "h", derivation_.mechanism().link(k).suffix,
-                                                               {scene::Number::constant(pitch)});
-    value += advance * dot(c.axis, derivation_.in_axes(force(k), derivation_.home(k), k));
+  if (!pitch.is_zero()) {
+    value += pitch * dot(c.axis, derivation_.in_axes(force(k), derivation_.home(k), k));
   }
   return value;
 }

@@ -146,10 +146,10 @@ class Definition {
     const Link& link = equations_.mechanism.link(j);
     Letters& l = letters(j);
     const Coordinate& turn = l.coordinates.front();
-    const ex advance = table_.add_numbers("pitch", "h", link.suffix, {Number::constant(link.pitch)});
+    l.pitch = table_.add_numbers("pitch", "h", link.suffix, {Number::constant(link.pitch)});
     const ex axis = table_.add_numbers("u", "u", link.suffix, entries(link.freedoms.front().axis));
-    l.s += advance * turn.value * axis;
-    l.sdot += advance * turn.speed * axis;
+    l.s += l.pitch * turn.value * axis;
+    l.sdot += l.pitch * turn.speed * axis;
   }
 
   void add_translation(Letters& l, const Freedom& freedom, const std::string& suffix, int at_x, int at_y) {

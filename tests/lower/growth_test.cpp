@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "generator/candidates.hpp"
 #include "generator/program/ledger.hpp"
 #include "generator/scene/read.hpp"
 #include "tests/lower/sample.hpp"
@@ -35,8 +36,9 @@ scene::Scene hinges(int n, int (*lower)(Random&, int)) {
   return scene::parse("name = \"hinges\"\nconnection = [" + connection + "]\ngravity = [0.0, 0.0, -9.81]\n" + bodies, "hinges");
 }
 
+// Joint by joint: L D Lᵀ, where it is cheaper, grows with the depth of the tree as well.
 int operations(int n, int (*lower)(Random&, int), const std::string& function) {
-  const program::Program program = program_of(hinges(n, lower), {function});
+  const program::Program program = cheapest_program(hinges(n, lower), {function}, symbolic::Algorithm::articulated);
   return program::ledger(program, program.functions[0]).operations();
 }
 
@@ -52,7 +54,7 @@ TEST(Growth, of_operations_is_that_of_the_number_of_bodies) {
       const int few = operations(8, tree.lower, function), some = operations(64, tree.lower, function),
                 many = operations(500, tree.lower, function);
       const double first = (some - few) / 56.0, later = (many - some) / 436.0;  // a body
-      EXPECT_LT(later, 1.1 * first);  // trees differ in how many bodies carry none, and in what repeats
+      EXPECT_LT(later, 1.03 * first);  // random trees differ in how many bodies carry none, by 3 in a hundred
       EXPECT_LT(later, most);
     }
 }
