@@ -146,6 +146,20 @@ Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain) {
   return balance_of(derivation, chain, applied_loads(derivation), Motion::at_rest);
 }
 
+Balance inertia_alone(Derivation& derivation, AccelerationChain& chain) {
+  const std::vector<ex> none(static_cast<std::size_t>(derivation.size()) + 1);
+  return balance_of(derivation, chain, {none, none, {}, {}}, Motion::as_given);
+}
+
+// Less the applied forces and moments, projected.
+void derive_applied(Derivation& derivation) {
+  const AppliedLoads loads = applied_loads(derivation);
+  Balance balance;
+  for (const ex& force : loads.force) balance.force.push_back(-force);
+  for (const ex& moment : loads.moment) balance.moment.push_back(-moment);
+  fill(derivation, InwardSums(derivation, balance, "r"), loads, "r", -1, derivation.function("applied"));
+}
+
 void derive_forcing(Derivation& derivation) {
   AccelerationChain chain = derive_acceleration_chain(derivation, rates_at_rest(derivation));
   const Balance balance = applied_less_inertia(derivation, chain);
