@@ -11,10 +11,6 @@ using GiNaC::ex;
 
 namespace {
 
-bool is_wide(const Coordinate& c) {
-  return c.freedom.kind == Freedom::Kind::attitude || c.freedom.kind == Freedom::Kind::translation;
-}
-
 std::string column_name(const Derivation& derivation, const Coordinate& c) {
   const Symbol& speed = derivation.equations.table.of(c.speed);
   return speed.name + speed.suffix + "_";

@@ -175,12 +175,10 @@ void derive_driving_loads(Derivation& derivation) {
     for (int k = 1; k <= derivation.size(); ++k) {
       const std::vector<Coordinate>& coordinates = derivation.letters(k).coordinates;
       for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Freedom::Kind kind = coordinates[i].freedom.kind;
-        const bool is_rotation = kind == Freedom::Kind::attitude || kind == Freedom::Kind::turn;
-        if (coordinates[i].row >= 0 || is_rotation != rotation) continue;
+        if (coordinates[i].row >= 0 || is_rotation(coordinates[i]) != rotation) continue;
         const ex value = r.sums.row(k, coordinates[i]) - r.loads.effort[static_cast<std::size_t>(k)][i];
         function.outputs.push_back({value, at, 1, false});
-        at += kind == Freedom::Kind::attitude ? 3 : 1;
+        at += coordinates[i].freedom.kind == Freedom::Kind::attitude ? 3 : 1;
       }
     }
 }
