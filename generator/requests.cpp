@@ -92,9 +92,13 @@ std::vector<std::string> requested_functions(const scene::Scene& scene, const st
   std::vector<std::string> known, result;
   for (const Available& function : available) known.push_back(function.name);
   for (const std::string& name : names.empty() ? scene.functions : names) {
-    for (const std::string& part : parts(name))
+    std::vector<std::string> before;
+    for (const std::string& part : parts(name)) {
       if (!contains(known, part))
         throw InputError("no function '" + part + "' in this model; it has: " + listed(known));
+      if (contains(before, part)) throw InputError("function '" + part + "' stands twice in '" + name + "'");
+      before.push_back(part);
+    }
     insert(result, name);
   }
   if (result.empty())

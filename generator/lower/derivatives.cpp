@@ -147,6 +147,7 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
                     nu,
                     signature("B", false, "2 ny x n_inputs", nu)});
   }
+  for (Derived& derived : list) derived.signature.by_inputs = derived.by == std::vector<std::string>{"u"};
   return list;
 }
 

@@ -97,6 +97,7 @@ Function combined(Program& program, const std::vector<std::string>& names) {
     result.signature.y |= part.signature.y;
     result.signature.ydot |= part.signature.ydot;
     result.signature.inputs |= part.signature.inputs;
+    result.signature.by_inputs |= part.signature.by_inputs;
   }
   result.n_out = static_cast<Index>(result.outputs.size());
   return result;
