@@ -75,6 +75,22 @@ std::string markdown_table(const FunctionErrors& function) {
   return text;
 }
 
+// Accelerations of all scenes as they are kept, beside the generic path.
+std::string overview(const std::vector<SceneErrors>& scenes) {
+  std::string text =
+      "\n## Accelerations by scene\n\n| scene | condition of A | operations | double: median | largest | float: median "
+      "| generic path: median | largest | way |\n|---|--:|--:|--:|--:|--:|--:|--:|---|\n";
+  for (const SceneErrors& scene : scenes)
+    for (const FunctionErrors& function : scene.functions) {
+      const WayErrors& kept = function.ways.front();
+      if (function.function != "accelerations") continue;
+      text += markdown_row({scene.model, fmt::format("{:.2g}", scene.condition), std::to_string(kept.cost.operations()),
+                            shown(kept.in_double.median), shown(kept.in_double.largest), shown(kept.in_float.median),
+                            shown(function.generic.median), shown(function.generic.largest), kept.description});
+    }
+  return text;
+}
+
 Json errors_json(const UlpErrors& errors) {
   return {{"median_ulps", errors.median}, {"largest_ulps", errors.largest}, {"hard_ulps", errors.hard}};
 }
@@ -159,6 +175,7 @@ std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const Ev
                                 const std::string& command) {
   std::string text =
       "# Accuracy of evaluation\n\nWritten by `" + command + "`.\n\n" + fmt::format(page_head, options.states);
+  text += overview(scenes);
   for (const SceneErrors& scene : scenes) {
     text += fmt::format("\n## {}\n\n{} bodies, {} speeds; {}.\n", scene.model, scene.bodies, scene.speeds,
                         condition_of(scene));

@@ -21,8 +21,8 @@ bool has_balls(const symbolic::Mechanism& mechanism) {
   });
 }
 
-// A grows with the cube of what is coupled: beyond this it is no way at all.
-bool may_be_composite(const symbolic::Mechanism& mechanism) { return mechanism.size() <= 32; }
+// The work grows with the cube of what is coupled: beyond this it is no way at all.
+bool may_be_composite(const symbolic::Mechanism& mechanism) { return mechanism.size() <= 16; }
 
 Way with_other_algorithm(Way way) {
   way.algorithm = way.algorithm == Algorithm::composite ? Algorithm::articulated : Algorithm::composite;

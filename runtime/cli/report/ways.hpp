@@ -11,17 +11,6 @@
 
 namespace kanec::cli {
 
-enum class Change {
-  none,
-  other_algorithm,
-  other_axes,
-  plain_origins,
-  no_regrouping,
-  few_together,
-  all_together,
-  no_passes
-};
-
 struct NamedWay {
   std::string name;  // "kept", "masses not regrouped"
   symbolic::Way way;
