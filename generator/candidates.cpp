@@ -2,11 +2,12 @@
 #include "generator/candidates.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <tuple>
 #include <utility>
 
+#include "generator/comparison.hpp"
 #include "generator/lower/derivatives.hpp"
-#include "generator/program/ledger.hpp"
 #include "generator/program/passes.hpp"
 
 namespace kanec {
@@ -58,71 +59,30 @@ bool depends_on_way(const std::string& deciding) {
   return deciding == "residual" || deciding == "forcing" || deciding == "mass_matrix";
 }
 
-struct Candidate {
-  Way way;
-  program::Ledger cost;
-};
-
-// Counts ways for several functions at once.
-class Comparison {
- public:
-  Comparison(const scene::Scene& scene, const Reductions& base, std::vector<std::string> names)
-      : scene_(scene), base_(base), names_(std::move(names)), candidates_(names_.size()) {}
-
-  void add(const Way& way) {
-    if (names_.empty()) return;
-    const program::Program program = program::optimized(program_of(scene_, names_, way));
-    const std::vector<program::Ledger> costs = program::ledgers(program);
-    for (std::size_t i = 0; i < costs.size(); ++i) candidates_[i].push_back({way, costs[i]});
-  }
-
-  // The cheapest of those that pass the filter.
-  template <class Filter>
-  const Candidate* best(const std::string& name, const Filter& filter) const {
-    const auto at = static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
-    const Candidate* best = nullptr;
-    for (const Candidate& candidate : candidates_[at])
-      if (filter(candidate.way) && (!best || weighted_cost(candidate.cost) < weighted_cost(best->cost)))
-        best = &candidate;
-    return best;
-  }
-
-  // Whatever others are compared, a function's way is the same: the best algorithm and axes with all that can be left
-  // out, then the best of what may stay in.
-  const Candidate& best(const std::string& name) const {
-    const Way first = best(name, [this](const Way& way) { return way.reductions == base_; })->way;
-    return *best(name, [&first](const Way& way) { return way.algorithm == first.algorithm && way.axes == first.axes; });
-  }
-
-  // Of all functions, each way once.
-  std::vector<Way> best_ways() const {
-    std::vector<Way> ways;
-    for (const std::string& name : names_)
-      if (std::find(ways.begin(), ways.end(), best(name).way) == ways.end()) ways.push_back(best(name).way);
-    return ways;
-  }
-
- private:
-  const scene::Scene& scene_;
-  Reductions base_;
-  std::vector<std::string> names_;
-  std::vector<std::vector<Candidate>> candidates_;  // by name
-};
-
 void add_all(Comparison& comparison, const std::vector<Algorithm>& algorithms, const Size& size,
              const Reductions& base) {
   for (const Algorithm algorithm : algorithms) {
     comparison.add({base, algorithm, Axes::inertial});
     if (size.has_balls) comparison.add({base, algorithm, Axes::body});
   }
+  comparison.add_mended();
   if (size.pairs > few_pairs) return;
   // where origins stay and masses are not regrouped: only in what is best otherwise
   for (Way way : comparison.best_ways())
     for (const auto& [place, regroup] : {std::pair(false, true), {true, false}, {false, false}}) {
+      way.reductions = base;
       way.reductions.place_origins = base.place_origins && place;
       way.reductions.regroup = base.regroup && regroup;
       comparison.add(way);
     }
+  comparison.add_mended();
+}
+
+// "4.2"
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
 }
 
 // Which algorithm is kept; nothing where there was no choice, or no difference.
@@ -131,7 +91,10 @@ std::string choice_of(const Comparison& comparison, const std::string& name) {
   const Algorithm other = kept.way.algorithm == Algorithm::composite ? Algorithm::articulated : Algorithm::composite;
   const Candidate* next = comparison.best(name, [other](const Way& way) { return way.algorithm == other; });
   if (next == nullptr || next->cost == kept.cost) return "";
-  return kanec::name(kept.way.algorithm) + "; " + kanec::name(other) + " would take " + program::text(next->cost);
+  const std::string text =
+      kanec::name(kept.way.algorithm) + "; " + kanec::name(other) + " would take " + program::text(next->cost);
+  if (weighted_cost(next->cost) >= weighted_cost(kept.cost)) return text;
+  return text + ", and err by " + short_text(next->error) + " ulps instead of " + short_text(kept.error);
 }
 
 bool is_derived(const scene::Scene& scene, const std::string& name) {
@@ -146,8 +109,7 @@ std::string words(symbolic::Derivatives derivatives) {
 }
 
 // Of the ways to make a derivative the one with the fewest operations; of what it is made of the way is known.
-std::pair<Way, std::string> cheapest_derivative(const scene::Scene& scene, const std::string& name, Way way,
-                                                const Size& size) {
+Chosen cheapest_derivative(const scene::Scene& scene, const std::string& name, Way way, const Size& size) {
   Comparison comparison(scene, way.reductions, {name});
   comparison.add(way);
   way.derivatives = symbolic::Derivatives::equations;
@@ -171,7 +133,7 @@ using Groups = std::vector<std::pair<Way, std::vector<std::string>>>;  // names 
 
 // One program of all groups, its functions in the order of `names`.
 program::Program program_of_groups(const Groups& groups, const scene::Scene& scene,
-                                   const std::vector<std::string>& names, const std::vector<std::string>& choices) {
+                                   const std::vector<std::string>& names, const std::vector<Chosen>& chosen) {
   program::Program all;
   std::vector<std::string> order;
   for (const auto& [way, some] : groups) {
@@ -183,7 +145,7 @@ program::Program program_of_groups(const Groups& groups, const scene::Scene& sce
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), names[i]) - order.begin());
     functions.push_back(all.functions[at]);
-    functions.back().choice = choices[i];
+    functions.back().choice = chosen[i].choice;
   }
   all.functions = std::move(functions);
   if (groups.size() == 1) return all;
@@ -199,9 +161,12 @@ void insert(std::vector<std::string>& list, const std::string& item) {
 
 std::string name(Algorithm algorithm) { return algorithm == Algorithm::composite ? "composite" : "articulated"; }
 
-program::Program cheapest_program(const scene::Scene& scene, const std::vector<std::string>& names,
-                                  std::optional<Algorithm> algorithm, const Reductions& base) {
-  const Size size = size_of(scene, base);
+std::vector<Chosen> choose_ways(const scene::Scene& scene, const std::vector<std::string>& names,
+                                std::optional<Algorithm> algorithm, const Reductions& all) {
+  const Size size = size_of(scene, all);
+  // of long chains it is known that accelerations lose digits where all masses are gathered
+  Reductions for_solved = all;
+  if (size.pairs > few_pairs) for_solved.group = std::min(all.group, few_links);
   std::vector<std::string> solved, others;
   for (const std::string& name : names) {
     const std::string decides = deciding(scene, name);
@@ -211,25 +176,34 @@ program::Program cheapest_program(const scene::Scene& scene, const std::vector<s
   std::vector<Algorithm> algorithms = {Algorithm::articulated};
   if (size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links)) algorithms.push_back(Algorithm::composite);
   if (algorithm) algorithms = {*algorithm};
-  Comparison of_solved(scene, base, solved), of_others(scene, base, others);
-  add_all(of_solved, algorithms, size, base);
-  add_all(of_others, {Algorithm::composite}, size, base);
+  Comparison of_solved(scene, for_solved, solved), of_others(scene, all, others);
+  add_all(of_solved, algorithms, size, for_solved);
+  add_all(of_others, {Algorithm::composite}, size, all);
 
-  Way plain{base};
+  Way plain{all};
   plain.reductions.place_origins = false;
-  Groups groups;
-  std::vector<std::string> choices;
+  std::vector<Chosen> chosen;
   for (const std::string& name : names) {
     const std::string decides = deciding(scene, name);
-    const bool is_solved = decides == "accelerations";
-    Way way = is_solved ? of_solved.best(decides).way : depends_on_way(decides) ? of_others.best(decides).way : plain;
-    choices.push_back(is_solved ? choice_of(of_solved, decides) : "");
-    if (is_derived(scene, name)) std::tie(way, choices.back()) = cheapest_derivative(scene, name, way, size);
-    const auto same = [&way](const auto& group) { return group.first == way; };
-    const auto known = std::find_if(groups.begin(), groups.end(), same);
-    known == groups.end() ? groups.push_back({way, {name}}) : known->second.push_back(name);
+    if (decides == "accelerations")
+      chosen.push_back({of_solved.best(decides).way, choice_of(of_solved, decides)});
+    else
+      chosen.push_back({depends_on_way(decides) ? of_others.best(decides).way : plain});
+    if (is_derived(scene, name)) chosen.back() = cheapest_derivative(scene, name, chosen.back().way, size);
   }
-  return program_of_groups(groups, scene, names, choices);
+  return chosen;
+}
+
+program::Program cheapest_program(const scene::Scene& scene, const std::vector<std::string>& names,
+                                  std::optional<Algorithm> algorithm, const Reductions& all) {
+  const std::vector<Chosen> chosen = choose_ways(scene, names, algorithm, all);
+  Groups groups;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto same = [&](const auto& group) { return group.first == chosen[i].way; };
+    const auto known = std::find_if(groups.begin(), groups.end(), same);
+    known == groups.end() ? groups.push_back({chosen[i].way, {names[i]}}) : known->second.push_back(names[i]);
+  }
+  return program_of_groups(groups, scene, names, chosen);
 }
 
 }  // namespace kanec

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cb6: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0ff341fd862e25cf of bench_cb6/scene.toml; the usual functions
+// model bfb1a9828cee34c1 of bench_cb6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: ball
 //   2 body_2 on 1: ball
@@ -27,7 +27,7 @@
 //   energy                  666 (298 add, 368 multiply)
 //   momentum                905 (420 add, 485 multiply)
 //   power                   353 (158 add, 195 multiply)
-//   accelerations           2354 (1074 add, 1265 multiply, 15 divide)
+//   accelerations           2363 (1080 add, 1268 multiply, 15 divide)
 //   residual                1105 (539 add, 566 multiply)
 //   forcing                 1031 (485 add, 546 multiply)
 //   mass_matrix             1227 (475 add, 752 multiply)
@@ -42,7 +42,7 @@ inline constexpr int nx = 24;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 18;
-inline constexpr char model_hash[] = "0ff341fd862e25cf";
+inline constexpr char model_hash[] = "bfb1a9828cee34c1";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1398,7 +1398,7 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1074 add, 1265 multiply, 15 divide
+// 1080 add, 1268 multiply, 15 divide
 // by: articulated; composite would take 2116 add, 2597 multiply, 15 divide
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
@@ -1479,18 +1479,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot2_3 = C2_31 * t2_16 + C2_32 * t2_18 + C2_33 * t2_19;
   // N1 = -C2^T M_torque_2_ - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M_torque_1_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N1_1 = T(0.755) * Pddot1_2 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + T(0.92) *
-      Pddot1_3) + T(0.0027500000000000033) * U1_23 + T(0.0854) * (t1_4 - t1_3) + T(0.2122) * U1_12 - T(0.2265) * U1_13
-      + u.tau_1_1;
-  const T N1_2 = T(2.21) * Pddot1_3 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + T(0.755) *
-      Pddot1_1) + T(0.5462499999999999) * U1_13 + T(0.2122) * (t1_3 - t1_5) + T(0.2265) * U1_23 - T(0.0854) * U1_12 +
-      u.tau_1_2;
-  const T N1_3 = T(0.92) * Pddot1_1 - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + T(2.21) * Pddot1_2)
-      - T(0.5489999999999999) * U1_12 + T(0.2265) * (t1_5 - t1_4) + T(0.0854) * U1_13 - T(0.2122) * U1_23 + u.tau_1_3;
+  const T N1_1 = T(0.30500000000000005) * Pddot1_2 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 +
+      T(0.47000000000000003) * Pddot1_3) + T(0.0027500000000000033) * U1_23 + T(0.040400000000000005) * (t1_4 - t1_3)
+      + T(0.0772) * U1_12 - T(0.09150000000000001) * U1_13 + u.tau_1_1;
+  const T N1_2 = T(0.86) * Pddot1_3 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 +
+      T(0.30500000000000005) * Pddot1_1) + T(0.18624999999999997) * U1_13 + T(0.0772) * (t1_3 - t1_5) +
+      T(0.09150000000000001) * U1_23 - T(0.040400000000000005) * U1_12 + u.tau_1_2;
+  const T N1_3 = T(0.47000000000000003) * Pddot1_1 - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 +
+      T(0.86) * Pddot1_2) - T(0.18899999999999997) * U1_12 + T(0.09150000000000001) * (t1_5 - t1_4) +
+      T(0.040400000000000005) * U1_13 - T(0.0772) * U1_23 + u.tau_1_3;
   // G2 = -U2 h_all_2: applied less inertia force, body axes [N]
-  const T minus_G2_1 = U2_12 * T(1.1099999999999999) - minus_U2_11 * T(1.8599999999999999) + U2_13 * T(0.64);
-  const T minus_G2_2 = U2_12 * T(1.8599999999999999) - minus_U2_22 * T(1.1099999999999999) + U2_23 * T(0.64);
-  const T minus_G2_3 = U2_13 * T(1.8599999999999999) + U2_23 * T(1.1099999999999999) - minus_U2_33 * T(0.64);
+  const T minus_G2_1 = U2_12 * T(0.435) - minus_U2_11 * T(0.51) + U2_13 * T(0.19);
+  const T minus_G2_2 = U2_12 * T(0.51) - minus_U2_22 * T(0.435) + U2_23 * T(0.19);
+  const T minus_G2_3 = U2_13 * T(0.51) + U2_23 * T(0.435) - minus_U2_33 * T(0.19);
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -1542,19 +1543,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot3_3 = C3_31 * t3_16 + C3_32 * t3_17 + C3_33 * t3_18;
   // N2 = -C3^T M_torque_3_ - h_all_2~ Pddot2 - omega2~ J_all_2 omega2 + M_torque_2_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N2_1 = T(0.64) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 +
-      T(1.1099999999999999) * Pddot2_3) - T(0.0695) * U2_23 + T(0.1038) * (t2_14 - t2_13) + T(0.1764) * U2_12 -
-      T(0.27899999999999997) * U2_13 + u.tau_2_1;
-  const T N2_2 = T(1.8599999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 +
-      T(0.64) * Pddot2_1) + T(0.44899999999999995) * U2_13 + T(0.1764) * (t2_13 - t2_15) + T(0.27899999999999997) *
-      U2_23 - T(0.1038) * U2_12 + u.tau_2_2;
-  const T N2_3 = T(1.1099999999999999) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 +
-      T(1.8599999999999999) * Pddot2_2) - T(0.37949999999999995) * U2_12 + T(0.27899999999999997) * (t2_15 - t2_14) +
-      T(0.1038) * U2_13 - T(0.1764) * U2_23 + u.tau_2_3;
+  const T N2_1 = T(0.19) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + T(0.435) *
+      Pddot2_3) - T(0.013250000000000014) * U2_23 + T(0.0363) * (t2_14 - t2_13) + T(0.0414) * U2_12 - T(0.0765) *
+      U2_13 + u.tau_2_1;
+  const T N2_2 = T(0.51) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + T(0.19) * Pddot2_1)
+      + T(0.089) * U2_13 + T(0.0414) * (t2_13 - t2_15) + T(0.0765) * U2_23 - T(0.0363) * U2_12 + u.tau_2_2;
+  const T N2_3 = T(0.435) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + T(0.51) *
+      Pddot2_2) - T(0.07574999999999998) * U2_12 + T(0.0765) * (t2_15 - t2_14) + T(0.0363) * U2_13 - T(0.0414) * U2_23
+      + u.tau_2_3;
   // G3 = -U3 h_all_3: applied less inertia force, body axes [N]
-  const T minus_G3_1 = U3_12 * T(1.1600000000000001) - minus_U3_11 * T(1.48) + U3_13 * T(0.515);
-  const T minus_G3_2 = U3_12 * T(1.48) - minus_U3_22 * T(1.1600000000000001) + U3_23 * T(0.515);
-  const T minus_G3_3 = U3_13 * T(1.48) + U3_23 * T(1.1600000000000001) - minus_U3_33 * T(0.515);
+  const T minus_G3_1 = U3_12 * T(0.26) - minus_U3_11 * T(0.13) + U3_13 * T(0.065);
+  const T minus_G3_2 = U3_12 * T(0.13) - minus_U3_22 * T(0.26) + U3_23 * T(0.065);
+  const T minus_G3_3 = U3_13 * T(0.13) + U3_23 * T(0.26) - minus_U3_33 * T(0.065);
 
   // ---- body 4 (body_4) on body 3
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -1606,19 +1606,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot4_3 = C4_31 * t4_16 + C4_32 * t4_17 + C4_33 * t4_18;
   // N3 = -C4^T M_torque_4_ - h_all_3~ Pddot3 - omega3~ J_all_3 omega3 + M_torque_3_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N3_1 = T(0.515) * Pddot3_2 - (C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 +
-      T(1.1600000000000001) * Pddot3_3) - T(0.13175) * U3_23 + T(0.10820000000000002) * (t3_14 - t3_13) + T(0.1376) *
-      U3_12 - T(0.28950000000000004) * U3_13 + u.tau_3_1;
-  const T N3_2 = T(1.48) * Pddot3_3 - (C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.515) *
-      Pddot3_1) + T(0.34374999999999994) * U3_13 + T(0.1376) * (t3_13 - t3_15) + T(0.28950000000000004) * U3_23 -
-      T(0.10820000000000002) * U3_12 + u.tau_3_2;
-  const T N3_3 = T(1.1600000000000001) * Pddot3_1 - (C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 +
-      T(1.48) * Pddot3_2) - T(0.21199999999999994) * U3_12 + T(0.28950000000000004) * (t3_15 - t3_14) +
-      T(0.10820000000000002) * U3_13 - T(0.1376) * U3_23 + u.tau_3_3;
-  // G4 = -U4 h_all_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_12 * T(1.055) - minus_U4_11 * T(1.07) + U4_13 * T(0.38);
-  const T minus_G4_2 = U4_12 * T(1.07) - minus_U4_22 * T(1.055) + U4_23 * T(0.38);
-  const T minus_G4_3 = U4_13 * T(1.07) + U4_23 * T(1.055) - minus_U4_33 * T(0.38);
+  const T N3_1 = T(0.065) * Pddot3_2 - (C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.26) *
+      Pddot3_3) + T(0.0032499999999999977) * U3_23 + T(0.0182) * (t3_14 - t3_13) + T(0.002600000000000001) * U3_12 -
+      T(0.019500000000000003) * U3_13 + u.tau_3_1;
+  const T N3_2 = T(0.13) * Pddot3_3 - (C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.065) *
+      Pddot3_1) - T(0.016250000000000007) * U3_13 + T(0.002600000000000001) * (t3_13 - t3_15) +
+      T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12 + u.tau_3_2;
+  const T N3_3 = T(0.26) * Pddot3_1 - (C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.13) * Pddot3_2)
+      + T(0.01300000000000001) * U3_12 + T(0.019500000000000003) * (t3_15 - t3_14) + T(0.0182) * U3_13 -
+      T(0.002600000000000001) * U3_23 + u.tau_3_3;
+  // G4 = -m_all_4 Pddot4 - U4 h_all_4: applied less inertia force, body axes [N]
+  const T minus_G4_1 = T(4.5) * Pddot4_1 + U4_12 * T(1.055) - minus_U4_11 * T(1.07) + U4_13 * T(0.38);
+  const T minus_G4_2 = T(4.5) * Pddot4_2 + U4_12 * T(1.07) - minus_U4_22 * T(1.055) + U4_23 * T(0.38);
+  const T minus_G4_3 = T(4.5) * Pddot4_3 + U4_13 * T(1.07) + U4_23 * T(1.055) - minus_U4_33 * T(0.38);
 
   // ---- body 5 (body_5) on body 4
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -1901,6 +1901,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb5_33 = b5_16 - b5_14;
 
   // ---- body 4 (body_4) and what it carries
+  // MA4 = m_all_4 one + Mb5: force for an acceleration of the origin, home axes [kg]
+  const T MA4_11 = T(4.5) + Mb5_11;
+  const T MA4_22 = T(4.5) + Mb5_22;
+  const T MA4_33 = T(4.5) + Mb5_33;
   // HA4 = h_all_4~ + Hb5: moment for an acceleration of the origin, body axes [kg m]
   const T HA4_12 = Hb5_12 - T(0.38);
   const T HA4_13 = T(1.055) + Hb5_13;
@@ -1917,11 +1921,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T JA4_33 = Hb5_32 * T(0.3) - Hb5_31 * T(0.25) + T(0.6547499999999999);
   // g4 = C5^T gb5 + G4: force that drives it, home axes [N]
   const T b4_1 = C5_11 * minus_gb5_1 + C5_21 * minus_gb5_2 + C5_31 * minus_gb5_3;
-  const T minus_g4_1 = b4_1 + minus_G4_1;
+  const T minus_g4_1 = minus_G4_1 + b4_1;
   const T b4_2 = C5_12 * minus_gb5_1 + C5_22 * minus_gb5_2 + C5_32 * minus_gb5_3;
-  const T minus_g4_2 = b4_2 + minus_G4_2;
+  const T minus_g4_2 = minus_G4_2 + b4_2;
   const T b4_3 = C5_13 * minus_gb5_1 + C5_23 * minus_gb5_2 + C5_33 * minus_gb5_3;
-  const T minus_g4_3 = b4_3 + minus_G4_3;
+  const T minus_g4_3 = minus_G4_3 + b4_3;
   // n4 = q5~ C5^T gb5 + N4: moment that drives it, body axes [N m]
   const T n4_1 = T(0.1) * b4_2 - T(0.25) * b4_3 + N4_1;
   const T n4_2 = T(0.3) * b4_3 - T(0.1) * b4_1 + N4_2;
@@ -1956,13 +1960,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b4_5 = n4_2 + minus_LD4_21 * n4_1;
   const T w_4_2 = LD4_22 * b4_5;
   const T w_4_3 = LD4_33 * (n4_3 + minus_LD4_31 * n4_1 + minus_LD4_32 * b4_5);
-  // M4 = Mb5 - Y4^T W4: MA less what the ball takes up [kg]
-  const T M4_11 = Mb5_11 - (Hb5_11 * W4_11 + Y4_21 * W4_21 + Y4_31 * W4_31);
+  // M4 = MA4 - Y4^T W4: MA less what the ball takes up [kg]
+  const T M4_11 = MA4_11 - (Hb5_11 * W4_11 + Y4_21 * W4_21 + Y4_31 * W4_31);
   const T M4_12 = Mb5_12 - (Hb5_11 * W4_12 + Y4_21 * W4_22 + Y4_31 * W4_32);
   const T M4_13 = Mb5_13 - (Hb5_11 * W4_13 + Y4_21 * W4_23 + Y4_31 * W4_33);
-  const T M4_22 = Mb5_22 - (HA4_12 * W4_12 + Y4_22 * W4_22 + Y4_32 * W4_32);
+  const T M4_22 = MA4_22 - (HA4_12 * W4_12 + Y4_22 * W4_22 + Y4_32 * W4_32);
   const T M4_23 = Mb5_23 - (HA4_12 * W4_13 + Y4_22 * W4_23 + Y4_32 * W4_33);
-  const T M4_33 = Mb5_33 - (HA4_13 * W4_13 + Y4_23 * W4_23 + Y4_33 * W4_33);
+  const T M4_33 = MA4_33 - (HA4_13 * W4_13 + Y4_23 * W4_23 + Y4_33 * W4_33);
   // gb4 = g4 - Y4^T w_4: force with the ball solved [N]
   const T minus_gb4_1 = minus_g4_1 + Hb5_11 * w_4_1 + Y4_21 * w_4_2 + Y4_31 * w_4_3;
   const T minus_gb4_2 = minus_g4_2 + HA4_12 * w_4_1 + Y4_22 * w_4_2 + Y4_32 * w_4_3;
@@ -1996,19 +2000,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 3 (body_3) and what it carries
   // HA3 = h_all_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
-  const T HA3_12 = Hb4_12 - T(0.515);
-  const T HA3_13 = T(1.1600000000000001) + Hb4_13;
-  const T HA3_21 = T(0.515) + Hb4_21;
-  const T HA3_23 = Hb4_23 - T(1.48);
-  const T HA3_31 = Hb4_31 - T(1.1600000000000001);
-  const T HA3_32 = T(1.48) + Hb4_32;
+  const T HA3_12 = Hb4_12 - T(0.065);
+  const T HA3_13 = T(0.26) + Hb4_13;
+  const T HA3_21 = T(0.065) + Hb4_21;
+  const T HA3_23 = Hb4_23 - T(0.13);
+  const T HA3_31 = Hb4_31 - T(0.26);
+  const T HA3_32 = T(0.13) + Hb4_32;
   // JA3 = J_all_3 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_11 = Hb4_13 * T(0.2) - Hb4_12 * T(0.1) + T(0.41025000000000006);
-  const T minus_JA3_12 = T(0.28950000000000004) + Hb4_13 * T(0.3) - Hb4_11 * T(0.1);
-  const T minus_JA3_13 = T(0.1376) + Hb4_11 * T(0.2) - Hb4_12 * T(0.3);
-  const T JA3_22 = Hb4_21 * T(0.1) - Hb4_23 * T(0.3) + T(0.62225);
-  const T minus_JA3_23 = T(0.10820000000000002) + Hb4_21 * T(0.2) - Hb4_22 * T(0.3);
-  const T JA3_33 = Hb4_32 * T(0.3) - Hb4_31 * T(0.2) + T(0.754);
+  const T JA3_11 = Hb4_13 * T(0.2) - Hb4_12 * T(0.1) + T(0.18525000000000003);
+  const T minus_JA3_12 = T(0.019500000000000003) + Hb4_13 * T(0.3) - Hb4_11 * T(0.1);
+  const T minus_JA3_13 = T(0.002600000000000001) + Hb4_11 * T(0.2) - Hb4_12 * T(0.3);
+  const T JA3_22 = Hb4_21 * T(0.1) - Hb4_23 * T(0.3) + T(0.17225000000000001);
+  const T minus_JA3_23 = T(0.0182) + Hb4_21 * T(0.2) - Hb4_22 * T(0.3);
+  const T JA3_33 = Hb4_32 * T(0.3) - Hb4_31 * T(0.2) + T(0.169);
   // g3 = C4^T gb4 + G3: force that drives it, home axes [N]
   const T b3_1 = C4_11 * minus_gb4_1 + C4_21 * minus_gb4_2 + C4_31 * minus_gb4_3;
   const T minus_g3_1 = b3_1 + minus_G3_1;
@@ -2090,19 +2094,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 2 (body_2) and what it carries
   // HA2 = h_all_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
-  const T HA2_12 = Hb3_12 - T(0.64);
-  const T HA2_13 = T(1.1099999999999999) + Hb3_13;
-  const T HA2_21 = T(0.64) + Hb3_21;
-  const T HA2_23 = Hb3_23 - T(1.8599999999999999);
-  const T HA2_31 = Hb3_31 - T(1.1099999999999999);
-  const T HA2_32 = T(1.8599999999999999) + Hb3_32;
+  const T HA2_12 = Hb3_12 - T(0.19);
+  const T HA2_13 = T(0.435) + Hb3_13;
+  const T HA2_21 = T(0.19) + Hb3_21;
+  const T HA2_23 = Hb3_23 - T(0.51);
+  const T HA2_31 = Hb3_31 - T(0.435);
+  const T HA2_32 = T(0.51) + Hb3_32;
   // JA2 = J_all_2 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA2_11 = Hb3_13 * T(0.15) - Hb3_12 * T(0.1) + T(0.3595);
-  const T minus_JA2_12 = T(0.27899999999999997) + Hb3_13 * T(0.3) - Hb3_11 * T(0.1);
-  const T minus_JA2_13 = T(0.1764) + Hb3_11 * T(0.15) - Hb3_12 * T(0.3);
-  const T JA2_22 = Hb3_21 * T(0.1) - Hb3_23 * T(0.3) + T(0.739);
-  const T minus_JA2_23 = T(0.1038) + Hb3_21 * T(0.15) - Hb3_22 * T(0.3);
-  const T JA2_33 = Hb3_32 * T(0.3) - Hb3_31 * T(0.15) + T(0.8085);
+  const T JA2_11 = Hb3_13 * T(0.15) - Hb3_12 * T(0.1) + T(0.21325);
+  const T minus_JA2_12 = T(0.0765) + Hb3_13 * T(0.3) - Hb3_11 * T(0.1);
+  const T minus_JA2_13 = T(0.0414) + Hb3_11 * T(0.15) - Hb3_12 * T(0.3);
+  const T JA2_22 = Hb3_21 * T(0.1) - Hb3_23 * T(0.3) + T(0.289);
+  const T minus_JA2_23 = T(0.0363) + Hb3_21 * T(0.15) - Hb3_22 * T(0.3);
+  const T JA2_33 = Hb3_32 * T(0.3) - Hb3_31 * T(0.15) + T(0.30225);
   // g2 = C3^T gb3 + G2: force that drives it, home axes [N]
   const T b2_1 = C3_11 * minus_gb3_1 + C3_21 * minus_gb3_2 + C3_31 * minus_gb3_3;
   const T minus_g2_1 = b2_1 + minus_G2_1;
@@ -2184,14 +2188,14 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 1 (body_1) and what it carries
   // JA1 = J_all_1 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA1_11 = Hb2_13 * T(0.1) - Hb2_12 * T(0.1) + T(0.29675);
+  const T JA1_11 = Hb2_13 * T(0.1) - Hb2_12 * T(0.1) + T(0.20675000000000002);
   const T b1_1 = Hb2_11 * T(0.1);
-  const T minus_JA1_12 = T(0.2265) + Hb2_13 * T(0.3) - b1_1;
-  const T minus_JA1_13 = T(0.2122) + b1_1 - Hb2_12 * T(0.3);
+  const T minus_JA1_12 = T(0.09150000000000001) + Hb2_13 * T(0.3) - b1_1;
+  const T minus_JA1_13 = T(0.0772) + b1_1 - Hb2_12 * T(0.3);
   const T b1_2 = Hb2_21 * T(0.1);
-  const T JA1_22 = b1_2 - Hb2_23 * T(0.3) + T(0.84575);
-  const T minus_JA1_23 = T(0.0854) + b1_2 - Hb2_22 * T(0.3);
-  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(0.843);
+  const T JA1_22 = b1_2 - Hb2_23 * T(0.3) + T(0.39575);
+  const T minus_JA1_23 = T(0.040400000000000005) + b1_2 - Hb2_22 * T(0.3);
+  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(0.393);
   // n1 = q2~ C2^T gb2 + N1: moment that drives it, body axes [N m]
   const T b1_3 = C2_12 * minus_gb2_1 + C2_22 * minus_gb2_2 + C2_32 * minus_gb2_3;
   const T b1_4 = C2_13 * minus_gb2_1 + C2_23 * minus_gb2_2 + C2_33 * minus_gb2_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 88898d47bde5531f of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model 37e26428af524f2e of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -35,7 +35,7 @@
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
 //   energy                  1749 (757 add, 992 multiply, 32 sine or cosine)
-//   accelerations           4232 (2040 add, 2177 multiply, 15 divide, 32 sine or cosine)
+//   accelerations           4330 (2102 add, 2213 multiply, 15 divide, 32 sine or cosine)
 //   residual                1832 (906 add, 926 multiply, 32 sine or cosine)
 //   mass_matrix             2465 (1080 add, 1385 multiply, 30 sine or cosine)
 #pragma once
@@ -49,7 +49,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "88898d47bde5531f";
+inline constexpr char model_hash[] = "37e26428af524f2e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -844,8 +844,8 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 2040 add, 2177 multiply, 15 divide, 32 sine or cosine
-// by: articulated; composite would take 2875 add, 3354 multiply, 15 divide, 32 sine or cosine
+// 2102 add, 2213 multiply, 15 divide, 32 sine or cosine
+// by: articulated; composite would take 2982 add, 3402 multiply, 15 divide, 32 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -864,7 +864,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot1_3 = E1_11 * T(9.81);
   // N1 = -h_own_1~ Pddot1 - axial(U1 (tr(J_own_1)/2 - J_own_1)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N1_2 = T(8.66) * Pddot1_3 + T(5.695) * minus_Pddot1_1;
+  const T N1_2 = T(0.11000000000000001) * Pddot1_3 + T(0.05500000000000001) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[1];
@@ -893,16 +893,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
-  // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
-  const T minus_G2_3 = U2_31 * T(16.24) + U2_32 * T(4.335);
-  // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
+  // G2 = -m_all_2 Pddot2 - U2 h_all_2: applied less inertia force, body axes [N]
+  const T minus_G2_3 = T(3.9) * Pddot1_3 + U2_31 * T(1.48) + U2_32 * T(0.645) - minus_U2_33 * T(0.72);
+  // N2 = -h_all_2~ Pddot2 - axial(U2 (tr(J_all_2)/2 - J_all_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(4.335) * Pddot1_3 + T(0.6982499999999999) * U2_32 + T(0.8598) * (minus_U2_22 - minus_U2_33) +
-      T(2.436) * U2_31 - T(3.2384) * U2_12;
-  const T minus_N2_2 = T(3.2384) * (minus_U2_33 - minus_U2_11) - T(10.059249999999999) * U2_31 + T(0.8598) * U2_12 -
-      T(2.436) * U2_32 - T(16.24) * Pddot1_3;
-  const T minus_N2_3 = T(16.24) * Pddot2_2 + T(4.335) * minus_Pddot2_1 + T(9.360999999999999) * U2_12 + T(2.436) *
-      (minus_U2_11 - minus_U2_22);
+  const T minus_N2_1 = T(0.645) * Pddot1_3 - T(0.72) * Pddot2_2 + T(0.14475) * U2_32 + T(0.1218) * (minus_U2_22 -
+      minus_U2_33) + T(0.22199999999999998) * U2_31 - T(0.2864) * U2_12;
+  const T minus_N2_2 = T(0.2864) * (minus_U2_33 - minus_U2_11) - (T(0.72) * minus_Pddot2_1 + T(1.48) * Pddot1_3) -
+      T(0.9572499999999999) * U2_31 + T(0.1218) * U2_12 - T(0.22199999999999998) * U2_32;
+  const T minus_N2_3 = T(1.48) * Pddot2_2 + T(0.645) * minus_Pddot2_1 + T(0.8124999999999999) * U2_12 +
+      T(0.22199999999999998) * (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[2];
@@ -941,17 +941,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
-  const T minus_G3_1 = U3_12 * T(11.89) + U3_13 * T(2.665);
-  const T minus_G3_2 = U3_23 * T(2.665) - minus_U3_22 * T(11.89);
-  const T minus_G3_3 = U3_32 * T(11.89) - minus_U3_33 * T(2.665);
+  const T minus_G3_1 = U3_12 * T(0.8200000000000001) + U3_13 * T(0.20500000000000002);
+  const T minus_G3_2 = U3_23 * T(0.20500000000000002) - minus_U3_22 * T(0.8200000000000001);
+  const T minus_G3_3 = U3_32 * T(0.8200000000000001) - minus_U3_33 * T(0.20500000000000002);
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N3_1 = T(11.89) * Pddot3_3 - T(2.665) * Pddot3_2 + T(7.6365) * U3_32 - T(0.35425) * U3_23 + T(1.1812)
-      * (minus_U3_22 - minus_U3_33) + T(7.0755) * U3_31 - T(1.5821) * U3_21;
-  const T minus_N3_2 = T(2.665) * Pddot3_1 + T(0.35425) * U3_13 + T(0.35425) * U3_31 + T(1.5821) * (minus_U3_33 -
-      minus_U3_11) + T(1.1812) * U3_12 - T(7.0755) * U3_32;
-  const T minus_N3_3 = T(7.0755) * (minus_U3_11 - minus_U3_22) - (T(0.35425) * U3_21 + T(7.6365) * U3_12) + T(1.5821)
-      * U3_23 - T(1.1812) * U3_13 - T(11.89) * Pddot3_1;
+  const T minus_N3_1 = T(0.8200000000000001) * Pddot3_3 - T(0.20500000000000002) * Pddot3_2 + T(0.441) * U3_32 -
+      T(0.10825) * U3_23 + T(0.0742) * (minus_U3_22 - minus_U3_33) + T(0.4335) * U3_31 - T(0.1061) * U3_21;
+  const T minus_N3_2 = T(0.20500000000000002) * Pddot3_1 + T(0.10825) * U3_13 + T(0.10825) * U3_31 + T(0.1061) *
+      (minus_U3_33 - minus_U3_11) + T(0.0742) * U3_12 - T(0.4335) * U3_32;
+  const T minus_N3_3 = T(0.4335) * (minus_U3_11 - minus_U3_22) - (T(0.10825) * U3_21 + T(0.441) * U3_12) + T(0.1061) *
+      U3_23 - T(0.0742) * U3_13 - T(0.8200000000000001) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
   const T theta4 = x[3];
@@ -990,17 +990,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_13 * T(4.915) - minus_U4_11 * T(7.52);
-  const T minus_G4_2 = U4_21 * T(7.52) + U4_23 * T(4.915);
-  const T minus_G4_3 = U4_31 * T(7.52) - minus_U4_33 * T(4.915);
+  const T minus_G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
+  const T minus_G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
+  const T minus_G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N4_1 = T(2.2138500000000003) * (minus_U4_22 - minus_U4_33) - (T(2.298) * U4_32 + T(3.34825) * U4_23) +
-      T(3.37) * U4_31 - T(1.4563) * U4_21 - T(4.915) * Pddot4_2;
-  const T minus_N4_2 = T(4.915) * Pddot4_1 - T(7.52) * Pddot4_3 + T(3.34825) * U4_13 - T(2.298) * U4_31 + T(1.4563) *
-      (minus_U4_33 - minus_U4_11) + T(2.2138500000000003) * U4_12 - T(3.37) * U4_32;
-  const T minus_N4_3 = T(7.52) * Pddot4_2 + T(2.298) * U4_21 + T(2.298) * U4_12 + T(3.37) * (minus_U4_11 -
-      minus_U4_22) + T(1.4563) * U4_23 - T(2.2138500000000003) * U4_13;
+  const T minus_N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) *
+      U4_31 - T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
+  const T minus_N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 -
+      T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) *
+      U4_32;
+  const T minus_N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) *
+      (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
 
   // ---- body 5 (body_5) on body 4
   const T theta5 = x[4];
@@ -1038,19 +1039,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
   const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
-  // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
-  const T minus_G5_1 = U5_12 * T(7.2299999999999995) - minus_U5_11 * T(13.69);
-  const T minus_G5_2 = U5_21 * T(13.69) - minus_U5_22 * T(7.2299999999999995);
-  const T minus_G5_3 = U5_31 * T(13.69) + U5_32 * T(7.2299999999999995);
-  // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
+  // G5 = -m_all_5 Pddot5 - U5 h_all_5: applied less inertia force, body axes [N]
+  const T minus_G5_1 = T(4.8) * Pddot5_1 + U5_12 * T(1.29) - minus_U5_11 * T(1.81) + U5_13 * T(0.885);
+  const T minus_G5_2 = T(4.8) * Pddot5_2 + U5_21 * T(1.81) - minus_U5_22 * T(1.29) + U5_23 * T(0.885);
+  const T minus_G5_3 = T(4.8) * Pddot5_3 + U5_31 * T(1.81) + U5_32 * T(1.29) - minus_U5_33 * T(0.885);
+  // N5 = -h_all_5~ Pddot5 - axial(U5 (tr(J_all_5)/2 - J_all_5)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N5_1 = T(7.2299999999999995) * Pddot5_3 + T(2.1839999999999997) * U5_32 + T(2.1839999999999997) *
-      U5_23 + T(1.437) * (minus_U5_22 - minus_U5_33) + T(4.084499999999999) * U5_31 - T(2.726) * U5_21;
-  const T minus_N5_2 = T(2.726) * (minus_U5_33 - minus_U5_11) - (T(2.1839999999999997) * U5_13 + T(8.497) * U5_31) +
-      T(1.437) * U5_12 - T(4.084499999999999) * U5_32 - T(13.69) * Pddot5_3;
-  const T minus_N5_3 = T(13.69) * Pddot5_2 - T(7.2299999999999995) * Pddot5_1 + T(8.497) * U5_21 -
-      T(2.1839999999999997) * U5_12 + T(4.084499999999999) * (minus_U5_11 - minus_U5_22) + T(2.726) * U5_23 - T(1.437)
-      * U5_13;
+  const T minus_N5_1 = T(1.29) * Pddot5_3 - T(0.885) * Pddot5_2 + T(0.40199999999999997) * U5_32 - T(0.27075) * U5_23
+      + T(0.249) * (minus_U5_22 - minus_U5_33) + T(0.5205) * U5_31 - T(0.35000000000000003) * U5_21;
+  const T minus_N5_2 = T(0.885) * Pddot5_1 - T(1.81) * Pddot5_3 + T(0.27075) * U5_13 - T(1.171) * U5_31 +
+      T(0.35000000000000003) * (minus_U5_33 - minus_U5_11) + T(0.249) * U5_12 - T(0.5205) * U5_32;
+  const T minus_N5_3 = T(1.81) * Pddot5_2 - T(1.29) * Pddot5_1 + T(1.171) * U5_21 - T(0.40199999999999997) * U5_12 +
+      T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[5];
@@ -1089,17 +1089,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(16.105) + U6_13 * T(2.23);
-  const T minus_G6_2 = U6_23 * T(2.23) - minus_U6_22 * T(16.105);
-  const T minus_G6_3 = U6_32 * T(16.105) - minus_U6_33 * T(2.23);
+  const T minus_G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
+  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
+  const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(16.105) * Pddot6_3 - T(2.23) * Pddot6_2 + T(13.69875) * U6_32 - T(0.331) * U6_23 + T(1.6009)
-      * (minus_U6_22 - minus_U6_33) + T(9.591) * U6_31 - T(1.3172) * U6_21;
-  const T minus_N6_2 = T(2.23) * Pddot6_1 + T(0.331) * U6_13 + T(0.331) * U6_31 + T(1.3172) * (minus_U6_33 -
-      minus_U6_11) + T(1.6009) * U6_12 - T(9.591) * U6_32;
-  const T minus_N6_3 = T(9.591) * (minus_U6_11 - minus_U6_22) - (T(0.331) * U6_21 + T(13.69875) * U6_12) + T(1.3172) *
-      U6_23 - T(1.6009) * U6_13 - T(16.105) * Pddot6_1;
+  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
+      minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
+  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
@@ -1138,17 +1138,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
-  const T minus_G7_1 = U7_13 * T(3.955) - minus_U7_11 * T(6.109999999999999);
-  const T minus_G7_2 = U7_21 * T(6.109999999999999) + U7_23 * T(3.955);
-  const T minus_G7_3 = U7_31 * T(6.109999999999999) - minus_U7_33 * T(3.955);
+  const T minus_G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
+  const T minus_G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
+  const T minus_G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(2.9560500000000003) * (minus_U7_22 - minus_U7_33) - (T(1.884) * U7_32 + T(4.78075) * U7_23) +
-      T(4.54) * U7_31 - T(1.1644) * U7_21 - T(3.955) * Pddot7_2;
-  const T minus_N7_2 = T(3.955) * Pddot7_1 - T(6.109999999999999) * Pddot7_3 + T(4.78075) * U7_13 - T(1.884) * U7_31 +
-      T(1.1644) * (minus_U7_33 - minus_U7_11) + T(2.9560500000000003) * U7_12 - T(4.54) * U7_32;
-  const T minus_N7_3 = T(6.109999999999999) * Pddot7_2 + T(1.884) * U7_21 + T(1.884) * U7_12 + T(4.54) * (minus_U7_11
-      - minus_U7_22) + T(1.1644) * U7_23 - T(2.9560500000000003) * U7_13;
+  const T minus_N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) *
+      U7_31 - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
+  const T minus_N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
+      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
+  const T minus_N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 -
+      minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
 
   // ---- body 8 (body_8) on body 7
   const T theta8 = x[7];
@@ -1186,18 +1186,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot8_1 = E8_11 * t8_7 + E8_12 * t8_8;
   const T Pddot8_2 = E8_11 * t8_8 - E8_12 * t8_7;
   const T Pddot8_3 = U7_31 * T(0.3) + U7_32 * T(0.75) + Pddot7_3;
-  // G8 = -U8 h_own_8: applied less inertia force, body axes [N]
-  const T minus_G8_1 = U8_12 * T(8.46) - minus_U8_11 * T(10.6);
-  const T minus_G8_2 = U8_21 * T(10.6) - minus_U8_22 * T(8.46);
-  const T minus_G8_3 = U8_31 * T(10.6) + U8_32 * T(8.46);
-  // N8 = -h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment about the body origin,
+  // G8 = -m_all_8 Pddot8 - U8 h_all_8: applied less inertia force, body axes [N]
+  const T minus_G8_1 = T(5.7) * Pddot8_1 + U8_12 * T(2.115) - minus_U8_11 * T(2.14) + U8_13 * T(1.05);
+  const T minus_G8_2 = T(5.7) * Pddot8_2 + U8_21 * T(2.14) - minus_U8_22 * T(2.115) + U8_23 * T(1.05);
+  const T minus_G8_3 = T(5.7) * Pddot8_3 + U8_31 * T(2.14) + U8_32 * T(2.115) - minus_U8_33 * T(1.05);
+  // N8 = -h_all_8~ Pddot8 - axial(U8 (tr(J_all_8)/2 - J_all_8)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N8_1 = T(8.46) * Pddot8_3 + T(3.7710000000000004) * U8_32 + T(3.7710000000000004) * U8_23 + T(1.6812)
-      * (minus_U8_22 - minus_U8_33) + T(4.716) * U8_31 - T(2.1056) * U8_21;
-  const T minus_N8_2 = T(2.1056) * (minus_U8_33 - minus_U8_11) - (T(3.7710000000000004) * U8_13 + T(6.60175) * U8_31)
-      + T(1.6812) * U8_12 - T(4.716) * U8_32 - T(10.6) * Pddot8_3;
-  const T minus_N8_3 = T(10.6) * Pddot8_2 - T(8.46) * Pddot8_1 + T(6.60175) * U8_21 - T(3.7710000000000004) * U8_12 +
-      T(4.716) * (minus_U8_11 - minus_U8_22) + T(2.1056) * U8_23 - T(1.6812) * U8_13;
+  const T minus_N8_1 = T(2.115) * Pddot8_3 - T(1.05) * Pddot8_2 + T(0.9157500000000001) * U8_32 - T(0.3225) * U8_23 +
+      T(0.4122) * (minus_U8_22 - minus_U8_33) + T(0.909) * U8_31 - T(0.4136) * U8_21;
+  const T minus_N8_2 = T(1.05) * Pddot8_1 - T(2.14) * Pddot8_3 + T(0.3225) * U8_13 - T(1.38475) * U8_31 + T(0.4136) *
+      (minus_U8_33 - minus_U8_11) + T(0.4122) * U8_12 - T(0.909) * U8_32;
+  const T minus_N8_3 = T(2.14) * Pddot8_2 - T(2.115) * Pddot8_1 + T(1.38475) * U8_21 - T(0.9157500000000001) * U8_12 +
+      T(0.909) * (minus_U8_11 - minus_U8_22) + T(0.4136) * U8_23 - T(0.4122) * U8_13;
 
   // ---- body 9 (body_9) on body 8
   const T theta9 = x[8];
@@ -1236,17 +1236,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot9_2 = E9_22 * t9_7 + E9_23 * t9_8;
   const T Pddot9_3 = E9_22 * t9_8 - E9_23 * t9_7;
   // G9 = -U9 h_own_9: applied less inertia force, body axes [N]
-  const T minus_G9_1 = U9_12 * T(16.585) + U9_13 * T(1.705);
-  const T minus_G9_2 = U9_23 * T(1.705) - minus_U9_22 * T(16.585);
-  const T minus_G9_3 = U9_32 * T(16.585) - minus_U9_33 * T(1.705);
+  const T minus_G9_1 = U9_12 * T(1.78) + U9_13 * T(0.295);
+  const T minus_G9_2 = U9_23 * T(0.295) - minus_U9_22 * T(1.78);
+  const T minus_G9_3 = U9_32 * T(1.78) - minus_U9_33 * T(0.295);
   // N9 = -h_own_9~ Pddot9 - axial(U9 (tr(J_own_9)/2 - J_own_9)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N9_1 = T(16.585) * Pddot9_3 - T(1.705) * Pddot9_2 + T(18.10725) * U9_32 - T(0.29875) * U9_23 +
-      T(1.6471000000000002) * (minus_U9_22 - minus_U9_33) + T(9.8655) * U9_31 - T(0.9983000000000001) * U9_21;
-  const T minus_N9_2 = T(1.705) * Pddot9_1 + T(0.29875) * U9_13 + T(0.29875) * U9_31 + T(0.9983000000000001) *
-      (minus_U9_33 - minus_U9_11) + T(1.6471000000000002) * U9_12 - T(9.8655) * U9_32;
-  const T minus_N9_3 = T(9.8655) * (minus_U9_11 - minus_U9_22) - (T(0.29875) * U9_21 + T(18.10725) * U9_12) +
-      T(0.9983000000000001) * U9_23 - T(1.6471000000000002) * U9_13 - T(16.585) * Pddot9_1;
+  const T minus_N9_1 = T(1.78) * Pddot9_3 - T(0.295) * Pddot9_2 + T(1.293) * U9_32 - T(0.15775) * U9_23 + T(0.1666) *
+      (minus_U9_22 - minus_U9_33) + T(0.9824999999999999) * U9_31 - T(0.1523) * U9_21;
+  const T minus_N9_2 = T(0.295) * Pddot9_1 + T(0.15775) * U9_13 + T(0.15775) * U9_31 + T(0.1523) * (minus_U9_33 -
+      minus_U9_11) + T(0.1666) * U9_12 - T(0.9824999999999999) * U9_32;
+  const T minus_N9_3 = T(0.9824999999999999) * (minus_U9_11 - minus_U9_22) - (T(0.15775) * U9_21 + T(1.293) * U9_12) +
+      T(0.1523) * U9_23 - T(0.1666) * U9_13 - T(1.78) * Pddot9_1;
 
   // ---- body 10 (body_10) on body 9
   const T theta10 = x[9];
@@ -1285,17 +1285,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot10_2 = U9_21 * T(0.6) + U9_23 * T(0.1) + Pddot9_2;
   const T Pddot10_3 = minus_E10_13 * t10_7 + E10_11 * t10_8;
   // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
-  const T minus_G10_1 = U10_13 * T(2.8150000000000004) - minus_U10_11 * T(4.43);
-  const T minus_G10_2 = U10_21 * T(4.43) + U10_23 * T(2.8150000000000004);
-  const T minus_G10_3 = U10_31 * T(4.43) - minus_U10_33 * T(2.8150000000000004);
+  const T minus_G10_1 = U10_13 * T(0.1) - minus_U10_11 * T(0.2);
+  const T minus_G10_2 = U10_21 * T(0.2) + U10_23 * T(0.1);
+  const T minus_G10_3 = U10_31 * T(0.2) - minus_U10_33 * T(0.1);
   // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N10_1 = T(2.9287500000000004) * (minus_U10_22 - minus_U10_33) - (T(1.389) * U10_32 + T(5.28625) *
-      U10_23) + T(4.5715) * U10_31 - T(0.8185) * U10_21 - T(2.8150000000000004) * Pddot10_2;
-  const T minus_N10_2 = T(2.8150000000000004) * Pddot10_1 - T(4.43) * Pddot10_3 + T(5.28625) * U10_13 - T(1.389) *
-      U10_31 + T(0.8185) * (minus_U10_33 - minus_U10_11) + T(2.9287500000000004) * U10_12 - T(4.5715) * U10_32;
-  const T minus_N10_3 = T(4.43) * Pddot10_2 + T(1.389) * U10_21 + T(1.389) * U10_12 + T(4.5715) * (minus_U10_11 -
-      minus_U10_22) + T(0.8185) * U10_23 - T(2.9287500000000004) * U10_13;
+  const T minus_N10_1 = T(0.078) * (minus_U10_22 - minus_U10_33) - (T(0.12) * U10_32 + T(0.145) * U10_23) + T(0.13) *
+      U10_31 - T(0.004000000000000001) * U10_21 - T(0.1) * Pddot10_2;
+  const T minus_N10_2 = T(0.1) * Pddot10_1 - T(0.2) * Pddot10_3 + T(0.145) * U10_13 - T(0.12) * U10_31 +
+      T(0.004000000000000001) * (minus_U10_33 - minus_U10_11) + T(0.078) * U10_12 - T(0.13) * U10_32;
+  const T minus_N10_3 = T(0.2) * Pddot10_2 + T(0.12) * U10_21 + T(0.12) * U10_12 + T(0.13) * (minus_U10_11 -
+      minus_U10_22) + T(0.004000000000000001) * U10_23 - T(0.078) * U10_13;
 
   // ---- body 11 (body_11) on body 10
   const T theta11 = x[10];
@@ -1333,18 +1333,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot11_1 = E11_11 * t11_7 + E11_12 * t11_8;
   const T Pddot11_2 = E11_11 * t11_8 - E11_12 * t11_7;
   const T Pddot11_3 = U10_31 * T(0.3) + U10_32 * T(1.05) + Pddot10_3;
-  // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
-  const T minus_G11_1 = U11_12 * T(7.62) - minus_U11_11 * T(6.97);
-  const T minus_G11_2 = U11_21 * T(6.97) - minus_U11_22 * T(7.62);
-  const T minus_G11_3 = U11_31 * T(6.97) + U11_32 * T(7.62);
-  // N11 = -h_own_11~ Pddot11 - axial(U11 (tr(J_own_11)/2 - J_own_11)): applied less inertia moment about the body
+  // G11 = -m_all_11 Pddot11 - U11 h_all_11: applied less inertia force, body axes [N]
+  const T minus_G11_1 = T(6.6) * Pddot11_1 + U11_12 * T(3.12) - minus_U11_11 * T(2.4699999999999998) + U11_13 *
+      T(1.215);
+  const T minus_G11_2 = T(6.6) * Pddot11_2 + U11_21 * T(2.4699999999999998) - minus_U11_22 * T(3.12) + U11_23 *
+      T(1.215);
+  const T minus_G11_3 = T(6.6) * Pddot11_3 + U11_31 * T(2.4699999999999998) + U11_32 * T(3.12) - minus_U11_33 *
+      T(1.215);
+  // N11 = -h_all_11~ Pddot11 - axial(U11 (tr(J_all_11)/2 - J_all_11)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N11_1 = T(7.62) * Pddot11_3 + T(4.467) * U11_32 + T(4.467) * U11_23 + T(1.5114) * (minus_U11_22 -
-      minus_U11_33) + T(4.0874999999999995) * U11_31 - T(1.3772) * U11_21;
-  const T minus_N11_2 = T(1.3772) * (minus_U11_33 - minus_U11_11) - (T(4.467) * U11_13 + T(4.3735) * U11_31) +
-      T(1.5114) * U11_12 - T(4.0874999999999995) * U11_32 - T(6.97) * Pddot11_3;
-  const T minus_N11_3 = T(6.97) * Pddot11_2 - T(7.62) * Pddot11_1 + T(4.3735) * U11_21 - T(4.467) * U11_12 +
-      T(4.0874999999999995) * (minus_U11_11 - minus_U11_22) + T(1.3772) * U11_23 - T(1.5114) * U11_13;
+  const T minus_N11_1 = T(3.12) * Pddot11_3 - T(1.215) * Pddot11_2 + T(1.767) * U11_32 - T(0.37425) * U11_23 +
+      T(0.6114) * (minus_U11_22 - minus_U11_33) + T(1.3875) * U11_31 - T(0.4772) * U11_21;
+  const T minus_N11_2 = T(1.215) * Pddot11_1 - T(2.4699999999999998) * Pddot11_3 + T(0.37425) * U11_13 -
+      T(1.5984999999999998) * U11_31 + T(0.4772) * (minus_U11_33 - minus_U11_11) + T(0.6114) * U11_12 - T(1.3875) *
+      U11_32;
+  const T minus_N11_3 = T(2.4699999999999998) * Pddot11_2 - T(3.12) * Pddot11_1 + T(1.5984999999999998) * U11_21 -
+      T(1.767) * U11_12 + T(1.3875) * (minus_U11_11 - minus_U11_22) + T(0.4772) * U11_23 - T(0.6114) * U11_13;
 
   // ---- body 12 (body_12) on body 11
   const T theta12 = x[11];
@@ -1383,17 +1387,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot12_2 = E12_22 * t12_7 + E12_23 * t12_8;
   const T Pddot12_3 = E12_22 * t12_8 - E12_23 * t12_7;
   // G12 = -U12 h_own_12: applied less inertia force, body axes [N]
-  const T minus_G12_1 = U12_12 * T(12.52) + U12_13 * T(1.09);
-  const T minus_G12_2 = U12_23 * T(1.09) - minus_U12_22 * T(12.52);
-  const T minus_G12_3 = U12_32 * T(12.52) - minus_U12_33 * T(1.09);
+  const T minus_G12_1 = U12_12 * T(2.395) + U12_13 * T(0.34);
+  const T minus_G12_2 = U12_23 * T(0.34) - minus_U12_22 * T(2.395);
+  const T minus_G12_3 = U12_32 * T(2.395) - minus_U12_33 * T(0.34);
   // N12 = -h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N12_1 = T(12.52) * Pddot12_3 - T(1.09) * Pddot12_2 + T(16.3665) * U12_32 - T(0.2575) * U12_23 +
-      T(1.2388000000000001) * (minus_U12_22 - minus_U12_33) + T(7.412999999999999) * U12_31 - T(0.6254) * U12_21;
-  const T minus_N12_2 = T(1.09) * Pddot12_1 + T(0.2575) * U12_13 + T(0.2575) * U12_31 + T(0.6254) * (minus_U12_33 -
-      minus_U12_11) + T(1.2388000000000001) * U12_12 - T(7.412999999999999) * U12_32;
-  const T minus_N12_3 = T(7.412999999999999) * (minus_U12_11 - minus_U12_22) - (T(0.2575) * U12_21 + T(16.3665) *
-      U12_12) + T(0.6254) * U12_23 - T(1.2388000000000001) * U12_13 - T(12.52) * Pddot12_1;
+  const T minus_N12_1 = T(2.395) * Pddot12_3 - T(0.34) * Pddot12_2 + T(2.02275) * U12_32 - T(0.18250000000000002) *
+      U12_23 + T(0.2263) * (minus_U12_22 - minus_U12_33) + T(1.3379999999999999) * U12_31 - T(0.1754) * U12_21;
+  const T minus_N12_2 = T(0.34) * Pddot12_1 + T(0.18250000000000002) * U12_13 + T(0.18250000000000002) * U12_31 +
+      T(0.1754) * (minus_U12_33 - minus_U12_11) + T(0.2263) * U12_12 - T(1.3379999999999999) * U12_32;
+  const T minus_N12_3 = T(1.3379999999999999) * (minus_U12_11 - minus_U12_22) - (T(0.18250000000000002) * U12_21 +
+      T(2.02275) * U12_12) + T(0.1754) * U12_23 - T(0.2263) * U12_13 - T(2.395) * Pddot12_1;
 
   // ---- body 13 (body_13) on body 12
   const T theta13 = x[12];
@@ -1432,17 +1436,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot13_2 = U12_21 * T(0.6) + U12_23 * T(0.1) + Pddot12_2;
   const T Pddot13_3 = minus_E13_13 * t13_7 + E13_11 * t13_8;
   // G13 = -U13 h_own_13: applied less inertia force, body axes [N]
-  const T minus_G13_1 = U13_13 * T(1.495) - minus_U13_11 * T(2.48);
-  const T minus_G13_2 = U13_21 * T(2.48) + U13_23 * T(1.495);
-  const T minus_G13_3 = U13_31 * T(2.48) - minus_U13_33 * T(1.495);
+  const T minus_G13_1 = U13_13 * T(0.11499999999999999) - minus_U13_11 * T(0.22999999999999998);
+  const T minus_G13_2 = U13_21 * T(0.22999999999999998) + U13_23 * T(0.11499999999999999);
+  const T minus_G13_3 = U13_31 * T(0.22999999999999998) - minus_U13_33 * T(0.11499999999999999);
   // N13 = -h_own_13~ Pddot13 - axial(U13 (tr(J_own_13)/2 - J_own_13)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N13_1 = T(1.96995) * (minus_U13_22 - minus_U13_33) - (T(0.813) * U13_32 + T(3.6295) * U13_23) +
-      T(3.2215) * U13_31 - T(0.4186) * U13_21 - T(1.495) * Pddot13_2;
-  const T minus_N13_2 = T(1.495) * Pddot13_1 - T(2.48) * Pddot13_3 + T(3.6295) * U13_13 - T(0.813) * U13_31 +
-      T(0.4186) * (minus_U13_33 - minus_U13_11) + T(1.96995) * U13_12 - T(3.2215) * U13_32;
-  const T minus_N13_3 = T(2.48) * Pddot13_2 + T(0.813) * U13_21 + T(0.813) * U13_12 + T(3.2215) * (minus_U13_11 -
-      minus_U13_22) + T(0.4186) * U13_23 - T(1.96995) * U13_13;
+  const T minus_N13_1 = T(0.10695) * (minus_U13_22 - minus_U13_33) - (T(0.138) * U13_32 + T(0.16675) * U13_23) +
+      T(0.184) * U13_31 - T(0.004600000000000001) * U13_21 - T(0.11499999999999999) * Pddot13_2;
+  const T minus_N13_2 = T(0.11499999999999999) * Pddot13_1 - T(0.22999999999999998) * Pddot13_3 + T(0.16675) * U13_13
+      - T(0.138) * U13_31 + T(0.004600000000000001) * (minus_U13_33 - minus_U13_11) + T(0.10695) * U13_12 - T(0.184) *
+      U13_32;
+  const T minus_N13_3 = T(0.22999999999999998) * Pddot13_2 + T(0.138) * U13_21 + T(0.138) * U13_12 + T(0.184) *
+      (minus_U13_11 - minus_U13_22) + T(0.004600000000000001) * U13_23 - T(0.10695) * U13_13;
 
   // ---- body 14 (body_14) on body 13
   const T theta14 = x[13];
@@ -1480,16 +1485,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot14_1 = E14_11 * t14_7 + E14_12 * t14_8;
   const T Pddot14_2 = E14_11 * t14_8 - E14_12 * t14_7;
   const T Pddot14_3 = U13_31 * T(0.3) + U13_32 * T(1.35) + Pddot13_3;
-  // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
-  const T minus_G14_1 = U14_12 * T(4.305) - minus_U14_11 * T(2.8);
-  const T minus_G14_2 = U14_21 * T(2.8) - minus_U14_22 * T(4.305);
-  const T minus_G14_3 = U14_31 * T(2.8) + U14_32 * T(4.305);
-  // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
+  // G14 = -m_all_14 Pddot14 - U14 h_all_14: applied less inertia force, body axes [N]
+  const T minus_G14_1 = T(7.5) * Pddot14_1 + U14_12 * T(4.305) - minus_U14_11 * T(2.8) + U14_13 *
+      T(1.3800000000000001);
+  const T minus_G14_2 = T(7.5) * Pddot14_2 + U14_21 * T(2.8) - minus_U14_22 * T(4.305) + U14_23 *
+      T(1.3800000000000001);
+  const T minus_G14_3 = T(7.5) * Pddot14_3 + U14_31 * T(2.8) + U14_32 * T(4.305) - minus_U14_33 *
+      T(1.3800000000000001);
+  // N14 = -h_all_14~ Pddot14 - axial(U14 (tr(J_all_14)/2 - J_all_14)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N14_1 = T(4.305) * Pddot14_3 + T(3.03675) * U14_32 + T(3.03675) * U14_23 + T(0.8466) * (minus_U14_22 -
-      minus_U14_33) + T(1.956) * U14_31 - T(0.5408000000000001) * U14_21;
-  const T minus_N14_2 = T(0.5408000000000001) * (minus_U14_33 - minus_U14_11) - (T(3.03675) * U14_13 + T(1.81225) *
-      U14_31) + T(0.8466) * U14_12 - T(1.956) * U14_32 - T(2.8) * Pddot14_3;
+  const T minus_N14_1 = T(4.305) * Pddot14_3 - T(1.3800000000000001) * Pddot14_2 + T(3.03675) * U14_32 - T(0.426) *
+      U14_23 + T(0.8466) * (minus_U14_22 - minus_U14_33) + T(1.956) * U14_31 - T(0.5408000000000001) * U14_21;
+  const T minus_N14_2 = T(1.3800000000000001) * Pddot14_1 - T(2.8) * Pddot14_3 + T(0.426) * U14_13 - T(1.81225) *
+      U14_31 + T(0.5408000000000001) * (minus_U14_33 - minus_U14_11) + T(0.8466) * U14_12 - T(1.956) * U14_32;
   const T minus_N14_3 = T(2.8) * Pddot14_2 - T(4.305) * Pddot14_1 + T(1.81225) * U14_21 - T(3.03675) * U14_12 +
       T(1.956) * (minus_U14_11 - minus_U14_22) + T(0.5408000000000001) * U14_23 - T(0.8466) * U14_13;
 
@@ -1740,21 +1748,27 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb15_33 = Hp15_33 - b15_10;
 
   // ---- body 14 (body_14) and what it carries
-  // HA14 = h_own_14~ + Hb15: moment for an acceleration of the origin, body axes [kg m]
+  // MA14 = m_all_14 one + Mp15: force for an acceleration of the origin, home axes [kg]
+  const T MA14_11 = T(7.5) + M15_11;
+  const T MA14_22 = T(7.5) - minus_Mp15_22;
+  const T MA14_33 = T(7.5) + Mp15_33;
+  // HA14 = h_all_14~ + Hb15: moment for an acceleration of the origin, body axes [kg m]
+  const T HA14_12 = Hb15_12 - T(1.3800000000000001);
   const T HA14_13 = T(4.305) + Hb15_13;
+  const T HA14_21 = T(1.3800000000000001) + Hb15_21;
   const T HA14_23 = Hb15_23 - T(2.8);
   const T HA14_31 = Hb15_31 - T(4.305);
   const T HA14_32 = T(2.8) + Hb15_32;
-  // JA14 = q15~ Hp15^T + J_own_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
-  const T minus_JA14_11 = Hb15_12 * T(0.2) - Hb15_13 * T(0.75);
+  // JA14 = q15~ Hp15^T + J_all_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA14_11 = Hb15_13 * T(0.75) - Hb15_12 * T(0.2) + T(3.46275);
   const T JA14_12 = T(0.2) * minus_Hp15_22 + T(0.75) * Hp15_23 - T(1.956) + Hb15_11 * T(0.2);
   const T JA14_13 = T(0.75) * Hp15_33 - T(0.2) * Hp15_32 - T(0.5408000000000001) - Hb15_11 * T(0.75);
-  const T JA14_22 = T(0.2) * Hp15_21 - T(1.2245000000000001) - minus_Jp15_22 + Hb15_21 * T(0.2);
+  const T JA14_22 = T(0.2) * Hp15_21 + T(2.23825) - minus_Jp15_22 + Hb15_21 * T(0.2);
   const T JA14_23 = T(0.2) * Hp15_31 - T(0.8466) + Jp15_23 - Hb15_21 * T(0.75);
   const T JA14_33 = T(4.849) - T(0.75) * Hp15_31 + Jp15_33 - Hb15_31 * T(0.75);
   // g14 = G14 + gp15: force that drives it, home axes [N]
   const T g14_1 = gt15_1 - minus_G14_1;
-  const T minus_g14_2 = minus_gp15_2 + minus_G14_2;
+  const T minus_g14_2 = minus_G14_2 + minus_gp15_2;
   const T g14_3 = gp15_3 - minus_G14_3;
   // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
   const T n14_1 = T(0.2) * minus_gp15_2 + T(0.75) * gp15_3 - minus_N14_1 - u.tau_15;
@@ -1773,22 +1787,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T u_14 = n14_3 + u.tau_14;
   // v14 = invD14 u_14: u/D
   const T v14 = invD14 * u_14;
-  // M14 = Mp15 - kB14 B14^T: MA less what the turn takes up [kg]
-  const T M14_11 = M15_11 - kB14_1 * HA14_31;
+  // M14 = MA14 - kB14 B14^T: MA less what the turn takes up [kg]
+  const T M14_11 = MA14_11 - kB14_1 * HA14_31;
   const T minus_M14_12 = minus_Mp15_12 + kB14_1 * HA14_32;
   const T M14_13 = Mp15_13 - kB14_1 * Hb15_33;
-  const T minus_M14_22 = minus_Mp15_22 + kB14_2 * HA14_32;
+  const T M14_22 = MA14_22 - kB14_2 * HA14_32;
   const T M14_23 = Mp15_23 - kB14_2 * Hb15_33;
-  const T M14_33 = Mp15_33 - kB14_3 * Hb15_33;
+  const T M14_33 = MA14_33 - kB14_3 * Hb15_33;
   // H14 = P_b14 (HA14 - kK14 B14^T): HA less what the turn takes up [kg m]
   const T H14_11 = Hb15_11 - kK14_1 * HA14_31;
-  const T H14_12 = Hb15_12 - kK14_1 * HA14_32;
+  const T H14_12 = HA14_12 - kK14_1 * HA14_32;
   const T H14_13 = HA14_13 - kK14_1 * Hb15_33;
-  const T H14_21 = Hb15_21 - kK14_2 * HA14_31;
+  const T H14_21 = HA14_21 - kK14_2 * HA14_31;
   const T minus_H14_22 = minus_Hb15_22 + kK14_2 * HA14_32;
   const T H14_23 = HA14_23 - kK14_2 * Hb15_33;
   // J14 = P_b14 (JA14 - kK14 K14^T) P_b14: JA less what the turn takes up [kg m^2]
-  const T minus_J14_11 = minus_JA14_11 + kK14_1 * JA14_13;
+  const T J14_11 = JA14_11 - kK14_1 * JA14_13;
   const T J14_12 = JA14_12 - kK14_1 * JA14_23;
   const T J14_22 = JA14_22 - kK14_2 * JA14_23;
   // gt14 = g14 - v14 B14: force with the turn solved [N]
@@ -1800,12 +1814,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T nt14_2 = n14_2 - v14 * JA14_23;
   // Mp14 = E14^T M14 E14: M passed on, lower body's axes [kg]
   const T b14_1 = T(2) * E14_11;
-  const T b14_2 = E14_12 * (M14_11 + minus_M14_22) - b14_1 * minus_M14_12;
+  const T b14_2 = E14_12 * (M14_11 - M14_22) - b14_1 * minus_M14_12;
   const T b14_3 = E14_12 * b14_2;
   const T Mp14_11 = M14_11 - b14_3;
   const T Mp14_12 = E14_11 * b14_2 + minus_M14_12;
   const T Mp14_13 = E14_11 * M14_13 - E14_12 * M14_23;
-  const T Mp14_22 = b14_3 - minus_M14_22;
+  const T Mp14_22 = M14_22 + b14_3;
   const T Mp14_23 = E14_12 * M14_13 + E14_11 * M14_23;
   // gp14 = E14^T gt14: force passed on, lower body's axes [N]
   const T gp14_1 = E14_11 * gt14_1 + E14_12 * minus_gt14_2;
@@ -1821,9 +1835,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp14_22 = b14_5 - minus_H14_22;
   const T Hp14_23 = E14_12 * H14_13 + E14_11 * H14_23;
   // Jp14 = E14^T J14 E14: J passed on, lower body's axes [kg m^2]
-  const T b14_7 = b14_1 * J14_12 - E14_12 * (minus_J14_11 + J14_22);
+  const T b14_7 = E14_12 * (J14_11 - J14_22) + b14_1 * J14_12;
   const T b14_8 = E14_12 * b14_7;
-  const T minus_Jp14_11 = minus_J14_11 + b14_8;
+  const T Jp14_11 = J14_11 - b14_8;
   const T Jp14_12 = E14_11 * b14_7 - J14_12;
   const T Jp14_22 = J14_22 + b14_8;
   // np14 = E14^T nt14: moment passed on, lower body's axes [N m]
@@ -1844,16 +1858,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 13 (body_13) and what it carries
   // HA13 = h_own_13~ + Hb14: moment for an acceleration of the origin, body axes [kg m]
-  const T HA13_12 = Hb14_12 - T(1.495);
-  const T HA13_21 = T(1.495) + Hb14_21;
-  const T HA13_23 = Hb14_23 - T(2.48);
-  const T HA13_32 = T(2.48) + Hb14_32;
+  const T HA13_12 = Hb14_12 - T(0.11499999999999999);
+  const T HA13_21 = T(0.11499999999999999) + Hb14_21;
+  const T HA13_23 = Hb14_23 - T(0.22999999999999998);
+  const T HA13_32 = T(0.22999999999999998) + Hb14_32;
   // JA13 = q14~ Hp14^T + J_own_13 + Jp14 - Hb14 q14~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA13_11 = T(1.35) * Hp14_13 + T(2.8165) - minus_Jp14_11 + Hb14_13 * T(1.35);
-  const T JA13_12 = T(1.35) * Hp14_23 - T(3.2215) + Jp14_12 - Hb14_13 * T(0.3);
-  const T minus_JA13_13 = T(0.4186) + Hb14_11 * T(1.35) - Hb14_12 * T(0.3);
-  const T JA13_22 = T(4.4425) - T(0.3) * Hp14_23 + Jp14_22 - Hb14_23 * T(0.3);
-  const T minus_JA13_23 = T(1.96995) + Hb14_21 * T(1.35) - Hb14_22 * T(0.3);
+  const T JA13_11 = T(1.35) * Hp14_13 + T(0.02875000000000001) + Jp14_11 + Hb14_13 * T(1.35);
+  const T JA13_12 = T(1.35) * Hp14_23 - T(0.184) + Jp14_12 - Hb14_13 * T(0.3);
+  const T minus_JA13_13 = T(0.004600000000000001) + Hb14_11 * T(1.35) - Hb14_12 * T(0.3);
+  const T JA13_22 = T(0.30475) - T(0.3) * Hp14_23 + Jp14_22 - Hb14_23 * T(0.3);
+  const T minus_JA13_23 = T(0.10695) + Hb14_21 * T(1.35) - Hb14_22 * T(0.3);
   const T minus_JA13_33 = Hb14_31 * T(1.35) - Hb14_32 * T(0.3);
   // g13 = G13 + gp14: force that drives it, home axes [N]
   const T g13_1 = gp14_1 - minus_G13_1;
@@ -1947,17 +1961,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 12 (body_12) and what it carries
   // HA12 = h_own_12~ + Hb13: moment for an acceleration of the origin, body axes [kg m]
-  const T HA12_12 = Hb13_12 - T(1.09);
-  const T HA12_13 = T(12.52) + Hb13_13;
-  const T HA12_21 = T(1.09) + Hb13_21;
-  const T HA12_31 = Hb13_31 - T(12.52);
+  const T HA12_12 = Hb13_12 - T(0.34);
+  const T HA12_13 = T(2.395) + Hb13_13;
+  const T HA12_21 = T(0.34) + Hb13_21;
+  const T HA12_31 = Hb13_31 - T(2.395);
   // JA12 = q13~ Hp13^T + J_own_12 + Jp13 - Hb13 q13~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA12_11 = T(16.624) - T(0.1) * Hp13_12 + Jp13_11 - Hb13_12 * T(0.1);
-  const T minus_JA12_12 = T(7.412999999999999) + Hb13_13 * T(0.6) - Hb13_11 * T(0.1);
-  const T JA12_13 = Jp13_13 - (T(0.1) * Hp13_32 + T(0.6254)) + Hb13_12 * T(0.6);
+  const T JA12_11 = T(2.20525) - T(0.1) * Hp13_12 + Jp13_11 - Hb13_12 * T(0.1);
+  const T minus_JA12_12 = T(1.3379999999999999) + Hb13_13 * T(0.6) - Hb13_11 * T(0.1);
+  const T JA12_13 = Jp13_13 - (T(0.1) * Hp13_32 + T(0.1754)) + Hb13_12 * T(0.6);
   const T minus_JA12_22 = Hb13_23 * T(0.6) - Hb13_21 * T(0.1);
-  const T JA12_23 = T(0.1) * Hp13_31 - T(0.6) * Hp13_33 - T(1.2388000000000001) + Hb13_22 * T(0.6);
-  const T JA12_33 = T(0.6) * Hp13_32 + T(16.108999999999998) - minus_Jp13_33 + Hb13_32 * T(0.6);
+  const T JA12_23 = T(0.1) * Hp13_31 - T(0.6) * Hp13_33 - T(0.2263) + Hb13_22 * T(0.6);
+  const T JA12_33 = T(0.6) * Hp13_32 + T(1.84025) - minus_Jp13_33 + Hb13_32 * T(0.6);
   // g12 = G12 + gp13: force that drives it, home axes [N]
   const T g12_1 = gp13_1 - minus_G12_1;
   const T g12_2 = gt13_2 - minus_G12_2;
@@ -2049,18 +2063,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb12_33 = Hp12_33 - b12_9;
 
   // ---- body 11 (body_11) and what it carries
-  // HA11 = h_own_11~ + Hb12: moment for an acceleration of the origin, body axes [kg m]
-  const T HA11_13 = T(7.62) + Hb12_13;
-  const T HA11_23 = Hb12_23 - T(6.97);
-  const T HA11_31 = Hb12_31 - T(7.62);
-  const T HA11_32 = T(6.97) + Hb12_32;
-  // JA11 = q12~ Hp12^T + J_own_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
-  const T minus_JA11_11 = Hb12_12 * T(0.2) - Hb12_13 * T(0.6);
-  const T JA11_12 = T(0.6) * Hp12_23 - T(0.2) * Hp12_22 - T(4.0874999999999995) + Hb12_11 * T(0.2);
-  const T JA11_13 = T(0.6) * Hp12_33 - T(0.2) * Hp12_32 - T(1.3772) - Hb12_11 * T(0.6);
-  const T JA11_22 = T(0.2) * Hp12_21 - T(0.09349999999999996) - minus_Jp12_22 + Hb12_21 * T(0.2);
-  const T JA11_23 = T(0.2) * Hp12_31 - T(1.5114) + Jp12_23 - Hb12_21 * T(0.6);
-  const T JA11_33 = T(8.840499999999999) - T(0.6) * Hp12_31 + Jp12_33 - Hb12_31 * T(0.6);
+  // MA11 = m_all_11 one + Mp12: force for an acceleration of the origin, home axes [kg]
+  const T MA11_11 = T(6.6) + M12_11;
+  const T MA11_22 = T(6.6) + Mp12_22;
+  const T MA11_33 = T(6.6) + Mp12_33;
+  // HA11 = h_all_11~ + Hb12: moment for an acceleration of the origin, body axes [kg m]
+  const T HA11_12 = Hb12_12 - T(1.215);
+  const T HA11_13 = T(3.12) + Hb12_13;
+  const T HA11_21 = T(1.215) + Hb12_21;
+  const T HA11_23 = Hb12_23 - T(2.4699999999999998);
+  const T HA11_31 = Hb12_31 - T(3.12);
+  const T HA11_32 = T(2.4699999999999998) + Hb12_32;
+  // JA11 = q12~ Hp12^T + J_all_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA11_11 = Hb12_13 * T(0.6) - Hb12_12 * T(0.2) + T(2.14125);
+  const T JA11_12 = T(0.6) * Hp12_23 - T(0.2) * Hp12_22 - T(1.3875) + Hb12_11 * T(0.2);
+  const T JA11_13 = T(0.6) * Hp12_33 - T(0.2) * Hp12_32 - T(0.4772) - Hb12_11 * T(0.6);
+  const T JA11_22 = T(0.2) * Hp12_21 + T(1.97275) - minus_Jp12_22 + Hb12_21 * T(0.2);
+  const T JA11_23 = T(0.2) * Hp12_31 - T(0.6114) + Jp12_23 - Hb12_21 * T(0.6);
+  const T JA11_33 = T(3.3655) - T(0.6) * Hp12_31 + Jp12_33 - Hb12_31 * T(0.6);
   // g11 = G11 + gp12: force that drives it, home axes [N]
   const T g11_1 = gt12_1 - minus_G11_1;
   const T g11_2 = gp12_2 - minus_G11_2;
@@ -2082,22 +2102,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T u_11 = n11_3 + u.tau_11;
   // v11 = invD11 u_11: u/D
   const T v11 = invD11 * u_11;
-  // M11 = Mp12 - kB11 B11^T: MA less what the turn takes up [kg]
-  const T M11_11 = M12_11 - kB11_1 * HA11_31;
+  // M11 = MA11 - kB11 B11^T: MA less what the turn takes up [kg]
+  const T M11_11 = MA11_11 - kB11_1 * HA11_31;
   const T M11_12 = Mp12_12 - kB11_1 * HA11_32;
   const T M11_13 = Mp12_13 - kB11_1 * Hb12_33;
-  const T M11_22 = Mp12_22 - kB11_2 * HA11_32;
+  const T M11_22 = MA11_22 - kB11_2 * HA11_32;
   const T M11_23 = Mp12_23 - kB11_2 * Hb12_33;
-  const T M11_33 = Mp12_33 - kB11_3 * Hb12_33;
+  const T M11_33 = MA11_33 - kB11_3 * Hb12_33;
   // H11 = P_b11 (HA11 - kK11 B11^T): HA less what the turn takes up [kg m]
   const T H11_11 = Hb12_11 - kK11_1 * HA11_31;
-  const T H11_12 = Hb12_12 - kK11_1 * HA11_32;
+  const T H11_12 = HA11_12 - kK11_1 * HA11_32;
   const T H11_13 = HA11_13 - kK11_1 * Hb12_33;
-  const T H11_21 = Hb12_21 - kK11_2 * HA11_31;
+  const T H11_21 = HA11_21 - kK11_2 * HA11_31;
   const T H11_22 = Hb12_22 - kK11_2 * HA11_32;
   const T H11_23 = HA11_23 - kK11_2 * Hb12_33;
   // J11 = P_b11 (JA11 - kK11 K11^T) P_b11: JA less what the turn takes up [kg m^2]
-  const T minus_J11_11 = minus_JA11_11 + kK11_1 * JA11_13;
+  const T J11_11 = JA11_11 - kK11_1 * JA11_13;
   const T J11_12 = JA11_12 - kK11_1 * JA11_23;
   const T J11_22 = JA11_22 - kK11_2 * JA11_23;
   // gt11 = g11 - v11 B11: force with the turn solved [N]
@@ -2130,9 +2150,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp11_22 = H11_22 + b11_5;
   const T Hp11_23 = E11_12 * H11_13 + E11_11 * H11_23;
   // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
-  const T b11_7 = b11_1 * J11_12 - E11_12 * (minus_J11_11 + J11_22);
+  const T b11_7 = E11_12 * (J11_11 - J11_22) + b11_1 * J11_12;
   const T b11_8 = E11_12 * b11_7;
-  const T minus_Jp11_11 = minus_J11_11 + b11_8;
+  const T Jp11_11 = J11_11 - b11_8;
   const T Jp11_12 = E11_11 * b11_7 - J11_12;
   const T Jp11_22 = J11_22 + b11_8;
   // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
@@ -2153,16 +2173,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 10 (body_10) and what it carries
   // HA10 = h_own_10~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
-  const T HA10_12 = Hb11_12 - T(2.8150000000000004);
-  const T HA10_21 = T(2.8150000000000004) + Hb11_21;
-  const T HA10_23 = Hb11_23 - T(4.43);
-  const T HA10_32 = T(4.43) + Hb11_32;
+  const T HA10_12 = Hb11_12 - T(0.1);
+  const T HA10_21 = T(0.1) + Hb11_21;
+  const T HA10_23 = Hb11_23 - T(0.2);
+  const T HA10_32 = T(0.2) + Hb11_32;
   // JA10 = q11~ Hp11^T + J_own_10 + Jp11 - Hb11 q11~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA10_11 = T(1.05) * Hp11_13 + T(3.8972499999999997) - minus_Jp11_11 + Hb11_13 * T(1.05);
-  const T JA10_12 = T(1.05) * Hp11_23 - T(4.5715) + Jp11_12 - Hb11_13 * T(0.3);
-  const T minus_JA10_13 = T(0.8185) + Hb11_11 * T(1.05) - Hb11_12 * T(0.3);
-  const T JA10_22 = T(6.675249999999999) - T(0.3) * Hp11_23 + Jp11_22 - Hb11_23 * T(0.3);
-  const T minus_JA10_23 = T(2.9287500000000004) + Hb11_21 * T(1.05) - Hb11_22 * T(0.3);
+  const T JA10_11 = T(1.05) * Hp11_13 + T(0.025000000000000005) + Jp11_11 + Hb11_13 * T(1.05);
+  const T JA10_12 = T(1.05) * Hp11_23 - T(0.13) + Jp11_12 - Hb11_13 * T(0.3);
+  const T minus_JA10_13 = T(0.004000000000000001) + Hb11_11 * T(1.05) - Hb11_12 * T(0.3);
+  const T JA10_22 = T(0.265) - T(0.3) * Hp11_23 + Jp11_22 - Hb11_23 * T(0.3);
+  const T minus_JA10_23 = T(0.078) + Hb11_21 * T(1.05) - Hb11_22 * T(0.3);
   const T minus_JA10_33 = Hb11_31 * T(1.05) - Hb11_32 * T(0.3);
   // g10 = G10 + gp11: force that drives it, home axes [N]
   const T g10_1 = gp11_1 - minus_G10_1;
@@ -2256,17 +2276,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 9 (body_9) and what it carries
   // HA9 = h_own_9~ + Hb10: moment for an acceleration of the origin, body axes [kg m]
-  const T HA9_12 = Hb10_12 - T(1.705);
-  const T HA9_13 = T(16.585) + Hb10_13;
-  const T HA9_21 = T(1.705) + Hb10_21;
-  const T HA9_31 = Hb10_31 - T(16.585);
+  const T HA9_12 = Hb10_12 - T(0.295);
+  const T HA9_13 = T(1.78) + Hb10_13;
+  const T HA9_21 = T(0.295) + Hb10_21;
+  const T HA9_31 = Hb10_31 - T(1.78);
   // JA9 = q10~ Hp10^T + J_own_9 + Jp10 - Hb10 q10~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA9_11 = T(18.406000000000002) - T(0.1) * Hp10_12 + Jp10_11 - Hb10_12 * T(0.1);
-  const T minus_JA9_12 = T(9.8655) + Hb10_13 * T(0.6) - Hb10_11 * T(0.1);
-  const T JA9_13 = Jp10_13 - (T(0.1) * Hp10_32 + T(0.9983000000000001)) + Hb10_12 * T(0.6);
+  const T JA9_11 = T(1.45075) - T(0.1) * Hp10_12 + Jp10_11 - Hb10_12 * T(0.1);
+  const T minus_JA9_12 = T(0.9824999999999999) + Hb10_13 * T(0.6) - Hb10_11 * T(0.1);
+  const T JA9_13 = Jp10_13 - (T(0.1) * Hp10_32 + T(0.1523)) + Hb10_12 * T(0.6);
   const T minus_JA9_22 = Hb10_23 * T(0.6) - Hb10_21 * T(0.1);
-  const T JA9_23 = T(0.1) * Hp10_31 - T(0.6) * Hp10_33 - T(1.6471000000000002) + Hb10_22 * T(0.6);
-  const T JA9_33 = T(0.6) * Hp10_32 + T(17.808500000000002) - minus_Jp10_33 + Hb10_32 * T(0.6);
+  const T JA9_23 = T(0.1) * Hp10_31 - T(0.6) * Hp10_33 - T(0.1666) + Hb10_22 * T(0.6);
+  const T JA9_33 = T(0.6) * Hp10_32 + T(1.13525) - minus_Jp10_33 + Hb10_32 * T(0.6);
   // g9 = G9 + gp10: force that drives it, home axes [N]
   const T g9_1 = gp10_1 - minus_G9_1;
   const T g9_2 = gt10_2 - minus_G9_2;
@@ -2358,18 +2378,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb9_33 = Hp9_33 - b9_9;
 
   // ---- body 8 (body_8) and what it carries
-  // HA8 = h_own_8~ + Hb9: moment for an acceleration of the origin, body axes [kg m]
-  const T HA8_13 = T(8.46) + Hb9_13;
-  const T HA8_23 = Hb9_23 - T(10.6);
-  const T HA8_31 = Hb9_31 - T(8.46);
-  const T HA8_32 = T(10.6) + Hb9_32;
-  // JA8 = q9~ Hp9^T + J_own_8 + Jp9 - Hb9 q9~: moment for an angular acceleration, body axes [kg m^2]
-  const T minus_JA8_11 = Hb9_12 * T(0.2) - Hb9_13 * T(0.45);
-  const T JA8_12 = T(0.45) * Hp9_23 - T(0.2) * Hp9_22 - T(4.716) + Hb9_11 * T(0.2);
-  const T JA8_13 = T(0.45) * Hp9_33 - T(0.2) * Hp9_32 - T(2.1056) - Hb9_11 * T(0.45);
-  const T JA8_22 = T(0.2) * Hp9_21 + T(2.830749999999999) - minus_Jp9_22 + Hb9_21 * T(0.2);
-  const T JA8_23 = T(0.2) * Hp9_31 - T(1.6812) + Jp9_23 - Hb9_21 * T(0.45);
-  const T JA8_33 = T(10.37275) - T(0.45) * Hp9_31 + Jp9_33 - Hb9_31 * T(0.45);
+  // MA8 = m_all_8 one + Mp9: force for an acceleration of the origin, home axes [kg]
+  const T MA8_11 = T(5.7) + M9_11;
+  const T MA8_22 = T(5.7) + Mp9_22;
+  const T MA8_33 = T(5.7) + Mp9_33;
+  // HA8 = h_all_8~ + Hb9: moment for an acceleration of the origin, body axes [kg m]
+  const T HA8_12 = Hb9_12 - T(1.05);
+  const T HA8_13 = T(2.115) + Hb9_13;
+  const T HA8_21 = T(1.05) + Hb9_21;
+  const T HA8_23 = Hb9_23 - T(2.14);
+  const T HA8_31 = Hb9_31 - T(2.115);
+  const T HA8_32 = T(2.14) + Hb9_32;
+  // JA8 = q9~ Hp9^T + J_all_8 + Jp9 - Hb9 q9~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA8_11 = Hb9_13 * T(0.45) - Hb9_12 * T(0.2) + T(1.23825);
+  const T JA8_12 = T(0.45) * Hp9_23 - T(0.2) * Hp9_22 - T(0.909) + Hb9_11 * T(0.2);
+  const T JA8_13 = T(0.45) * Hp9_33 - T(0.2) * Hp9_32 - T(0.4136) - Hb9_11 * T(0.45);
+  const T JA8_22 = T(0.2) * Hp9_21 + T(1.70725) - minus_Jp9_22 + Hb9_21 * T(0.2);
+  const T JA8_23 = T(0.2) * Hp9_31 - T(0.4122) + Jp9_23 - Hb9_21 * T(0.45);
+  const T JA8_33 = T(2.3005) - T(0.45) * Hp9_31 + Jp9_33 - Hb9_31 * T(0.45);
   // g8 = G8 + gp9: force that drives it, home axes [N]
   const T g8_1 = gt9_1 - minus_G8_1;
   const T g8_2 = gp9_2 - minus_G8_2;
@@ -2391,22 +2417,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T u_8 = n8_3 + u.tau_8;
   // v8 = invD8 u_8: u/D
   const T v8 = invD8 * u_8;
-  // M8 = Mp9 - kB8 B8^T: MA less what the turn takes up [kg]
-  const T M8_11 = M9_11 - kB8_1 * HA8_31;
+  // M8 = MA8 - kB8 B8^T: MA less what the turn takes up [kg]
+  const T M8_11 = MA8_11 - kB8_1 * HA8_31;
   const T M8_12 = Mp9_12 - kB8_1 * HA8_32;
   const T M8_13 = Mp9_13 - kB8_1 * Hb9_33;
-  const T M8_22 = Mp9_22 - kB8_2 * HA8_32;
+  const T M8_22 = MA8_22 - kB8_2 * HA8_32;
   const T M8_23 = Mp9_23 - kB8_2 * Hb9_33;
-  const T M8_33 = Mp9_33 - kB8_3 * Hb9_33;
+  const T M8_33 = MA8_33 - kB8_3 * Hb9_33;
   // H8 = P_b8 (HA8 - kK8 B8^T): HA less what the turn takes up [kg m]
   const T H8_11 = Hb9_11 - kK8_1 * HA8_31;
-  const T H8_12 = Hb9_12 - kK8_1 * HA8_32;
+  const T H8_12 = HA8_12 - kK8_1 * HA8_32;
   const T H8_13 = HA8_13 - kK8_1 * Hb9_33;
-  const T H8_21 = Hb9_21 - kK8_2 * HA8_31;
+  const T H8_21 = HA8_21 - kK8_2 * HA8_31;
   const T H8_22 = Hb9_22 - kK8_2 * HA8_32;
   const T H8_23 = HA8_23 - kK8_2 * Hb9_33;
   // J8 = P_b8 (JA8 - kK8 K8^T) P_b8: JA less what the turn takes up [kg m^2]
-  const T minus_J8_11 = minus_JA8_11 + kK8_1 * JA8_13;
+  const T J8_11 = JA8_11 - kK8_1 * JA8_13;
   const T J8_12 = JA8_12 - kK8_1 * JA8_23;
   const T J8_22 = JA8_22 - kK8_2 * JA8_23;
   // gt8 = g8 - v8 B8: force with the turn solved [N]
@@ -2439,9 +2465,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp8_22 = H8_22 + b8_5;
   const T Hp8_23 = E8_12 * H8_13 + E8_11 * H8_23;
   // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
-  const T b8_7 = b8_1 * J8_12 - E8_12 * (minus_J8_11 + J8_22);
+  const T b8_7 = E8_12 * (J8_11 - J8_22) + b8_1 * J8_12;
   const T b8_8 = E8_12 * b8_7;
-  const T minus_Jp8_11 = minus_J8_11 + b8_8;
+  const T Jp8_11 = J8_11 - b8_8;
   const T Jp8_12 = E8_11 * b8_7 - J8_12;
   const T Jp8_22 = J8_22 + b8_8;
   // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
@@ -2462,16 +2488,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 7 (body_7) and what it carries
   // HA7 = h_own_7~ + Hb8: moment for an acceleration of the origin, body axes [kg m]
-  const T HA7_12 = Hb8_12 - T(3.955);
-  const T HA7_21 = T(3.955) + Hb8_21;
-  const T HA7_23 = Hb8_23 - T(6.109999999999999);
-  const T HA7_32 = T(6.109999999999999) + Hb8_32;
+  const T HA7_12 = Hb8_12 - T(0.085);
+  const T HA7_21 = T(0.085) + Hb8_21;
+  const T HA7_23 = Hb8_23 - T(0.17);
+  const T HA7_32 = T(0.17) + Hb8_32;
   // JA7 = q8~ Hp8^T + J_own_7 + Jp8 - Hb8 q8~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA7_11 = T(0.75) * Hp8_13 + T(2.8967500000000004) - minus_Jp8_11 + Hb8_13 * T(0.75);
-  const T JA7_12 = T(0.75) * Hp8_23 - T(4.54) + Jp8_12 - Hb8_13 * T(0.3);
-  const T minus_JA7_13 = T(1.1644) + Hb8_11 * T(0.75) - Hb8_12 * T(0.3);
-  const T JA7_22 = T(6.66475) - T(0.3) * Hp8_23 + Jp8_22 - Hb8_23 * T(0.3);
-  const T minus_JA7_23 = T(2.9560500000000003) + Hb8_21 * T(0.75) - Hb8_22 * T(0.3);
+  const T JA7_11 = T(0.75) * Hp8_13 + T(0.02125) + Jp8_11 + Hb8_13 * T(0.75);
+  const T JA7_12 = T(0.75) * Hp8_23 - T(0.085) + Jp8_12 - Hb8_13 * T(0.3);
+  const T minus_JA7_13 = T(0.0034000000000000002) + Hb8_11 * T(0.75) - Hb8_12 * T(0.3);
+  const T JA7_22 = T(0.22524999999999998) - T(0.3) * Hp8_23 + Jp8_22 - Hb8_23 * T(0.3);
+  const T minus_JA7_23 = T(0.05355) + Hb8_21 * T(0.75) - Hb8_22 * T(0.3);
   const T minus_JA7_33 = Hb8_31 * T(0.75) - Hb8_32 * T(0.3);
   // g7 = G7 + gp8: force that drives it, home axes [N]
   const T g7_1 = gp8_1 - minus_G7_1;
@@ -2565,17 +2591,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 6 (body_6) and what it carries
   // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
-  const T HA6_12 = Hb7_12 - T(2.23);
-  const T HA6_13 = T(16.105) + Hb7_13;
-  const T HA6_21 = T(2.23) + Hb7_21;
-  const T HA6_31 = Hb7_31 - T(16.105);
+  const T HA6_12 = Hb7_12 - T(0.25);
+  const T HA6_13 = T(1.255) + Hb7_13;
+  const T HA6_21 = T(0.25) + Hb7_21;
+  const T HA6_31 = Hb7_31 - T(1.255);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(14.02975) - T(0.1) * Hp7_12 + Jp7_11 - Hb7_12 * T(0.1);
-  const T minus_JA6_12 = T(9.591) + Hb7_13 * T(0.6) - Hb7_11 * T(0.1);
-  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(1.3172)) + Hb7_12 * T(0.6);
+  const T JA6_11 = T(0.91225) - T(0.1) * Hp7_12 + Jp7_11 - Hb7_12 * T(0.1);
+  const T minus_JA6_12 = T(0.6809999999999999) + Hb7_13 * T(0.6) - Hb7_11 * T(0.1);
+  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(0.1292)) + Hb7_12 * T(0.6);
   const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
-  const T JA6_23 = T(0.1) * Hp7_31 - T(0.6) * Hp7_33 - T(1.6009) + Hb7_22 * T(0.6);
-  const T JA6_33 = T(0.6) * Hp7_32 + T(13.36775) - minus_Jp7_33 + Hb7_32 * T(0.6);
+  const T JA6_23 = T(0.1) * Hp7_31 - T(0.6) * Hp7_33 - T(0.1159) + Hb7_22 * T(0.6);
+  const T JA6_33 = T(0.6) * Hp7_32 + T(0.64625) - minus_Jp7_33 + Hb7_32 * T(0.6);
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T g6_2 = gt7_2 - minus_G6_2;
@@ -2667,18 +2693,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb6_33 = Hp6_33 - b6_9;
 
   // ---- body 5 (body_5) and what it carries
-  // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
-  const T HA5_13 = T(7.2299999999999995) + Hb6_13;
-  const T HA5_23 = Hb6_23 - T(13.69);
-  const T HA5_31 = Hb6_31 - T(7.2299999999999995);
-  const T HA5_32 = T(13.69) + Hb6_32;
-  // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
-  const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
-  const T JA5_12 = T(0.3) * Hp6_23 - T(0.2) * Hp6_22 - T(4.084499999999999) + Hb6_11 * T(0.2);
-  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(2.726) - Hb6_11 * T(0.3);
-  const T JA5_22 = T(0.2) * Hp6_21 + T(6.313) - minus_Jp6_22 + Hb6_21 * T(0.2);
-  const T JA5_23 = T(0.2) * Hp6_31 - T(1.437) + Jp6_23 - Hb6_21 * T(0.3);
-  const T JA5_33 = T(10.681) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
+  // MA5 = m_all_5 one + Mp6: force for an acceleration of the origin, home axes [kg]
+  const T MA5_11 = T(4.8) + M6_11;
+  const T MA5_22 = T(4.8) + Mp6_22;
+  const T MA5_33 = T(4.8) + Mp6_33;
+  // HA5 = h_all_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T HA5_12 = Hb6_12 - T(0.885);
+  const T HA5_13 = T(1.29) + Hb6_13;
+  const T HA5_21 = T(0.885) + Hb6_21;
+  const T HA5_23 = Hb6_23 - T(1.81);
+  const T HA5_31 = Hb6_31 - T(1.29);
+  const T HA5_32 = T(1.81) + Hb6_32;
+  // JA5 = q6~ Hp6^T + J_all_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA5_11 = Hb6_13 * T(0.3) - Hb6_12 * T(0.2) + T(0.67275);
+  const T JA5_12 = T(0.3) * Hp6_23 - T(0.2) * Hp6_22 - T(0.5205) + Hb6_11 * T(0.2);
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.35000000000000003) - Hb6_11 * T(0.3);
+  const T JA5_22 = T(0.2) * Hp6_21 + T(1.4417499999999999) - minus_Jp6_22 + Hb6_21 * T(0.2);
+  const T JA5_23 = T(0.2) * Hp6_31 - T(0.249) + Jp6_23 - Hb6_21 * T(0.3);
+  const T JA5_33 = T(1.573) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T g5_1 = gt6_1 - minus_G5_1;
   const T g5_2 = gp6_2 - minus_G5_2;
@@ -2700,22 +2732,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T u_5 = n5_3 + u.tau_5;
   // v5 = invD5 u_5: u/D
   const T v5 = invD5 * u_5;
-  // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
-  const T M5_11 = M6_11 - kB5_1 * HA5_31;
+  // M5 = MA5 - kB5 B5^T: MA less what the turn takes up [kg]
+  const T M5_11 = MA5_11 - kB5_1 * HA5_31;
   const T M5_12 = Mp6_12 - kB5_1 * HA5_32;
   const T M5_13 = Mp6_13 - kB5_1 * Hb6_33;
-  const T M5_22 = Mp6_22 - kB5_2 * HA5_32;
+  const T M5_22 = MA5_22 - kB5_2 * HA5_32;
   const T M5_23 = Mp6_23 - kB5_2 * Hb6_33;
-  const T M5_33 = Mp6_33 - kB5_3 * Hb6_33;
+  const T M5_33 = MA5_33 - kB5_3 * Hb6_33;
   // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
   const T H5_11 = Hb6_11 - kK5_1 * HA5_31;
-  const T H5_12 = Hb6_12 - kK5_1 * HA5_32;
+  const T H5_12 = HA5_12 - kK5_1 * HA5_32;
   const T H5_13 = HA5_13 - kK5_1 * Hb6_33;
-  const T H5_21 = Hb6_21 - kK5_2 * HA5_31;
+  const T H5_21 = HA5_21 - kK5_2 * HA5_31;
   const T H5_22 = Hb6_22 - kK5_2 * HA5_32;
   const T H5_23 = HA5_23 - kK5_2 * Hb6_33;
   // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
-  const T minus_J5_11 = minus_JA5_11 + kK5_1 * JA5_13;
+  const T J5_11 = JA5_11 - kK5_1 * JA5_13;
   const T J5_12 = JA5_12 - kK5_1 * JA5_23;
   const T J5_22 = JA5_22 - kK5_2 * JA5_23;
   // gt5 = g5 - v5 B5: force with the turn solved [N]
@@ -2748,9 +2780,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp5_22 = H5_22 + b5_5;
   const T Hp5_23 = E5_12 * H5_13 + E5_11 * H5_23;
   // Jp5 = E5^T J5 E5: J passed on, lower body's axes [kg m^2]
-  const T b5_7 = b5_1 * J5_12 - E5_12 * (minus_J5_11 + J5_22);
+  const T b5_7 = E5_12 * (J5_11 - J5_22) + b5_1 * J5_12;
   const T b5_8 = E5_12 * b5_7;
-  const T minus_Jp5_11 = minus_J5_11 + b5_8;
+  const T Jp5_11 = J5_11 - b5_8;
   const T Jp5_12 = E5_11 * b5_7 - J5_12;
   const T Jp5_22 = J5_22 + b5_8;
   // np5 = E5^T nt5: moment passed on, lower body's axes [N m]
@@ -2771,16 +2803,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 4 (body_4) and what it carries
   // HA4 = h_own_4~ + Hb5: moment for an acceleration of the origin, body axes [kg m]
-  const T HA4_12 = Hb5_12 - T(4.915);
-  const T HA4_21 = T(4.915) + Hb5_21;
-  const T HA4_23 = Hb5_23 - T(7.52);
-  const T HA4_32 = T(7.52) + Hb5_32;
+  const T HA4_12 = Hb5_12 - T(0.06999999999999999);
+  const T HA4_21 = T(0.06999999999999999) + Hb5_21;
+  const T HA4_23 = Hb5_23 - T(0.13999999999999999);
+  const T HA4_32 = T(0.13999999999999999) + Hb5_32;
   // JA4 = q5~ Hp5^T + J_own_4 + Jp5 - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA4_11 = T(0.45) * Hp5_13 + T(1.0502500000000001) - minus_Jp5_11 + Hb5_13 * T(0.45);
-  const T JA4_12 = T(0.45) * Hp5_23 - T(3.37) + Jp5_12 - Hb5_13 * T(0.3);
-  const T minus_JA4_13 = T(1.4563) + Hb5_11 * T(0.45) - Hb5_12 * T(0.3);
-  const T JA4_22 = T(5.64625) - T(0.3) * Hp5_23 + Jp5_22 - Hb5_23 * T(0.3);
-  const T minus_JA4_23 = T(2.2138500000000003) + Hb5_21 * T(0.45) - Hb5_22 * T(0.3);
+  const T JA4_11 = T(0.45) * Hp5_13 + T(0.017500000000000012) + Jp5_11 + Hb5_13 * T(0.45);
+  const T JA4_12 = T(0.45) * Hp5_23 - T(0.049) + Jp5_12 - Hb5_13 * T(0.3);
+  const T minus_JA4_13 = T(0.0028000000000000004) + Hb5_11 * T(0.45) - Hb5_12 * T(0.3);
+  const T JA4_22 = T(0.1855) - T(0.3) * Hp5_23 + Jp5_22 - Hb5_23 * T(0.3);
+  const T minus_JA4_23 = T(0.0336) + Hb5_21 * T(0.45) - Hb5_22 * T(0.3);
   const T minus_JA4_33 = Hb5_31 * T(0.45) - Hb5_32 * T(0.3);
   // g4 = G4 + gp5: force that drives it, home axes [N]
   const T g4_1 = gp5_1 - minus_G4_1;
@@ -2874,17 +2906,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 3 (body_3) and what it carries
   // HA3 = h_own_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
-  const T HA3_12 = Hb4_12 - T(2.665);
-  const T HA3_13 = T(11.89) + Hb4_13;
-  const T HA3_21 = T(2.665) + Hb4_21;
-  const T HA3_31 = Hb4_31 - T(11.89);
+  const T HA3_12 = Hb4_12 - T(0.20500000000000002);
+  const T HA3_13 = T(0.8200000000000001) + Hb4_13;
+  const T HA3_21 = T(0.20500000000000002) + Hb4_21;
+  const T HA3_31 = Hb4_31 - T(0.8200000000000001);
   // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_11 = T(7.99075) - T(0.1) * Hp4_12 + Jp4_11 - Hb4_12 * T(0.1);
-  const T minus_JA3_12 = T(7.0755) + Hb4_13 * T(0.6) - Hb4_11 * T(0.1);
-  const T JA3_13 = Jp4_13 - (T(0.1) * Hp4_32 + T(1.5821)) + Hb4_12 * T(0.6);
+  const T JA3_11 = T(0.54925) - T(0.1) * Hp4_12 + Jp4_11 - Hb4_12 * T(0.1);
+  const T minus_JA3_12 = T(0.4335) + Hb4_13 * T(0.6) - Hb4_11 * T(0.1);
+  const T JA3_13 = Jp4_13 - (T(0.1) * Hp4_32 + T(0.1061)) + Hb4_12 * T(0.6);
   const T minus_JA3_22 = Hb4_23 * T(0.6) - Hb4_21 * T(0.1);
-  const T JA3_23 = T(0.1) * Hp4_31 - T(0.6) * Hp4_33 - T(1.1812) + Hb4_22 * T(0.6);
-  const T JA3_33 = T(0.6) * Hp4_32 + T(7.28225) - minus_Jp4_33 + Hb4_32 * T(0.6);
+  const T JA3_23 = T(0.1) * Hp4_31 - T(0.6) * Hp4_33 - T(0.0742) + Hb4_22 * T(0.6);
+  const T JA3_33 = T(0.6) * Hp4_32 + T(0.33275) - minus_Jp4_33 + Hb4_32 * T(0.6);
   // g3 = G3 + gp4: force that drives it, home axes [N]
   const T g3_1 = gp4_1 - minus_G3_1;
   const T g3_2 = gt4_2 - minus_G3_2;
@@ -2973,16 +3005,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb3_33 = Hp3_33 - b3_9;
 
   // ---- body 2 (body_2) and what it carries
-  // HA2 = h_own_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
-  const T HA2_13 = T(4.335) + Hb3_13;
-  const T HA2_23 = Hb3_23 - T(16.24);
-  // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
-  const T minus_JA2_11 = Hb3_12 * T(0.2) - Hb3_13 * T(0.15);
-  const T JA2_12 = T(0.15) * Hp3_23 - T(0.2) * Hp3_22 - T(2.436) + Hb3_11 * T(0.2);
-  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(3.2384) - Hb3_11 * T(0.15);
-  const T JA2_22 = T(0.2) * Hp3_21 + T(9.360999999999999) - minus_Jp3_22 + Hb3_21 * T(0.2);
-  const T JA2_23 = T(0.2) * Hp3_31 - T(0.8598) + Jp3_23 - Hb3_21 * T(0.15);
-  const T JA2_33 = T(10.757499999999999) - T(0.15) * Hp3_31 + Jp3_33 - Hb3_31 * T(0.15);
+  // MA2 = m_all_2 one + Mp3: force for an acceleration of the origin, home axes [kg]
+  const T MA2_33 = T(3.9) + Mp3_33;
+  // HA2 = h_all_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA2_13 = T(0.645) + Hb3_13;
+  const T HA2_23 = Hb3_23 - T(1.48);
+  // JA2 = q3~ Hp3^T + J_all_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA2_11 = Hb3_13 * T(0.15) - Hb3_12 * T(0.2) + T(0.36375);
+  const T JA2_12 = T(0.15) * Hp3_23 - T(0.2) * Hp3_22 - T(0.22199999999999998) + Hb3_11 * T(0.2);
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2864) - Hb3_11 * T(0.15);
+  const T JA2_22 = T(0.2) * Hp3_21 + T(1.17625) - minus_Jp3_22 + Hb3_21 * T(0.2);
+  const T JA2_23 = T(0.2) * Hp3_31 - T(0.1218) + Jp3_23 - Hb3_21 * T(0.15);
+  const T JA2_33 = T(1.1019999999999999) - T(0.15) * Hp3_31 + Jp3_33 - Hb3_31 * T(0.15);
   // g2 = G2 + gp3: force that drives it, home axes [N]
   const T g2_3 = gp3_3 - minus_G2_3;
   // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
@@ -3000,13 +3034,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T u_2 = n2_3 + u.tau_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
-  // M2 = Mp3 - kB2 B2^T: MA less what the turn takes up [kg]
-  const T M2_33 = Mp3_33 - kB2_3 * Hb3_33;
+  // M2 = MA2 - kB2 B2^T: MA less what the turn takes up [kg]
+  const T M2_33 = MA2_33 - kB2_3 * Hb3_33;
   // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
   const T H2_13 = HA2_13 - kK2_1 * Hb3_33;
   const T H2_23 = HA2_23 - kK2_2 * Hb3_33;
   // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
-  const T minus_J2_11 = minus_JA2_11 + kK2_1 * JA2_13;
+  const T J2_11 = JA2_11 - kK2_1 * JA2_13;
   const T J2_12 = JA2_12 - kK2_1 * JA2_23;
   const T J2_22 = JA2_22 - kK2_2 * JA2_23;
   // gt2 = g2 - v2 B2: force with the turn solved [N]
@@ -3017,7 +3051,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
   const T Hp2_23 = E2_12 * H2_13 + E2_11 * H2_23;
   // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
-  const T Jp2_22 = J2_22 + E2_12 * (T(2) * E2_11 * J2_12 - E2_12 * (minus_J2_11 + J2_22));
+  const T Jp2_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12);
   // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
   const T np2_2 = E2_12 * nt2_1 + E2_11 * nt2_2;
   // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
@@ -3025,7 +3059,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 1 (body_1) and what it carries
   // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA1_22 = T(4.612) - T(0.3) * Hp2_23 + Jp2_22 - Hb2_23 * T(0.3);
+  const T JA1_22 = T(0.14575000000000002) - T(0.3) * Hp2_23 + Jp2_22 - Hb2_23 * T(0.3);
   // n1 = q2~ gp2 + N1 + np2: moment that drives it, body axes [N m]
   const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
   // invD1 = D1^-1: 1/D

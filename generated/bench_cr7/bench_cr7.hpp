@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 236d179aa694e9a0 of bench_cr7/scene.toml; the usual functions
+// model 227e2679e59fa5d6 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -27,7 +27,7 @@
 //   energy                  679 (289 add, 390 multiply, 14 sine or cosine)
 //   momentum                915 (421 add, 494 multiply, 14 sine or cosine)
 //   power                   13 (6 add, 7 multiply)
-//   accelerations           1341 (631 add, 704 multiply, 6 divide, 14 sine or cosine)
+//   accelerations           1523 (726 add, 791 multiply, 6 divide, 14 sine or cosine)
 //   residual                707 (348 add, 359 multiply, 14 sine or cosine)
 //   forcing                 672 (326 add, 346 multiply, 14 sine or cosine)
 //   mass_matrix             439 (207 add, 232 multiply, 12 sine or cosine)
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "236d179aa694e9a0";
+inline constexpr char model_hash[] = "227e2679e59fa5d6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1071,8 +1071,9 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 631 add, 704 multiply, 6 divide, 14 sine or cosine
-// by: composite; articulated would take 726 add, 791 multiply, 6 divide, 14 sine or cosine
+// 726 add, 791 multiply, 6 divide, 14 sine or cosine
+// by: articulated; composite would take 631 add, 704 multiply, 6 divide, 14 sine or cosine, and err by 11 ulps
+//   instead of 4.9
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1377,363 +1378,614 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
-  // hc7 = E7^T h_own_7: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc7_1 = minus_E7_13 * T(0.085) + E7_11 * T(0.17);
-  const T hc7_3 = E7_11 * T(0.085) - minus_E7_13 * T(0.17);
+  // u_7 = b7 . N7 + tau_body_7_: drives it [N m], [N]
+  const T u_7 = u.tau_7 - minus_N7_2;
+  // v7 = invD7 u_7: u/D
+  const T v7 = T(4.439511653718092) * u_7;
+  // gt7 = G7 - v7 B7: force with the turn solved [N]
+  const T minus_gt7_1 = v7 * T(0.085) + minus_G7_1;
+  const T gt7_3 = v7 * T(0.17) - minus_G7_3;
+  // nt7 = -tau_body_7_ b7 + P_b7 (N7 - v7 K7): moment with the turn solved [N m]
+  const T nt7_1 = v7 * T(0.085) - minus_N7_1;
+  const T nt7_3 = v7 * T(0.05355) - minus_N7_3;
+  // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
+  const T b7_1 = T(2) * E7_11;
+  const T b7_2 = b7_1 * T(0.06415094339622643) - minus_E7_13 * T(0.09622641509433963);
+  const T b7_3 = minus_E7_13 * b7_2;
+  const T Mp7_11 = b7_3 - T(0.032075471698113214);
+  const T Mp7_13 = E7_11 * b7_2 - T(0.06415094339622643);
+  const T minus_Mp7_33 = T(0.12830188679245286) + b7_3;
+  // gp7 = E7^T gt7: force passed on, lower body's axes [N]
+  const T gp7_1 = minus_E7_13 * gt7_3 - E7_11 * minus_gt7_1;
+  const T gp7_3 = minus_E7_13 * minus_gt7_1 + E7_11 * gt7_3;
+  // Hp7 = E7^T H7 E7: H passed on, lower body's axes [kg m]
+  const T b7_4 = minus_E7_13 * T(0.07249056603773585) + E7_11 * T(0.0439433962264151);
+  const T b7_5 = minus_E7_13 * b7_4;
+  const T Hp7_11 = T(0.03207547169811321) - b7_5;
+  const T Hp7_12 = minus_E7_13 * T(0.17) - E7_11 * T(0.085);
+  const T b7_6 = E7_11 * b7_4;
+  const T minus_Hp7_13 = b7_6 + T(0.020207547169811324);
+  const T Hp7_31 = T(0.06415094339622641) - b7_6;
+  const T Hp7_32 = E7_11 * T(0.17) + minus_E7_13 * T(0.085);
+  const T Hp7_33 = b7_5 - T(0.04041509433962265);
+  // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
+  const T b7_7 = minus_E7_13 * T(0.0019052830188679248) + b7_1 * T(0.02360754716981132);
+  const T b7_8 = minus_E7_13 * b7_7;
+  const T minus_Jp7_11 = T(0.010825471698113208) + b7_8;
+  const T Jp7_13 = T(0.02360754716981132) - E7_11 * b7_7;
+  const T Jp7_33 = b7_8 - T(0.012730754716981133);
+  // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
+  const T np7_1 = E7_11 * nt7_1 + minus_E7_13 * nt7_3;
+  const T np7_3 = E7_11 * nt7_3 - minus_E7_13 * nt7_1;
+  // Hb7 = q7~ Mp7 + Hp7: H of the joint at the lower body's origin, its axes
+  const T Hb7_21 = T(0.1) * Mp7_11 - T(0.6) * Mp7_13;
+  const T Hb7_23 = T(0.1) * Mp7_13 + T(0.6) * minus_Mp7_33;
 
   // ---- body 6 (body_6) and what it carries
-  // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * minus_G7_1 + minus_E7_13 * minus_G7_3;
-  const T minus_S6_1 = b6_1 + minus_G6_1;
-  const T minus_S6_2 = minus_G7_2 + minus_G6_2;
-  const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
-  const T S6_3 = b6_2 - minus_G6_3;
-  // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
-  //   m]
-  const T rho6_1 = T(0.1) * minus_G7_2 - (E7_11 * minus_N7_1 + minus_E7_13 * minus_N7_3) - minus_N6_1;
-  const T minus_rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + minus_N7_2 + minus_N6_2;
-  const T rho6_3 = minus_E7_13 * minus_N7_1 - E7_11 * minus_N7_3 - T(0.6) * minus_G7_2 - minus_N6_3;
-  // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h6_3 = T(0.25) + hc7_3;
-  // J6 = -q7~ hc7~ + E7^T J_own_7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b6_3 = minus_E7_13 * T(0.02125) + T(2) * E7_11 * T(0.0034000000000000002);
-  const T b6_4 = minus_E7_13 * b6_3;
-  const T b6_5 = T(0.2) * hc7_3;
-  const T J6_11 = T(0.9335) - b6_4 + b6_5;
-  const T b6_6 = E7_11 * T(0.085) + minus_E7_13 * T(0.05355);
-  const T minus_J6_12 = b6_6 + T(0.6809999999999999);
-  const T minus_J6_13 = T(0.1258) + E7_11 * b6_3 + T(0.1) * hc7_1 + T(0.6) * hc7_3;
-  const T b6_7 = T(0.1) * hc7_3 + T(0.6) * hc7_1;
-  const T b6_8 = b6_7 + T(0.22524999999999998);
-  const T J6_22 = b6_8 + b6_7;
-  const T b6_9 = minus_E7_13 * T(0.085) - E7_11 * T(0.05355);
-  const T J6_23 = b6_9 - T(0.1159);
-  const T J6_33 = b6_4 + T(1.2) * hc7_1 + T(0.64625);
-  // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
-  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(1.255);
-  // D_thetaddot6: pivots of L D L^T
-  const T b6_10 = b6_6 * T(4.439511653718092);
-  const T D_thetaddot6 = J6_11 - b6_10 * b6_6;
+  // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
+  const T HA6_12 = Hp7_12 - T(0.25);
+  const T HA6_13 = T(1.255) - minus_Hp7_13;
+  const T HA6_21 = T(0.25) + Hb7_21;
+  const T HA6_31 = Hp7_31 - T(1.255);
+  // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA6_11 = T(0.91225) - T(0.2) * Hp7_12 - minus_Jp7_11;
+  const T JA6_12 = T(0.1) * Hp7_11 + T(0.6) * minus_Hp7_13 - T(0.6809999999999999);
+  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(0.1292)) + T(0.6) * Hp7_12;
+  const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
+  const T JA6_23 = T(0.1) * Hp7_31 - T(0.6) * Hp7_33 - T(0.1159);
+  const T JA6_33 = T(1.2) * Hp7_32 + T(0.64625) + Jp7_33;
+  // g6 = G6 + gp7: force that drives it, home axes [N]
+  const T g6_1 = gp7_1 - minus_G6_1;
+  const T minus_g6_2 = minus_G7_2 + minus_G6_2;
+  const T g6_3 = gp7_3 - minus_G6_3;
+  // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
+  const T n6_1 = T(0.1) * minus_G7_2 - minus_N6_1 + np7_1;
+  const T n6_2 = T(0.1) * gp7_1 - T(0.6) * gp7_3 - minus_N6_2 - u.tau_7;
+  const T n6_3 = np7_3 - (T(0.6) * minus_G7_2 + minus_N6_3);
+  // invD6 = D6^-1: 1/D
+  const T invD6 = T(1) / JA6_11;
+  // kB6 = invD6 B6: B/D
+  const T kB6_1 = invD6 * Hp7_11;
+  const T kB6_2 = invD6 * HA6_12;
+  const T kB6_3 = invD6 * HA6_13;
+  // kK6 = invD6 K6: K/D
+  const T kK6_2 = invD6 * JA6_12;
+  const T kK6_3 = invD6 * JA6_13;
+  // u_6 = b6 . n6 + tau_body_6_: drives it [N m], [N]
+  const T u_6 = n6_1 + u.tau_6;
+  // v6 = invD6 u_6: u/D
+  const T v6 = invD6 * u_6;
+  // M6 = Mp7 - kB6 B6^T: MA less what the turn takes up [kg]
+  const T M6_11 = Mp7_11 - kB6_1 * Hp7_11;
+  const T minus_M6_12 = kB6_1 * HA6_12;
+  const T M6_13 = Mp7_13 - kB6_1 * HA6_13;
+  const T minus_M6_22 = kB6_2 * HA6_12;
+  const T minus_M6_23 = kB6_2 * HA6_13;
+  const T minus_M6_33 = minus_Mp7_33 + kB6_3 * HA6_13;
+  // H6 = P_b6 (HA6 - kK6 B6^T): HA less what the turn takes up [kg m]
+  const T H6_21 = HA6_21 - kK6_2 * Hp7_11;
+  const T minus_H6_22 = kK6_2 * HA6_12;
+  const T H6_23 = Hb7_23 - kK6_2 * HA6_13;
+  const T H6_31 = HA6_31 - kK6_3 * Hp7_11;
+  const T H6_32 = Hp7_32 - kK6_3 * HA6_12;
+  const T H6_33 = Hp7_33 - kK6_3 * HA6_13;
+  // J6 = P_b6 (JA6 - kK6 K6^T) P_b6: JA less what the turn takes up [kg m^2]
+  const T minus_J6_22 = minus_JA6_22 + kK6_2 * JA6_12;
+  const T J6_23 = JA6_23 - kK6_2 * JA6_13;
+  const T J6_33 = JA6_33 - kK6_3 * JA6_13;
+  // gt6 = g6 - v6 B6: force with the turn solved [N]
+  const T gt6_1 = g6_1 - v6 * Hp7_11;
+  const T minus_gt6_2 = minus_g6_2 + v6 * HA6_12;
+  const T gt6_3 = g6_3 - v6 * HA6_13;
+  // nt6 = -tau_body_6_ b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
+  const T nt6_2 = n6_2 - v6 * JA6_12;
+  const T nt6_3 = n6_3 - v6 * JA6_13;
+  // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
+  const T minus_Mp6_12 = E6_22 * minus_M6_12 + E6_23 * M6_13;
+  const T Mp6_13 = E6_22 * M6_13 - E6_23 * minus_M6_12;
+  const T b6_1 = T(2) * E6_22;
+  const T b6_2 = E6_23 * (minus_M6_33 - minus_M6_22) - b6_1 * minus_M6_23;
+  const T b6_3 = E6_23 * b6_2;
+  const T minus_Mp6_22 = minus_M6_22 + b6_3;
+  const T Mp6_23 = E6_22 * b6_2 + minus_M6_23;
+  const T Mp6_33 = b6_3 - minus_M6_33;
+  // gp6 = E6^T gt6: force passed on, lower body's axes [N]
+  const T minus_gp6_2 = E6_22 * minus_gt6_2 + E6_23 * gt6_3;
+  const T gp6_3 = E6_22 * gt6_3 - E6_23 * minus_gt6_2;
+  // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
+  const T Hp6_21 = E6_22 * H6_21 - E6_23 * H6_31;
+  const T b6_4 = E6_22 * (H6_23 + H6_32) - E6_23 * (minus_H6_22 + H6_33);
+  const T b6_5 = E6_23 * b6_4;
+  const T minus_Hp6_22 = minus_H6_22 + b6_5;
+  const T b6_6 = E6_22 * b6_4;
+  const T Hp6_23 = b6_6 - H6_32;
+  const T Hp6_31 = E6_23 * H6_21 + E6_22 * H6_31;
+  const T Hp6_32 = b6_6 - H6_23;
+  const T Hp6_33 = H6_33 + b6_5;
+  // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
+  const T b6_7 = b6_1 * J6_23 - E6_23 * (minus_J6_22 + J6_33);
+  const T b6_8 = E6_23 * b6_7;
+  const T minus_Jp6_22 = minus_J6_22 + b6_8;
+  const T Jp6_23 = E6_22 * b6_7 - J6_23;
+  const T Jp6_33 = J6_33 + b6_8;
+  // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
+  const T np6_2 = E6_22 * nt6_2 - E6_23 * nt6_3;
+  const T np6_3 = E6_23 * nt6_2 + E6_22 * nt6_3;
+  // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
+  const T b6_9 = T(0.2) * minus_Mp6_12;
+  const T b6_10 = T(0.3) * Mp6_13;
+  const T Hb6_11 = b6_9 + b6_10;
+  const T Hb6_12 = T(0.2) * minus_Mp6_22 + T(0.3) * Mp6_23;
+  const T Hb6_13 = T(0.3) * Mp6_33 - T(0.2) * Mp6_23;
+  const T Hb6_21 = T(0.2) * M6_11 + Hp6_21;
+  const T minus_Hb6_22 = minus_Hp6_22 + b6_9;
+  const T Hb6_23 = T(0.2) * Mp6_13 + Hp6_23;
+  const T Hb6_31 = Hp6_31 - T(0.3) * M6_11;
+  const T Hb6_32 = T(0.3) * minus_Mp6_12 + Hp6_32;
+  const T Hb6_33 = Hp6_33 - b6_10;
 
   // ---- body 5 (body_5) and what it carries
-  // S5 = E6^T S6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T minus_S5_1 = minus_S6_1 + minus_G5_1;
-  const T b5_1 = E6_22 * minus_S6_2 + E6_23 * S6_3;
-  const T minus_S5_2 = b5_1 + minus_G5_2;
-  const T b5_2 = E6_22 * S6_3 - E6_23 * minus_S6_2;
-  const T S5_3 = b5_2 - minus_G5_3;
-  // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + rho6_1 - minus_N5_1;
-  const T minus_rho5_2 = T(0.2) * minus_S6_1 + E6_22 * minus_rho6_2 + E6_23 * rho6_3 + minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_S6_1 + E6_22 * rho6_3 - E6_23 * minus_rho6_2 - minus_N5_3;
-  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_1 = T(1.81) + hc7_1;
-  const T h5_2 = T(1.29) + hc6_2;
-  // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b5_3 = T(0.3) * hc6_2;
-  const T b5_4 = T(0.2) * hc6_3 + b5_3;
-  const T b5_5 = b5_4 + J6_11;
-  const T J5_11 = b5_5 + b5_4;
-  const T b5_6 = E6_22 * minus_J6_12 - E6_23 * minus_J6_13;
-  const T minus_J5_12 = b5_6 + T(0.3) * hc7_1 + T(0.5205);
-  const T b5_7 = E6_22 * minus_J6_13 + E6_23 * minus_J6_12;
-  const T minus_J5_13 = b5_7 + T(0.2) * hc7_1 + T(0.35000000000000003);
-  const T b5_8 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
-  const T b5_9 = E6_23 * b5_8;
-  const T J5_22 = J6_22 - b5_9 + T(0.4) * hc6_3 + T(0.769);
-  const T b5_10 = T(0.3) * hc6_3;
-  const T J5_23 = E6_22 * b5_8 - J6_23 - T(0.2) * hc6_2 - T(0.249) - b5_10;
-  const T J5_33 = J6_33 + b5_9 + T(0.6) * hc6_2 + T(1.573);
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
-  const T hc5_2 = E5_11 * h5_2 + E5_12 * h5_1;
-  // B_thetadot7_5 = E6^T B_thetadot7_6
-  const T B_thetadot7_5_2 = E6_23 * hc7_1;
-  const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
-  // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T b5_11 = T(0.3) * minus_B_thetadot7_5_3;
-  const T minus_K_thetadot7_5_1 = T(0.2) * B_thetadot7_5_2 + b5_11 + b6_6;
-  const T K_thetadot7_5_2 = b6_5 + E6_22 * b6_8 - E6_23 * b6_9;
-  const T K_thetadot7_5_3 = E6_23 * b6_8 + E6_22 * b6_9 - T(0.3) * hc7_3;
-  // D_thetaddot5: pivots of L D L^T
-  const T b5_12 = K_thetadot7_5_3 * T(4.439511653718092);
-  const T b5_13 = b5_12 * b6_6 - b5_7;
-  const T b5_14 = T(1) / D_thetaddot6;
-  const T b5_15 = b5_13 * b5_14;
-  const T D_thetaddot5 = J5_33 - b5_12 * K_thetadot7_5_3 - b5_15 * b5_13;
+  // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T HA5_13 = T(1.29) + Hb6_13;
+  const T HA5_23 = Hb6_23 - T(1.81);
+  const T HA5_31 = Hb6_31 - T(1.29);
+  const T HA5_32 = T(1.81) + Hb6_32;
+  // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
+  const T JA5_12 = T(0.2) * minus_Hp6_22 + T(0.3) * Hp6_23 - T(0.5205) + Hb6_11 * T(0.2);
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.35000000000000003) - Hb6_11 * T(0.3);
+  const T JA5_22 = T(0.2) * Hp6_21 + T(0.769) - minus_Jp6_22 + Hb6_21 * T(0.2);
+  const T JA5_23 = T(0.2) * Hp6_31 - T(0.249) + Jp6_23 - Hb6_21 * T(0.3);
+  const T JA5_33 = T(1.573) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
+  // g5 = G5 + gp6: force that drives it, home axes [N]
+  const T g5_1 = gt6_1 - minus_G5_1;
+  const T minus_g5_2 = minus_gp6_2 + minus_G5_2;
+  const T g5_3 = gp6_3 - minus_G5_3;
+  // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
+  const T n5_1 = T(0.2) * minus_gp6_2 + T(0.3) * gp6_3 - minus_N5_1 - u.tau_6;
+  const T n5_2 = T(0.2) * gt6_1 - minus_N5_2 + np6_2;
+  const T n5_3 = np6_3 - (T(0.3) * gt6_1 + minus_N5_3);
+  // invD5 = D5^-1: 1/D
+  const T invD5 = T(1) / JA5_33;
+  // kB5 = invD5 B5: B/D
+  const T kB5_1 = invD5 * HA5_31;
+  const T kB5_2 = invD5 * HA5_32;
+  const T kB5_3 = invD5 * Hb6_33;
+  // kK5 = invD5 K5: K/D
+  const T kK5_1 = invD5 * JA5_13;
+  const T kK5_2 = invD5 * JA5_23;
+  // u_5 = b5 . n5 + tau_body_5_: drives it [N m], [N]
+  const T u_5 = n5_3 + u.tau_5;
+  // v5 = invD5 u_5: u/D
+  const T v5 = invD5 * u_5;
+  // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
+  const T M5_11 = M6_11 - kB5_1 * HA5_31;
+  const T minus_M5_12 = minus_Mp6_12 + kB5_1 * HA5_32;
+  const T M5_13 = Mp6_13 - kB5_1 * Hb6_33;
+  const T minus_M5_22 = minus_Mp6_22 + kB5_2 * HA5_32;
+  const T M5_23 = Mp6_23 - kB5_2 * Hb6_33;
+  const T M5_33 = Mp6_33 - kB5_3 * Hb6_33;
+  // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
+  const T H5_11 = Hb6_11 - kK5_1 * HA5_31;
+  const T H5_12 = Hb6_12 - kK5_1 * HA5_32;
+  const T H5_13 = HA5_13 - kK5_1 * Hb6_33;
+  const T H5_21 = Hb6_21 - kK5_2 * HA5_31;
+  const T minus_H5_22 = minus_Hb6_22 + kK5_2 * HA5_32;
+  const T H5_23 = HA5_23 - kK5_2 * Hb6_33;
+  // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
+  const T minus_J5_11 = minus_JA5_11 + kK5_1 * JA5_13;
+  const T J5_12 = JA5_12 - kK5_1 * JA5_23;
+  const T J5_22 = JA5_22 - kK5_2 * JA5_23;
+  // gt5 = g5 - v5 B5: force with the turn solved [N]
+  const T gt5_1 = g5_1 - v5 * HA5_31;
+  const T minus_gt5_2 = minus_g5_2 + v5 * HA5_32;
+  const T gt5_3 = g5_3 - v5 * Hb6_33;
+  // nt5 = -tau_body_5_ b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
+  const T nt5_1 = n5_1 - v5 * JA5_13;
+  const T nt5_2 = n5_2 - v5 * JA5_23;
+  // Mp5 = E5^T M5 E5: M passed on, lower body's axes [kg]
+  const T b5_1 = T(2) * E5_11;
+  const T b5_2 = E5_12 * (M5_11 + minus_M5_22) - b5_1 * minus_M5_12;
+  const T b5_3 = E5_12 * b5_2;
+  const T Mp5_11 = M5_11 - b5_3;
+  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
+  const T Mp5_13 = E5_11 * M5_13 - E5_12 * M5_23;
+  const T Mp5_22 = b5_3 - minus_M5_22;
+  const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
+  // gp5 = E5^T gt5: force passed on, lower body's axes [N]
+  const T gp5_1 = E5_11 * gt5_1 + E5_12 * minus_gt5_2;
+  const T gp5_2 = E5_12 * gt5_1 - E5_11 * minus_gt5_2;
+  // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
+  const T b5_4 = E5_12 * (H5_11 + minus_H5_22) + E5_11 * (H5_12 + H5_21);
+  const T b5_5 = E5_12 * b5_4;
+  const T Hp5_11 = H5_11 - b5_5;
+  const T b5_6 = E5_11 * b5_4;
+  const T Hp5_12 = b5_6 - H5_21;
+  const T Hp5_13 = E5_11 * H5_13 - E5_12 * H5_23;
+  const T Hp5_21 = b5_6 - H5_12;
+  const T Hp5_22 = b5_5 - minus_H5_22;
+  const T Hp5_23 = E5_12 * H5_13 + E5_11 * H5_23;
+  // Jp5 = E5^T J5 E5: J passed on, lower body's axes [kg m^2]
+  const T b5_7 = b5_1 * J5_12 - E5_12 * (minus_J5_11 + J5_22);
+  const T b5_8 = E5_12 * b5_7;
+  const T minus_Jp5_11 = minus_J5_11 + b5_8;
+  const T Jp5_12 = E5_11 * b5_7 - J5_12;
+  const T Jp5_22 = J5_22 + b5_8;
+  // np5 = E5^T nt5: moment passed on, lower body's axes [N m]
+  const T np5_1 = E5_11 * nt5_1 - E5_12 * nt5_2;
+  const T np5_2 = E5_12 * nt5_1 + E5_11 * nt5_2;
+  // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
+  const T b5_9 = T(0.45) * Mp5_13;
+  const T Hb5_11 = b5_9 + Hp5_11;
+  const T Hb5_12 = T(0.45) * Mp5_23 + Hp5_12;
+  const T Hb5_13 = T(0.45) * M5_33 + Hp5_13;
+  const T Hb5_21 = Hp5_21 - T(0.3) * Mp5_13;
+  const T b5_10 = T(0.3) * Mp5_23;
+  const T Hb5_22 = Hp5_22 - b5_10;
+  const T Hb5_23 = Hp5_23 - T(0.3) * M5_33;
+  const T Hb5_31 = T(0.3) * Mp5_12 - T(0.45) * Mp5_11;
+  const T Hb5_32 = T(0.3) * Mp5_22 - T(0.45) * Mp5_12;
+  const T Hb5_33 = b5_10 - b5_9;
 
   // ---- body 4 (body_4) and what it carries
-  // S4 = E5^T S5 + G4: sum of the force balances of the subtree, body axes [N]
-  const T b4_1 = E5_12 * minus_S5_2 - E5_11 * minus_S5_1;
-  const T S4_1 = b4_1 - minus_G4_1;
-  const T b4_2 = E5_12 * minus_S5_1 + E5_11 * minus_S5_2;
-  const T minus_S4_2 = b4_2 + minus_G4_2;
-  const T S4_3 = S5_3 - minus_G4_3;
-  // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 + E5_12 * minus_rho5_2 - minus_N4_1;
-  const T rho4_2 = E5_12 * rho5_1 - E5_11 * minus_rho5_2 - T(0.3) * S5_3 - minus_N4_2;
-  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.45) * b4_1) - minus_N4_3;
-  // h4 = h_own_4 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h4_1 = T(1.5799999999999998) + hc5_1;
-  const T h4_3 = T(0.9550000000000001) + hc6_3;
-  // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b4_3 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
-  const T b4_4 = E5_12 * b4_3;
-  const T J4_11 = J5_11 - b4_4 + T(0.9) * hc5_2 + T(0.25825000000000004);
-  const T J4_12 = E5_11 * b4_3 + minus_J5_12 - T(0.45) * hc5_1 - T(0.697) - T(0.3) * hc5_2;
-  const T b4_5 = E5_11 * minus_J5_13 + E5_12 * J5_23;
-  const T minus_J4_13 = b4_5 + T(0.2683) + b5_10;
-  const T b4_6 = T(0.6) * hc5_1;
-  const T J4_22 = J5_22 + b4_4 + b4_6 + T(1.29025);
-  const T b4_7 = E5_11 * J5_23 - E5_12 * minus_J5_13;
-  const T J4_23 = b4_7 - T(0.43185) - T(0.45) * hc6_3;
-  const T b4_8 = T(0.3) * hc5_1 + T(0.45) * hc5_2;
-  const T b4_9 = b4_8 + J5_33;
-  const T J4_33 = b4_9 + b4_8;
-  // hc4 = E4^T h4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = minus_E4_13 * h4_3 + E4_11 * h4_1;
-  const T hc4_3 = E4_11 * h4_3 - minus_E4_13 * h4_1;
-  // B_thetadot7_4 = E5^T B_thetadot7_5
-  const T B_thetadot7_4_1 = E5_11 * hc7_3 - E5_12 * B_thetadot7_5_2;
-  const T B_thetadot7_4_2 = E5_12 * hc7_3 + E5_11 * B_thetadot7_5_2;
-  // K_thetadot7_4 = q5~ E5^T B_thetadot7_5 + E5^T K_thetadot7_5
-  const T minus_K_thetadot7_4_1 = T(0.45) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
-      K_thetadot7_5_2;
-  const T K_thetadot7_4_2 = b5_11 + E5_11 * K_thetadot7_5_2 - E5_12 * minus_K_thetadot7_5_1;
-  const T K_thetadot7_4_3 = T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1 + K_thetadot7_5_3;
-  // B_thetadot6_4 = E5^T B_thetadot6_5
-  const T B_thetadot6_4_1 = E5_12 * hc6_3;
-  const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
-  // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_4_1 = T(0.45) * hc6_2 + E5_11 * b5_5 + E5_12 * b5_6;
-  const T K_thetadot6_4_2 = E5_12 * b5_5 - E5_11 * b5_6 - b5_3;
-  const T minus_K_thetadot6_4_3 = b5_7 + T(0.3) * minus_B_thetadot6_4_2 + T(0.45) * B_thetadot6_4_1;
-  // D_thetaddot4: pivots of L D L^T
-  const T b4_10 = K_thetadot7_4_2 * T(4.439511653718092);
-  const T b4_11 = K_thetadot6_4_2 + b4_10 * b6_6;
-  const T b4_12 = b4_11 * b5_14;
-  const T b4_13 = b4_7 - b4_10 * K_thetadot7_5_3 - b4_12 * b5_13;
-  const T b4_14 = T(1) / D_thetaddot5;
-  const T b4_15 = b4_13 * b4_14;
-  const T D_thetaddot4 = J4_22 - b4_10 * K_thetadot7_4_2 - b4_12 * b4_11 - b4_15 * b4_13;
+  // HA4 = h_own_4~ + Hb5: moment for an acceleration of the origin, body axes [kg m]
+  const T HA4_12 = Hb5_12 - T(0.9550000000000001);
+  const T HA4_21 = T(0.9550000000000001) + Hb5_21;
+  const T HA4_23 = Hb5_23 - T(1.5799999999999998);
+  const T HA4_32 = T(1.5799999999999998) + Hb5_32;
+  // JA4 = q5~ Hp5^T + J_own_4 + Jp5 - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA4_11 = T(0.45) * Hp5_13 + T(0.25825000000000004) - minus_Jp5_11 + Hb5_13 * T(0.45);
+  const T JA4_12 = T(0.45) * Hp5_23 - T(0.697) + Jp5_12 - Hb5_13 * T(0.3);
+  const T minus_JA4_13 = T(0.2683) + Hb5_11 * T(0.45) - Hb5_12 * T(0.3);
+  const T JA4_22 = T(1.29025) - T(0.3) * Hp5_23 + Jp5_22 - Hb5_23 * T(0.3);
+  const T minus_JA4_23 = T(0.43185) + Hb5_21 * T(0.45) - Hb5_22 * T(0.3);
+  const T minus_JA4_33 = Hb5_31 * T(0.45) - Hb5_32 * T(0.3);
+  // g4 = G4 + gp5: force that drives it, home axes [N]
+  const T g4_1 = gp5_1 - minus_G4_1;
+  const T g4_2 = gp5_2 - minus_G4_2;
+  const T g4_3 = gt5_3 - minus_G4_3;
+  // n4 = q5~ gp5 + N4 + np5: moment that drives it, body axes [N m]
+  const T n4_1 = T(0.45) * gt5_3 - minus_N4_1 + np5_1;
+  const T n4_2 = np5_2 - (T(0.3) * gt5_3 + minus_N4_2);
+  const T n4_3 = T(0.3) * gp5_2 - T(0.45) * gp5_1 - minus_N4_3 - u.tau_5;
+  // invD4 = D4^-1: 1/D
+  const T invD4 = T(1) / JA4_22;
+  // kB4 = invD4 B4: B/D
+  const T kB4_1 = invD4 * HA4_21;
+  const T kB4_2 = invD4 * Hb5_22;
+  const T kB4_3 = invD4 * HA4_23;
+  // kK4 = invD4 K4: K/D
+  const T kK4_1 = invD4 * JA4_12;
+  const T minus_kK4_3 = invD4 * minus_JA4_23;
+  // u_4 = b4 . n4 + tau_body_4_: drives it [N m], [N]
+  const T u_4 = n4_2 + u.tau_4;
+  // v4 = invD4 u_4: u/D
+  const T v4 = invD4 * u_4;
+  // M4 = Mp5 - kB4 B4^T: MA less what the turn takes up [kg]
+  const T M4_11 = Mp5_11 - kB4_1 * HA4_21;
+  const T M4_12 = Mp5_12 - kB4_1 * Hb5_22;
+  const T M4_13 = Mp5_13 - kB4_1 * HA4_23;
+  const T M4_22 = Mp5_22 - kB4_2 * Hb5_22;
+  const T M4_23 = Mp5_23 - kB4_2 * HA4_23;
+  const T M4_33 = M5_33 - kB4_3 * HA4_23;
+  // H4 = P_b4 (HA4 - kK4 B4^T): HA less what the turn takes up [kg m]
+  const T H4_11 = Hb5_11 - kK4_1 * HA4_21;
+  const T H4_12 = HA4_12 - kK4_1 * Hb5_22;
+  const T H4_13 = Hb5_13 - kK4_1 * HA4_23;
+  const T H4_31 = Hb5_31 + minus_kK4_3 * HA4_21;
+  const T H4_32 = HA4_32 + minus_kK4_3 * Hb5_22;
+  const T H4_33 = Hb5_33 + minus_kK4_3 * HA4_23;
+  // J4 = P_b4 (JA4 - kK4 K4^T) P_b4: JA less what the turn takes up [kg m^2]
+  const T J4_11 = JA4_11 - kK4_1 * JA4_12;
+  const T J4_13 = kK4_1 * minus_JA4_23 - minus_JA4_13;
+  const T minus_J4_33 = minus_JA4_33 + minus_kK4_3 * minus_JA4_23;
+  // gt4 = g4 - v4 B4: force with the turn solved [N]
+  const T gt4_1 = g4_1 - v4 * HA4_21;
+  const T gt4_2 = g4_2 - v4 * Hb5_22;
+  const T gt4_3 = g4_3 - v4 * HA4_23;
+  // nt4 = -tau_body_4_ b4 + P_b4 (n4 - v4 K4): moment with the turn solved [N m]
+  const T nt4_1 = n4_1 - v4 * JA4_12;
+  const T nt4_3 = n4_3 + v4 * minus_JA4_23;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = T(2) * E4_11;
+  const T b4_2 = minus_E4_13 * (M4_33 - M4_11) + b4_1 * M4_13;
+  const T b4_3 = minus_E4_13 * b4_2;
+  const T Mp4_11 = M4_11 + b4_3;
+  const T Mp4_12 = minus_E4_13 * M4_23 + E4_11 * M4_12;
+  const T Mp4_13 = E4_11 * b4_2 - M4_13;
+  const T Mp4_23 = E4_11 * M4_23 - minus_E4_13 * M4_12;
+  const T Mp4_33 = M4_33 - b4_3;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = E4_11 * gt4_1 + minus_E4_13 * gt4_3;
+  const T gp4_3 = E4_11 * gt4_3 - minus_E4_13 * gt4_1;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_4 = minus_E4_13 * (H4_33 - H4_11) + E4_11 * (H4_31 + H4_13);
+  const T b4_5 = minus_E4_13 * b4_4;
+  const T Hp4_11 = H4_11 + b4_5;
+  const T Hp4_12 = minus_E4_13 * H4_32 + E4_11 * H4_12;
+  const T b4_6 = E4_11 * b4_4;
+  const T Hp4_13 = b4_6 - H4_31;
+  const T Hp4_31 = b4_6 - H4_13;
+  const T Hp4_32 = E4_11 * H4_32 - minus_E4_13 * H4_12;
+  const T Hp4_33 = H4_33 - b4_5;
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_7 = b4_1 * J4_13 - minus_E4_13 * (minus_J4_33 + J4_11);
+  const T b4_8 = minus_E4_13 * b4_7;
+  const T Jp4_11 = J4_11 + b4_8;
+  const T Jp4_13 = E4_11 * b4_7 - J4_13;
+  const T minus_Jp4_33 = minus_J4_33 + b4_8;
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T np4_1 = E4_11 * nt4_1 + minus_E4_13 * nt4_3;
+  const T np4_3 = E4_11 * nt4_3 - minus_E4_13 * nt4_1;
+  // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
+  const T b4_9 = T(0.1) * Mp4_12;
+  const T Hb4_11 = Hp4_11 - b4_9;
+  const T Hb4_12 = Hp4_12 - T(0.1) * M4_22;
+  const T Hb4_13 = Hp4_13 - T(0.1) * Mp4_23;
+  const T Hb4_21 = T(0.1) * Mp4_11 - T(0.6) * Mp4_13;
+  const T b4_10 = T(0.6) * Mp4_23;
+  const T Hb4_22 = b4_9 - b4_10;
+  const T Hb4_23 = T(0.1) * Mp4_13 - T(0.6) * Mp4_33;
+  const T Hb4_31 = T(0.6) * Mp4_12 + Hp4_31;
+  const T Hb4_32 = T(0.6) * M4_22 + Hp4_32;
+  const T Hb4_33 = b4_10 + Hp4_33;
 
   // ---- body 3 (body_3) and what it carries
-  // S3 = E4^T S4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * S4_1 + minus_E4_13 * S4_3;
-  const T S3_1 = b3_1 - minus_G3_1;
-  const T minus_S3_2 = minus_S4_2 + minus_G3_2;
-  const T b3_2 = E4_11 * S4_3 - minus_E4_13 * S4_1;
-  const T S3_3 = b3_2 - minus_G3_3;
-  // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho3_1 = T(0.1) * minus_S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.6) * minus_S4_2 - minus_N3_3;
-  // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_2 = T(2.98) + hc5_2;
-  const T h3_3 = T(0.685) + hc4_3;
-  // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b3_3 = minus_E4_13 * (J4_33 - J4_11) - T(2) * E4_11 * minus_J4_13;
-  const T b3_4 = minus_E4_13 * b3_3;
-  const T b3_5 = T(0.2) * hc4_3;
-  const T J3_11 = J4_11 + b3_4 + b3_5 + T(2.00125);
-  const T b3_6 = E4_11 * J4_12 + minus_E4_13 * J4_23;
-  const T J3_12 = b3_6 - T(1.7295) - T(0.6) * hc5_2;
-  const T J3_13 = E4_11 * b3_3 + minus_J4_13 - T(0.1) * hc4_1 - T(0.3941) - T(0.6) * hc4_3;
-  const T b3_7 = T(0.1) * hc4_3 + T(0.6) * hc4_1;
-  const T b3_8 = b3_7 + J4_22;
-  const T J3_22 = b3_8 + b3_7;
-  const T b3_9 = E4_11 * J4_23 - minus_E4_13 * J4_12;
-  const T J3_23 = b3_9 - T(0.1) * hc5_2 - T(0.2902);
-  const T J3_33 = J4_33 - b3_4 + T(1.2) * hc4_1 + T(1.68875);
-  // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
-  const T hc3_3 = E3_22 * h3_3 + E3_23 * h3_2;
-  // B_thetadot7_3 = E4^T B_thetadot7_4
-  const T B_thetadot7_3_1 = E4_11 * B_thetadot7_4_1 - minus_E4_13 * minus_B_thetadot7_5_3;
-  const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
-  // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
-  const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_3_2 = T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
-  const T K_thetadot7_3_3 = T(0.6) * B_thetadot7_4_2 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 * K_thetadot7_4_3;
-  // B_thetadot6_3 = E4^T B_thetadot6_4
-  const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + minus_E4_13 * hc6_2;
-  const T B_thetadot6_3_3 = E4_11 * hc6_2 - minus_E4_13 * B_thetadot6_4_1;
-  // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
-  const T K_thetadot6_3_1 = T(0.1) * minus_B_thetadot6_4_2 + E4_11 * K_thetadot6_4_1 - minus_E4_13 *
-      minus_K_thetadot6_4_3;
-  const T K_thetadot6_3_2 = T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3 + K_thetadot6_4_2;
-  const T minus_K_thetadot6_3_3 = E4_11 * minus_K_thetadot6_4_3 + minus_E4_13 * K_thetadot6_4_1 + T(0.6) *
-      minus_B_thetadot6_4_2;
-  // B_thetadot5_3 = E4^T B_thetadot5_4
-  const T minus_B_thetadot5_3_1 = E4_11 * hc5_2;
-  const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
-  // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
-  const T K_thetadot5_3_1 = minus_E4_13 * b4_9 - E4_11 * b4_5 - T(0.1) * hc5_1;
-  const T K_thetadot5_3_2 = b4_7 - (T(0.1) * minus_B_thetadot5_3_1 + T(0.6) * B_thetadot5_3_3);
-  const T K_thetadot5_3_3 = b4_6 + E4_11 * b4_9 + minus_E4_13 * b4_5;
-  // D_thetaddot3: pivots of L D L^T
-  const T b3_10 = K_thetadot7_3_1 * T(4.439511653718092);
-  const T b3_11 = K_thetadot6_3_1 + b3_10 * b6_6;
-  const T b3_12 = b3_11 * b5_14;
-  const T b3_13 = K_thetadot5_3_1 - b3_10 * K_thetadot7_5_3 - b3_12 * b5_13;
-  const T b3_14 = b3_13 * b4_14;
-  const T b3_15 = b3_6 - b3_10 * K_thetadot7_4_2 - b3_12 * b4_11 - b3_14 * b4_13;
-  const T b3_16 = T(1) / D_thetaddot4;
-  const T b3_17 = b3_15 * b3_16;
-  const T D_thetaddot3 = J3_11 - b3_10 * K_thetadot7_3_1 - b3_12 * b3_11 - b3_14 * b3_13 - b3_17 * b3_15;
+  // HA3 = h_own_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
+  const T HA3_12 = Hb4_12 - T(0.685);
+  const T HA3_13 = T(2.98) + Hb4_13;
+  const T HA3_21 = T(0.685) + Hb4_21;
+  const T HA3_31 = Hb4_31 - T(2.98);
+  // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA3_11 = T(2.00125) - T(0.1) * Hp4_12 + Jp4_11 - Hb4_12 * T(0.1);
+  const T minus_JA3_12 = T(1.7295) + Hb4_13 * T(0.6) - Hb4_11 * T(0.1);
+  const T JA3_13 = Jp4_13 - (T(0.1) * Hp4_32 + T(0.3941)) + Hb4_12 * T(0.6);
+  const T minus_JA3_22 = Hb4_23 * T(0.6) - Hb4_21 * T(0.1);
+  const T JA3_23 = T(0.1) * Hp4_31 - T(0.6) * Hp4_33 - T(0.2902) + Hb4_22 * T(0.6);
+  const T JA3_33 = T(0.6) * Hp4_32 + T(1.68875) - minus_Jp4_33 + Hb4_32 * T(0.6);
+  // g3 = G3 + gp4: force that drives it, home axes [N]
+  const T g3_1 = gp4_1 - minus_G3_1;
+  const T g3_2 = gt4_2 - minus_G3_2;
+  const T g3_3 = gp4_3 - minus_G3_3;
+  // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
+  const T n3_1 = np4_1 - (T(0.1) * gt4_2 + minus_N3_1);
+  const T n3_2 = T(0.1) * gp4_1 - T(0.6) * gp4_3 - minus_N3_2 - u.tau_4;
+  const T n3_3 = T(0.6) * gt4_2 - minus_N3_3 + np4_3;
+  // invD3 = D3^-1: 1/D
+  const T invD3 = T(1) / JA3_11;
+  // kB3 = invD3 B3: B/D
+  const T kB3_1 = invD3 * Hb4_11;
+  const T kB3_2 = invD3 * HA3_12;
+  const T kB3_3 = invD3 * HA3_13;
+  // kK3 = invD3 K3: K/D
+  const T minus_kK3_2 = invD3 * minus_JA3_12;
+  const T kK3_3 = invD3 * JA3_13;
+  // u_3 = b3 . n3 + tau_body_3_: drives it [N m], [N]
+  const T u_3 = n3_1 + u.tau_3;
+  // v3 = invD3 u_3: u/D
+  const T v3 = invD3 * u_3;
+  // M3 = Mp4 - kB3 B3^T: MA less what the turn takes up [kg]
+  const T M3_11 = Mp4_11 - kB3_1 * Hb4_11;
+  const T M3_12 = Mp4_12 - kB3_1 * HA3_12;
+  const T M3_13 = Mp4_13 - kB3_1 * HA3_13;
+  const T M3_22 = M4_22 - kB3_2 * HA3_12;
+  const T M3_23 = Mp4_23 - kB3_2 * HA3_13;
+  const T M3_33 = Mp4_33 - kB3_3 * HA3_13;
+  // H3 = P_b3 (HA3 - kK3 B3^T): HA less what the turn takes up [kg m]
+  const T H3_21 = HA3_21 + minus_kK3_2 * Hb4_11;
+  const T H3_22 = Hb4_22 + minus_kK3_2 * HA3_12;
+  const T H3_23 = Hb4_23 + minus_kK3_2 * HA3_13;
+  const T H3_31 = HA3_31 - kK3_3 * Hb4_11;
+  const T H3_32 = Hb4_32 - kK3_3 * HA3_12;
+  const T H3_33 = Hb4_33 - kK3_3 * HA3_13;
+  // J3 = P_b3 (JA3 - kK3 K3^T) P_b3: JA less what the turn takes up [kg m^2]
+  const T minus_J3_22 = minus_JA3_22 + minus_kK3_2 * minus_JA3_12;
+  const T J3_23 = JA3_23 + minus_kK3_2 * JA3_13;
+  const T J3_33 = JA3_33 - kK3_3 * JA3_13;
+  // gt3 = g3 - v3 B3: force with the turn solved [N]
+  const T gt3_1 = g3_1 - v3 * Hb4_11;
+  const T gt3_2 = g3_2 - v3 * HA3_12;
+  const T gt3_3 = g3_3 - v3 * HA3_13;
+  // nt3 = -tau_body_3_ b3 + P_b3 (n3 - v3 K3): moment with the turn solved [N m]
+  const T nt3_2 = n3_2 + v3 * minus_JA3_12;
+  const T nt3_3 = n3_3 - v3 * JA3_13;
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T Mp3_12 = E3_22 * M3_12 - E3_23 * M3_13;
+  const T Mp3_13 = E3_23 * M3_12 + E3_22 * M3_13;
+  const T b3_1 = T(2) * E3_22;
+  const T b3_2 = E3_23 * (M3_22 - M3_33) + b3_1 * M3_23;
+  const T b3_3 = E3_23 * b3_2;
+  const T Mp3_22 = M3_22 - b3_3;
+  const T Mp3_23 = E3_22 * b3_2 - M3_23;
+  const T Mp3_33 = M3_33 + b3_3;
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_2 = E3_22 * gt3_2 - E3_23 * gt3_3;
+  const T gp3_3 = E3_23 * gt3_2 + E3_22 * gt3_3;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T Hp3_21 = E3_22 * H3_21 - E3_23 * H3_31;
+  const T b3_4 = E3_23 * (H3_22 - H3_33) + E3_22 * (H3_23 + H3_32);
+  const T b3_5 = E3_23 * b3_4;
+  const T Hp3_22 = H3_22 - b3_5;
+  const T b3_6 = E3_22 * b3_4;
+  const T Hp3_23 = b3_6 - H3_32;
+  const T Hp3_31 = E3_23 * H3_21 + E3_22 * H3_31;
+  const T Hp3_32 = b3_6 - H3_23;
+  const T Hp3_33 = H3_33 + b3_5;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_7 = b3_1 * J3_23 - E3_23 * (minus_J3_22 + J3_33);
+  const T b3_8 = E3_23 * b3_7;
+  const T minus_Jp3_22 = minus_J3_22 + b3_8;
+  const T Jp3_23 = E3_22 * b3_7 - J3_23;
+  const T Jp3_33 = J3_33 + b3_8;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_2 = E3_22 * nt3_2 - E3_23 * nt3_3;
+  const T np3_3 = E3_23 * nt3_2 + E3_22 * nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T b3_9 = T(0.15) * Mp3_13;
+  const T Hb3_11 = b3_9 - T(0.2) * Mp3_12;
+  const T Hb3_12 = T(0.15) * Mp3_23 - T(0.2) * Mp3_22;
+  const T Hb3_13 = T(0.15) * Mp3_33 - T(0.2) * Mp3_23;
+  const T Hb3_21 = T(0.2) * M3_11 + Hp3_21;
+  const T Hb3_23 = T(0.2) * Mp3_13 + Hp3_23;
+  const T Hb3_31 = Hp3_31 - T(0.15) * M3_11;
+  const T Hb3_33 = Hp3_33 - b3_9;
 
   // ---- body 2 (body_2) and what it carries
-  // S2 = E3^T S3 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E3_22 * S3_3 - E3_23 * minus_S3_2;
-  const T S2_3 = b2_1 - minus_G2_3;
-  // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho2_1 = T(0.2) * (E3_22 * minus_S3_2 + E3_23 * S3_3) + T(0.15) * b2_1 + rho3_1 - minus_N2_1;
-  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 - minus_N2_3;
-  // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(4.359999999999999) + hc4_1;
-  const T h2_2 = T(1.365) + hc3_2;
-  // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b2_2 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
-  const T b2_3 = b2_2 + J3_11;
-  const T J2_11 = b2_3 + b2_2;
-  const T b2_4 = E3_22 * J3_12 - E3_23 * J3_13;
-  const T J2_12 = b2_4 - T(0.15) * hc4_1 - T(0.6539999999999999);
-  const T b2_5 = E3_23 * J3_12 + E3_22 * J3_13;
-  const T J2_13 = b2_5 - T(0.2) * hc4_1 - T(0.8624);
-  const T b2_6 = E3_23 * (J3_22 - J3_33) + T(2) * E3_22 * J3_23;
-  const T b2_7 = E3_23 * b2_6;
-  const T J2_22 = J3_22 - b2_7 + T(0.4) * hc3_3 + T(2.4804999999999997);
-  const T J2_23 = E3_22 * b2_6 - J3_23 - T(0.2) * hc3_2 - T(0.2658) - T(0.15) * hc3_3;
-  const T b2_8 = T(0.3) * hc3_2;
-  const T J2_33 = J3_33 + b2_7 + b2_8 + T(2.9859999999999998);
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  // B_thetadot7_2 = E3^T B_thetadot7_3
-  const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
-  const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
-  // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2 + K_thetadot7_3_1;
-  const T K_thetadot7_2_2 = T(0.2) * B_thetadot7_3_1 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
-  const T K_thetadot7_2_3 = E3_23 * K_thetadot7_3_2 + E3_22 * K_thetadot7_3_3 - T(0.15) * B_thetadot7_3_1;
-  // B_thetadot6_2 = E3^T B_thetadot6_3
-  const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
-  const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
-  // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
-  const T K_thetadot6_2_2 = T(0.2) * B_thetadot6_3_1 + E3_22 * K_thetadot6_3_2 + E3_23 * minus_K_thetadot6_3_3;
-  const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - E3_22 * minus_K_thetadot6_3_3 - T(0.15) * B_thetadot6_3_1;
-  // B_thetadot5_2 = E3^T B_thetadot5_3
-  const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
-  const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
-  // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2 + K_thetadot5_3_1;
-  const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - T(0.2) * minus_B_thetadot5_3_1;
-  const T K_thetadot5_2_3 = T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 + E3_22 * K_thetadot5_3_3;
-  // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T B_thetadot4_2_2 = E3_23 * hc4_1;
-  const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
-  // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_6 - (T(0.2) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
-  const T K_thetadot4_2_2 = b3_5 + E3_22 * b3_8 - E3_23 * b3_9;
-  const T K_thetadot4_2_3 = E3_23 * b3_8 + E3_22 * b3_9 - T(0.15) * hc4_3;
-  // D_thetaddot2: pivots of L D L^T
-  const T b2_9 = K_thetadot7_2_3 * T(4.439511653718092);
-  const T b2_10 = K_thetadot6_2_3 + b2_9 * b6_6;
-  const T b2_11 = b2_10 * b5_14;
-  const T b2_12 = K_thetadot5_2_3 - b2_9 * K_thetadot7_5_3 - b2_11 * b5_13;
-  const T b2_13 = b2_12 * b4_14;
-  const T b2_14 = K_thetadot4_2_3 - b2_9 * K_thetadot7_4_2 - b2_11 * b4_11 - b2_13 * b4_13;
-  const T b2_15 = b2_14 * b3_16;
-  const T b2_16 = b2_5 - b2_9 * K_thetadot7_3_1 - b2_11 * b3_11 - b2_13 * b3_13 - b2_15 * b3_15;
-  const T b2_17 = T(1) / D_thetaddot3;
-  const T b2_18 = b2_16 * b2_17;
-  const T D_thetaddot2 = J2_33 - b2_9 * K_thetadot7_2_3 - b2_11 * b2_10 - b2_13 * b2_12 - b2_15 * b2_14 - b2_18 *
-      b2_16;
+  // HA2 = h_own_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
+  const T HA2_13 = T(1.365) + Hb3_13;
+  const T HA2_23 = Hb3_23 - T(4.359999999999999);
+  // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA2_11 = Hb3_12 * T(0.2) - Hb3_13 * T(0.15);
+  const T JA2_12 = T(0.15) * Hp3_23 - T(0.2) * Hp3_22 - T(0.6539999999999999) + Hb3_11 * T(0.2);
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.8624) - Hb3_11 * T(0.15);
+  const T JA2_22 = T(0.2) * Hp3_21 + T(2.4804999999999997) - minus_Jp3_22 + Hb3_21 * T(0.2);
+  const T JA2_23 = T(0.2) * Hp3_31 - T(0.2658) + Jp3_23 - Hb3_21 * T(0.15);
+  const T JA2_33 = T(2.9859999999999998) - T(0.15) * Hp3_31 + Jp3_33 - Hb3_31 * T(0.15);
+  // g2 = G2 + gp3: force that drives it, home axes [N]
+  const T g2_3 = gp3_3 - minus_G2_3;
+  // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
+  const T n2_1 = T(0.15) * gp3_3 - T(0.2) * gp3_2 - minus_N2_1 - u.tau_3;
+  const T n2_2 = T(0.2) * gt3_1 - minus_N2_2 + np3_2;
+  const T n2_3 = np3_3 - (T(0.15) * gt3_1 + minus_N2_3);
+  // invD2 = D2^-1: 1/D
+  const T invD2 = T(1) / JA2_33;
+  // kB2 = invD2 B2: B/D
+  const T kB2_3 = invD2 * Hb3_33;
+  // kK2 = invD2 K2: K/D
+  const T kK2_1 = invD2 * JA2_13;
+  const T kK2_2 = invD2 * JA2_23;
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m], [N]
+  const T u_2 = n2_3 + u.tau_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = invD2 * u_2;
+  // M2 = Mp3 - kB2 B2^T: MA less what the turn takes up [kg]
+  const T M2_33 = Mp3_33 - kB2_3 * Hb3_33;
+  // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
+  const T H2_13 = HA2_13 - kK2_1 * Hb3_33;
+  const T H2_23 = HA2_23 - kK2_2 * Hb3_33;
+  // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
+  const T minus_J2_11 = minus_JA2_11 + kK2_1 * JA2_13;
+  const T J2_12 = JA2_12 - kK2_1 * JA2_23;
+  const T J2_22 = JA2_22 - kK2_2 * JA2_23;
+  // gt2 = g2 - v2 B2: force with the turn solved [N]
+  const T gt2_3 = g2_3 - v2 * Hb3_33;
+  // nt2 = -tau_body_2_ b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
+  const T nt2_1 = n2_1 - v2 * JA2_13;
+  const T nt2_2 = n2_2 - v2 * JA2_23;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T Hp2_23 = E2_12 * H2_13 + E2_11 * H2_23;
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T Jp2_22 = J2_22 + E2_12 * (T(2) * E2_11 * J2_12 - E2_12 * (minus_J2_11 + J2_22));
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T np2_2 = E2_12 * nt2_1 + E2_11 * nt2_2;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T Hb2_23 = Hp2_23 - T(0.3) * M2_33;
 
   // ---- body 1 (body_1) and what it carries
-  // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
-  //   [N m]
-  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T J1_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1 + T(1.5925);
-  // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
-  const T K_thetadot7_1_2 = E2_12 * K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2 - T(0.3) * B_thetadot7_2_3;
-  // K_thetadot6_1 = q2~ E2^T B_thetadot6_2 + E2^T K_thetadot6_2
-  const T K_thetadot6_1_2 = E2_12 * K_thetadot6_2_1 + E2_11 * K_thetadot6_2_2 - T(0.3) * B_thetadot6_2_3;
-  // K_thetadot5_1 = q2~ E2^T B_thetadot5_2 + E2^T K_thetadot5_2
-  const T K_thetadot5_1_2 = E2_12 * K_thetadot5_2_1 + E2_11 * K_thetadot5_2_2 - T(0.3) * B_thetadot5_2_3;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T K_thetadot4_1_2 = T(0.3) * minus_B_thetadot4_2_3 + E2_12 * K_thetadot4_2_1 + E2_11 * K_thetadot4_2_2;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * b2_3 + E2_11 * b2_4 - b2_8;
-  // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
-  const T K_thetadot2_1_2 = E2_12 * J2_13 + E2_11 * J2_23;
-  // D_thetaddot1: pivots of L D L^T
-  const T b1_1 = K_thetadot7_1_2 * T(4.439511653718092);
-  const T b1_2 = K_thetadot6_1_2 + b1_1 * b6_6;
-  const T b1_3 = b1_2 * b5_14;
-  const T b1_4 = K_thetadot5_1_2 - b1_1 * K_thetadot7_5_3 - b1_3 * b5_13;
-  const T b1_5 = b1_4 * b4_14;
-  const T b1_6 = K_thetadot4_1_2 - b1_1 * K_thetadot7_4_2 - b1_3 * b4_11 - b1_5 * b4_13;
-  const T b1_7 = b1_6 * b3_16;
-  const T b1_8 = K_thetadot3_1_2 - b1_1 * K_thetadot7_3_1 - b1_3 * b3_11 - b1_5 * b3_13 - b1_7 * b3_15;
-  const T b1_9 = b1_8 * b2_17;
-  const T b1_10 = K_thetadot2_1_2 - b1_1 * K_thetadot7_2_3 - b1_3 * b2_10 - b1_5 * b2_12 - b1_7 * b2_14 - b1_9 *
-      b2_16;
-  const T b1_11 = T(1) / D_thetaddot2;
-  const T b1_12 = b1_10 * b1_11;
-  const T D_thetaddot1 = J1_22 - b1_1 * K_thetadot7_1_2 - b1_3 * b1_2 - b1_5 * b1_4 - b1_7 * b1_6 - b1_9 * b1_8 -
-      b1_12 * b1_10;
-
-  // ---- body 1 (body_1), solved
-  // thetaddot1: from A ydot = f by elimination
-  const T z1_1 = u.tau_7 - minus_N7_2;
-  const T z1_2 = rho6_1 + u.tau_6 + b6_10 * z1_1;
-  const T z1_3 = rho5_3 + u.tau_5 - b5_12 * z1_1 - b5_15 * z1_2;
-  const T z1_4 = rho4_2 + u.tau_4 - b4_10 * z1_1 - b4_12 * z1_2 - b4_15 * z1_3;
-  const T z1_5 = rho3_1 + u.tau_3 - b3_10 * z1_1 - b3_12 * z1_2 - b3_14 * z1_3 - b3_17 * z1_4;
-  const T z1_6 = rho2_3 + u.tau_2 - b2_9 * z1_1 - b2_11 * z1_2 - b2_13 * z1_3 - b2_15 * z1_4 - b2_18 * z1_5;
-  const T thetaddot1 = T(1) / D_thetaddot1 * (rho1_2 + u.tau_1 - b1_1 * z1_1 - b1_3 * z1_2 - b1_5 * z1_3 - b1_7 * z1_4
-      - b1_9 * z1_5 - b1_12 * z1_6);
-  ydot[0] = thetaddot1;
+  // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
+  const T JA1_22 = T(1.5925) - T(0.3) * Hp2_23 + Jp2_22 - Hb2_23 * T(0.3);
+  // n1 = q2~ gp2 + N1 + np2: moment that drives it, body axes [N m]
+  const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
+  // invD1 = D1^-1: 1/D
+  const T invD1 = T(1) / JA1_22;
+  // u_1 = b1 . n1 + tau_body_1_: drives it [N m], [N]
+  const T u_1 = n1_2 + u.tau_1;
+  // v1 = invD1 u_1: u/D
+  const T v1 = invD1 * u_1;
+  ydot[0] = v1;
 
   // ---- body 2 (body_2), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_6 * b1_11 - b1_12 * thetaddot1;
-  ydot[1] = thetaddot2;
+  // beta2 = -E2 q2~ alpha1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta2_3 = T(0.3) * v1;
+  // alphaL2 = E2 alpha1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL2_1 = E2_12 * v1;
+  const T alphaL2_2 = E2_11 * v1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T phi2 = v2 + kB2_3 * minus_beta2_3 - kK2_1 * alphaL2_1 - kK2_2 * alphaL2_2;
+  ydot[1] = phi2;
 
   // ---- body 3 (body_3), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_5 * b2_17 - b2_18 * thetaddot2 - b1_9 * thetaddot1;
+  // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta3_1 = T(0.15) * phi2 - T(0.2) * alphaL2_2;
+  const T z3_1 = T(0.2) * alphaL2_1;
+  const T z3_2 = T(0.15) * alphaL2_1;
+  const T minus_beta3_2 = E3_22 * z3_1 - E3_23 * z3_2 + E3_23 * minus_beta2_3;
+  const T beta3_3 = E3_23 * z3_1 + E3_22 * z3_2 - E3_22 * minus_beta2_3;
+  // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_2 = E3_22 * alphaL2_2 + E3_23 * phi2;
+  const T alphaL3_3 = E3_22 * phi2 - E3_23 * alphaL2_2;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = kB3_1 * minus_beta3_1 + kB3_2 * minus_beta3_2 - kB3_3 * beta3_3 + v3 - kK3_3 * alphaL3_3 +
+      minus_kK3_2 * alphaL3_2;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - alphaL2_1;
   ydot[2] = thetaddot3;
 
   // ---- body 4 (body_4), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_4 * b3_16 - b3_17 * thetaddot3 - b2_15 * thetaddot2 - b1_7 * thetaddot1;
+  // beta4 = -E4 q4~ alpha3 + E4 beta3: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = T(0.1) * alphaL3_2;
+  const T z4_2 = T(0.6) * alphaL3_2;
+  const T minus_beta4_1 = E4_11 * minus_beta3_1 - (E4_11 * z4_1 + minus_E4_13 * z4_2) + minus_E4_13 * beta3_3;
+  const T minus_beta4_2 = minus_beta3_2 + T(0.1) * phi3 - T(0.6) * alphaL3_3;
+  const T beta4_3 = minus_E4_13 * z4_1 - E4_11 * z4_2 + E4_11 * beta3_3 - minus_E4_13 * minus_beta3_1;
+  // alphaL4 = E4 alpha3: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * phi3 - minus_E4_13 * alphaL3_3;
+  const T alphaL4_3 = minus_E4_13 * phi3 + E4_11 * alphaL3_3;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
+  const T phi4 = kB4_2 * minus_beta4_2 + kB4_1 * minus_beta4_1 - kB4_3 * beta4_3 + v4 - kK4_1 * alphaL4_1 +
+      minus_kK4_3 * alphaL4_3;
+  // thetaddot4 = -b4 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - alphaL3_2;
   ydot[3] = thetaddot4;
 
   // ---- body 5 (body_5), solved
-  // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_3 * b4_14 - b4_15 * thetaddot4 - b3_14 * thetaddot3 - b2_13 * thetaddot2 - b1_5 *
-      thetaddot1;
+  // beta5 = -E5 q5~ alpha4 + E5 beta4: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z5_1 = T(0.45) * alphaL4_3;
+  const T z5_2 = T(0.3) * alphaL4_3;
+  const T minus_beta5_1 = E5_12 * minus_beta4_2 + E5_11 * minus_beta4_1 + E5_11 * z5_1 - E5_12 * z5_2;
+  const T beta5_2 = E5_12 * minus_beta4_1 - E5_11 * minus_beta4_2 + E5_11 * z5_2 + E5_12 * z5_1;
+  const T beta5_3 = T(0.45) * alphaL4_1 - T(0.3) * phi4 + beta4_3;
+  // alphaL5 = E5 alpha4: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5_1 = E5_11 * alphaL4_1 + E5_12 * phi4;
+  const T alphaL5_2 = E5_11 * phi4 - E5_12 * alphaL4_1;
+  // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
+  const T phi5 = kB5_1 * minus_beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 + v5 - kK5_1 * alphaL5_1 - kK5_2 *
+      alphaL5_2;
+  // thetaddot5 = -b5 . alphaL5 + phi5
+  const T thetaddot5 = phi5 - alphaL4_3;
   ydot[4] = thetaddot5;
 
   // ---- body 6 (body_6), solved
-  // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_2 * b5_14 - b5_15 * thetaddot5 - b4_12 * thetaddot4 - b3_12 * thetaddot3 - b2_11 *
-      thetaddot2 - b1_3 * thetaddot1;
+  // beta6 = -E6 q6~ alpha5 + E6 beta5: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T minus_beta6_1 = minus_beta5_1 + T(0.3) * phi5 - T(0.2) * alphaL5_2;
+  const T z6_1 = T(0.3) * alphaL5_1;
+  const T z6_2 = T(0.2) * alphaL5_1;
+  const T beta6_2 = E6_23 * z6_1 - E6_22 * z6_2 + E6_22 * beta5_2 + E6_23 * beta5_3;
+  const T beta6_3 = E6_22 * beta5_3 - E6_23 * beta5_2 + E6_23 * z6_2 + E6_22 * z6_1;
+  // alphaL6 = E6 alpha5: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
+  const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
+  // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
+  const T phi6 = kB6_1 * minus_beta6_1 - kB6_2 * beta6_2 - kB6_3 * beta6_3 + v6 - kK6_2 * alphaL6_2 - kK6_3 *
+      alphaL6_3;
+  // thetaddot6 = -b6 . alphaL6 + phi6
+  const T thetaddot6 = phi6 - alphaL5_1;
   ydot[5] = thetaddot6;
 
   // ---- body 7 (body_7), solved
-  // thetaddot7: from A ydot = f by elimination
-  const T thetaddot7 = z1_1 * T(4.439511653718092) + b6_10 * thetaddot6 - b5_12 * thetaddot5 - b4_10 * thetaddot4 -
-      b3_10 * thetaddot3 - b2_9 * thetaddot2 - b1_1 * thetaddot1;
+  // beta7 = -E7 q7~ alpha6 + E7 beta6: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z7_1 = T(0.1) * alphaL6_2;
+  const T z7_2 = T(0.6) * alphaL6_2;
+  const T beta7_1 = E7_11 * z7_1 + minus_E7_13 * z7_2 - E7_11 * minus_beta6_1 - minus_E7_13 * beta6_3;
+  const T beta7_3 = minus_E7_13 * z7_1 - E7_11 * z7_2 + E7_11 * beta6_3 - minus_E7_13 * minus_beta6_1;
+  // alphaL7 = E7 alpha6: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
+  const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
+  // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
+  const T phi7 = T(0.7547169811320755) * beta7_3 - T(0.37735849056603776) * beta7_1 + v7 + T(0.37735849056603776) *
+      alphaL7_1 + T(0.23773584905660378) * alphaL7_3;
+  // thetaddot7 = -b7 . alphaL7 + phi7
+  const T thetaddot7 = phi7 - alphaL6_2;
   ydot[6] = thetaddot7;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7e6cfe2ba25bb8f0 of bench_s6r/scene.toml; the usual functions
+// model e3b6b5110b95130d of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -30,7 +30,7 @@
 //   energy                  650 (285 add, 365 multiply, 10 sine or cosine)
 //   momentum                865 (405 add, 460 multiply, 10 sine or cosine)
 //   power                   71 (33 add, 38 multiply)
-//   accelerations           1515 (710 add, 797 multiply, 8 divide, 10 sine or cosine)
+//   accelerations           1523 (733 add, 782 multiply, 8 divide, 10 sine or cosine)
 //   residual                778 (385 add, 393 multiply, 10 sine or cosine)
 //   forcing                 712 (344 add, 368 multiply, 10 sine or cosine)
 //   mass_matrix             366 (172 add, 194 multiply, 10 sine or cosine)
@@ -47,7 +47,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "7e6cfe2ba25bb8f0";
+inline constexpr char model_hash[] = "e3b6b5110b95130d";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1084,8 +1084,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 710 add, 797 multiply, 8 divide, 10 sine or cosine
-// by: composite; articulated would take 733 add, 782 multiply, 8 divide, 10 sine or cosine
+// 733 add, 782 multiply, 8 divide, 10 sine or cosine
+// by: articulated; composite would take 710 add, 797 multiply, 8 divide, 10 sine or cosine, and err by 7.3 ulps
+//   instead of 2.2
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1393,340 +1394,539 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.32000000000000006) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
-  // hc6 = E6^T h_own_6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * T(0.32000000000000006) - E6_23 * T(0.08000000000000002);
-  const T hc6_3 = E6_22 * T(0.08000000000000002) + E6_23 * T(0.32000000000000006);
+  // u_6 = b6 . N6 + tau_body_6_: drives it [N m], [N]
+  const T u_6 = u.tau_6 - minus_N6_1;
+  // v6 = invD6 u_6: u/D
+  const T v6 = T(4.385964912280701) * u_6;
+  // gt6 = G6 - v6 B6: force with the turn solved [N]
+  const T gt6_2 = v6 * T(0.08000000000000002) - minus_G6_2;
+  const T minus_gt6_3 = v6 * T(0.32000000000000006) + minus_G6_3;
+  // nt6 = -tau_body_6_ b6 + P_b6 (N6 - v6 K6): moment with the turn solved [N m]
+  const T nt6_2 = v6 * T(0.12000000000000001) - minus_N6_2;
+  const T nt6_3 = v6 * T(0.027200000000000002) - minus_N6_3;
+  // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
+  const T b6_1 = T(2) * E6_22;
+  const T b6_2 = E6_23 * T(0.42105263157894746) + b6_1 * T(0.11228070175438598);
+  const T b6_3 = E6_23 * b6_2;
+  const T minus_Mp6_22 = T(0.028070175438596495) + b6_3;
+  const T Mp6_23 = E6_22 * b6_2 - T(0.11228070175438598);
+  const T Mp6_33 = b6_3 - T(0.4491228070175439);
+  // gp6 = E6^T gt6: force passed on, lower body's axes [N]
+  const T gp6_2 = E6_22 * gt6_2 + E6_23 * minus_gt6_3;
+  const T gp6_3 = E6_23 * gt6_2 - E6_22 * minus_gt6_3;
+  // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
+  const T Hp6_21 = E6_22 * T(0.08000000000000002) + E6_23 * T(0.32000000000000006);
+  const T b6_4 = E6_22 * T(0.15887719298245617) - E6_23 * T(0.08028070175438598);
+  const T b6_5 = E6_23 * b6_4;
+  const T minus_Hp6_22 = T(0.04210526315789474) + b6_5;
+  const T b6_6 = E6_22 * b6_4;
+  const T Hp6_23 = b6_6 + T(0.00954385964912281);
+  const T Hp6_31 = E6_23 * T(0.08000000000000002) - E6_22 * T(0.32000000000000006);
+  const T Hp6_32 = b6_6 - T(0.16842105263157897);
+  const T Hp6_33 = T(0.03817543859649124) + b6_5;
+  // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
+  const T b6_7 = E6_23 * T(0.05591298245614037) + b6_1 * T(0.036715789473684216);
+  const T b6_8 = E6_23 * b6_7;
+  const T Jp6_22 = b6_8 - T(0.06315789473684211);
+  const T Jp6_23 = T(0.036715789473684216) - E6_22 * b6_7;
+  const T minus_Jp6_33 = T(0.007244912280701747) + b6_8;
+  // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
+  const T np6_2 = E6_22 * nt6_2 - E6_23 * nt6_3;
+  const T np6_3 = E6_23 * nt6_2 + E6_22 * nt6_3;
+  // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
+  const T Hb6_12 = T(0.2) * minus_Mp6_22 + T(0.3) * Mp6_23;
+  const T Hb6_13 = T(0.3) * Mp6_33 - T(0.2) * Mp6_23;
 
   // ---- body 5 (body_5) and what it carries
-  // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
-  const T minus_S5_1 = minus_G6_1 + minus_G5_1;
-  const T b5_1 = E6_23 * minus_G6_3 - E6_22 * minus_G6_2;
-  const T S5_2 = b5_1 - minus_G5_2;
-  const T b5_2 = E6_23 * minus_G6_2 + E6_22 * minus_G6_3;
-  const T minus_S5_3 = b5_2 + minus_G5_3;
-  // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
-  //   m]
-  const T minus_rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + minus_N6_1 + minus_N5_1;
-  const T rho5_2 = E6_23 * minus_N6_3 - E6_22 * minus_N6_2 - T(0.2) * minus_G6_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_G6_1 - (E6_23 * minus_N6_2 + E6_22 * minus_N6_3) - minus_N5_3;
-  // h5 = h_own_5 + hc6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h5_2 = T(0.78) + hc6_2;
-  // J5 = -q6~ hc6~ + E6^T J_own_6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
-  const T b5_3 = T(0.3) * hc6_2;
-  const T b5_4 = T(0.2) * hc6_3 + b5_3;
-  const T b5_5 = b5_4 + T(0.228);
-  const T J5_11 = b5_5 + b5_4;
-  const T b5_6 = E6_23 * T(0.027200000000000002) - E6_22 * T(0.12000000000000001);
-  const T J5_12 = b5_6 - T(0.2145);
-  const T b5_7 = E6_23 * T(0.12000000000000001) + E6_22 * T(0.027200000000000002);
-  const T minus_J5_13 = b5_7 + T(0.14600000000000002);
-  const T b5_8 = E6_23 * T(0.003999999999999991) - T(2) * E6_22 * T(0.022400000000000003);
-  const T b5_9 = E6_23 * b5_8;
-  const T J5_22 = T(0.4) * hc6_3 - b5_9 + T(0.293);
-  const T b5_10 = T(0.3) * hc6_3;
-  const T J5_23 = E6_22 * b5_8 - T(0.1246) - T(0.2) * hc6_2 - b5_10;
-  const T J5_33 = b5_9 + T(0.787) + T(0.6) * hc6_2;
-  // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5_1 = E5_11 * T(0.79) - E5_12 * h5_2;
-  const T hc5_2 = E5_11 * h5_2 + E5_12 * T(0.79);
-  // D_thetaddot5: pivots of L D L^T
-  const T b5_11 = b5_7 * T(4.385964912280701);
-  const T D_thetaddot5 = J5_33 - b5_11 * b5_7;
+  // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
+  const T HA5_13 = T(0.78) + Hb6_13;
+  const T HA5_23 = Hp6_23 - T(0.79);
+  const T HA5_31 = Hp6_31 - T(0.78);
+  const T HA5_32 = T(0.79) + Hp6_32;
+  // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
+  const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
+  const T JA5_12 = T(0.2) * minus_Hp6_22 + T(0.3) * Hp6_23 - T(0.2145);
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.14600000000000002);
+  const T JA5_22 = T(0.4) * Hp6_21 + T(0.293) + Jp6_22;
+  const T JA5_23 = T(0.2) * Hp6_31 - T(0.14700000000000002) + Jp6_23 - T(0.3) * Hp6_21;
+  const T JA5_33 = T(0.791) - T(0.6) * Hp6_31 - minus_Jp6_33;
+  // g5 = G5 + gp6: force that drives it, home axes [N]
+  const T minus_g5_1 = minus_G6_1 + minus_G5_1;
+  const T g5_2 = gp6_2 - minus_G5_2;
+  const T g5_3 = gp6_3 - minus_G5_3;
+  // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
+  const T n5_1 = T(0.3) * gp6_3 - T(0.2) * gp6_2 - minus_N5_1 - u.tau_6;
+  const T n5_2 = np6_2 - (T(0.2) * minus_G6_1 + minus_N5_2);
+  const T n5_3 = T(0.3) * minus_G6_1 - minus_N5_3 + np6_3;
+  // invD5 = D5^-1: 1/D
+  const T invD5 = T(1) / JA5_33;
+  // kB5 = invD5 B5: B/D
+  const T kB5_1 = invD5 * HA5_31;
+  const T kB5_2 = invD5 * HA5_32;
+  const T kB5_3 = invD5 * Hp6_33;
+  // kK5 = invD5 K5: K/D
+  const T kK5_1 = invD5 * JA5_13;
+  const T kK5_2 = invD5 * JA5_23;
+  // u_5 = b5 . n5 + tau_body_5_: drives it [N m], [N]
+  const T u_5 = n5_3 + u.tau_5;
+  // v5 = invD5 u_5: u/D
+  const T v5 = invD5 * u_5;
+  // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
+  const T minus_M5_11 = kB5_1 * HA5_31;
+  const T minus_M5_12 = kB5_1 * HA5_32;
+  const T minus_M5_13 = kB5_1 * Hp6_33;
+  const T minus_M5_22 = minus_Mp6_22 + kB5_2 * HA5_32;
+  const T M5_23 = Mp6_23 - kB5_2 * Hp6_33;
+  const T M5_33 = Mp6_33 - kB5_3 * Hp6_33;
+  // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
+  const T minus_H5_11 = kK5_1 * HA5_31;
+  const T H5_12 = Hb6_12 - kK5_1 * HA5_32;
+  const T H5_13 = HA5_13 - kK5_1 * Hp6_33;
+  const T H5_21 = Hp6_21 - kK5_2 * HA5_31;
+  const T minus_H5_22 = minus_Hp6_22 + kK5_2 * HA5_32;
+  const T H5_23 = HA5_23 - kK5_2 * Hp6_33;
+  // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
+  const T minus_J5_11 = minus_JA5_11 + kK5_1 * JA5_13;
+  const T J5_12 = JA5_12 - kK5_1 * JA5_23;
+  const T J5_22 = JA5_22 - kK5_2 * JA5_23;
+  // gt5 = g5 - v5 B5: force with the turn solved [N]
+  const T minus_gt5_1 = minus_g5_1 + v5 * HA5_31;
+  const T gt5_2 = g5_2 - v5 * HA5_32;
+  const T gt5_3 = g5_3 - v5 * Hp6_33;
+  // nt5 = -tau_body_5_ b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
+  const T nt5_1 = n5_1 - v5 * JA5_13;
+  const T nt5_2 = n5_2 - v5 * JA5_23;
+  // Mp5 = E5^T M5 E5: M passed on, lower body's axes [kg]
+  const T b5_1 = T(2) * E5_11;
+  const T b5_2 = E5_12 * (minus_M5_22 - minus_M5_11) - b5_1 * minus_M5_12;
+  const T b5_3 = E5_12 * b5_2;
+  const T minus_Mp5_11 = minus_M5_11 + b5_3;
+  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
+  const T minus_Mp5_13 = E5_11 * minus_M5_13 + E5_12 * M5_23;
+  const T Mp5_22 = b5_3 - minus_M5_22;
+  const T Mp5_23 = E5_11 * M5_23 - E5_12 * minus_M5_13;
+  // gp5 = E5^T gt5: force passed on, lower body's axes [N]
+  const T minus_gp5_1 = E5_11 * minus_gt5_1 + E5_12 * gt5_2;
+  const T gp5_2 = E5_11 * gt5_2 - E5_12 * minus_gt5_1;
+  // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
+  const T b5_4 = E5_12 * (minus_H5_22 - minus_H5_11) + E5_11 * (H5_12 + H5_21);
+  const T b5_5 = E5_12 * b5_4;
+  const T minus_Hp5_11 = minus_H5_11 + b5_5;
+  const T b5_6 = E5_11 * b5_4;
+  const T Hp5_12 = b5_6 - H5_21;
+  const T Hp5_13 = E5_11 * H5_13 - E5_12 * H5_23;
+  const T Hp5_21 = b5_6 - H5_12;
+  const T Hp5_22 = b5_5 - minus_H5_22;
+  const T Hp5_23 = E5_12 * H5_13 + E5_11 * H5_23;
+  // Jp5 = E5^T J5 E5: J passed on, lower body's axes [kg m^2]
+  const T b5_7 = b5_1 * J5_12 - E5_12 * (minus_J5_11 + J5_22);
+  const T b5_8 = E5_12 * b5_7;
+  const T minus_Jp5_11 = minus_J5_11 + b5_8;
+  const T Jp5_12 = E5_11 * b5_7 - J5_12;
+  const T Jp5_22 = J5_22 + b5_8;
+  // np5 = E5^T nt5: moment passed on, lower body's axes [N m]
+  const T np5_1 = E5_11 * nt5_1 - E5_12 * nt5_2;
+  const T np5_2 = E5_12 * nt5_1 + E5_11 * nt5_2;
+  // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
+  const T b5_9 = T(0.25) * minus_Mp5_13;
+  const T minus_Hb5_11 = minus_Hp5_11 + b5_9;
+  const T Hb5_12 = T(0.25) * Mp5_23 + Hp5_12;
+  const T Hb5_13 = T(0.25) * M5_33 + Hp5_13;
+  const T Hb5_21 = T(0.3) * minus_Mp5_13 + Hp5_21;
+  const T b5_10 = T(0.3) * Mp5_23;
+  const T Hb5_22 = Hp5_22 - b5_10;
+  const T Hb5_23 = Hp5_23 - T(0.3) * M5_33;
+  const T Hb5_31 = T(0.25) * minus_Mp5_11 + T(0.3) * Mp5_12;
+  const T Hb5_32 = T(0.3) * Mp5_22 - T(0.25) * Mp5_12;
+  const T Hb5_33 = b5_9 + b5_10;
 
   // ---- body 4 (body_4) and what it carries
-  // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = minus_E4_13 * T(0.06999999999999999) + E4_11 * T(0.13999999999999999);
-  const T hc4_3 = E4_11 * T(0.06999999999999999) - minus_E4_13 * T(0.13999999999999999);
+  // u_4 = b4 . N4 + tau_body_4_: drives it [N m], [N]
+  const T u_4 = u.tau_4 - minus_N4_2;
+  // v4 = invD4 u_4: u/D
+  const T v4 = T(5.390835579514825) * u_4;
+  // gt4 = G4 - v4 B4: force with the turn solved [N]
+  const T minus_gt4_1 = v4 * T(0.06999999999999999) + minus_G4_1;
+  const T gt4_3 = v4 * T(0.13999999999999999) - minus_G4_3;
+  // nt4 = -tau_body_4_ b4 + P_b4 (N4 - v4 K4): moment with the turn solved [N m]
+  const T nt4_1 = v4 * T(0.049) - minus_N4_1;
+  const T nt4_3 = v4 * T(0.0336) - minus_N4_3;
+  // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
+  const T b4_1 = T(2) * E4_11;
+  const T b4_2 = b4_1 * T(0.05283018867924528) - minus_E4_13 * T(0.07924528301886792);
+  const T b4_3 = minus_E4_13 * b4_2;
+  const T Mp4_11 = b4_3 - T(0.02641509433962264);
+  const T Mp4_13 = E4_11 * b4_2 - T(0.05283018867924528);
+  const T minus_Mp4_33 = T(0.10566037735849056) + b4_3;
+  // gp4 = E4^T gt4: force passed on, lower body's axes [N]
+  const T gp4_1 = minus_E4_13 * gt4_3 - E4_11 * minus_gt4_1;
+  const T gp4_3 = minus_E4_13 * minus_gt4_1 + E4_11 * gt4_3;
+  // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
+  const T b4_4 = minus_E4_13 * T(0.043849056603773584) + E4_11 * T(0.02430188679245283);
+  const T b4_5 = minus_E4_13 * b4_4;
+  const T Hp4_11 = T(0.01849056603773585) - b4_5;
+  const T Hp4_12 = minus_E4_13 * T(0.13999999999999999) - E4_11 * T(0.06999999999999999);
+  const T b4_6 = E4_11 * b4_4;
+  const T minus_Hp4_13 = b4_6 + T(0.012679245283018867);
+  const T Hp4_31 = T(0.0369811320754717) - b4_6;
+  const T Hp4_32 = E4_11 * T(0.13999999999999999) + minus_E4_13 * T(0.06999999999999999);
+  const T Hp4_33 = b4_5 - T(0.025358490566037735);
+  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
+  const T b4_7 = minus_E4_13 * T(0.010642641509433972) + b4_1 * T(0.011675471698113208);
+  const T b4_8 = minus_E4_13 * b4_7;
+  const T Jp4_11 = T(0.004556603773584916) - b4_8;
+  const T Jp4_13 = T(0.011675471698113208) - E4_11 * b4_7;
+  const T Jp4_33 = b4_8 - T(0.006086037735849057);
+  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
+  const T np4_1 = E4_11 * nt4_1 + minus_E4_13 * nt4_3;
+  const T np4_3 = E4_11 * nt4_3 - minus_E4_13 * nt4_1;
+  // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
+  const T Hb4_21 = T(0.2) * Mp4_11 - T(0.3) * Mp4_13;
+  const T Hb4_23 = T(0.2) * Mp4_13 + T(0.3) * minus_Mp4_33;
 
   // ---- body 3 (body_3) and what it carries
-  // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_2 = E3_22 * T(0.26) - E3_23 * T(0.065);
-  const T hc3_3 = E3_22 * T(0.065) + E3_23 * T(0.26);
+  // u_3 = b3 . N3 + tau_body_3_: drives it [N m], [N]
+  const T u_3 = u.tau_3 - minus_N3_1;
+  // v3 = invD3 u_3: u/D
+  const T v3 = T(5.398110661268555) * u_3;
+  // gt3 = G3 - v3 B3: force with the turn solved [N]
+  const T gt3_2 = v3 * T(0.065) - minus_G3_2;
+  const T minus_gt3_3 = v3 * T(0.26) + minus_G3_3;
+  // nt3 = -tau_body_3_ b3 + P_b3 (N3 - v3 K3): moment with the turn solved [N m]
+  const T nt3_2 = v3 * T(0.0975) - minus_N3_2;
+  const T nt3_3 = v3 * T(0.0221) - minus_N3_3;
+  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
+  const T b3_1 = T(2) * E3_22;
+  const T b3_2 = E3_23 * T(0.3421052631578948) + b3_1 * T(0.0912280701754386);
+  const T b3_3 = E3_23 * b3_2;
+  const T minus_Mp3_22 = T(0.02280701754385965) + b3_3;
+  const T Mp3_23 = E3_22 * b3_2 - T(0.0912280701754386);
+  const T Mp3_33 = b3_3 - T(0.3649122807017544);
+  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
+  const T gp3_2 = E3_22 * gt3_2 + E3_23 * minus_gt3_3;
+  const T gp3_3 = E3_23 * gt3_2 - E3_22 * minus_gt3_3;
+  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
+  const T Hp3_21 = E3_22 * T(0.065) + E3_23 * T(0.26);
+  const T b3_4 = E3_22 * T(0.12908771929824564) - E3_23 * T(0.06522807017543861);
+  const T b3_5 = E3_23 * b3_4;
+  const T minus_Hp3_22 = T(0.034210526315789476) + b3_5;
+  const T b3_6 = E3_22 * b3_4;
+  const T Hp3_23 = b3_6 + T(0.007754385964912282);
+  const T Hp3_31 = E3_23 * T(0.065) - E3_22 * T(0.26);
+  const T Hp3_32 = b3_6 - T(0.1368421052631579);
+  const T Hp3_33 = T(0.031017543859649128) + b3_5;
+  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
+  const T b3_7 = E3_23 * T(0.04542929824561404) + b3_1 * T(0.029831578947368424);
+  const T b3_8 = E3_23 * b3_7;
+  const T Jp3_22 = b3_8 - T(0.05131578947368422);
+  const T Jp3_23 = T(0.029831578947368424) - E3_22 * b3_7;
+  const T minus_Jp3_33 = T(0.005886491228070174) + b3_8;
+  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
+  const T np3_2 = E3_22 * nt3_2 - E3_23 * nt3_3;
+  const T np3_3 = E3_23 * nt3_2 + E3_22 * nt3_3;
+  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
+  const T Hb3_12 = T(0.2) * minus_Mp3_22 + T(0.15) * Mp3_23;
+  const T Hb3_13 = T(0.15) * Mp3_33 - T(0.2) * Mp3_23;
 
   // ---- body 2 (body_2) and what it carries
-  // S2 = E3^T G3 + E4^T G4 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E4_11 * minus_G4_1 + minus_E4_13 * minus_G4_3;
-  const T minus_S2_1 = minus_G3_1 + b2_1 + minus_G2_1;
-  const T b2_2 = E3_23 * minus_G3_3 - E3_22 * minus_G3_2;
-  const T S2_2 = b2_2 - minus_G4_2 - minus_G2_2;
-  const T b2_3 = minus_E4_13 * minus_G4_1 - E4_11 * minus_G4_3;
-  const T b2_4 = E3_23 * minus_G3_2 + E3_22 * minus_G3_3;
-  const T S2_3 = b2_3 - b2_4 - minus_G2_3;
-  // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
-  //   body origin, body axes [N m]
-  const T rho2_1 = T(0.2) * minus_G4_2 - (T(0.2) * b2_2 + T(0.15) * b2_4 + minus_N3_1) - E4_11 * minus_N4_1 -
-      minus_E4_13 * minus_N4_3 - minus_N2_1;
-  const T rho2_2 = E3_23 * minus_N3_3 - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 - T(0.2) * b2_1 - T(0.3) * b2_3 -
-      minus_N4_2 - minus_N2_2;
-  const T rho2_3 = T(0.15) * minus_G3_1 - (E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2 +
-      minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3 - minus_N2_3;
-  // h2 = h_own_2 + hc3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h2_1 = T(1.06) + hc4_1;
-  const T h2_2 = T(0.995) + hc3_2;
-  const T h2_3 = hc3_3 + hc4_3;
-  // J2 = -q3~ hc3~ + E3^T J_own_3 E3 - q4~ hc4~ + E4^T J_own_4 E4 + J_own_2 - hc3~ q3~ - hc4~ q4~: inertia carried,
-  //   about the body origin, body axes [kg m^2]
-  const T b2_5 = T(0.2) * hc3_3 + T(0.15) * hc3_2;
-  const T b2_6 = b2_5 + T(0.18525000000000003);
-  const T b2_7 = minus_E4_13 * T(0.017500000000000012) + T(2) * E4_11 * T(0.0028000000000000004);
-  const T b2_8 = minus_E4_13 * b2_7;
-  const T J2_11 = b2_6 + T(0.4) * hc4_3 + T(0.017500000000000012) - b2_8 + b2_5;
-  const T b2_9 = E3_23 * T(0.0221) - E3_22 * T(0.0975);
-  const T b2_10 = E4_11 * T(0.049) + minus_E4_13 * T(0.0336);
-  const T J2_12 = b2_9 - b2_10 - T(0.264);
-  const T b2_11 = E3_23 * T(0.0975) + E3_22 * T(0.0221);
-  const T minus_J2_13 = T(0.1996) + E4_11 * b2_7 + b2_11 + T(0.2) * hc4_1 + T(0.3) * hc4_3;
-  const T b2_12 = E3_23 * T(0.0032499999999999977) - T(2) * E3_22 * T(0.0182);
-  const T b2_13 = E3_23 * b2_12;
-  const T b2_14 = T(0.3) * hc4_1;
-  const T b2_15 = T(0.2) * hc4_3 + b2_14;
-  const T J2_22 = T(0.4) * hc3_3 - b2_13 + b2_15 + T(0.2875) + b2_15;
-  const T b2_16 = minus_E4_13 * T(0.049) - E4_11 * T(0.0336);
-  const T J2_23 = E3_22 * b2_12 - T(0.1736) - T(0.2) * hc3_2 + b2_16 - T(0.15) * hc3_3;
-  const T b2_17 = T(0.3) * hc3_2;
-  const T J2_33 = b2_13 + T(1.02525) + b2_17 + T(0.6) * hc4_1 + b2_8;
-  // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
-  const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
-  // K_thetadot4_2 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_2_2 = b2_15 + T(0.1855);
-  // D_thetaddot2: pivots of L D L^T
-  const T b2_18 = b2_16 * T(5.390835579514825);
-  const T b2_19 = b2_11 * T(5.398110661268555);
-  const T D_thetaddot2 = J2_33 - b2_18 * b2_16 - b2_19 * b2_11;
+  // MA2 = Mp4 + Mp3: force for an acceleration of the origin, home axes [kg]
+  const T MA2_33 = Mp3_33 - minus_Mp4_33;
+  // HA2 = h_own_2~ + Hb3 + Hb4: moment for an acceleration of the origin, body axes [kg m]
+  const T HA2_12 = Hb3_12 + Hp4_12;
+  const T HA2_13 = T(0.995) + Hb3_13 - minus_Hp4_13;
+  const T HA2_21 = Hp3_21 + Hb4_21;
+  const T HA2_23 = Hp3_23 - T(1.06) + Hb4_23;
+  const T HA2_31 = Hp3_31 - T(0.995) + Hp4_31;
+  const T HA2_32 = T(1.06) + Hp3_32 + Hp4_32;
+  const T HA2_33 = Hp3_33 + Hp4_33;
+  // JA2 = q3~ Hp3^T + q4~ Hp4^T + J_own_2 + Jp4 + Jp3 - Hb3 q3~ - Hb4 q4~: moment for an angular acceleration, body
+  //   axes [kg m^2]
+  const T JA2_11 = Jp4_11 - T(0.4) * Hp4_12 - Hb3_12 * T(0.2) + Hb3_13 * T(0.15);
+  const T JA2_12 = T(0.2) * minus_Hp3_22 + T(0.15) * Hp3_23 - T(0.264) + T(0.2) * Hp4_11 + T(0.3) * minus_Hp4_13;
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.2024) + Jp4_13 + T(0.3) * Hp4_12;
+  const T JA2_22 = T(0.4) * Hp3_21 + T(0.10199999999999997) + Jp3_22 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
+  const T JA2_23 = T(0.2) * Hp3_31 + T(0.2) * Hp4_31 - T(0.3) * Hp4_33 - T(0.1918) + Jp3_23 - T(0.15) * Hp3_21;
+  const T JA2_33 = T(0.6) * Hp4_32 - T(0.3) * Hp3_31 + T(1.0285) + Jp4_33 - minus_Jp3_33;
+  // g2 = G2 + gp4 + gp3: force that drives it, home axes [N]
+  const T g2_1 = gp4_1 - minus_G2_1 - minus_G3_1;
+  const T g2_2 = gp3_2 - (minus_G4_2 + minus_G2_2);
+  const T g2_3 = gp4_3 - minus_G2_3 + gp3_3;
+  // n2 = q3~ gp3 + q4~ gp4 + N2 + np4 + np3: moment that drives it, body axes [N m]
+  const T n2_1 = T(0.15) * gp3_3 - T(0.2) * gp3_2 + T(0.2) * minus_G4_2 - minus_N2_1 + np4_1 - u.tau_3;
+  const T n2_2 = T(0.2) * gp4_1 - T(0.3) * gp4_3 - T(0.2) * minus_G3_1 - minus_N2_2 - u.tau_4 + np3_2;
+  const T n2_3 = T(0.15) * minus_G3_1 - T(0.3) * minus_G4_2 - minus_N2_3 + np4_3 + np3_3;
+  // invD2 = D2^-1: 1/D
+  const T invD2 = T(1) / JA2_33;
+  // kB2 = invD2 B2: B/D
+  const T kB2_1 = invD2 * HA2_31;
+  const T kB2_2 = invD2 * HA2_32;
+  const T kB2_3 = invD2 * HA2_33;
+  // kK2 = invD2 K2: K/D
+  const T kK2_1 = invD2 * JA2_13;
+  const T kK2_2 = invD2 * JA2_23;
+  // u_2 = b2 . n2 + tau_body_2_: drives it [N m], [N]
+  const T u_2 = n2_3 + u.tau_2;
+  // v2 = invD2 u_2: u/D
+  const T v2 = invD2 * u_2;
+  // M2 = MA2 - kB2 B2^T: MA less what the turn takes up [kg]
+  const T M2_11 = Mp4_11 - kB2_1 * HA2_31;
+  const T minus_M2_12 = kB2_1 * HA2_32;
+  const T M2_13 = Mp4_13 - kB2_1 * HA2_33;
+  const T minus_M2_22 = minus_Mp3_22 + kB2_2 * HA2_32;
+  const T M2_23 = Mp3_23 - kB2_2 * HA2_33;
+  const T M2_33 = MA2_33 - kB2_3 * HA2_33;
+  // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
+  const T H2_11 = Hp4_11 - kK2_1 * HA2_31;
+  const T H2_12 = HA2_12 - kK2_1 * HA2_32;
+  const T H2_13 = HA2_13 - kK2_1 * HA2_33;
+  const T H2_21 = HA2_21 - kK2_2 * HA2_31;
+  const T minus_H2_22 = minus_Hp3_22 + kK2_2 * HA2_32;
+  const T H2_23 = HA2_23 - kK2_2 * HA2_33;
+  // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
+  const T J2_11 = JA2_11 - kK2_1 * JA2_13;
+  const T J2_12 = JA2_12 - kK2_1 * JA2_23;
+  const T J2_22 = JA2_22 - kK2_2 * JA2_23;
+  // gt2 = g2 - v2 B2: force with the turn solved [N]
+  const T gt2_1 = g2_1 - v2 * HA2_31;
+  const T gt2_2 = g2_2 - v2 * HA2_32;
+  const T gt2_3 = g2_3 - v2 * HA2_33;
+  // nt2 = -tau_body_2_ b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
+  const T nt2_1 = n2_1 - v2 * JA2_13;
+  const T nt2_2 = n2_2 - v2 * JA2_23;
+  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
+  const T b2_1 = T(2) * E2_11;
+  const T b2_2 = E2_12 * (M2_11 + minus_M2_22) - b2_1 * minus_M2_12;
+  const T b2_3 = E2_12 * b2_2;
+  const T Mp2_11 = M2_11 - b2_3;
+  const T Mp2_12 = E2_11 * b2_2 + minus_M2_12;
+  const T Mp2_13 = E2_11 * M2_13 - E2_12 * M2_23;
+  const T Mp2_22 = b2_3 - minus_M2_22;
+  const T Mp2_23 = E2_12 * M2_13 + E2_11 * M2_23;
+  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
+  const T gp2_1 = E2_11 * gt2_1 - E2_12 * gt2_2;
+  const T gp2_2 = E2_12 * gt2_1 + E2_11 * gt2_2;
+  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
+  const T b2_4 = E2_12 * (H2_11 + minus_H2_22) + E2_11 * (H2_12 + H2_21);
+  const T b2_5 = E2_12 * b2_4;
+  const T Hp2_11 = H2_11 - b2_5;
+  const T b2_6 = E2_11 * b2_4;
+  const T Hp2_12 = b2_6 - H2_21;
+  const T Hp2_13 = E2_11 * H2_13 - E2_12 * H2_23;
+  const T Hp2_21 = b2_6 - H2_12;
+  const T Hp2_22 = b2_5 - minus_H2_22;
+  const T Hp2_23 = E2_12 * H2_13 + E2_11 * H2_23;
+  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
+  const T b2_7 = E2_12 * (J2_11 - J2_22) + b2_1 * J2_12;
+  const T b2_8 = E2_12 * b2_7;
+  const T Jp2_11 = J2_11 - b2_8;
+  const T Jp2_12 = E2_11 * b2_7 - J2_12;
+  const T Jp2_22 = J2_22 + b2_8;
+  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
+  const T np2_1 = E2_11 * nt2_1 - E2_12 * nt2_2;
+  const T np2_2 = E2_12 * nt2_1 + E2_11 * nt2_2;
+  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
+  const T b2_9 = T(0.1) * Mp2_13;
+  const T Hb2_11 = b2_9 + Hp2_11;
+  const T Hb2_12 = T(0.1) * Mp2_23 + Hp2_12;
+  const T Hb2_13 = T(0.1) * M2_33 + Hp2_13;
+  const T Hb2_21 = Hp2_21 - T(0.3) * Mp2_13;
+  const T b2_10 = T(0.3) * Mp2_23;
+  const T Hb2_22 = Hp2_22 - b2_10;
+  const T Hb2_23 = Hp2_23 - T(0.3) * M2_33;
+  const T Hb2_31 = T(0.3) * Mp2_12 - T(0.1) * Mp2_11;
+  const T Hb2_32 = T(0.3) * Mp2_22 - T(0.1) * Mp2_12;
+  const T Hb2_33 = b2_10 - b2_9;
 
   // ---- body 1 (body_1) and what it carries
-  // S1 = E2^T S2 + E5^T S5 + G1: sum of the force balances of the subtree, body axes [N]
-  const T b1_1 = E2_11 * minus_S2_1 + E2_12 * S2_2;
-  const T b1_2 = E5_11 * minus_S5_1 + E5_12 * S5_2;
-  const T S1_1 = G1_1 - (b1_1 + b1_2);
-  const T b1_3 = E2_11 * S2_2 - E2_12 * minus_S2_1;
-  const T b1_4 = E5_11 * S5_2 - E5_12 * minus_S5_1;
-  const T S1_2 = b1_3 + b1_4 + G1_2;
-  const T S1_3 = S2_3 - minus_S5_3 + G1_3;
-  // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.25) * minus_S5_3 - E5_11 * minus_rho5_1 -
-      E5_12 * rho5_2 + N1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 + E5_11 * rho5_2 - E5_12
-      * minus_rho5_1 + N1_2;
-  const T f_omega1_3 = T(0.3) * b1_3 + T(0.1) * b1_1 + rho2_3 + T(0.25) * b1_2 + T(0.3) * b1_4 + rho5_3 + N1_3;
-  // h1 = h_all_1 + hc2 + hc5: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_1 = T(2.21) + hc2_1 + hc5_1;
-  const T h1_2 = T(1.385) + hc2_2 + hc5_2;
-  const T h1_3 = T(1.32) + h2_3 + hc6_3;
-  // J1 = -q2~ hc2~ + E2^T J2 E2 - q5~ hc5~ + E5^T J5 E5 + J_all_1 - hc2~ q2~ - hc5~ q5~: inertia carried, about the
-  //   body origin, body axes [kg m^2]
-  const T b1_5 = E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12;
-  const T b1_6 = E5_12 * (J5_11 - J5_22) + T(2) * E5_11 * J5_12;
-  const T b1_7 = E2_12 * b1_5 + E5_12 * b1_6;
-  const T J1_11 = J2_11 - b1_7 + T(0.2) * hc2_2 + T(0.5) * hc5_2 + J5_11 + T(1.5235);
-  const T J1_12 = E2_11 * b1_5 - J2_12 - T(0.1) * hc2_1 - T(0.25) * hc5_1 + E5_11 * b1_6 - J5_12 - T(0.366) - T(0.3) *
-      hc2_2 - T(0.3) * hc5_2;
-  const T b1_8 = E2_11 * minus_J2_13 + E2_12 * J2_23;
-  const T b1_9 = E5_11 * minus_J5_13 + E5_12 * J5_23;
-  const T minus_J1_13 = b1_8 + b1_9 + T(0.3817) + T(0.3) * h2_3 + b5_10;
-  const T J1_22 = J2_22 + b1_7 + T(0.6) * hc2_1 + T(0.6) * hc5_1 + J5_22 + T(1.90975);
-  const T b1_10 = E2_11 * J2_23 - E2_12 * minus_J2_13;
-  const T b1_11 = E5_11 * J5_23 - E5_12 * minus_J5_13;
-  const T J1_23 = b1_10 + b1_11 - T(0.22365000000000002) - T(0.1) * h2_3 - T(0.25) * hc6_3;
-  const T b1_12 = T(0.3) * hc2_1 + T(0.1) * hc2_2;
-  const T b1_13 = b1_12 + J2_33;
-  const T b1_14 = T(0.3) * hc5_1 + T(0.25) * hc5_2;
-  const T b1_15 = J5_33 + b1_14;
-  const T J1_33 = b1_13 + b1_15 + T(1.00575) + b1_12 + b1_14;
-  // B_thetadot6_1 = E5^T B_thetadot6_5
-  const T B_thetadot6_1_1 = E5_12 * hc6_3;
-  const T minus_B_thetadot6_1_2 = E5_11 * hc6_3;
-  // K_thetadot6_1 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
-  const T K_thetadot6_1_1 = T(0.25) * hc6_2 + E5_11 * b5_5 - E5_12 * b5_6;
-  const T K_thetadot6_1_2 = E5_12 * b5_5 + E5_11 * b5_6 - b5_3;
-  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + b5_7;
-  // B_thetadot4_1 = E2^T B_thetadot4_2
-  const T B_thetadot4_1_1 = E2_11 * hc4_3;
-  const T B_thetadot4_1_2 = E2_12 * hc4_3;
-  // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
-  const T minus_K_thetadot4_1_1 = T(0.1) * hc4_1 + E2_11 * b2_10 + E2_12 * K_thetadot4_2_2;
-  const T K_thetadot4_1_2 = b2_14 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_10;
-  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - T(0.1) * B_thetadot4_1_1 + b2_16;
-  // B_thetadot3_1 = E2^T B_thetadot3_2
-  const T B_thetadot3_1_1 = E2_12 * hc3_3;
-  const T minus_B_thetadot3_1_2 = E2_11 * hc3_3;
-  // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_1 = T(0.1) * hc3_2 + E2_11 * b2_6 - E2_12 * b2_9;
-  const T K_thetadot3_1_2 = E2_12 * b2_6 + E2_11 * b2_9 - b2_17;
-  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + T(0.1) * B_thetadot3_1_1 + b2_11;
-  // D_omegadot1: pivots of L D L^T
-  const T b1_16 = K_thetadot6_1_1 * T(4.385964912280701);
-  const T b1_17 = b1_16 * b5_7 - b1_9;
-  const T b1_18 = T(1) / D_thetaddot5;
-  const T b1_19 = b1_17 * b1_18;
-  const T b1_20 = minus_K_thetadot4_1_1 * T(5.390835579514825);
-  const T b1_21 = K_thetadot3_1_1 * T(5.398110661268555);
-  const T b1_22 = b1_20 * b2_16 - b1_8 + b1_21 * b2_11;
-  const T b1_23 = T(1) / D_thetaddot2;
-  const T b1_24 = b1_22 * b1_23;
-  const T D_omegadot1_1 = J1_11 - b1_16 * K_thetadot6_1_1 - b1_19 * b1_17 - b1_20 * minus_K_thetadot4_1_1 - b1_21 *
-      K_thetadot3_1_1 - b1_24 * b1_22;
-  const T b1_25 = K_thetadot6_1_2 * T(4.385964912280701);
-  const T b1_26 = b1_11 + b1_25 * b5_7;
-  const T b1_27 = b1_26 * b1_18;
-  const T b1_28 = K_thetadot4_1_2 * T(5.390835579514825);
-  const T b1_29 = K_thetadot3_1_2 * T(5.398110661268555);
-  const T b1_30 = b1_10 - b1_28 * b2_16 + b1_29 * b2_11;
-  const T b1_31 = b1_30 * b1_23;
-  const T b1_32 = J1_12 - b1_25 * K_thetadot6_1_1 - b1_27 * b1_17 + b1_28 * minus_K_thetadot4_1_1 - b1_29 *
-      K_thetadot3_1_1 - b1_31 * b1_22;
-  const T b1_33 = T(1) / D_omegadot1_1;
-  const T b1_34 = b1_32 * b1_33;
-  const T D_omegadot1_2 = J1_22 - b1_25 * K_thetadot6_1_2 - b1_27 * b1_26 - b1_28 * K_thetadot4_1_2 - b1_29 *
-      K_thetadot3_1_2 - b1_31 * b1_30 - b1_34 * b1_32;
-  const T b1_35 = minus_K_thetadot6_1_3 * T(4.385964912280701);
-  const T b1_36 = b1_15 - b1_35 * b5_7;
-  const T b1_37 = b1_36 * b1_18;
-  const T b1_38 = K_thetadot4_1_3 * T(5.390835579514825);
-  const T b1_39 = minus_K_thetadot3_1_3 * T(5.398110661268555);
-  const T b1_40 = b1_13 - b1_38 * b2_16 - b1_39 * b2_11;
-  const T b1_41 = b1_40 * b1_23;
-  const T b1_42 = b1_35 * K_thetadot6_1_1 - minus_J1_13 - b1_37 * b1_17 + b1_38 * minus_K_thetadot4_1_1 + b1_39 *
-      K_thetadot3_1_1 - b1_41 * b1_22;
-  const T b1_43 = b1_42 * b1_33;
-  const T b1_44 = J1_23 + b1_35 * K_thetadot6_1_2 - b1_37 * b1_26 - b1_38 * K_thetadot4_1_2 + b1_39 * K_thetadot3_1_2
-      - b1_41 * b1_30 - b1_43 * b1_32;
-  const T b1_45 = T(1) / D_omegadot1_2;
-  const T b1_46 = b1_44 * b1_45;
-  const T D_omegadot1_3 = J1_33 - b1_35 * minus_K_thetadot6_1_3 - b1_37 * b1_36 - b1_38 * K_thetadot4_1_3 - b1_39 *
-      minus_K_thetadot3_1_3 - b1_41 * b1_40 - b1_43 * b1_42 - b1_46 * b1_44;
-  // D_Pddot1: pivots of L D L^T
-  const T b1_47 = B_thetadot6_1_1 * T(4.385964912280701);
-  const T b1_48 = b1_47 * b5_7 - hc5_2;
-  const T b1_49 = b1_48 * b1_18;
-  const T b1_50 = B_thetadot4_1_1 * T(5.390835579514825);
-  const T b1_51 = B_thetadot3_1_1 * T(5.398110661268555);
-  const T b1_52 = b1_51 * b2_11 - (hc2_2 + b1_50 * b2_16);
-  const T b1_53 = b1_52 * b1_23;
-  const T b1_54 = b1_50 * minus_K_thetadot4_1_1 - (b1_47 * K_thetadot6_1_1 + b1_49 * b1_17) - b1_51 * K_thetadot3_1_1
-      - b1_53 * b1_22;
-  const T b1_55 = b1_54 * b1_33;
-  const T b1_56 = h1_3 - b1_47 * K_thetadot6_1_2 - b1_49 * b1_26 - b1_50 * K_thetadot4_1_2 - b1_51 * K_thetadot3_1_2 -
-      b1_53 * b1_30 - b1_55 * b1_32;
-  const T b1_57 = b1_56 * b1_45;
-  const T b1_58 = h1_2 - b1_47 * minus_K_thetadot6_1_3 + b1_49 * b1_36 + b1_50 * K_thetadot4_1_3 - b1_51 *
-      minus_K_thetadot3_1_3 + b1_53 * b1_40 + b1_55 * b1_42 + b1_57 * b1_44;
-  const T b1_59 = T(1) / D_omegadot1_3;
-  const T b1_60 = b1_58 * b1_59;
-  const T D_Pddot1_1 = T(8.1) - b1_47 * B_thetadot6_1_1 - b1_49 * b1_48 - b1_50 * B_thetadot4_1_1 - b1_51 *
-      B_thetadot3_1_1 - b1_53 * b1_52 - b1_55 * b1_54 - b1_57 * b1_56 - b1_60 * b1_58;
-  const T b1_61 = minus_B_thetadot6_1_2 * T(4.385964912280701);
-  const T b1_62 = hc5_1 - b1_61 * b5_7;
-  const T b1_63 = b1_62 * b1_18;
-  const T b1_64 = B_thetadot4_1_2 * T(5.390835579514825);
-  const T b1_65 = minus_B_thetadot3_1_2 * T(5.398110661268555);
-  const T b1_66 = hc2_1 - b1_64 * b2_16 - b1_65 * b2_11;
-  const T b1_67 = b1_66 * b1_23;
-  const T b1_68 = h1_3 - b1_61 * K_thetadot6_1_1 + b1_63 * b1_17 - b1_64 * minus_K_thetadot4_1_1 - b1_65 *
-      K_thetadot3_1_1 + b1_67 * b1_22;
-  const T b1_69 = b1_68 * b1_33;
-  const T b1_70 = b1_61 * K_thetadot6_1_2 - b1_63 * b1_26 - b1_64 * K_thetadot4_1_2 + b1_65 * K_thetadot3_1_2 - b1_67
-      * b1_30 + b1_69 * b1_32;
-  const T b1_71 = b1_70 * b1_45;
-  const T b1_72 = h1_1 - b1_61 * minus_K_thetadot6_1_3 - b1_63 * b1_36 - b1_64 * K_thetadot4_1_3 - b1_65 *
-      minus_K_thetadot3_1_3 - b1_67 * b1_40 + b1_69 * b1_42 - b1_71 * b1_44;
-  const T b1_73 = b1_72 * b1_59;
-  const T b1_74 = b1_61 * B_thetadot6_1_1 - b1_63 * b1_48 - b1_64 * B_thetadot4_1_1 + b1_65 * B_thetadot3_1_1 - b1_67
-      * b1_52 + b1_69 * b1_54 - b1_71 * b1_56 + b1_73 * b1_58;
-  const T b1_75 = T(1) / D_Pddot1_1;
-  const T b1_76 = b1_74 * b1_75;
-  const T D_Pddot1_2 = T(8.1) - b1_61 * minus_B_thetadot6_1_2 - b1_63 * b1_62 - b1_64 * B_thetadot4_1_2 - b1_65 *
-      minus_B_thetadot3_1_2 - b1_67 * b1_66 - b1_69 * b1_68 - b1_71 * b1_70 - b1_73 * b1_72 - b1_76 * b1_74;
-  const T b1_77 = hc6_2 * T(4.385964912280701);
-  const T b1_78 = b1_77 * b5_7;
-  const T b1_79 = b1_78 * b1_18;
-  const T b1_80 = hc4_1 * T(5.390835579514825);
-  const T b1_81 = hc3_2 * T(5.398110661268555);
-  const T b1_82 = b1_80 * b2_16 + b1_81 * b2_11;
-  const T b1_83 = b1_82 * b1_23;
-  const T b1_84 = h1_2 - b1_77 * K_thetadot6_1_1 - b1_79 * b1_17 - b1_80 * minus_K_thetadot4_1_1 - b1_81 *
-      K_thetadot3_1_1 - b1_83 * b1_22;
-  const T b1_85 = b1_84 * b1_33;
-  const T b1_86 = h1_1 + b1_77 * K_thetadot6_1_2 + b1_79 * b1_26 - b1_80 * K_thetadot4_1_2 + b1_81 * K_thetadot3_1_2 +
-      b1_83 * b1_30 + b1_85 * b1_32;
-  const T b1_87 = b1_86 * b1_45;
-  const T b1_88 = b1_77 * minus_K_thetadot6_1_3 - b1_79 * b1_36 + b1_80 * K_thetadot4_1_3 + b1_81 *
-      minus_K_thetadot3_1_3 - b1_83 * b1_40 - b1_85 * b1_42 + b1_87 * b1_44;
-  const T b1_89 = b1_88 * b1_59;
-  const T b1_90 = b1_80 * B_thetadot4_1_1 - (b1_77 * B_thetadot6_1_1 + b1_79 * b1_48) - b1_81 * B_thetadot3_1_1 -
-      b1_83 * b1_52 - b1_85 * b1_54 + b1_87 * b1_56 + b1_89 * b1_58;
-  const T b1_91 = b1_90 * b1_75;
-  const T b1_92 = b1_77 * minus_B_thetadot6_1_2 - b1_79 * b1_62 + b1_80 * B_thetadot4_1_2 + b1_81 *
-      minus_B_thetadot3_1_2 - b1_83 * b1_66 + b1_85 * b1_68 + b1_87 * b1_70 - b1_89 * b1_72 - b1_91 * b1_74;
-  const T b1_93 = T(1) / D_Pddot1_2;
-  const T b1_94 = b1_92 * b1_93;
-  const T D_Pddot1_3 = T(8.1) - b1_77 * hc6_2 - b1_79 * b1_78 - b1_80 * hc4_1 - b1_81 * hc3_2 - b1_83 * b1_82 - b1_85
-      * b1_84 - b1_87 * b1_86 - b1_89 * b1_88 - b1_91 * b1_90 - b1_94 * b1_92;
+  // MA1 = m_all_1 one + Mp5 + Mp2: force for an acceleration of the origin, home axes [kg]
+  const T MA1_11 = T(8.1) - minus_Mp5_11 + Mp2_11;
+  const T MA1_12 = Mp5_12 + Mp2_12;
+  const T MA1_13 = Mp2_13 - minus_Mp5_13;
+  const T MA1_22 = T(8.1) + Mp5_22 + Mp2_22;
+  const T MA1_23 = Mp5_23 + Mp2_23;
+  const T MA1_33 = T(8.1) + M5_33 + M2_33;
+  // HA1 = h_all_1~ + Hb2 + Hb5: moment for an acceleration of the origin, body axes [kg m]
+  const T HA1_11 = Hb2_11 - minus_Hb5_11;
+  const T HA1_12 = Hb2_12 - T(1.32) + Hb5_12;
+  const T HA1_13 = T(1.385) + Hb2_13 + Hb5_13;
+  const T HA1_21 = T(1.32) + Hb2_21 + Hb5_21;
+  const T HA1_22 = Hb2_22 + Hb5_22;
+  const T HA1_23 = Hb2_23 - T(2.21) + Hb5_23;
+  const T HA1_31 = Hb2_31 - T(1.385) + Hb5_31;
+  const T HA1_32 = T(2.21) + Hb2_32 + Hb5_32;
+  const T HA1_33 = Hb2_33 + Hb5_33;
+  // JA1 = q2~ Hp2^T + q5~ Hp5^T + J_all_1 + Jp5 + Jp2 - Hb2 q2~ - Hb5 q5~: moment for an angular acceleration, body
+  //   axes [kg m^2]
+  const T JA1_11 = T(0.1) * Hp2_13 + T(0.25) * Hp5_13 + T(1.5235) - minus_Jp5_11 + Jp2_11 + Hb2_13 * T(0.1) + Hb5_13 *
+      T(0.25);
+  const T JA1_12 = T(0.1) * Hp2_23 + T(0.25) * Hp5_23 - T(0.366) + Jp5_12 + Jp2_12 - Hb2_13 * T(0.3) - Hb5_13 *
+      T(0.3);
+  const T JA1_13 = Hb2_12 * T(0.3) - (T(0.3817) + Hb2_11 * T(0.1)) + minus_Hb5_11 * T(0.25) + Hb5_12 * T(0.3);
+  const T JA1_22 = T(1.90975) - (T(0.3) * Hp2_23 + T(0.3) * Hp5_23) + Jp5_22 + Jp2_22 - Hb2_23 * T(0.3) - Hb5_23 *
+      T(0.3);
+  const T minus_JA1_23 = T(0.22365000000000002) + Hb2_21 * T(0.1) - Hb2_22 * T(0.3) + Hb5_21 * T(0.25) - Hb5_22 *
+      T(0.3);
+  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(1.00575) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
+  // g1 = G1 + gp5 + gp2: force that drives it, home axes [N]
+  const T g1_1 = G1_1 - minus_gp5_1 + gp2_1;
+  const T g1_2 = G1_2 + gp5_2 + gp2_2;
+  const T g1_3 = G1_3 + gt5_3 + gt2_3;
+  // n1 = q2~ gp2 + q5~ gp5 + N1 + np5 + np2: moment that drives it, body axes [N m]
+  const T n1_1 = T(0.1) * gt2_3 + T(0.25) * gt5_3 + N1_1 + np5_1 + np2_1;
+  const T n1_2 = N1_2 - (T(0.3) * gt2_3 + T(0.3) * gt5_3) + np5_2 + np2_2;
+  const T n1_3 = T(0.3) * gp2_2 - T(0.1) * gp2_1 + T(0.3) * gp5_2 + T(0.25) * minus_gp5_1 + N1_3 - u.tau_5 - u.tau_2;
+  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
+  const T LD1_11 = T(1) / JA1_11;
+  const T LD1_21 = LD1_11 * JA1_12;
+  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
+  const T LD1_31 = LD1_11 * JA1_13;
+  const T b1_1 = minus_JA1_23 + LD1_21 * JA1_13;
+  const T minus_LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - minus_LD1_32 * b1_1);
+  // Y1 = L(LD1)^-1 HA1: L^-1 HA
+  const T Y1_21 = HA1_21 - LD1_21 * HA1_11;
+  const T Y1_22 = HA1_22 - LD1_21 * HA1_12;
+  const T Y1_23 = HA1_23 - LD1_21 * HA1_13;
+  const T Y1_31 = HA1_31 - LD1_31 * HA1_11 + minus_LD1_32 * Y1_21;
+  const T Y1_32 = HA1_32 - LD1_31 * HA1_12 + minus_LD1_32 * Y1_22;
+  const T Y1_33 = HA1_33 - LD1_31 * HA1_13 + minus_LD1_32 * Y1_23;
+  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
+  const T W1_11 = LD1_11 * HA1_11;
+  const T W1_12 = LD1_11 * HA1_12;
+  const T W1_13 = LD1_11 * HA1_13;
+  const T W1_21 = LD1_22 * Y1_21;
+  const T W1_22 = LD1_22 * Y1_22;
+  const T W1_23 = LD1_22 * Y1_23;
+  const T W1_31 = LD1_33 * Y1_31;
+  const T W1_32 = LD1_33 * Y1_32;
+  const T W1_33 = LD1_33 * Y1_33;
+  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
+  const T w_1_1 = LD1_11 * n1_1;
+  const T b1_2 = n1_2 - LD1_21 * n1_1;
+  const T w_1_2 = LD1_22 * b1_2;
+  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + minus_LD1_32 * b1_2);
+  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
+  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
+  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
+  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
+  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
+  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
+  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
+  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
+  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
+  const T LDs1_11 = T(1) / M1_11;
+  const T LDs1_21 = LDs1_11 * M1_12;
+  const T LDs1_22 = T(1) / (M1_22 - LDs1_21 * M1_12);
+  const T LDs1_31 = LDs1_11 * M1_13;
+  const T b1_3 = M1_23 - LDs1_21 * M1_13;
+  const T LDs1_32 = LDs1_22 * b1_3;
+  const T LDs1_33 = T(1) / (M1_33 - LDs1_31 * M1_13 - LDs1_32 * b1_3);
+  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
+  const T ws1_1 = LDs1_11 * gb1_1;
+  const T b1_4 = gb1_2 - LDs1_21 * gb1_1;
+  const T ws1_2 = LDs1_22 * b1_4;
+  const T ws1_3 = LDs1_33 * (gb1_3 - LDs1_31 * gb1_1 - LDs1_32 * b1_4);
 
   // ---- body 1 (body_1), solved
-  // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.tau_6 - minus_N6_1;
-  const T z1_2 = rho5_3 + u.tau_5 + b5_11 * z1_1;
-  const T z1_3 = u.tau_4 - minus_N4_2;
-  const T z1_4 = u.tau_3 - minus_N3_1;
-  const T z1_5 = rho2_3 + u.tau_2 - b2_18 * z1_3 + b2_19 * z1_4;
-  const T z1_6 = f_omega1_1 - b1_16 * z1_1 - b1_19 * z1_2 + b1_20 * z1_3 - b1_21 * z1_4 - b1_24 * z1_5;
-  const T z1_7 = f_omega1_2 - b1_25 * z1_1 - b1_27 * z1_2 - b1_28 * z1_3 - b1_29 * z1_4 - b1_31 * z1_5 - b1_34 * z1_6;
-  const T z1_8 = f_omega1_3 + b1_35 * z1_1 - b1_37 * z1_2 - b1_38 * z1_3 + b1_39 * z1_4 - b1_41 * z1_5 - b1_43 * z1_6
-      - b1_46 * z1_7;
-  const T z1_9 = S1_1 - b1_47 * z1_1 - b1_49 * z1_2 - b1_50 * z1_3 - b1_51 * z1_4 - b1_53 * z1_5 - b1_55 * z1_6 -
-      b1_57 * z1_7 + b1_60 * z1_8;
-  const T z1_10 = S1_2 + b1_61 * z1_1 - b1_63 * z1_2 - b1_64 * z1_3 + b1_65 * z1_4 - b1_67 * z1_5 + b1_69 * z1_6 -
-      b1_71 * z1_7 - b1_73 * z1_8 - b1_76 * z1_9;
-  const T z1_11 = T(1) / D_Pddot1_3 * (S1_3 - b1_77 * z1_1 - b1_79 * z1_2 + b1_80 * z1_3 - b1_81 * z1_4 - b1_83 * z1_5
-      - b1_85 * z1_6 + b1_87 * z1_7 - b1_89 * z1_8 - b1_91 * z1_9 - b1_94 * z1_10);
-  const T z1_12 = z1_10 * b1_93 - b1_94 * z1_11;
-  const T Pddot1_1 = z1_9 * b1_75 - b1_76 * z1_12 - b1_91 * z1_11;
-  // omegadot1: from A ydot = f by elimination
-  const T z1_13 = z1_8 * b1_59 + b1_60 * Pddot1_1 - b1_73 * z1_12 - b1_89 * z1_11;
-  const T z1_14 = z1_7 * b1_45 - b1_46 * z1_13 - b1_57 * Pddot1_1 - b1_71 * z1_12 + b1_87 * z1_11;
-  const T omegadot1_1 = z1_6 * b1_33 - b1_34 * z1_14 - b1_43 * z1_13 - b1_55 * Pddot1_1 + b1_69 * z1_12 - b1_85 *
-      z1_11;
+  // Pddot1 = L(LDs1)^-T ws1
+  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
+  const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
+  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
+  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) + minus_LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
-  ydot[1] = z1_14;
-  ydot[2] = z1_13;
+  ydot[1] = z1_3;
+  ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
-  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_12 + R1_31 * z1_11;
-  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_12 + R1_32 * z1_11;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_12 + R1_33 * z1_11 - T(9.81);
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
   ydot[8] = sddot1_1;
   ydot[9] = sddot1_2;
   ydot[10] = sddot1_3;
 
   // ---- body 2 (body_2), solved
-  // thetaddot2: from A ydot = f by elimination
-  const T thetaddot2 = z1_5 * b1_23 - b1_24 * omegadot1_1 - b1_31 * z1_14 - b1_41 * z1_13 - b1_53 * Pddot1_1 - b1_67 *
-      z1_12 - b1_83 * z1_11;
+  // beta2 = -E2 q2~ omegadot1 + E2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z2_1 = T(0.3) * z1_2;
+  const T z2_2 = T(0.1) * z1_2;
+  const T beta2_1 = E2_12 * z2_1 - E2_11 * z2_2 + E2_11 * Pddot1_1 + E2_12 * z1_1;
+  const T beta2_2 = E2_11 * z1_1 - E2_12 * Pddot1_1 + E2_11 * z2_1 + E2_12 * z2_2;
+  const T z2_3 = ws1_3 - T(0.3) * z1_3;
+  const T beta2_3 = z2_3 + T(0.1) * omegadot1_1;
+  // alphaL2 = E2 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL2_1 = E2_11 * omegadot1_1 + E2_12 * z1_3;
+  const T alphaL2_2 = E2_11 * z1_3 - E2_12 * omegadot1_1;
+  // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
+  const T phi2 = v2 - (kB2_1 * beta2_1 + kB2_2 * beta2_2 + kB2_3 * beta2_3) - kK2_1 * alphaL2_1 - kK2_2 * alphaL2_2;
+  // thetaddot2 = -b2 . alphaL2 + phi2
+  const T thetaddot2 = phi2 - z1_2;
   ydot[3] = thetaddot2;
 
   // ---- body 3 (body_3), solved
-  // thetaddot3: from A ydot = f by elimination
-  const T thetaddot3 = z1_4 * T(5.398110661268555) + b2_19 * thetaddot2 - b1_21 * omegadot1_1 - b1_29 * z1_14 + b1_39
-      * z1_13 - b1_51 * Pddot1_1 + b1_65 * z1_12 - b1_81 * z1_11;
+  // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z3_1 = T(0.15) * alphaL2_1;
+  const T z3_2 = T(0.2) * alphaL2_1;
+  const T beta3_2 = E3_23 * z3_1 - E3_22 * z3_2 + E3_22 * beta2_2 + E3_23 * beta2_3;
+  const T beta3_3 = E3_22 * beta2_3 - E3_23 * beta2_2 + E3_23 * z3_2 + E3_22 * z3_1;
+  // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL3_2 = E3_22 * alphaL2_2 + E3_23 * phi2;
+  const T alphaL3_3 = E3_22 * phi2 - E3_23 * alphaL2_2;
+  // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
+  const T phi3 = T(0.3508771929824561) * beta3_2 - T(1.4035087719298245) * beta3_3 + v3 + T(0.5263157894736842) *
+      alphaL3_2 + T(0.1192982456140351) * alphaL3_3;
+  // thetaddot3 = -b3 . alphaL3 + phi3
+  const T thetaddot3 = phi3 - alphaL2_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (body_4), solved
-  // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = z1_3 * T(5.390835579514825) - b2_18 * thetaddot2 + b1_20 * omegadot1_1 - b1_28 * z1_14 - b1_38
-      * z1_13 - b1_50 * Pddot1_1 - b1_64 * z1_12 + b1_80 * z1_11;
+  // beta4 = -E4 q4~ alpha2 + E4 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z4_1 = T(0.2) * alphaL2_2;
+  const T z4_2 = T(0.3) * alphaL2_2;
+  const T beta4_1 = E4_11 * beta2_1 - minus_E4_13 * beta2_3 + E4_11 * z4_1 + minus_E4_13 * z4_2;
+  const T beta4_3 = minus_E4_13 * z4_1 - E4_11 * z4_2 + minus_E4_13 * beta2_1 + E4_11 * beta2_3;
+  // alphaL4 = E4 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL4_1 = E4_11 * alphaL2_1 - minus_E4_13 * phi2;
+  const T alphaL4_3 = minus_E4_13 * alphaL2_1 + E4_11 * phi2;
+  // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
+  const T phi4 = T(0.7547169811320754) * beta4_3 - T(0.3773584905660377) * beta4_1 + v4 + T(0.2641509433962264) *
+      alphaL4_1 + T(0.1811320754716981) * alphaL4_3;
+  // thetaddot4 = -b4 . alphaL4 + phi4
+  const T thetaddot4 = phi4 - alphaL2_2;
   ydot[5] = thetaddot4;
 
   // ---- body 5 (body_5), solved
-  // thetaddot5: from A ydot = f by elimination
-  const T thetaddot5 = z1_2 * b1_18 - b1_19 * omegadot1_1 - b1_27 * z1_14 - b1_37 * z1_13 - b1_49 * Pddot1_1 - b1_63 *
-      z1_12 - b1_79 * z1_11;
+  // beta5 = -E5 q5~ omegadot1 + E5 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z5_1 = T(0.25) * z1_2;
+  const T beta5_1 = E5_12 * z2_1 - E5_11 * z5_1 + E5_11 * Pddot1_1 + E5_12 * z1_1;
+  const T beta5_2 = E5_11 * z1_1 - E5_12 * Pddot1_1 + E5_11 * z2_1 + E5_12 * z5_1;
+  const T beta5_3 = z2_3 + T(0.25) * omegadot1_1;
+  // alphaL5 = E5 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL5_1 = E5_11 * omegadot1_1 + E5_12 * z1_3;
+  const T alphaL5_2 = E5_11 * z1_3 - E5_12 * omegadot1_1;
+  // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
+  const T phi5 = v5 - (kB5_1 * beta5_1 + kB5_2 * beta5_2 + kB5_3 * beta5_3) - kK5_1 * alphaL5_1 - kK5_2 * alphaL5_2;
+  // thetaddot5 = -b5 . alphaL5 + phi5
+  const T thetaddot5 = phi5 - z1_2;
   ydot[6] = thetaddot5;
 
   // ---- body 6 (body_6), solved
-  // thetaddot6: from A ydot = f by elimination
-  const T thetaddot6 = z1_1 * T(4.385964912280701) + b5_11 * thetaddot5 - b1_16 * omegadot1_1 - b1_25 * z1_14 + b1_35
-      * z1_13 - b1_47 * Pddot1_1 + b1_61 * z1_12 - b1_77 * z1_11;
+  // beta6 = -E6 q6~ alpha5 + E6 beta5: acceleration of the origin beyond that at ydot = 0 [m/s^2]
+  const T z6_1 = T(0.3) * alphaL5_1;
+  const T z6_2 = T(0.2) * alphaL5_1;
+  const T beta6_2 = E6_23 * z6_1 - E6_22 * z6_2 + E6_22 * beta5_2 + E6_23 * beta5_3;
+  const T beta6_3 = E6_22 * beta5_3 - E6_23 * beta5_2 + E6_23 * z6_2 + E6_22 * z6_1;
+  // alphaL6 = E6 alpha5: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
+  const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
+  // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
+  const T phi6 = T(0.3508771929824562) * beta6_2 - T(1.4035087719298247) * beta6_3 + v6 + T(0.5263157894736842) *
+      alphaL6_2 + T(0.1192982456140351) * alphaL6_3;
+  // thetaddot6 = -b6 . alphaL6 + phi6
+  const T thetaddot6 = phi6 - alphaL5_1;
   ydot[7] = thetaddot6;
 }
 
@@ -1794,17 +1994,17 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G1_2 = T(8.1) * Pddot1_2 - t1_21 + U1_21 * T(2.21) - minus_U1_22 * T(1.385) + U1_23 * T(1.32);
   const T t1_22 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
   const T G1_3 = T(8.1) * Pddot1_3 - t1_22 + U1_31 * T(2.21) + U1_32 * T(1.385) - minus_U1_33 * T(1.32);
-  // N1 = -r1~ R1 F1 + h_all_1~ Pddot1 - M1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about
+  // N1 = -r1~ R1 F1 + h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - M1: inertia less applied moment about
   //   the body origin, body axes [N m]
-  const T N1_1 = T(1.385) * Pddot1_3 - (T(0.2) * t1_22 - T(0.05) * t1_21) - T(1.32) * Pddot1_2 - u.M_1_1 + T(0.30975)
-      * U1_32 - T(1.21375) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 -
-      T(0.3817) * U1_21;
-  const T N1_2 = T(1.32) * Pddot1_1 - (T(0.05) * t1_20 - T(0.1) * t1_22) - T(2.21) * Pddot1_3 - u.M_1_2 + T(1.21375) *
-      U1_13 - T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) *
-      U1_32;
-  const T N1_3 = T(2.21) * Pddot1_2 - (T(0.1) * t1_21 - T(0.2) * t1_20) - T(1.385) * Pddot1_1 - u.M_1_3 + T(0.696) *
-      U1_21 - T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.3817) * U1_23 - T(0.22365000000000002)
-      * U1_13;
+  const T N1_1 = T(0.05) * t1_21 - T(0.2) * t1_22 + T(1.385) * Pddot1_3 - T(1.32) * Pddot1_2 + T(0.30975) * U1_32 -
+      T(1.21375) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 - T(0.3817) * U1_21
+      - u.M_1_1;
+  const T N1_2 = T(0.1) * t1_22 - T(0.05) * t1_20 + T(1.32) * Pddot1_1 - T(2.21) * Pddot1_3 + T(1.21375) * U1_13 -
+      T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) * U1_32 -
+      u.M_1_2;
+  const T N1_3 = T(0.2) * t1_20 - T(0.1) * t1_21 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 + T(0.696) * U1_21 -
+      T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.3817) * U1_23 - T(0.22365000000000002) * U1_13
+      - u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -2193,19 +2393,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot1_3 = R1_33 * T(9.81);
   // G1 = R1 F1 - m_all_1 Pddot1 - U1 h_all_1: applied less inertia force, body axes [N]
   const T t1_16 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
-  const T G1_1 = minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(1.32) + t1_16 - T(8.1) * Pddot1_1;
+  const T G1_1 = t1_16 - T(8.1) * Pddot1_1 - U1_12 * T(1.385) + minus_U1_11 * T(2.21) - U1_13 * T(1.32);
   const T t1_17 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
-  const T G1_2 = minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(1.32) + t1_17 - T(8.1) * Pddot1_2;
+  const T G1_2 = t1_17 - T(8.1) * Pddot1_2 - U1_12 * T(2.21) + minus_U1_22 * T(1.385) - U1_23 * T(1.32);
   const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
-  const T G1_3 = minus_U1_33 * T(1.32) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18 - T(8.1) * Pddot1_3;
+  const T G1_3 = t1_18 - T(8.1) * Pddot1_3 - U1_13 * T(2.21) - U1_23 * T(1.385) + minus_U1_33 * T(1.32);
   // N1 = r1~ R1 F1 - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T N1_1 = T(0.904) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13 +
-      T(0.2) * t1_18 - T(0.05) * t1_17 - T(1.385) * Pddot1_3 + T(1.32) * Pddot1_2 + u.M_1_1;
-  const T N1_2 = T(0.3817) * (t1_13 - t1_15) - T(0.51775) * U1_13 + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12
-      + T(0.05) * t1_16 - T(0.1) * t1_18 - T(1.32) * Pddot1_1 + T(2.21) * Pddot1_3 + u.M_1_2;
-  const T N1_3 = T(0.366) * (t1_15 - t1_14) - T(0.3862499999999999) * U1_12 + T(0.22365000000000002) * U1_13 -
-      T(0.3817) * U1_23 + T(0.1) * t1_17 - T(0.2) * t1_16 - T(2.21) * Pddot1_2 + T(1.385) * Pddot1_1 + u.M_1_3;
+  const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.904) * U1_23 +
+      T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
+  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) - T(0.51775) * U1_13 +
+      T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
+  const T N1_3 = T(1.385) * Pddot1_1 - (T(0.2) * t1_16 - T(0.1) * t1_17 + T(2.21) * Pddot1_2) - T(0.3862499999999999)
+      * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
 
   // ---- body 2 (body_2) on body 1
   const T theta2 = x[4];
@@ -2502,7 +2702,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   //   body origin, body axes [N m]
   const T rho2_1 = T(0.2) * minus_G4_2 - (T(0.2) * b2_2 + T(0.15) * b2_4 + minus_N3_1) - E4_11 * minus_N4_1 -
       minus_E4_13 * minus_N4_3 - minus_N2_1;
-  const T rho2_2 = E3_23 * minus_N3_3 - (T(0.2) * b2_1 + T(0.3) * b2_3) - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 -
+  const T rho2_2 = E3_23 * minus_N3_3 - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 - T(0.2) * b2_1 - T(0.3) * b2_3 -
       minus_N4_2 - minus_N2_2;
   const T rho2_3 = T(0.15) * minus_G3_1 - (E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2 +
       minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3 - minus_N2_3;

@@ -20,7 +20,7 @@ struct Moved {
 class Regrouping {
  public:
   explicit Regrouping(Derivation& derivation)
-      : derivation_(derivation), came_(static_cast<std::size_t>(derivation.size()) + 1) {}
+      : derivation_(derivation), came_(static_cast<std::size_t>(derivation.size()) + 1), links_(came_.size()) {}
 
   void all() {
     std::vector<Inertia> result(came_.size());
@@ -33,7 +33,9 @@ class Regrouping {
     const auto at = static_cast<std::size_t>(k);
     const Letters& link = derivation_.letters(k);
     Inertia own{link.mass, link.mass * link.r, link.inertia - link.mass * (skew(link.r) * skew(link.r)), link.r};
-    const bool gives = derivation_.way.reductions.regroup && is_hinged(k);
+    if (!link.mass.is_zero()) ++links_[at];
+    const Reductions& reductions = derivation_.way.reductions;
+    const bool gives = reductions.regroup && is_hinged(k) && links_[at] < reductions.group;
     if (!gives && !came(k)) return own;
     own.mass += came_[at].mass;
     own.moment += came_[at].moment;
@@ -70,7 +72,9 @@ class Regrouping {
     Moved moved{own.mass, own.mass * d, -own.mass * (skew(d) * skew(d))};
     own.mass = 0;
     if (link.turns_with_lower) give_line(k, own, moved);
-    Moved& lower = came_[static_cast<std::size_t>(derivation_.lower(k))];
+    const auto below = static_cast<std::size_t>(derivation_.lower(k));
+    links_[below] += links_[static_cast<std::size_t>(k)];
+    Moved& lower = came_[below];
     lower.mass += moved.mass;
     lower.moment += moved.moment;
     lower.inertia += moved.inertia;
@@ -112,6 +116,7 @@ class Regrouping {
 
   Derivation& derivation_;
   std::vector<Moved> came_;  // from links above, by link
+  std::vector<int> links_;   // whose masses a link holds
 };
 
 }  // namespace

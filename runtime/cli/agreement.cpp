@@ -11,6 +11,7 @@
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/tangent.hpp"
+#include "runtime/cli/ulps.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -26,21 +27,6 @@ struct Errors {
 template <class Real>
 bool all_finite(const std::vector<Real>& values) {
   return std::all_of(values.begin(), values.end(), [](Real value) { return std::isfinite(value); });
-}
-
-double ulp_of(double value) { return std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52); }
-
-double largest(const std::vector<Precise>& values) {
-  double size = 0.0;
-  for (const Precise& value : values) size = std::max(size, value.magnitude().rounded());
-  return size;
-}
-
-double difference(const std::vector<double>& found, const std::vector<Precise>& exact) {
-  double error = 0.0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    error = std::max(error, (Precise(found[i]) - exact[i]).magnitude().rounded());
-  return error;
 }
 
 template <class Real>
@@ -79,16 +65,8 @@ std::optional<Errors> errors(const scene::Scene& scene, const CompiledModel& mod
                 in_double ? difference(wide(*in_double), *generic) : infinity, largest(exact)};
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // 0 / 0 counts as 0.
 double quotient(double error, double size) { return error == 0.0 ? 0.0 : error / size; }
-double in_ulps(double error, double size) { return error == 0.0 ? 0.0 : size == 0.0 ? infinity : error / ulp_of(size); }
-
 // The median over the states in which the result is not zero throughout.
 double usual_size(const std::vector<Errors>& by_state) {
   std::vector<double> sizes;

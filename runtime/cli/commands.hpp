@@ -20,6 +20,7 @@ void add_check(CLI::App& app, Action& action);
 void add_eval(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_ledger(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 
 // A subcommand with an `Options` of its own that the caller binds to options; `run` does the work.
 template <class Options>

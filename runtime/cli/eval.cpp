@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "generator/states.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"

@@ -77,6 +77,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_eval(app, action);
   add_bench(app, action);
   add_ledger(app, action);
+  add_report(app, action);
 }
 
 int parse_and_act(int argc, char** argv) {
@@ -99,7 +100,7 @@ int parse_and_act(int argc, char** argv) {
     return refused;
   }
   if (action) return action();
-  remark("a command is needed: derive, generate, simulate, check, eval, bench or ledger; see kanec --help");
+  remark("a command is needed: derive, generate, simulate, check, eval, bench, ledger or report; see kanec --help");
   return refused;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "generator/scene/place.hpp"
+#include "generator/states.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/state_layout.hpp"
@@ -163,14 +164,6 @@ State initial_state(const scene::Scene& scene) {
   return {0.0, initial_coordinates(scene), initial_speeds(scene),
           std::vector<double>(static_cast<std::size_t>(n_speeds(scene)), 0.0), default_parameters(scene),
           default_inputs(scene)};
-}
-
-bool reads_time(const scene::Scene& scene) {
-  return std::any_of(scene.expressions.begin(), scene.expressions.end(), [](const scene::Expression& expression) {
-    return std::any_of(expression.nodes.begin(), expression.nodes.end(), [](const scene::ExpressionNode& node) {
-      return node.kind == scene::ExpressionNode::Kind::time;
-    });
-  });
 }
 
 ReadState read_state(std::string_view text, const std::string& file, const scene::Scene& scene, const Needs& needs) {

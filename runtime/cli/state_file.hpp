@@ -30,9 +30,6 @@ struct State {
 // What the scene begins with, ydot zero.
 State initial_state(const scene::Scene& scene);
 
-// Whether anything in the scene is an expression of time.
-bool reads_time(const scene::Scene& scene);
-
 struct ReadState {
   State state;
   std::vector<std::string> notes;

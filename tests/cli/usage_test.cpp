@@ -7,7 +7,7 @@ namespace {
 class Usage : public Program {};
 
 TEST_F(Usage, every_command_teaches_by_an_example) {
-  for (const std::string command : {"derive", "generate", "simulate", "check", "eval", "bench", "ledger"}) {
+  for (const std::string command : {"derive", "generate", "simulate", "check", "eval", "bench", "ledger", "report"}) {
     SCOPED_TRACE(command);
     const Answer answer = kanec({command, "--help"});
     EXPECT_EQ(answer.status, 0);
@@ -21,7 +21,7 @@ TEST_F(Usage, every_command_teaches_by_an_example) {
 TEST_F(Usage, overview_names_the_stages_and_the_exit_statuses) {
   const Answer answer = kanec({"--help"});
   EXPECT_EQ(answer.status, 0);
-  for (const char* word : {"derive", "generate", "simulate", "check", "eval", "bench", "ledger", "Exit status"})
+  for (const char* word : {"derive", "generate", "simulate", "check", "eval", "bench", "ledger", "report", "Exit status"})
     EXPECT_THAT(answer.out, HasSubstr(word));
 }
 

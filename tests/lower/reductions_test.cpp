@@ -79,11 +79,18 @@ Reductions without(bool Reductions::*reduction) {
   return reductions;
 }
 
+Reductions in_groups_of(int links) {
+  Reductions reductions;
+  reductions.group = links;
+  return reductions;
+}
+
 const LeftIn cases[] = {
     {"welds", without(&Reductions::merge_welds), unchanged},
     {"locks", without(&Reductions::drop_locks), unchanged},
     {"origins", without(&Reductions::place_origins), unchanged},
     {"masses", without(&Reductions::regroup), unchanged},
+    {"masses_of_two_together", in_groups_of(2), unchanged},
     {"constants", {}, [](const Sample& s) { return Unfolded(s).geometry_and_inertia().sample(); }},
     {"gravity", {}, [](const Sample& s) { return Unfolded(s).gravity().sample(); }},
 };

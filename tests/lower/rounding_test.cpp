@@ -2,8 +2,14 @@
 // program in 50 digits. SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "generator/candidates.hpp"
+#include "generator/comparison.hpp"
+#include "generator/program/passes.hpp"
+#include "generator/rounding.hpp"
+#include "generator/scene/read.hpp"
 #include "runtime/cli/precise.hpp"
 #include "tests/lower/trees.hpp"
 #include "tests/support/reference.hpp"
@@ -66,6 +72,75 @@ TEST(Rounding, of_random_trees_of_every_joint_is_below_a_few_hundred_units) {
     const Worst found = worst(scene, random, 2);
     EXPECT_LT(found.ulps, 500) << found.function << " of seed " << seed;
   }
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Medians {
+  double measured, expected;
+};
+
+Medians medians(const program::Program& program, const scene::Scene& scene, int n_states) {
+  Random random(2);
+  std::vector<double> measured, expected;
+  for (int i = 0; i < n_states; ++i) {
+    const program::Arguments<double> at = arguments<double>(sample_of(scene, random));
+    measured.push_back(error_in_ulps(program, program.functions[0], at));
+    expected.push_back(expected_rounding(program, program.functions[0], at).ulps());
+  }
+  return {median(measured), median(expected)};
+}
+
+scene::Scene shipped(const std::string& name) {
+  return scene::read(KANEC_SOURCE_DIR "/models/" + name + "/scene.toml");
+}
+
+// A half of what is wanted of every benchmark tree: 8 ulps.
+TEST(Rounding, of_accelerations_of_the_benchmark_trees_is_a_few_units_at_the_median) {
+  for (const char* name : {"bench_s6f", "bench_s6b", "bench_s6r", "bench_cr7"}) {
+    const scene::Scene scene = shipped(name);
+    EXPECT_LT(medians(cheapest_program(scene, {"accelerations"}), scene, 40).measured, 6) << name;
+  }
+}
+
+// The model of independent errors leaves out that some operations are exact; medians of 40 states scatter by a quarter.
+TEST(Rounding, is_what_independent_errors_of_all_operations_are_expected_to_make) {
+  for (const char* name : {"bench_s6b", "bench_cr7", "arm_7", "quadruped"})
+    for (const auto algorithm : {symbolic::Algorithm::composite, symbolic::Algorithm::articulated}) {
+      const scene::Scene scene = shipped(name);
+      const symbolic::Way way{.algorithm = algorithm};
+      const Medians found = medians(program::optimized(kanec::program_of(scene, {"accelerations"}, way)), scene, 40);
+      EXPECT_LT(found.measured, 2.0 * found.expected) << name;
+      EXPECT_GT(found.measured, 0.5 * found.expected) << name;
+    }
+}
+
+TEST(Rounding, of_a_sum_that_cancels_is_that_of_its_terms) {
+  program::Builder builder;
+  const program::Ref x = builder.variable(program::Group::x, 0), third = builder.multiply(x, builder.constant(1.0 / 3));
+  program::Function function{"f"};
+  function.outputs = {builder.subtract(third, builder.constant(1.0 / 3))};
+  program::Program program;
+  program.nodes = builder.nodes();
+  const Rounding found = expected_rounding(program, function, {{}, {1.0 + 0x1p-20}, {}, {}, {}});
+  EXPECT_NEAR(found.size, 0x1p-20 / 3, 1e-12);
+  // a rounded product of 1/3, whose ulp is 2^-54, errs by 2^-54/√12 where roundings are evenly spread
+  EXPECT_NEAR(found.error, 0x1p-54 / std::sqrt(12.0), 0.5 * found.error);
+}
+
+// On a chain A loses digits, and so do masses that are all gathered in its first link.
+TEST(Choice, is_no_way_that_loses_digits) {
+  const scene::Scene chain = shipped("bench_cr7");
+  const Chosen chosen = choose_ways(chain, {"accelerations"}).front();
+  EXPECT_EQ(chosen.way.algorithm, symbolic::Algorithm::articulated);
+  EXPECT_NE(chosen.choice.find("composite would take"), std::string::npos);
+  EXPECT_NE(chosen.choice.find("and err by"), std::string::npos);
+  for (const char* name : {"bench_cb6", "bench_cr16"})
+    EXPECT_EQ(choose_ways(shipped(name), {"accelerations"}).front().way.reductions.group, few_links) << name;
+  EXPECT_GT(choose_ways(shipped("bench_s6b"), {"accelerations"}).front().way.reductions.group, few_links);
 }
 
 }  // namespace

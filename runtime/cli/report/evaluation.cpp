@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/evaluation.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "generator/candidates.hpp"
+#include "generator/program/evaluate.hpp"
+#include "generator/rounding.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/paths.hpp"
+#include "runtime/cli/report/ways.hpp"
+#include "runtime/cli/samples.hpp"
+#include "runtime/cli/tangent.hpp"
+#include "runtime/cli/ulps.hpp"
+
+namespace kanec::cli {
+namespace {
+
+constexpr int digits_of_double = 53, digits_of_float = 24;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Real>
+program::Arguments<Real> arguments(const State& state) {
+  const auto as = [](const std::vector<double>& values) {
+    std::vector<Real> list;
+    for (const double value : values) list.push_back(static_cast<Real>(value));
+    return list;
+  };
+  return {as(state.parameters), as(state.x), as(state.y), as(state.ydot), as(state.inputs), static_cast<Real>(state.t)};
+}
+
+// The same numbers as float has them.
+State in_float(State state) {
+  for (auto* values : {&state.parameters, &state.x, &state.y, &state.ydot, &state.inputs})
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  state.t = static_cast<double>(static_cast<float>(state.t));
+  return state;
+}
+
+// Errors in one state and what they are measured by; an error is infinite where a result is not finite.
+struct Error {
+  double error = infinity, size = 0.0;
+};
+
+// The random states first.
+class Errors {
+ public:
+  explicit Errors(std::size_t n_random) : n_random_(n_random) {}
+
+  void add(std::optional<Error> error) { list_.push_back(error); }
+
+  UlpErrors summary(int digits) const {
+    std::vector<double> sizes, ulps;
+    for (std::size_t i = 0; i < n_random_; ++i)
+      if (list_[i] && list_[i]->size > 0.0) sizes.push_back(list_[i]->size);
+    const double usual = sizes.empty() ? 0.0 : median(sizes);
+    UlpErrors result;
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      if (!list_[i]) continue;
+      const double error = in_ulps(list_[i]->error, std::max(list_[i]->size, usual), digits);
+      if (i < n_random_) ulps.push_back(error);
+      double& worst = i < n_random_ ? result.largest : result.hard;
+      worst = std::max(worst, error);
+    }
+    if (!ulps.empty()) result.median = median(ulps);
+    return result;
+  }
+
+ private:
+  std::size_t n_random_;
+  std::vector<std::optional<Error>> list_;  // nothing where the result is undefined
+};
+
+template <class Real>
+double distance(const std::vector<Real>& a, const std::vector<long double>& b) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    error = std::max(error, static_cast<double>(std::fabs(static_cast<long double>(a[i]) - b[i])));
+  return std::isfinite(error) ? error : infinity;
+}
+
+double size_of(const std::vector<long double>& values) {
+  long double size = 0.0L;
+  for (const long double value : values) size = std::max(size, std::fabs(value));
+  return static_cast<double>(size);
+}
+
+// A state with what the generic path has there; nothing where it has no result.
+struct Place {
+  State state;
+  std::optional<std::vector<long double>> generic;
+};
+
+class Measuring {
+ public:
+  Measuring(const scene::Scene& scene, const EvaluationOptions& options, const std::function<void(double)>& progress)
+      : scene_(scene), progress_(progress), random_(samples(scene, options.states, options.seed)) {
+    states_ = random_;
+    for (State& state : hard_states(scene, random_)) states_.push_back(std::move(state));
+    const std::vector<std::string> names = functions_of(options);
+    const std::vector<Chosen> chosen = choose_ways(scene, names);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      work_.push_back({names[i], ways_beside(scene, names[i], chosen[i].way)});
+    for (const auto& [name, ways] : work_) total_ += static_cast<double>(ways.size());
+  }
+
+  SceneErrors all() {
+    SceneErrors result;
+    result.model = scene_.name;
+    result.bodies = size(scene_);
+    result.speeds = n_speeds(scene_);
+    add_condition(result);
+    for (const auto& [name, ways] : work_) result.functions.push_back(of(name, ways));
+    return result;
+  }
+
+ private:
+  std::vector<std::string> functions_of(const EvaluationOptions& options) const {
+    if (!options.functions.empty()) return options.functions;
+    std::vector<std::string> names;
+    const std::vector<std::string> asked = requested_functions(scene_, {});
+    for (const char* name : {"accelerations", "residual", "forcing", "mass_matrix"})
+      if (std::find(asked.begin(), asked.end(), name) != asked.end()) names.push_back(name);
+    return names.empty() ? asked : names;
+  }
+
+  // Of A with rows and columns scaled to a unit diagonal, so that units have no part in it.
+  void add_condition(SceneErrors& result) const {
+    std::vector<double> conditions;
+    for (const State& state : random_) {
+      const std::vector<double> values = generic_path<double>(scene_, {"mass_matrix"}, state);
+      const auto n = static_cast<Eigen::Index>(result.speeds);
+      if (n == 0) return;
+      const Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
+      const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::MatrixXd scaled = scale.asDiagonal() * A * scale.asDiagonal();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+      const double condition = solver.eigenvalues()[n - 1] / solver.eigenvalues()[0];
+      conditions.push_back(condition > 0.0 ? condition : infinity);
+    }
+    result.condition = median(conditions);
+    result.worst_condition = *std::max_element(conditions.begin(), conditions.end());
+  }
+
+  FunctionErrors of(const std::string& name, const std::vector<NamedWay>& ways) {
+    const std::vector<std::string> parts = parts_of(name);
+    std::vector<Place> places;
+    Errors generic(random_.size());
+    for (const State& state : states_) {
+      places.push_back({state, expected<long double>(parts, state)});
+      const auto in_double = expected<double>(parts, state);
+      if (!places.back().generic || !in_double)
+        generic.add(std::nullopt);
+      else
+        generic.add(Error{distance(*in_double, *places.back().generic), size_of(*places.back().generic)});
+    }
+    FunctionErrors result{name, generic.summary(digits_of_double), {}};
+    for (const NamedWay& way : ways) {
+      WayErrors errors = of(name, parts, way, places);
+      if (result.ways.empty() || !is_same(errors, result.ways.front())) result.ways.push_back(std::move(errors));
+      progress_(++done_ / total_);
+    }
+    return result;
+  }
+
+  // A change that changes nothing.
+  static bool is_same(const WayErrors& a, const WayErrors& b) {
+    const auto errors = [](const WayErrors& way) {
+      return std::array{way.in_double.median, way.in_double.largest, way.in_double.hard, way.expected};
+    };
+    return a.cost == b.cost && errors(a) == errors(b);
+  }
+
+  // The generic result, as far as it is comparable.
+  template <class Real>
+  std::optional<std::vector<Real>> expected(const std::vector<std::string>& parts, const State& state) const {
+    try {
+      const std::vector<Real> values = generic_path<Real>(scene_, parts, state);
+      if (!std::all_of(values.begin(), values.end(), [](Real value) { return std::isfinite(value); })) return {};
+      return comparable(scene_, parts, state.x, values);
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+
+  WayErrors of(const std::string& name, const std::vector<std::string>& parts, const NamedWay& way,
+               const std::vector<Place>& places) const {
+    const program::Program program = program_in(scene_, name, way);
+    const program::Function& function = program.functions.front();
+    Errors in_double(random_.size()), single(random_.size()), from_generic(random_.size());
+    std::vector<double> expectations;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const State& state = places[i].state;
+      if (!places[i].generic) {
+        for (Errors* errors : {&in_double, &single, &from_generic}) errors->add(std::nullopt);
+        continue;
+      }
+      const std::vector<double> found = program::evaluate(program, function, arguments<double>(state));
+      const std::vector<Precise> exact = precise(program, function.name, state);
+      in_double.add(Error{difference(found, exact), largest(exact)});
+      const std::vector<long double> wide(found.begin(), found.end());
+      from_generic.add(Error{distance(comparable(scene_, parts, state.x, wide), *places[i].generic), largest(exact)});
+      single.add(error_in_float(program, function, state));
+      if (i < random_.size())
+        expectations.push_back(expected_rounding(program, function, arguments<double>(state), most_outputs).ulps());
+    }
+    return {way.name,
+            way.name == "kept" ? description(way.way, name) : "",
+            program::ledger(program, function),
+            in_double.summary(digits_of_double),
+            single.summary(digits_of_float),
+            from_generic.summary(digits_of_double),
+            expectations.empty() ? 0.0 : median(expectations)};
+  }
+
+  static Error error_in_float(const program::Program& program, const program::Function& function, const State& state) {
+    const State rounded = in_float(state);
+    const std::vector<float> found = program::evaluate(program, function, arguments<float>(rounded));
+    const std::vector<Precise> exact = precise(program, function.name, rounded);
+    return {difference({found.begin(), found.end()}, exact), largest(exact)};
+  }
+
+  static constexpr std::size_t most_outputs = 24;  // whose expected errors are looked at
+
+  const scene::Scene& scene_;
+  const std::function<void(double)>& progress_;
+  std::vector<State> random_, states_;
+  std::vector<std::pair<std::string, std::vector<NamedWay>>> work_;
+  double total_ = 0.0, done_ = 0.0;
+};
+
+// Each angle and Euler parameter replaced by what `angle` makes of the number; all of a ball's by a turn of that about
+// x.
+void set_angles(const scene::Scene& scene, State& state, const std::function<double(double)>& angle) {
+  const scene::Layout layout(scene);
+  for (const scene::BodyLayout& at : layout.bodies) {
+    for (const int theta : at.theta)
+      if (theta >= 0) state.x[static_cast<std::size_t>(theta)] = angle(state.x[static_cast<std::size_t>(theta)]);
+    if (at.eps < 0) continue;
+    double* eps = &state.x[static_cast<std::size_t>(at.eps)];
+    const double half = angle(eps[0]) / 2;
+    eps[0] = std::sin(half), eps[1] = eps[2] = 0.0, eps[3] = std::cos(half);
+  }
+}
+
+}  // namespace
+
+std::vector<State> hard_states(const scene::Scene& scene, const std::vector<State>& random) {
+  constexpr double high = 1e3, large = 1e4, pi = std::numbers::pi;
+  const auto square = [](double angle) { return std::round(angle * 2 / pi) * pi / 2; };
+  std::vector<State> list;
+  for (std::size_t i = 1; i < std::min<std::size_t>(random.size(), 4); ++i) {
+    State fast = random[i], aligned = random[i], right = random[i], far = random[i];
+    for (double& speed : fast.y) speed *= high;
+    set_angles(scene, aligned, [](double) { return 0.0; });
+    set_angles(scene, right, square);
+    set_angles(scene, far, [](double angle) { return large * angle; });
+    list.insert(list.end(), {fast, aligned, right, far});
+  }
+  return list;
+}
+
+SceneErrors evaluation_errors(const scene::Scene& scene, const EvaluationOptions& options,
+                              const std::function<void(double)>& progress) {
+  return Measuring(scene, options, progress).all();
+}
+
+}  // namespace kanec::cli

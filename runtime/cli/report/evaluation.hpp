@@ -1,0 +1,58 @@
+// The rounding errors of a scene's functions, computed in several ways, in double and in float. Not: how they are shown
+// (evaluation_text.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generator/program/ledger.hpp"
+#include "generator/scene/scene.hpp"
+#include "runtime/cli/state_file.hpp"
+
+namespace kanec::cli {
+
+// In ulps of the largest component, or of its median over the states where it cancels to less.
+struct UlpErrors {
+  double median = 0.0, largest = 0.0;  // over random states
+  double hard = 0.0;                   // largest over the adversarial ones
+};
+
+// One way of computing a function.
+struct WayErrors {
+  std::string name;         // "kept", "masses not regrouped"
+  std::string description;  // of the kept one: all that it is
+  program::Ledger cost;
+  UlpErrors in_double, in_float;  // from the same program in 50 digits
+  UlpErrors from_generic;         // in double from the generic path in long double
+  double expected = 0.0;          // median over random states of what rounding.hpp expects in double
+};
+
+struct FunctionErrors {
+  std::string function;
+  UlpErrors generic;            // of the generic path in double, from that in long double
+  std::vector<WayErrors> ways;  // the kept one first
+};
+
+struct SceneErrors {
+  std::string model;
+  int bodies = 0, speeds = 0;
+  double condition = 0.0, worst_condition = 0.0;  // of A with unit diagonal: median and largest over random states
+  std::vector<FunctionErrors> functions;
+};
+
+struct EvaluationOptions {
+  std::vector<std::string> functions;  // empty: those that decide on a simulation
+  int states = 32;
+  std::uint64_t seed = 1;
+};
+
+// States in which angles are large, axes stand along each other, or speeds are high, made of the random ones.
+std::vector<State> hard_states(const scene::Scene& scene, const std::vector<State>& random);
+
+// `progress` is told the share that is done.
+SceneErrors evaluation_errors(const scene::Scene& scene, const EvaluationOptions& options,
+                              const std::function<void(double)>& progress);
+
+}  // namespace kanec::cli

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/evaluation_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "runtime/cli/dump.hpp"
+#include "runtime/cli/table.hpp"
+
+namespace kanec::cli {
+namespace {
+
+// Three digits are more than medians of some tens of states have.
+std::string shown(double ulps) {
+  if (!std::isfinite(ulps)) return "inf";
+  return ulps < 100 ? fmt::format("{:.1f}", ulps) : fmt::format("{:.2g}", ulps);
+}
+
+std::string name_of(const WayErrors& way) {
+  return way.description.empty() ? way.name : way.name + ": " + way.description;
+}
+
+const TextRow headings = {"function", "way",           "operations", "double: median", "largest",     "hard",
+                          "expected", "float: median", "largest",    "hard",           "from generic"};
+
+TextRow row_of(const std::string& function, const WayErrors& way) {
+  return {function,
+          name_of(way),
+          std::to_string(way.cost.operations()),
+          shown(way.in_double.median),
+          shown(way.in_double.largest),
+          shown(way.in_double.hard),
+          shown(way.expected),
+          shown(way.in_float.median),
+          shown(way.in_float.largest),
+          shown(way.in_float.hard),
+          shown(way.from_generic.largest)};
+}
+
+TextRow generic_row(const FunctionErrors& function) {
+  return {function.function,
+          "generic path",
+          "",
+          shown(function.generic.median),
+          shown(function.generic.largest),
+          shown(function.generic.hard),
+          "",
+          "",
+          "",
+          "",
+          ""};
+}
+
+std::vector<TextRow> rows_of(const FunctionErrors& function) {
+  std::vector<TextRow> rows;
+  for (const WayErrors& way : function.ways) rows.push_back(row_of(function.function, way));
+  rows.push_back(generic_row(function));
+  return rows;
+}
+
+std::string condition_of(const SceneErrors& scene) {
+  return fmt::format("condition of A {:.2g}, at worst {:.2g}", scene.condition, scene.worst_condition);
+}
+
+std::string markdown_row(const TextRow& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
+
+std::string markdown_table(const FunctionErrors& function) {
+  const auto without_function = [](const TextRow& row) { return TextRow(row.begin() + 1, row.end()); };
+  std::string text = markdown_row(without_function(headings)) + "|---|";
+  for (std::size_t i = 2; i < headings.size(); ++i) text += "--:|";
+  text += '\n';
+  for (const TextRow& row : rows_of(function)) text += markdown_row(without_function(row));
+  return text;
+}
+
+// Accelerations of all scenes as they are kept, beside the generic path.
+std::string overview(const std::vector<SceneErrors>& scenes) {
+  std::string text =
+      "\n## Accelerations by scene\n\n| scene | condition of A | operations | double: median | largest | float: median "
+      "| generic path: median | largest | way |\n|---|--:|--:|--:|--:|--:|--:|--:|---|\n";
+  for (const SceneErrors& scene : scenes)
+    for (const FunctionErrors& function : scene.functions) {
+      const WayErrors& kept = function.ways.front();
+      if (function.function != "accelerations") continue;
+      text += markdown_row({scene.model, fmt::format("{:.2g}", scene.condition), std::to_string(kept.cost.operations()),
+                            shown(kept.in_double.median), shown(kept.in_double.largest), shown(kept.in_float.median),
+                            shown(function.generic.median), shown(function.generic.largest), kept.description});
+    }
+  return text;
+}
+
+Json errors_json(const UlpErrors& errors) {
+  return {{"median_ulps", errors.median}, {"largest_ulps", errors.largest}, {"hard_ulps", errors.hard}};
+}
+
+Json way_json(const WayErrors& way) {
+  Json json = {{"name", way.name}};
+  if (!way.description.empty()) json["description"] = way.description;
+  json.update(ledger_json(way.cost));
+  json["double"] = errors_json(way.in_double);
+  json["float"] = errors_json(way.in_float);
+  json["from_generic"] = errors_json(way.from_generic);
+  json["expected_ulps"] = way.expected;
+  return json;
+}
+
+constexpr auto page_head =
+    R"(Each table is one function: first the way in which the generator computes it, then ways that differ from that in one
+thing, operations counted and errors beside them: what regrouping of masses, moved origins, axes, the algorithm and the
+passes cost in digits. How to read the columns:
+
+- *double*, *float*: the same program in that arithmetic against 50 digits, in ulps (2^-52, 2^-23 of the binade) of the
+  result's largest component, or of the median of that over the states where it cancels to less. Median and largest over
+  {} random states (`kanec check` has the same ones), and the largest over the hard ones: speeds a thousand times as high,
+  all angles zero, all multiples of a right angle, angles of ten thousand radians.
+- *expected*: the median that independent errors of all operations would make, to first order; by this the generator
+  chooses, as it is the same on all machines.
+- *from generic*: the largest difference in double from the generic path in long double, which knows nothing of the
+  generator, so that no mistake in algebra hides. The last line is that path's own error in double.
+- The condition of A, rows and columns scaled to ones on its diagonal, says what the problem itself does: so many times
+  may it enlarge a rounding of A's entries. A way that never forms A can do better.
+
+Sines and cosines are those of the machine's library, so that the last digit shown may differ elsewhere.
+)";
+
+}  // namespace
+
+std::string evaluation_text(const std::vector<SceneErrors>& scenes) {
+  std::string text;
+  for (const SceneErrors& scene : scenes) {
+    std::vector<TextRow> rows = {headings};
+    for (const FunctionErrors& function : scene.functions)
+      for (TextRow& row : rows_of(function)) rows.push_back(std::move(row));
+    text += fmt::format("{}{}: {}; errors in ulps of the largest component\n\n{}", text.empty() ? "" : "\n",
+                        scene.model, condition_of(scene), text_table(rows, "llr"));
+  }
+  return text;
+}
+
+Json evaluation_json(const std::vector<SceneErrors>& scenes, const EvaluationOptions& options) {
+  Json list = Json::array();
+  for (const SceneErrors& scene : scenes) {
+    Json functions = Json::array();
+    for (const FunctionErrors& function : scene.functions) {
+      Json ways = Json::array();
+      for (const WayErrors& way : function.ways) ways.push_back(way_json(way));
+      functions.push_back(
+          {{"name", function.function}, {"generic_double", errors_json(function.generic)}, {"ways", std::move(ways)}});
+    }
+    list.push_back({{"model", scene.model},
+                    {"condition", scene.condition},
+                    {"worst_condition", scene.worst_condition},
+                    {"functions", std::move(functions)}});
+  }
+  return {{"states", options.states}, {"seed", options.seed}, {"scenes", std::move(list)}};
+}
+
+std::string evaluation_csv(const std::vector<SceneErrors>& scenes) {
+  std::string text =
+      "model,function,way,operations,condition,double_median,double_largest,double_hard,expected,float_median,"
+      "float_largest,float_hard,generic_largest,generic_path_median,generic_path_largest,generic_path_hard\n";
+  for (const SceneErrors& scene : scenes)
+    for (const FunctionErrors& f : scene.functions)
+      for (const WayErrors& w : f.ways)
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", scene.model, f.function, w.name,
+                            w.cost.operations(), scene.condition, w.in_double.median, w.in_double.largest,
+                            w.in_double.hard, w.expected, w.in_float.median, w.in_float.largest, w.in_float.hard,
+                            w.from_generic.largest, f.generic.median, f.generic.largest, f.generic.hard);
+  return text;
+}
+
+std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const EvaluationOptions& options,
+                                const std::string& command) {
+  std::string text =
+      "# Accuracy of evaluation\n\nWritten by `" + command + "`.\n\n" + fmt::format(page_head, options.states);
+  text += overview(scenes);
+  for (const SceneErrors& scene : scenes) {
+    text += fmt::format("\n## {}\n\n{} bodies, {} speeds; {}.\n", scene.model, scene.bodies, scene.speeds,
+                        condition_of(scene));
+    for (const FunctionErrors& function : scene.functions)
+      text += "\n`" + function.function + "`\n\n" + markdown_table(function);
+  }
+  return text;
+}
+
+}  // namespace kanec::cli
