@@ -54,6 +54,7 @@ std::vector<symbolic::Way> all_ways() {
           ways.push_back({{}, algorithm, axes});
           ways.back().reductions.place_origins = place;
           ways.back().reductions.regroup = regroup;
+          ways.back().reductions.turn_axes = place != regroup;
         }
   return ways;
 }
