@@ -75,6 +75,10 @@ void add_all(Comparison& comparison, const std::vector<Algorithm>& algorithms, c
       way.reductions.regroup = base.regroup && regroup;
       comparison.add(way);
     }
+  for (Way way : comparison.best_ways()) {
+    way.reductions.turn_axes = false;
+    comparison.add(way);
+  }
   comparison.add_mended();
 }
 
@@ -181,7 +185,7 @@ std::vector<Chosen> choose_ways(const scene::Scene& scene, const std::vector<std
   add_all(of_others, {Algorithm::composite}, size, all);
 
   Way plain{all};
-  plain.reductions.place_origins = false;
+  plain.reductions.place_origins = plain.reductions.turn_axes = false;
   std::vector<Chosen> chosen;
   for (const std::string& name : names) {
     const std::string decides = deciding(scene, name);

@@ -29,7 +29,7 @@ std::vector<Chosen> choose_ways(const scene::Scene& scene, const std::vector<std
                                 const symbolic::Reductions& all = {});
 
 // The functions of these names, optimised, each in the way of least weighted cost among those whose expected rounding
-// error is at most twice the least, or four ulps; accelerations by `algorithm` where it is given.
+// error is at most half again the least, or four ulps; accelerations by `algorithm` where it is given.
 // program::Function::choice says by which, and what the best of the other algorithm costs. `all`: what all ways leave
 // out at most. A system with many coupled links is not tried in ways that are known to lose there.
 program::Program cheapest_program(const scene::Scene& scene, const std::vector<std::string>& names,

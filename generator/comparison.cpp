@@ -18,13 +18,13 @@ using symbolic::Way;
 
 // A way that loses digits is not kept: one may err so many times as much as the best, and by so many ulps anyway. The
 // best of those, that is, which cost less than so many times the cheapest.
-constexpr double most_error = 2.0, any_error = 4.0, most_cost = 1.5;
+constexpr double most_error = 1.5, any_error = 4.0, most_cost = 1.5;
 constexpr std::size_t most_outputs = 24;  // of which errors are looked at
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // Arguments in which ways are compared: random, but for parameters, which are the scene's.
 std::vector<program::Arguments<double>> typical_arguments(const scene::Scene& scene) {
-  constexpr int n_states = 9;
+  constexpr int n_states = 15;
   Random random(1);
   std::vector<program::Arguments<double>> list;
   for (int i = 0; i < n_states; ++i) {

@@ -113,7 +113,7 @@ program::Program program_of(const scene::Scene& scene, const std::vector<std::st
   program::Program program;
   if (!needed.reduced.empty()) program = lower::lower(symbolic::derive(scene, needed.reduced, way));
   if (!needed.whole.empty()) {
-    const symbolic::Way none{.reductions = {false, false, false, false}};
+    const symbolic::Way none{.reductions = {false, false, false, false, false}};
     const program::Program whole = lower::lower(symbolic::derive(scene, needed.whole, none));
     program = needed.reduced.empty() ? whole : program::joined(std::move(program), whole);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 37e26428af524f2e of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model a537b39082d51561 of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -35,9 +35,9 @@
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
 //   energy                  1749 (757 add, 992 multiply, 32 sine or cosine)
-//   accelerations           4330 (2102 add, 2213 multiply, 15 divide, 32 sine or cosine)
-//   residual                1832 (906 add, 926 multiply, 32 sine or cosine)
-//   mass_matrix             2465 (1080 add, 1385 multiply, 30 sine or cosine)
+//   accelerations           4302 (2086 add, 2201 multiply, 15 divide, 32 sine or cosine)
+//   residual                1825 (902 add, 923 multiply, 32 sine or cosine)
+//   mass_matrix             2467 (1080 add, 1387 multiply, 30 sine or cosine)
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "37e26428af524f2e";
+inline constexpr char model_hash[] = "a537b39082d51561";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -844,8 +844,8 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 2102 add, 2213 multiply, 15 divide, 32 sine or cosine
-// by: articulated; composite would take 2982 add, 3402 multiply, 15 divide, 32 sine or cosine
+// 2086 add, 2201 multiply, 15 divide, 32 sine or cosine
+// by: articulated; composite would take 2976 add, 3397 multiply, 15 divide, 32 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1543,19 +1543,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
   // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0090000000000003) * U15_32 - T(0.20725) *
+  const T minus_N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0308400000000004) * U15_32 - T(0.20725) *
       U15_23 + T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
   const T minus_N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
       minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
-  const T minus_N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0090000000000003) *
+  const T minus_N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0308400000000004) *
       U15_12) + T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T theta16 = x[15];
   const T thetadot16 = y[15];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cos(theta16);
+  const T t16_2 = sin(theta16);
+  const T E16_11 = T(0.44721359549995804) * t16_1 - T(0.8944271909999159) * t16_2;
+  const T minus_E16_13 = T(0.8944271909999159) * t16_1 + T(0.44721359549995804) * t16_2;
   // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
   const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
@@ -1565,40 +1567,39 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot14_1 + E16_11 * omegadot15_3;
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t16_1 = omega16_3 * omega16_3;
-  const T t16_2 = omega16_2 * omega16_2;
-  const T minus_U16_11 = t16_1 + t16_2;
-  const T t16_3 = omega16_2 * omega16_1;
-  const T U16_12 = t16_3 - omegadot16_3;
-  const T t16_4 = omega16_3 * omega16_1;
-  const T U16_13 = t16_4 + omegadot15_2;
-  const T U16_21 = t16_3 + omegadot16_3;
-  const T t16_5 = omega16_1 * omega16_1;
-  const T minus_U16_22 = t16_1 + t16_5;
-  const T t16_6 = omega16_3 * omega16_2;
-  const T U16_23 = t16_6 - omegadot16_1;
-  const T U16_31 = t16_4 - omegadot15_2;
-  const T U16_32 = t16_6 + omegadot16_1;
-  const T minus_U16_33 = t16_2 + t16_5;
+  const T t16_3 = omega16_3 * omega16_3;
+  const T t16_4 = omega16_2 * omega16_2;
+  const T minus_U16_11 = t16_3 + t16_4;
+  const T t16_5 = omega16_2 * omega16_1;
+  const T U16_12 = t16_5 - omegadot16_3;
+  const T t16_6 = omega16_3 * omega16_1;
+  const T U16_13 = t16_6 + omegadot15_2;
+  const T U16_21 = t16_5 + omegadot16_3;
+  const T t16_7 = omega16_1 * omega16_1;
+  const T minus_U16_22 = t16_3 + t16_7;
+  const T t16_8 = omega16_3 * omega16_2;
+  const T U16_23 = t16_8 - omegadot16_1;
+  const T U16_31 = t16_6 - omegadot15_2;
+  const T U16_32 = t16_8 + omegadot16_1;
+  const T minus_U16_33 = t16_4 + t16_7;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_7 = U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1;
-  const T t16_8 = U15_31 * T(0.6) - minus_U15_33 * T(0.1) + Pddot15_3;
-  const T Pddot16_1 = E16_11 * t16_7 - minus_E16_13 * t16_8;
+  const T Pddot16_1 = E16_11 * (U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1) - minus_E16_13 * (U15_31 * T(0.6)
+      - minus_U15_33 * T(0.1) + Pddot15_3);
   const T Pddot16_2 = U15_21 * T(0.6) + U15_23 * T(0.1) + Pddot15_2;
-  const T Pddot16_3 = minus_E16_13 * t16_7 + E16_11 * t16_8;
   // G16 = -U16 h_own_16: applied less inertia force, body axes [N]
-  const T minus_G16_1 = U16_13 * T(0.13) - minus_U16_11 * T(0.26);
-  const T minus_G16_2 = U16_21 * T(0.26) + U16_23 * T(0.13);
-  const T minus_G16_3 = U16_31 * T(0.26) - minus_U16_33 * T(0.13);
+  const T minus_G16_1 = U16_13 * T(0.2906888370749727);
+  const T minus_G16_2 = U16_23 * T(0.2906888370749727);
+  const T G16_3 = minus_U16_33 * T(0.2906888370749727);
   // N16 = -h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N16_1 = T(0.14040000000000002) * (minus_U16_22 - minus_U16_33) - (T(0.156) * U16_32 + T(0.1885) *
-      U16_23) + T(0.24700000000000003) * U16_31 - T(0.005200000000000002) * U16_21 - T(0.13) * Pddot16_2;
-  const T minus_N16_2 = T(0.13) * Pddot16_1 - T(0.26) * Pddot16_3 + T(0.1885) * U16_13 - T(0.156) * U16_31 +
-      T(0.005200000000000002) * (minus_U16_33 - minus_U16_11) + T(0.14040000000000002) * U16_12 -
-      T(0.24700000000000003) * U16_32;
-  const T minus_N16_3 = T(0.26) * Pddot16_2 + T(0.156) * U16_21 + T(0.156) * U16_12 + T(0.24700000000000003) *
-      (minus_U16_11 - minus_U16_22) + T(0.005200000000000002) * U16_23 - T(0.14040000000000002) * U16_13;
+  const T minus_N16_1 = T(0.28371230498517336) * (minus_U16_22 - minus_U16_33) - (T(0.17784) * U16_32 + T(0.16666) *
+      U16_23) - T(0.015115819527898578) * U16_31 + T(0.016120000000000013) * U16_21 - T(0.2906888370749727) *
+      Pddot16_2;
+  const T minus_N16_2 = T(0.2906888370749727) * Pddot16_1 + T(0.16666) * U16_13 - T(0.17784) * U16_31 -
+      T(0.016120000000000013) * (minus_U16_33 - minus_U16_11) + T(0.28371230498517336) * U16_12 +
+      T(0.015115819527898578) * U16_32;
+  const T minus_N16_3 = T(0.17784) * U16_21 + T(0.17784) * U16_12 - T(0.015115819527898578) * (minus_U16_11 -
+      minus_U16_22) - T(0.016120000000000013) * U16_23 - T(0.28371230498517336) * U16_13;
 
   // ---- body 16 (body_16) and what it carries
   // u_16 = b16 . N16 + tau_body_16_: drives it [N m], [N]
@@ -1606,57 +1607,52 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v16 = invD16 u_16: u/D
   const T v16 = T(2.9027576197387517) * u_16;
   // gt16 = G16 - v16 B16: force with the turn solved [N]
-  const T minus_gt16_1 = v16 * T(0.13) + minus_G16_1;
-  const T gt16_3 = v16 * T(0.26) - minus_G16_3;
+  const T minus_gt16_1 = v16 * T(0.2906888370749727) + minus_G16_1;
   // nt16 = -tau_body_16_ b16 + P_b16 (N16 - v16 K16): moment with the turn solved [N m]
-  const T nt16_1 = v16 * T(0.24700000000000003) - minus_N16_1;
-  const T nt16_3 = v16 * T(0.14040000000000002) - minus_N16_3;
+  const T minus_nt16_1 = v16 * T(0.015115819527898578) + minus_N16_1;
+  const T nt16_3 = v16 * T(0.28371230498517336) - minus_N16_3;
   // Mp16 = E16^T M16 E16: M passed on, lower body's axes [kg]
-  const T b16_1 = T(2) * E16_11;
-  const T b16_2 = b16_1 * T(0.09811320754716983) - minus_E16_13 * T(0.14716981132075474);
-  const T b16_3 = minus_E16_13 * b16_2;
-  const T Mp16_11 = b16_3 - T(0.049056603773584916);
-  const T Mp16_13 = E16_11 * b16_2 - T(0.09811320754716983);
-  const T minus_Mp16_33 = T(0.19622641509433966) + b16_3;
+  const T b16_1 = minus_E16_13 * T(0.24528301886792458);
+  const T b16_2 = minus_E16_13 * b16_1;
+  const T Mp16_11 = b16_2 - T(0.24528301886792458);
+  const T Mp16_13 = E16_11 * b16_1;
   // gp16 = E16^T gt16: force passed on, lower body's axes [N]
-  const T gp16_1 = minus_E16_13 * gt16_3 - E16_11 * minus_gt16_1;
-  const T gp16_3 = minus_E16_13 * minus_gt16_1 + E16_11 * gt16_3;
+  const T gp16_1 = minus_E16_13 * G16_3 - E16_11 * minus_gt16_1;
+  const T gp16_3 = minus_E16_13 * minus_gt16_1 + E16_11 * G16_3;
   // Hp16 = E16^T H16 E16: H passed on, lower body's axes [kg m]
-  const T b16_4 = minus_E16_13 * T(0.19916981132075476) + E16_11 * T(0.13343396226415097);
-  const T b16_5 = minus_E16_13 * b16_4;
-  const T Hp16_11 = T(0.09320754716981135) - b16_5;
-  const T Hp16_12 = minus_E16_13 * T(0.26) - E16_11 * T(0.13);
-  const T b16_6 = E16_11 * b16_4;
-  const T minus_Hp16_13 = b16_6 + T(0.05298113207547171);
-  const T Hp16_31 = T(0.1864150943396227) - b16_6;
-  const T Hp16_32 = E16_11 * T(0.26) + minus_E16_13 * T(0.13);
-  const T Hp16_33 = b16_5 - T(0.10596226415094342);
+  const T b16_3 = minus_E16_13 * T(0.012754716981132078) + E16_11 * T(0.23939622641509442);
+  const T b16_4 = minus_E16_13 * b16_3;
+  const T Hp16_11 = b16_4 - T(0.012754716981132078);
+  const T minus_Hp16_12 = E16_11 * T(0.2906888370749727);
+  const T b16_5 = E16_11 * b16_3;
+  const T Hp16_13 = b16_5 - T(0.23939622641509442);
+  const T Hp16_32 = minus_E16_13 * T(0.2906888370749727);
   // Jp16 = E16^T J16 E16: J passed on, lower body's axes [kg m^2]
-  const T b16_7 = minus_E16_13 * T(0.0873747169811321) - b16_1 * T(0.10586415094339625);
-  const T b16_8 = minus_E16_13 * b16_7;
-  const T Jp16_11 = b16_8 - T(0.14459433962264154);
-  const T Jp16_13 = E16_11 * b16_7 + T(0.10586415094339625);
-  const T minus_Jp16_33 = T(0.05721962264150945) + b16_8;
+  const T b16_6 = T(2) * E16_11 * T(0.02856860377358492) - minus_E16_13 * T(0.2218074716981133);
+  const T b16_7 = minus_E16_13 * b16_6;
+  const T Jp16_11 = b16_7 - T(0.01184324528301887);
+  const T Jp16_13 = E16_11 * b16_6 - T(0.02856860377358492);
+  const T minus_Jp16_33 = T(0.23365071698113216) + b16_7;
   // np16 = E16^T nt16: moment passed on, lower body's axes [N m]
-  const T np16_1 = E16_11 * nt16_1 + minus_E16_13 * nt16_3;
-  const T np16_3 = E16_11 * nt16_3 - minus_E16_13 * nt16_1;
+  const T np16_1 = minus_E16_13 * nt16_3 - E16_11 * minus_nt16_1;
+  const T np16_3 = minus_E16_13 * minus_nt16_1 + E16_11 * nt16_3;
   // Hb16 = q16~ Mp16 + Hp16: H of the joint at the lower body's origin, its axes
   const T Hb16_21 = T(0.1) * Mp16_11 - T(0.6) * Mp16_13;
-  const T Hb16_23 = T(0.1) * Mp16_13 + T(0.6) * minus_Mp16_33;
+  const T Hb16_23 = T(0.1) * Mp16_13 + T(0.6) * b16_2;
 
   // ---- body 15 (body_15) and what it carries
   // HA15 = h_own_15~ + Hb16: moment for an acceleration of the origin, body axes [kg m]
-  const T HA15_12 = Hp16_12 - T(0.385);
-  const T HA15_13 = T(3.1) - minus_Hp16_13;
+  const T minus_HA15_12 = minus_Hp16_12 + T(0.385);
+  const T HA15_13 = T(3.1) + Hp16_13;
   const T HA15_21 = T(0.385) + Hb16_21;
-  const T HA15_31 = Hp16_31 - T(3.1);
+  const T HA15_31 = b16_5 - T(3.1);
   // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA15_11 = T(3.2162500000000005) - T(0.2) * Hp16_12 + Jp16_11;
-  const T JA15_12 = T(0.1) * Hp16_11 + T(0.6) * minus_Hp16_13 - T(1.7475);
-  const T JA15_13 = Jp16_13 - (T(0.1) * Hp16_32 + T(0.1985)) + T(0.6) * Hp16_12;
+  const T JA15_11 = T(0.2) * minus_Hp16_12 + T(3.2380900000000006) + Jp16_11;
+  const T JA15_12 = T(0.1) * Hp16_11 - T(0.6) * Hp16_13 - T(1.7475);
+  const T JA15_13 = Jp16_13 - (T(0.1) * Hp16_32 + T(0.1985)) - T(0.6) * minus_Hp16_12;
   const T minus_JA15_22 = Hb16_23 * T(0.6) - Hb16_21 * T(0.1);
-  const T JA15_23 = T(0.1) * Hp16_31 - T(0.6) * Hp16_33 - T(0.29500000000000004);
-  const T JA15_33 = T(1.2) * Hp16_32 + T(2.80175) - minus_Jp16_33;
+  const T JA15_23 = T(0.1) * b16_5 + T(0.6) * b16_4 - T(0.29500000000000004);
+  const T JA15_33 = T(1.2) * Hp16_32 + T(2.8235900000000003) - minus_Jp16_33;
   // g15 = G15 + gp16: force that drives it, home axes [N]
   const T g15_1 = gp16_1 - minus_G15_1;
   const T minus_g15_2 = minus_G16_2 + minus_G15_2;
@@ -1669,7 +1665,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T invD15 = T(1) / JA15_11;
   // kB15 = invD15 B15: B/D
   const T kB15_1 = invD15 * Hp16_11;
-  const T kB15_2 = invD15 * HA15_12;
+  const T minus_kB15_2 = invD15 * minus_HA15_12;
   const T kB15_3 = invD15 * HA15_13;
   // kK15 = invD15 K15: K/D
   const T kK15_2 = invD15 * JA15_12;
@@ -1680,51 +1676,51 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T v15 = invD15 * u_15;
   // M15 = Mp16 - kB15 B15^T: MA less what the turn takes up [kg]
   const T M15_11 = Mp16_11 - kB15_1 * Hp16_11;
-  const T minus_M15_12 = kB15_1 * HA15_12;
+  const T M15_12 = kB15_1 * minus_HA15_12;
   const T M15_13 = Mp16_13 - kB15_1 * HA15_13;
-  const T minus_M15_22 = kB15_2 * HA15_12;
-  const T minus_M15_23 = kB15_2 * HA15_13;
-  const T minus_M15_33 = minus_Mp16_33 + kB15_3 * HA15_13;
+  const T minus_M15_22 = minus_kB15_2 * minus_HA15_12;
+  const T M15_23 = minus_kB15_2 * HA15_13;
+  const T minus_M15_33 = b16_2 + kB15_3 * HA15_13;
   // H15 = P_b15 (HA15 - kK15 B15^T): HA less what the turn takes up [kg m]
   const T H15_21 = HA15_21 - kK15_2 * Hp16_11;
-  const T minus_H15_22 = kK15_2 * HA15_12;
+  const T H15_22 = kK15_2 * minus_HA15_12;
   const T H15_23 = Hb16_23 - kK15_2 * HA15_13;
   const T H15_31 = HA15_31 - kK15_3 * Hp16_11;
-  const T H15_32 = Hp16_32 - kK15_3 * HA15_12;
-  const T H15_33 = Hp16_33 - kK15_3 * HA15_13;
+  const T H15_32 = Hp16_32 + kK15_3 * minus_HA15_12;
+  const T minus_H15_33 = b16_4 + kK15_3 * HA15_13;
   // J15 = P_b15 (JA15 - kK15 K15^T) P_b15: JA less what the turn takes up [kg m^2]
   const T minus_J15_22 = minus_JA15_22 + kK15_2 * JA15_12;
   const T J15_23 = JA15_23 - kK15_2 * JA15_13;
   const T J15_33 = JA15_33 - kK15_3 * JA15_13;
   // gt15 = g15 - v15 B15: force with the turn solved [N]
   const T gt15_1 = g15_1 - v15 * Hp16_11;
-  const T minus_gt15_2 = minus_g15_2 + v15 * HA15_12;
+  const T gt15_2 = v15 * minus_HA15_12 - minus_g15_2;
   const T gt15_3 = g15_3 - v15 * HA15_13;
   // nt15 = -tau_body_15_ b15 + P_b15 (n15 - v15 K15): moment with the turn solved [N m]
   const T nt15_2 = n15_2 - v15 * JA15_12;
   const T nt15_3 = n15_3 - v15 * JA15_13;
   // Mp15 = E15^T M15 E15: M passed on, lower body's axes [kg]
-  const T minus_Mp15_12 = E15_22 * minus_M15_12 + E15_23 * M15_13;
-  const T Mp15_13 = E15_22 * M15_13 - E15_23 * minus_M15_12;
+  const T minus_Mp15_12 = E15_23 * M15_13 - E15_22 * M15_12;
+  const T Mp15_13 = E15_22 * M15_13 + E15_23 * M15_12;
   const T b15_1 = T(2) * E15_22;
-  const T b15_2 = E15_23 * (minus_M15_33 - minus_M15_22) - b15_1 * minus_M15_23;
+  const T b15_2 = E15_23 * (minus_M15_33 - minus_M15_22) + b15_1 * M15_23;
   const T b15_3 = E15_23 * b15_2;
   const T minus_Mp15_22 = minus_M15_22 + b15_3;
-  const T Mp15_23 = E15_22 * b15_2 + minus_M15_23;
+  const T Mp15_23 = E15_22 * b15_2 - M15_23;
   const T Mp15_33 = b15_3 - minus_M15_33;
   // gp15 = E15^T gt15: force passed on, lower body's axes [N]
-  const T minus_gp15_2 = E15_22 * minus_gt15_2 + E15_23 * gt15_3;
-  const T gp15_3 = E15_22 * gt15_3 - E15_23 * minus_gt15_2;
+  const T gp15_2 = E15_22 * gt15_2 - E15_23 * gt15_3;
+  const T gp15_3 = E15_23 * gt15_2 + E15_22 * gt15_3;
   // Hp15 = E15^T H15 E15: H passed on, lower body's axes [kg m]
   const T Hp15_21 = E15_22 * H15_21 - E15_23 * H15_31;
-  const T b15_4 = E15_22 * (H15_23 + H15_32) - E15_23 * (minus_H15_22 + H15_33);
+  const T b15_4 = E15_23 * (minus_H15_33 + H15_22) + E15_22 * (H15_23 + H15_32);
   const T b15_5 = E15_23 * b15_4;
-  const T minus_Hp15_22 = minus_H15_22 + b15_5;
+  const T minus_Hp15_22 = b15_5 - H15_22;
   const T b15_6 = E15_22 * b15_4;
   const T Hp15_23 = b15_6 - H15_32;
   const T Hp15_31 = E15_23 * H15_21 + E15_22 * H15_31;
   const T Hp15_32 = b15_6 - H15_23;
-  const T Hp15_33 = H15_33 + b15_5;
+  const T Hp15_33 = b15_5 - minus_H15_33;
   // Jp15 = E15^T J15 E15: J passed on, lower body's axes [kg m^2]
   const T b15_7 = b15_1 * J15_23 - E15_23 * (minus_J15_22 + J15_33);
   const T b15_8 = E15_23 * b15_7;
@@ -1768,10 +1764,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T JA14_33 = T(4.849) - T(0.75) * Hp15_31 + Jp15_33 - Hb15_31 * T(0.75);
   // g14 = G14 + gp15: force that drives it, home axes [N]
   const T g14_1 = gt15_1 - minus_G14_1;
-  const T minus_g14_2 = minus_G14_2 + minus_gp15_2;
+  const T g14_2 = gp15_2 - minus_G14_2;
   const T g14_3 = gp15_3 - minus_G14_3;
   // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
-  const T n14_1 = T(0.2) * minus_gp15_2 + T(0.75) * gp15_3 - minus_N14_1 - u.tau_15;
+  const T n14_1 = T(0.75) * gp15_3 - T(0.2) * gp15_2 - minus_N14_1 - u.tau_15;
   const T n14_2 = T(0.2) * gt15_1 - minus_N14_2 + np15_2;
   const T n14_3 = np15_3 - (T(0.75) * gt15_1 + minus_N14_3);
   // invD14 = D14^-1: 1/D
@@ -1807,7 +1803,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T J14_22 = JA14_22 - kK14_2 * JA14_23;
   // gt14 = g14 - v14 B14: force with the turn solved [N]
   const T gt14_1 = g14_1 - v14 * HA14_31;
-  const T minus_gt14_2 = minus_g14_2 + v14 * HA14_32;
+  const T gt14_2 = g14_2 - v14 * HA14_32;
   const T gt14_3 = g14_3 - v14 * Hb15_33;
   // nt14 = -tau_body_14_ b14 + P_b14 (n14 - v14 K14): moment with the turn solved [N m]
   const T nt14_1 = n14_1 - v14 * JA14_13;
@@ -1822,8 +1818,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Mp14_22 = M14_22 + b14_3;
   const T Mp14_23 = E14_12 * M14_13 + E14_11 * M14_23;
   // gp14 = E14^T gt14: force passed on, lower body's axes [N]
-  const T gp14_1 = E14_11 * gt14_1 + E14_12 * minus_gt14_2;
-  const T gp14_2 = E14_12 * gt14_1 - E14_11 * minus_gt14_2;
+  const T gp14_1 = E14_11 * gt14_1 - E14_12 * gt14_2;
+  const T gp14_2 = E14_12 * gt14_1 + E14_11 * gt14_2;
   // Hp14 = E14^T H14 E14: H passed on, lower body's axes [kg m]
   const T b14_4 = E14_12 * (H14_11 + minus_H14_22) + E14_11 * (H14_12 + H14_21);
   const T b14_5 = E14_12 * b14_4;
@@ -3294,24 +3290,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL15_2 = E15_22 * alphaL14_2 + E15_23 * phi14;
   const T alphaL15_3 = E15_22 * phi14 - E15_23 * alphaL14_2;
   // phi15 = -kB15 . beta15 + v15 - (P_b15 kK15) . alphaL15
-  const T phi15 = v15 - (kB15_1 * beta15_1 + kB15_2 * beta15_2 + kB15_3 * beta15_3) - kK15_2 * alphaL15_2 - kK15_3 *
-      alphaL15_3;
+  const T phi15 = minus_kB15_2 * beta15_2 - kB15_1 * beta15_1 - kB15_3 * beta15_3 + v15 - kK15_3 * alphaL15_3 - kK15_2
+      * alphaL15_2;
   // thetaddot15 = -b15 . alphaL15 + phi15
   const T thetaddot15 = phi15 - alphaL14_1;
   ydot[14] = thetaddot15;
 
   // ---- body 16 (body_16), solved
   // beta16 = -E16 q16~ alpha15 + E16 beta15: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z16_1 = T(0.1) * alphaL15_2;
-  const T z16_2 = T(0.6) * alphaL15_2;
-  const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 + E16_11 * z16_1 + minus_E16_13 * z16_2;
-  const T beta16_3 = minus_E16_13 * z16_1 - E16_11 * z16_2 + minus_E16_13 * beta15_1 + E16_11 * beta15_3;
+  const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 + T(0.1) * alphaL15_2 * E16_11 + T(0.6) * alphaL15_2
+      * minus_E16_13;
   // alphaL16 = E16 alpha15: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL16_1 = E16_11 * phi15 - minus_E16_13 * alphaL15_3;
   const T alphaL16_3 = minus_E16_13 * phi15 + E16_11 * alphaL15_3;
   // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
-  const T phi16 = T(0.7547169811320755) * beta16_3 - T(0.37735849056603776) * beta16_1 + v16 + T(0.7169811320754718) *
-      alphaL16_1 + T(0.40754716981132083) * alphaL16_3;
+  const T phi16 = v16 - T(0.8437992367923736) * beta16_1 - T(0.04387756031320342) * alphaL16_1 + T(0.8235480551093567)
+      * alphaL16_3;
   // thetaddot16 = -b16 . alphaL16 + phi16
   const T thetaddot16 = phi16 - alphaL15_2;
   ydot[15] = thetaddot16;
@@ -3319,7 +3313,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 906 add, 926 multiply, 32 sine or cosine
+// 902 add, 923 multiply, 32 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -4050,20 +4044,22 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
   // N15 = h_own_15~ Pddot15 + axial(U15 (tr(J_own_15)/2 - J_own_15)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0090000000000003) * U15_32 - T(0.20725) * U15_23 +
+  const T N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0308400000000004) * U15_32 - T(0.20725) * U15_23 +
       T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
   const T N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
       minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
-  const T N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0090000000000003) * U15_12) +
+  const T N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0308400000000004) * U15_12) +
       T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T theta16 = x[15];
   const T thetadot16 = y[15];
   const T thetaddot16 = ydot[15];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cos(theta16);
+  const T t16_2 = sin(theta16);
+  const T E16_11 = T(0.44721359549995804) * t16_1 - T(0.8944271909999159) * t16_2;
+  const T minus_E16_13 = T(0.8944271909999159) * t16_1 + T(0.44721359549995804) * t16_2;
   // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
   const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
@@ -4075,40 +4071,38 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t16_1 = omega16_3 * omega16_3;
-  const T t16_2 = omega16_2 * omega16_2;
-  const T minus_U16_11 = t16_1 + t16_2;
-  const T t16_3 = omega16_2 * omega16_1;
-  const T U16_12 = t16_3 - omegadot16_3;
-  const T t16_4 = omega16_3 * omega16_1;
-  const T U16_13 = t16_4 + omegadot16_2;
-  const T U16_21 = t16_3 + omegadot16_3;
-  const T t16_5 = omega16_1 * omega16_1;
-  const T minus_U16_22 = t16_1 + t16_5;
-  const T t16_6 = omega16_3 * omega16_2;
-  const T U16_23 = t16_6 - omegadot16_1;
-  const T U16_31 = t16_4 - omegadot16_2;
-  const T U16_32 = t16_6 + omegadot16_1;
-  const T minus_U16_33 = t16_2 + t16_5;
+  const T t16_3 = omega16_3 * omega16_3;
+  const T t16_4 = omega16_2 * omega16_2;
+  const T minus_U16_11 = t16_3 + t16_4;
+  const T t16_5 = omega16_2 * omega16_1;
+  const T U16_12 = t16_5 - omegadot16_3;
+  const T t16_6 = omega16_3 * omega16_1;
+  const T U16_13 = t16_6 + omegadot16_2;
+  const T U16_21 = t16_5 + omegadot16_3;
+  const T t16_7 = omega16_1 * omega16_1;
+  const T minus_U16_22 = t16_3 + t16_7;
+  const T t16_8 = omega16_3 * omega16_2;
+  const T U16_23 = t16_8 - omegadot16_1;
+  const T U16_31 = t16_6 - omegadot16_2;
+  const T U16_32 = t16_8 + omegadot16_1;
+  const T minus_U16_33 = t16_4 + t16_7;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_7 = U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1;
-  const T t16_8 = U15_31 * T(0.6) - minus_U15_33 * T(0.1) + Pddot15_3;
-  const T Pddot16_1 = E16_11 * t16_7 - minus_E16_13 * t16_8;
+  const T Pddot16_1 = E16_11 * (U15_13 * T(0.1) - minus_U15_11 * T(0.6) + Pddot15_1) - minus_E16_13 * (U15_31 * T(0.6)
+      - minus_U15_33 * T(0.1) + Pddot15_3);
   const T Pddot16_2 = U15_21 * T(0.6) + U15_23 * T(0.1) + Pddot15_2;
-  const T Pddot16_3 = minus_E16_13 * t16_7 + E16_11 * t16_8;
   // G16 = U16 h_own_16: inertia less applied force, body axes [N]
-  const T G16_1 = U16_13 * T(0.13) - minus_U16_11 * T(0.26);
-  const T G16_2 = U16_21 * T(0.26) + U16_23 * T(0.13);
-  const T G16_3 = U16_31 * T(0.26) - minus_U16_33 * T(0.13);
+  const T G16_1 = U16_13 * T(0.2906888370749727);
+  const T G16_2 = U16_23 * T(0.2906888370749727);
+  const T minus_G16_3 = minus_U16_33 * T(0.2906888370749727);
   // N16 = h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N16_1 = T(0.14040000000000002) * (minus_U16_22 - minus_U16_33) - (T(0.156) * U16_32 + T(0.1885) * U16_23) +
-      T(0.24700000000000003) * U16_31 - T(0.005200000000000002) * U16_21 - T(0.13) * Pddot16_2;
-  const T N16_2 = T(0.13) * Pddot16_1 - T(0.26) * Pddot16_3 + T(0.1885) * U16_13 - T(0.156) * U16_31 +
-      T(0.005200000000000002) * (minus_U16_33 - minus_U16_11) + T(0.14040000000000002) * U16_12 -
-      T(0.24700000000000003) * U16_32;
-  const T N16_3 = T(0.26) * Pddot16_2 + T(0.156) * U16_21 + T(0.156) * U16_12 + T(0.24700000000000003) * (minus_U16_11
-      - minus_U16_22) + T(0.005200000000000002) * U16_23 - T(0.14040000000000002) * U16_13;
+  const T N16_1 = T(0.28371230498517336) * (minus_U16_22 - minus_U16_33) - (T(0.17784) * U16_32 + T(0.16666) * U16_23)
+      - T(0.015115819527898578) * U16_31 + T(0.016120000000000013) * U16_21 - T(0.2906888370749727) * Pddot16_2;
+  const T N16_2 = T(0.2906888370749727) * Pddot16_1 + T(0.16666) * U16_13 - T(0.17784) * U16_31 -
+      T(0.016120000000000013) * (minus_U16_33 - minus_U16_11) + T(0.28371230498517336) * U16_12 +
+      T(0.015115819527898578) * U16_32;
+  const T N16_3 = T(0.17784) * U16_21 + T(0.17784) * U16_12 - T(0.015115819527898578) * (minus_U16_11 - minus_U16_22)
+      - T(0.016120000000000013) * U16_23 - T(0.28371230498517336) * U16_13;
 
   // ---- body 16 (body_16) and what it carries
   // r_theta16 = b16 . N16 - tau_body_16_: Kane's equation of the angle [N m]
@@ -4117,15 +4111,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
   // ---- body 15 (body_15) and what it carries
   // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T b15_1 = E16_11 * G16_1 - minus_E16_13 * minus_G16_3;
   const T S15_1 = b15_1 + G15_1;
   const T S15_2 = G16_2 + G15_2;
-  const T b15_2 = E16_11 * G16_3 - minus_E16_13 * G16_1;
-  const T S15_3 = b15_2 + G15_3;
+  const T b15_2 = minus_E16_13 * G16_1 + E16_11 * minus_G16_3;
+  const T S15_3 = G15_3 - b15_2;
   // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
   const T rho15_1 = E16_11 * N16_1 + minus_E16_13 * N16_3 - T(0.1) * G16_2 + N15_1;
-  const T rho15_2 = T(0.1) * b15_1 - T(0.6) * b15_2 + N16_2 + N15_2;
+  const T rho15_2 = T(0.1) * b15_1 + T(0.6) * b15_2 + N16_2 + N15_2;
   const T rho15_3 = T(0.6) * G16_2 + E16_11 * N16_3 - minus_E16_13 * N16_1 + N15_3;
   // r_theta15 = b15 . rho15 - tau_body_15_: Kane's equation of the angle [N m]
   const T r_theta15 = rho15_1 - u.tau_15;
@@ -4347,7 +4341,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // mass_matrix: A, symmetric positive definite.
 // A (ny x ny) [kg m^2], [kg m], [kg]
-// 1080 add, 1385 multiply, 30 sine or cosine
+// 1080 add, 1387 multiply, 30 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
   using std::cos, std::sin;
@@ -4438,39 +4432,41 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 
   // ---- body 16 (body_16) on body 15
   const T theta16 = x[15];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cos(theta16);
+  const T t16_2 = sin(theta16);
+  const T E16_11 = T(0.44721359549995804) * t16_1 - T(0.8944271909999159) * t16_2;
+  const T minus_E16_13 = T(0.8944271909999159) * t16_1 + T(0.44721359549995804) * t16_2;
 
   // ---- body 16 (body_16) and what it carries
   // hc16 = E16^T h_own_16: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc16_1 = minus_E16_13 * T(0.13) + E16_11 * T(0.26);
-  const T hc16_3 = E16_11 * T(0.13) - minus_E16_13 * T(0.26);
+  const T hc16_1 = minus_E16_13 * T(0.2906888370749727);
+  const T hc16_3 = E16_11 * T(0.2906888370749727);
 
   // ---- body 15 (body_15) and what it carries
   // h15 = h_own_15 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
   const T h15_3 = T(0.385) + hc16_3;
   // J15 = -q16~ hc16~ + E16^T J_own_16 E16 + J_own_15 - hc16~ q16~: inertia carried, about the body origin, body axes
   //   [kg m^2]
-  const T b15_1 = minus_E16_13 * T(0.032500000000000015) + T(2) * E16_11 * T(0.005200000000000002);
+  const T b15_1 = minus_E16_13 * T(0.01118) + T(2) * E16_11 * T(0.016120000000000013);
   const T b15_2 = minus_E16_13 * b15_1;
   const T b15_3 = T(0.2) * hc16_3;
-  const T J15_11 = T(3.2487500000000002) - b15_2 + b15_3;
-  const T b15_4 = E16_11 * T(0.24700000000000003) + minus_E16_13 * T(0.14040000000000002);
-  const T minus_J15_12 = b15_4 + T(1.7475);
-  const T minus_J15_13 = T(0.1933) + E16_11 * b15_1 + T(0.1) * hc16_1 + T(0.6) * hc16_3;
+  const T J15_11 = b15_2 + T(3.2269100000000006) + b15_3;
+  const T b15_4 = E16_11 * T(0.015115819527898578) - minus_E16_13 * T(0.28371230498517336);
+  const T J15_12 = b15_4 - T(1.7475);
+  const T J15_13 = E16_11 * b15_1 - T(0.21462000000000003) - T(0.1) * hc16_1 - T(0.6) * hc16_3;
   const T b15_5 = T(0.1) * hc16_3 + T(0.6) * hc16_1;
   const T b15_6 = b15_5 + T(0.34450000000000003);
   const T J15_22 = b15_6 + b15_5;
-  const T b15_7 = minus_E16_13 * T(0.24700000000000003) - E16_11 * T(0.14040000000000002);
-  const T J15_23 = b15_7 - T(0.29500000000000004);
-  const T J15_33 = b15_2 + T(1.2) * hc16_1 + T(2.80175);
+  const T b15_7 = minus_E16_13 * T(0.015115819527898578) + E16_11 * T(0.28371230498517336);
+  const T minus_J15_23 = b15_7 + T(0.29500000000000004);
+  const T J15_33 = T(1.2) * hc16_1 - b15_2 + T(2.8235900000000003);
   A[238] = J15_11;
   // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc15_2 = E15_22 * T(3.1) - E15_23 * h15_3;
   const T hc15_3 = E15_22 * h15_3 + E15_23 * T(3.1);
-  A[239] = -b15_4;
-  A[254] = -b15_4;
+  A[239] = b15_4;
+  A[254] = b15_4;
 
   // ---- body 14 (body_14) and what it carries
   // h14 = h_own_14 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
@@ -4481,14 +4477,14 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b14_1 = T(0.2) * hc15_3 + T(0.75) * hc15_2;
   const T b14_2 = b14_1 + J15_11;
   const T J14_11 = b14_2 + b14_1;
-  const T b14_3 = E15_22 * minus_J15_12 - E15_23 * minus_J15_13;
-  const T minus_J14_12 = b14_3 + T(0.75) * hc16_1 + T(1.956);
-  const T b14_4 = E15_22 * minus_J15_13 + E15_23 * minus_J15_12;
-  const T minus_J14_13 = b14_4 + T(0.2) * hc16_1 + T(0.5408000000000001);
-  const T b14_5 = E15_23 * (J15_22 - J15_33) + T(2) * E15_22 * J15_23;
+  const T b14_3 = E15_22 * J15_12 - E15_23 * J15_13;
+  const T J14_12 = b14_3 - T(0.75) * hc16_1 - T(1.956);
+  const T b14_4 = E15_23 * J15_12 + E15_22 * J15_13;
+  const T J14_13 = b14_4 - T(0.2) * hc16_1 - T(0.5408000000000001);
+  const T b14_5 = E15_23 * (J15_22 - J15_33) - T(2) * E15_22 * minus_J15_23;
   const T b14_6 = E15_23 * b14_5;
   const T J14_22 = J15_22 - b14_6 + T(0.4) * hc15_3 - T(1.2245000000000001);
-  const T J14_23 = E15_22 * b14_5 - J15_23 - T(0.2) * hc15_2 - T(0.8466) - T(0.75) * hc15_3;
+  const T J14_23 = E15_22 * b14_5 + minus_J15_23 - T(0.2) * hc15_2 - T(0.8466) - T(0.75) * hc15_3;
   const T J14_33 = J15_33 + b14_6 + T(1.5) * hc15_2 + T(4.849);
   A[221] = J14_33;
   // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
@@ -4498,13 +4494,13 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_14_2 = E15_23 * hc16_1;
   const T minus_B_thetadot16_14_3 = E15_22 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
-  const T minus_K_thetadot16_14_1 = T(0.2) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3 + b15_4;
-  const T K_thetadot16_14_2 = b15_3 + E15_22 * b15_6 - E15_23 * b15_7;
-  const T K_thetadot16_14_3 = E15_23 * b15_6 + E15_22 * b15_7 - T(0.75) * hc16_3;
+  const T K_thetadot16_14_1 = b15_4 - (T(0.2) * B_thetadot16_14_2 + T(0.75) * minus_B_thetadot16_14_3);
+  const T K_thetadot16_14_2 = b15_3 + E15_22 * b15_6 + E15_23 * b15_7;
+  const T K_thetadot16_14_3 = E15_23 * b15_6 - E15_22 * b15_7 - T(0.75) * hc16_3;
   A[223] = K_thetadot16_14_3;
   A[253] = K_thetadot16_14_3;
-  A[222] = -b14_4;
-  A[237] = -b14_4;
+  A[222] = b14_4;
+  A[237] = b14_4;
 
   // ---- body 13 (body_13) and what it carries
   // h13 = h_own_13 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
@@ -4512,15 +4508,15 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T h13_3 = T(1.495) + hc15_3;
   // J13 = -q14~ hc14~ + E14^T J14 E14 + J_own_13 - hc14~ q14~: inertia carried, about the body origin, body axes [kg
   //   m^2]
-  const T b13_1 = E14_12 * (J14_11 - J14_22) - T(2) * E14_11 * minus_J14_12;
+  const T b13_1 = E14_12 * (J14_11 - J14_22) + T(2) * E14_11 * J14_12;
   const T b13_2 = E14_12 * b13_1;
   const T J13_11 = J14_11 - b13_2 + T(2.7) * hc14_2 + T(2.8165);
-  const T J13_12 = E14_11 * b13_1 + minus_J14_12 - T(1.35) * hc14_1 - T(3.2215) - T(0.3) * hc14_2;
-  const T b13_3 = E14_11 * minus_J14_13 + E14_12 * J14_23;
-  const T minus_J13_13 = b13_3 + T(0.4186) + T(0.3) * hc15_3;
+  const T J13_12 = E14_11 * b13_1 - J14_12 - T(1.35) * hc14_1 - T(3.2215) - T(0.3) * hc14_2;
+  const T b13_3 = E14_11 * J14_13 - E14_12 * J14_23;
+  const T J13_13 = b13_3 - T(0.4186) - T(0.3) * hc15_3;
   const T b13_4 = T(0.6) * hc14_1;
   const T J13_22 = J14_22 + b13_2 + b13_4 + T(4.4425);
-  const T b13_5 = E14_11 * J14_23 - E14_12 * minus_J14_13;
+  const T b13_5 = E14_12 * J14_13 + E14_11 * J14_23;
   const T J13_23 = b13_5 - T(1.96995) - T(1.35) * hc15_3;
   const T b13_6 = T(0.3) * hc14_1 + T(1.35) * hc14_2;
   const T b13_7 = b13_6 + J14_33;
@@ -4533,10 +4529,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_13_1 = E14_11 * hc16_3 - E14_12 * B_thetadot16_14_2;
   const T B_thetadot16_13_2 = E14_12 * hc16_3 + E14_11 * B_thetadot16_14_2;
   // K_thetadot16_13 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
-  const T minus_K_thetadot16_13_1 = T(1.35) * minus_B_thetadot16_14_3 + E14_11 * minus_K_thetadot16_14_1 + E14_12 *
+  const T K_thetadot16_13_1 = E14_11 * K_thetadot16_14_1 - E14_12 * K_thetadot16_14_2 - T(1.35) *
+      minus_B_thetadot16_14_3;
+  const T K_thetadot16_13_2 = T(0.3) * minus_B_thetadot16_14_3 + E14_12 * K_thetadot16_14_1 + E14_11 *
       K_thetadot16_14_2;
-  const T K_thetadot16_13_2 = T(0.3) * minus_B_thetadot16_14_3 + E14_11 * K_thetadot16_14_2 - E14_12 *
-      minus_K_thetadot16_14_1;
   const T K_thetadot16_13_3 = T(0.3) * B_thetadot16_13_2 - T(1.35) * B_thetadot16_13_1 + K_thetadot16_14_3;
   A[207] = K_thetadot16_13_2;
   A[252] = K_thetadot16_13_2;
@@ -4544,9 +4540,9 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot15_13_1 = E14_12 * hc15_3;
   const T minus_B_thetadot15_13_2 = E14_11 * hc15_3;
   // K_thetadot15_13 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T K_thetadot15_13_1 = T(1.35) * hc15_2 + E14_11 * b14_2 + E14_12 * b14_3;
-  const T K_thetadot15_13_2 = E14_12 * b14_2 - E14_11 * b14_3 - T(0.3) * hc15_2;
-  const T minus_K_thetadot15_13_3 = b14_4 + T(0.3) * minus_B_thetadot15_13_2 + T(1.35) * B_thetadot15_13_1;
+  const T K_thetadot15_13_1 = T(1.35) * hc15_2 + E14_11 * b14_2 - E14_12 * b14_3;
+  const T K_thetadot15_13_2 = E14_12 * b14_2 + E14_11 * b14_3 - T(0.3) * hc15_2;
+  const T K_thetadot15_13_3 = b14_4 - (T(0.3) * minus_B_thetadot15_13_2 + T(1.35) * B_thetadot15_13_1);
   A[206] = K_thetadot15_13_2;
   A[236] = K_thetadot15_13_2;
   A[205] = b13_5;
@@ -4558,14 +4554,14 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T h12_3 = T(1.09) + hc13_3;
   // J12 = -q13~ hc13~ + E13^T J13 E13 + J_own_12 - hc13~ q13~: inertia carried, about the body origin, body axes [kg
   //   m^2]
-  const T b12_1 = minus_E13_13 * (J13_33 - J13_11) - T(2) * E13_11 * minus_J13_13;
+  const T b12_1 = minus_E13_13 * (J13_33 - J13_11) + T(2) * E13_11 * J13_13;
   const T b12_2 = minus_E13_13 * b12_1;
   const T b12_3 = T(0.2) * hc13_3;
   const T J12_11 = J13_11 + b12_2 + b12_3 + T(16.624);
   const T b12_4 = E13_11 * J13_12 + minus_E13_13 * J13_23;
   const T J12_12 = b12_4 - T(7.412999999999999) - T(0.6) * hc14_2;
   const T b12_5 = T(0.6) * hc13_3;
-  const T J12_13 = E13_11 * b12_1 + minus_J13_13 - T(0.1) * hc13_1 - T(0.6254) - b12_5;
+  const T J12_13 = E13_11 * b12_1 - J13_13 - T(0.1) * hc13_1 - T(0.6254) - b12_5;
   const T b12_6 = T(0.6) * hc13_1;
   const T b12_7 = T(0.1) * hc13_3 + b12_6;
   const T b12_8 = b12_7 + J13_22;
@@ -4581,21 +4577,21 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot16_12_1 = E13_11 * B_thetadot16_13_1 - minus_E13_13 * minus_B_thetadot16_14_3;
   const T minus_B_thetadot16_12_3 = minus_E13_13 * B_thetadot16_13_1 + E13_11 * minus_B_thetadot16_14_3;
   // K_thetadot16_12 = q13~ E13^T B_thetadot16_13 + E13^T K_thetadot16_13
-  const T K_thetadot16_12_1 = minus_E13_13 * K_thetadot16_13_3 - E13_11 * minus_K_thetadot16_13_1 - T(0.1) *
+  const T K_thetadot16_12_1 = E13_11 * K_thetadot16_13_1 + minus_E13_13 * K_thetadot16_13_3 - T(0.1) *
       B_thetadot16_13_2;
   const T K_thetadot16_12_2 = T(0.1) * B_thetadot16_12_1 + T(0.6) * minus_B_thetadot16_12_3 + K_thetadot16_13_2;
-  const T K_thetadot16_12_3 = T(0.6) * B_thetadot16_13_2 + minus_E13_13 * minus_K_thetadot16_13_1 + E13_11 *
-      K_thetadot16_13_3;
+  const T K_thetadot16_12_3 = T(0.6) * B_thetadot16_13_2 + E13_11 * K_thetadot16_13_3 - minus_E13_13 *
+      K_thetadot16_13_1;
   A[191] = K_thetadot16_12_1;
   A[251] = K_thetadot16_12_1;
   // B_thetadot15_12 = E13^T B_thetadot15_13
   const T B_thetadot15_12_1 = E13_11 * B_thetadot15_13_1 + minus_E13_13 * hc15_2;
   const T B_thetadot15_12_3 = E13_11 * hc15_2 - minus_E13_13 * B_thetadot15_13_1;
   // K_thetadot15_12 = q13~ E13^T B_thetadot15_13 + E13^T K_thetadot15_13
-  const T K_thetadot15_12_1 = T(0.1) * minus_B_thetadot15_13_2 + E13_11 * K_thetadot15_13_1 - minus_E13_13 *
-      minus_K_thetadot15_13_3;
+  const T K_thetadot15_12_1 = T(0.1) * minus_B_thetadot15_13_2 + E13_11 * K_thetadot15_13_1 + minus_E13_13 *
+      K_thetadot15_13_3;
   const T K_thetadot15_12_2 = T(0.1) * B_thetadot15_12_1 - T(0.6) * B_thetadot15_12_3 + K_thetadot15_13_2;
-  const T minus_K_thetadot15_12_3 = E13_11 * minus_K_thetadot15_13_3 + minus_E13_13 * K_thetadot15_13_1 + T(0.6) *
+  const T K_thetadot15_12_3 = E13_11 * K_thetadot15_13_3 - minus_E13_13 * K_thetadot15_13_1 - T(0.6) *
       minus_B_thetadot15_13_2;
   A[190] = K_thetadot15_12_1;
   A[235] = K_thetadot15_12_1;
@@ -4603,9 +4599,9 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot14_12_1 = E13_11 * hc14_2;
   const T B_thetadot14_12_3 = minus_E13_13 * hc14_2;
   // K_thetadot14_12 = q13~ E13^T B_thetadot14_13 + E13^T K_thetadot14_13
-  const T K_thetadot14_12_1 = minus_E13_13 * b13_7 - E13_11 * b13_3 - T(0.1) * hc14_1;
+  const T K_thetadot14_12_1 = E13_11 * b13_3 + minus_E13_13 * b13_7 - T(0.1) * hc14_1;
   const T K_thetadot14_12_2 = b13_5 - (T(0.1) * minus_B_thetadot14_12_1 + T(0.6) * B_thetadot14_12_3);
-  const T K_thetadot14_12_3 = b13_4 + E13_11 * b13_7 + minus_E13_13 * b13_3;
+  const T K_thetadot14_12_3 = b13_4 + E13_11 * b13_7 - minus_E13_13 * b13_3;
   A[189] = K_thetadot14_12_1;
   A[219] = K_thetadot14_12_1;
   A[188] = b12_4;
@@ -4647,10 +4643,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot15_11_3 = E12_22 * B_thetadot15_12_3 - E12_23 * minus_B_thetadot15_13_2;
   // K_thetadot15_11 = q12~ E12^T B_thetadot15_12 + E12^T K_thetadot15_12
   const T K_thetadot15_11_1 = T(0.2) * minus_B_thetadot15_11_2 + T(0.6) * B_thetadot15_11_3 + K_thetadot15_12_1;
-  const T K_thetadot15_11_2 = T(0.2) * B_thetadot15_12_1 + E12_22 * K_thetadot15_12_2 + E12_23 *
-      minus_K_thetadot15_12_3;
-  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 - E12_22 * minus_K_thetadot15_12_3 - T(0.6) *
-      B_thetadot15_12_1;
+  const T K_thetadot15_11_2 = T(0.2) * B_thetadot15_12_1 + E12_22 * K_thetadot15_12_2 - E12_23 * K_thetadot15_12_3;
+  const T K_thetadot15_11_3 = E12_23 * K_thetadot15_12_2 + E12_22 * K_thetadot15_12_3 - T(0.6) * B_thetadot15_12_1;
   A[174] = K_thetadot15_11_3;
   A[234] = K_thetadot15_11_3;
   // B_thetadot14_11 = E12^T B_thetadot14_12

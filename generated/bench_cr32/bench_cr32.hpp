@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7b8eaf920222bbc1 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
+// model e7ada93663248258 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -54,12 +54,12 @@
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
 //   energy                  3656 (1589 add, 2067 multiply, 64 sine or cosine)
-//   accelerations           9268 (4516 add, 4721 multiply, 31 divide, 64 sine or cosine)
-//   residual                3832 (1898 add, 1934 multiply, 64 sine or cosine)
+//   accelerations           9240 (4500 add, 4709 multiply, 31 divide, 64 sine or cosine)
+//   residual                3825 (1894 add, 1931 multiply, 64 sine or cosine)
 //
 // functions written as loops over bodies; bytes in double, estimated:
-//   accelerations: 95 sections of 28 kinds; 32234 of code, 16480 of stack
-//     as a straight line: 83988 of code, 2200 of stack
+//   accelerations: 95 sections of 29 kinds; 32896 of code, 16456 of stack
+//     as a straight line: 83736 of code, 2200 of stack
 #pragma once
 
 #include <cmath>
@@ -71,7 +71,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "7b8eaf920222bbc1";
+inline constexpr char model_hash[] = "e7ada93663248258";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1594,24 +1594,24 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 4516 add, 4721 multiply, 31 divide, 64 sine or cosine
-// by: articulated; composite would take 12773 add, 14837 multiply, 31 divide, 64 sine or cosine
+// 4500 add, 4709 multiply, 31 divide, 64 sine or cosine
+// by: articulated; composite would take 12767 add, 14832 multiply, 31 divide, 64 sine or cosine
 namespace accelerations_sections {
 
 // Results of a body's sections that others read, by their place in the body's frame; fields that no body has both
 // of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.
 namespace frame {
-inline constexpr int minus_U_11 = 31, Pddot_1 = 0, Pddot_3 = 3, N_2 = 1, E_11 = 32, E_12 = 31, omega_1 = 4, omega_2 =
-    5, omegadot_1 = 33, minus_omegadot_2 = 41, U_12 = 34, minus_U_22 = 35, U_32 = 36, minus_U_33 = 37, minus_Pddot_2 =
-    3, G_3 = 6, N_1 = 7, N_3 = 8, E_22 = 32, E_23 = 33, omega_3 = 9, omegadot_2 = 34, omegadot_3 = 41, U_13 = 42, U_21
-    = 43, U_23 = 44, U_31 = 45, Pddot_2 = 10, G_1 = 11, G_2 = 12, minus_E_13 = 37, v = 2, Mp_11 = 46, Mp_12 = 17,
-    Mp_22 = 60, gp_1 = 47, gp_2 = 48, Hp_11 = 14, Hp_12 = 59, Hp_13 = 43, Hp_21 = 51, Hp_22 = 62, Hp_23 = 38, Jp_11 =
-    49, Jp_12 = 45, Jp_22 = 39, np_1 = 50, np_2 = 40, Hb_31 = 13, Hb_32 = 18, kB_1 = 19, kB_2 = 20, kB_3 = 14, kK_1 =
-    51, kK_3 = 52, M_22 = 38, gt_2 = 39, Mp_13 = 27, minus_Mp_23 = 29, Mp_33 = 53, gp_3 = 54, Hp_31 = 55, Hp_32 = 56,
-    minus_Hp_33 = 30, Jp_13 = 40, Jp_33 = 57, np_3 = 58, Hb_11 = 21, Hb_12 = 22, Hb_13 = 23, Hb_21 = 24, Hb_22 = 28,
-    Hb_23 = 15, minus_Hb_33 = 44, kK_2 = 59, M_11 = 46, gt_1 = 35, Mp_23 = 30, Hp_33 = 61, Jp_23 = 36, Hb_33 = 29,
-    M_33 = 53, gt_3 = 52, beta_3 = 16, alphaL_1 = 62, alphaL_2 = 63, minus_phi = 64, beta_1 = 25, beta_2 = 26,
-    minus_alphaL_3 = 47, phi = 64, alphaL_3 = 65, minus_alphaL_2 = 54, minus_alphaL_1 = 42;
+inline constexpr int minus_U_11 = 31, Pddot_1 = 2, Pddot_3 = 6, N_2 = 0, E_11 = 32, E_12 = 31, omega_1 = 7, omega_2 =
+    8, omegadot_1 = 36, minus_omegadot_2 = 41, U_12 = 37, minus_U_22 = 38, U_32 = 39, minus_U_33 = 40, minus_Pddot_2 =
+    6, G_3 = 3, N_1 = 4, N_3 = 5, E_22 = 32, E_23 = 38, omega_3 = 15, omegadot_2 = 39, omegadot_3 = 41, U_13 = 57,
+    U_21 = 42, U_23 = 58, U_31 = 43, Pddot_2 = 16, G_1 = 9, G_2 = 10, minus_E_13 = 33, v = 1, minus_Mp_11 = 29, Mp_12
+    = 17, Mp_22 = 59, gp_1 = 44, gp_2 = 45, minus_Hp_11 = 2, Hp_12 = 40, Hp_13 = 42, Hp_21 = 36, Hp_22 = 37, Hp_23 =
+    33, Jp_11 = 46, Jp_12 = 43, Jp_22 = 34, np_1 = 47, np_2 = 35, Hb_31 = 11, Hb_32 = 18, kB_1 = 19, kB_2 = 20, kB_3 =
+    12, kK_1 = 48, kK_3 = 49, M_22 = 34, gt_2 = 35, Mp_13 = 27, minus_Mp_23 = 30, Mp_33 = 50, gp_3 = 51, Hp_31 = 52,
+    Hp_32 = 53, minus_Hp_33 = 57, Jp_13 = 45, Jp_33 = 54, np_3 = 55, Hb_11 = 21, Hb_12 = 22, Hb_13 = 23, Hb_21 = 24,
+    Hb_22 = 28, Hb_23 = 13, minus_Hb_33 = 58, kK_2 = 56, M_11 = 47, gt_1 = 44, Mp_23 = 30, Hp_33 = 60, Jp_23 = 46,
+    Hb_33 = 29, M_33 = 50, gt_3 = 49, Mp_11 = 61, beta_3 = 14, alphaL_1 = 62, alphaL_2 = 63, minus_phi = 64, beta_1 =
+    25, beta_2 = 26, minus_alphaL_3 = 48, phi = 64, alphaL_3 = 65, minus_alphaL_2 = 51, minus_alphaL_1 = 56;
 }  // namespace frame
 
 // how constants stand in tables
@@ -1660,11 +1660,11 @@ inline constexpr C outward_4_numbers[10][14] = {
      C(-3.244), C(0.169), C(-0.83875), C(3.244), C(-0.169), C(-0.534), C(1.6447500000000002)},
     {C(1.5499999999999998), C(-0.775), C(-1.5499999999999998), C(0.775), C(-1.98645), C(0.90925), C(0.579),
      C(-3.9234999999999998), C(0.1831), C(-0.90925), C(3.9234999999999998), C(-0.1831), C(-0.579), C(1.98645)},
-    {C(1.67), C(-0.8350000000000001), C(-1.67), C(0.8350000000000001), C(-2.3596500000000002), C(0.97975), C(0.624),
-     C(-4.666), C(0.19720000000000001), C(-0.97975), C(4.666), C(-0.19720000000000001), C(-0.624),
+    {C(1.67), C(-0.8350000000000001), C(-1.67), C(0.8350000000000001), C(-2.3596500000000002), C(0.89575), C(0.624),
+     C(-4.666), C(0.19720000000000001), C(-0.89575), C(4.666), C(-0.19720000000000001), C(-0.624),
      C(2.3596500000000002)},
 };
-inline constexpr unsigned short outward_5_places[10][5] = {  // L, J, K, x_at, y_at
+inline constexpr unsigned short outward_5_places[9][5] = {  // L, J, K, x_at, y_at
     {162, 97, 228, 4, 4},
     {359, 293, 425, 7, 7},
     {555, 490, 621, 10, 10},
@@ -1674,10 +1674,9 @@ inline constexpr unsigned short outward_5_places[10][5] = {  // L, J, K, x_at, y
     {1341, 1276, 1407, 22, 22},
     {1538, 1472, 1604, 25, 25},
     {1734, 1669, 1800, 28, 28},
-    {1931, 1865, 1997, 31, 31},
 };
 template <class C>
-inline constexpr C outward_5_numbers[10][16] = {
+inline constexpr C outward_5_numbers[9][16] = {
     {C(0.45), C(-0.45), C(0.15000000000000002), C(-0.30000000000000004), C(0.30000000000000004),
      C(-0.15000000000000002), C(0.018000000000000002), C(-0.051000000000000004), C(-0.10500000000000001),
      C(-0.022500000000000003), C(0.10500000000000001), C(0.09), C(0.022500000000000003), C(0.051000000000000004),
@@ -1706,10 +1705,6 @@ inline constexpr C outward_5_numbers[10][16] = {
     {C(2.8499999999999996), C(-2.8499999999999996), C(0.39), C(-0.78), C(0.78), C(-0.39), C(0.04680000000000001),
      C(-0.13260000000000002), C(-0.273), C(-0.05850000000000001), C(0.273), C(0.234), C(0.05850000000000001),
      C(0.13260000000000002), C(-0.04680000000000001), C(-0.234)},
-    {C(3.1500000000000004), C(-3.1500000000000004), C(0.42000000000000004), C(-0.8400000000000001),
-     C(0.8400000000000001), C(-0.42000000000000004), C(0.05040000000000001), C(-0.1428), C(-0.29400000000000004),
-     C(-0.06300000000000001), C(0.29400000000000004), C(0.252), C(0.06300000000000001), C(0.1428),
-     C(-0.05040000000000001), C(-0.252)},
 };
 inline constexpr unsigned short outward_6_places[9][5] = {  // L, J, K, x_at, y_at
     {228, 162, 293, 5, 5},
@@ -2198,7 +2193,7 @@ template <class T>
   own[frame::minus_E_13] = minus_EK_13;
 }
 
-// bodies 5, 8, 11, 14, 17, 20, 23, 26, 29, 32
+// bodies 5, 8, 11, 14, 17, 20, 23, 26, 29
 template <class T>
 [[gnu::noinline]] void outward_5(const T* x, const T* y, T* frames, int row) noexcept {
   using std::cos, std::sin;
@@ -2388,53 +2383,129 @@ template <class T>
   own[frame::G_2] = GK_2;
 }
 
+// body 32
+template <class T>
+[[gnu::noinline]] void outward_7(const T* x, const T* y, T* frames) noexcept {
+  using std::cos, std::sin;
+  const T* const of_31 = frames + 1931;
+  const T* const of_30 = frames + 1865;
+  T* const own = frames + 1997;
+  const T theta32 = x[31];
+  const T omega31_1 = of_31[frame::omega_1];
+  const T omega31_2 = of_31[frame::omega_2];
+  const T thetadot32 = y[31];
+  const T omega31_3 = of_31[frame::omega_3];
+  const T omegadot31_1 = of_31[frame::omegadot_1];
+  const T omegadot30_2 = of_30[frame::omegadot_2];
+  const T omegadot31_3 = of_31[frame::omegadot_3];
+  const T U31_21 = of_31[frame::U_21];
+  const T minus_U31_22 = of_31[frame::minus_U_22];
+  const T Pddot31_2 = of_31[frame::Pddot_2];
+  const T U31_12 = of_31[frame::U_12];
+  const T minus_U31_11 = of_31[frame::minus_U_11];
+  const T Pddot31_1 = of_31[frame::Pddot_1];
+  const T U31_31 = of_31[frame::U_31];
+  const T U31_32 = of_31[frame::U_32];
+  const T Pddot31_3 = of_31[frame::Pddot_3];
+  // E32^T = Z32^T Rot(b32, theta32): E takes components in the lower body to those in the body
+  const T t32_1 = cos(theta32);
+  const T t32_2 = sin(theta32);
+  const T E32_11 = T(0.44721359549995804) * t32_1 - T(0.8944271909999159) * t32_2;
+  const T E32_12 = T(0.8944271909999159) * t32_1 + T(0.44721359549995804) * t32_2;
+  // omega32 = thetadot32 b32 + E32 omega31: absolute angular velocity, body axes [rad/s]
+  const T omega32_1 = E32_11 * omega31_1 + E32_12 * omega31_2;
+  const T omega32_2 = E32_11 * omega31_2 - E32_12 * omega31_1;
+  const T omega32_3 = thetadot32 + omega31_3;
+  // omegadot32 = -thetadot32 b32~ E32 omega31 + E32 omegadot31: angular acceleration, body axes [rad/s^2]
+  const T omegadot32_1 = thetadot32 * omega32_2 + E32_11 * omegadot31_1 + E32_12 * omegadot30_2;
+  const T minus_omegadot32_2 = E32_12 * omegadot31_1 - E32_11 * omegadot30_2 + thetadot32 * omega32_1;
+  // U32 = omega32~ omega32~ + omegadot32~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t32_3 = omega32_3 * omega32_3;
+  const T t32_4 = omega32_2 * omega32_2;
+  const T minus_U32_11 = t32_3 + t32_4;
+  const T t32_5 = omega32_2 * omega32_1;
+  const T U32_12 = t32_5 - omegadot31_3;
+  const T t32_6 = omega32_3 * omega32_1;
+  const T U32_13 = t32_6 - minus_omegadot32_2;
+  const T U32_21 = t32_5 + omegadot31_3;
+  const T t32_7 = omega32_1 * omega32_1;
+  const T minus_U32_22 = t32_3 + t32_7;
+  const T t32_8 = omega32_3 * omega32_2;
+  const T U32_23 = t32_8 - omegadot32_1;
+  const T U32_31 = t32_6 + minus_omegadot32_2;
+  const T U32_32 = t32_8 + omegadot32_1;
+  const T minus_U32_33 = t32_4 + t32_7;
+  // Pddot32 = E32 (U31 q32 + Pddot31): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot32_2 = E32_11 * (U31_21 * T(0.3) - minus_U31_22 * T(3.1500000000000004) + Pddot31_2) - E32_12 * (U31_12
+      * T(3.1500000000000004) - minus_U31_11 * T(0.3) + Pddot31_1);
+  const T Pddot32_3 = U31_31 * T(0.3) + U31_32 * T(3.1500000000000004) + Pddot31_3;
+  // G32 = -U32 h_own_32: applied less inertia force, body axes [N]
+  const T G32_1 = minus_U32_11 * T(0.9391485505499118);
+  const T minus_G32_2 = U32_21 * T(0.9391485505499118);
+  const T minus_G32_3 = U32_31 * T(0.9391485505499118);
+  // N32 = -h_own_32~ Pddot32 - axial(U32 (tr(J_own_32)/2 - J_own_32)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T N32_1 = T(0.02100000000000002) * U32_31 - (T(0.21000000000000002) * U32_32 + T(0.21000000000000002) * U32_23
+      + T(0.018782971010998236) * (minus_U32_22 - minus_U32_33)) + T(0.1502637680879859) * U32_21;
+  const T N32_2 = T(0.21000000000000002) * U32_13 + T(0.3360000000000001) * U32_31 + T(0.1502637680879859) *
+      (minus_U32_11 - minus_U32_33) - T(0.018782971010998236) * U32_12 - T(0.02100000000000002) * U32_32 +
+      T(0.9391485505499118) * Pddot32_3;
+  const T N32_3 = T(0.21000000000000002) * U32_12 - (T(0.9391485505499118) * Pddot32_2 + T(0.3360000000000001) *
+      U32_21) + T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) - T(0.1502637680879859) * U32_23 +
+      T(0.018782971010998236) * U32_13;
+  own[frame::N_2] = N32_2;
+  own[frame::E_11] = E32_11;
+  own[frame::E_12] = E32_12;
+  own[frame::G_3] = -minus_G32_3;
+  own[frame::N_1] = N32_1;
+  own[frame::N_3] = N32_3;
+  own[frame::G_1] = G32_1;
+  own[frame::G_2] = -minus_G32_2;
+}
+
 // body 32 and what they carry
 template <class T>
 [[gnu::noinline]] void inward_1(const Inputs<T>& u, T* frames) noexcept {
   T* const own = frames + 1997;
   const T N32_3 = own[frame::N_3];
-  const T G32_1 = own[frame::G_1];
   const T G32_2 = own[frame::G_2];
   const T N32_1 = own[frame::N_1];
   const T N32_2 = own[frame::N_2];
   const T E32_12 = own[frame::E_12];
   const T E32_11 = own[frame::E_11];
+  const T G32_1 = own[frame::G_1];
   // u_32 = b32 . N32 + tau_body_32_: drives it [N m], [N]
   const T u_32 = u.tau_32 + N32_3;
   // v32 = invD32 u_32: u/D
-  const T v32 = T(1.8315018315018314) * u_32;
+  const T v32 = T(1.8315018315018312) * u_32;
   // gt32 = G32 - v32 B32: force with the turn solved [N]
-  const T gt32_1 = v32 * T(0.8400000000000001) + G32_1;
-  const T gt32_2 = G32_2 - v32 * T(0.42000000000000004);
+  const T gt32_2 = G32_2 - v32 * T(0.9391485505499118);
   // nt32 = -tau_body_32_ b32 + P_b32 (N32 - v32 K32): moment with the turn solved [N m]
-  const T nt32_1 = v32 * T(0.05040000000000001) + N32_1;
-  const T nt32_2 = v32 * T(0.1428) + N32_2;
+  const T nt32_1 = v32 * T(0.1502637680879859) + N32_1;
+  const T nt32_2 = v32 * T(0.018782971010998236) + N32_2;
   // Mp32 = E32^T M32 E32: M passed on, lower body's axes [kg]
-  const T b32_1 = T(2) * E32_11;
-  const T b32_2 = b32_1 * T(0.6461538461538462) - E32_12 * T(0.9692307692307693);
-  const T b32_3 = E32_12 * b32_2;
-  const T minus_Mp32_11 = T(1.2923076923076924) + b32_3;
-  const T Mp32_12 = E32_11 * b32_2 - T(0.6461538461538462);
-  const T Mp32_22 = b32_3 - T(0.3230769230769231);
+  const T b32_1 = E32_12 * T(1.6153846153846156);
+  const T minus_Mp32_11 = E32_12 * b32_1;
+  const T Mp32_12 = E32_11 * b32_1;
+  const T Mp32_22 = minus_Mp32_11 - T(1.6153846153846156);
   // gp32 = E32^T gt32: force passed on, lower body's axes [N]
-  const T gp32_1 = E32_11 * gt32_1 - E32_12 * gt32_2;
-  const T gp32_2 = E32_12 * gt32_1 + E32_11 * gt32_2;
+  const T gp32_1 = E32_11 * G32_1 - E32_12 * gt32_2;
+  const T gp32_2 = E32_12 * G32_1 + E32_11 * gt32_2;
   // Hp32 = E32^T H32 E32: H passed on, lower body's axes [kg m]
-  const T b32_4 = E32_12 * T(0.18738461538461543) + E32_11 * T(0.18092307692307694);
-  const T b32_5 = E32_12 * b32_4;
-  const T Hp32_11 = b32_5 - T(0.07753846153846156);
-  const T b32_6 = E32_11 * b32_4;
-  const T Hp32_12 = T(0.21969230769230771) - b32_6;
-  const T Hp32_13 = E32_11 * T(0.8400000000000001) + E32_12 * T(0.42000000000000004);
-  const T minus_Hp32_21 = T(0.03876923076923078) + b32_6;
-  const T Hp32_22 = T(0.10984615384615386) - b32_5;
-  const T Hp32_23 = E32_12 * T(0.8400000000000001) - E32_11 * T(0.42000000000000004);
+  const T b32_2 = E32_11 * T(0.2584615384615385) - E32_12 * T(0.03230769230769231);
+  const T minus_Hp32_11 = E32_12 * b32_2;
+  const T Hp32_12 = E32_11 * b32_2;
+  const T Hp32_13 = E32_12 * T(0.9391485505499118);
+  const T Hp32_21 = Hp32_12 - T(0.2584615384615385);
+  const T Hp32_22 = T(0.03230769230769231) + minus_Hp32_11;
+  const T minus_Hp32_23 = E32_11 * T(0.9391485505499118);
   // Jp32 = E32^T J32 E32: J passed on, lower body's axes [kg m^2]
-  const T b32_7 = E32_12 * T(0.07469538461538462) - b32_1 * T(0.07618153846153848);
-  const T b32_8 = E32_12 * b32_7;
-  const T minus_Jp32_11 = T(0.0046523076923076934) + b32_8;
-  const T Jp32_12 = E32_11 * b32_7 + T(0.07618153846153848);
-  const T Jp32_22 = b32_8 - T(0.07934769230769231);
+  const T b32_3 = T(2) * E32_11 * T(0.01583076923076925) - E32_12 * T(0.16670769230769236);
+  const T b32_4 = E32_12 * b32_3;
+  const T minus_Jp32_11 = T(0.041353846153846165) + b32_4;
+  const T Jp32_12 = E32_11 * b32_3 - T(0.01583076923076925);
+  const T Jp32_22 = T(0.1253538461538462) + b32_4;
   // np32 = E32^T nt32: moment passed on, lower body's axes [N m]
   const T np32_1 = E32_11 * nt32_1 - E32_12 * nt32_2;
   const T np32_2 = E32_12 * nt32_1 + E32_11 * nt32_2;
@@ -2442,17 +2513,17 @@ template <class T>
   const T Hb32_31 = T(3.1500000000000004) * minus_Mp32_11 + T(0.3) * Mp32_12;
   const T Hb32_32 = T(0.3) * Mp32_22 - T(3.1500000000000004) * Mp32_12;
   own[frame::v] = v32;
-  own[frame::Mp_11] = -minus_Mp32_11;
+  own[frame::minus_Mp_11] = minus_Mp32_11;
   own[frame::Mp_12] = Mp32_12;
   own[frame::Mp_22] = Mp32_22;
   own[frame::gp_1] = gp32_1;
   own[frame::gp_2] = gp32_2;
-  own[frame::Hp_11] = Hp32_11;
+  own[frame::minus_Hp_11] = minus_Hp32_11;
   own[frame::Hp_12] = Hp32_12;
   own[frame::Hp_13] = Hp32_13;
-  own[frame::Hp_21] = -minus_Hp32_21;
+  own[frame::Hp_21] = Hp32_21;
   own[frame::Hp_22] = Hp32_22;
-  own[frame::Hp_23] = Hp32_23;
+  own[frame::Hp_23] = -minus_Hp32_23;
   own[frame::Jp_11] = -minus_Jp32_11;
   own[frame::Jp_12] = Jp32_12;
   own[frame::Jp_22] = Jp32_22;
@@ -2474,7 +2545,7 @@ template <class T>
   const T Hp32_13 = of_32[frame::Hp_13];
   const T Jp32_11 = of_32[frame::Jp_11];
   const T Jp32_12 = of_32[frame::Jp_12];
-  const T Hp32_11 = of_32[frame::Hp_11];
+  const T minus_Hp32_11 = of_32[frame::minus_Hp_11];
   const T Jp32_22 = of_32[frame::Jp_22];
   const T Hp32_22 = of_32[frame::Hp_22];
   const T Hb32_31 = of_32[frame::Hb_31];
@@ -2489,7 +2560,7 @@ template <class T>
   const T N31_2 = own[frame::N_2];
   const T np32_2 = of_32[frame::np_2];
   const T N31_3 = own[frame::N_3];
-  const T Mp32_11 = of_32[frame::Mp_11];
+  const T minus_Mp32_11 = of_32[frame::minus_Mp_11];
   const T Mp32_12 = of_32[frame::Mp_12];
   const T Mp32_22 = of_32[frame::Mp_22];
   const T E31_11 = own[frame::E_11];
@@ -2500,10 +2571,10 @@ template <class T>
   const T HA31_23 = Hp32_23 - T(1.67);
   const T HA31_32 = T(1.67) + Hb32_32;
   // JA31 = q32~ Hp32^T + J_own_31 + Jp32 - Hb32 q32~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA31_11 = T(6.300000000000001) * Hp32_13 + T(0.35575) + Jp32_11;
+  const T JA31_11 = T(6.300000000000001) * Hp32_13 + T(0.27175) + Jp32_11;
   const T JA31_12 = T(3.1500000000000004) * Hp32_23 - T(4.666) + Jp32_12 - T(0.3) * Hp32_13;
-  const T JA31_13 = T(0.3) * Hp32_12 - T(3.1500000000000004) * Hp32_11 - T(0.19720000000000001);
-  const T JA31_22 = T(1.60375) - T(0.6) * Hp32_23 + Jp32_22;
+  const T JA31_13 = T(0.3) * Hp32_12 + T(3.1500000000000004) * minus_Hp32_11 - T(0.19720000000000001);
+  const T JA31_22 = T(1.51975) - T(0.6) * Hp32_23 + Jp32_22;
   const T JA31_23 = T(0.3) * Hp32_22 - T(3.1500000000000004) * Hp32_21 - T(2.3596500000000002);
   const T JA31_33 = Hb32_32 * T(0.3) - Hb32_31 * T(3.1500000000000004);
   // g31 = G31 + gp32: force that drives it, home axes [N]
@@ -2528,14 +2599,14 @@ template <class T>
   // v31 = invD31 u_31: u/D
   const T v31 = invD31 * u_31;
   // M31 = Mp32 - kB31 B31^T: MA less what the turn takes up [kg]
-  const T M31_11 = Mp32_11 - kB31_1 * HA31_21;
+  const T minus_M31_11 = minus_Mp32_11 + kB31_1 * HA31_21;
   const T M31_12 = Mp32_12 - kB31_1 * Hp32_22;
   const T minus_M31_13 = kB31_1 * HA31_23;
   const T M31_22 = Mp32_22 - kB31_2 * Hp32_22;
   const T minus_M31_23 = kB31_2 * HA31_23;
   const T minus_M31_33 = kB31_3 * HA31_23;
   // H31 = P_b31 (HA31 - kK31 B31^T): HA less what the turn takes up [kg m]
-  const T H31_11 = Hp32_11 - kK31_1 * HA31_21;
+  const T minus_H31_11 = minus_Hp32_11 + kK31_1 * HA31_21;
   const T H31_12 = HA31_12 - kK31_1 * Hp32_22;
   const T H31_13 = Hp32_13 - kK31_1 * HA31_23;
   const T H31_31 = Hb32_31 - kK31_3 * HA31_21;
@@ -2554,26 +2625,26 @@ template <class T>
   const T nt31_3 = n31_3 - v31 * JA31_23;
   // Mp31 = E31^T M31 E31: M passed on, lower body's axes [kg]
   const T b31_1 = T(2) * E31_11;
-  const T b31_2 = minus_E31_13 * (M31_11 + minus_M31_33) + b31_1 * minus_M31_13;
+  const T b31_2 = minus_E31_13 * (minus_M31_33 - minus_M31_11) + b31_1 * minus_M31_13;
   const T b31_3 = minus_E31_13 * b31_2;
-  const T Mp31_11 = M31_11 - b31_3;
+  const T minus_Mp31_11 = b31_3 + minus_M31_11;
   const T Mp31_12 = E31_11 * M31_12 - minus_E31_13 * minus_M31_23;
   const T Mp31_13 = minus_M31_13 - E31_11 * b31_2;
-  const T minus_Mp31_23 = E31_11 * minus_M31_23 + minus_E31_13 * M31_12;
+  const T minus_Mp31_23 = minus_E31_13 * M31_12 + E31_11 * minus_M31_23;
   const T Mp31_33 = b31_3 - minus_M31_33;
   // gp31 = E31^T gt31: force passed on, lower body's axes [N]
   const T gp31_1 = E31_11 * gt31_1 + minus_E31_13 * gt31_3;
   const T gp31_3 = E31_11 * gt31_3 - minus_E31_13 * gt31_1;
   // Hp31 = E31^T H31 E31: H passed on, lower body's axes [kg m]
-  const T b31_4 = E31_11 * (H31_31 + H31_13) - minus_E31_13 * (minus_H31_33 + H31_11);
+  const T b31_4 = E31_11 * (H31_31 + H31_13) - minus_E31_13 * (minus_H31_33 - minus_H31_11);
   const T b31_5 = minus_E31_13 * b31_4;
-  const T Hp31_11 = H31_11 + b31_5;
+  const T Hp31_11 = b31_5 - minus_H31_11;
   const T Hp31_12 = minus_E31_13 * H31_32 + E31_11 * H31_12;
   const T b31_6 = E31_11 * b31_4;
   const T Hp31_13 = b31_6 - H31_31;
   const T Hp31_31 = b31_6 - H31_13;
   const T Hp31_32 = E31_11 * H31_32 - minus_E31_13 * H31_12;
-  const T minus_Hp31_33 = minus_H31_33 + b31_5;
+  const T minus_Hp31_33 = b31_5 + minus_H31_33;
   // Jp31 = E31^T J31 E31: J passed on, lower body's axes [kg m^2]
   const T b31_7 = b31_1 * J31_13 - minus_E31_13 * (J31_11 - J31_33);
   const T b31_8 = minus_E31_13 * b31_7;
@@ -2588,7 +2659,7 @@ template <class T>
   const T Hb31_11 = Hp31_11 - b31_9;
   const T Hb31_12 = Hp31_12 - T(0.1) * M31_22;
   const T Hb31_13 = T(0.1) * minus_Mp31_23 + Hp31_13;
-  const T Hb31_21 = T(0.1) * Mp31_11 - T(0.6) * Mp31_13;
+  const T minus_Hb31_21 = T(0.1) * minus_Mp31_11 + T(0.6) * Mp31_13;
   const T b31_10 = T(0.6) * minus_Mp31_23;
   const T Hb31_22 = b31_9 + b31_10;
   const T Hb31_23 = T(0.1) * Mp31_13 - T(0.6) * Mp31_33;
@@ -2596,7 +2667,7 @@ template <class T>
   const T Hb31_32 = T(0.6) * M31_22 + Hp31_32;
   const T minus_Hb31_33 = minus_Hp31_33 + b31_10;
   own[frame::v] = v31;
-  own[frame::Mp_11] = Mp31_11;
+  own[frame::minus_Mp_11] = minus_Mp31_11;
   own[frame::Mp_12] = Mp31_12;
   own[frame::gp_1] = gp31_1;
   own[frame::Hp_12] = Hp31_12;
@@ -2624,7 +2695,7 @@ template <class T>
   own[frame::Hb_11] = Hb31_11;
   own[frame::Hb_12] = Hb31_12;
   own[frame::Hb_13] = Hb31_13;
-  own[frame::Hb_21] = Hb31_21;
+  own[frame::Hb_21] = -minus_Hb31_21;
   own[frame::Hb_22] = Hb31_22;
   own[frame::Hb_23] = Hb31_23;
   own[frame::minus_Hb_33] = minus_Hb31_33;
@@ -2635,7 +2706,7 @@ template <class T>
 [[gnu::noinline]] void inward_3(const Inputs<T>& u, T* frames) noexcept {
   const T* const of_31 = frames + 1931;
   T* const own = frames + 1865;
-  const T Mp31_11 = of_31[frame::Mp_11];
+  const T minus_Mp31_11 = of_31[frame::minus_Mp_11];
   const T M31_22 = of_31[frame::M_22];
   const T Mp31_33 = of_31[frame::Mp_33];
   const T Hb31_12 = of_31[frame::Hb_12];
@@ -2657,8 +2728,8 @@ template <class T>
   const T G30_1 = own[frame::G_1];
   const T gt31_2 = of_31[frame::gt_2];
   const T G30_2 = own[frame::G_2];
-  const T G30_3 = own[frame::G_3];
   const T gp31_3 = of_31[frame::gp_3];
+  const T G30_3 = own[frame::G_3];
   const T N30_1 = own[frame::N_1];
   const T np31_1 = of_31[frame::np_1];
   const T N30_2 = own[frame::N_2];
@@ -2671,7 +2742,7 @@ template <class T>
   const T E30_22 = own[frame::E_22];
   const T E30_23 = own[frame::E_23];
   // MA30 = m_all_30 one + Mp31: force for an acceleration of the origin, home axes [kg]
-  const T MA30_11 = T(12.3) + Mp31_11;
+  const T MA30_11 = T(12.3) - minus_Mp31_11;
   const T MA30_22 = T(12.3) + M31_22;
   const T MA30_33 = T(12.3) + Mp31_33;
   // HA30 = h_all_30~ + Hb31: moment for an acceleration of the origin, body axes [kg m]
@@ -2691,7 +2762,7 @@ template <class T>
   // g30 = G30 + gp31: force that drives it, home axes [N]
   const T g30_1 = gp31_1 + G30_1;
   const T g30_2 = gt31_2 + G30_2;
-  const T g30_3 = G30_3 + gp31_3;
+  const T g30_3 = gp31_3 + G30_3;
   // n30 = q31~ gp31 + N30 + np31: moment that drives it, body axes [N m]
   const T n30_1 = N30_1 - T(0.1) * gt31_2 + np31_1;
   const T n30_2 = T(0.1) * gp31_1 - T(0.6) * gp31_3 + N30_2 - u.tau_31;
@@ -2962,7 +3033,6 @@ template <class T>
   const T HbK_32 = T(0.3) * MpK_22 + T(k[11]) * MpK_12;
   const T HbK_33 = bK_10 + bK_9;
   own[frame::v] = vK;
-  own[frame::Mp_11] = MpK_11;
   own[frame::Mp_12] = MpK_12;
   own[frame::Mp_22] = MpK_22;
   own[frame::gp_1] = gpK_1;
@@ -2992,6 +3062,7 @@ template <class T>
   own[frame::Hb_33] = HbK_33;
   own[frame::M_33] = MK_33;
   own[frame::gt_3] = gtK_3;
+  own[frame::Mp_11] = MpK_11;
 }
 
 // bodies 28, 25, 22, 19, 16, 13, 10, 7, 4 and what they carry
@@ -3138,7 +3209,6 @@ template <class T>
   const T HbK_32 = T(0.6) * MK_22 + HpK_32;
   const T HbK_33 = HpK_33 + minus_bK_10;
   own[frame::v] = vK;
-  own[frame::Mp_11] = MpK_11;
   own[frame::Mp_12] = MpK_12;
   own[frame::gp_1] = gpK_1;
   own[frame::Hp_12] = HpK_12;
@@ -3170,6 +3240,7 @@ template <class T>
   own[frame::Mp_23] = MpK_23;
   own[frame::Hp_33] = HpK_33;
   own[frame::Hb_33] = HbK_33;
+  own[frame::Mp_11] = MpK_11;
 }
 
 // bodies 27, 24, 21, 18, 15, 12, 9, 6 and what they carry
@@ -4151,27 +4222,25 @@ template <class T>
 // body 32, solved
 template <class T>
 [[gnu::noinline]] void solved_13(T* ydot, T* frames) noexcept {
-  T* const own = frames + 1997;
   const T* const of_31 = frames + 1931;
-  const T E32_12 = own[frame::E_12];
-  const T beta31_2 = of_31[frame::beta_2];
-  const T E32_11 = own[frame::E_11];
-  const T beta31_1 = of_31[frame::beta_1];
+  T* const own = frames + 1997;
   const T alphaL31_3 = of_31[frame::alphaL_3];
+  const T E32_12 = own[frame::E_12];
+  const T beta31_1 = of_31[frame::beta_1];
+  const T E32_11 = own[frame::E_11];
+  const T beta31_2 = of_31[frame::beta_2];
   const T phi31 = of_31[frame::phi];
   const T minus_alphaL31_1 = of_31[frame::minus_alphaL_1];
   const T v32 = own[frame::v];
   // beta32 = -E32 q32~ alpha31 + E32 beta31: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z32_1 = T(3.1500000000000004) * alphaL31_3;
-  const T z32_2 = T(0.3) * alphaL31_3;
-  const T beta32_1 = E32_11 * beta31_1 - (E32_11 * z32_1 - E32_12 * z32_2) + E32_12 * beta31_2;
-  const T beta32_2 = E32_11 * z32_2 - (E32_12 * beta31_1 - E32_11 * beta31_2) + E32_12 * z32_1;
+  const T beta32_2 = T(3.1500000000000004) * alphaL31_3 * E32_12 - (E32_12 * beta31_1 - E32_11 * beta31_2 - T(0.3) *
+      alphaL31_3 * E32_11);
   // alphaL32 = E32 alpha31: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL32_1 = E32_12 * phi31 - E32_11 * minus_alphaL31_1;
   const T alphaL32_2 = E32_11 * phi31 + E32_12 * minus_alphaL31_1;
   // phi32 = -kB32 . beta32 + v32 - (P_b32 kK32) . alphaL32
-  const T phi32 = T(1.5384615384615385) * beta32_1 - T(0.7692307692307693) * beta32_2 + v32 + T(0.09230769230769231) *
-      alphaL32_1 + T(0.26153846153846155) * alphaL32_2;
+  const T phi32 = v32 - T(1.7200522903844537) * beta32_2 + T(0.2752083664615126) * alphaL32_1 + T(0.03440104580768907)
+      * alphaL32_2;
   // thetaddot32 = -b32 . alphaL32 + phi32
   const T thetaddot32 = phi32 - alphaL31_3;
   ydot[31] = thetaddot32;
@@ -4183,19 +4252,19 @@ template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
   using namespace accelerations_sections;
-  [[maybe_unused]] T frames[2060];
+  [[maybe_unused]] T frames[2057];
   const T inputs[] = {u.tau_30, u.tau_27, u.tau_24, u.tau_21, u.tau_18, u.tau_15, u.tau_12, u.tau_9, u.tau_6,
       u.tau_29, u.tau_26, u.tau_23, u.tau_20, u.tau_17, u.tau_14, u.tau_11, u.tau_8, u.tau_5, u.tau_28, u.tau_25,
       u.tau_22, u.tau_19, u.tau_16, u.tau_13, u.tau_10, u.tau_7, u.tau_4};
   // kind of section, and row of its tables
   static constexpr unsigned char steps[][2] = {
       {0,0}, {1,0}, {2,0}, {3,0}, {4,0}, {5,0}, {3,1}, {4,1}, {5,1}, {3,2}, {4,2}, {5,2}, {3,3}, {4,3}, {5,3}, {3,4},
-      {4,4}, {5,4}, {3,5}, {4,5}, {5,5}, {3,6}, {4,6}, {5,6}, {3,7}, {4,7}, {5,7}, {3,8}, {4,8}, {5,8}, {3,9}, {4,9},
-      {6,0}, {7,0}, {8,0}, {9,0}, {10,0}, {11,0}, {9,1}, {10,1}, {11,1}, {9,2}, {10,2}, {11,2}, {9,3}, {10,3}, {11,3},
-      {9,4}, {10,4}, {11,4}, {9,5}, {10,5}, {11,5}, {9,6}, {10,6}, {11,6}, {9,7}, {10,7}, {11,7}, {9,8}, {10,8},
-      {12,0}, {13,0}, {14,0}, {15,0}, {16,0}, {17,0}, {18,0}, {19,0}, {20,0}, {21,0}, {22,0}, {23,0}, {24,0}, {25,0},
-      {26,0}, {21,1}, {22,1}, {23,1}, {24,1}, {25,1}, {26,1}, {21,2}, {22,2}, {23,2}, {24,2}, {25,2}, {26,2}, {21,3},
-      {22,3}, {23,3}, {24,3}, {25,3}, {26,3}, {27,0}};
+      {4,4}, {5,4}, {3,5}, {4,5}, {5,5}, {3,6}, {4,6}, {5,6}, {3,7}, {4,7}, {5,7}, {3,8}, {4,8}, {5,8}, {3,9}, {6,0},
+      {7,0}, {8,0}, {9,0}, {10,0}, {11,0}, {12,0}, {10,1}, {11,1}, {12,1}, {10,2}, {11,2}, {12,2}, {10,3}, {11,3},
+      {12,3}, {10,4}, {11,4}, {12,4}, {10,5}, {11,5}, {12,5}, {10,6}, {11,6}, {12,6}, {10,7}, {11,7}, {12,7}, {10,8},
+      {11,8}, {13,0}, {14,0}, {15,0}, {16,0}, {17,0}, {18,0}, {19,0}, {20,0}, {21,0}, {22,0}, {23,0}, {24,0}, {25,0},
+      {26,0}, {27,0}, {22,1}, {23,1}, {24,1}, {25,1}, {26,1}, {27,1}, {22,2}, {23,2}, {24,2}, {25,2}, {26,2}, {27,2},
+      {22,3}, {23,3}, {24,3}, {25,3}, {26,3}, {27,3}, {28,0}};
   for (const auto& step : steps) {
     [[maybe_unused]] const int row = step[1];
     switch (step[0]) {
@@ -4205,35 +4274,36 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       case 3: outward_4(x, y, frames, row); break;
       case 4: outward_5(x, y, frames, row); break;
       case 5: outward_6(x, y, frames, row); break;
-      case 6: inward_1(u, frames); break;
-      case 7: inward_2(u, frames); break;
-      case 8: inward_3(u, frames); break;
-      case 9: inward_4(inputs, frames, row); break;
-      case 10: inward_5(inputs, frames, row); break;
-      case 11: inward_6(inputs, frames, row); break;
-      case 12: inward_7(u, frames); break;
-      case 13: inward_8(u, frames); break;
-      case 14: inward_9(u, ydot, frames); break;
-      case 15: solved_1(ydot, frames); break;
-      case 16: solved_2(ydot, frames); break;
-      case 17: solved_3(ydot, frames); break;
-      case 18: solved_4(ydot, frames); break;
-      case 19: solved_5(ydot, frames); break;
-      case 20: solved_6(ydot, frames); break;
-      case 21: solved_7(ydot, frames, row); break;
-      case 22: solved_8(ydot, frames, row); break;
-      case 23: solved_9(ydot, frames, row); break;
-      case 24: solved_10(ydot, frames, row); break;
-      case 25: solved_11(ydot, frames, row); break;
-      case 26: solved_12(ydot, frames, row); break;
-      case 27: solved_13(ydot, frames); break;
+      case 6: outward_7(x, y, frames); break;
+      case 7: inward_1(u, frames); break;
+      case 8: inward_2(u, frames); break;
+      case 9: inward_3(u, frames); break;
+      case 10: inward_4(inputs, frames, row); break;
+      case 11: inward_5(inputs, frames, row); break;
+      case 12: inward_6(inputs, frames, row); break;
+      case 13: inward_7(u, frames); break;
+      case 14: inward_8(u, frames); break;
+      case 15: inward_9(u, ydot, frames); break;
+      case 16: solved_1(ydot, frames); break;
+      case 17: solved_2(ydot, frames); break;
+      case 18: solved_3(ydot, frames); break;
+      case 19: solved_4(ydot, frames); break;
+      case 20: solved_5(ydot, frames); break;
+      case 21: solved_6(ydot, frames); break;
+      case 22: solved_7(ydot, frames, row); break;
+      case 23: solved_8(ydot, frames, row); break;
+      case 24: solved_9(ydot, frames, row); break;
+      case 25: solved_10(ydot, frames, row); break;
+      case 26: solved_11(ydot, frames, row); break;
+      case 27: solved_12(ydot, frames, row); break;
+      case 28: solved_13(ydot, frames); break;
     }
   }
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 1898 add, 1934 multiply, 64 sine or cosine
+// 1894 add, 1931 multiply, 64 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -5802,9 +5872,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G31_3 = U31_31 * T(1.67) - minus_U31_33 * T(0.8350000000000001);
   // N31 = h_own_31~ Pddot31 + axial(U31 (tr(J_own_31)/2 - J_own_31)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N31_1 = T(2.3596500000000002) * (minus_U31_22 - minus_U31_33) - (T(0.624) * U31_32 + T(0.97975) * U31_23) +
+  const T N31_1 = T(2.3596500000000002) * (minus_U31_22 - minus_U31_33) - (T(0.624) * U31_32 + T(0.89575) * U31_23) +
       T(4.666) * U31_31 - T(0.19720000000000001) * U31_21 - T(0.8350000000000001) * Pddot31_2;
-  const T N31_2 = T(0.8350000000000001) * Pddot31_1 - T(1.67) * Pddot31_3 + T(0.97975) * U31_13 - T(0.624) * U31_31 +
+  const T N31_2 = T(0.8350000000000001) * Pddot31_1 - T(1.67) * Pddot31_3 + T(0.89575) * U31_13 - T(0.624) * U31_31 +
       T(0.19720000000000001) * (minus_U31_33 - minus_U31_11) + T(2.3596500000000002) * U31_12 - T(4.666) * U31_32;
   const T N31_3 = T(1.67) * Pddot31_2 + T(0.624) * U31_21 + T(0.624) * U31_12 + T(4.666) * (minus_U31_11 -
       minus_U31_22) + T(0.19720000000000001) * U31_23 - T(2.3596500000000002) * U31_13;
@@ -5813,9 +5883,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T theta32 = x[31];
   const T thetadot32 = y[31];
   const T thetaddot32 = ydot[31];
-  // E32^T = Rot(b32, theta32): E takes components in the lower body to those in the body
-  const T E32_11 = cos(theta32);
-  const T E32_12 = sin(theta32);
+  // E32^T = Z32^T Rot(b32, theta32): E takes components in the lower body to those in the body
+  const T t32_1 = cos(theta32);
+  const T t32_2 = sin(theta32);
+  const T E32_11 = T(0.44721359549995804) * t32_1 - T(0.8944271909999159) * t32_2;
+  const T E32_12 = T(0.8944271909999159) * t32_1 + T(0.44721359549995804) * t32_2;
   // omega32 = thetadot32 b32 + E32 omega31: absolute angular velocity, body axes [rad/s]
   const T omega32_1 = E32_11 * omega31_1 + E32_12 * omega31_2;
   const T omega32_2 = E32_11 * omega31_2 - E32_12 * omega31_1;
@@ -5827,41 +5899,39 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot32_3 = thetaddot32 + omegadot31_3;
   // U32 = omega32~ omega32~ + omegadot32~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t32_1 = omega32_3 * omega32_3;
-  const T t32_2 = omega32_2 * omega32_2;
-  const T minus_U32_11 = t32_1 + t32_2;
-  const T t32_3 = omega32_2 * omega32_1;
-  const T U32_12 = t32_3 - omegadot32_3;
-  const T t32_4 = omega32_3 * omega32_1;
-  const T U32_13 = t32_4 + omegadot32_2;
-  const T U32_21 = t32_3 + omegadot32_3;
-  const T t32_5 = omega32_1 * omega32_1;
-  const T minus_U32_22 = t32_1 + t32_5;
-  const T t32_6 = omega32_3 * omega32_2;
-  const T U32_23 = t32_6 - omegadot32_1;
-  const T U32_31 = t32_4 - omegadot32_2;
-  const T U32_32 = t32_6 + omegadot32_1;
-  const T minus_U32_33 = t32_2 + t32_5;
+  const T t32_3 = omega32_3 * omega32_3;
+  const T t32_4 = omega32_2 * omega32_2;
+  const T minus_U32_11 = t32_3 + t32_4;
+  const T t32_5 = omega32_2 * omega32_1;
+  const T U32_12 = t32_5 - omegadot32_3;
+  const T t32_6 = omega32_3 * omega32_1;
+  const T U32_13 = t32_6 + omegadot32_2;
+  const T U32_21 = t32_5 + omegadot32_3;
+  const T t32_7 = omega32_1 * omega32_1;
+  const T minus_U32_22 = t32_3 + t32_7;
+  const T t32_8 = omega32_3 * omega32_2;
+  const T U32_23 = t32_8 - omegadot32_1;
+  const T U32_31 = t32_6 - omegadot32_2;
+  const T U32_32 = t32_8 + omegadot32_1;
+  const T minus_U32_33 = t32_4 + t32_7;
   // Pddot32 = E32 (U31 q32 + Pddot31): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t32_7 = U31_12 * T(3.1500000000000004) - minus_U31_11 * T(0.3) + Pddot31_1;
-  const T t32_8 = U31_21 * T(0.3) - minus_U31_22 * T(3.1500000000000004) + Pddot31_2;
-  const T Pddot32_1 = E32_11 * t32_7 + E32_12 * t32_8;
-  const T Pddot32_2 = E32_11 * t32_8 - E32_12 * t32_7;
+  const T Pddot32_2 = E32_11 * (U31_21 * T(0.3) - minus_U31_22 * T(3.1500000000000004) + Pddot31_2) - E32_12 * (U31_12
+      * T(3.1500000000000004) - minus_U31_11 * T(0.3) + Pddot31_1);
   const T Pddot32_3 = U31_31 * T(0.3) + U31_32 * T(3.1500000000000004) + Pddot31_3;
   // G32 = U32 h_own_32: inertia less applied force, body axes [N]
-  const T G32_1 = U32_12 * T(0.8400000000000001) - minus_U32_11 * T(0.42000000000000004);
-  const T G32_2 = U32_21 * T(0.42000000000000004) - minus_U32_22 * T(0.8400000000000001);
-  const T G32_3 = U32_31 * T(0.42000000000000004) + U32_32 * T(0.8400000000000001);
+  const T minus_G32_1 = minus_U32_11 * T(0.9391485505499118);
+  const T G32_2 = U32_21 * T(0.9391485505499118);
+  const T G32_3 = U32_31 * T(0.9391485505499118);
   // N32 = h_own_32~ Pddot32 + axial(U32 (tr(J_own_32)/2 - J_own_32)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N32_1 = T(0.8400000000000001) * Pddot32_3 + T(0.29400000000000004) * U32_32 + T(0.29400000000000004) *
-      U32_23 + T(0.1428) * (minus_U32_22 - minus_U32_33) + T(0.06300000000000001) * U32_31 - T(0.05040000000000001) *
-      U32_21;
-  const T N32_2 = T(0.05040000000000001) * (minus_U32_33 - minus_U32_11) - (T(0.29400000000000004) * U32_13 + T(0.252)
-      * U32_31) + T(0.1428) * U32_12 - T(0.06300000000000001) * U32_32 - T(0.42000000000000004) * Pddot32_3;
-  const T N32_3 = T(0.42000000000000004) * Pddot32_2 - T(0.8400000000000001) * Pddot32_1 + T(0.252) * U32_21 -
-      T(0.29400000000000004) * U32_12 + T(0.06300000000000001) * (minus_U32_11 - minus_U32_22) +
-      T(0.05040000000000001) * U32_23 - T(0.1428) * U32_13;
+  const T N32_1 = T(0.21000000000000002) * U32_32 + T(0.21000000000000002) * U32_23 + T(0.018782971010998236) *
+      (minus_U32_22 - minus_U32_33) - T(0.02100000000000002) * U32_31 - T(0.1502637680879859) * U32_21;
+  const T N32_2 = T(0.1502637680879859) * (minus_U32_33 - minus_U32_11) - (T(0.21000000000000002) * U32_13 +
+      T(0.3360000000000001) * U32_31) + T(0.018782971010998236) * U32_12 + T(0.02100000000000002) * U32_32 -
+      T(0.9391485505499118) * Pddot32_3;
+  const T N32_3 = T(0.9391485505499118) * Pddot32_2 + T(0.3360000000000001) * U32_21 - T(0.21000000000000002) * U32_12
+      - T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) + T(0.1502637680879859) * U32_23 -
+      T(0.018782971010998236) * U32_13;
 
   // ---- body 32 (body_32) and what it carries
   // r_theta32 = b32 . N32 - tau_body_32_: Kane's equation of the angle [N m]
@@ -5870,16 +5940,16 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
   // ---- body 31 (body_31) and what it carries
   // S31 = E32^T G32 + G31: sum of the force balances of the subtree, body axes [N]
-  const T b31_1 = E32_11 * G32_1 - E32_12 * G32_2;
-  const T S31_1 = b31_1 + G31_1;
-  const T b31_2 = E32_12 * G32_1 + E32_11 * G32_2;
+  const T b31_1 = E32_11 * minus_G32_1 + E32_12 * G32_2;
+  const T S31_1 = G31_1 - b31_1;
+  const T b31_2 = E32_11 * G32_2 - E32_12 * minus_G32_1;
   const T S31_2 = b31_2 + G31_2;
   const T S31_3 = G32_3 + G31_3;
   // rho31 = q32~ E32^T G32 + E32^T N32 + N31: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
   const T rho31_1 = T(3.1500000000000004) * G32_3 + E32_11 * N32_1 - E32_12 * N32_2 + N31_1;
   const T rho31_2 = E32_12 * N32_1 + E32_11 * N32_2 - T(0.3) * G32_3 + N31_2;
-  const T rho31_3 = T(0.3) * b31_2 - T(3.1500000000000004) * b31_1 + N32_3 + N31_3;
+  const T rho31_3 = T(0.3) * b31_2 + T(3.1500000000000004) * b31_1 + N32_3 + N31_3;
   // r_theta31 = b31 . rho31 - tau_body_31_: Kane's equation of the angle [N m]
   const T r_theta31 = rho31_2 - u.tau_31;
   r[30] = r_theta31;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr64: equations of motion of 64 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 087f3a6c37939a1e of bench_cr64/scene.toml; functions kinematics energy accelerations residual
+// model c145162acde9eefc of bench_cr64/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -93,12 +93,12 @@
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
 //   energy                  7474 (3253 add, 4221 multiply, 128 sine or cosine)
-//   accelerations           19130 (9334 add, 9733 multiply, 63 divide, 128 sine or cosine)
-//   residual                7832 (3882 add, 3950 multiply, 128 sine or cosine)
+//   accelerations           19102 (9318 add, 9721 multiply, 63 divide, 128 sine or cosine)
+//   residual                7825 (3878 add, 3947 multiply, 128 sine or cosine)
 //
 // functions written as loops over bodies; bytes in double, estimated:
-//   accelerations: 191 sections of 29 kinds; 41107 of code, 33208 of stack
-//     as a straight line: 173322 of code, 4248 of stack
+//   accelerations: 191 sections of 29 kinds; 41342 of code, 33200 of stack
+//     as a straight line: 173070 of code, 4248 of stack
 #pragma once
 
 #include <cmath>
@@ -110,7 +110,7 @@ inline constexpr int nx = 64;
 inline constexpr int ny = 64;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 64;
-inline constexpr char model_hash[] = "087f3a6c37939a1e";
+inline constexpr char model_hash[] = "c145162acde9eefc";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -3132,23 +3132,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 9334 add, 9733 multiply, 63 divide, 128 sine or cosine
+// 9318 add, 9721 multiply, 63 divide, 128 sine or cosine
 namespace accelerations_sections {
 
 // Results of a body's sections that others read, by their place in the body's frame; fields that no body has both
 // of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.
 namespace frame {
-inline constexpr int minus_U_11 = 31, Pddot_1 = 0, Pddot_3 = 3, N_2 = 1, E_11 = 32, E_12 = 31, omega_1 = 4, omega_2 =
-    5, omegadot_1 = 33, minus_omegadot_2 = 38, U_12 = 34, minus_U_22 = 35, U_32 = 36, minus_U_33 = 37, minus_Pddot_2 =
-    3, G_3 = 6, N_1 = 7, N_3 = 8, E_22 = 32, E_23 = 33, omega_3 = 10, omegadot_2 = 34, omegadot_3 = 38, U_13 = 52,
-    U_21 = 39, U_23 = 53, U_31 = 40, Pddot_2 = 11, G_1 = 12, G_2 = 13, minus_E_13 = 37, v = 2, Mp_11 = 54, Mp_13 = 17,
-    Mp_33 = 41, gp_1 = 55, gp_3 = 42, Hp_11 = 15, Hp_12 = 48, Hp_13 = 58, Hp_31 = 43, Hp_32 = 44, Hp_33 = 45, Jp_11 =
-    56, Jp_13 = 49, Jp_33 = 46, np_1 = 57, np_3 = 47, Hb_21 = 14, Hb_23 = 9, kB_1 = 18, kB_2 = 19, kB_3 = 15, kK_2 =
-    48, kK_3 = 58, M_11 = 55, gt_1 = 35, minus_Mp_12 = 28, Mp_22 = 61, Mp_23 = 26, gp_2 = 59, Hp_21 = 36, minus_Hp_22
-    = 29, Hp_23 = 49, Jp_22 = 50, Jp_23 = 54, np_2 = 51, Hb_11 = 20, Hb_12 = 21, Hb_13 = 22, minus_Hb_22 = 30, Hb_31 =
-    23, Hb_32 = 27, Hb_33 = 24, kK_1 = 60, M_33 = 40, gt_3 = 39, Mp_12 = 29, Jp_12 = 41, Hb_22 = 30, M_22 = 50, gt_2 =
-    51, Hp_22 = 56, beta_3 = 16, alphaL_1 = 63, alphaL_2 = 62, minus_phi = 64, beta_1 = 25, beta_2 = 28,
-    minus_alphaL_3 = 57, phi = 64, alphaL_3 = 65, minus_alphaL_2 = 42, minus_alphaL_1 = 52;
+inline constexpr int minus_U_11 = 31, Pddot_1 = 2, Pddot_3 = 7, N_2 = 0, E_11 = 32, E_12 = 31, omega_1 = 8, omega_2 =
+    9, omegadot_1 = 45, minus_omegadot_2 = 34, U_12 = 46, minus_U_22 = 47, U_32 = 48, minus_U_33 = 33, minus_Pddot_2 =
+    7, G_3 = 3, N_1 = 4, N_3 = 5, E_22 = 32, E_23 = 45, omega_3 = 15, omegadot_2 = 46, omegadot_3 = 49, U_13 = 50,
+    U_21 = 51, U_23 = 52, U_31 = 53, Pddot_2 = 16, G_1 = 10, G_2 = 11, minus_E_13 = 42, E_13 = 2, v = 1, Mp_33 = 34,
+    Mp_11 = 54, Mp_13 = 17, gp_1 = 55, gp_3 = 35, Hp_33 = 36, Hp_11 = 7, Hp_12 = 33, Hp_31 = 37, Hp_13 = 49, Hp_32 =
+    38, Jp_11 = 56, Jp_13 = 41, Jp_33 = 39, np_1 = 57, np_3 = 40, Hb_21 = 12, Hb_23 = 6, kB_1 = 18, kB_2 = 19, kB_3 =
+    13, kK_2 = 41, kK_3 = 58, M_11 = 55, gt_1 = 47, minus_Mp_12 = 29, Mp_22 = 61, Mp_23 = 27, gp_2 = 59, Hp_21 = 48,
+    minus_Hp_22 = 30, Hp_23 = 42, Jp_22 = 43, Jp_23 = 54, np_2 = 44, Hb_11 = 20, Hb_12 = 21, Hb_13 = 22, minus_Hb_22 =
+    56, Hb_31 = 23, Hb_32 = 28, Hb_33 = 24, kK_1 = 60, M_33 = 36, gt_3 = 35, Mp_12 = 29, Jp_12 = 37, Hb_22 = 30, M_22
+    = 43, gt_2 = 44, Hp_22 = 56, beta_3 = 14, alphaL_1 = 63, alphaL_2 = 62, minus_phi = 64, beta_1 = 25, beta_2 = 26,
+    minus_alphaL_3 = 57, phi = 64, alphaL_3 = 65, minus_alphaL_2 = 38, minus_alphaL_1 = 50;
 }  // namespace frame
 
 // how constants stand in tables
@@ -3163,7 +3163,7 @@ struct Constants<float> {
 template <class T>
 using Number = typename Constants<T>::Number;
 
-inline constexpr unsigned short outward_4_places[21][5] = {  // L, J, K, x_at, y_at
+inline constexpr unsigned short outward_4_places[20][5] = {  // L, J, K, x_at, y_at
     {97, 32, 162, 3, 3},
     {293, 228, 359, 6, 6},
     {490, 425, 555, 9, 9},
@@ -3184,10 +3184,9 @@ inline constexpr unsigned short outward_4_places[21][5] = {  // L, J, K, x_at, y
     {3437, 3372, 3503, 54, 54},
     {3634, 3569, 3699, 57, 57},
     {3830, 3765, 3896, 60, 60},
-    {4027, 3962, 4092, 63, 63},
 };
 template <class C>
-inline constexpr C outward_4_numbers[21][14] = {
+inline constexpr C outward_4_numbers[20][14] = {
     {C(0.13999999999999999), C(-0.06999999999999999), C(-0.13999999999999999), C(0.06999999999999999), C(-0.0336),
      C(0.1015), C(0.084), C(-0.049), C(0.0028000000000000004), C(-0.1015), C(0.049), C(-0.0028000000000000004),
      C(-0.084), C(0.0336)},
@@ -3239,9 +3238,6 @@ inline constexpr C outward_4_numbers[21][14] = {
      C(-0.493), C(2.074), C(-0.013600000000000001), C(-0.408), C(1.0812)},
     {C(0.71), C(-0.355), C(-0.71), C(0.355), C(-1.18215), C(0.51475), C(0.426), C(-2.272), C(0.014200000000000003),
      C(-0.51475), C(2.272), C(-0.014200000000000003), C(-0.426), C(1.18215)},
-    {C(0.7400000000000001), C(-0.37000000000000005), C(-0.7400000000000001), C(0.37000000000000005),
-     C(-1.2876000000000003), C(0.5365), C(0.444), C(-2.4790000000000005), C(0.014800000000000004), C(-0.5365),
-     C(2.4790000000000005), C(-0.014800000000000004), C(-0.444), C(1.2876000000000003)},
 };
 inline constexpr unsigned short outward_5_places[20][5] = {  // L, J, K, x_at, y_at
     {162, 97, 228, 4, 4},
@@ -3408,8 +3404,8 @@ inline constexpr C outward_6_numbers[20][16] = {
      C(-76.12274999999998), C(0.5784999999999999), C(-2.4055), C(14.369999999999997), C(-0.5784999999999999),
      C(76.12274999999998), C(-0.545), C(2.4055)},
     {C(3.15), C(-3.15), C(-1.105), C(-26.62), C(26.62), C(1.105), C(0.5681), C(-15.643500000000001),
-     C(-86.72100000000002), C(0.6032500000000001), C(-2.6182000000000003), C(15.643500000000001),
-     C(-0.6032500000000001), C(86.72100000000002), C(-0.5681), C(2.6182000000000003)},
+     C(-86.78316000000001), C(0.6032500000000001), C(-2.6182000000000003), C(15.643500000000001),
+     C(-0.6032500000000001), C(86.78316000000001), C(-0.5681), C(2.6182000000000003)},
 };
 inline constexpr unsigned short inward_4_places[20][3] = {  // J, K, u_at
     {3962, 3896, 0},
@@ -3637,7 +3633,7 @@ inline constexpr C solved_7_numbers[10][2] = {
     {C(5.55), C(-5.55)},
     {C(6.15), C(-6.15)},
 };
-inline constexpr unsigned short solved_8_places[9][3] = {  // L, K, ydot_at
+inline constexpr unsigned short solved_8_places[10][3] = {  // L, K, ydot_at
     {425, 490, 8},
     {818, 883, 14},
     {1211, 1276, 20},
@@ -3647,9 +3643,10 @@ inline constexpr unsigned short solved_8_places[9][3] = {  // L, K, ydot_at
     {2783, 2848, 44},
     {3176, 3241, 50},
     {3569, 3634, 56},
+    {3962, 4027, 62},
 };
 template <class C>
-inline constexpr C solved_8_numbers[9][1] = {
+inline constexpr C solved_8_numbers[10][1] = {
     {C(0.45)},
     {C(0.75)},
     {C(1.05)},
@@ -3659,6 +3656,7 @@ inline constexpr C solved_8_numbers[9][1] = {
     {C(2.25)},
     {C(2.55)},
     {C(2.85)},
+    {C(3.15)},
 };
 inline constexpr unsigned short solved_9_places[9][3] = {  // L, K, ydot_at
     {490, 555, 9},
@@ -3907,7 +3905,7 @@ template <class T>
   own[frame::G_2] = G3_2;
 }
 
-// bodies 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 34, 37, 40, 43, 46, 49, 52, 55, 58, 61, 64
+// bodies 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 34, 37, 40, 43, 46, 49, 52, 55, 58, 61
 template <class T>
 [[gnu::noinline]] void outward_4(const T* x, const T* y, T* frames, int row) noexcept {
   using std::cos, std::sin;
@@ -4192,74 +4190,150 @@ template <class T>
   own[frame::G_2] = GK_2;
 }
 
+// body 64
+template <class T>
+[[gnu::noinline]] void outward_7(const T* x, const T* y, T* frames) noexcept {
+  using std::cos, std::sin;
+  const T* const of_63 = frames + 4027;
+  const T* const of_62 = frames + 3962;
+  T* const own = frames + 4092;
+  const T theta64 = x[63];
+  const T omega63_1 = of_63[frame::omega_1];
+  const T omega63_3 = of_63[frame::omega_3];
+  const T thetadot64 = y[63];
+  const T omega63_2 = of_63[frame::omega_2];
+  const T omegadot62_1 = of_62[frame::omegadot_1];
+  const T omegadot63_3 = of_63[frame::omegadot_3];
+  const T omegadot63_2 = of_63[frame::omegadot_2];
+  const T U63_13 = of_63[frame::U_13];
+  const T minus_U63_11 = of_63[frame::minus_U_11];
+  const T Pddot63_1 = of_63[frame::Pddot_1];
+  const T U63_31 = of_63[frame::U_31];
+  const T minus_U63_33 = of_63[frame::minus_U_33];
+  const T Pddot63_3 = of_63[frame::Pddot_3];
+  const T U63_21 = of_63[frame::U_21];
+  const T U63_23 = of_63[frame::U_23];
+  const T Pddot63_2 = of_63[frame::Pddot_2];
+  // E64^T = Z64^T Rot(b64, theta64): E takes components in the lower body to those in the body
+  const T t64_1 = cos(theta64);
+  const T t64_2 = sin(theta64);
+  const T E64_11 = T(0.44721359549995804) * t64_1 - T(0.8944271909999159) * t64_2;
+  const T minus_E64_13 = T(0.8944271909999159) * t64_1 + T(0.44721359549995804) * t64_2;
+  // omega64 = thetadot64 b64 + E64 omega63: absolute angular velocity, body axes [rad/s]
+  const T omega64_1 = E64_11 * omega63_1 - minus_E64_13 * omega63_3;
+  const T omega64_2 = thetadot64 + omega63_2;
+  const T omega64_3 = E64_11 * omega63_3 + minus_E64_13 * omega63_1;
+  // omegadot64 = -thetadot64 b64~ E64 omega63 + E64 omegadot63: angular acceleration, body axes [rad/s^2]
+  const T omegadot64_1 = E64_11 * omegadot62_1 - minus_E64_13 * omegadot63_3 - thetadot64 * omega64_3;
+  const T omegadot64_3 = thetadot64 * omega64_1 + minus_E64_13 * omegadot62_1 + E64_11 * omegadot63_3;
+  // U64 = omega64~ omega64~ + omegadot64~: takes a point fixed in the body to its acceleration due to rotation, body
+  //   axes [1/s^2]
+  const T t64_3 = omega64_3 * omega64_3;
+  const T t64_4 = omega64_2 * omega64_2;
+  const T minus_U64_11 = t64_3 + t64_4;
+  const T t64_5 = omega64_2 * omega64_1;
+  const T U64_12 = t64_5 - omegadot64_3;
+  const T t64_6 = omega64_3 * omega64_1;
+  const T U64_13 = t64_6 + omegadot63_2;
+  const T U64_21 = t64_5 + omegadot64_3;
+  const T t64_7 = omega64_1 * omega64_1;
+  const T minus_U64_22 = t64_3 + t64_7;
+  const T t64_8 = omega64_3 * omega64_2;
+  const T U64_23 = t64_8 - omegadot64_1;
+  const T U64_31 = t64_6 - omegadot63_2;
+  const T U64_32 = t64_8 + omegadot64_1;
+  const T minus_U64_33 = t64_4 + t64_7;
+  // Pddot64 = E64 (U63 q64 + Pddot63): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot64_1 = E64_11 * (U63_13 * T(0.1) - minus_U63_11 * T(0.6) + Pddot63_1) - minus_E64_13 * (U63_31 * T(0.6)
+      - minus_U63_33 * T(0.1) + Pddot63_3);
+  const T Pddot64_2 = U63_21 * T(0.6) + U63_23 * T(0.1) + Pddot63_2;
+  // G64 = -U64 h_own_64: applied less inertia force, body axes [N]
+  const T minus_G64_1 = U64_13 * T(0.8273451516749223);
+  const T minus_G64_2 = U64_23 * T(0.8273451516749223);
+  const T G64_3 = minus_U64_33 * T(0.8273451516749223);
+  // N64 = -h_own_64~ Pddot64 - axial(U64 (tr(J_own_64)/2 - J_own_64)): applied less inertia moment about the body
+  //   origin, body axes [N m]
+  const T N64_1 = T(0.50616) * U64_32 + T(0.47434000000000004) * U64_23 - T(2.793117232054538) * (minus_U64_22 -
+      minus_U64_33) + T(0.04302194788709596) * U64_31 - T(0.045880000000000025) * U64_21 + T(0.8273451516749223) *
+      Pddot64_2;
+  const T N64_2 = T(0.50616) * U64_31 - (T(0.8273451516749223) * Pddot64_1 + T(0.47434000000000004) * U64_13) -
+      T(0.045880000000000025) * (minus_U64_11 - minus_U64_33) - T(2.793117232054538) * U64_12 - T(0.04302194788709596)
+      * U64_32;
+  const T N64_3 = T(0.04302194788709596) * (minus_U64_11 - minus_U64_22) - (T(0.50616) * U64_21 + T(0.50616) * U64_12)
+      + T(0.045880000000000025) * U64_23 + T(2.793117232054538) * U64_13;
+  own[frame::N_2] = N64_2;
+  own[frame::E_11] = E64_11;
+  own[frame::G_3] = G64_3;
+  own[frame::N_1] = N64_1;
+  own[frame::N_3] = N64_3;
+  own[frame::G_1] = -minus_G64_1;
+  own[frame::G_2] = -minus_G64_2;
+  own[frame::E_13] = -minus_E64_13;
+}
+
 // body 64 and what they carry
 template <class T>
 [[gnu::noinline]] void inward_1(const Inputs<T>& u, T* frames) noexcept {
   T* const own = frames + 4092;
   const T N64_2 = own[frame::N_2];
   const T G64_1 = own[frame::G_1];
-  const T G64_3 = own[frame::G_3];
   const T N64_1 = own[frame::N_1];
   const T N64_3 = own[frame::N_3];
-  const T minus_E64_13 = own[frame::minus_E_13];
+  const T E64_13 = own[frame::E_13];
   const T E64_11 = own[frame::E_11];
+  const T G64_3 = own[frame::G_3];
   // u_64 = b64 . N64 + tau_body_64_: drives it [N m], [N]
   const T u_64 = u.tau_64 + N64_2;
   // v64 = invD64 u_64: u/D
   const T v64 = T(1.0198878123406425) * u_64;
   // gt64 = G64 - v64 B64: force with the turn solved [N]
-  const T gt64_1 = G64_1 - v64 * T(0.37000000000000005);
-  const T gt64_3 = v64 * T(0.7400000000000001) + G64_3;
+  const T gt64_1 = G64_1 - v64 * T(0.8273451516749223);
   // nt64 = -tau_body_64_ b64 + P_b64 (N64 - v64 K64): moment with the turn solved [N m]
-  const T nt64_1 = v64 * T(2.4790000000000005) + N64_1;
-  const T nt64_3 = v64 * T(1.2876000000000003) + N64_3;
+  const T nt64_1 = N64_1 - v64 * T(0.04302194788709596);
+  const T nt64_3 = v64 * T(2.793117232054538) + N64_3;
   // Mp64 = E64^T M64 E64: M passed on, lower body's axes [kg]
-  const T b64_1 = T(2) * E64_11;
-  const T b64_2 = b64_1 * T(0.279245283018868) - minus_E64_13 * T(0.41886792452830196);
-  const T b64_3 = minus_E64_13 * b64_2;
-  const T Mp64_11 = b64_3 - T(0.139622641509434);
-  const T Mp64_13 = E64_11 * b64_2 - T(0.279245283018868);
-  const T minus_Mp64_33 = T(0.558490566037736) + b64_3;
+  const T minus_b64_1 = E64_13 * T(0.69811320754717);
+  const T minus_b64_2 = E64_13 * minus_b64_1;
+  const T Mp64_11 = minus_b64_2 - T(0.69811320754717);
+  const T minus_Mp64_13 = E64_11 * minus_b64_1;
   // gp64 = E64^T gt64: force passed on, lower body's axes [N]
-  const T gp64_1 = minus_E64_13 * gt64_3 + E64_11 * gt64_1;
-  const T gp64_3 = E64_11 * gt64_3 - minus_E64_13 * gt64_1;
+  const T gp64_1 = E64_11 * gt64_1 - E64_13 * G64_3;
+  const T gp64_3 = E64_13 * gt64_1 + E64_11 * G64_3;
   // Hp64 = E64^T H64 E64: H passed on, lower body's axes [kg m]
-  const T b64_4 = minus_E64_13 * T(1.9072452830188684) + E64_11 * T(1.3850566037735852);
-  const T b64_5 = minus_E64_13 * b64_4;
-  const T Hp64_11 = T(0.9354716981132077) - b64_5;
-  const T Hp64_12 = minus_E64_13 * T(0.7400000000000001) - E64_11 * T(0.37000000000000005);
-  const T b64_6 = E64_11 * b64_4;
-  const T minus_Hp64_13 = T(0.4858867924528303) + b64_6;
-  const T Hp64_31 = T(1.8709433962264155) - b64_6;
-  const T Hp64_32 = E64_11 * T(0.7400000000000001) + minus_E64_13 * T(0.37000000000000005);
-  const T Hp64_33 = b64_5 - T(0.9717735849056606);
+  const T b64_3 = E64_11 * T(2.356830188679246) - E64_13 * T(0.03630188679245284);
+  const T b64_4 = E64_13 * b64_3;
+  const T minus_Hp64_11 = T(0.03630188679245284) + b64_4;
+  const T minus_Hp64_12 = E64_11 * T(0.8273451516749223);
+  const T b64_5 = E64_11 * b64_3;
+  const T Hp64_13 = b64_5 - T(2.356830188679246);
+  const T minus_Hp64_32 = E64_13 * T(0.8273451516749223);
   // Jp64 = E64^T J64 E64: J passed on, lower body's axes [kg m^2]
-  const T b64_7 = minus_E64_13 * T(4.484274339622643) - b64_1 * T(3.2702415094339634);
-  const T b64_8 = minus_E64_13 * b64_7;
-  const T Jp64_11 = b64_8 - T(6.175160377358492);
-  const T Jp64_13 = E64_11 * b64_7 + T(3.2702415094339634);
-  const T minus_Jp64_33 = T(1.6908860377358494) + b64_8;
+  const T b64_6 = T(2) * E64_11 * T(0.1684351698113208) + E64_13 * T(7.922951018867928);
+  const T b64_7 = E64_13 * b64_6;
+  const T minus_Jp64_11 = T(0.033707698113207535) + b64_7;
+  const T Jp64_13 = E64_11 * b64_6 - T(0.1684351698113208);
+  const T Jp64_33 = b64_7 - T(7.956658716981135);
   // np64 = E64^T nt64: moment passed on, lower body's axes [N m]
-  const T np64_1 = E64_11 * nt64_1 + minus_E64_13 * nt64_3;
-  const T np64_3 = E64_11 * nt64_3 - minus_E64_13 * nt64_1;
+  const T np64_1 = E64_11 * nt64_1 - E64_13 * nt64_3;
+  const T np64_3 = E64_13 * nt64_1 + E64_11 * nt64_3;
   // Hb64 = q64~ Mp64 + Hp64: H of the joint at the lower body's origin, its axes
-  const T Hb64_21 = T(0.1) * Mp64_11 - T(0.6) * Mp64_13;
-  const T Hb64_23 = T(0.1) * Mp64_13 + T(0.6) * minus_Mp64_33;
+  const T Hb64_21 = T(0.1) * Mp64_11 + T(0.6) * minus_Mp64_13;
+  const T Hb64_23 = T(0.6) * minus_b64_2 - T(0.1) * minus_Mp64_13;
   own[frame::v] = v64;
+  own[frame::Mp_33] = -minus_b64_2;
   own[frame::Mp_11] = Mp64_11;
-  own[frame::Mp_13] = Mp64_13;
-  own[frame::Mp_33] = -minus_Mp64_33;
+  own[frame::Mp_13] = -minus_Mp64_13;
   own[frame::gp_1] = gp64_1;
   own[frame::gp_3] = gp64_3;
-  own[frame::Hp_11] = Hp64_11;
-  own[frame::Hp_12] = Hp64_12;
-  own[frame::Hp_13] = -minus_Hp64_13;
-  own[frame::Hp_31] = Hp64_31;
-  own[frame::Hp_32] = Hp64_32;
-  own[frame::Hp_33] = Hp64_33;
-  own[frame::Jp_11] = Jp64_11;
+  own[frame::Hp_33] = b64_4;
+  own[frame::Hp_11] = -minus_Hp64_11;
+  own[frame::Hp_12] = -minus_Hp64_12;
+  own[frame::Hp_31] = b64_5;
+  own[frame::Hp_13] = Hp64_13;
+  own[frame::Hp_32] = -minus_Hp64_32;
+  own[frame::Jp_11] = -minus_Jp64_11;
   own[frame::Jp_13] = Jp64_13;
-  own[frame::Jp_33] = -minus_Jp64_33;
+  own[frame::Jp_33] = Jp64_33;
   own[frame::np_1] = np64_1;
   own[frame::np_3] = np64_3;
   own[frame::Hb_21] = Hb64_21;
@@ -4304,12 +4378,12 @@ template <class T>
   const T HA63_21 = T(1.105) + Hb64_21;
   const T HA63_31 = Hp64_31 - T(26.62);
   // JA63 = q64~ Hp64^T + J_own_63 + Jp64 - Hb64 q64~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA63_11 = T(87.32425000000002) - T(0.2) * Hp64_12 + Jp64_11;
+  const T JA63_11 = T(87.38641000000001) - T(0.2) * Hp64_12 + Jp64_11;
   const T JA63_12 = T(0.1) * Hp64_11 - T(0.6) * Hp64_13 - T(15.643500000000001);
   const T JA63_13 = Jp64_13 - (T(0.1) * Hp64_32 + T(0.5681)) + T(0.6) * Hp64_12;
   const T JA63_22 = Hb64_21 * T(0.1) - Hb64_23 * T(0.6);
   const T JA63_23 = T(0.1) * Hp64_31 - T(0.6) * Hp64_33 - T(2.6182000000000003);
-  const T JA63_33 = T(1.2) * Hp64_32 + T(86.11775000000002) + Jp64_33;
+  const T JA63_33 = T(1.2) * Hp64_32 + T(86.17991) + Jp64_33;
   // g63 = G63 + gp64: force that drives it, home axes [N]
   const T g63_1 = gp64_1 + G63_1;
   const T g63_2 = G64_2 + G63_2;
@@ -4357,7 +4431,7 @@ template <class T>
   const T nt63_2 = n63_2 - v63 * JA63_12;
   const T nt63_3 = n63_3 - v63 * JA63_13;
   // Mp63 = E63^T M63 E63: M passed on, lower body's axes [kg]
-  const T minus_Mp63_12 = E63_22 * minus_M63_12 + E63_23 * M63_13;
+  const T minus_Mp63_12 = E63_23 * M63_13 + E63_22 * minus_M63_12;
   const T Mp63_13 = E63_22 * M63_13 - E63_23 * minus_M63_12;
   const T b63_1 = T(2) * E63_22;
   const T b63_2 = E63_23 * (M63_33 + minus_M63_22) + b63_1 * minus_M63_23;
@@ -4367,17 +4441,17 @@ template <class T>
   const T Mp63_33 = M63_33 - b63_3;
   // gp63 = E63^T gt63: force passed on, lower body's axes [N]
   const T gp63_2 = E63_22 * gt63_2 - E63_23 * gt63_3;
-  const T gp63_3 = E63_22 * gt63_3 + E63_23 * gt63_2;
+  const T gp63_3 = E63_23 * gt63_2 + E63_22 * gt63_3;
   // Hp63 = E63^T H63 E63: H passed on, lower body's axes [kg m]
   const T Hp63_21 = E63_22 * H63_21 - E63_23 * H63_31;
-  const T b63_4 = E63_22 * (H63_23 + H63_32) - E63_23 * (minus_H63_22 + H63_33);
+  const T b63_4 = E63_22 * (H63_23 + H63_32) - E63_23 * (H63_33 + minus_H63_22);
   const T b63_5 = E63_23 * b63_4;
-  const T minus_Hp63_22 = minus_H63_22 + b63_5;
+  const T minus_Hp63_22 = b63_5 + minus_H63_22;
   const T b63_6 = E63_22 * b63_4;
   const T Hp63_23 = b63_6 - H63_32;
   const T Hp63_31 = E63_23 * H63_21 + E63_22 * H63_31;
   const T Hp63_32 = b63_6 - H63_23;
-  const T Hp63_33 = H63_33 + b63_5;
+  const T Hp63_33 = b63_5 + H63_33;
   // Jp63 = E63^T J63 E63: J passed on, lower body's axes [kg m^2]
   const T b63_7 = b63_1 * J63_23 + E63_23 * (J63_22 - J63_33);
   const T b63_8 = E63_23 * b63_7;
@@ -4400,12 +4474,12 @@ template <class T>
   const T Hb63_32 = T(3.15) * minus_Mp63_12 + Hp63_32;
   const T Hb63_33 = Hp63_33 - b63_10;
   own[frame::v] = v63;
-  own[frame::Mp_13] = Mp63_13;
   own[frame::Mp_33] = Mp63_33;
+  own[frame::Mp_13] = Mp63_13;
   own[frame::gp_3] = gp63_3;
+  own[frame::Hp_33] = Hp63_33;
   own[frame::Hp_31] = Hp63_31;
   own[frame::Hp_32] = Hp63_32;
-  own[frame::Hp_33] = Hp63_33;
   own[frame::Jp_33] = Jp63_33;
   own[frame::np_3] = np63_3;
   own[frame::Hb_21] = Hb63_21;
@@ -4462,8 +4536,8 @@ template <class T>
   const T Jp63_33 = of_63[frame::Jp_33];
   const T gt63_1 = of_63[frame::gt_1];
   const T G62_1 = own[frame::G_1];
-  const T G62_2 = own[frame::G_2];
   const T gp63_2 = of_63[frame::gp_2];
+  const T G62_2 = own[frame::G_2];
   const T gp63_3 = of_63[frame::gp_3];
   const T G62_3 = own[frame::G_3];
   const T N62_1 = own[frame::N_1];
@@ -4498,7 +4572,7 @@ template <class T>
   const T JA62_33 = T(151.59699999999998) - T(3.15) * Hp63_31 + Jp63_33 - Hb63_31 * T(3.15);
   // g62 = G62 + gp63: force that drives it, home axes [N]
   const T g62_1 = gt63_1 + G62_1;
-  const T g62_2 = G62_2 + gp63_2;
+  const T g62_2 = gp63_2 + G62_2;
   const T g62_3 = gp63_3 + G62_3;
   // n62 = q63~ gp63 + N62 + np63: moment that drives it, body axes [N m]
   const T n62_1 = T(3.15) * gp63_3 - T(0.2) * gp63_2 + N62_1 - u.tau_63;
@@ -4762,15 +4836,15 @@ template <class T>
   const T HbK_32 = T(0.6) * MK_22 + HpK_32;
   const T HbK_33 = HpK_33 + minus_bK_10;
   own[frame::v] = vK;
+  own[frame::Mp_33] = MpK_33;
   own[frame::Mp_11] = MpK_11;
   own[frame::Mp_13] = MpK_13;
-  own[frame::Mp_33] = MpK_33;
   own[frame::gp_1] = gpK_1;
   own[frame::gp_3] = gpK_3;
+  own[frame::Hp_33] = HpK_33;
   own[frame::Hp_12] = HpK_12;
   own[frame::Hp_31] = HpK_31;
   own[frame::Hp_32] = HpK_32;
-  own[frame::Hp_33] = HpK_33;
   own[frame::Jp_11] = JpK_11;
   own[frame::Jp_13] = JpK_13;
   own[frame::Jp_33] = JpK_33;
@@ -4942,12 +5016,12 @@ template <class T>
   const T HbK_32 = HpK_32 + T(k[10]) * MpK_12;
   const T HbK_33 = HpK_33 - bK_9;
   own[frame::v] = vK;
-  own[frame::Mp_13] = MpK_13;
   own[frame::Mp_33] = MpK_33;
+  own[frame::Mp_13] = MpK_13;
   own[frame::gp_3] = gpK_3;
+  own[frame::Hp_33] = HpK_33;
   own[frame::Hp_31] = HpK_31;
   own[frame::Hp_32] = HpK_32;
-  own[frame::Hp_33] = HpK_33;
   own[frame::Jp_33] = JpK_33;
   own[frame::np_3] = npK_3;
   own[frame::Hb_21] = HbK_21;
@@ -5305,9 +5379,9 @@ template <class T>
   own[frame::v] = v3;
   own[frame::Mp_33] = Mp3_33;
   own[frame::gp_3] = gp3_3;
+  own[frame::Hp_33] = Hp3_33;
   own[frame::Hp_31] = Hp3_31;
   own[frame::Hp_32] = Hp3_32;
-  own[frame::Hp_33] = Hp3_33;
   own[frame::Jp_33] = Jp3_33;
   own[frame::np_3] = np3_3;
   own[frame::Hb_21] = Hb3_21;
@@ -5730,7 +5804,7 @@ template <class T>
   own[frame::beta_2] = betaK_2;
 }
 
-// bodies 9, 15, 21, 27, 33, 39, 45, 51, 57, solved
+// bodies 9, 15, 21, 27, 33, 39, 45, 51, 57, 63, solved
 template <class T>
 [[gnu::noinline]] void solved_8(T* ydot, T* frames, int row) noexcept {
   const auto& [L, K, ydot_at] = solved_8_places[row];
@@ -5948,54 +6022,13 @@ template <class T>
   own[frame::minus_alphaL_1] = minus_alphaLK_1;
 }
 
-// body 63, solved
-template <class T>
-[[gnu::noinline]] void solved_13(T* ydot, T* frames) noexcept {
-  const T* const of_62 = frames + 3962;
-  T* const own = frames + 4027;
-  const T alphaL62_2 = of_62[frame::alphaL_2];
-  const T minus_phi62 = of_62[frame::minus_phi];
-  const T beta62_1 = of_62[frame::beta_1];
-  const T E63_23 = own[frame::E_23];
-  const T beta62_3 = of_62[frame::beta_3];
-  const T E63_22 = own[frame::E_22];
-  const T beta62_2 = of_62[frame::beta_2];
-  const T alphaL62_1 = of_62[frame::alphaL_1];
-  const T kK63_3 = own[frame::kK_3];
-  const T kK63_2 = own[frame::kK_2];
-  const T kB63_3 = own[frame::kB_3];
-  const T kB63_1 = own[frame::kB_1];
-  const T kB63_2 = own[frame::kB_2];
-  const T v63 = own[frame::v];
-  // beta63 = -E63 q63~ alpha62 + E63 beta62: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T beta63_1 = T(0.2) * alphaL62_2 + T(3.15) * minus_phi62 + beta62_1;
-  const T z63_1 = T(0.2) * alphaL62_1;
-  const T z63_2 = T(3.15) * alphaL62_1;
-  const T beta63_2 = E63_22 * beta62_2 - (E63_22 * z63_1 - E63_23 * z63_2) + E63_23 * beta62_3;
-  const T beta63_3 = E63_23 * z63_1 - (E63_23 * beta62_2 - E63_22 * beta62_3) + E63_22 * z63_2;
-  // alphaL63 = E63 alpha62: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL63_2 = E63_22 * alphaL62_2 - E63_23 * minus_phi62;
-  const T minus_alphaL63_3 = E63_22 * minus_phi62 + E63_23 * alphaL62_2;
-  // phi63 = -kB63 . beta63 + v63 - (P_b63 kK63) . alphaL63
-  const T phi63 = kK63_3 * minus_alphaL63_3 - (kK63_2 * alphaL63_2 - (v63 - (kB63_1 * beta63_1 + kB63_2 * beta63_2 +
-      kB63_3 * beta63_3)));
-  // thetaddot63 = -b63 . alphaL63 + phi63
-  const T thetaddot63 = phi63 - alphaL62_1;
-  ydot[62] = thetaddot63;
-  own[frame::beta_3] = beta63_3;
-  own[frame::alphaL_2] = alphaL63_2;
-  own[frame::beta_1] = beta63_1;
-  own[frame::minus_alphaL_3] = minus_alphaL63_3;
-  own[frame::phi] = phi63;
-}
-
 // body 64, solved
 template <class T>
-[[gnu::noinline]] void solved_14(T* ydot, T* frames) noexcept {
+[[gnu::noinline]] void solved_13(T* ydot, T* frames) noexcept {
   const T* const of_63 = frames + 4027;
   T* const own = frames + 4092;
   const T alphaL63_2 = of_63[frame::alphaL_2];
-  const T minus_E64_13 = own[frame::minus_E_13];
+  const T E64_13 = own[frame::E_13];
   const T E64_11 = own[frame::E_11];
   const T beta63_1 = of_63[frame::beta_1];
   const T beta63_3 = of_63[frame::beta_3];
@@ -6003,16 +6036,14 @@ template <class T>
   const T minus_alphaL63_3 = of_63[frame::minus_alphaL_3];
   const T v64 = own[frame::v];
   // beta64 = -E64 q64~ alpha63 + E64 beta63: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z64_1 = T(0.1) * alphaL63_2;
-  const T z64_2 = T(0.6) * alphaL63_2;
-  const T beta64_1 = E64_11 * beta63_1 - minus_E64_13 * beta63_3 + E64_11 * z64_1 + minus_E64_13 * z64_2;
-  const T beta64_3 = minus_E64_13 * z64_1 - E64_11 * z64_2 + minus_E64_13 * beta63_1 + E64_11 * beta63_3;
+  const T beta64_1 = E64_11 * beta63_1 + E64_13 * beta63_3 + T(0.1) * alphaL63_2 * E64_11 - T(0.6) * alphaL63_2 *
+      E64_13;
   // alphaL64 = E64 alpha63: angular acceleration of the lower body beyond that at ydot = 0, body axes
-  const T alphaL64_1 = E64_11 * phi63 + minus_E64_13 * minus_alphaL63_3;
-  const T alphaL64_3 = minus_E64_13 * phi63 - E64_11 * minus_alphaL63_3;
+  const T alphaL64_1 = E64_11 * phi63 - E64_13 * minus_alphaL63_3;
+  const T minus_alphaL64_3 = E64_13 * phi63 + E64_11 * minus_alphaL63_3;
   // phi64 = -kB64 . beta64 + v64 - (P_b64 kK64) . alphaL64
-  const T phi64 = T(0.7547169811320755) * beta64_3 - T(0.37735849056603776) * beta64_1 + v64 + T(2.528301886792453) *
-      alphaL64_1 + T(1.3132075471698115) * alphaL64_3;
+  const T phi64 = v64 - T(0.8437992367923736) * beta64_1 - T(0.043877560313203424) * alphaL64_1 -
+      T(2.8486662234110534) * minus_alphaL64_3;
   // thetaddot64 = -b64 . alphaL64 + phi64
   const T thetaddot64 = phi64 - alphaL63_2;
   ydot[63] = thetaddot64;
@@ -6024,7 +6055,7 @@ template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
   using namespace accelerations_sections;
-  [[maybe_unused]] T frames[4151];
+  [[maybe_unused]] T frames[4150];
   const T inputs[] = {u.tau_62, u.tau_59, u.tau_56, u.tau_53, u.tau_50, u.tau_47, u.tau_44, u.tau_41, u.tau_38,
       u.tau_35, u.tau_32, u.tau_29, u.tau_26, u.tau_23, u.tau_20, u.tau_17, u.tau_14, u.tau_11, u.tau_8, u.tau_5,
       u.tau_61, u.tau_58, u.tau_55, u.tau_52, u.tau_49, u.tau_46, u.tau_43, u.tau_40, u.tau_37, u.tau_34, u.tau_31,
@@ -6037,16 +6068,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       {4,4}, {5,4}, {3,5}, {4,5}, {5,5}, {3,6}, {4,6}, {5,6}, {3,7}, {4,7}, {5,7}, {3,8}, {4,8}, {5,8}, {3,9}, {4,9},
       {5,9}, {3,10}, {4,10}, {5,10}, {3,11}, {4,11}, {5,11}, {3,12}, {4,12}, {5,12}, {3,13}, {4,13}, {5,13}, {3,14},
       {4,14}, {5,14}, {3,15}, {4,15}, {5,15}, {3,16}, {4,16}, {5,16}, {3,17}, {4,17}, {5,17}, {3,18}, {4,18}, {5,18},
-      {3,19}, {4,19}, {5,19}, {3,20}, {6,0}, {7,0}, {8,0}, {9,0}, {10,0}, {11,0}, {9,1}, {10,1}, {11,1}, {9,2},
-      {10,2}, {11,2}, {9,3}, {10,3}, {11,3}, {9,4}, {10,4}, {11,4}, {9,5}, {10,5}, {11,5}, {9,6}, {10,6}, {11,6},
-      {9,7}, {10,7}, {11,7}, {9,8}, {10,8}, {11,8}, {9,9}, {10,9}, {11,9}, {9,10}, {10,10}, {11,10}, {9,11}, {10,11},
-      {11,11}, {9,12}, {10,12}, {11,12}, {9,13}, {10,13}, {11,13}, {9,14}, {10,14}, {11,14}, {9,15}, {10,15}, {11,15},
-      {9,16}, {10,16}, {11,16}, {9,17}, {10,17}, {11,17}, {9,18}, {10,18}, {11,18}, {9,19}, {12,0}, {13,0}, {14,0},
-      {15,0}, {16,0}, {17,0}, {18,0}, {19,0}, {20,0}, {21,0}, {22,0}, {23,0}, {24,0}, {25,0}, {26,0}, {21,1}, {22,1},
-      {23,1}, {24,1}, {25,1}, {26,1}, {21,2}, {22,2}, {23,2}, {24,2}, {25,2}, {26,2}, {21,3}, {22,3}, {23,3}, {24,3},
-      {25,3}, {26,3}, {21,4}, {22,4}, {23,4}, {24,4}, {25,4}, {26,4}, {21,5}, {22,5}, {23,5}, {24,5}, {25,5}, {26,5},
-      {21,6}, {22,6}, {23,6}, {24,6}, {25,6}, {26,6}, {21,7}, {22,7}, {23,7}, {24,7}, {25,7}, {26,7}, {21,8}, {22,8},
-      {23,8}, {24,8}, {25,8}, {26,8}, {21,9}, {27,0}, {28,0}};
+      {3,19}, {4,19}, {5,19}, {6,0}, {7,0}, {8,0}, {9,0}, {10,0}, {11,0}, {12,0}, {10,1}, {11,1}, {12,1}, {10,2},
+      {11,2}, {12,2}, {10,3}, {11,3}, {12,3}, {10,4}, {11,4}, {12,4}, {10,5}, {11,5}, {12,5}, {10,6}, {11,6}, {12,6},
+      {10,7}, {11,7}, {12,7}, {10,8}, {11,8}, {12,8}, {10,9}, {11,9}, {12,9}, {10,10}, {11,10}, {12,10}, {10,11},
+      {11,11}, {12,11}, {10,12}, {11,12}, {12,12}, {10,13}, {11,13}, {12,13}, {10,14}, {11,14}, {12,14}, {10,15},
+      {11,15}, {12,15}, {10,16}, {11,16}, {12,16}, {10,17}, {11,17}, {12,17}, {10,18}, {11,18}, {12,18}, {10,19},
+      {13,0}, {14,0}, {15,0}, {16,0}, {17,0}, {18,0}, {19,0}, {20,0}, {21,0}, {22,0}, {23,0}, {24,0}, {25,0}, {26,0},
+      {27,0}, {22,1}, {23,1}, {24,1}, {25,1}, {26,1}, {27,1}, {22,2}, {23,2}, {24,2}, {25,2}, {26,2}, {27,2}, {22,3},
+      {23,3}, {24,3}, {25,3}, {26,3}, {27,3}, {22,4}, {23,4}, {24,4}, {25,4}, {26,4}, {27,4}, {22,5}, {23,5}, {24,5},
+      {25,5}, {26,5}, {27,5}, {22,6}, {23,6}, {24,6}, {25,6}, {26,6}, {27,6}, {22,7}, {23,7}, {24,7}, {25,7}, {26,7},
+      {27,7}, {22,8}, {23,8}, {24,8}, {25,8}, {26,8}, {27,8}, {22,9}, {23,9}, {28,0}};
   for (const auto& step : steps) {
     [[maybe_unused]] const int row = step[1];
     switch (step[0]) {
@@ -6056,36 +6087,36 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       case 3: outward_4(x, y, frames, row); break;
       case 4: outward_5(x, y, frames, row); break;
       case 5: outward_6(x, y, frames, row); break;
-      case 6: inward_1(u, frames); break;
-      case 7: inward_2(u, frames); break;
-      case 8: inward_3(u, frames); break;
-      case 9: inward_4(inputs, frames, row); break;
-      case 10: inward_5(inputs, frames, row); break;
-      case 11: inward_6(inputs, frames, row); break;
-      case 12: inward_7(u, frames); break;
-      case 13: inward_8(u, frames); break;
-      case 14: inward_9(u, ydot, frames); break;
-      case 15: solved_1(ydot, frames); break;
-      case 16: solved_2(ydot, frames); break;
-      case 17: solved_3(ydot, frames); break;
-      case 18: solved_4(ydot, frames); break;
-      case 19: solved_5(ydot, frames); break;
-      case 20: solved_6(ydot, frames); break;
-      case 21: solved_7(ydot, frames, row); break;
-      case 22: solved_8(ydot, frames, row); break;
-      case 23: solved_9(ydot, frames, row); break;
-      case 24: solved_10(ydot, frames, row); break;
-      case 25: solved_11(ydot, frames, row); break;
-      case 26: solved_12(ydot, frames, row); break;
-      case 27: solved_13(ydot, frames); break;
-      case 28: solved_14(ydot, frames); break;
+      case 6: outward_7(x, y, frames); break;
+      case 7: inward_1(u, frames); break;
+      case 8: inward_2(u, frames); break;
+      case 9: inward_3(u, frames); break;
+      case 10: inward_4(inputs, frames, row); break;
+      case 11: inward_5(inputs, frames, row); break;
+      case 12: inward_6(inputs, frames, row); break;
+      case 13: inward_7(u, frames); break;
+      case 14: inward_8(u, frames); break;
+      case 15: inward_9(u, ydot, frames); break;
+      case 16: solved_1(ydot, frames); break;
+      case 17: solved_2(ydot, frames); break;
+      case 18: solved_3(ydot, frames); break;
+      case 19: solved_4(ydot, frames); break;
+      case 20: solved_5(ydot, frames); break;
+      case 21: solved_6(ydot, frames); break;
+      case 22: solved_7(ydot, frames, row); break;
+      case 23: solved_8(ydot, frames, row); break;
+      case 24: solved_9(ydot, frames, row); break;
+      case 25: solved_10(ydot, frames, row); break;
+      case 26: solved_11(ydot, frames, row); break;
+      case 27: solved_12(ydot, frames, row); break;
+      case 28: solved_13(ydot, frames); break;
     }
   }
 }
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 3882 add, 3950 multiply, 128 sine or cosine
+// 3878 add, 3947 multiply, 128 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -9333,21 +9364,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G63_3 = U63_32 * T(26.62) - minus_U63_33 * T(1.105);
   // N63 = h_own_63~ Pddot63 + axial(U63 (tr(J_own_63)/2 - J_own_63)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N63_1 = T(26.62) * Pddot63_3 - T(1.105) * Pddot63_2 + T(86.72100000000002) * U63_32 - T(0.6032500000000001)
+  const T N63_1 = T(26.62) * Pddot63_3 - T(1.105) * Pddot63_2 + T(86.78316000000001) * U63_32 - T(0.6032500000000001)
       * U63_23 + T(2.6182000000000003) * (minus_U63_22 - minus_U63_33) + T(15.643500000000001) * U63_31 - T(0.5681) *
       U63_21;
   const T N63_2 = T(1.105) * Pddot63_1 + T(0.6032500000000001) * U63_13 + T(0.6032500000000001) * U63_31 + T(0.5681) *
       (minus_U63_33 - minus_U63_11) + T(2.6182000000000003) * U63_12 - T(15.643500000000001) * U63_32;
   const T N63_3 = T(15.643500000000001) * (minus_U63_11 - minus_U63_22) - (T(0.6032500000000001) * U63_21 +
-      T(86.72100000000002) * U63_12) + T(0.5681) * U63_23 - T(2.6182000000000003) * U63_13 - T(26.62) * Pddot63_1;
+      T(86.78316000000001) * U63_12) + T(0.5681) * U63_23 - T(2.6182000000000003) * U63_13 - T(26.62) * Pddot63_1;
 
   // ---- body 64 (body_64) on body 63
   const T theta64 = x[63];
   const T thetadot64 = y[63];
   const T thetaddot64 = ydot[63];
-  // E64^T = Rot(b64, theta64): E takes components in the lower body to those in the body
-  const T E64_11 = cos(theta64);
-  const T minus_E64_13 = sin(theta64);
+  // E64^T = Z64^T Rot(b64, theta64): E takes components in the lower body to those in the body
+  const T t64_1 = cos(theta64);
+  const T t64_2 = sin(theta64);
+  const T E64_11 = T(0.44721359549995804) * t64_1 - T(0.8944271909999159) * t64_2;
+  const T minus_E64_13 = T(0.8944271909999159) * t64_1 + T(0.44721359549995804) * t64_2;
   // omega64 = thetadot64 b64 + E64 omega63: absolute angular velocity, body axes [rad/s]
   const T omega64_1 = E64_11 * omega63_1 - minus_E64_13 * omega63_3;
   const T omega64_2 = thetadot64 + omega63_2;
@@ -9359,40 +9392,39 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot64_3 = thetadot64 * omega64_1 + minus_E64_13 * omegadot63_1 + E64_11 * omegadot63_3;
   // U64 = omega64~ omega64~ + omegadot64~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t64_1 = omega64_3 * omega64_3;
-  const T t64_2 = omega64_2 * omega64_2;
-  const T minus_U64_11 = t64_1 + t64_2;
-  const T t64_3 = omega64_2 * omega64_1;
-  const T U64_12 = t64_3 - omegadot64_3;
-  const T t64_4 = omega64_3 * omega64_1;
-  const T U64_13 = t64_4 + omegadot64_2;
-  const T U64_21 = t64_3 + omegadot64_3;
-  const T t64_5 = omega64_1 * omega64_1;
-  const T minus_U64_22 = t64_1 + t64_5;
-  const T t64_6 = omega64_3 * omega64_2;
-  const T U64_23 = t64_6 - omegadot64_1;
-  const T U64_31 = t64_4 - omegadot64_2;
-  const T U64_32 = t64_6 + omegadot64_1;
-  const T minus_U64_33 = t64_2 + t64_5;
+  const T t64_3 = omega64_3 * omega64_3;
+  const T t64_4 = omega64_2 * omega64_2;
+  const T minus_U64_11 = t64_3 + t64_4;
+  const T t64_5 = omega64_2 * omega64_1;
+  const T U64_12 = t64_5 - omegadot64_3;
+  const T t64_6 = omega64_3 * omega64_1;
+  const T U64_13 = t64_6 + omegadot64_2;
+  const T U64_21 = t64_5 + omegadot64_3;
+  const T t64_7 = omega64_1 * omega64_1;
+  const T minus_U64_22 = t64_3 + t64_7;
+  const T t64_8 = omega64_3 * omega64_2;
+  const T U64_23 = t64_8 - omegadot64_1;
+  const T U64_31 = t64_6 - omegadot64_2;
+  const T U64_32 = t64_8 + omegadot64_1;
+  const T minus_U64_33 = t64_4 + t64_7;
   // Pddot64 = E64 (U63 q64 + Pddot63): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t64_7 = U63_13 * T(0.1) - minus_U63_11 * T(0.6) + Pddot63_1;
-  const T t64_8 = U63_31 * T(0.6) - minus_U63_33 * T(0.1) + Pddot63_3;
-  const T Pddot64_1 = E64_11 * t64_7 - minus_E64_13 * t64_8;
+  const T Pddot64_1 = E64_11 * (U63_13 * T(0.1) - minus_U63_11 * T(0.6) + Pddot63_1) - minus_E64_13 * (U63_31 * T(0.6)
+      - minus_U63_33 * T(0.1) + Pddot63_3);
   const T Pddot64_2 = U63_21 * T(0.6) + U63_23 * T(0.1) + Pddot63_2;
-  const T Pddot64_3 = minus_E64_13 * t64_7 + E64_11 * t64_8;
   // G64 = U64 h_own_64: inertia less applied force, body axes [N]
-  const T G64_1 = U64_13 * T(0.37000000000000005) - minus_U64_11 * T(0.7400000000000001);
-  const T G64_2 = U64_21 * T(0.7400000000000001) + U64_23 * T(0.37000000000000005);
-  const T G64_3 = U64_31 * T(0.7400000000000001) - minus_U64_33 * T(0.37000000000000005);
+  const T G64_1 = U64_13 * T(0.8273451516749223);
+  const T G64_2 = U64_23 * T(0.8273451516749223);
+  const T minus_G64_3 = minus_U64_33 * T(0.8273451516749223);
   // N64 = h_own_64~ Pddot64 + axial(U64 (tr(J_own_64)/2 - J_own_64)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N64_1 = T(1.2876000000000003) * (minus_U64_22 - minus_U64_33) - (T(0.444) * U64_32 + T(0.5365) * U64_23) +
-      T(2.4790000000000005) * U64_31 - T(0.014800000000000004) * U64_21 - T(0.37000000000000005) * Pddot64_2;
-  const T N64_2 = T(0.37000000000000005) * Pddot64_1 - T(0.7400000000000001) * Pddot64_3 + T(0.5365) * U64_13 -
-      T(0.444) * U64_31 + T(0.014800000000000004) * (minus_U64_33 - minus_U64_11) + T(1.2876000000000003) * U64_12 -
-      T(2.4790000000000005) * U64_32;
-  const T N64_3 = T(0.7400000000000001) * Pddot64_2 + T(0.444) * U64_21 + T(0.444) * U64_12 + T(2.4790000000000005) *
-      (minus_U64_11 - minus_U64_22) + T(0.014800000000000004) * U64_23 - T(1.2876000000000003) * U64_13;
+  const T N64_1 = T(2.793117232054538) * (minus_U64_22 - minus_U64_33) - (T(0.50616) * U64_32 + T(0.47434000000000004)
+      * U64_23) - T(0.04302194788709596) * U64_31 + T(0.045880000000000025) * U64_21 - T(0.8273451516749223) *
+      Pddot64_2;
+  const T N64_2 = T(0.8273451516749223) * Pddot64_1 + T(0.47434000000000004) * U64_13 - T(0.50616) * U64_31 -
+      T(0.045880000000000025) * (minus_U64_33 - minus_U64_11) + T(2.793117232054538) * U64_12 + T(0.04302194788709596)
+      * U64_32;
+  const T N64_3 = T(0.50616) * U64_21 + T(0.50616) * U64_12 - T(0.04302194788709596) * (minus_U64_11 - minus_U64_22) -
+      T(0.045880000000000025) * U64_23 - T(2.793117232054538) * U64_13;
 
   // ---- body 64 (body_64) and what it carries
   // r_theta64 = b64 . N64 - tau_body_64_: Kane's equation of the angle [N m]
@@ -9401,15 +9433,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
   // ---- body 63 (body_63) and what it carries
   // S63 = E64^T G64 + G63: sum of the force balances of the subtree, body axes [N]
-  const T b63_1 = E64_11 * G64_1 + minus_E64_13 * G64_3;
+  const T b63_1 = E64_11 * G64_1 - minus_E64_13 * minus_G64_3;
   const T S63_1 = b63_1 + G63_1;
   const T S63_2 = G64_2 + G63_2;
-  const T b63_2 = E64_11 * G64_3 - minus_E64_13 * G64_1;
-  const T S63_3 = b63_2 + G63_3;
+  const T b63_2 = minus_E64_13 * G64_1 + E64_11 * minus_G64_3;
+  const T S63_3 = G63_3 - b63_2;
   // rho63 = q64~ E64^T G64 + E64^T N64 + N63: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
   const T rho63_1 = E64_11 * N64_1 + minus_E64_13 * N64_3 - T(0.1) * G64_2 + N63_1;
-  const T rho63_2 = T(0.1) * b63_1 - T(0.6) * b63_2 + N64_2 + N63_2;
+  const T rho63_2 = T(0.1) * b63_1 + T(0.6) * b63_2 + N64_2 + N63_2;
   const T rho63_3 = T(0.6) * G64_2 + E64_11 * N64_3 - minus_E64_13 * N64_1 + N63_3;
   // r_theta63 = b63 . rho63 - tau_body_63_: Kane's equation of the angle [N m]
   const T r_theta63 = rho63_1 - u.tau_63;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 227e2679e59fa5d6 of bench_cr7/scene.toml; the usual functions
+// model 3a0c4df52f7e8276 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -27,9 +27,9 @@
 //   energy                  679 (289 add, 390 multiply, 14 sine or cosine)
 //   momentum                915 (421 add, 494 multiply, 14 sine or cosine)
 //   power                   13 (6 add, 7 multiply)
-//   accelerations           1523 (726 add, 791 multiply, 6 divide, 14 sine or cosine)
-//   residual                707 (348 add, 359 multiply, 14 sine or cosine)
-//   forcing                 672 (326 add, 346 multiply, 14 sine or cosine)
+//   accelerations           1495 (710 add, 779 multiply, 6 divide, 14 sine or cosine)
+//   residual                700 (344 add, 356 multiply, 14 sine or cosine)
+//   forcing                 665 (322 add, 343 multiply, 14 sine or cosine)
 //   mass_matrix             439 (207 add, 232 multiply, 12 sine or cosine)
 //   partial_velocities      1070 (472 add, 598 multiply, 14 sine or cosine)
 //   partial_velocity_rates  2362 (1017 add, 1345 multiply, 14 sine or cosine)
@@ -44,7 +44,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "227e2679e59fa5d6";
+inline constexpr char model_hash[] = "3a0c4df52f7e8276";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1071,9 +1071,9 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 726 add, 791 multiply, 6 divide, 14 sine or cosine
-// by: articulated; composite would take 631 add, 704 multiply, 6 divide, 14 sine or cosine, and err by 11 ulps
-//   instead of 4.9
+// 710 add, 779 multiply, 6 divide, 14 sine or cosine
+// by: articulated; composite would take 625 add, 699 multiply, 6 divide, 14 sine or cosine, and err by 11 ulps
+//   instead of 4
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1321,19 +1321,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
       (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
   const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
       minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
   const T thetadot7 = y[6];
-  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T t7_1 = cos(theta7);
+  const T t7_2 = sin(theta7);
+  const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
+  const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
   const T omega7_2 = thetadot7 + omega6_2;
@@ -1343,97 +1345,91 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot5_1 + E7_11 * omegadot6_3;
   // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t7_1 = omega7_3 * omega7_3;
-  const T t7_2 = omega7_2 * omega7_2;
-  const T minus_U7_11 = t7_1 + t7_2;
-  const T t7_3 = omega7_2 * omega7_1;
-  const T U7_12 = t7_3 - omegadot7_3;
-  const T t7_4 = omega7_3 * omega7_1;
-  const T U7_13 = t7_4 + omegadot6_2;
-  const T U7_21 = t7_3 + omegadot7_3;
-  const T t7_5 = omega7_1 * omega7_1;
-  const T minus_U7_22 = t7_1 + t7_5;
-  const T t7_6 = omega7_3 * omega7_2;
-  const T U7_23 = t7_6 - omegadot7_1;
-  const T U7_31 = t7_4 - omegadot6_2;
-  const T U7_32 = t7_6 + omegadot7_1;
-  const T minus_U7_33 = t7_2 + t7_5;
+  const T t7_3 = omega7_3 * omega7_3;
+  const T t7_4 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_3 + t7_4;
+  const T t7_5 = omega7_2 * omega7_1;
+  const T U7_12 = t7_5 - omegadot7_3;
+  const T t7_6 = omega7_3 * omega7_1;
+  const T U7_13 = t7_6 + omegadot6_2;
+  const T U7_21 = t7_5 + omegadot7_3;
+  const T t7_7 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_3 + t7_7;
+  const T t7_8 = omega7_3 * omega7_2;
+  const T U7_23 = t7_8 - omegadot7_1;
+  const T U7_31 = t7_6 - omegadot6_2;
+  const T U7_32 = t7_8 + omegadot7_1;
+  const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
-  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
+      minus_U6_33 * T(0.1) + Pddot6_3);
   const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
-  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
-  const T minus_G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
-  const T minus_G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
-  const T minus_G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  const T minus_G7_1 = U7_13 * T(0.19006577808748215);
+  const T minus_G7_2 = U7_23 * T(0.19006577808748215);
+  const T G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) *
-      U7_31 - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
-  const T minus_N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
-      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
-  const T minus_N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 -
-      minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
+  const T minus_N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23)
+      - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
+  const T minus_N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 -
+      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072)
+      * U7_32;
+  const T minus_N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22)
+      - T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // u_7 = b7 . N7 + tau_body_7_: drives it [N m], [N]
   const T u_7 = u.tau_7 - minus_N7_2;
   // v7 = invD7 u_7: u/D
-  const T v7 = T(4.439511653718092) * u_7;
+  const T v7 = T(4.439511653718091) * u_7;
   // gt7 = G7 - v7 B7: force with the turn solved [N]
-  const T minus_gt7_1 = v7 * T(0.085) + minus_G7_1;
-  const T gt7_3 = v7 * T(0.17) - minus_G7_3;
+  const T minus_gt7_1 = v7 * T(0.19006577808748215) + minus_G7_1;
   // nt7 = -tau_body_7_ b7 + P_b7 (N7 - v7 K7): moment with the turn solved [N m]
-  const T nt7_1 = v7 * T(0.085) - minus_N7_1;
-  const T nt7_3 = v7 * T(0.05355) - minus_N7_3;
+  const T minus_nt7_1 = v7 * T(0.009883420460549072) + minus_N7_1;
+  const T nt7_3 = v7 * T(0.0999745992740156) - minus_N7_3;
   // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
-  const T b7_1 = T(2) * E7_11;
-  const T b7_2 = b7_1 * T(0.06415094339622643) - minus_E7_13 * T(0.09622641509433963);
-  const T b7_3 = minus_E7_13 * b7_2;
-  const T Mp7_11 = b7_3 - T(0.032075471698113214);
-  const T Mp7_13 = E7_11 * b7_2 - T(0.06415094339622643);
-  const T minus_Mp7_33 = T(0.12830188679245286) + b7_3;
+  const T b7_1 = minus_E7_13 * T(0.16037735849056606);
+  const T b7_2 = minus_E7_13 * b7_1;
+  const T Mp7_11 = b7_2 - T(0.16037735849056606);
+  const T Mp7_13 = E7_11 * b7_1;
   // gp7 = E7^T gt7: force passed on, lower body's axes [N]
-  const T gp7_1 = minus_E7_13 * gt7_3 - E7_11 * minus_gt7_1;
-  const T gp7_3 = minus_E7_13 * minus_gt7_1 + E7_11 * gt7_3;
+  const T gp7_1 = minus_E7_13 * G7_3 - E7_11 * minus_gt7_1;
+  const T gp7_3 = minus_E7_13 * minus_gt7_1 + E7_11 * G7_3;
   // Hp7 = E7^T H7 E7: H passed on, lower body's axes [kg m]
-  const T b7_4 = minus_E7_13 * T(0.07249056603773585) + E7_11 * T(0.0439433962264151);
-  const T b7_5 = minus_E7_13 * b7_4;
-  const T Hp7_11 = T(0.03207547169811321) - b7_5;
-  const T Hp7_12 = minus_E7_13 * T(0.17) - E7_11 * T(0.085);
-  const T b7_6 = E7_11 * b7_4;
-  const T minus_Hp7_13 = b7_6 + T(0.020207547169811324);
-  const T Hp7_31 = T(0.06415094339622641) - b7_6;
-  const T Hp7_32 = E7_11 * T(0.17) + minus_E7_13 * T(0.085);
-  const T Hp7_33 = b7_5 - T(0.04041509433962265);
+  const T b7_3 = minus_E7_13 * T(0.008339622641509436) + E7_11 * T(0.08435849056603775);
+  const T b7_4 = minus_E7_13 * b7_3;
+  const T Hp7_11 = b7_4 - T(0.008339622641509436);
+  const T minus_Hp7_12 = E7_11 * T(0.19006577808748215);
+  const T b7_5 = E7_11 * b7_3;
+  const T Hp7_13 = b7_5 - T(0.08435849056603775);
+  const T Hp7_32 = minus_E7_13 * T(0.19006577808748215);
   // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
-  const T b7_7 = minus_E7_13 * T(0.0019052830188679248) + b7_1 * T(0.02360754716981132);
-  const T b7_8 = minus_E7_13 * b7_7;
-  const T minus_Jp7_11 = T(0.010825471698113208) + b7_8;
-  const T Jp7_13 = T(0.02360754716981132) - E7_11 * b7_7;
-  const T Jp7_33 = b7_8 - T(0.012730754716981133);
+  const T b7_6 = T(2) * E7_11 * T(0.014926641509433968) - minus_E7_13 * T(0.03662890566037737);
+  const T b7_7 = minus_E7_13 * b7_6;
+  const T Jp7_11 = b7_7 - T(0.007743660377358488);
+  const T Jp7_13 = E7_11 * b7_6 - T(0.014926641509433968);
+  const T minus_Jp7_33 = T(0.04437256603773586) + b7_7;
   // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
-  const T np7_1 = E7_11 * nt7_1 + minus_E7_13 * nt7_3;
-  const T np7_3 = E7_11 * nt7_3 - minus_E7_13 * nt7_1;
+  const T np7_1 = minus_E7_13 * nt7_3 - E7_11 * minus_nt7_1;
+  const T np7_3 = minus_E7_13 * minus_nt7_1 + E7_11 * nt7_3;
   // Hb7 = q7~ Mp7 + Hp7: H of the joint at the lower body's origin, its axes
   const T Hb7_21 = T(0.1) * Mp7_11 - T(0.6) * Mp7_13;
-  const T Hb7_23 = T(0.1) * Mp7_13 + T(0.6) * minus_Mp7_33;
+  const T Hb7_23 = T(0.1) * Mp7_13 + T(0.6) * b7_2;
 
   // ---- body 6 (body_6) and what it carries
   // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
-  const T HA6_12 = Hp7_12 - T(0.25);
-  const T HA6_13 = T(1.255) - minus_Hp7_13;
+  const T minus_HA6_12 = minus_Hp7_12 + T(0.25);
+  const T HA6_13 = T(1.255) + Hp7_13;
   const T HA6_21 = T(0.25) + Hb7_21;
-  const T HA6_31 = Hp7_31 - T(1.255);
+  const T HA6_31 = b7_5 - T(1.255);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(0.91225) - T(0.2) * Hp7_12 - minus_Jp7_11;
-  const T JA6_12 = T(0.1) * Hp7_11 + T(0.6) * minus_Hp7_13 - T(0.6809999999999999);
-  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(0.1292)) + T(0.6) * Hp7_12;
+  const T JA6_11 = T(0.2) * minus_Hp7_12 + T(0.92653) + Jp7_11;
+  const T JA6_12 = T(0.1) * Hp7_11 - T(0.6) * Hp7_13 - T(0.6809999999999999);
+  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(0.1292)) - T(0.6) * minus_Hp7_12;
   const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
-  const T JA6_23 = T(0.1) * Hp7_31 - T(0.6) * Hp7_33 - T(0.1159);
-  const T JA6_33 = T(1.2) * Hp7_32 + T(0.64625) + Jp7_33;
+  const T JA6_23 = T(0.1) * b7_5 + T(0.6) * b7_4 - T(0.1159);
+  const T JA6_33 = T(1.2) * Hp7_32 + T(0.66053) - minus_Jp7_33;
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T minus_g6_2 = minus_G7_2 + minus_G6_2;
@@ -1446,7 +1442,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T invD6 = T(1) / JA6_11;
   // kB6 = invD6 B6: B/D
   const T kB6_1 = invD6 * Hp7_11;
-  const T kB6_2 = invD6 * HA6_12;
+  const T minus_kB6_2 = invD6 * minus_HA6_12;
   const T kB6_3 = invD6 * HA6_13;
   // kK6 = invD6 K6: K/D
   const T kK6_2 = invD6 * JA6_12;
@@ -1457,51 +1453,51 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T v6 = invD6 * u_6;
   // M6 = Mp7 - kB6 B6^T: MA less what the turn takes up [kg]
   const T M6_11 = Mp7_11 - kB6_1 * Hp7_11;
-  const T minus_M6_12 = kB6_1 * HA6_12;
+  const T M6_12 = kB6_1 * minus_HA6_12;
   const T M6_13 = Mp7_13 - kB6_1 * HA6_13;
-  const T minus_M6_22 = kB6_2 * HA6_12;
-  const T minus_M6_23 = kB6_2 * HA6_13;
-  const T minus_M6_33 = minus_Mp7_33 + kB6_3 * HA6_13;
+  const T minus_M6_22 = minus_kB6_2 * minus_HA6_12;
+  const T M6_23 = minus_kB6_2 * HA6_13;
+  const T minus_M6_33 = b7_2 + kB6_3 * HA6_13;
   // H6 = P_b6 (HA6 - kK6 B6^T): HA less what the turn takes up [kg m]
   const T H6_21 = HA6_21 - kK6_2 * Hp7_11;
-  const T minus_H6_22 = kK6_2 * HA6_12;
+  const T H6_22 = kK6_2 * minus_HA6_12;
   const T H6_23 = Hb7_23 - kK6_2 * HA6_13;
   const T H6_31 = HA6_31 - kK6_3 * Hp7_11;
-  const T H6_32 = Hp7_32 - kK6_3 * HA6_12;
-  const T H6_33 = Hp7_33 - kK6_3 * HA6_13;
+  const T H6_32 = Hp7_32 + kK6_3 * minus_HA6_12;
+  const T minus_H6_33 = b7_4 + kK6_3 * HA6_13;
   // J6 = P_b6 (JA6 - kK6 K6^T) P_b6: JA less what the turn takes up [kg m^2]
   const T minus_J6_22 = minus_JA6_22 + kK6_2 * JA6_12;
   const T J6_23 = JA6_23 - kK6_2 * JA6_13;
   const T J6_33 = JA6_33 - kK6_3 * JA6_13;
   // gt6 = g6 - v6 B6: force with the turn solved [N]
   const T gt6_1 = g6_1 - v6 * Hp7_11;
-  const T minus_gt6_2 = minus_g6_2 + v6 * HA6_12;
+  const T gt6_2 = v6 * minus_HA6_12 - minus_g6_2;
   const T gt6_3 = g6_3 - v6 * HA6_13;
   // nt6 = -tau_body_6_ b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
   const T nt6_2 = n6_2 - v6 * JA6_12;
   const T nt6_3 = n6_3 - v6 * JA6_13;
   // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
-  const T minus_Mp6_12 = E6_22 * minus_M6_12 + E6_23 * M6_13;
-  const T Mp6_13 = E6_22 * M6_13 - E6_23 * minus_M6_12;
+  const T minus_Mp6_12 = E6_23 * M6_13 - E6_22 * M6_12;
+  const T Mp6_13 = E6_22 * M6_13 + E6_23 * M6_12;
   const T b6_1 = T(2) * E6_22;
-  const T b6_2 = E6_23 * (minus_M6_33 - minus_M6_22) - b6_1 * minus_M6_23;
+  const T b6_2 = E6_23 * (minus_M6_33 - minus_M6_22) + b6_1 * M6_23;
   const T b6_3 = E6_23 * b6_2;
   const T minus_Mp6_22 = minus_M6_22 + b6_3;
-  const T Mp6_23 = E6_22 * b6_2 + minus_M6_23;
+  const T Mp6_23 = E6_22 * b6_2 - M6_23;
   const T Mp6_33 = b6_3 - minus_M6_33;
   // gp6 = E6^T gt6: force passed on, lower body's axes [N]
-  const T minus_gp6_2 = E6_22 * minus_gt6_2 + E6_23 * gt6_3;
-  const T gp6_3 = E6_22 * gt6_3 - E6_23 * minus_gt6_2;
+  const T gp6_2 = E6_22 * gt6_2 - E6_23 * gt6_3;
+  const T gp6_3 = E6_23 * gt6_2 + E6_22 * gt6_3;
   // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
   const T Hp6_21 = E6_22 * H6_21 - E6_23 * H6_31;
-  const T b6_4 = E6_22 * (H6_23 + H6_32) - E6_23 * (minus_H6_22 + H6_33);
+  const T b6_4 = E6_23 * (minus_H6_33 + H6_22) + E6_22 * (H6_23 + H6_32);
   const T b6_5 = E6_23 * b6_4;
-  const T minus_Hp6_22 = minus_H6_22 + b6_5;
+  const T minus_Hp6_22 = b6_5 - H6_22;
   const T b6_6 = E6_22 * b6_4;
   const T Hp6_23 = b6_6 - H6_32;
   const T Hp6_31 = E6_23 * H6_21 + E6_22 * H6_31;
   const T Hp6_32 = b6_6 - H6_23;
-  const T Hp6_33 = H6_33 + b6_5;
+  const T Hp6_33 = b6_5 - minus_H6_33;
   // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
   const T b6_7 = b6_1 * J6_23 - E6_23 * (minus_J6_22 + J6_33);
   const T b6_8 = E6_23 * b6_7;
@@ -1539,10 +1535,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T JA5_33 = T(1.573) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T g5_1 = gt6_1 - minus_G5_1;
-  const T minus_g5_2 = minus_gp6_2 + minus_G5_2;
+  const T g5_2 = gp6_2 - minus_G5_2;
   const T g5_3 = gp6_3 - minus_G5_3;
   // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
-  const T n5_1 = T(0.2) * minus_gp6_2 + T(0.3) * gp6_3 - minus_N5_1 - u.tau_6;
+  const T n5_1 = T(0.3) * gp6_3 - T(0.2) * gp6_2 - minus_N5_1 - u.tau_6;
   const T n5_2 = T(0.2) * gt6_1 - minus_N5_2 + np6_2;
   const T n5_3 = np6_3 - (T(0.3) * gt6_1 + minus_N5_3);
   // invD5 = D5^-1: 1/D
@@ -1578,7 +1574,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T J5_22 = JA5_22 - kK5_2 * JA5_23;
   // gt5 = g5 - v5 B5: force with the turn solved [N]
   const T gt5_1 = g5_1 - v5 * HA5_31;
-  const T minus_gt5_2 = minus_g5_2 + v5 * HA5_32;
+  const T gt5_2 = g5_2 - v5 * HA5_32;
   const T gt5_3 = g5_3 - v5 * Hb6_33;
   // nt5 = -tau_body_5_ b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
   const T nt5_1 = n5_1 - v5 * JA5_13;
@@ -1593,8 +1589,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Mp5_22 = b5_3 - minus_M5_22;
   const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
   // gp5 = E5^T gt5: force passed on, lower body's axes [N]
-  const T gp5_1 = E5_11 * gt5_1 + E5_12 * minus_gt5_2;
-  const T gp5_2 = E5_12 * gt5_1 - E5_11 * minus_gt5_2;
+  const T gp5_1 = E5_11 * gt5_1 - E5_12 * gt5_2;
+  const T gp5_2 = E5_12 * gt5_1 + E5_11 * gt5_2;
   // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
   const T b5_4 = E5_12 * (H5_11 + minus_H5_22) + E5_11 * (H5_12 + H5_21);
   const T b5_5 = E5_12 * b5_4;
@@ -1966,24 +1962,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
   const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
-  const T phi6 = kB6_1 * minus_beta6_1 - kB6_2 * beta6_2 - kB6_3 * beta6_3 + v6 - kK6_2 * alphaL6_2 - kK6_3 *
-      alphaL6_3;
+  const T phi6 = kB6_1 * minus_beta6_1 + minus_kB6_2 * beta6_2 - kB6_3 * beta6_3 + v6 - kK6_3 * alphaL6_3 - kK6_2 *
+      alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
   const T thetaddot6 = phi6 - alphaL5_1;
   ydot[5] = thetaddot6;
 
   // ---- body 7 (body_7), solved
   // beta7 = -E7 q7~ alpha6 + E7 beta6: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z7_1 = T(0.1) * alphaL6_2;
-  const T z7_2 = T(0.6) * alphaL6_2;
-  const T beta7_1 = E7_11 * z7_1 + minus_E7_13 * z7_2 - E7_11 * minus_beta6_1 - minus_E7_13 * beta6_3;
-  const T beta7_3 = minus_E7_13 * z7_1 - E7_11 * z7_2 + E7_11 * beta6_3 - minus_E7_13 * minus_beta6_1;
+  const T beta7_1 = T(0.1) * alphaL6_2 * E7_11 + T(0.6) * alphaL6_2 * minus_E7_13 - E7_11 * minus_beta6_1 -
+      minus_E7_13 * beta6_3;
   // alphaL7 = E7 alpha6: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
   const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
   // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
-  const T phi7 = T(0.7547169811320755) * beta7_3 - T(0.37735849056603776) * beta7_1 + v7 + T(0.37735849056603776) *
-      alphaL7_1 + T(0.23773584905660378) * alphaL7_3;
+  const T phi7 = v7 - T(0.8437992367923736) * beta7_1 - T(0.043877560313203424) * alphaL7_1 + T(0.4438383985527885) *
+      alphaL7_3;
   // thetaddot7 = -b7 . alphaL7 + phi7
   const T thetaddot7 = phi7 - alphaL6_2;
   ydot[6] = thetaddot7;
@@ -1991,7 +1985,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 348 add, 359 multiply, 14 sine or cosine
+// 344 add, 356 multiply, 14 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -2257,20 +2251,22 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
   // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+  const T N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
       (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
   const T N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 - minus_U6_11) +
       T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+  const T N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
   const T thetadot7 = y[6];
   const T thetaddot7 = ydot[6];
-  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T t7_1 = cos(theta7);
+  const T t7_2 = sin(theta7);
+  const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
+  const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
   const T omega7_2 = thetadot7 + omega6_2;
@@ -2281,39 +2277,37 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot6_1 + E7_11 * omegadot6_3;
   // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t7_1 = omega7_3 * omega7_3;
-  const T t7_2 = omega7_2 * omega7_2;
-  const T minus_U7_11 = t7_1 + t7_2;
-  const T t7_3 = omega7_2 * omega7_1;
-  const T U7_12 = t7_3 - omegadot7_3;
-  const T t7_4 = omega7_3 * omega7_1;
-  const T U7_13 = t7_4 + omegadot7_2;
-  const T U7_21 = t7_3 + omegadot7_3;
-  const T t7_5 = omega7_1 * omega7_1;
-  const T minus_U7_22 = t7_1 + t7_5;
-  const T t7_6 = omega7_3 * omega7_2;
-  const T U7_23 = t7_6 - omegadot7_1;
-  const T U7_31 = t7_4 - omegadot7_2;
-  const T U7_32 = t7_6 + omegadot7_1;
-  const T minus_U7_33 = t7_2 + t7_5;
+  const T t7_3 = omega7_3 * omega7_3;
+  const T t7_4 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_3 + t7_4;
+  const T t7_5 = omega7_2 * omega7_1;
+  const T U7_12 = t7_5 - omegadot7_3;
+  const T t7_6 = omega7_3 * omega7_1;
+  const T U7_13 = t7_6 + omegadot7_2;
+  const T U7_21 = t7_5 + omegadot7_3;
+  const T t7_7 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_3 + t7_7;
+  const T t7_8 = omega7_3 * omega7_2;
+  const T U7_23 = t7_8 - omegadot7_1;
+  const T U7_31 = t7_6 - omegadot7_2;
+  const T U7_32 = t7_8 + omegadot7_1;
+  const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
-  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
+      minus_U6_33 * T(0.1) + Pddot6_3);
   const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
-  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // G7 = U7 h_own_7: inertia less applied force, body axes [N]
-  const T G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
-  const T G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
-  const T G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  const T G7_1 = U7_13 * T(0.19006577808748215);
+  const T G7_2 = U7_23 * T(0.19006577808748215);
+  const T minus_G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) * U7_31
-      - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
-  const T N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
-      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
-  const T N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 - minus_U7_22) +
-      T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
+  const T N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23) -
+      T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
+  const T N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 - T(0.010540000000000004)
+      * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072) * U7_32;
+  const T N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22) -
+      T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // r_theta7 = b7 . N7 - tau_body_7_: Kane's equation of the angle [N m]
@@ -2322,15 +2316,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
   // ---- body 6 (body_6) and what it carries
   // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * G7_1 + minus_E7_13 * G7_3;
+  const T b6_1 = E7_11 * G7_1 - minus_E7_13 * minus_G7_3;
   const T S6_1 = b6_1 + G6_1;
   const T S6_2 = G7_2 + G6_2;
-  const T b6_2 = E7_11 * G7_3 - minus_E7_13 * G7_1;
-  const T S6_3 = b6_2 + G6_3;
+  const T b6_2 = minus_E7_13 * G7_1 + E7_11 * minus_G7_3;
+  const T S6_3 = G6_3 - b6_2;
   // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
   const T rho6_1 = E7_11 * N7_1 + minus_E7_13 * N7_3 - T(0.1) * G7_2 + N6_1;
-  const T rho6_2 = T(0.1) * b6_1 - T(0.6) * b6_2 + N7_2 + N6_2;
+  const T rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + N7_2 + N6_2;
   const T rho6_3 = T(0.6) * G7_2 + E7_11 * N7_3 - minus_E7_13 * N7_1 + N6_3;
   // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - u.tau_6;
@@ -2408,7 +2402,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 326 add, 346 multiply, 14 sine or cosine
+// 322 add, 343 multiply, 14 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -2655,19 +2649,21 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.77925) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
+  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
       (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
   const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
       minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.77925) * U6_12) +
+  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T theta7 = x[6];
   const T thetadot7 = y[6];
-  // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
+  const T t7_1 = cos(theta7);
+  const T t7_2 = sin(theta7);
+  const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
+  const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
   const T omega7_2 = thetadot7 + omega6_2;
@@ -2677,39 +2673,38 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T omegadot7_3 = thetadot7 * omega7_1 + minus_E7_13 * omegadot5_1 + E7_11 * omegadot6_3;
   // U7 = omega7~ omega7~ + omegadot7~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t7_1 = omega7_3 * omega7_3;
-  const T t7_2 = omega7_2 * omega7_2;
-  const T minus_U7_11 = t7_1 + t7_2;
-  const T t7_3 = omega7_2 * omega7_1;
-  const T U7_12 = t7_3 - omegadot7_3;
-  const T t7_4 = omega7_3 * omega7_1;
-  const T U7_13 = t7_4 + omegadot6_2;
-  const T U7_21 = t7_3 + omegadot7_3;
-  const T t7_5 = omega7_1 * omega7_1;
-  const T minus_U7_22 = t7_1 + t7_5;
-  const T t7_6 = omega7_3 * omega7_2;
-  const T U7_23 = t7_6 - omegadot7_1;
-  const T U7_31 = t7_4 - omegadot6_2;
-  const T U7_32 = t7_6 + omegadot7_1;
-  const T minus_U7_33 = t7_2 + t7_5;
+  const T t7_3 = omega7_3 * omega7_3;
+  const T t7_4 = omega7_2 * omega7_2;
+  const T minus_U7_11 = t7_3 + t7_4;
+  const T t7_5 = omega7_2 * omega7_1;
+  const T U7_12 = t7_5 - omegadot7_3;
+  const T t7_6 = omega7_3 * omega7_1;
+  const T U7_13 = t7_6 + omegadot6_2;
+  const T U7_21 = t7_5 + omegadot7_3;
+  const T t7_7 = omega7_1 * omega7_1;
+  const T minus_U7_22 = t7_3 + t7_7;
+  const T t7_8 = omega7_3 * omega7_2;
+  const T U7_23 = t7_8 - omegadot7_1;
+  const T U7_31 = t7_6 - omegadot6_2;
+  const T U7_32 = t7_8 + omegadot7_1;
+  const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1;
-  const T t7_8 = U6_31 * T(0.6) - minus_U6_33 * T(0.1) + Pddot6_3;
-  const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
+  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
+      minus_U6_33 * T(0.1) + Pddot6_3);
   const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
-  const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
-  const T minus_G7_1 = U7_13 * T(0.085) - minus_U7_11 * T(0.17);
-  const T minus_G7_2 = U7_21 * T(0.17) + U7_23 * T(0.085);
-  const T minus_G7_3 = U7_31 * T(0.17) - minus_U7_33 * T(0.085);
+  const T minus_G7_1 = U7_13 * T(0.19006577808748215);
+  const T minus_G7_2 = U7_23 * T(0.19006577808748215);
+  const T G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(0.05355) * (minus_U7_22 - minus_U7_33) - (T(0.102) * U7_32 + T(0.12325) * U7_23) + T(0.085) *
-      U7_31 - T(0.0034000000000000002) * U7_21 - T(0.085) * Pddot7_2;
-  const T minus_N7_2 = T(0.085) * Pddot7_1 - T(0.17) * Pddot7_3 + T(0.12325) * U7_13 - T(0.102) * U7_31 +
-      T(0.0034000000000000002) * (minus_U7_33 - minus_U7_11) + T(0.05355) * U7_12 - T(0.085) * U7_32;
-  const T minus_N7_3 = T(0.17) * Pddot7_2 + T(0.102) * U7_21 + T(0.102) * U7_12 + T(0.085) * (minus_U7_11 -
-      minus_U7_22) + T(0.0034000000000000002) * U7_23 - T(0.05355) * U7_13;
+  const T minus_N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23)
+      - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
+  const T minus_N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 -
+      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072)
+      * U7_32;
+  const T minus_N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22)
+      - T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // f_theta7 = b7 . N7 + tau_body_7_: Kane's equation of the angle [N m]
@@ -2718,10 +2713,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 
   // ---- body 6 (body_6) and what it carries
   // S6 = E7^T G7 + G6: sum of the force balances of the subtree, body axes [N]
-  const T b6_1 = E7_11 * minus_G7_1 + minus_E7_13 * minus_G7_3;
+  const T b6_1 = E7_11 * minus_G7_1 - minus_E7_13 * G7_3;
   const T minus_S6_1 = b6_1 + minus_G6_1;
   const T minus_S6_2 = minus_G7_2 + minus_G6_2;
-  const T b6_2 = minus_E7_13 * minus_G7_1 - E7_11 * minus_G7_3;
+  const T b6_2 = minus_E7_13 * minus_G7_1 + E7_11 * G7_3;
   const T S6_3 = b6_2 - minus_G6_3;
   // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]

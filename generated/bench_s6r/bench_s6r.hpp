@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model e3b6b5110b95130d of bench_s6r/scene.toml; the usual functions
+// model 854b3153ab485e63 of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -30,9 +30,9 @@
 //   energy                  650 (285 add, 365 multiply, 10 sine or cosine)
 //   momentum                865 (405 add, 460 multiply, 10 sine or cosine)
 //   power                   71 (33 add, 38 multiply)
-//   accelerations           1523 (733 add, 782 multiply, 8 divide, 10 sine or cosine)
-//   residual                778 (385 add, 393 multiply, 10 sine or cosine)
-//   forcing                 712 (344 add, 368 multiply, 10 sine or cosine)
+//   accelerations           1439 (685 add, 746 multiply, 8 divide, 10 sine or cosine)
+//   residual                757 (373 add, 384 multiply, 10 sine or cosine)
+//   forcing                 691 (332 add, 359 multiply, 10 sine or cosine)
 //   mass_matrix             366 (172 add, 194 multiply, 10 sine or cosine)
 //   partial_velocities      675 (303 add, 372 multiply, 10 sine or cosine)
 //   partial_velocity_rates  1381 (584 add, 797 multiply, 10 sine or cosine)
@@ -47,7 +47,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "e3b6b5110b95130d";
+inline constexpr char model_hash[] = "854b3153ab485e63";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1084,9 +1084,8 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 733 add, 782 multiply, 8 divide, 10 sine or cosine
-// by: articulated; composite would take 710 add, 797 multiply, 8 divide, 10 sine or cosine, and err by 7.3 ulps
-//   instead of 2.2
+// 685 add, 746 multiply, 8 divide, 10 sine or cosine
+// by: articulated; composite would take 692 add, 782 multiply, 8 divide, 10 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
@@ -1135,10 +1134,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
   const T G1_3 = minus_U1_33 * T(1.32) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18;
   // N1 = r1~ R1 F1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body origin, body axes [N m]
-  const T N1_1 = T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.904) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) +
+  const T N1_1 = T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.91576) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) +
       T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.51775) * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) *
-      U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
+  const T N1_2 = T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 - t1_15) +
+      T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
   const T N1_3 = T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) +
       T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
 
@@ -1185,19 +1184,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
-      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
-  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918)
-      * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.10199999999999997) * U2_12 + T(0.264) *
+  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 +
+      T(0.1918) * (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
+  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 +
+      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.08148411764705878) * U2_12 + T(0.264) *
       (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
   const T thetadot3 = y[4];
-  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T t3_1 = cos(theta3);
+  const T t3_2 = sin(theta3);
+  const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
+  const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * omega2_3;
@@ -1207,49 +1208,50 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T omegadot3_3 = E3_23 * minus_omegadot2_2 - thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_3 * omega3_3;
-  const T t3_2 = omega3_2 * omega3_2;
-  const T minus_U3_11 = t3_1 + t3_2;
-  const T t3_3 = omega3_2 * omega3_1;
-  const T U3_12 = t3_3 - omegadot3_3;
-  const T t3_4 = omega3_3 * omega3_1;
-  const T U3_13 = t3_4 + omegadot3_2;
-  const T U3_21 = t3_3 + omegadot3_3;
-  const T t3_5 = omega3_1 * omega3_1;
-  const T minus_U3_22 = t3_1 + t3_5;
-  const T t3_6 = omega3_3 * omega3_2;
-  const T U3_23 = t3_6 - omegadot2_1;
-  const T U3_31 = t3_4 - omegadot3_2;
-  const T U3_32 = t3_6 + omegadot2_1;
-  const T minus_U3_33 = t3_2 + t3_5;
+  const T t3_3 = omega3_3 * omega3_3;
+  const T t3_4 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_3 + t3_4;
+  const T t3_5 = omega3_2 * omega3_1;
+  const T U3_12 = t3_5 - omegadot3_3;
+  const T t3_6 = omega3_3 * omega3_1;
+  const T U3_13 = t3_6 + omegadot3_2;
+  const T U3_21 = t3_5 + omegadot3_3;
+  const T t3_7 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_3 + t3_7;
+  const T t3_8 = omega3_3 * omega3_2;
+  const T U3_23 = t3_8 - omegadot2_1;
+  const T U3_31 = t3_6 - omegadot3_2;
+  const T U3_32 = t3_8 + omegadot2_1;
+  const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
-  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_32 * T(0.15) - t3_10;
-  const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
-  const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
+  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
-  const T minus_G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
-  const T minus_G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
-  const T minus_G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  const T minus_G3_1 = U3_12 * T(0.26800186566514794);
+  const T G3_2 = minus_U3_22 * T(0.26800186566514794);
+  const T minus_G3_3 = U3_32 * T(0.26800186566514794);
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23
-      + T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
-  const T minus_N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
-      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
-  const T minus_N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12)
-      + T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
+  const T minus_N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) *
+      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 +
+      T(0.00220707418783063) * U3_21;
+  const T minus_N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
+  const T minus_N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
+      T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
   const T thetadot4 = y[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cos(theta4);
+  const T t4_2 = sin(theta4);
+  const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
+  const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega2_1 - minus_E4_13 * omega2_3;
   const T omega4_2 = thetadot4 + omega2_2;
@@ -1259,40 +1261,38 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot2_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + t4_2;
-  const T t4_3 = omega4_2 * omega4_1;
-  const T U4_12 = t4_3 - omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_1;
-  const T U4_13 = t4_4 - minus_omegadot2_2;
-  const T U4_21 = t4_3 + omegadot4_3;
-  const T t4_5 = omega4_1 * omega4_1;
-  const T minus_U4_22 = t4_1 + t4_5;
-  const T t4_6 = omega4_3 * omega4_2;
-  const T U4_23 = t4_6 - omegadot4_1;
-  const T U4_31 = t4_4 + minus_omegadot2_2;
-  const T U4_32 = t4_6 + omegadot4_1;
-  const T minus_U4_33 = t4_2 + t4_5;
+  const T t4_3 = omega4_3 * omega4_3;
+  const T t4_4 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_3 + t4_4;
+  const T t4_5 = omega4_2 * omega4_1;
+  const T U4_12 = t4_5 - omegadot4_3;
+  const T t4_6 = omega4_3 * omega4_1;
+  const T U4_13 = t4_6 - minus_omegadot2_2;
+  const T U4_21 = t4_5 + omegadot4_3;
+  const T t4_7 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_3 + t4_7;
+  const T t4_8 = omega4_3 * omega4_2;
+  const T U4_23 = t4_8 - omegadot4_1;
+  const T U4_31 = t4_6 + minus_omegadot2_2;
+  const T U4_32 = t4_8 + omegadot4_1;
+  const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
-  const T t4_8 = U2_31 * T(0.3) - t3_10;
-  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U2_12 * T(0.3) + t3_8;
-  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
+  const T Pddot4_2 = U2_12 * T(0.3) + t3_11;
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
-  const T minus_G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
-  const T minus_G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  const T minus_G4_1 = U4_13 * T(0.15652475842498528);
+  const T minus_G4_2 = U4_23 * T(0.15652475842498528);
+  const T G4_3 = minus_U4_33 * T(0.15652475842498528);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) *
-      U4_31 - T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
-  const T minus_N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 -
-      T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) *
-      U4_32;
-  const T minus_N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) *
-      (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
+  const T minus_N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
+      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528)
+      * Pddot4_2;
+  const T minus_N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+      * U4_32;
+  const T minus_N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -1336,17 +1336,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   //   body axes [N m]
   const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
       (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
-  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
-      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.293) * U5_12 + T(0.2145) * (minus_U5_11 -
-      minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
+      T(0.5312235294117648) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117647) * U5_12 + T(0.2145) *
+      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
   const T thetadot6 = y[7];
-  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T t6_1 = cos(theta6);
+  const T t6_2 = sin(theta6);
+  const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
+  const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -1356,42 +1358,39 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T omegadot6_3 = E6_23 * minus_omegadot5_2 - thetadot6 * omega6_2;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t6_1 = omega6_3 * omega6_3;
-  const T t6_2 = omega6_2 * omega6_2;
-  const T minus_U6_11 = t6_1 + t6_2;
-  const T t6_3 = omega6_2 * omega6_1;
-  const T U6_12 = t6_3 - omegadot6_3;
-  const T t6_4 = omega6_3 * omega6_1;
-  const T U6_13 = t6_4 + omegadot6_2;
-  const T U6_21 = t6_3 + omegadot6_3;
-  const T t6_5 = omega6_1 * omega6_1;
-  const T minus_U6_22 = t6_1 + t6_5;
-  const T t6_6 = omega6_3 * omega6_2;
-  const T U6_23 = t6_6 - omegadot5_1;
-  const T U6_31 = t6_4 - omegadot6_2;
-  const T U6_32 = t6_6 + omegadot5_1;
-  const T minus_U6_33 = t6_2 + t6_5;
+  const T t6_3 = omega6_3 * omega6_3;
+  const T t6_4 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_3 + t6_4;
+  const T t6_5 = omega6_2 * omega6_1;
+  const T U6_12 = t6_5 - omegadot6_3;
+  const T t6_6 = omega6_3 * omega6_1;
+  const T U6_13 = t6_6 + omegadot6_2;
+  const T U6_21 = t6_5 + omegadot6_3;
+  const T t6_7 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_3 + t6_7;
+  const T t6_8 = omega6_3 * omega6_2;
+  const T U6_23 = t6_8 - omegadot5_1;
+  const T U6_31 = t6_6 - omegadot6_2;
+  const T U6_32 = t6_8 + omegadot5_1;
+  const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
-  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
-  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3) + Pddot5_2);
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
-  const T minus_G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
-  const T minus_G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  const T minus_G6_1 = U6_12 * T(0.3298484500494129);
+  const T G6_2 = minus_U6_22 * T(0.3298484500494129);
+  const T minus_G6_3 = U6_32 * T(0.3298484500494129);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002)
-      * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
-      U6_31 - T(0.027200000000000002) * U6_21;
-  const T minus_N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 +
-      T(0.027200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001)
-      * U6_32;
-  const T minus_N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 +
-      T(0.11200000000000002) * U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 -
-      T(0.32000000000000006) * Pddot6_1;
+  const T minus_N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) *
+      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 +
+      T(0.002716399000406929) * U6_21;
+  const T minus_N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
+  const T minus_N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.3298484500494129) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // u_6 = b6 . N6 + tau_body_6_: drives it [N m], [N]
@@ -1399,40 +1398,35 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v6 = invD6 u_6: u/D
   const T v6 = T(4.385964912280701) * u_6;
   // gt6 = G6 - v6 B6: force with the turn solved [N]
-  const T gt6_2 = v6 * T(0.08000000000000002) - minus_G6_2;
-  const T minus_gt6_3 = v6 * T(0.32000000000000006) + minus_G6_3;
+  const T minus_gt6_3 = v6 * T(0.3298484500494129) + minus_G6_3;
   // nt6 = -tau_body_6_ b6 + P_b6 (N6 - v6 K6): moment with the turn solved [N m]
-  const T nt6_2 = v6 * T(0.12000000000000001) - minus_N6_2;
-  const T nt6_3 = v6 * T(0.027200000000000002) - minus_N6_3;
+  const T nt6_2 = v6 * T(0.1230140690184281) - minus_N6_2;
+  const T minus_nt6_3 = v6 * T(0.002716399000406929) + minus_N6_3;
   // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
-  const T b6_1 = T(2) * E6_22;
-  const T b6_2 = E6_23 * T(0.42105263157894746) + b6_1 * T(0.11228070175438598);
-  const T b6_3 = E6_23 * b6_2;
-  const T minus_Mp6_22 = T(0.028070175438596495) + b6_3;
-  const T Mp6_23 = E6_22 * b6_2 - T(0.11228070175438598);
-  const T Mp6_33 = b6_3 - T(0.4491228070175439);
+  const T b6_1 = E6_23 * T(0.4771929824561404);
+  const T minus_Mp6_22 = E6_23 * b6_1;
+  const T Mp6_23 = E6_22 * b6_1;
+  const T Mp6_33 = minus_Mp6_22 - T(0.4771929824561404);
   // gp6 = E6^T gt6: force passed on, lower body's axes [N]
-  const T gp6_2 = E6_22 * gt6_2 + E6_23 * minus_gt6_3;
-  const T gp6_3 = E6_23 * gt6_2 - E6_22 * minus_gt6_3;
+  const T gp6_2 = E6_22 * G6_2 + E6_23 * minus_gt6_3;
+  const T gp6_3 = E6_23 * G6_2 - E6_22 * minus_gt6_3;
   // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
-  const T Hp6_21 = E6_22 * T(0.08000000000000002) + E6_23 * T(0.32000000000000006);
-  const T b6_4 = E6_22 * T(0.15887719298245617) - E6_23 * T(0.08028070175438598);
-  const T b6_5 = E6_23 * b6_4;
-  const T minus_Hp6_22 = T(0.04210526315789474) + b6_5;
-  const T b6_6 = E6_22 * b6_4;
-  const T Hp6_23 = b6_6 + T(0.00954385964912281);
-  const T Hp6_31 = E6_23 * T(0.08000000000000002) - E6_22 * T(0.32000000000000006);
-  const T Hp6_32 = b6_6 - T(0.16842105263157897);
-  const T Hp6_33 = T(0.03817543859649124) + b6_5;
+  const T Hp6_21 = E6_23 * T(0.3298484500494129);
+  const T b6_2 = E6_23 * T(0.003929824561403508) + E6_22 * T(0.17796491228070177);
+  const T minus_Hp6_22 = E6_23 * b6_2;
+  const T Hp6_23 = E6_22 * b6_2;
+  const T minus_Hp6_31 = E6_22 * T(0.3298484500494129);
+  const T Hp6_32 = Hp6_23 - T(0.17796491228070177);
+  const T Hp6_33 = minus_Hp6_22 - T(0.003929824561403508);
   // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
-  const T b6_7 = E6_23 * T(0.05591298245614037) + b6_1 * T(0.036715789473684216);
-  const T b6_8 = E6_23 * b6_7;
-  const T Jp6_22 = b6_8 - T(0.06315789473684211);
-  const T Jp6_23 = T(0.036715789473684216) - E6_22 * b6_7;
-  const T minus_Jp6_33 = T(0.007244912280701747) + b6_8;
+  const T b6_3 = E6_23 * T(0.08389102167182665) + T(2) * E6_22 * T(0.01924028895768834);
+  const T b6_4 = E6_23 * b6_3;
+  const T Jp6_22 = b6_4 - T(0.06637044375644996);
+  const T Jp6_23 = T(0.01924028895768834) - E6_22 * b6_3;
+  const T Jp6_33 = T(0.017520577915376683) - b6_4;
   // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
-  const T np6_2 = E6_22 * nt6_2 - E6_23 * nt6_3;
-  const T np6_3 = E6_23 * nt6_2 + E6_22 * nt6_3;
+  const T np6_2 = E6_22 * nt6_2 + E6_23 * minus_nt6_3;
+  const T np6_3 = E6_23 * nt6_2 - E6_22 * minus_nt6_3;
   // Hb6 = q6~ Mp6 + Hp6: H of the joint at the lower body's origin, its axes
   const T Hb6_12 = T(0.2) * minus_Mp6_22 + T(0.3) * Mp6_23;
   const T Hb6_13 = T(0.3) * Mp6_33 - T(0.2) * Mp6_23;
@@ -1441,15 +1435,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
   const T HA5_13 = T(0.78) + Hb6_13;
   const T HA5_23 = Hp6_23 - T(0.79);
-  const T HA5_31 = Hp6_31 - T(0.78);
+  const T minus_HA5_31 = minus_Hp6_31 + T(0.78);
   const T HA5_32 = T(0.79) + Hp6_32;
   // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
   const T JA5_12 = T(0.2) * minus_Hp6_22 + T(0.3) * Hp6_23 - T(0.2145);
   const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.14600000000000002);
-  const T JA5_22 = T(0.4) * Hp6_21 + T(0.293) + Jp6_22;
-  const T JA5_23 = T(0.2) * Hp6_31 - T(0.14700000000000002) + Jp6_23 - T(0.3) * Hp6_21;
-  const T JA5_33 = T(0.791) - T(0.6) * Hp6_31 - minus_Jp6_33;
+  const T JA5_22 = T(0.4) * Hp6_21 + T(0.2822235294117647) + Jp6_22;
+  const T JA5_23 = Jp6_23 - (T(0.2) * minus_Hp6_31 + T(0.14700000000000002)) - T(0.3) * Hp6_21;
+  const T JA5_33 = T(0.6) * minus_Hp6_31 + T(0.7802235294117648) + Jp6_33;
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T minus_g5_1 = minus_G6_1 + minus_G5_1;
   const T g5_2 = gp6_2 - minus_G5_2;
@@ -1461,7 +1455,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // invD5 = D5^-1: 1/D
   const T invD5 = T(1) / JA5_33;
   // kB5 = invD5 B5: B/D
-  const T kB5_1 = invD5 * HA5_31;
+  const T minus_kB5_1 = invD5 * minus_HA5_31;
   const T kB5_2 = invD5 * HA5_32;
   const T kB5_3 = invD5 * Hp6_33;
   // kK5 = invD5 K5: K/D
@@ -1472,17 +1466,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v5 = invD5 u_5: u/D
   const T v5 = invD5 * u_5;
   // M5 = Mp6 - kB5 B5^T: MA less what the turn takes up [kg]
-  const T minus_M5_11 = kB5_1 * HA5_31;
-  const T minus_M5_12 = kB5_1 * HA5_32;
-  const T minus_M5_13 = kB5_1 * Hp6_33;
+  const T minus_M5_11 = minus_kB5_1 * minus_HA5_31;
+  const T M5_12 = minus_kB5_1 * HA5_32;
+  const T M5_13 = minus_kB5_1 * Hp6_33;
   const T minus_M5_22 = minus_Mp6_22 + kB5_2 * HA5_32;
   const T M5_23 = Mp6_23 - kB5_2 * Hp6_33;
   const T M5_33 = Mp6_33 - kB5_3 * Hp6_33;
   // H5 = P_b5 (HA5 - kK5 B5^T): HA less what the turn takes up [kg m]
-  const T minus_H5_11 = kK5_1 * HA5_31;
+  const T H5_11 = kK5_1 * minus_HA5_31;
   const T H5_12 = Hb6_12 - kK5_1 * HA5_32;
   const T H5_13 = HA5_13 - kK5_1 * Hp6_33;
-  const T H5_21 = Hp6_21 - kK5_2 * HA5_31;
+  const T H5_21 = Hp6_21 + kK5_2 * minus_HA5_31;
   const T minus_H5_22 = minus_Hp6_22 + kK5_2 * HA5_32;
   const T H5_23 = HA5_23 - kK5_2 * Hp6_33;
   // J5 = P_b5 (JA5 - kK5 K5^T) P_b5: JA less what the turn takes up [kg m^2]
@@ -1490,7 +1484,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T J5_12 = JA5_12 - kK5_1 * JA5_23;
   const T J5_22 = JA5_22 - kK5_2 * JA5_23;
   // gt5 = g5 - v5 B5: force with the turn solved [N]
-  const T minus_gt5_1 = minus_g5_1 + v5 * HA5_31;
+  const T gt5_1 = v5 * minus_HA5_31 - minus_g5_1;
   const T gt5_2 = g5_2 - v5 * HA5_32;
   const T gt5_3 = g5_3 - v5 * Hp6_33;
   // nt5 = -tau_body_5_ b5 + P_b5 (n5 - v5 K5): moment with the turn solved [N m]
@@ -1498,20 +1492,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T nt5_2 = n5_2 - v5 * JA5_23;
   // Mp5 = E5^T M5 E5: M passed on, lower body's axes [kg]
   const T b5_1 = T(2) * E5_11;
-  const T b5_2 = E5_12 * (minus_M5_22 - minus_M5_11) - b5_1 * minus_M5_12;
+  const T b5_2 = E5_12 * (minus_M5_22 - minus_M5_11) + b5_1 * M5_12;
   const T b5_3 = E5_12 * b5_2;
   const T minus_Mp5_11 = minus_M5_11 + b5_3;
-  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
-  const T minus_Mp5_13 = E5_11 * minus_M5_13 + E5_12 * M5_23;
+  const T Mp5_12 = E5_11 * b5_2 - M5_12;
+  const T minus_Mp5_13 = E5_12 * M5_23 - E5_11 * M5_13;
   const T Mp5_22 = b5_3 - minus_M5_22;
-  const T Mp5_23 = E5_11 * M5_23 - E5_12 * minus_M5_13;
+  const T Mp5_23 = E5_11 * M5_23 + E5_12 * M5_13;
   // gp5 = E5^T gt5: force passed on, lower body's axes [N]
-  const T minus_gp5_1 = E5_11 * minus_gt5_1 + E5_12 * gt5_2;
-  const T gp5_2 = E5_11 * gt5_2 - E5_12 * minus_gt5_1;
+  const T gp5_1 = E5_11 * gt5_1 - E5_12 * gt5_2;
+  const T gp5_2 = E5_12 * gt5_1 + E5_11 * gt5_2;
   // Hp5 = E5^T H5 E5: H passed on, lower body's axes [kg m]
-  const T b5_4 = E5_12 * (minus_H5_22 - minus_H5_11) + E5_11 * (H5_12 + H5_21);
+  const T b5_4 = E5_12 * (H5_11 + minus_H5_22) + E5_11 * (H5_12 + H5_21);
   const T b5_5 = E5_12 * b5_4;
-  const T minus_Hp5_11 = minus_H5_11 + b5_5;
+  const T Hp5_11 = H5_11 - b5_5;
   const T b5_6 = E5_11 * b5_4;
   const T Hp5_12 = b5_6 - H5_21;
   const T Hp5_13 = E5_11 * H5_13 - E5_12 * H5_23;
@@ -1529,7 +1523,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T np5_2 = E5_12 * nt5_1 + E5_11 * nt5_2;
   // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
   const T b5_9 = T(0.25) * minus_Mp5_13;
-  const T minus_Hb5_11 = minus_Hp5_11 + b5_9;
+  const T Hb5_11 = Hp5_11 - b5_9;
   const T Hb5_12 = T(0.25) * Mp5_23 + Hp5_12;
   const T Hb5_13 = T(0.25) * M5_33 + Hp5_13;
   const T Hb5_21 = T(0.3) * minus_Mp5_13 + Hp5_21;
@@ -1546,43 +1540,38 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v4 = invD4 u_4: u/D
   const T v4 = T(5.390835579514825) * u_4;
   // gt4 = G4 - v4 B4: force with the turn solved [N]
-  const T minus_gt4_1 = v4 * T(0.06999999999999999) + minus_G4_1;
-  const T gt4_3 = v4 * T(0.13999999999999999) - minus_G4_3;
+  const T minus_gt4_1 = v4 * T(0.15652475842498528) + minus_G4_1;
   // nt4 = -tau_body_4_ b4 + P_b4 (N4 - v4 K4): moment with the turn solved [N m]
-  const T nt4_1 = v4 * T(0.049) - minus_N4_1;
-  const T nt4_3 = v4 * T(0.0336) - minus_N4_3;
+  const T minus_nt4_1 = v4 * T(0.008139287438099234) + minus_N4_1;
+  const T nt4_3 = v4 * T(0.05885330916779447) - minus_N4_3;
   // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
-  const T b4_1 = T(2) * E4_11;
-  const T b4_2 = b4_1 * T(0.05283018867924528) - minus_E4_13 * T(0.07924528301886792);
-  const T b4_3 = minus_E4_13 * b4_2;
-  const T Mp4_11 = b4_3 - T(0.02641509433962264);
-  const T Mp4_13 = E4_11 * b4_2 - T(0.05283018867924528);
-  const T minus_Mp4_33 = T(0.10566037735849056) + b4_3;
+  const T b4_1 = minus_E4_13 * T(0.1320754716981132);
+  const T b4_2 = minus_E4_13 * b4_1;
+  const T Mp4_11 = b4_2 - T(0.1320754716981132);
+  const T Mp4_13 = E4_11 * b4_1;
   // gp4 = E4^T gt4: force passed on, lower body's axes [N]
-  const T gp4_1 = minus_E4_13 * gt4_3 - E4_11 * minus_gt4_1;
-  const T gp4_3 = minus_E4_13 * minus_gt4_1 + E4_11 * gt4_3;
+  const T gp4_1 = minus_E4_13 * G4_3 - E4_11 * minus_gt4_1;
+  const T gp4_3 = minus_E4_13 * minus_gt4_1 + E4_11 * G4_3;
   // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
-  const T b4_4 = minus_E4_13 * T(0.043849056603773584) + E4_11 * T(0.02430188679245283);
-  const T b4_5 = minus_E4_13 * b4_4;
-  const T Hp4_11 = T(0.01849056603773585) - b4_5;
-  const T Hp4_12 = minus_E4_13 * T(0.13999999999999999) - E4_11 * T(0.06999999999999999);
-  const T b4_6 = E4_11 * b4_4;
-  const T minus_Hp4_13 = b4_6 + T(0.012679245283018867);
-  const T Hp4_31 = T(0.0369811320754717) - b4_6;
-  const T Hp4_32 = E4_11 * T(0.13999999999999999) + minus_E4_13 * T(0.06999999999999999);
-  const T Hp4_33 = b4_5 - T(0.025358490566037735);
+  const T b4_3 = minus_E4_13 * T(0.006867924528301887) + E4_11 * T(0.04966037735849057);
+  const T b4_4 = minus_E4_13 * b4_3;
+  const T Hp4_11 = b4_4 - T(0.006867924528301887);
+  const T minus_Hp4_12 = E4_11 * T(0.15652475842498528);
+  const T b4_5 = E4_11 * b4_3;
+  const T Hp4_13 = b4_5 - T(0.04966037735849057);
+  const T Hp4_32 = minus_E4_13 * T(0.15652475842498528);
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
-  const T b4_7 = minus_E4_13 * T(0.010642641509433972) + b4_1 * T(0.011675471698113208);
-  const T b4_8 = minus_E4_13 * b4_7;
-  const T Jp4_11 = T(0.004556603773584916) - b4_8;
-  const T Jp4_13 = T(0.011675471698113208) - E4_11 * b4_7;
-  const T Jp4_33 = b4_8 - T(0.006086037735849057);
+  const T b4_6 = T(2) * E4_11 * T(0.011262339622641518) - minus_E4_13 * T(0.012295169811320755);
+  const T b4_7 = minus_E4_13 * b4_6;
+  const T Jp4_11 = b4_7 - T(0.006377132075471701);
+  const T Jp4_13 = E4_11 * b4_6 - T(0.011262339622641518);
+  const T minus_Jp4_33 = T(0.018672301886792454) + b4_7;
   // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
-  const T np4_1 = E4_11 * nt4_1 + minus_E4_13 * nt4_3;
-  const T np4_3 = E4_11 * nt4_3 - minus_E4_13 * nt4_1;
+  const T np4_1 = minus_E4_13 * nt4_3 - E4_11 * minus_nt4_1;
+  const T np4_3 = minus_E4_13 * minus_nt4_1 + E4_11 * nt4_3;
   // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
   const T Hb4_21 = T(0.2) * Mp4_11 - T(0.3) * Mp4_13;
-  const T Hb4_23 = T(0.2) * Mp4_13 + T(0.3) * minus_Mp4_33;
+  const T Hb4_23 = T(0.2) * Mp4_13 + T(0.3) * b4_2;
 
   // ---- body 3 (body_3) and what it carries
   // u_3 = b3 . N3 + tau_body_3_: drives it [N m], [N]
@@ -1590,63 +1579,58 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v3 = invD3 u_3: u/D
   const T v3 = T(5.398110661268555) * u_3;
   // gt3 = G3 - v3 B3: force with the turn solved [N]
-  const T gt3_2 = v3 * T(0.065) - minus_G3_2;
-  const T minus_gt3_3 = v3 * T(0.26) + minus_G3_3;
+  const T minus_gt3_3 = v3 * T(0.26800186566514794) + minus_G3_3;
   // nt3 = -tau_body_3_ b3 + P_b3 (N3 - v3 K3): moment with the turn solved [N m]
-  const T nt3_2 = v3 * T(0.0975) - minus_N3_2;
-  const T nt3_3 = v3 * T(0.0221) - minus_N3_3;
+  const T nt3_2 = v3 * T(0.09994893107747282) - minus_N3_2;
+  const T minus_nt3_3 = v3 * T(0.00220707418783063) + minus_N3_3;
   // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
-  const T b3_1 = T(2) * E3_22;
-  const T b3_2 = E3_23 * T(0.3421052631578948) + b3_1 * T(0.0912280701754386);
-  const T b3_3 = E3_23 * b3_2;
-  const T minus_Mp3_22 = T(0.02280701754385965) + b3_3;
-  const T Mp3_23 = E3_22 * b3_2 - T(0.0912280701754386);
-  const T Mp3_33 = b3_3 - T(0.3649122807017544);
+  const T b3_1 = E3_23 * T(0.3877192982456141);
+  const T minus_Mp3_22 = E3_23 * b3_1;
+  const T Mp3_23 = E3_22 * b3_1;
+  const T Mp3_33 = minus_Mp3_22 - T(0.3877192982456141);
   // gp3 = E3^T gt3: force passed on, lower body's axes [N]
-  const T gp3_2 = E3_22 * gt3_2 + E3_23 * minus_gt3_3;
-  const T gp3_3 = E3_23 * gt3_2 - E3_22 * minus_gt3_3;
+  const T gp3_2 = E3_22 * G3_2 + E3_23 * minus_gt3_3;
+  const T gp3_3 = E3_23 * G3_2 - E3_22 * minus_gt3_3;
   // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
-  const T Hp3_21 = E3_22 * T(0.065) + E3_23 * T(0.26);
-  const T b3_4 = E3_22 * T(0.12908771929824564) - E3_23 * T(0.06522807017543861);
-  const T b3_5 = E3_23 * b3_4;
-  const T minus_Hp3_22 = T(0.034210526315789476) + b3_5;
-  const T b3_6 = E3_22 * b3_4;
-  const T Hp3_23 = b3_6 + T(0.007754385964912282);
-  const T Hp3_31 = E3_23 * T(0.065) - E3_22 * T(0.26);
-  const T Hp3_32 = b3_6 - T(0.1368421052631579);
-  const T Hp3_33 = T(0.031017543859649128) + b3_5;
+  const T Hp3_21 = E3_23 * T(0.26800186566514794);
+  const T b3_2 = E3_23 * T(0.0031929824561403508) + E3_22 * T(0.1445964912280702);
+  const T minus_Hp3_22 = E3_23 * b3_2;
+  const T Hp3_23 = E3_22 * b3_2;
+  const T minus_Hp3_31 = E3_22 * T(0.26800186566514794);
+  const T Hp3_32 = Hp3_23 - T(0.1445964912280702);
+  const T Hp3_33 = minus_Hp3_22 - T(0.0031929824561403508);
   // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
-  const T b3_7 = E3_23 * T(0.04542929824561404) + b3_1 * T(0.029831578947368424);
-  const T b3_8 = E3_23 * b3_7;
-  const T Jp3_22 = b3_8 - T(0.05131578947368422);
-  const T Jp3_23 = T(0.029831578947368424) - E3_22 * b3_7;
-  const T minus_Jp3_33 = T(0.005886491228070174) + b3_8;
+  const T b3_3 = E3_23 * T(0.06816145510835914) + T(2) * E3_22 * T(0.015632734778121774);
+  const T b3_4 = E3_23 * b3_3;
+  const T Jp3_22 = b3_4 - T(0.053925985552115585);
+  const T Jp3_23 = T(0.015632734778121774) - E3_22 * b3_3;
+  const T Jp3_33 = T(0.014235469556243552) - b3_4;
   // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
-  const T np3_2 = E3_22 * nt3_2 - E3_23 * nt3_3;
-  const T np3_3 = E3_23 * nt3_2 + E3_22 * nt3_3;
+  const T np3_2 = E3_22 * nt3_2 + E3_23 * minus_nt3_3;
+  const T np3_3 = E3_23 * nt3_2 - E3_22 * minus_nt3_3;
   // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
   const T Hb3_12 = T(0.2) * minus_Mp3_22 + T(0.15) * Mp3_23;
   const T Hb3_13 = T(0.15) * Mp3_33 - T(0.2) * Mp3_23;
 
   // ---- body 2 (body_2) and what it carries
   // MA2 = Mp4 + Mp3: force for an acceleration of the origin, home axes [kg]
-  const T MA2_33 = Mp3_33 - minus_Mp4_33;
+  const T MA2_33 = Mp3_33 - b4_2;
   // HA2 = h_own_2~ + Hb3 + Hb4: moment for an acceleration of the origin, body axes [kg m]
-  const T HA2_12 = Hb3_12 + Hp4_12;
-  const T HA2_13 = T(0.995) + Hb3_13 - minus_Hp4_13;
+  const T HA2_12 = Hb3_12 - minus_Hp4_12;
+  const T HA2_13 = T(0.995) + Hb3_13 + Hp4_13;
   const T HA2_21 = Hp3_21 + Hb4_21;
   const T HA2_23 = Hp3_23 - T(1.06) + Hb4_23;
-  const T HA2_31 = Hp3_31 - T(0.995) + Hp4_31;
+  const T HA2_31 = b4_5 - (minus_Hp3_31 + T(0.995));
   const T HA2_32 = T(1.06) + Hp3_32 + Hp4_32;
-  const T HA2_33 = Hp3_33 + Hp4_33;
+  const T HA2_33 = Hp3_33 - b4_4;
   // JA2 = q3~ Hp3^T + q4~ Hp4^T + J_own_2 + Jp4 + Jp3 - Hb3 q3~ - Hb4 q4~: moment for an angular acceleration, body
   //   axes [kg m^2]
-  const T JA2_11 = Jp4_11 - T(0.4) * Hp4_12 - Hb3_12 * T(0.2) + Hb3_13 * T(0.15);
-  const T JA2_12 = T(0.2) * minus_Hp3_22 + T(0.15) * Hp3_23 - T(0.264) + T(0.2) * Hp4_11 + T(0.3) * minus_Hp4_13;
-  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.2024) + Jp4_13 + T(0.3) * Hp4_12;
-  const T JA2_22 = T(0.4) * Hp3_21 + T(0.10199999999999997) + Jp3_22 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
-  const T JA2_23 = T(0.2) * Hp3_31 + T(0.2) * Hp4_31 - T(0.3) * Hp4_33 - T(0.1918) + Jp3_23 - T(0.15) * Hp3_21;
-  const T JA2_33 = T(0.6) * Hp4_32 - T(0.3) * Hp3_31 + T(1.0285) + Jp4_33 - minus_Jp3_33;
+  const T JA2_11 = T(0.4) * minus_Hp4_12 + Jp4_11 - Hb3_12 * T(0.2) + Hb3_13 * T(0.15);
+  const T JA2_12 = T(0.2) * minus_Hp3_22 + T(0.15) * Hp3_23 - T(0.264) + T(0.2) * Hp4_11 - T(0.3) * Hp4_13;
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.2024) + Jp4_13 - T(0.3) * minus_Hp4_12;
+  const T JA2_22 = T(0.4) * Hp3_21 + T(0.08148411764705878) + Jp3_22 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
+  const T JA2_23 = T(0.2) * b4_5 + T(0.3) * b4_4 - T(0.2) * minus_Hp3_31 - T(0.1918) + Jp3_23 - T(0.15) * Hp3_21;
+  const T JA2_33 = T(0.3) * minus_Hp3_31 + T(0.6) * Hp4_32 + T(1.0315041176470587) - minus_Jp4_33 + Jp3_33;
   // g2 = G2 + gp4 + gp3: force that drives it, home axes [N]
   const T g2_1 = gp4_1 - minus_G2_1 - minus_G3_1;
   const T g2_2 = gp3_2 - (minus_G4_2 + minus_G2_2);
@@ -1746,7 +1730,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T MA1_23 = Mp5_23 + Mp2_23;
   const T MA1_33 = T(8.1) + M5_33 + M2_33;
   // HA1 = h_all_1~ + Hb2 + Hb5: moment for an acceleration of the origin, body axes [kg m]
-  const T HA1_11 = Hb2_11 - minus_Hb5_11;
+  const T HA1_11 = Hb2_11 + Hb5_11;
   const T HA1_12 = Hb2_12 - T(1.32) + Hb5_12;
   const T HA1_13 = T(1.385) + Hb2_13 + Hb5_13;
   const T HA1_21 = T(1.32) + Hb2_21 + Hb5_21;
@@ -1757,39 +1741,39 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA1_33 = Hb2_33 + Hb5_33;
   // JA1 = q2~ Hp2^T + q5~ Hp5^T + J_all_1 + Jp5 + Jp2 - Hb2 q2~ - Hb5 q5~: moment for an angular acceleration, body
   //   axes [kg m^2]
-  const T JA1_11 = T(0.1) * Hp2_13 + T(0.25) * Hp5_13 + T(1.5235) - minus_Jp5_11 + Jp2_11 + Hb2_13 * T(0.1) + Hb5_13 *
-      T(0.25);
+  const T JA1_11 = T(0.1) * Hp2_13 + T(0.25) * Hp5_13 + T(1.53526) - minus_Jp5_11 + Jp2_11 + Hb2_13 * T(0.1) + Hb5_13
+      * T(0.25);
   const T JA1_12 = T(0.1) * Hp2_23 + T(0.25) * Hp5_23 - T(0.366) + Jp5_12 + Jp2_12 - Hb2_13 * T(0.3) - Hb5_13 *
       T(0.3);
-  const T JA1_13 = Hb2_12 * T(0.3) - (T(0.3817) + Hb2_11 * T(0.1)) + minus_Hb5_11 * T(0.25) + Hb5_12 * T(0.3);
-  const T JA1_22 = T(1.90975) - (T(0.3) * Hp2_23 + T(0.3) * Hp5_23) + Jp5_22 + Jp2_22 - Hb2_23 * T(0.3) - Hb5_23 *
+  const T minus_JA1_13 = T(0.3817) + Hb2_11 * T(0.1) - Hb2_12 * T(0.3) + Hb5_11 * T(0.25) - Hb5_12 * T(0.3);
+  const T JA1_22 = T(1.92151) - (T(0.3) * Hp2_23 + T(0.3) * Hp5_23) + Jp5_22 + Jp2_22 - Hb2_23 * T(0.3) - Hb5_23 *
       T(0.3);
   const T minus_JA1_23 = T(0.22365000000000002) + Hb2_21 * T(0.1) - Hb2_22 * T(0.3) + Hb5_21 * T(0.25) - Hb5_22 *
       T(0.3);
   const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(1.00575) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
   // g1 = G1 + gp5 + gp2: force that drives it, home axes [N]
-  const T g1_1 = G1_1 - minus_gp5_1 + gp2_1;
+  const T g1_1 = G1_1 + gp5_1 + gp2_1;
   const T g1_2 = G1_2 + gp5_2 + gp2_2;
   const T g1_3 = G1_3 + gt5_3 + gt2_3;
   // n1 = q2~ gp2 + q5~ gp5 + N1 + np5 + np2: moment that drives it, body axes [N m]
   const T n1_1 = T(0.1) * gt2_3 + T(0.25) * gt5_3 + N1_1 + np5_1 + np2_1;
   const T n1_2 = N1_2 - (T(0.3) * gt2_3 + T(0.3) * gt5_3) + np5_2 + np2_2;
-  const T n1_3 = T(0.3) * gp2_2 - T(0.1) * gp2_1 + T(0.3) * gp5_2 + T(0.25) * minus_gp5_1 + N1_3 - u.tau_5 - u.tau_2;
+  const T n1_3 = T(0.3) * gp2_2 - T(0.1) * gp2_1 + T(0.3) * gp5_2 - T(0.25) * gp5_1 + N1_3 - u.tau_5 - u.tau_2;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
   const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
-  const T LD1_31 = LD1_11 * JA1_13;
-  const T b1_1 = minus_JA1_23 + LD1_21 * JA1_13;
-  const T minus_LD1_32 = LD1_22 * b1_1;
-  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - minus_LD1_32 * b1_1);
+  const T minus_LD1_31 = LD1_11 * minus_JA1_13;
+  const T b1_1 = LD1_21 * minus_JA1_13 - minus_JA1_23;
+  const T LD1_32 = LD1_22 * b1_1;
+  const T LD1_33 = T(1) / (JA1_33 - minus_LD1_31 * minus_JA1_13 - LD1_32 * b1_1);
   // Y1 = L(LD1)^-1 HA1: L^-1 HA
   const T Y1_21 = HA1_21 - LD1_21 * HA1_11;
   const T Y1_22 = HA1_22 - LD1_21 * HA1_12;
   const T Y1_23 = HA1_23 - LD1_21 * HA1_13;
-  const T Y1_31 = HA1_31 - LD1_31 * HA1_11 + minus_LD1_32 * Y1_21;
-  const T Y1_32 = HA1_32 - LD1_31 * HA1_12 + minus_LD1_32 * Y1_22;
-  const T Y1_33 = HA1_33 - LD1_31 * HA1_13 + minus_LD1_32 * Y1_23;
+  const T Y1_31 = HA1_31 + minus_LD1_31 * HA1_11 - LD1_32 * Y1_21;
+  const T Y1_32 = HA1_32 + minus_LD1_31 * HA1_12 - LD1_32 * Y1_22;
+  const T Y1_33 = HA1_33 + minus_LD1_31 * HA1_13 - LD1_32 * Y1_23;
   // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
   const T W1_11 = LD1_11 * HA1_11;
   const T W1_12 = LD1_11 * HA1_12;
@@ -1804,7 +1788,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_1_1 = LD1_11 * n1_1;
   const T b1_2 = n1_2 - LD1_21 * n1_1;
   const T w_1_2 = LD1_22 * b1_2;
-  const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + minus_LD1_32 * b1_2);
+  const T w_1_3 = LD1_33 * (n1_3 + minus_LD1_31 * n1_1 - LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
   const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
   const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
@@ -1836,8 +1820,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
   const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) + minus_LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 + minus_LD1_31 *
+      z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
@@ -1868,32 +1853,27 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 3 (body_3), solved
   // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z3_1 = T(0.15) * alphaL2_1;
-  const T z3_2 = T(0.2) * alphaL2_1;
-  const T beta3_2 = E3_23 * z3_1 - E3_22 * z3_2 + E3_22 * beta2_2 + E3_23 * beta2_3;
-  const T beta3_3 = E3_22 * beta2_3 - E3_23 * beta2_2 + E3_23 * z3_2 + E3_22 * z3_1;
+  const T beta3_3 = E3_22 * beta2_3 - E3_23 * beta2_2 + T(0.2) * alphaL2_1 * E3_23 + T(0.15) * alphaL2_1 * E3_22;
   // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL3_2 = E3_22 * alphaL2_2 + E3_23 * phi2;
   const T alphaL3_3 = E3_22 * phi2 - E3_23 * alphaL2_2;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
-  const T phi3 = T(0.3508771929824561) * beta3_2 - T(1.4035087719298245) * beta3_3 + v3 + T(0.5263157894736842) *
-      alphaL3_2 + T(0.1192982456140351) * alphaL3_3;
+  const T phi3 = v3 - T(1.4467037282868984) * beta3_3 - T(0.011914030703539162) * alphaL3_3 + T(0.5395353904317022) *
+      alphaL3_2;
   // thetaddot3 = -b3 . alphaL3 + phi3
   const T thetaddot3 = phi3 - alphaL2_1;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (body_4), solved
   // beta4 = -E4 q4~ alpha2 + E4 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z4_1 = T(0.2) * alphaL2_2;
-  const T z4_2 = T(0.3) * alphaL2_2;
-  const T beta4_1 = E4_11 * beta2_1 - minus_E4_13 * beta2_3 + E4_11 * z4_1 + minus_E4_13 * z4_2;
-  const T beta4_3 = minus_E4_13 * z4_1 - E4_11 * z4_2 + minus_E4_13 * beta2_1 + E4_11 * beta2_3;
+  const T beta4_1 = E4_11 * beta2_1 - minus_E4_13 * beta2_3 + T(0.2) * alphaL2_2 * E4_11 + T(0.3) * alphaL2_2 *
+      minus_E4_13;
   // alphaL4 = E4 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL4_1 = E4_11 * alphaL2_1 - minus_E4_13 * phi2;
   const T alphaL4_3 = minus_E4_13 * alphaL2_1 + E4_11 * phi2;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = T(0.7547169811320754) * beta4_3 - T(0.3773584905660377) * beta4_1 + v4 + T(0.2641509433962264) *
-      alphaL4_1 + T(0.1811320754716981) * alphaL4_3;
+  const T phi4 = v4 - T(0.8437992367923735) * beta4_1 - T(0.04387756031320342) * alphaL4_1 + T(0.31726851303393244) *
+      alphaL4_3;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = phi4 - alphaL2_2;
   ydot[5] = thetaddot4;
@@ -1908,23 +1888,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL5_1 = E5_11 * omegadot1_1 + E5_12 * z1_3;
   const T alphaL5_2 = E5_11 * z1_3 - E5_12 * omegadot1_1;
   // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
-  const T phi5 = v5 - (kB5_1 * beta5_1 + kB5_2 * beta5_2 + kB5_3 * beta5_3) - kK5_1 * alphaL5_1 - kK5_2 * alphaL5_2;
+  const T phi5 = minus_kB5_1 * beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 + v5 - kK5_1 * alphaL5_1 - kK5_2 *
+      alphaL5_2;
   // thetaddot5 = -b5 . alphaL5 + phi5
   const T thetaddot5 = phi5 - z1_2;
   ydot[6] = thetaddot5;
 
   // ---- body 6 (body_6), solved
   // beta6 = -E6 q6~ alpha5 + E6 beta5: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z6_1 = T(0.3) * alphaL5_1;
-  const T z6_2 = T(0.2) * alphaL5_1;
-  const T beta6_2 = E6_23 * z6_1 - E6_22 * z6_2 + E6_22 * beta5_2 + E6_23 * beta5_3;
-  const T beta6_3 = E6_22 * beta5_3 - E6_23 * beta5_2 + E6_23 * z6_2 + E6_22 * z6_1;
+  const T beta6_3 = E6_22 * beta5_3 - E6_23 * beta5_2 + T(0.2) * alphaL5_1 * E6_23 + T(0.3) * alphaL5_1 * E6_22;
   // alphaL6 = E6 alpha5: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
   const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
-  const T phi6 = T(0.3508771929824562) * beta6_2 - T(1.4035087719298247) * beta6_3 + v6 + T(0.5263157894736842) *
-      alphaL6_2 + T(0.1192982456140351) * alphaL6_3;
+  const T phi6 = v6 - T(1.4467037282868984) * beta6_3 - T(0.01191403070353916) * alphaL6_3 + T(0.5395353904317022) *
+      alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
   const T thetaddot6 = phi6 - alphaL5_1;
   ydot[7] = thetaddot6;
@@ -1932,7 +1910,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 385 add, 393 multiply, 10 sine or cosine
+// 373 add, 384 multiply, 10 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
@@ -1997,9 +1975,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // N1 = -r1~ R1 F1 + h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - M1: inertia less applied moment about
   //   the body origin, body axes [N m]
   const T N1_1 = T(0.05) * t1_21 - T(0.2) * t1_22 + T(1.385) * Pddot1_3 - T(1.32) * Pddot1_2 + T(0.30975) * U1_32 -
-      T(1.21375) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 - T(0.3817) * U1_21
+      T(1.22551) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 - T(0.3817) * U1_21
       - u.M_1_1;
-  const T N1_2 = T(0.1) * t1_22 - T(0.05) * t1_20 + T(1.32) * Pddot1_1 - T(2.21) * Pddot1_3 + T(1.21375) * U1_13 -
+  const T N1_2 = T(0.1) * t1_22 - T(0.05) * t1_20 + T(1.32) * Pddot1_1 - T(2.21) * Pddot1_3 + T(1.22551) * U1_13 -
       T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) * U1_32 -
       u.M_1_2;
   const T N1_3 = T(0.2) * t1_20 - T(0.1) * t1_21 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 + T(0.696) * U1_21 -
@@ -2053,20 +2031,22 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
   // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
-      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_21;
-  const T N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918) *
-      U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.56525) * U2_21 - T(0.46325) * U2_12 + T(0.264) *
-      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
+  const T N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 + T(0.1918) *
+      (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_21;
+  const T N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 + T(0.5564941176470588) *
+      U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.5564941176470588) * U2_21 - T(0.47501000000000004) *
+      U2_12 + T(0.264) * (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   const T thetaddot3 = ydot[4];
-  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T t3_1 = cos(theta3);
+  const T t3_2 = sin(theta3);
+  const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
+  const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * omega2_3;
@@ -2077,50 +2057,51 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot3_3 = E3_22 * omegadot2_3 - E3_23 * omegadot2_2 - thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_3 * omega3_3;
-  const T t3_2 = omega3_2 * omega3_2;
-  const T minus_U3_11 = t3_1 + t3_2;
-  const T t3_3 = omega3_2 * omega3_1;
-  const T U3_12 = t3_3 - omegadot3_3;
-  const T t3_4 = omega3_3 * omega3_1;
-  const T U3_13 = t3_4 + omegadot3_2;
-  const T U3_21 = t3_3 + omegadot3_3;
-  const T t3_5 = omega3_1 * omega3_1;
-  const T minus_U3_22 = t3_1 + t3_5;
-  const T t3_6 = omega3_3 * omega3_2;
-  const T U3_23 = t3_6 - omegadot3_1;
-  const T U3_31 = t3_4 - omegadot3_2;
-  const T U3_32 = t3_6 + omegadot3_1;
-  const T minus_U3_33 = t3_2 + t3_5;
+  const T t3_3 = omega3_3 * omega3_3;
+  const T t3_4 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_3 + t3_4;
+  const T t3_5 = omega3_2 * omega3_1;
+  const T U3_12 = t3_5 - omegadot3_3;
+  const T t3_6 = omega3_3 * omega3_1;
+  const T U3_13 = t3_6 + omegadot3_2;
+  const T U3_21 = t3_5 + omegadot3_3;
+  const T t3_7 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_3 + t3_7;
+  const T t3_8 = omega3_3 * omega3_2;
+  const T U3_23 = t3_8 - omegadot3_1;
+  const T U3_31 = t3_6 - omegadot3_2;
+  const T U3_32 = t3_8 + omegadot3_1;
+  const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
-  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_32 * T(0.15) - t3_10;
-  const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
-  const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
+  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = U3 h_own_3: inertia less applied force, body axes [N]
-  const T G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
-  const T G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
-  const T G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  const T G3_1 = U3_12 * T(0.26800186566514794);
+  const T minus_G3_2 = minus_U3_22 * T(0.26800186566514794);
+  const T G3_3 = U3_32 * T(0.26800186566514794);
   // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23 +
-      T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
-  const T N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
-      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
-  const T N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12) +
-      T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
+  const T N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) * U3_23 +
+      T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 + T(0.00220707418783063)
+      * U3_21;
+  const T N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
+  const T N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
+      T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cos(theta4);
+  const T t4_2 = sin(theta4);
+  const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
+  const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega2_1 - minus_E4_13 * omega2_3;
   const T omega4_2 = thetadot4 + omega2_2;
@@ -2131,39 +2112,37 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot2_1 + E4_11 * omegadot2_3;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + t4_2;
-  const T t4_3 = omega4_2 * omega4_1;
-  const T U4_12 = t4_3 - omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_1;
-  const T U4_13 = t4_4 + omegadot4_2;
-  const T U4_21 = t4_3 + omegadot4_3;
-  const T t4_5 = omega4_1 * omega4_1;
-  const T minus_U4_22 = t4_1 + t4_5;
-  const T t4_6 = omega4_3 * omega4_2;
-  const T U4_23 = t4_6 - omegadot4_1;
-  const T U4_31 = t4_4 - omegadot4_2;
-  const T U4_32 = t4_6 + omegadot4_1;
-  const T minus_U4_33 = t4_2 + t4_5;
+  const T t4_3 = omega4_3 * omega4_3;
+  const T t4_4 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_3 + t4_4;
+  const T t4_5 = omega4_2 * omega4_1;
+  const T U4_12 = t4_5 - omegadot4_3;
+  const T t4_6 = omega4_3 * omega4_1;
+  const T U4_13 = t4_6 + omegadot4_2;
+  const T U4_21 = t4_5 + omegadot4_3;
+  const T t4_7 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_3 + t4_7;
+  const T t4_8 = omega4_3 * omega4_2;
+  const T U4_23 = t4_8 - omegadot4_1;
+  const T U4_31 = t4_6 - omegadot4_2;
+  const T U4_32 = t4_8 + omegadot4_1;
+  const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
-  const T t4_8 = U2_31 * T(0.3) - t3_10;
-  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U2_21 * T(0.3) + t3_8;
-  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
+  const T Pddot4_2 = U2_21 * T(0.3) + t3_11;
   // G4 = U4 h_own_4: inertia less applied force, body axes [N]
-  const T G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
-  const T G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
-  const T G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  const T G4_1 = U4_13 * T(0.15652475842498528);
+  const T G4_2 = U4_23 * T(0.15652475842498528);
+  const T minus_G4_3 = minus_U4_33 * T(0.15652475842498528);
   // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) * U4_31 -
-      T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
-  const T N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 - T(0.084)
-      * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) * U4_32;
-  const T N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) * (minus_U4_11 -
-      minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
+  const T N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 + T(0.08974) *
+      U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528) * Pddot4_2;
+  const T N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+      * U4_32;
+  const T N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -2211,18 +2190,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   body axes [N m]
   const T N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) * (minus_U5_22 -
       minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_21;
-  const T N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
-      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.542) * U5_21 - T(0.249) * U5_12 + T(0.2145) *
-      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+  const T N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.5312235294117648) *
+      U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.5312235294117648) * U5_21 - T(0.249) * U5_12 +
+      T(0.2145) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
   const T thetadot6 = y[7];
   const T thetaddot6 = ydot[7];
-  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T t6_1 = cos(theta6);
+  const T t6_2 = sin(theta6);
+  const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
+  const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -2233,40 +2214,39 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T omegadot6_3 = E6_22 * omegadot5_3 - E6_23 * omegadot5_2 - thetadot6 * omega6_2;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t6_1 = omega6_3 * omega6_3;
-  const T t6_2 = omega6_2 * omega6_2;
-  const T minus_U6_11 = t6_1 + t6_2;
-  const T t6_3 = omega6_2 * omega6_1;
-  const T U6_12 = t6_3 - omegadot6_3;
-  const T t6_4 = omega6_3 * omega6_1;
-  const T U6_13 = t6_4 + omegadot6_2;
-  const T U6_21 = t6_3 + omegadot6_3;
-  const T t6_5 = omega6_1 * omega6_1;
-  const T minus_U6_22 = t6_1 + t6_5;
-  const T t6_6 = omega6_3 * omega6_2;
-  const T U6_23 = t6_6 - omegadot6_1;
-  const T U6_31 = t6_4 - omegadot6_2;
-  const T U6_32 = t6_6 + omegadot6_1;
-  const T minus_U6_33 = t6_2 + t6_5;
+  const T t6_3 = omega6_3 * omega6_3;
+  const T t6_4 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_3 + t6_4;
+  const T t6_5 = omega6_2 * omega6_1;
+  const T U6_12 = t6_5 - omegadot6_3;
+  const T t6_6 = omega6_3 * omega6_1;
+  const T U6_13 = t6_6 + omegadot6_2;
+  const T U6_21 = t6_5 + omegadot6_3;
+  const T t6_7 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_3 + t6_7;
+  const T t6_8 = omega6_3 * omega6_2;
+  const T U6_23 = t6_8 - omegadot6_1;
+  const T U6_31 = t6_6 - omegadot6_2;
+  const T U6_32 = t6_8 + omegadot6_1;
+  const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
-  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
-  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3) + Pddot5_2);
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
-  const T G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
-  const T G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
-  const T G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  const T G6_1 = U6_12 * T(0.3298484500494129);
+  const T minus_G6_2 = minus_U6_22 * T(0.3298484500494129);
+  const T G6_3 = U6_32 * T(0.3298484500494129);
   // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002) *
-      U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
-      U6_31 - T(0.027200000000000002) * U6_21;
-  const T N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 + T(0.027200000000000002) *
-      (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001) * U6_32;
-  const T N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 + T(0.11200000000000002) *
-      U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 - T(0.32000000000000006) * Pddot6_1;
+  const T N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) * U6_23 +
+      T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 + T(0.002716399000406929)
+      * U6_21;
+  const T N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
+  const T N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.3298484500494129) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // r_theta6 = b6 . N6 - tau_body_6_: Kane's equation of the angle [N m]
@@ -2276,13 +2256,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // ---- body 5 (body_5) and what it carries
   // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
   const T S5_1 = G6_1 + G5_1;
-  const T b5_1 = E6_22 * G6_2 - E6_23 * G6_3;
-  const T S5_2 = b5_1 + G5_2;
-  const T b5_2 = E6_23 * G6_2 + E6_22 * G6_3;
+  const T b5_1 = E6_22 * minus_G6_2 + E6_23 * G6_3;
+  const T S5_2 = G5_2 - b5_1;
+  const T b5_2 = E6_22 * G6_3 - E6_23 * minus_G6_2;
   const T S5_3 = b5_2 + G5_3;
   // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho5_1 = T(0.3) * b5_2 - T(0.2) * b5_1 + N6_1 + N5_1;
+  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + N6_1 + N5_1;
   const T rho5_2 = T(0.2) * G6_1 + E6_22 * N6_2 - E6_23 * N6_3 + N5_2;
   const T rho5_3 = E6_23 * N6_2 + E6_22 * N6_3 - T(0.3) * G6_1 + N5_3;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
@@ -2301,17 +2281,17 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T G3 + E4^T G4 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T b2_1 = E4_11 * G4_1 - minus_E4_13 * minus_G4_3;
   const T S2_1 = G3_1 + b2_1 + G2_1;
-  const T b2_2 = E3_22 * G3_2 - E3_23 * G3_3;
-  const T S2_2 = b2_2 + G4_2 + G2_2;
-  const T b2_3 = E3_23 * G3_2 + E3_22 * G3_3;
-  const T b2_4 = E4_11 * G4_3 - minus_E4_13 * G4_1;
-  const T S2_3 = b2_3 + b2_4 + G2_3;
+  const T b2_2 = E3_22 * minus_G3_2 + E3_23 * G3_3;
+  const T S2_2 = G4_2 - b2_2 + G2_2;
+  const T b2_3 = E3_22 * G3_3 - E3_23 * minus_G3_2;
+  const T b2_4 = minus_E4_13 * G4_1 + E4_11 * minus_G4_3;
+  const T S2_3 = b2_3 - b2_4 + G2_3;
   // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
   //   body origin, body axes [N m]
-  const T rho2_1 = T(0.15) * b2_3 - T(0.2) * b2_2 + N3_1 - T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N2_1;
-  const T rho2_2 = T(0.2) * G3_1 + E3_22 * N3_2 - E3_23 * N3_3 + T(0.2) * b2_1 - T(0.3) * b2_4 + N4_2 + N2_2;
+  const T rho2_1 = T(0.2) * b2_2 + T(0.15) * b2_3 + N3_1 - T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N2_1;
+  const T rho2_2 = T(0.2) * G3_1 + E3_22 * N3_2 - E3_23 * N3_3 + T(0.2) * b2_1 + T(0.3) * b2_4 + N4_2 + N2_2;
   const T rho2_3 = E3_23 * N3_2 + E3_22 * N3_3 - T(0.15) * G3_1 + T(0.3) * G4_2 + E4_11 * N4_3 - minus_E4_13 * N4_1 +
       N2_3;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
@@ -2347,7 +2327,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 344 add, 368 multiply, 10 sine or cosine
+// 332 add, 359 multiply, 10 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::cos, std::sin;
@@ -2400,10 +2380,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G1_3 = t1_18 - T(8.1) * Pddot1_3 - U1_13 * T(2.21) - U1_23 * T(1.385) + minus_U1_33 * T(1.32);
   // N1 = r1~ R1 F1 - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.904) * U1_23 +
+  const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.91576) * U1_23 +
       T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) - T(0.51775) * U1_13 +
-      T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
+  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) - T(0.5295100000000001)
+      * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
   const T N1_3 = T(1.385) * Pddot1_1 - (T(0.2) * t1_16 - T(0.1) * t1_17 + T(2.21) * Pddot1_2) - T(0.3862499999999999)
       * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
 
@@ -2450,19 +2430,21 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.46325) * U2_32 + T(0.46325) * U2_23 + T(0.1918) * (minus_U2_22 -
-      minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
-  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.46325) * U2_13 + T(0.56525) * U2_31) + T(0.1918)
-      * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.10199999999999997) * U2_12 + T(0.264) *
+  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 +
+      T(0.1918) * (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
+  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 +
+      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.08148411764705878) * U2_12 + T(0.264) *
       (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T theta3 = x[5];
   const T thetadot3 = y[4];
-  // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
+  const T t3_1 = cos(theta3);
+  const T t3_2 = sin(theta3);
+  const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
+  const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * omega2_3;
@@ -2472,49 +2454,50 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T omegadot3_3 = E3_23 * minus_omegadot2_2 - thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t3_1 = omega3_3 * omega3_3;
-  const T t3_2 = omega3_2 * omega3_2;
-  const T minus_U3_11 = t3_1 + t3_2;
-  const T t3_3 = omega3_2 * omega3_1;
-  const T U3_12 = t3_3 - omegadot3_3;
-  const T t3_4 = omega3_3 * omega3_1;
-  const T U3_13 = t3_4 + omegadot3_2;
-  const T U3_21 = t3_3 + omegadot3_3;
-  const T t3_5 = omega3_1 * omega3_1;
-  const T minus_U3_22 = t3_1 + t3_5;
-  const T t3_6 = omega3_3 * omega3_2;
-  const T U3_23 = t3_6 - omegadot2_1;
-  const T U3_31 = t3_4 - omegadot3_2;
-  const T U3_32 = t3_6 + omegadot2_1;
-  const T minus_U3_33 = t3_2 + t3_5;
+  const T t3_3 = omega3_3 * omega3_3;
+  const T t3_4 = omega3_2 * omega3_2;
+  const T minus_U3_11 = t3_3 + t3_4;
+  const T t3_5 = omega3_2 * omega3_1;
+  const T U3_12 = t3_5 - omegadot3_3;
+  const T t3_6 = omega3_3 * omega3_1;
+  const T U3_13 = t3_6 + omegadot3_2;
+  const T U3_21 = t3_5 + omegadot3_3;
+  const T t3_7 = omega3_1 * omega3_1;
+  const T minus_U3_22 = t3_3 + t3_7;
+  const T t3_8 = omega3_3 * omega3_2;
+  const T U3_23 = t3_8 - omegadot2_1;
+  const T U3_31 = t3_6 - omegadot3_2;
+  const T U3_32 = t3_8 + omegadot2_1;
+  const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_7;
-  const T t3_8 = U2_23 * T(0.2) + Pddot2_2;
-  const T t3_9 = t3_8 - minus_U2_22 * T(0.15);
+  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
+  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_32 * T(0.15) - t3_10;
-  const T Pddot3_2 = E3_22 * t3_9 + E3_23 * t3_11;
-  const T Pddot3_3 = E3_22 * t3_11 - E3_23 * t3_9;
+  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
-  const T minus_G3_1 = U3_12 * T(0.26) + U3_13 * T(0.065);
-  const T minus_G3_2 = U3_23 * T(0.065) - minus_U3_22 * T(0.26);
-  const T minus_G3_3 = U3_32 * T(0.26) - minus_U3_33 * T(0.065);
+  const T minus_G3_1 = U3_12 * T(0.26800186566514794);
+  const T G3_2 = minus_U3_22 * T(0.26800186566514794);
+  const T minus_G3_3 = U3_32 * T(0.26800186566514794);
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23
-      + T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.0975) * U3_31 - T(0.0221) * U3_21;
-  const T minus_N3_2 = T(0.065) * Pddot3_1 + T(0.09425) * U3_13 + T(0.09425) * U3_31 + T(0.0221) * (minus_U3_33 -
-      minus_U3_11) + T(0.0182) * U3_12 - T(0.0975) * U3_32;
-  const T minus_N3_3 = T(0.0975) * (minus_U3_11 - minus_U3_22) - (T(0.09425) * U3_21 + T(0.09100000000000001) * U3_12)
-      + T(0.0221) * U3_23 - T(0.0182) * U3_13 - T(0.26) * Pddot3_1;
+  const T minus_N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) *
+      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 +
+      T(0.00220707418783063) * U3_21;
+  const T minus_N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
+  const T minus_N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
+      T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
   const T theta4 = x[6];
   const T thetadot4 = y[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cos(theta4);
+  const T t4_2 = sin(theta4);
+  const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
+  const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega2_1 - minus_E4_13 * omega2_3;
   const T omega4_2 = thetadot4 + omega2_2;
@@ -2524,40 +2507,38 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot2_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + t4_2;
-  const T t4_3 = omega4_2 * omega4_1;
-  const T U4_12 = t4_3 - omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_1;
-  const T U4_13 = t4_4 - minus_omegadot2_2;
-  const T U4_21 = t4_3 + omegadot4_3;
-  const T t4_5 = omega4_1 * omega4_1;
-  const T minus_U4_22 = t4_1 + t4_5;
-  const T t4_6 = omega4_3 * omega4_2;
-  const T U4_23 = t4_6 - omegadot4_1;
-  const T U4_31 = t4_4 + minus_omegadot2_2;
-  const T U4_32 = t4_6 + omegadot4_1;
-  const T minus_U4_33 = t4_2 + t4_5;
+  const T t4_3 = omega4_3 * omega4_3;
+  const T t4_4 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_3 + t4_4;
+  const T t4_5 = omega4_2 * omega4_1;
+  const T U4_12 = t4_5 - omegadot4_3;
+  const T t4_6 = omega4_3 * omega4_1;
+  const T U4_13 = t4_6 - minus_omegadot2_2;
+  const T U4_21 = t4_5 + omegadot4_3;
+  const T t4_7 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_3 + t4_7;
+  const T t4_8 = omega4_3 * omega4_2;
+  const T U4_23 = t4_8 - omegadot4_1;
+  const T U4_31 = t4_6 + minus_omegadot2_2;
+  const T U4_32 = t4_8 + omegadot4_1;
+  const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = t3_7 - minus_U2_11 * T(0.3);
-  const T t4_8 = U2_31 * T(0.3) - t3_10;
-  const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U2_12 * T(0.3) + t3_8;
-  const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
+  const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
+  const T Pddot4_2 = U2_12 * T(0.3) + t3_11;
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_13 * T(0.06999999999999999) - minus_U4_11 * T(0.13999999999999999);
-  const T minus_G4_2 = U4_21 * T(0.13999999999999999) + U4_23 * T(0.06999999999999999);
-  const T minus_G4_3 = U4_31 * T(0.13999999999999999) - minus_U4_33 * T(0.06999999999999999);
+  const T minus_G4_1 = U4_13 * T(0.15652475842498528);
+  const T minus_G4_2 = U4_23 * T(0.15652475842498528);
+  const T G4_3 = minus_U4_33 * T(0.15652475842498528);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N4_1 = T(0.0336) * (minus_U4_22 - minus_U4_33) - (T(0.084) * U4_32 + T(0.1015) * U4_23) + T(0.049) *
-      U4_31 - T(0.0028000000000000004) * U4_21 - T(0.06999999999999999) * Pddot4_2;
-  const T minus_N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 -
-      T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0336) * U4_12 - T(0.049) *
-      U4_32;
-  const T minus_N4_3 = T(0.13999999999999999) * Pddot4_2 + T(0.084) * U4_21 + T(0.084) * U4_12 + T(0.049) *
-      (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0336) * U4_13;
+  const T minus_N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
+      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528)
+      * Pddot4_2;
+  const T minus_N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+      * U4_32;
+  const T minus_N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T theta5 = x[7];
@@ -2601,17 +2582,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   //   body axes [N m]
   const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
       (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
-  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.542) * U5_31) +
-      T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.293) * U5_12 + T(0.2145) * (minus_U5_11 -
-      minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
+      T(0.5312235294117648) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
+  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117647) * U5_12 + T(0.2145) *
+      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T theta6 = x[8];
   const T thetadot6 = y[7];
-  // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
+  const T t6_1 = cos(theta6);
+  const T t6_2 = sin(theta6);
+  const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
+  const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -2621,42 +2604,39 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T omegadot6_3 = E6_23 * minus_omegadot5_2 - thetadot6 * omega6_2;
   // U6 = omega6~ omega6~ + omegadot6~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t6_1 = omega6_3 * omega6_3;
-  const T t6_2 = omega6_2 * omega6_2;
-  const T minus_U6_11 = t6_1 + t6_2;
-  const T t6_3 = omega6_2 * omega6_1;
-  const T U6_12 = t6_3 - omegadot6_3;
-  const T t6_4 = omega6_3 * omega6_1;
-  const T U6_13 = t6_4 + omegadot6_2;
-  const T U6_21 = t6_3 + omegadot6_3;
-  const T t6_5 = omega6_1 * omega6_1;
-  const T minus_U6_22 = t6_1 + t6_5;
-  const T t6_6 = omega6_3 * omega6_2;
-  const T U6_23 = t6_6 - omegadot5_1;
-  const T U6_31 = t6_4 - omegadot6_2;
-  const T U6_32 = t6_6 + omegadot5_1;
-  const T minus_U6_33 = t6_2 + t6_5;
+  const T t6_3 = omega6_3 * omega6_3;
+  const T t6_4 = omega6_2 * omega6_2;
+  const T minus_U6_11 = t6_3 + t6_4;
+  const T t6_5 = omega6_2 * omega6_1;
+  const T U6_12 = t6_5 - omegadot6_3;
+  const T t6_6 = omega6_3 * omega6_1;
+  const T U6_13 = t6_6 + omegadot6_2;
+  const T U6_21 = t6_5 + omegadot6_3;
+  const T t6_7 = omega6_1 * omega6_1;
+  const T minus_U6_22 = t6_3 + t6_7;
+  const T t6_8 = omega6_3 * omega6_2;
+  const T U6_23 = t6_8 - omegadot5_1;
+  const T U6_31 = t6_6 - omegadot6_2;
+  const T U6_32 = t6_8 + omegadot5_1;
+  const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
-  const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
-  const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
+  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3) + Pddot5_2);
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(0.32000000000000006) + U6_13 * T(0.08000000000000002);
-  const T minus_G6_2 = U6_23 * T(0.08000000000000002) - minus_U6_22 * T(0.32000000000000006);
-  const T minus_G6_3 = U6_32 * T(0.32000000000000006) - minus_U6_33 * T(0.08000000000000002);
+  const T minus_G6_1 = U6_12 * T(0.3298484500494129);
+  const T G6_2 = minus_U6_22 * T(0.3298484500494129);
+  const T minus_G6_3 = U6_32 * T(0.3298484500494129);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002)
-      * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.12000000000000001) *
-      U6_31 - T(0.027200000000000002) * U6_21;
-  const T minus_N6_2 = T(0.08000000000000002) * Pddot6_1 + T(0.116) * U6_13 + T(0.116) * U6_31 +
-      T(0.027200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 - T(0.12000000000000001)
-      * U6_32;
-  const T minus_N6_3 = T(0.12000000000000001) * (minus_U6_11 - minus_U6_22) - (T(0.116) * U6_21 +
-      T(0.11200000000000002) * U6_12) + T(0.027200000000000002) * U6_23 - T(0.022400000000000003) * U6_13 -
-      T(0.32000000000000006) * Pddot6_1;
+  const T minus_N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) *
+      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 +
+      T(0.002716399000406929) * U6_21;
+  const T minus_N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
+  const T minus_N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.3298484500494129) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // f_theta6 = b6 . N6 + tau_body_6_: Kane's equation of the angle [N m]
@@ -2666,9 +2646,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // ---- body 5 (body_5) and what it carries
   // S5 = E6^T G6 + G5: sum of the force balances of the subtree, body axes [N]
   const T minus_S5_1 = minus_G6_1 + minus_G5_1;
-  const T b5_1 = E6_23 * minus_G6_3 - E6_22 * minus_G6_2;
+  const T b5_1 = E6_23 * minus_G6_3 + E6_22 * G6_2;
   const T S5_2 = b5_1 - minus_G5_2;
-  const T b5_2 = E6_23 * minus_G6_2 + E6_22 * minus_G6_3;
+  const T b5_2 = E6_22 * minus_G6_3 - E6_23 * G6_2;
   const T minus_S5_3 = b5_2 + minus_G5_3;
   // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
@@ -2691,12 +2671,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 
   // ---- body 2 (body_2) and what it carries
   // S2 = E3^T G3 + E4^T G4 + G2: sum of the force balances of the subtree, body axes [N]
-  const T b2_1 = E4_11 * minus_G4_1 + minus_E4_13 * minus_G4_3;
+  const T b2_1 = E4_11 * minus_G4_1 - minus_E4_13 * G4_3;
   const T minus_S2_1 = minus_G3_1 + b2_1 + minus_G2_1;
-  const T b2_2 = E3_23 * minus_G3_3 - E3_22 * minus_G3_2;
+  const T b2_2 = E3_23 * minus_G3_3 + E3_22 * G3_2;
   const T S2_2 = b2_2 - minus_G4_2 - minus_G2_2;
-  const T b2_3 = minus_E4_13 * minus_G4_1 - E4_11 * minus_G4_3;
-  const T b2_4 = E3_23 * minus_G3_2 + E3_22 * minus_G3_3;
+  const T b2_3 = minus_E4_13 * minus_G4_1 + E4_11 * G4_3;
+  const T b2_4 = E3_22 * minus_G3_3 - E3_23 * G3_2;
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
   // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
   //   body origin, body axes [N m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 201b57ca7ec9670f of double_pendulum/scene.toml; the usual functions
+// model 2ec850c11d02c0f7 of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -38,7 +38,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "201b57ca7ec9670f";
+inline constexpr char model_hash[] = "2ec850c11d02c0f7";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -113,7 +113,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   pose[12] = R2_11;
   pose[20] = R2_11;
   pose[14] = -minus_R2_13;
@@ -159,7 +159,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
@@ -219,7 +219,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
@@ -485,7 +485,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // B2_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
   const T t2_1 = R2_11 * T(0.3);
   const T minus_B2_1_1 = t2_1 + E1_11;
@@ -533,7 +533,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // P_dot_thetadot1_2 = -E1^T omega1~ q2~ b1: its rate

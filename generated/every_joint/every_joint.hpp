@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 07b02568aedfcf1e of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 284aa8f55c1fce8d of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -72,7 +72,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "07b02568aedfcf1e";
+inline constexpr char model_hash[] = "284aa8f55c1fce8d";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -149,29 +149,29 @@ struct Prepared {
   T I_link5_33;
   T c5_1;
   T c0_1;
+  T E5_11;
+  T E5_31;
+  T c9_1;
+  T HA5_21;
+  T HA5_32;
   T JA5_11;
   T JA5_13;
   T JA5_22;
   T JA5_33;
-  T J_own_5_33;
-  T HA5_32;
-  T HA5_21;
-  T J_all_1_11;
-  T J_all_1_22;
-  T J_all_1_23;
-  T J_all_1_33;
   T c5_2;
-  T h_all_1_2;
-  T c1_1;
-  T m_sub1;
-  T E5_11;
-  T E5_31;
-  T c9_1;
+  T c5_3;
   T c9_2;
   T c9_3;
   T c9_4;
   T lever5_1;
   T lever5_3;
+  T J_all_1_11;
+  T J_all_1_22;
+  T J_all_1_23;
+  T J_all_1_33;
+  T h_all_1_2;
+  T c1_1;
+  T m_sub1;
 };
 
 // prepare: 39 add, 41 multiply, 1 divide, 2 sine or cosine
@@ -190,42 +190,42 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T t5 = t4 * t4;
   const T t6 = T(0.028725012259164514) - r_link5_3;
   const T t7 = t6 * t6;
-  const T I_link5_11 = T(0.007407305372669503) + T(0.6) * t5 + p.m_plate * t7;
+  const T I_link5_11 = T(0.007407305372669502) + T(0.6) * t5 + p.m_plate * t7;
   const T t8 = T(0.049750208263901294) - r_link5_1;
   const T t9 = T(0.06785135119395468) - r_link5_1;
   const T I_link5_13 = T(0.0020594678210800145) + t4 * t8 * T(0.6) - t6 * t9 * p.m_plate;
   const T t10 = t8 * t8;
   const T t11 = t9 * t9;
   const T I_link5_22 = T(0.006) + T(0.6) * (t5 + t10) + p.m_plate * (t7 + t11);
-  const T I_link5_33 = T(0.007592694627330497) + T(0.6) * t10 + p.m_plate * t11;
+  const T I_link5_33 = T(0.007592694627330498) + T(0.6) * t10 + p.m_plate * t11;
   const T c5_1 = T(0.5) * m_link5;
   const T c0_1 = T(0.5) * p.k;
+  const T E5_11 = cos(T(0.1));
+  const T E5_31 = sin(T(0.1));
+  const T c9_1 = p.k * T(0.3);
+  const T HA5_21 = m_link5 * r_link5_3;
+  const T HA5_32 = m_link5 * r_link5_1;
   const T t12 = r_link5_3 * r_link5_3;
   const T JA5_11 = m_link5 * t12 + I_link5_11;
   const T JA5_13 = I_link5_13 - r_link5_3 * r_link5_1 * m_link5;
   const T t13 = r_link5_1 * r_link5_1;
   const T JA5_22 = m_link5 * (t12 + t13) + I_link5_22;
   const T JA5_33 = m_link5 * t13 + I_link5_33;
-  const T J_own_5_33 = JA5_33 - JA5_22;
-  const T HA5_32 = m_link5 * r_link5_1;
-  const T HA5_21 = m_link5 * r_link5_3;
-  const T J_all_1_11 = T(0.672) + m_link5 * T(0.09999999999999999);
-  const T J_all_1_22 = T(0.7604) + m_link5 * T(0.010000000000000002);
-  const T J_all_1_23 = T(0.0484) + m_link5 * T(0.03);
-  const T J_all_1_33 = T(0.9239999999999999) + m_link5 * T(0.09);
-  const T c5_2 = m_link5 * T(0.3);
-  const T h_all_1_2 = T(0.09000000000000001) - c5_2;
-  const T c1_1 = T(0.22999999999999998) + m_link5 * T(0.1) + T(0.17);
-  const T m_sub1 = T(11.2) + m_link5 + T(1.9);
-  const T E5_11 = cos(T(0.1));
-  const T E5_31 = sin(T(0.1));
-  const T c9_1 = p.k * T(0.3);
+  const T c5_2 = JA5_22 - JA5_33;
+  const T c5_3 = T(0.3) * m_link5;
   const T t14 = I_link5_11 - I_link5_22;
   const T c9_2 = T(0.5) * (I_link5_33 - t14);
   const T c9_3 = T(0.5) * (I_link5_33 + t14);
   const T c9_4 = T(0.5) * (I_link5_11 + I_link5_22 - I_link5_33);
   const T lever5_1 = T(0.03620228586010676) - r_link5_1;
   const T lever5_3 = T(0.06743336618301184) - r_link5_3;
+  const T J_all_1_11 = T(0.672) + m_link5 * T(0.09999999999999999);
+  const T J_all_1_22 = T(0.7604) + m_link5 * T(0.010000000000000002);
+  const T J_all_1_23 = T(0.0484) + m_link5 * T(0.03);
+  const T J_all_1_33 = T(0.9239999999999999) + m_link5 * T(0.09);
+  const T h_all_1_2 = T(0.09000000000000001) - c5_3;
+  const T c1_1 = T(0.22999999999999998) + m_link5 * T(0.1) + T(0.17);
+  const T m_sub1 = T(11.2) + m_link5 + T(1.9);
   c.m_link5 = m_link5;
   c.r_link5_1 = r_link5_1;
   c.r_link5_3 = r_link5_3;
@@ -235,29 +235,29 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.I_link5_33 = I_link5_33;
   c.c5_1 = c5_1;
   c.c0_1 = c0_1;
+  c.E5_11 = E5_11;
+  c.E5_31 = E5_31;
+  c.c9_1 = c9_1;
+  c.HA5_21 = HA5_21;
+  c.HA5_32 = HA5_32;
   c.JA5_11 = JA5_11;
   c.JA5_13 = JA5_13;
   c.JA5_22 = JA5_22;
   c.JA5_33 = JA5_33;
-  c.J_own_5_33 = J_own_5_33;
-  c.HA5_32 = HA5_32;
-  c.HA5_21 = HA5_21;
-  c.J_all_1_11 = J_all_1_11;
-  c.J_all_1_22 = J_all_1_22;
-  c.J_all_1_23 = J_all_1_23;
-  c.J_all_1_33 = J_all_1_33;
   c.c5_2 = c5_2;
-  c.h_all_1_2 = h_all_1_2;
-  c.c1_1 = c1_1;
-  c.m_sub1 = m_sub1;
-  c.E5_11 = E5_11;
-  c.E5_31 = E5_31;
-  c.c9_1 = c9_1;
+  c.c5_3 = c5_3;
   c.c9_2 = c9_2;
   c.c9_3 = c9_3;
   c.c9_4 = c9_4;
   c.lever5_1 = lever5_1;
   c.lever5_3 = lever5_3;
+  c.J_all_1_11 = J_all_1_11;
+  c.J_all_1_22 = J_all_1_22;
+  c.J_all_1_23 = J_all_1_23;
+  c.J_all_1_33 = J_all_1_33;
+  c.h_all_1_2 = h_all_1_2;
+  c.c1_1 = c1_1;
+  c.m_sub1 = m_sub1;
   return c;
 }
 
@@ -3255,7 +3255,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // ns6 = n6 - v6 K6: moment with the slide solved [N m]
   const T ns6_2 = n6_2 - v6 * T(0.005);
   // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
-  const T minus_Hb6_23 = T(0.05) + T(0.5) * d6_1;
+  const T minus_Hb6_23 = d6_1 * T(0.5) + T(0.05);
 
   // ---- body 5 (camera) and what it carries
   // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
@@ -3271,11 +3271,11 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Jp5 = E5^T JA5 E5: J passed on, lower body's axes [kg m^2]
   const T minus_Jp5_12 = E5_23 * c.JA5_13;
   const T Jp5_13 = E5_22 * c.JA5_13;
-  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_1 = E5_23 * c.c5_2;
   const T b5_2 = E5_23 * b5_1;
-  const T Jp5_22 = b5_2 + c.JA5_22;
-  const T minus_Jp5_23 = E5_22 * b5_1;
-  const T Jp5_33 = c.JA5_33 - b5_2;
+  const T Jp5_22 = c.JA5_22 - b5_2;
+  const T Jp5_23 = E5_22 * b5_1;
+  const T Jp5_33 = c.JA5_33 + b5_2;
   // np5 = E5^T n5: moment passed on, lower body's axes [N m]
   const T np5_2 = E5_22 * n5_2 - E5_23 * n5_3;
   const T np5_3 = E5_23 * n5_2 + E5_22 * n5_3;
@@ -3286,7 +3286,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T kB5a_2 = invD5a * c.HA5_32;
   // kK5a = invD5a K5a: K/D
   const T kK5a_1 = invD5a * Jp5_13;
-  const T minus_kK5a_2 = invD5a * minus_Jp5_23;
+  const T kK5a_2 = invD5a * Jp5_23;
   // v5a = invD5a u_5a: u/D
   const T v5a = invD5a * np5_3;
   // M5a = Mp5 - kB5a B5a^T: MA less what the turn takes up [kg]
@@ -3296,18 +3296,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // H5a = P_b5_1 (Hp5 - kK5a B5a^T): HA less what the turn takes up [kg m]
   const T minus_H5a_11 = kK5a_1 * minus_Hp5_13;
   const T minus_H5a_12 = minus_Hp5_12 + kK5a_1 * c.HA5_32;
-  const T H5a_21 = minus_Hp5_12 + minus_kK5a_2 * minus_Hp5_13;
-  const T H5a_22 = minus_kK5a_2 * c.HA5_32;
+  const T H5a_21 = minus_Hp5_12 - kK5a_2 * minus_Hp5_13;
+  const T minus_H5a_22 = kK5a_2 * c.HA5_32;
   // J5a = P_b5_1 (Jp5 - kK5a K5a^T) P_b5_1: JA less what the turn takes up [kg m^2]
   const T J5a_11 = c.JA5_11 - kK5a_1 * Jp5_13;
-  const T minus_J5a_12 = minus_Jp5_12 - kK5a_1 * minus_Jp5_23;
-  const T J5a_22 = Jp5_22 - minus_kK5a_2 * minus_Jp5_23;
+  const T minus_J5a_12 = minus_Jp5_12 + kK5a_1 * Jp5_23;
+  const T J5a_22 = Jp5_22 - kK5a_2 * Jp5_23;
   // gt5a = gp5 - v5a B5a: force with the turn solved [N]
   const T gt5a_1 = G5_1 - v5a * minus_Hp5_13;
   const T gt5a_2 = gp5_2 - v5a * c.HA5_32;
   // nt5a = P_b5_1 (np5 - v5a K5a): moment with the turn solved [N m]
   const T nt5a_1 = n5_1 - v5a * Jp5_13;
-  const T nt5a_2 = np5_2 + v5a * minus_Jp5_23;
+  const T nt5a_2 = np5_2 - v5a * Jp5_23;
   // Mp5a = E5a^T M5a E5a: M passed on, lower body's axes [kg]
   const T b5_3 = T(2) * E5a_11;
   const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
@@ -3319,15 +3319,15 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
   const T gp5a_2 = E5a_12 * gt5a_1 + E5a_11 * gt5a_2;
   // Hp5a = E5a^T H5a E5a: H passed on, lower body's axes [kg m]
-  const T b5_6 = E5a_11 * (H5a_21 - minus_H5a_12) - E5a_12 * (H5a_22 + minus_H5a_11);
+  const T b5_6 = E5a_12 * (minus_H5a_22 - minus_H5a_11) + E5a_11 * (H5a_21 - minus_H5a_12);
   const T b5_7 = E5a_12 * b5_6;
   const T minus_Hp5a_11 = minus_H5a_11 + b5_7;
   const T b5_8 = E5a_11 * b5_6;
   const T Hp5a_12 = b5_8 - H5a_21;
   const T minus_Hp5a_13 = E5a_11 * minus_Hp5_13 - E5a_12 * c.HA5_32;
   const T Hp5a_21 = b5_8 + minus_H5a_12;
-  const T Hp5a_22 = b5_7 + H5a_22;
-  const T minus_Hp5a_23 = E5a_12 * minus_Hp5_13 + E5a_11 * c.HA5_32;
+  const T Hp5a_22 = b5_7 - minus_H5a_22;
+  const T minus_Hp5a_23 = E5a_11 * c.HA5_32 + E5a_12 * minus_Hp5_13;
   // Jp5a = E5a^T J5a E5a: J passed on, lower body's axes [kg m^2]
   const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
   const T b5_10 = E5a_12 * b5_9;
@@ -3341,7 +3341,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b5_11 = T(0.1) * Mp5a_12;
   const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
   const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
-  const T minus_Hb5a_13 = c.c5_2 + minus_Hp5a_13;
+  const T minus_Hb5a_13 = c.c5_3 + minus_Hp5a_13;
   const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
   const T Hb5a_22 = b5_11 + Hp5a_22;
   const T Hb5a_31 = T(0.3) * Mp5a_11;
@@ -3376,12 +3376,12 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b4_5 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
   const T Hp4_12 = b4_5 * T(0.96);
   const T Hp4_13 = b4_5 * T(0.28);
-  const T b4_6 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
-  const T minus_Hp4_22 = b4_6 * T(0.96);
-  const T minus_Hp4_23 = b4_6 * T(0.28);
-  const T b4_7 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
-  const T minus_Hp4_32 = b4_7 * T(0.96);
-  const T minus_Hp4_33 = b4_7 * T(0.28);
+  const T b4_6 = E4_32 * T(0.027) - E4_12 * T(0.09000000000000001);
+  const T Hp4_22 = b4_6 * T(0.96);
+  const T Hp4_23 = b4_6 * T(0.28);
+  const T b4_7 = minus_E4_13 * T(0.09000000000000001) - minus_E4_33 * T(0.027);
+  const T Hp4_32 = b4_7 * T(0.96);
+  const T Hp4_33 = b4_7 * T(0.28);
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_8 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
   const T b4_9 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
@@ -3398,8 +3398,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T np4_2 = E4_12 * n4_1 - E4_32 * minus_n4_3;
   const T np4_3 = minus_E4_33 * minus_n4_3 - minus_E4_13 * n4_1;
   // B4a = Hp4^T b4_1: force of a unit of the angle's acceleration [kg m]
-  const T B4a_2 = minus_Hp4_32 * T(0.96) - minus_Hp4_22 * T(0.28);
-  const T B4a_3 = minus_Hp4_33 * T(0.96) - minus_Hp4_23 * T(0.28);
+  const T B4a_2 = Hp4_22 * T(0.28) - Hp4_32 * T(0.96);
+  const T B4a_3 = Hp4_23 * T(0.28) - Hp4_33 * T(0.96);
   // K4a = Jp4 b4_1: its moment about the body origin, body axes [kg m^2]
   const T K4a_1 = Jp4_12 * T(0.28) - Jp4_13 * T(0.96);
   const T K4a_2 = Jp4_22 * T(0.28) + minus_Jp4_23 * T(0.96);
@@ -3426,10 +3426,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // H4a = Hp4 - kK4a B4a^T: HA less what the turn takes up [kg m]
   const T H4a_12 = Hp4_12 - kK4a_1 * B4a_2;
   const T H4a_13 = Hp4_13 - kK4a_1 * B4a_3;
-  const T minus_H4a_22 = minus_Hp4_22 + kK4a_2 * B4a_2;
-  const T minus_H4a_23 = minus_Hp4_23 + kK4a_2 * B4a_3;
-  const T H4a_32 = minus_kK4a_3 * B4a_2 - minus_Hp4_32;
-  const T H4a_33 = minus_kK4a_3 * B4a_3 - minus_Hp4_33;
+  const T H4a_22 = Hp4_22 - kK4a_2 * B4a_2;
+  const T H4a_23 = Hp4_23 - kK4a_2 * B4a_3;
+  const T H4a_32 = Hp4_32 + minus_kK4a_3 * B4a_2;
+  const T H4a_33 = Hp4_33 + minus_kK4a_3 * B4a_3;
   // J4a = Jp4 - kK4a K4a^T: JA less what the turn takes up [kg m^2]
   const T J4a_11 = Jp4_11 - kK4a_1 * K4a_1;
   const T J4a_12 = Jp4_12 - kK4a_1 * K4a_2;
@@ -3463,18 +3463,18 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T gp4a_2 = E4a_22 * gt4a_2 - minus_E4a_12 * gp4_1 + E4a_23 * gt4a_3;
   const T gp4a_3 = E4a_23 * gt4a_2 - minus_E4a_13 * gp4_1 + E4a_33 * gt4a_3;
   // Hp4a = E4a^T H4a E4a: H passed on, lower body's axes [kg m]
-  const T b4_19 = E4a_11 * H4a_12 - minus_E4a_12 * minus_H4a_22 + minus_E4a_13 * H4a_32;
-  const T b4_20 = E4a_11 * H4a_13 - minus_E4a_12 * minus_H4a_23 + minus_E4a_13 * H4a_33;
+  const T b4_19 = E4a_11 * H4a_12 + minus_E4a_12 * H4a_22 + minus_E4a_13 * H4a_32;
+  const T b4_20 = E4a_11 * H4a_13 + minus_E4a_12 * H4a_23 + minus_E4a_13 * H4a_33;
   const T Hp4a_11 = b4_19 * minus_E4a_12 + b4_20 * minus_E4a_13;
   const T Hp4a_12 = b4_19 * E4a_22 + b4_20 * E4a_23;
   const T Hp4a_13 = b4_19 * E4a_23 + b4_20 * E4a_33;
-  const T b4_21 = E4a_23 * H4a_32 - (E4a_22 * minus_H4a_22 + minus_E4a_12 * H4a_12);
-  const T b4_22 = E4a_23 * H4a_33 - (E4a_22 * minus_H4a_23 + minus_E4a_12 * H4a_13);
+  const T b4_21 = E4a_22 * H4a_22 - minus_E4a_12 * H4a_12 + E4a_23 * H4a_32;
+  const T b4_22 = E4a_22 * H4a_23 - minus_E4a_12 * H4a_13 + E4a_23 * H4a_33;
   const T Hp4a_21 = b4_21 * minus_E4a_12 + b4_22 * minus_E4a_13;
   const T Hp4a_22 = b4_21 * E4a_22 + b4_22 * E4a_23;
   const T Hp4a_23 = b4_21 * E4a_23 + b4_22 * E4a_33;
-  const T b4_23 = E4a_33 * H4a_32 - (E4a_23 * minus_H4a_22 + minus_E4a_13 * H4a_12);
-  const T b4_24 = E4a_33 * H4a_33 - (E4a_23 * minus_H4a_23 + minus_E4a_13 * H4a_13);
+  const T b4_23 = E4a_23 * H4a_22 - minus_E4a_13 * H4a_12 + E4a_33 * H4a_32;
+  const T b4_24 = E4a_23 * H4a_23 - minus_E4a_13 * H4a_13 + E4a_33 * H4a_33;
   const T Hp4a_31 = b4_23 * minus_E4a_12 + b4_24 * minus_E4a_13;
   const T Hp4a_32 = b4_23 * E4a_22 + b4_24 * E4a_23;
   const T Hp4a_33 = b4_23 * E4a_23 + b4_24 * E4a_33;
@@ -3513,10 +3513,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // HA3 = m3 r3~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
   const T minus_HA3_23 = minus_Hb6_23 + T(0.30000000000000004);
   // JA3 = -m3 r3~ r3~ + I3 + d6~ Hs6^T + Js6 - Hb6 d6~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_13 = T(5e-04) - T(0.005) * d6_1;
-  const T b3_1 = minus_Hb6_23 * d6_1 + d6_1 * T(0.05);
+  const T JA3_13 = T(5e-04) - d6_1 * T(0.005);
+  const T b3_1 = d6_1 * T(0.05) + minus_Hb6_23 * d6_1;
   const T JA3_22 = T(0.12100000000000001) + b3_1;
-  const T JA3_33 = b3_1 + T(0.0916);
+  const T JA3_33 = T(0.0916) + b3_1;
   // g3 = G3 + gs6: force that drives it, home axes [N]
   const T g3_1 = minus_effort_telescope_6 - minus_G3_1;
   const T g3_2 = G6_2 - minus_G3_2;
@@ -3899,7 +3899,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
   const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
-  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
+  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
   // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
   const T thetaddot5_1 = phi5a - z1_2;
   ydot[9] = thetaddot5_1;
@@ -3985,7 +3985,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   ydot[21] = -T(0);
   ydot[26] = -T(0);
   ydot[27] = T(0);
-  ydot[28] = -T(9.809999999999999);
+  ydot[28] = -T(9.81);
 }
 
 // residual: r = A ydot - f.
@@ -6012,14 +6012,14 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   // J5a = E5^T J_own_5 E5 + J_own_5a: inertia carried, about the body origin, body axes [kg m^2]
   const T minus_J5a_12 = E5_23 * c.JA5_13;
   const T J5a_13 = E5_22 * c.JA5_13;
-  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_1 = E5_23 * c.c5_2;
   const T b5_2 = E5_23 * b5_1;
-  const T J5a_22 = b5_2 + c.JA5_22;
-  const T minus_J5a_23 = E5_22 * b5_1;
-  const T J5a_33 = c.J_own_5_33 - b5_2 + c.JA5_22;
+  const T J5a_22 = c.JA5_22 - b5_2;
+  const T J5a_23 = E5_22 * b5_1;
+  const T J5a_33 = b5_2 - c.c5_2 + c.JA5_22;
   A[270] = J5a_33;
   // hc5a = E5a^T h5a: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc5a_1 = E5a_12 * minus_hc5_2 + E5a_11 * c.HA5_32;
+  const T hc5a_1 = E5a_11 * c.HA5_32 + E5a_12 * minus_hc5_2;
   const T minus_hc5a_2 = E5a_11 * minus_hc5_2 - E5a_12 * c.HA5_32;
 
   // ---- body 4 (cross) and what it carries
@@ -6046,8 +6046,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T hc4a_3 = E4a_23 * hc4_2 - minus_E4a_13 * hc4_1 - E4a_33 * minus_hc4_3;
   // B_thetadot4_2_4a = E4^T B_thetadot4_2_4
   const T minus_B_thetadot4_2_4a_1 = minus_E4_11 * T(0.09000000000000001) + t4_3 * T(0.027);
-  const T B_thetadot4_2_4a_2 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
-  const T B_thetadot4_2_4a_3 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
+  const T minus_B_thetadot4_2_4a_2 = E4_32 * T(0.027) - E4_12 * T(0.09000000000000001);
+  const T minus_B_thetadot4_2_4a_3 = minus_E4_13 * T(0.09000000000000001) - minus_E4_33 * T(0.027);
   // B_thetadot4_1_4a = b4_1~ h4a: force of a unit of the rate of the speed
   const T B_thetadot4_1_4a_1 = T(0.96) * hc4_2 - T(0.28) * minus_hc4_3;
   const T minus_B_thetadot4_1_4a_2 = T(0.96) * hc4_1;
@@ -6059,13 +6059,13 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
 
   // ---- body 3 (boom) and what it carries
   // h3 = m6 d6 + h_all_3 + h6: first moment of mass carried, about the body origin, body axes [kg m]
-  const T b3_1 = T(0.5) * d6_1;
+  const T b3_1 = d6_1 * T(0.5);
   const T h3_1 = b3_1 + T(0.35000000000000003);
   // J3 = (-m6 d6~ - h6~) d6~ + J_all_3 - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg m^2]
-  const T J3_13 = T(5e-04) - T(0.005) * d6_1;
-  const T b3_2 = (T(0.05) + b3_1) * d6_1 + d6_1 * T(0.05);
+  const T J3_13 = T(5e-04) - d6_1 * T(0.005);
+  const T b3_2 = d6_1 * T(0.05) + (b3_1 + T(0.05)) * d6_1;
   const T J3_22 = b3_2 + T(0.12105);
-  const T J3_33 = b3_2 + T(0.0916);
+  const T J3_33 = T(0.0916) + b3_2;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_1 = E3_11 * h3_1 + E3_21 * T(0.03) + E3_31 * T(0.005);
   const T hc3_2 = E3_12 * h3_1 + E3_22 * T(0.03) + E3_32 * T(0.005);
@@ -6115,7 +6115,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T J1_12 = b1_5 * E3_12 + b1_6 * E3_22 + b1_7 * E3_32 - T(0.1) * hc4a_1 + b1_10 * E4a_22 - b1_9 * minus_E4a_12
       + b1_11 * E4a_23 + T(0.3) * hc5a_1 + E5a_11 * b1_16 + minus_J5a_12 - b1_20 - T(0.3) * hc3_2 - s10 * T(0.1) *
       T(0.4) + T(0.0236) + b1_13;
-  const T b1_21 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 + E5a_12 * minus_J5a_23);
+  const T b1_21 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
   const T J1_13 = b1_6 * E3_23 - b1_5 * minus_E3_13 + b1_7 * E3_33 - T(0.1) * hc3_1 + b1_10 * E4a_23 - b1_9 *
       minus_E4a_13 + b1_11 * E4a_33 - b1_21 + E8_11 * b1_4 - J8_13 - b1_2 * T(0.3) - T(0.039799999999999995) + T(0.2)
       * hc4a_3;
@@ -6130,7 +6130,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T b1_29 = T(0.3) * hc3_1 + (hc3_1 + T(0.15)) * T(0.3);
   const T J1_22 = b1_28 + b1_3 + b1_29 - T(0.4) * hc4a_1 + T(0.2) * hc5_3 + J5a_22 + b1_17 + T(0.04298) +
       c.J_all_1_22;
-  const T b1_30 = E5a_12 * J5a_13 - E5a_11 * minus_J5a_23 + T(0.1) * minus_hc5a_2;
+  const T b1_30 = E5a_12 * J5a_13 + E5a_11 * J5a_23 + T(0.1) * minus_hc5a_2;
   const T b1_31 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
   const T J1_23 = b1_23 * E3_23 - b1_22 * minus_E3_13 + b1_24 * E3_33 - T(0.1) * hc3_2 + b1_25 * E4a_23 - b1_26 *
       minus_E4a_13 + b1_27 * E4a_33 + b1_30 - b1_31 - T(0.3) * s10 * T(0.4) + c.J_all_1_23 - T(0.1) * hc4a_3 + T(0.3)
@@ -6184,19 +6184,19 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[67] = K_thetadot5_1_1_3;
   A[263] = K_thetadot5_1_1_3;
   // B_thetadot4_2_1 = E4a^T B_thetadot4_2_4a
-  const T B_thetadot4_2_1_1 = minus_E4a_12 * B_thetadot4_2_4a_2 - E4a_11 * minus_B_thetadot4_2_4a_1 + minus_E4a_13 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_2 = minus_E4a_12 * minus_B_thetadot4_2_4a_1 + E4a_22 * B_thetadot4_2_4a_2 + E4a_23 *
-      B_thetadot4_2_4a_3;
-  const T B_thetadot4_2_1_3 = minus_E4a_13 * minus_B_thetadot4_2_4a_1 + E4a_23 * B_thetadot4_2_4a_2 + E4a_33 *
-      B_thetadot4_2_4a_3;
+  const T minus_B_thetadot4_2_1_1 = minus_E4a_12 * minus_B_thetadot4_2_4a_2 + E4a_11 * minus_B_thetadot4_2_4a_1 +
+      minus_E4a_13 * minus_B_thetadot4_2_4a_3;
+  const T B_thetadot4_2_1_2 = minus_E4a_12 * minus_B_thetadot4_2_4a_1 - E4a_22 * minus_B_thetadot4_2_4a_2 - E4a_23 *
+      minus_B_thetadot4_2_4a_3;
+  const T B_thetadot4_2_1_3 = minus_E4a_13 * minus_B_thetadot4_2_4a_1 - E4a_23 * minus_B_thetadot4_2_4a_2 - E4a_33 *
+      minus_B_thetadot4_2_4a_3;
   // K_thetadot4_2_1 = q4a~ E4a^T B_thetadot4_2_4a + E4a^T K_thetadot4_2_4a
   const T K_thetadot4_2_1_1 = T(0.1) * B_thetadot4_2_1_3 + minus_E4a_12 * T(0.016137600000000002) + minus_E4a_13 *
       T(0.004706800000000001);
   const T K_thetadot4_2_1_2 = T(0.2) * B_thetadot4_2_1_3 + E4a_22 * T(0.016137600000000002) + E4a_23 *
       T(0.004706800000000001);
-  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 + T(0.1) *
-      B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
+  const T K_thetadot4_2_1_3 = E4a_23 * T(0.016137600000000002) - (T(0.2) * B_thetadot4_2_1_2 - T(0.1) *
+      minus_B_thetadot4_2_1_1) + E4a_33 * T(0.004706800000000001);
   A[8] = K_thetadot4_2_1_1;
   A[232] = K_thetadot4_2_1_1;
   A[37] = K_thetadot4_2_1_2;
@@ -6409,13 +6409,13 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[221] = t60;
   A[529] = t60;
   A[240] = T(0.016810000000000002);
-  const T t61 = R1_11 * B_thetadot4_2_1_1 + R1_21 * B_thetadot4_2_1_2 + R1_31 * B_thetadot4_2_1_3;
+  const T t61 = R1_21 * B_thetadot4_2_1_2 - R1_11 * minus_B_thetadot4_2_1_1 + R1_31 * B_thetadot4_2_1_3;
   A[248] = t61;
   A[472] = t61;
-  const T t62 = R1_12 * B_thetadot4_2_1_1 + R1_22 * B_thetadot4_2_1_2 + R1_32 * B_thetadot4_2_1_3;
+  const T t62 = R1_22 * B_thetadot4_2_1_2 - R1_12 * minus_B_thetadot4_2_1_1 + R1_32 * B_thetadot4_2_1_3;
   A[249] = t62;
   A[501] = t62;
-  const T t63 = R1_13 * B_thetadot4_2_1_1 + R1_23 * B_thetadot4_2_1_2 + R1_33 * B_thetadot4_2_1_3;
+  const T t63 = R1_23 * B_thetadot4_2_1_2 - R1_13 * minus_B_thetadot4_2_1_1 + R1_33 * B_thetadot4_2_1_3;
   A[250] = t63;
   A[530] = t63;
   const T t64 = R1_11 * minus_hc5a_2 + R1_21 * hc5a_1;
@@ -7187,7 +7187,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
   const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
+  const T omega_omega1_11_13 = E11_13 * E8_11 + E11_11 * E8_13;
   // P_omega1_11 = -R8^T d11~ E8 + P_omega1_8: partial velocity of the body origin, inertial axes
   const T t11_1 = minus_d11_2 * E8_13;
   const T t11_2 = minus_d11_2 * E8_11;
@@ -8234,7 +8234,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
   const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
+  const T omega_omega1_11_13 = E11_13 * E8_11 + E11_11 * E8_13;
   // omega_dot_omega1_11 = -(thetadot8 E11 b8~ + thetadot11 b11~ E11) E8: its rate
   const T t11_1 = thetadot8 * E11_13 + thetadot11 * E11_13;
   const T t11_2 = thetadot8 * E11_11 + thetadot11 * E11_11;
@@ -8467,7 +8467,7 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   const T E11_13 = sin(theta11);
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
   const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
-  const T omega_omega1_11_13 = E11_11 * E8_13 + E11_13 * E8_11;
+  const T omega_omega1_11_13 = E11_13 * E8_11 + E11_11 * E8_13;
   omega_y[872] = omega_omega1_11_11;
   omega_y[899] = -omega_omega1_11_11;
   omega_y[870] = -omega_omega1_11_13;
@@ -11728,7 +11728,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // ns6 = n6 - v6 K6: moment with the slide solved [N m]
   const T ns6_2 = n6_2 - v6 * T(0.005);
   // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
-  const T minus_Hb6_23 = T(0.05) + T(0.5) * d6_1;
+  const T minus_Hb6_23 = d6_1 * T(0.5) + T(0.05);
 
   // ---- body 5 (camera) and what it carries
   // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
@@ -11744,11 +11744,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Jp5 = E5^T JA5 E5: J passed on, lower body's axes [kg m^2]
   const T minus_Jp5_12 = E5_23 * c.JA5_13;
   const T Jp5_13 = E5_22 * c.JA5_13;
-  const T b5_1 = E5_23 * c.J_own_5_33;
+  const T b5_1 = E5_23 * c.c5_2;
   const T b5_2 = E5_23 * b5_1;
-  const T Jp5_22 = b5_2 + c.JA5_22;
-  const T minus_Jp5_23 = E5_22 * b5_1;
-  const T Jp5_33 = c.JA5_33 - b5_2;
+  const T Jp5_22 = c.JA5_22 - b5_2;
+  const T Jp5_23 = E5_22 * b5_1;
+  const T Jp5_33 = c.JA5_33 + b5_2;
   // np5 = E5^T n5: moment passed on, lower body's axes [N m]
   const T np5_2 = E5_22 * n5_2 - E5_23 * n5_3;
   const T np5_3 = E5_23 * n5_2 + E5_22 * n5_3;
@@ -11759,7 +11759,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T kB5a_2 = invD5a * c.HA5_32;
   // kK5a = invD5a K5a: K/D
   const T kK5a_1 = invD5a * Jp5_13;
-  const T minus_kK5a_2 = invD5a * minus_Jp5_23;
+  const T kK5a_2 = invD5a * Jp5_23;
   // v5a = invD5a u_5a: u/D
   const T v5a = invD5a * np5_3;
   // M5a = Mp5 - kB5a B5a^T: MA less what the turn takes up [kg]
@@ -11769,18 +11769,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // H5a = P_b5_1 (Hp5 - kK5a B5a^T): HA less what the turn takes up [kg m]
   const T minus_H5a_11 = kK5a_1 * minus_Hp5_13;
   const T minus_H5a_12 = minus_Hp5_12 + kK5a_1 * c.HA5_32;
-  const T H5a_21 = minus_Hp5_12 + minus_kK5a_2 * minus_Hp5_13;
-  const T H5a_22 = minus_kK5a_2 * c.HA5_32;
+  const T H5a_21 = minus_Hp5_12 - kK5a_2 * minus_Hp5_13;
+  const T minus_H5a_22 = kK5a_2 * c.HA5_32;
   // J5a = P_b5_1 (Jp5 - kK5a K5a^T) P_b5_1: JA less what the turn takes up [kg m^2]
   const T J5a_11 = c.JA5_11 - kK5a_1 * Jp5_13;
-  const T minus_J5a_12 = minus_Jp5_12 - kK5a_1 * minus_Jp5_23;
-  const T J5a_22 = Jp5_22 - minus_kK5a_2 * minus_Jp5_23;
+  const T minus_J5a_12 = minus_Jp5_12 + kK5a_1 * Jp5_23;
+  const T J5a_22 = Jp5_22 - kK5a_2 * Jp5_23;
   // gt5a = gp5 - v5a B5a: force with the turn solved [N]
   const T gt5a_1 = G5_1 - v5a * minus_Hp5_13;
   const T gt5a_2 = gp5_2 - v5a * c.HA5_32;
   // nt5a = P_b5_1 (np5 - v5a K5a): moment with the turn solved [N m]
   const T nt5a_1 = n5_1 - v5a * Jp5_13;
-  const T nt5a_2 = np5_2 + v5a * minus_Jp5_23;
+  const T nt5a_2 = np5_2 - v5a * Jp5_23;
   // Mp5a = E5a^T M5a E5a: M passed on, lower body's axes [kg]
   const T b5_3 = T(2) * E5a_11;
   const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
@@ -11792,15 +11792,15 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
   const T gp5a_2 = E5a_12 * gt5a_1 + E5a_11 * gt5a_2;
   // Hp5a = E5a^T H5a E5a: H passed on, lower body's axes [kg m]
-  const T b5_6 = E5a_11 * (H5a_21 - minus_H5a_12) - E5a_12 * (H5a_22 + minus_H5a_11);
+  const T b5_6 = E5a_12 * (minus_H5a_22 - minus_H5a_11) + E5a_11 * (H5a_21 - minus_H5a_12);
   const T b5_7 = E5a_12 * b5_6;
   const T minus_Hp5a_11 = minus_H5a_11 + b5_7;
   const T b5_8 = E5a_11 * b5_6;
   const T Hp5a_12 = b5_8 - H5a_21;
   const T minus_Hp5a_13 = E5a_11 * minus_Hp5_13 - E5a_12 * c.HA5_32;
   const T Hp5a_21 = b5_8 + minus_H5a_12;
-  const T Hp5a_22 = b5_7 + H5a_22;
-  const T minus_Hp5a_23 = E5a_12 * minus_Hp5_13 + E5a_11 * c.HA5_32;
+  const T Hp5a_22 = b5_7 - minus_H5a_22;
+  const T minus_Hp5a_23 = E5a_11 * c.HA5_32 + E5a_12 * minus_Hp5_13;
   // Jp5a = E5a^T J5a E5a: J passed on, lower body's axes [kg m^2]
   const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
   const T b5_10 = E5a_12 * b5_9;
@@ -11814,7 +11814,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b5_11 = T(0.1) * Mp5a_12;
   const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
   const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
-  const T minus_Hb5a_13 = c.c5_2 + minus_Hp5a_13;
+  const T minus_Hb5a_13 = c.c5_3 + minus_Hp5a_13;
   const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
   const T Hb5a_22 = b5_11 + Hp5a_22;
   const T Hb5a_31 = T(0.3) * Mp5a_11;
@@ -11849,12 +11849,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b4_5 = minus_E4_11 * T(0.09000000000000001) + t4_5 * T(0.027);
   const T Hp4_12 = b4_5 * T(0.96);
   const T Hp4_13 = b4_5 * T(0.28);
-  const T b4_6 = E4_12 * T(0.09000000000000001) - E4_32 * T(0.027);
-  const T minus_Hp4_22 = b4_6 * T(0.96);
-  const T minus_Hp4_23 = b4_6 * T(0.28);
-  const T b4_7 = minus_E4_33 * T(0.027) - minus_E4_13 * T(0.09000000000000001);
-  const T minus_Hp4_32 = b4_7 * T(0.96);
-  const T minus_Hp4_33 = b4_7 * T(0.28);
+  const T b4_6 = E4_32 * T(0.027) - E4_12 * T(0.09000000000000001);
+  const T Hp4_22 = b4_6 * T(0.96);
+  const T Hp4_23 = b4_6 * T(0.28);
+  const T b4_7 = minus_E4_13 * T(0.09000000000000001) - minus_E4_33 * T(0.027);
+  const T Hp4_32 = b4_7 * T(0.96);
+  const T Hp4_33 = b4_7 * T(0.28);
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_8 = minus_E4_11 * T(0.017) + t4_5 * T(0.0027);
   const T b4_9 = minus_E4_11 * T(0.0027) + t4_5 * T(0.01281);
@@ -11871,8 +11871,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T np4_2 = E4_12 * n4_1 - E4_32 * minus_n4_3;
   const T np4_3 = minus_E4_33 * minus_n4_3 - minus_E4_13 * n4_1;
   // B4a = Hp4^T b4_1: force of a unit of the angle's acceleration [kg m]
-  const T B4a_2 = minus_Hp4_32 * T(0.96) - minus_Hp4_22 * T(0.28);
-  const T B4a_3 = minus_Hp4_33 * T(0.96) - minus_Hp4_23 * T(0.28);
+  const T B4a_2 = Hp4_22 * T(0.28) - Hp4_32 * T(0.96);
+  const T B4a_3 = Hp4_23 * T(0.28) - Hp4_33 * T(0.96);
   // K4a = Jp4 b4_1: its moment about the body origin, body axes [kg m^2]
   const T K4a_1 = Jp4_12 * T(0.28) - Jp4_13 * T(0.96);
   const T K4a_2 = Jp4_22 * T(0.28) + minus_Jp4_23 * T(0.96);
@@ -11899,10 +11899,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // H4a = Hp4 - kK4a B4a^T: HA less what the turn takes up [kg m]
   const T H4a_12 = Hp4_12 - kK4a_1 * B4a_2;
   const T H4a_13 = Hp4_13 - kK4a_1 * B4a_3;
-  const T minus_H4a_22 = minus_Hp4_22 + kK4a_2 * B4a_2;
-  const T minus_H4a_23 = minus_Hp4_23 + kK4a_2 * B4a_3;
-  const T H4a_32 = minus_kK4a_3 * B4a_2 - minus_Hp4_32;
-  const T H4a_33 = minus_kK4a_3 * B4a_3 - minus_Hp4_33;
+  const T H4a_22 = Hp4_22 - kK4a_2 * B4a_2;
+  const T H4a_23 = Hp4_23 - kK4a_2 * B4a_3;
+  const T H4a_32 = Hp4_32 + minus_kK4a_3 * B4a_2;
+  const T H4a_33 = Hp4_33 + minus_kK4a_3 * B4a_3;
   // J4a = Jp4 - kK4a K4a^T: JA less what the turn takes up [kg m^2]
   const T J4a_11 = Jp4_11 - kK4a_1 * K4a_1;
   const T J4a_12 = Jp4_12 - kK4a_1 * K4a_2;
@@ -11936,18 +11936,18 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T gp4a_2 = E4a_22 * gt4a_2 - minus_E4a_12 * gp4_1 + E4a_23 * gt4a_3;
   const T gp4a_3 = E4a_23 * gt4a_2 - minus_E4a_13 * gp4_1 + E4a_33 * gt4a_3;
   // Hp4a = E4a^T H4a E4a: H passed on, lower body's axes [kg m]
-  const T b4_19 = E4a_11 * H4a_12 - minus_E4a_12 * minus_H4a_22 + minus_E4a_13 * H4a_32;
-  const T b4_20 = E4a_11 * H4a_13 - minus_E4a_12 * minus_H4a_23 + minus_E4a_13 * H4a_33;
+  const T b4_19 = E4a_11 * H4a_12 + minus_E4a_12 * H4a_22 + minus_E4a_13 * H4a_32;
+  const T b4_20 = E4a_11 * H4a_13 + minus_E4a_12 * H4a_23 + minus_E4a_13 * H4a_33;
   const T Hp4a_11 = b4_19 * minus_E4a_12 + b4_20 * minus_E4a_13;
   const T Hp4a_12 = b4_19 * E4a_22 + b4_20 * E4a_23;
   const T Hp4a_13 = b4_19 * E4a_23 + b4_20 * E4a_33;
-  const T b4_21 = E4a_23 * H4a_32 - (E4a_22 * minus_H4a_22 + minus_E4a_12 * H4a_12);
-  const T b4_22 = E4a_23 * H4a_33 - (E4a_22 * minus_H4a_23 + minus_E4a_12 * H4a_13);
+  const T b4_21 = E4a_22 * H4a_22 - minus_E4a_12 * H4a_12 + E4a_23 * H4a_32;
+  const T b4_22 = E4a_22 * H4a_23 - minus_E4a_12 * H4a_13 + E4a_23 * H4a_33;
   const T Hp4a_21 = b4_21 * minus_E4a_12 + b4_22 * minus_E4a_13;
   const T Hp4a_22 = b4_21 * E4a_22 + b4_22 * E4a_23;
   const T Hp4a_23 = b4_21 * E4a_23 + b4_22 * E4a_33;
-  const T b4_23 = E4a_33 * H4a_32 - (E4a_23 * minus_H4a_22 + minus_E4a_13 * H4a_12);
-  const T b4_24 = E4a_33 * H4a_33 - (E4a_23 * minus_H4a_23 + minus_E4a_13 * H4a_13);
+  const T b4_23 = E4a_23 * H4a_22 - minus_E4a_13 * H4a_12 + E4a_33 * H4a_32;
+  const T b4_24 = E4a_23 * H4a_23 - minus_E4a_13 * H4a_13 + E4a_33 * H4a_33;
   const T Hp4a_31 = b4_23 * minus_E4a_12 + b4_24 * minus_E4a_13;
   const T Hp4a_32 = b4_23 * E4a_22 + b4_24 * E4a_23;
   const T Hp4a_33 = b4_23 * E4a_23 + b4_24 * E4a_33;
@@ -11986,10 +11986,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // HA3 = m3 r3~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
   const T minus_HA3_23 = minus_Hb6_23 + T(0.30000000000000004);
   // JA3 = -m3 r3~ r3~ + I3 + d6~ Hs6^T + Js6 - Hb6 d6~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_13 = T(5e-04) - T(0.005) * d6_1;
-  const T b3_1 = minus_Hb6_23 * d6_1 + d6_1 * T(0.05);
+  const T JA3_13 = T(5e-04) - d6_1 * T(0.005);
+  const T b3_1 = d6_1 * T(0.05) + minus_Hb6_23 * d6_1;
   const T JA3_22 = T(0.12100000000000001) + b3_1;
-  const T JA3_33 = b3_1 + T(0.0916);
+  const T JA3_33 = T(0.0916) + b3_1;
   // g3 = G3 + gs6: force that drives it, home axes [N]
   const T g3_1 = minus_effort_telescope_6 - minus_G3_1;
   const T g3_2 = G6_2 - minus_G3_2;
@@ -12372,7 +12372,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
   const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
-  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 + minus_kK5a_2 * alphaL5a_2;
+  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
   // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
   const T thetaddot5_1 = phi5a - z1_2;
   ydot[9] = thetaddot5_1;
@@ -12528,7 +12528,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   ydot[21] = -T(0);
   ydot[26] = -T(0);
   ydot[27] = T(0);
-  ydot[28] = -T(9.809999999999999);
+  ydot[28] = -T(9.81);
 }
 
 }  // namespace kanec::every_joint

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model ba736e6d4801efa0 of quadruped/scene.toml; the usual functions
+// model 338114d293c0ec8c of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -60,7 +60,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "ba736e6d4801efa0";
+inline constexpr char model_hash[] = "338114d293c0ec8c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -149,8 +149,8 @@ struct Prepared {
   T c1_3;
   T c1_4;
   T c1_5;
-  T c1_6;
   T m_all_1;
+  T c1_6;
   T c1_7;
   T c1_8;
   T c1_9;
@@ -172,13 +172,13 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T J_all_1_22 = t1 + T(0.28990388342668794);
   const T t2 = p.m_trunk * T(1.6810000000000003e-05);
   const T J_all_1_33 = t2 + T(0.314855843426688);
-  const T c1_3 = J_all_1_11 - J_all_1_22;
-  const T c1_4 = T(0.5) * (J_all_1_33 - c1_3);
-  const T c1_5 = T(0.5) * (J_all_1_33 + c1_3);
-  const T c1_6 = T(0.5) * (J_all_1_11 + J_all_1_22 - J_all_1_33);
+  const T c1_3 = J_all_1_33 - J_all_1_22;
+  const T c1_4 = J_all_1_11 - J_all_1_33;
+  const T c1_5 = J_all_1_22 - J_all_1_11;
   const T m_all_1 = p.m_trunk + T(7.739999999999999);
-  const T c1_7 = J_all_1_33 - J_all_1_22;
-  const T c1_8 = J_all_1_11 - J_all_1_33;
+  const T c1_6 = T(0.5) * (J_all_1_33 + c1_5);
+  const T c1_7 = T(0.5) * (J_all_1_33 - c1_5);
+  const T c1_8 = T(0.5) * (J_all_1_11 + J_all_1_22 - J_all_1_33);
   const T c1_9 = t1 + T(0.28990388342668794);
   const T c1_10 = t2 + T(0.314855843426688);
   c.c1_1 = c1_1;
@@ -192,8 +192,8 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.c1_3 = c1_3;
   c.c1_4 = c1_4;
   c.c1_5 = c1_5;
-  c.c1_6 = c1_6;
   c.m_all_1 = m_all_1;
+  c.c1_6 = c1_6;
   c.c1_7 = c1_7;
   c.c1_8 = c1_8;
   c.c1_9 = c1_9;
@@ -2448,9 +2448,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G1_2 = minus_U1_22 * c.h_all_1_2 + U1_23 * c.c1_2;
   const T minus_G1_3 = U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = -omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N m]
-  const T minus_N1_1 = c.c1_7 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) - T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
-  const T minus_N1_2 = c.c1_8 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12;
-  const T minus_N1_3 = c.J_all_1_23 * U1_13 - (c.c1_3 * U1_12 + T(3.66e-05) * (t1_15 - t1_14)) + T(6.11e-05) * U1_23;
+  const T minus_N1_1 = c.c1_3 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) - T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
+  const T minus_N1_2 = c.c1_4 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12;
+  const T minus_N1_3 = c.c1_5 * U1_12 - T(3.66e-05) * (t1_15 - t1_14) + c.J_all_1_23 * U1_13 + T(6.11e-05) * U1_23;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -2564,7 +2564,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_ - stretch_fr_thigh_3 k_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - c.p.kp * stretch_fr_thigh_3;
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - stretch_fr_thigh_3 * c.p.kp;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
   const T G3_2 = U3_21 * T(0.0032790809999999997) + U3_23 * T(0.072881238);
@@ -2625,7 +2625,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - c.p.kp * stretch_fr_calf_4;
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // G4 = R4 F_ground_on_fr_ - U4 h_own_4: applied less inertia force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
   const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
@@ -2748,7 +2748,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
   // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_ - stretch_fl_thigh_7 k_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - c.p.kp * stretch_fl_thigh_7;
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - stretch_fl_thigh_7 * c.p.kp;
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
   const T minus_G7_1 = minus_U7_11 * T(0.0032790809999999997) - U7_13 * T(0.072881238);
   const T G7_2 = U7_21 * T(0.0032790809999999997) + U7_23 * T(0.072881238);
@@ -2809,7 +2809,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - c.p.kp * stretch_fl_calf_8;
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // G8 = R8 F_ground_on_fl_ - U8 h_own_8: applied less inertia force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
   const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
@@ -2927,7 +2927,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
   // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_ - stretch_rr_thigh_11 k_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - c.p.kp * stretch_rr_thigh_11;
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - stretch_rr_thigh_11 * c.p.kp;
   // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
   const T minus_G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
   const T G11_2 = U11_21 * T(0.0032790809999999997) + U11_23 * T(0.072881238);
@@ -2988,7 +2988,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - c.p.kp * stretch_rr_calf_12;
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // G12 = R12 F_ground_on_rr_ - U12 h_own_12: applied less inertia force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
   const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
@@ -3107,7 +3107,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
   // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_ - stretch_rl_thigh_15 k_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - c.p.kp * stretch_rl_thigh_15;
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - stretch_rl_thigh_15 * c.p.kp;
   // G15 = -U15 h_own_15: applied less inertia force, body axes [N]
   const T minus_G15_1 = minus_U15_11 * T(0.0032790809999999997) - U15_13 * T(0.072881238);
   const T G15_2 = U15_21 * T(0.0032790809999999997) + U15_23 * T(0.072881238);
@@ -3168,7 +3168,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - c.p.kp * stretch_rl_calf_16;
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // G16 = R16 F_ground_on_rl_ - U16 h_own_16: applied less inertia force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
   const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
@@ -4405,11 +4405,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T G1_3 = c.m_all_1 * Pddot1_3 + U1_32 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_5 * U1_32 - c.c1_6 * U1_23 - c.J_all_1_23 *
+  const T N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_7 * U1_32 - c.c1_8 * U1_23 - c.J_all_1_23 *
       (minus_U1_22 - minus_U1_33) + T(3.66e-05) * U1_31 - T(6.11e-05) * U1_21;
-  const T N1_2 = c.c1_6 * U1_13 - c.c1_4 * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) - c.J_all_1_23 * U1_12 -
+  const T N1_2 = c.c1_8 * U1_13 - c.c1_6 * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) - c.J_all_1_23 * U1_12 -
       T(3.66e-05) * U1_32 - c.c1_2 * Pddot1_1;
-  const T N1_3 = c.c1_4 * U1_21 - c.c1_5 * U1_12 + T(3.66e-05) * (minus_U1_11 - minus_U1_22) + T(6.11e-05) * U1_23 +
+  const T N1_3 = c.c1_6 * U1_21 - c.c1_7 * U1_12 + T(3.66e-05) * (minus_U1_11 - minus_U1_22) + T(6.11e-05) * U1_23 +
       c.J_all_1_23 * U1_13 - c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
@@ -4500,8 +4500,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega3_1 = E3_11 * omega2_1 - minus_E3_13 * omega2_3;
   const T omega3_2 = thetadot3 + omega2_2;
   const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
-  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
-  const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // omegadot3 = -thetadot3 b3~ E3 omega2 + thetaddot3 b3 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = E3_11 * omegadot2_1 - minus_E3_13 * omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_2 = thetaddot3 + omegadot2_2;
@@ -4529,9 +4527,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
   const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
-  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
+  const T stretch_fr_thigh_3 = theta3 - T(0.8);
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_ - stretch_fr_thigh_3 k_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - stretch_fr_thigh_3 * c.p.kp;
   // G3 = U3 h_own_3: inertia less applied force, body axes [N]
   const T G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
   const T minus_G3_2 = U3_21 * T(0.0032790809999999997) + U3_23 * T(0.072881238);
@@ -4566,8 +4566,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
   const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
-  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
-  const T stretch_fr_calf_4 = theta4 + T(1.6);
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_2 = thetaddot4 + omegadot3_2;
@@ -4592,9 +4590,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
-  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
+  const T stretch_fr_calf_4 = theta4 + T(1.6);
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // G4 = -R4 F_ground_on_fr_ + U4 h_own_4: inertia less applied force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
   const T minus_G4_1 = minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002) + t4_7;
@@ -4695,8 +4695,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega7_1 = E7_11 * omega6_1 - minus_E7_13 * omega6_3;
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
-  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
-  const T stretch_fl_thigh_7 = theta7 - T(0.8);
   // omegadot7 = -thetadot7 b7~ E7 omega6 + thetaddot7 b7 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = E7_11 * omegadot6_1 - minus_E7_13 * omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_2 = thetaddot7 + omegadot6_2;
@@ -4724,9 +4722,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
-  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
+  const T stretch_fl_thigh_7 = theta7 - T(0.8);
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_ - stretch_fl_thigh_7 k_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - stretch_fl_thigh_7 * c.p.kp;
   // G7 = U7 h_own_7: inertia less applied force, body axes [N]
   const T G7_1 = minus_U7_11 * T(0.0032790809999999997) - U7_13 * T(0.072881238);
   const T minus_G7_2 = U7_21 * T(0.0032790809999999997) + U7_23 * T(0.072881238);
@@ -4761,8 +4761,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
   const T omega8_2 = thetadot8 + omega7_2;
   const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
-  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
-  const T stretch_fl_calf_8 = theta8 + T(1.6);
   // omegadot8 = -thetadot8 b8~ E8 omega7 + thetaddot8 b8 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_2 = thetaddot8 + omegadot7_2;
@@ -4787,9 +4785,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
-  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
+  const T stretch_fl_calf_8 = theta8 + T(1.6);
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // G8 = -R8 F_ground_on_fl_ + U8 h_own_8: inertia less applied force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
   const T minus_G8_1 = minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002) + t8_7;
@@ -4888,8 +4888,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega11_1 = E11_11 * omega10_1 - minus_E11_13 * omega10_3;
   const T omega11_2 = thetadot11 + omega10_2;
   const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
-  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
-  const T stretch_rr_thigh_11 = theta11 - T(0.8);
   // omegadot11 = -thetadot11 b11~ E11 omega10 + thetaddot11 b11 + E11 omegadot10: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot11_1 = E11_11 * omegadot10_1 - minus_E11_13 * omegadot10_3 - thetadot11 * omega11_3;
@@ -4918,9 +4916,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
   const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
-  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
+  const T stretch_rr_thigh_11 = theta11 - T(0.8);
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_ - stretch_rr_thigh_11 k_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - stretch_rr_thigh_11 * c.p.kp;
   // G11 = U11 h_own_11: inertia less applied force, body axes [N]
   const T G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
   const T minus_G11_2 = U11_21 * T(0.0032790809999999997) + U11_23 * T(0.072881238);
@@ -4955,8 +4955,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
   const T omega12_2 = thetadot12 + omega11_2;
   const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
-  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
-  const T stretch_rr_calf_12 = theta12 + T(1.6);
   // omegadot12 = -thetadot12 b12~ E12 omega11 + thetaddot12 b12 + E12 omegadot11: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
@@ -4982,9 +4980,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
-  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
+  const T stretch_rr_calf_12 = theta12 + T(1.6);
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // G12 = -R12 F_ground_on_rr_ + U12 h_own_12: inertia less applied force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
   const T minus_G12_1 = minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002) + t12_7;
@@ -5083,8 +5083,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega15_1 = E15_11 * omega14_1 - minus_E15_13 * omega14_3;
   const T omega15_2 = thetadot15 + omega14_2;
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
-  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
-  const T stretch_rl_thigh_15 = theta15 - T(0.8);
   // omegadot15 = -thetadot15 b15~ E15 omega14 + thetaddot15 b15 + E15 omegadot14: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot15_1 = E15_11 * omegadot14_1 - minus_E15_13 * omegadot14_3 - thetadot15 * omega15_3;
@@ -5113,9 +5111,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
-  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
+  const T stretch_rl_thigh_15 = theta15 - T(0.8);
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_ - stretch_rl_thigh_15 k_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - stretch_rl_thigh_15 * c.p.kp;
   // G15 = U15 h_own_15: inertia less applied force, body axes [N]
   const T G15_1 = minus_U15_11 * T(0.0032790809999999997) - U15_13 * T(0.072881238);
   const T minus_G15_2 = U15_21 * T(0.0032790809999999997) + U15_23 * T(0.072881238);
@@ -5150,8 +5150,6 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
   const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
-  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
-  const T stretch_rl_calf_16 = theta16 + T(1.6);
   // omegadot16 = -thetadot16 b16~ E16 omega15 + thetaddot16 b16 + E16 omegadot15: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
@@ -5177,9 +5175,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
-  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
+  const T stretch_rl_calf_16 = theta16 + T(1.6);
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // G16 = -R16 F_ground_on_rl_ + U16 h_own_16: inertia less applied force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
   const T minus_G16_1 = minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002) + t16_7;
@@ -5428,11 +5428,11 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G1_3 = c.m_all_1 * Pddot1_3 + U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = -h_all_1~ Pddot1 - omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N
   //   m]
-  const T minus_N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_7 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) -
+  const T minus_N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_3 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) -
       T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
-  const T minus_N1_2 = c.c1_8 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12 -
+  const T minus_N1_2 = c.c1_4 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12 -
       c.c1_2 * Pddot1_1;
-  const T minus_N1_3 = c.J_all_1_23 * U1_13 - (c.c1_3 * U1_12 + T(3.66e-05) * (t1_15 - t1_14)) + T(6.11e-05) * U1_23 -
+  const T minus_N1_3 = c.c1_5 * U1_12 - T(3.66e-05) * (t1_15 - t1_14) + c.J_all_1_23 * U1_13 + T(6.11e-05) * U1_23 -
       c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
@@ -5520,9 +5520,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega3_3 = minus_E3_13 * omega2_1 + E3_11 * omega2_3;
   // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
-  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ - k_fr_thigh_ stretch_fr_thigh_3 + tau_fr_thigh_: along the coordinate
+  // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_ - stretch_fr_thigh_3 k_fr_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fr_thigh_3 = u.tau_fr_thigh - (thetadot3 * c.p.kd + c.p.kp * stretch_fr_thigh_3);
+  const T effort_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd - stretch_fr_thigh_3 * c.p.kp;
   // omegadot3 = -thetadot3 b3~ E3 omega2 + E3 omegadot2: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1 = minus_E3_13 * minus_omegadot2_3 - thetadot3 * omega3_3;
   const T omegadot3_3 = thetadot3 * omega3_1 - E3_11 * minus_omegadot2_3;
@@ -5584,9 +5584,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
   // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
   const T stretch_fr_calf_4 = theta4 + T(1.6);
-  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ - k_fr_calf_ stretch_fr_calf_4 + tau_fr_calf_: along the coordinate [N
+  // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fr_calf_4 = u.tau_fr_calf - (thetadot4 * c.p.kd + c.p.kp * stretch_fr_calf_4);
+  const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
   const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
   const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
@@ -5705,9 +5705,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
-  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ - k_fl_thigh_ stretch_fl_thigh_7 + tau_fl_thigh_: along the coordinate
+  // effort_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_ - stretch_fl_thigh_7 k_fl_thigh_: along the coordinate
   //   [N m], [N]
-  const T effort_fl_thigh_7 = u.tau_fl_thigh - (thetadot7 * c.p.kd + c.p.kp * stretch_fl_thigh_7);
+  const T effort_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd - stretch_fl_thigh_7 * c.p.kp;
   // omegadot7 = -thetadot7 b7~ E7 omega6 + E7 omegadot6: angular acceleration, body axes [rad/s^2]
   const T omegadot7_1 = minus_E7_13 * minus_omegadot6_3 - thetadot7 * omega7_3;
   const T omegadot7_3 = thetadot7 * omega7_1 - E7_11 * minus_omegadot6_3;
@@ -5769,9 +5769,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
   // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
   const T stretch_fl_calf_8 = theta8 + T(1.6);
-  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ - k_fl_calf_ stretch_fl_calf_8 + tau_fl_calf_: along the coordinate [N
+  // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
-  const T effort_fl_calf_8 = u.tau_fl_calf - (thetadot8 * c.p.kd + c.p.kp * stretch_fl_calf_8);
+  const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
   const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
   const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
@@ -5888,9 +5888,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega11_3 = minus_E11_13 * omega10_1 + E11_11 * omega10_3;
   // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
-  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ - k_rr_thigh_ stretch_rr_thigh_11 + tau_rr_thigh_: along the
+  // effort_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_ - stretch_rr_thigh_11 k_rr_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rr_thigh_11 = u.tau_rr_thigh - (thetadot11 * c.p.kd + c.p.kp * stretch_rr_thigh_11);
+  const T effort_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd - stretch_rr_thigh_11 * c.p.kp;
   // omegadot11 = -thetadot11 b11~ E11 omega10 + E11 omegadot10: angular acceleration, body axes [rad/s^2]
   const T omegadot11_1 = minus_E11_13 * minus_omegadot10_3 - thetadot11 * omega11_3;
   const T omegadot11_3 = thetadot11 * omega11_1 - E11_11 * minus_omegadot10_3;
@@ -5952,9 +5952,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
   // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
   const T stretch_rr_calf_12 = theta12 + T(1.6);
-  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ - k_rr_calf_ stretch_rr_calf_12 + tau_rr_calf_: along the coordinate
+  // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rr_calf_12 = u.tau_rr_calf - (thetadot12 * c.p.kd + c.p.kp * stretch_rr_calf_12);
+  const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
   const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
   const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
@@ -6072,9 +6072,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
   // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
-  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ - k_rl_thigh_ stretch_rl_thigh_15 + tau_rl_thigh_: along the
+  // effort_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_ - stretch_rl_thigh_15 k_rl_thigh_: along the
   //   coordinate [N m], [N]
-  const T effort_rl_thigh_15 = u.tau_rl_thigh - (thetadot15 * c.p.kd + c.p.kp * stretch_rl_thigh_15);
+  const T effort_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd - stretch_rl_thigh_15 * c.p.kp;
   // omegadot15 = -thetadot15 b15~ E15 omega14 + E15 omegadot14: angular acceleration, body axes [rad/s^2]
   const T omegadot15_1 = minus_E15_13 * minus_omegadot14_3 - thetadot15 * omega15_3;
   const T omegadot15_3 = thetadot15 * omega15_1 - E15_11 * minus_omegadot14_3;
@@ -6136,9 +6136,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
   // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
   const T stretch_rl_calf_16 = theta16 + T(1.6);
-  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ - k_rl_calf_ stretch_rl_calf_16 + tau_rl_calf_: along the coordinate
+  // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
-  const T effort_rl_calf_16 = u.tau_rl_calf - (thetadot16 * c.p.kd + c.p.kp * stretch_rl_calf_16);
+  const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
   const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
   const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;

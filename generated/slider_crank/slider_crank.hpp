@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 691ad984801579a6 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model a486f9815f258dae of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "691ad984801579a6";
+inline constexpr char model_hash[] = "a486f9815f258dae";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -144,7 +144,7 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   pose[12] = R2_11;
   pose[20] = R2_11;
   pose[14] = -minus_R2_13;
@@ -197,7 +197,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -261,7 +261,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, T* out) noexcept {
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -321,7 +321,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -395,7 +395,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -484,7 +484,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -569,7 +569,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, T* power) no
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -634,7 +634,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + c.p.crank_speed;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
@@ -729,7 +729,7 @@ void rod_end_position(const Prepared<T>& c, T t, const T* x, T* position) noexce
   const T minus_E2_13 = sin(theta2);
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
-  const T minus_R2_13 = E1_11 * minus_E2_13 + minus_E1_13 * E2_11;
+  const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
   const T P2_1 = E1_11 * T(0.05);
   const T minus_P2_3 = minus_E1_13 * T(0.05);

@@ -50,6 +50,53 @@ Block add(Builder& builder, const Block& a, const Block& b) {
   return result;
 }
 
+namespace {
+
+// C = [1, 0, 0; 0, c, -s; 0, s, c] or the same about another axis.
+struct Plane {
+  Cyclic at;
+  Ref c, s;
+};
+
+// One result, or two constants of one value.
+bool is_same(const Builder& builder, Ref a, Ref b) {
+  const auto u = program::fold::value(builder, a), v = program::fold::value(builder, b);
+  return a == b || (u && v && *u == *v);
+}
+
+std::optional<Plane> plane_of(const Builder& builder, const Block& C) {
+  using program::fold::is;
+  for (const Cyclic& at : cyclic) {
+    const auto [i, j, k] = at;
+    const bool fixes = is(builder, C.at(i, i), 1) && is(builder, C.at(i, j), 0) && is(builder, C.at(i, k), 0) &&
+                       is(builder, C.at(j, i), 0) && is(builder, C.at(k, i), 0);
+    if (fixes && is_same(builder, C.at(j, j), C.at(k, k)) && is_same(builder, C.at(j, k), -C.at(k, j)))
+      return Plane{at, C.at(j, j), C.at(k, j)};
+  }
+  return std::nullopt;
+}
+
+Block rotation_in(Builder& builder, const Cyclic& at, Ref cosine, Ref sine) {
+  Block result{3, 3, {}};
+  result.entries.fill(builder.constant(0.0));
+  result.at(at.i, at.i) = builder.constant(1.0);
+  result.at(at.j, at.j) = result.at(at.k, at.k) = cosine;
+  result.at(at.k, at.j) = sine;
+  result.at(at.j, at.k) = -sine;
+  return result;
+}
+
+// Two turns about one axis are one.
+std::optional<Block> plane_product(Builder& builder, const Block& a, const Block& b) {
+  const auto A = plane_of(builder, a), B = plane_of(builder, b);
+  if (!A || !B || A->at.i != B->at.i) return std::nullopt;
+  const auto times = [&](Ref u, Ref v) { return builder.multiply(u, v); };
+  return rotation_in(builder, A->at, builder.subtract(times(A->c, B->c), times(A->s, B->s)),
+                     builder.add(times(A->s, B->c), times(A->c, B->s)));
+}
+
+}  // namespace
+
 Block multiply(Builder& builder, const Block& a, const Block& b) {
   if (a.is_scalar() || b.is_scalar()) {
     const Block& factor = a.is_scalar() ? a : b;
@@ -61,6 +108,8 @@ Block multiply(Builder& builder, const Block& a, const Block& b) {
     return result;
   }
   if (a.columns != b.rows) throw InternalError("product of blocks whose shapes do not fit");
+  if (a.size() == 9 && b.size() == 9)
+    if (const auto both = plane_product(builder, a, b)) return *both;
   Block result{a.rows, b.columns, {}};
   for (int i = 0; i < a.rows; ++i)
     for (int j = 0; j < b.columns; ++j) {
@@ -94,14 +143,7 @@ Block turn(Builder& builder, const Block& axis, Ref angle) {
     if (!is_along(builder, axis, at)) continue;
     const bool is_opposite = program::fold::is(builder, axis.at(at.i), -1);
     const Ref cosine = builder.cosine(angle), sine = builder.sine(is_opposite ? -angle : angle);
-    const Ref zero = builder.constant(0.0);
-    Block result{3, 3, {}};
-    result.entries.fill(zero);
-    result.at(at.i, at.i) = builder.constant(1.0);
-    result.at(at.j, at.j) = result.at(at.k, at.k) = cosine;
-    result.at(at.k, at.j) = sine;
-    result.at(at.j, at.k) = -sine;
-    return result;
+    return rotation_in(builder, at, cosine, sine);
   }
   const Ref sine = builder.sine(angle), cosine = builder.cosine(angle);
   const Block cross = skew(builder, axis);
@@ -113,23 +155,6 @@ Block turn(Builder& builder, const Block& axis, Ref angle) {
 }
 
 namespace {
-
-// C = [1, 0, 0; 0, c, -s; 0, s, c] or the same about another axis.
-struct Plane {
-  Cyclic at;
-  Ref c, s;
-};
-
-std::optional<Plane> plane_of(const Builder& builder, const Block& C) {
-  using program::fold::is;
-  for (const Cyclic& at : cyclic) {
-    const auto [i, j, k] = at;
-    const bool fixes = is(builder, C.at(i, i), 1) && is(builder, C.at(i, j), 0) && is(builder, C.at(i, k), 0) &&
-                       is(builder, C.at(j, i), 0) && is(builder, C.at(k, i), 0);
-    if (fixes && C.at(j, j) == C.at(k, k) && C.at(j, k) == -C.at(k, j)) return Plane{at, C.at(j, j), C.at(k, j)};
-  }
-  return std::nullopt;
-}
 
 // Rows j and k of C A in a plane rotation, of one column.
 void turn_pair(Builder& builder, const Plane& plane, Ref& a, Ref& b) {

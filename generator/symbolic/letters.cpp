@@ -360,7 +360,10 @@ class Definition {
     };
     if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
-      l.r = define_centre(heavy[0]->offset + heavy[0]->orientation * heavy[0]->r);
+      const auto& turned = equations_.mechanism.link(j).centre;
+      const ex arm = turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned))
+                            : heavy[0]->orientation * heavy[0]->r;
+      l.r = define_centre(heavy[0]->offset + arm);
       l.inertia = define_inertia(inertia_of(*heavy[0]));
       return;
     }

@@ -150,7 +150,7 @@ class Builder {
     if (!reductions_.place_origins || link.freedoms.empty() || link.freedoms[0].kind != Freedom::Kind::turn) return {};
     const bool is_by_three = link.freedoms.back().kind == Freedom::Kind::translation;
     return is_by_three || coordinate_axis(link.freedoms[0].axis) < 0 ? Offset{}
-                                                                : taken_along(link.freedoms[0].axis, link.offset);
+                                                                     : taken_along(link.freedoms[0].axis, link.offset);
   }
 
   // One link a turn; the first slides. Where its axis is one of the lower link's, a link has axes parallel to these at
@@ -257,8 +257,45 @@ std::vector<int> Mechanism::carried(int at) const {
   return result;
 }
 
+namespace {
+
+std::optional<Axis> constants_of(const scene::Vector& numbers) {
+  Axis result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (numbers[i].kind != scene::Number::Kind::constant) return std::nullopt;
+    result[i] = numbers[i].value;
+  }
+  return result;
+}
+
+// A link without others on it, and with one body: its axes may be any about that of its joint. Turned by the angle of
+// the body's mass centre, r has a zero for a sum and two products of each sine and cosine.
+void turn_axes(const scene::Scene& scene, Link& link, BodyPlace& place, int body) {
+  const int along = link.turning == Link::Turning::turn ? coordinate_axis(link.freedoms.front().axis) : -1;
+  const std::optional<Axis> r = constants_of(scene.bodies[static_cast<std::size_t>(body - 1)].r);
+  if (along < 0 || !is_identity(link.zero) || !r) return;
+  const auto i = static_cast<std::size_t>(along), j = (i + 1) % 3, k = (i + 2) % 3;
+  Axis centre = turned(place.orientation, *r);
+  if (centre[j] == 0 || centre[k] == 0) return;
+  const double angle = std::atan2(centre[k], centre[j]);
+  link.zero = rotation_about(scene::no_rotation[i], angle);
+  place.orientation = product(rotation_about(scene::no_rotation[i], -angle), place.orientation);
+  centre[j] = std::hypot(centre[j], centre[k]);
+  centre[k] = 0;
+  link.centre = centre;
+}
+
+}  // namespace
+
 Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions) {
-  return Builder(scene, reductions).result();
+  Mechanism result = Builder(scene, reductions).result();
+  for (int j = 1; j <= result.size() && reductions.turn_axes; ++j) {
+    const std::vector<int> bodies = result.carried(j);
+    if (bodies.size() != 1 || !result.children(j).empty()) continue;
+    turn_axes(scene, result.links[static_cast<std::size_t>(j - 1)],
+              result.bodies[static_cast<std::size_t>(bodies[0] - 1)], bodies[0]);
+  }
+  return result;
 }
 
 }  // namespace kanec::symbolic

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Reductions {
   bool drop_locks = true;   // a locked coordinate is a constant of the geometry, not a coordinate with a constant value
   bool place_origins = true;  // origins moved along the axes of turns, so that offsets have zeros
   bool regroup = true;     // what a joint cannot feel of a link's mass and inertia belongs to the lower link
+  bool turn_axes = true;   // axes of last links turned about their joints, so that mass centres have zeros
   int group = any_number;  // of how many links' masses one holds then; on long chains few cost fewer digits
 
   static constexpr int any_number = 1 << 30;
@@ -47,6 +49,7 @@ struct Link {
       scene::no_rotation;  // link to lower link components at zero angle; of a held ball to inertial ones
   Offset offset;           // of its origin from the lower link's, without slides; lower link's axes
   double pitch = 0.0;      // of its turn [m/rad]
+  std::optional<scene::Axis> centre = {};  // mass centre from the body's origin, link axes [m], where these are turned for it
 };
 
 // Where a body of the scene is on its link.

@@ -52,7 +52,7 @@ std::string reduction_document(const scene::Scene& scene, const std::vector<std:
 }
 
 // The tables of the source: origins where the scene has them.
-constexpr symbolic::Reductions as_typed = {.place_origins = false, .regroup = false};
+constexpr symbolic::Reductions as_typed = {.place_origins = false, .regroup = false, .turn_axes = false};
 
 std::string document(const symbolic::Equations& equations, const std::string& format) {
   if (format == "json") return json_text(tables_json(equations));

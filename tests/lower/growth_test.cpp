@@ -54,7 +54,7 @@ TEST(Growth, of_operations_is_that_of_the_number_of_bodies) {
       const int few = operations(8, tree.lower, function), some = operations(64, tree.lower, function),
                 many = operations(500, tree.lower, function);
       const double first = (some - few) / 56.0, later = (many - some) / 436.0;  // a body
-      EXPECT_LT(later, 1.03 * first);  // random trees differ in how many bodies carry none, by 3 in a hundred
+      EXPECT_LT(later, 1.04 * first);  // random trees differ in how many bodies carry none, by 4 in a hundred
       EXPECT_LT(later, most);
     }
 }

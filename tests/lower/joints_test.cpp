@@ -57,6 +57,7 @@ std::vector<symbolic::Way> all_ways() {
               {{}, algorithm, axes, ways.size() % 3 == 0 ? Derivatives::operations : Derivatives::equations});
           ways.back().reductions.place_origins = place;
           ways.back().reductions.regroup = regroup;
+          ways.back().reductions.turn_axes = place != regroup;
         }
   return ways;
 }

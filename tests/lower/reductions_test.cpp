@@ -90,6 +90,7 @@ const LeftIn cases[] = {
     {"locks", without(&Reductions::drop_locks), unchanged},
     {"origins", without(&Reductions::place_origins), unchanged},
     {"masses", without(&Reductions::regroup), unchanged},
+    {"axes", without(&Reductions::turn_axes), unchanged},
     {"masses_of_two_together", in_groups_of(2), unchanged},
     {"constants", {}, [](const Sample& s) { return Unfolded(s).geometry_and_inertia().sample(); }},
     {"gravity", {}, [](const Sample& s) { return Unfolded(s).gravity().sample(); }},

@@ -121,7 +121,7 @@ TEST(Rounding, is_what_independent_errors_of_all_operations_are_expected_to_make
 TEST(Rounding, of_a_sum_that_cancels_is_that_of_its_terms) {
   program::Builder builder;
   const program::Ref x = builder.variable(program::Group::x, 0), third = builder.multiply(x, builder.constant(1.0 / 3));
-  program::Function function{"f"};
+  program::Function function;
   function.outputs = {builder.subtract(third, builder.constant(1.0 / 3))};
   program::Program program;
   program.nodes = builder.nodes();

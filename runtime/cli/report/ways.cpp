@@ -39,6 +39,11 @@ Way with_origins(Way way, bool placed) {
   return way;
 }
 
+Way with_axes(Way way, bool turned) {
+  way.reductions.turn_axes = turned;
+  return way;
+}
+
 Way with_masses(Way way, bool regrouped, int group) {
   way.reductions.regroup = regrouped;
   way.reductions.group = group;
@@ -62,6 +67,7 @@ std::vector<NamedWay> ways_beside(const scene::Scene& scene, const std::string& 
     if (has_balls(mechanism)) add(kept.axes == Axes::body ? "inertial axes" : "own axes", with_other_axes(kept));
     add(kept.reductions.place_origins ? "origins as typed" : "origins moved",
         with_origins(kept, !kept.reductions.place_origins));
+    add(kept.reductions.turn_axes ? "axes as typed" : "axes turned", with_axes(kept, !kept.reductions.turn_axes));
     add("masses not regrouped", with_masses(kept, false, any_number));
     if (is_solved) add("masses of " + std::to_string(few_links) + " together", with_masses(kept, true, few_links));
     add("all masses together", with_masses(kept, true, any_number));
