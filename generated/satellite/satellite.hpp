@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 74cb4825ebb4f1b6 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 07769617f5da6be7 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -21,7 +21,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics                    23 (8 add, 15 multiply)
@@ -40,6 +41,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::satellite {
 
@@ -48,7 +130,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "74cb4825ebb4f1b6";
+inline constexpr char model_hash[] = "07769617f5da6be7";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -158,7 +240,9 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T
 // 60 add, 72 multiply, 6 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -201,11 +285,10 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[8] = R1_33;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   const T s1_1 = x[7], s1_2 = x[8], s1_3 = x[9];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -235,10 +318,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[23] = p2_3;
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_21 = R1_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R1_22 * E3_22 + R1_32 * E3_23;
@@ -265,11 +347,10 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[35] = p3_3;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -311,7 +392,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 99 add, 131 multiply, 6 sine or cosine
 template <class T>
 void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -354,8 +437,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 2 (left_panel) on body 1
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
   const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
@@ -374,9 +457,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t2_5 = R1_33 * t2_1 - R1_13 * t2_2;
   const T Pdot2_3 = sdot1_3 + t2_5;
   // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T v2_1 = R2_31 * omega2_1 - R1_11 * omega2_3 + Pdot2_1;
-  const T v2_2 = R2_32 * omega2_1 - R1_12 * omega2_3 + Pdot2_2;
-  const T v2_3 = R2_33 * omega2_1 - R1_13 * omega2_3 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_31 * omega2_1 - R1_11 * omega2_3;
+  const T v2_2 = Pdot2_2 + R2_32 * omega2_1 - R1_12 * omega2_3;
+  const T v2_3 = Pdot2_3 + R2_33 * omega2_1 - R1_13 * omega2_3;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (T(3) * omega2_1 * omega2_1 + T(0.75) * omega2_2 * omega2_2 + T(3.75) * omega2_3 * omega2_3) +
       T(4.5) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
@@ -384,8 +467,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 3 (right_panel) on body 1
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_31 = R1_31 * E3_22 - R1_21 * E3_23;
   const T R3_32 = R1_32 * E3_22 - R1_22 * E3_23;
@@ -399,20 +482,19 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T Pdot3_2 = sdot1_2 - t2_4;
   const T Pdot3_3 = sdot1_3 - t2_5;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T v3_1 = R1_11 * omega3_3 - R3_31 * omega3_1 + Pdot3_1;
-  const T v3_2 = R1_12 * omega3_3 - R3_32 * omega3_1 + Pdot3_2;
-  const T v3_3 = R1_13 * omega3_3 - R3_33 * omega3_1 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R1_11 * omega3_3 - R3_31 * omega3_1;
+  const T v3_2 = Pdot3_2 + R1_12 * omega3_3 - R3_32 * omega3_1;
+  const T v3_3 = Pdot3_3 + R1_13 * omega3_3 - R3_33 * omega3_1;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(3) * omega3_1 * omega3_1 + T(0.75) * omega3_2 * omega3_2 + T(3.75) * omega3_3 * omega3_3) +
       T(4.5) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -429,8 +511,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t4_5 = T(0.0021) * omega4_2;
   const T t4_6 = T(0.0021) * omega4_3;
   const T t4_7 = T(0.0021) * omega4_1;
-  const T T4 = T(0.5) * (omega4_1 * (T(0.0158) * omega4_1 + t4_5 + t4_6) + omega4_2 * (t4_7 + T(0.0158) * omega4_2 +
-      t4_6) + omega4_3 * (t4_7 + t4_5 + T(0.0158) * omega4_3)) + T(2) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 +
+  const T T4 = T(0.5) * (omega4_1 * (t4_5 + t4_6 + T(0.0158) * omega4_1) + omega4_2 * (t4_7 + t4_6 + T(0.0158) *
+      omega4_2) + omega4_3 * (t4_7 + t4_5 + T(0.0158) * omega4_3)) + T(2) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 +
       Pdot4_3 * Pdot4_3);
 
   // ---- whole system
@@ -444,7 +526,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
 // 180 add, 209 multiply, 6 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -488,11 +572,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H1_3 = s1_1 * l1_2 - s1_2 * l1_1 + R1_13 * t1_14 + R1_23 * t1_16 + R1_33 * t1_17;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -525,9 +608,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_8 = R1_33 * t2_4 - R1_13 * t2_5;
   const T Pdot2_3 = sdot1_3 + t2_8;
   // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T v2_1 = R2_31 * omega2_1 - R1_11 * omega2_3 + Pdot2_1;
-  const T v2_2 = R2_32 * omega2_1 - R1_12 * omega2_3 + Pdot2_2;
-  const T v2_3 = R2_33 * omega2_1 - R1_13 * omega2_3 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_31 * omega2_1 - R1_11 * omega2_3;
+  const T v2_2 = Pdot2_2 + R2_32 * omega2_1 - R1_12 * omega2_3;
+  const T v2_3 = Pdot2_3 + R2_33 * omega2_1 - R1_13 * omega2_3;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(9) * v2_1;
   const T l2_2 = T(9) * v2_2;
@@ -541,11 +624,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H2_3 = R1_13 * t2_9 + R2_23 * t2_10 + R2_33 * t2_11 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_21 = R1_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R1_22 * E3_22 + R1_32 * E3_23;
@@ -570,9 +652,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T Pdot3_2 = sdot1_2 - t2_7;
   const T Pdot3_3 = sdot1_3 - t2_8;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T v3_1 = R1_11 * omega3_3 - R3_31 * omega3_1 + Pdot3_1;
-  const T v3_2 = R1_12 * omega3_3 - R3_32 * omega3_1 + Pdot3_2;
-  const T v3_3 = R1_13 * omega3_3 - R3_33 * omega3_1 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R1_11 * omega3_3 - R3_31 * omega3_1;
+  const T v3_2 = Pdot3_2 + R1_12 * omega3_3 - R3_32 * omega3_1;
+  const T v3_3 = Pdot3_3 + R1_13 * omega3_3 - R3_33 * omega3_1;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(9) * v3_1;
   const T l3_2 = T(9) * v3_2;
@@ -586,12 +668,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H3_3 = R1_13 * t3_1 + R3_23 * t3_2 + R3_33 * t3_3 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -625,9 +706,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // H4 = R4^T I4 omega4 + P4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t4_5 = T(0.0021) * omega4_2;
   const T t4_6 = T(0.0021) * omega4_3;
-  const T t4_7 = T(0.0158) * omega4_1 + t4_5 + t4_6;
+  const T t4_7 = t4_5 + t4_6 + T(0.0158) * omega4_1;
   const T t4_8 = T(0.0021) * omega4_1;
-  const T t4_9 = t4_8 + T(0.0158) * omega4_2 + t4_6;
+  const T t4_9 = t4_8 + t4_6 + T(0.0158) * omega4_2;
   const T t4_10 = t4_8 + t4_5 + T(0.0158) * omega4_3;
   const T H4_1 = R4_11 * t4_7 + R4_21 * t4_9 + R4_31 * t4_10 + P4_2 * l4_3 - P4_3 * l4_2;
   const T H4_2 = R4_12 * t4_7 + R4_22 * t4_9 + R4_32 * t4_10 + P4_3 * l4_1 - P4_1 * l4_3;
@@ -713,7 +794,9 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 // by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -764,8 +847,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -798,8 +881,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -825,12 +908,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -876,8 +958,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 4 (wheel) and what it carries
   // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   // v4 = invD4 u_4: u/D
   const T v4 = T(50) * u_4;
   // nt4 = N4 - v4 K4: moment with the turn solved [N m]
@@ -888,7 +970,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_2 = E4_13 * T(0.004566666666666667);
   const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
   const T b4_5 = b4_4 * E4_11;
   const T b4_6 = E4_11 * T(0.004566666666666667);
   const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
@@ -986,16 +1068,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
-  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
+  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
   // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
-      minus_effort_left_panel_2;
+  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
+      - T(0.6) * gp3_3;
   const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  const T n1_3 = T(0.6) * minus_G2_1 - (minus_N1_3 + minus_np4_3) + T(0.6) * G3_1 + np3_3 + np2_3;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -1025,16 +1107,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -1054,9 +1136,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
   const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
@@ -1073,7 +1155,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  const T minus_phi2 = minus_v2 + T(0.75) * beta2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
@@ -1093,8 +1175,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
   const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
-  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
-      alphaL4_3);
+  const T phi4 = v4 - T(0.5773502691896258) * alphaL4_1 - T(0.5773502691896258) * alphaL4_2 - T(0.5773502691896258) *
+      alphaL4_3;
   ydot[5] = phi4;
 }
 
@@ -1103,7 +1185,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 // 172 add, 185 multiply, 6 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1147,14 +1231,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
-  const T U1_32 = t1_18 + omegadot1_1;
+  const T U1_32 = omegadot1_1 + t1_18;
   const T minus_U1_33 = t1_14 + t1_17;
   // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * sddot1_3;
   // G1 = m_all_1 Pddot1 + U1 h_all_1 - F_thruster_: inertia less applied force, body axes [N]
-  const T G1_1 = T(142) * Pddot1_1 - U1_13 * T(0.8) - u.thrust;
+  const T G1_1 = T(142) * Pddot1_1 - u.thrust - U1_13 * T(0.8);
   const T G1_2 = T(142) * Pddot1_2 - U1_23 * T(0.8);
   const T G1_3 = T(142) * Pddot1_3 + minus_U1_33 * T(0.8);
   // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - r_thruster_~ F_thruster_: inertia less applied
@@ -1171,8 +1255,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot2 = y[3];
   const T thetaddot2 = ydot[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -1184,13 +1268,13 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   [1/s^2]
   const T U2_12 = omega2_2 * omega2_1 - omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
-  const T U2_32 = omega2_3 * omega2_2 + omegadot2_1;
+  const T U2_32 = omegadot2_1 + omega2_3 * omega2_2;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_1 = U1_12 * T(0.6);
-  const T Pddot2_1 = t2_1 + Pddot1_1;
+  const T Pddot2_1 = Pddot1_1 + t2_1;
   const T t2_2 = U1_32 * T(0.6);
   const T t2_3 = minus_U1_22 * T(0.6);
-  const T Pddot2_3 = E2_22 * (t2_2 + Pddot1_3) - E2_23 * (Pddot1_2 - t2_3);
+  const T Pddot2_3 = E2_22 * (Pddot1_3 + t2_2) - E2_23 * (Pddot1_2 - t2_3);
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
   // G2 = U2 h_own_2: inertia less applied force, body axes [N]
@@ -1207,8 +1291,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot3 = y[4];
   const T thetaddot3 = ydot[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -1220,7 +1304,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   [1/s^2]
   const T U3_12 = omega3_2 * omega3_1 - omegadot3_3;
   const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
-  const T U3_32 = omega3_3 * omega3_2 + omegadot3_1;
+  const T U3_32 = omegadot3_1 + omega3_3 * omega3_2;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot3_1 = Pddot1_1 - t2_1;
   const T Pddot3_3 = E3_22 * (Pddot1_3 - t2_2) - E3_23 * (t2_3 + Pddot1_2);
@@ -1236,13 +1320,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N3_3 = T(9) * Pddot3_1 - T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1292,8 +1375,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 4 (wheel) and what it carries
   // r_theta4 = b4 . N4 - tau_wheel_: Kane's equation of the angle [N m]
-  const T r_theta4 = T(0.5773502691896257) * N4_1 + T(0.5773502691896257) * N4_2 + T(0.5773502691896257) * N4_3 -
-      u.wheel_torque;
+  const T r_theta4 = T(0.5773502691896257) * N4_1 - u.wheel_torque + T(0.5773502691896257) * N4_2 +
+      T(0.5773502691896257) * N4_3;
   r[5] = r_theta4;
 
   // ---- body 3 (right_panel) and what it carries
@@ -1309,16 +1392,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 1 (hub) and what it carries
   // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
   const T S1_1 = G2_1 - minus_G3_1 + G1_1;
-  const T S1_2 = E3_22 * G3_2 - (E2_22 * minus_G2_2 + E2_23 * G2_3) + E3_23 * minus_G3_3 + G1_2;
+  const T S1_2 = G1_2 - E2_22 * minus_G2_2 - E2_23 * G2_3 + E3_22 * G3_2 + E3_23 * minus_G3_3;
   const T b1_1 = E2_22 * G2_3 - E2_23 * minus_G2_2;
   const T b1_2 = E3_23 * G3_2 - E3_22 * minus_G3_3;
   const T S1_3 = b1_1 + b1_2 + G1_3;
   // r_omega1 = q2~ E2^T G2 + E2^T N2 + q3~ E3^T G3 + E3^T N3 + E4^T N4 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = T(0.6) * b1_1 + N2_1 - T(0.6) * b1_2 + N3_1 + E4_11 * N4_1 + E4_13 * N4_2 + E4_12 * N4_3 +
-      N1_1;
-  const T r_omega1_2 = E2_23 * minus_N2_3 - E3_23 * N3_3 + E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3 + N1_2;
-  const T r_omega1_3 = E3_22 * N3_3 - (T(0.6) * G2_1 + E2_22 * minus_N2_3 + T(0.6) * minus_G3_1) + E4_13 * N4_1 +
-      E4_12 * N4_2 + E4_11 * N4_3 + N1_3;
+  const T r_omega1_1 = N2_1 + N3_1 + N1_1 + T(0.6) * b1_1 - T(0.6) * b1_2 + E4_11 * N4_1 + E4_13 * N4_2 + E4_12 *
+      N4_3;
+  const T r_omega1_2 = N1_2 + E2_23 * minus_N2_3 - E3_23 * N3_3 + E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3;
+  const T r_omega1_3 = N1_3 - T(0.6) * G2_1 - E2_22 * minus_N2_3 - T(0.6) * minus_G3_1 + E3_22 * N3_3 + E4_13 * N4_1 +
+      E4_12 * N4_2 + E4_11 * N4_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -1336,8 +1419,10 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 // 65 add, 73 multiply, 6 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 81; ++i) A[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1365,23 +1450,20 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1407,7 +1489,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_3 = T(1.2) * minus_hc3_2;
   const T b1_4 = E4_13 * T(0.0021);
   const T b1_5 = E4_12 * T(0.0021);
-  const T b1_6 = E4_11 * T(0.0158) + b1_4 + b1_5;
+  const T b1_6 = b1_4 + b1_5 + E4_11 * T(0.0158);
   const T b1_7 = b1_6 * E4_11;
   const T b1_8 = E4_11 * T(0.0021);
   const T b1_9 = b1_5 + b1_8 + E4_13 * T(0.0158);
@@ -1420,14 +1502,14 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_15 = b1_9 * E4_11;
   const T b1_16 = b1_11 * E4_13;
   const T J1_12 = b1_14 + b1_15 + b1_16 + T(0.2);
-  const T J1_13 = b1_6 * E4_13 + b1_9 * E4_12 + b1_11 * E4_11 - T(0.1);
+  const T J1_13 = b1_6 * E4_13 - T(0.1) + b1_9 * E4_12 + b1_11 * E4_11;
   const T b1_17 = E2_23 * T(12);
   const T b1_18 = E3_23 * T(12);
-  const T b1_19 = b1_12 + b1_7 + b1_10 + (E2_23 * b1_17 + E3_23 * b1_18);
+  const T b1_19 = b1_12 + b1_7 + b1_10 + E2_23 * b1_17 + E3_23 * b1_18;
   const T J1_22 = b1_19 + T(15.66);
-  const T J1_23 = b1_16 - (E2_22 * b1_17 + E3_22 * b1_18) + b1_14 + b1_15 + T(0.3) - T(0.6) * hc2_3 - T(0.6) *
+  const T J1_23 = b1_16 + b1_14 + b1_15 + T(0.3) - E2_22 * b1_17 - E3_22 * b1_18 - T(0.6) * hc2_3 - T(0.6) *
       minus_hc3_3;
-  const T J1_33 = T(50.0274) - b1_19 + T(1.2) * hc2_2 + b1_3 - b1_13;
+  const T J1_33 = T(50.0274) - b1_19 + b1_3 - b1_13 + T(1.2) * hc2_2;
   A[0] = J1_11;
   A[1] = J1_12;
   A[9] = J1_12;
@@ -1447,7 +1529,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[46] = K_thetadot4_1_1;
   A[47] = K_thetadot4_1_1;
   // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = T(0.6) * minus_hc3_2 + T(12);
+  const T K_thetadot3_1_1 = T(12) + T(0.6) * minus_hc3_2;
   A[4] = K_thetadot3_1_1;
   A[36] = K_thetadot3_1_1;
   A[3] = b1_2;
@@ -1515,7 +1597,9 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* xdot, T* ydot)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1566,8 +1650,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -1600,8 +1684,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -1627,12 +1711,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1678,8 +1761,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
   // ---- body 4 (wheel) and what it carries
   // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   // v4 = invD4 u_4: u/D
   const T v4 = T(50) * u_4;
   // nt4 = N4 - v4 K4: moment with the turn solved [N m]
@@ -1690,7 +1773,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_2 = E4_13 * T(0.004566666666666667);
   const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
   const T b4_5 = b4_4 * E4_11;
   const T b4_6 = E4_11 * T(0.004566666666666667);
   const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
@@ -1788,16 +1871,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
-  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
+  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
   // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
-      minus_effort_left_panel_2;
+  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
+      - T(0.6) * gp3_3;
   const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  const T n1_3 = T(0.6) * minus_G2_1 - (minus_N1_3 + minus_np4_3) + T(0.6) * G3_1 + np3_3 + np2_3;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -1827,16 +1910,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T minus_w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -1856,9 +1939,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
   const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
@@ -1875,7 +1958,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  const T minus_phi2 = minus_v2 + T(0.75) * beta2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
@@ -1895,8 +1978,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
   const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
-  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
-      alphaL4_3);
+  const T phi4 = v4 - T(0.5773502691896258) * alphaL4_1 - T(0.5773502691896258) * alphaL4_2 - T(0.5773502691896258) *
+      alphaL4_3;
   ydot[5] = phi4;
 
   // ---- body 1 (hub) on the inertial frame
@@ -1931,8 +2014,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 // by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 324; ++i) S[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1983,8 +2068,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -2021,8 +2106,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -2052,12 +2137,11 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T N3_3 = t2_4 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6];
   const T t4_3 = t4_2 * T(0.5773502691896257);
   const T t4_4 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_3 + t4_4;
@@ -2107,8 +2191,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 4 (wheel) and what it carries
   // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   // v4 = invD4 u_4: u/D
   const T v4 = T(50) * u_4;
   // nt4 = N4 - v4 K4: moment with the turn solved [N m]
@@ -2119,7 +2203,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_2 = E4_13 * T(0.004566666666666667);
   const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
   const T b4_5 = b4_4 * E4_11;
   const T b4_6 = E4_11 * T(0.004566666666666667);
   const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
@@ -2217,16 +2301,16 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
-  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
+  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
   // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
-      minus_effort_left_panel_2;
+  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
+      - T(0.6) * gp3_3;
   const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  const T n1_3 = np3_3 - (minus_N1_3 + minus_np4_3) + np2_3 + T(0.6) * minus_G2_1 + T(0.6) * G3_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -2257,16 +2341,16 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T b1_3 = n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2;
   const T w_1_3 = LD1_33 * b1_3;
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -2287,9 +2371,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
   const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
 
   // ---- results
   S[1] = omega1_3;
@@ -2307,261 +2391,261 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[161] = T(1);
   S[20] = omega1_1;
   S[37] = -omega1_1;
-  const T t1 = LD1_11 * LD1_11;
-  const T t2 = T(6.75) * E2_22;
-  const T t3 = Mp2_23 + E2_23 * t2;
-  const T t4 = T(0.6) * t3;
-  const T t5 = T(0.6) * t4 * t1;
-  const T t6 = JA1_13 * t5;
-  const T t7 = T(9) * (U2_23 + U2_23);
-  const T t8 = t2_1 - omega2_2 * omega2_2;
-  const T t9 = T(0.08333333333333333) * (c.p.k + T(12) * t8 - T(9) * Pddot2_2);
-  const T t10 = T(9) * t9 - T(9) * t8;
-  const T t11 = gp2_2 - E2_23 * t7 + E2_22 * t10;
-  const T t12 = T(0.6) * t11 + c.p.k;
-  const T t13 = T(12) * U2_13;
-  const T t14 = T(9) * U2_13;
-  const T t15 = T(12) * E2_22;
-  const T t16 = JA1_12 * t5;
-  const T t17 = Jp2_22 - E2_22 * t15 - T(0.6) * minus_Hp2_31 + JA1_13 * t16;
-  const T t18 = LD1_22 * LD1_22;
-  const T t19 = minus_Jp2_23 + E2_23 * t15;
-  const T t20 = t18 * (t19 + JA1_12 * t16);
-  const T t21 = LD1_22 * t17 - b1_1 * t20;
-  const T t22 = np2_3 + E2_23 * t13 + LD1_21 * t12 - n1_1 * t16;
-  const T t23 = LD1_33 * LD1_33;
-  const T t24 = t23 * (JA1_13 * t6 - t19 - T(1.2) * Hp2_21 - b1_1 * t21 - LD1_32 * t17);
-  const T t25 = LD1_33 * (n1_1 * t6 - LD1_31 * t12 + E2_22 * t13 - minus_np2_2 + T(0.6) * t14 + b1_2 * t21 + LD1_32 *
-      t22) - b1_3 * t24;
-  const T t26 = Hp2_21 - (HA1_21 * t21 + LD1_32 * minus_Hp2_31);
-  const T t27 = LD1_33 * t26 - Y1_31 * t24;
-  const T t28 = LDs1_11 * LDs1_11;
-  const T t29 = LD1_22 * minus_Hp2_31 - HA1_21 * t20;
-  const T t30 = t28 * (HA1_21 * t29 + W1_21 * minus_Hp2_31 + W1_31 * t26 + Y1_31 * t27);
-  const T t31 = b1_2 * t20 - LD1_22 * t22;
-  const T t32 = t14 + HA1_21 * t31 - minus_w_1_2 * minus_Hp2_31 + w_1_3 * t26 + Y1_31 * t25;
-  const T t33 = E2_22 * t2 - minus_Mp2_22;
-  const T t34 = T(0.6) * t33;
-  const T t35 = LD1_21 * t34 - HA1_12 * t16;
-  const T t36 = minus_Y1_22 * t20 - LD1_22 * t35;
-  const T t37 = minus_Y1_22 * t21 + LD1_32 * t35 - LD1_31 * t34 + HA1_12 * t6;
-  const T t38 = LD1_33 * t37 - Y1_32 * t24;
-  const T t39 = HA1_21 * t36 - minus_W1_22 * minus_Hp2_31 + W1_32 * t26 + Y1_31 * t38;
-  const T t40 = minus_M1_12 * t30 + LDs1_11 * t39;
-  const T t41 = LDs1_22 * LDs1_22;
-  const T t42 = LD1_11 * t34 - HA1_12 * t5;
-  const T t43 = t41 * (t3 + W1_12 * t34 + HA1_12 * t42 + minus_W1_22 * t35 - minus_Y1_22 * t36 + W1_32 * t37 + Y1_32 *
-      t38 + minus_M1_12 * t40 + minus_LDs1_21 * t39);
-  const T t44 = LD1_21 * t4 - HA1_13 * t16;
-  const T t45 = minus_Y1_23 * t20 - LD1_22 * t44;
-  const T t46 = minus_Y1_23 * t21 + LD1_32 * t44 - LD1_31 * t4 + HA1_13 * t6;
-  const T t47 = LD1_33 * t46 - Y1_33 * t24;
-  const T t48 = HA1_21 * t45 - minus_W1_23 * minus_Hp2_31 + W1_33 * t26 + Y1_31 * t47;
-  const T t49 = LD1_11 * t4 - HA1_13 * t5;
-  const T t50 = minus_Y1_22 * t45 - (minus_M1_13 * t40 + minus_LDs1_21 * t48 + W1_13 * t34 + HA1_12 * t49 +
-      minus_W1_23 * t35) - W1_33 * t37 - Y1_32 * t47 + t33;
-  const T t51 = b1_4 * t43 + LDs1_22 * t50;
-  const T t52 = LD1_11 * t12 - n1_1 * t5;
-  const T t53 = E2_22 * t7 + gp2_3 + E2_23 * t10 + w_1_1 * t34 + HA1_12 * t52 + minus_w_1_2 * t35 - minus_Y1_22 * t31
-      + w_1_3 * t37 + Y1_32 * t25 + minus_LDs1_21 * t32 - gb1_1 * t40;
-  const T t54 = minus_M1_13 * t30 + LDs1_11 * t48;
+  const T t1 = T(9) * (U2_23 + U2_23);
+  const T t2 = t2_1 - omega2_2 * omega2_2;
+  const T t3 = T(0.08333333333333333) * (c.p.k + T(12) * t2 - T(9) * Pddot2_2);
+  const T t4 = T(9) * t3 - T(9) * t2;
+  const T t5 = gp2_2 - E2_23 * t1 + E2_22 * t4;
+  const T t6 = c.p.k + T(0.6) * t5;
+  const T t7 = LD1_11 * LD1_11;
+  const T t8 = T(6.75) * E2_22;
+  const T t9 = Mp2_23 + E2_23 * t8;
+  const T t10 = T(0.6) * t9;
+  const T t11 = T(0.6) * t10 * t7;
+  const T t12 = LD1_11 * t6 - n1_1 * t11;
+  const T t13 = JA1_13 * t11;
+  const T t14 = T(12) * U2_13;
+  const T t15 = T(9) * U2_13;
+  const T t16 = T(12) * E2_22;
+  const T t17 = JA1_12 * t11;
+  const T t18 = Jp2_22 - E2_22 * t16 - T(0.6) * minus_Hp2_31 + JA1_13 * t17;
+  const T t19 = LD1_22 * LD1_22;
+  const T t20 = minus_Jp2_23 + E2_23 * t16;
+  const T t21 = t19 * (t20 + JA1_12 * t17);
+  const T t22 = LD1_22 * t18 - b1_1 * t21;
+  const T t23 = np2_3 + E2_23 * t14 + LD1_21 * t6 - n1_1 * t17;
+  const T t24 = LD1_33 * LD1_33;
+  const T t25 = t24 * (JA1_13 * t13 - t20 - T(1.2) * Hp2_21 - b1_1 * t22 - LD1_32 * t18);
+  const T t26 = LD1_33 * (n1_1 * t13 - minus_np2_2 - LD1_31 * t6 + E2_22 * t14 + T(0.6) * t15 + b1_2 * t22 + LD1_32 *
+      t23) - b1_3 * t25;
+  const T t27 = Hp2_21 - HA1_21 * t22 - LD1_32 * minus_Hp2_31;
+  const T t28 = LD1_33 * t27 - Y1_31 * t25;
+  const T t29 = LDs1_11 * LDs1_11;
+  const T t30 = LD1_22 * minus_Hp2_31 - HA1_21 * t21;
+  const T t31 = t29 * (HA1_21 * t30 + W1_21 * minus_Hp2_31 + W1_31 * t27 + Y1_31 * t28);
+  const T t32 = b1_2 * t21 - LD1_22 * t23;
+  const T t33 = t15 + HA1_21 * t32 - minus_w_1_2 * minus_Hp2_31 + w_1_3 * t27 + Y1_31 * t26;
+  const T t34 = E2_22 * t8 - minus_Mp2_22;
+  const T t35 = T(0.6) * t34;
+  const T t36 = LD1_21 * t35 - HA1_12 * t17;
+  const T t37 = minus_Y1_22 * t21 - LD1_22 * t36;
+  const T t38 = minus_Y1_22 * t22 + LD1_32 * t36 - LD1_31 * t35 + HA1_12 * t13;
+  const T t39 = LD1_33 * t38 - Y1_32 * t25;
+  const T t40 = HA1_21 * t37 - minus_W1_22 * minus_Hp2_31 + W1_32 * t27 + Y1_31 * t39;
+  const T t41 = minus_M1_12 * t31 + LDs1_11 * t40;
+  const T t42 = LDs1_22 * LDs1_22;
+  const T t43 = LD1_11 * t35 - HA1_12 * t11;
+  const T t44 = t42 * (t9 + W1_12 * t35 + HA1_12 * t43 + minus_W1_22 * t36 - minus_Y1_22 * t37 + W1_32 * t38 + Y1_32 *
+      t39 + minus_M1_12 * t41 + minus_LDs1_21 * t40);
+  const T t45 = LD1_21 * t10 - HA1_13 * t17;
+  const T t46 = minus_Y1_23 * t21 - LD1_22 * t45;
+  const T t47 = minus_Y1_23 * t22 + LD1_32 * t45 - LD1_31 * t10 + HA1_13 * t13;
+  const T t48 = LD1_33 * t47 - Y1_33 * t25;
+  const T t49 = HA1_21 * t46 - minus_W1_23 * minus_Hp2_31 + W1_33 * t27 + Y1_31 * t48;
+  const T t50 = LD1_11 * t10 - HA1_13 * t11;
+  const T t51 = t34 - minus_M1_13 * t41 - minus_LDs1_21 * t49 - W1_13 * t35 - HA1_12 * t50 - minus_W1_23 * t36 +
+      minus_Y1_22 * t46 - W1_33 * t38 - Y1_32 * t48;
+  const T t52 = b1_4 * t44 + LDs1_22 * t51;
+  const T t53 = E2_22 * t1 + gp2_3 + E2_23 * t4 + w_1_1 * t35 + HA1_12 * t12 + minus_w_1_2 * t36 - minus_Y1_22 * t32 +
+      w_1_3 * t38 + Y1_32 * t26 + minus_LDs1_21 * t33 - gb1_1 * t41;
+  const T t54 = minus_M1_13 * t31 + LDs1_11 * t49;
   const T t55 = LDs1_33 * LDs1_33;
-  const T t56 = LDs1_33 * (LDs1_32 * t53 - b1_5 * t51 - minus_LDs1_31 * t32 + gb1_1 * t54 - w_1_1 * t4 - HA1_13 * t52
-      - minus_w_1_2 * t44 + minus_Y1_23 * t31 - w_1_3 * t46 - Y1_33 * t25 + t11) - t55 * (minus_Y1_23 * t45 - (b1_4 *
-      t51 + LDs1_32 * t50 + minus_M1_13 * t54 + minus_LDs1_31 * t48 + W1_13 * t4 + HA1_13 * t49 + minus_W1_23 * t44) -
-      W1_33 * t46 - Y1_33 * t47 + t3) * b1_6;
-  const T t57 = b1_5 * t43 - (ws1_3 * t51 + LDs1_32 * t56) - LDs1_22 * t53;
-  const T t58 = gb1_1 * t30 - LDs1_11 * t32 + z1_1 * t40 + minus_LDs1_21 * t57 + ws1_3 * t54 + minus_LDs1_31 * t56;
-  const T t59 = t25 - (Pddot1_1 * t27 + W1_31 * t58 + z1_1 * t38 + W1_32 * t57 + ws1_3 * t47 + W1_33 * t56);
-  const T t60 = minus_W1_22 * t57 - (z1_2 * t21 + LD1_32 * t59 + Pddot1_1 * t29 + W1_21 * t58 + z1_1 * t36) - ws1_3 *
-      t45 + minus_W1_23 * t56 + t31;
-  const T t61 = z1_2 * t6 - LD1_31 * t59 - z1_3 * t16 - LD1_21 * t60 - z1_1 * t42 - W1_12 * t57 - ws1_3 * t49 - W1_13
-      * t56 + t52;
+  const T t56 = LDs1_33 * (t5 + LDs1_32 * t53 - b1_5 * t52 - minus_LDs1_31 * t33 + gb1_1 * t54 - w_1_1 * t10 - HA1_13
+      * t12 - minus_w_1_2 * t45 + minus_Y1_23 * t32 - w_1_3 * t47 - Y1_33 * t26) - t55 * (t9 - b1_4 * t52 - LDs1_32 *
+      t51 - minus_M1_13 * t54 - minus_LDs1_31 * t49 - W1_13 * t10 - HA1_13 * t50 - minus_W1_23 * t45 + minus_Y1_23 *
+      t46 - W1_33 * t47 - Y1_33 * t48) * b1_6;
+  const T t57 = b1_5 * t44 - (ws1_3 * t52 + LDs1_32 * t56) - LDs1_22 * t53;
+  const T t58 = gb1_1 * t31 - LDs1_11 * t33 + z1_1 * t41 + minus_LDs1_21 * t57 + ws1_3 * t54 + minus_LDs1_31 * t56;
+  const T t59 = t26 - Pddot1_1 * t28 - W1_31 * t58 - z1_1 * t39 - W1_32 * t57 - ws1_3 * t48 - W1_33 * t56;
+  const T t60 = t32 - z1_2 * t22 - LD1_32 * t59 - Pddot1_1 * t30 - W1_21 * t58 - z1_1 * t37 + minus_W1_22 * t57 -
+      ws1_3 * t46 + minus_W1_23 * t56;
+  const T t61 = t12 + z1_2 * t13 - LD1_31 * t59 - z1_3 * t17 - LD1_21 * t60 - z1_1 * t43 - W1_12 * t57 - ws1_3 * t50 -
+      W1_13 * t56;
   S[165] = t61;
-  const T t62 = T(6.75) * E3_22;
-  const T t63 = Mp3_23 + E3_23 * t62;
-  const T t64 = T(0.6) * t63;
-  const T t65 = T(0.6) * t64 * t1;
-  const T t66 = JA1_13 * t65;
-  const T t67 = T(12) * E3_22;
-  const T t68 = JA1_12 * t65;
-  const T t69 = Jp3_22 - E3_22 * t67 - T(0.6) * Hp3_31 + JA1_13 * t68;
-  const T t70 = minus_Jp3_23 + E3_23 * t67;
-  const T t71 = t18 * (t70 + JA1_12 * t68);
-  const T t72 = LD1_22 * t69 - b1_1 * t71;
-  const T t73 = minus_Hp3_21 + HA1_21 * t72 - LD1_32 * Hp3_31;
-  const T t74 = t23 * (JA1_13 * t66 - t70 - T(1.2) * minus_Hp3_21 - b1_1 * t72 - LD1_32 * t69);
-  const T t75 = LD1_33 * t73 + Y1_31 * t74;
-  const T t76 = T(12) * U3_13;
-  const T t77 = T(9) * (U3_23 + U3_23);
-  const T t78 = t3_1 - omega3_2 * omega3_2;
-  const T t79 = T(0.08333333333333333) * (c.p.k + T(12) * t78 + T(9) * Pddot3_2);
-  const T t80 = T(9) * t78 - T(9) * t79;
-  const T t81 = E3_23 * t77 - minus_gp3_2 + E3_22 * t80;
-  const T t82 = c.p.k - T(0.6) * t81;
-  const T t83 = np3_3 + E3_23 * t76 + LD1_21 * t82 - n1_1 * t68;
-  const T t84 = b1_2 * t71 - LD1_22 * t83;
-  const T t85 = T(9) * U3_13;
-  const T t86 = LD1_33 * (n1_1 * t66 - LD1_31 * t82 + E3_22 * t76 - minus_np3_2 + T(0.6) * t85 + b1_2 * t72 + LD1_32 *
-      t83) - b1_3 * t74;
-  const T t87 = w_1_3 * t73 - (HA1_21 * t84 + minus_w_1_2 * Hp3_31 + Y1_31 * t86) + t85;
-  const T t88 = E3_22 * t62 - minus_Mp3_22;
-  const T t89 = T(0.6) * t88;
-  const T t90 = HA1_12 * t68 + LD1_21 * t89;
-  const T t91 = minus_Y1_22 * t72 - LD1_32 * t90 + HA1_12 * t66 + LD1_31 * t89;
-  const T t92 = LD1_33 * t91 - Y1_32 * t74;
-  const T t93 = LD1_11 * t89 + HA1_12 * t65;
-  const T t94 = minus_Y1_22 * t71 + LD1_22 * t90;
-  const T t95 = HA1_21 * t94 + minus_W1_22 * Hp3_31 + Y1_31 * t92 - W1_32 * t73;
-  const T t96 = HA1_21 * t71 + LD1_22 * Hp3_31;
-  const T t97 = t28 * (HA1_21 * t96 + W1_21 * Hp3_31 + W1_31 * t73 + Y1_31 * t75);
-  const T t98 = minus_M1_12 * t97 - LDs1_11 * t95;
-  const T t99 = t41 * (t63 + W1_32 * t91 + Y1_32 * t92 - W1_12 * t89 - HA1_12 * t93 - minus_Y1_22 * t94 - minus_W1_22
-      * t90 + minus_LDs1_21 * t95 - minus_M1_12 * t98);
-  const T t100 = HA1_13 * t68 + LD1_21 * t64;
-  const T t101 = minus_Y1_23 * t71 + LD1_22 * t100;
-  const T t102 = minus_Y1_23 * t72 - LD1_32 * t100 + HA1_13 * t66 + LD1_31 * t64;
-  const T t103 = LD1_33 * t102 - Y1_33 * t74;
-  const T t104 = HA1_21 * t101 + minus_W1_23 * Hp3_31 + Y1_31 * t103 - W1_33 * t73;
-  const T t105 = LD1_11 * t64 + HA1_13 * t65;
-  const T t106 = minus_M1_13 * t98 - minus_LDs1_21 * t104 - W1_33 * t91 - Y1_32 * t103 + W1_13 * t89 + HA1_12 * t105 +
-      minus_Y1_22 * t101 + minus_W1_23 * t90 + t88;
-  const T t107 = b1_4 * t99 + LDs1_22 * t106;
-  const T t108 = LD1_11 * t82 - n1_1 * t65;
-  const T t109 = minus_LDs1_21 * t87 - gb1_1 * t98 - gp3_3 - E3_23 * t80 + E3_22 * t77 + minus_Y1_22 * t84 +
-      minus_w_1_2 * t90 - HA1_12 * t108 + w_1_1 * t89 - w_1_3 * t91 - Y1_32 * t86;
-  const T t110 = minus_M1_13 * t97 - LDs1_11 * t104;
-  const T t111 = LDs1_33 * (minus_LDs1_31 * t87 - (b1_5 * t107 + LDs1_32 * t109 + gb1_1 * t110) + minus_w_1_2 * t100 +
-      minus_Y1_23 * t84 - HA1_13 * t108 + w_1_1 * t64 - w_1_3 * t102 - Y1_33 * t86 + t81) - t55 * (minus_M1_13 * t110
-      - (b1_4 * t107 + LDs1_32 * t106 + minus_LDs1_31 * t104) - W1_33 * t102 - Y1_33 * t103 + W1_13 * t64 + HA1_13 *
-      t105 + minus_W1_23 * t100 + minus_Y1_23 * t101 + t63) * b1_6;
-  const T t112 = b1_5 * t99 - (ws1_3 * t107 + LDs1_32 * t111) + LDs1_22 * t109;
-  const T t113 = minus_LDs1_31 * t111 - ws1_3 * t110 - z1_1 * t98 + minus_LDs1_21 * t112 + LDs1_11 * t87 - gb1_1 *
-      t97;
-  const T t114 = Pddot1_1 * t75 - W1_31 * t113 - z1_1 * t92 - W1_32 * t112 - ws1_3 * t103 - W1_33 * t111 + t86;
-  const T t115 = Pddot1_1 * t96 - (z1_2 * t72 + LD1_32 * t114 + W1_21 * t113) - z1_1 * t94 + minus_W1_22 * t112 -
-      ws1_3 * t101 + minus_W1_23 * t111 + t84;
-  const T t116 = z1_2 * t66 - LD1_31 * t114 - z1_3 * t68 - LD1_21 * t115 - W1_12 * t112 + z1_1 * t93 - W1_13 * t111 +
-      ws1_3 * t105 + t108;
+  const T t62 = T(9) * (U3_23 + U3_23);
+  const T t63 = t3_1 - omega3_2 * omega3_2;
+  const T t64 = T(0.08333333333333333) * (c.p.k + T(12) * t63 + T(9) * Pddot3_2);
+  const T t65 = T(9) * t63 - T(9) * t64;
+  const T t66 = E3_23 * t62 - minus_gp3_2 + E3_22 * t65;
+  const T t67 = c.p.k - T(0.6) * t66;
+  const T t68 = T(6.75) * E3_22;
+  const T t69 = Mp3_23 + E3_23 * t68;
+  const T t70 = T(0.6) * t69;
+  const T t71 = T(0.6) * t70 * t7;
+  const T t72 = LD1_11 * t67 - n1_1 * t71;
+  const T t73 = JA1_13 * t71;
+  const T t74 = T(12) * U3_13;
+  const T t75 = T(9) * U3_13;
+  const T t76 = T(12) * E3_22;
+  const T t77 = JA1_12 * t71;
+  const T t78 = Jp3_22 - E3_22 * t76 - T(0.6) * Hp3_31 + JA1_13 * t77;
+  const T t79 = minus_Jp3_23 + E3_23 * t76;
+  const T t80 = t19 * (t79 + JA1_12 * t77);
+  const T t81 = LD1_22 * t78 - b1_1 * t80;
+  const T t82 = np3_3 + E3_23 * t74 + LD1_21 * t67 - n1_1 * t77;
+  const T t83 = t24 * (JA1_13 * t73 - t79 - T(1.2) * minus_Hp3_21 - b1_1 * t81 - LD1_32 * t78);
+  const T t84 = LD1_33 * (n1_1 * t73 - minus_np3_2 - LD1_31 * t67 + E3_22 * t74 + T(0.6) * t75 + b1_2 * t81 + LD1_32 *
+      t82) - b1_3 * t83;
+  const T t85 = minus_Hp3_21 + HA1_21 * t81 - LD1_32 * Hp3_31;
+  const T t86 = LD1_33 * t85 + Y1_31 * t83;
+  const T t87 = E3_22 * t68 - minus_Mp3_22;
+  const T t88 = T(0.6) * t87;
+  const T t89 = HA1_12 * t77 + LD1_21 * t88;
+  const T t90 = minus_Y1_22 * t81 - LD1_32 * t89 + HA1_12 * t73 + LD1_31 * t88;
+  const T t91 = LD1_33 * t90 - Y1_32 * t83;
+  const T t92 = LD1_11 * t88 + HA1_12 * t71;
+  const T t93 = minus_Y1_22 * t80 + LD1_22 * t89;
+  const T t94 = HA1_21 * t93 + minus_W1_22 * Hp3_31 + Y1_31 * t91 - W1_32 * t85;
+  const T t95 = HA1_21 * t80 + LD1_22 * Hp3_31;
+  const T t96 = t29 * (HA1_21 * t95 + W1_21 * Hp3_31 + W1_31 * t85 + Y1_31 * t86);
+  const T t97 = minus_M1_12 * t96 - LDs1_11 * t94;
+  const T t98 = t42 * (t69 + W1_32 * t90 + Y1_32 * t91 - W1_12 * t88 - HA1_12 * t92 - minus_Y1_22 * t93 - minus_W1_22
+      * t89 + minus_LDs1_21 * t94 - minus_M1_12 * t97);
+  const T t99 = HA1_13 * t77 + LD1_21 * t70;
+  const T t100 = minus_Y1_23 * t80 + LD1_22 * t99;
+  const T t101 = minus_Y1_23 * t81 - LD1_32 * t99 + HA1_13 * t73 + LD1_31 * t70;
+  const T t102 = LD1_33 * t101 - Y1_33 * t83;
+  const T t103 = HA1_21 * t100 + minus_W1_23 * Hp3_31 + Y1_31 * t102 - W1_33 * t85;
+  const T t104 = LD1_11 * t70 + HA1_13 * t71;
+  const T t105 = t87 + minus_M1_13 * t97 - minus_LDs1_21 * t103 - W1_33 * t90 - Y1_32 * t102 + W1_13 * t88 + HA1_12 *
+      t104 + minus_Y1_22 * t100 + minus_W1_23 * t89;
+  const T t106 = b1_4 * t98 + LDs1_22 * t105;
+  const T t107 = b1_2 * t80 - LD1_22 * t82;
+  const T t108 = t75 - HA1_21 * t107 - minus_w_1_2 * Hp3_31 - Y1_31 * t84 + w_1_3 * t85;
+  const T t109 = minus_LDs1_21 * t108 - gp3_3 - gb1_1 * t97 - E3_23 * t65 + E3_22 * t62 + minus_Y1_22 * t107 +
+      minus_w_1_2 * t89 - HA1_12 * t72 + w_1_1 * t88 - w_1_3 * t90 - Y1_32 * t84;
+  const T t110 = minus_M1_13 * t96 - LDs1_11 * t103;
+  const T t111 = LDs1_33 * (t66 - b1_5 * t106 - LDs1_32 * t109 - gb1_1 * t110 + minus_LDs1_31 * t108 + minus_w_1_2 *
+      t99 + minus_Y1_23 * t107 - HA1_13 * t72 + w_1_1 * t70 - w_1_3 * t101 - Y1_33 * t84) - t55 * (t69 - b1_4 * t106 -
+      LDs1_32 * t105 - minus_LDs1_31 * t103 + minus_M1_13 * t110 - W1_33 * t101 - Y1_33 * t102 + W1_13 * t70 + HA1_13
+      * t104 + minus_W1_23 * t99 + minus_Y1_23 * t100) * b1_6;
+  const T t112 = b1_5 * t98 - (ws1_3 * t106 + LDs1_32 * t111) + LDs1_22 * t109;
+  const T t113 = minus_LDs1_31 * t111 - ws1_3 * t110 - z1_1 * t97 + minus_LDs1_21 * t112 + LDs1_11 * t108 - gb1_1 *
+      t96;
+  const T t114 = t84 + Pddot1_1 * t86 - W1_31 * t113 - z1_1 * t91 - W1_32 * t112 - ws1_3 * t102 - W1_33 * t111;
+  const T t115 = t107 - z1_2 * t81 - LD1_32 * t114 - W1_21 * t113 + Pddot1_1 * t95 - z1_1 * t93 + minus_W1_22 * t112 -
+      ws1_3 * t100 + minus_W1_23 * t111;
+  const T t116 = t72 + z1_2 * t73 - LD1_31 * t114 - z1_3 * t77 - LD1_21 * t115 - W1_12 * t112 + z1_1 * t92 - W1_13 *
+      t111 + ws1_3 * t104;
   S[166] = t116;
-  const T t117 = T(0.5773502691896257) * t4_1;
-  const T t118 = T(0.3333333333333333) * t4_2;
-  const T t119 = t117 - t118;
-  const T t120 = T(0.004566666666666667) * t119;
-  const T t121 = t117 + t118;
-  const T t122 = T(0.004566666666666667) * t121;
-  const T t123 = T(0.6666666666666666) * t4_2;
-  const T t124 = t120 - t122 - T(0.009133333333333334) * t123;
-  const T t125 = E4_12 * t124;
-  const T t126 = b4_4 * t121;
-  const T t127 = T(0.004566666666666667) * t123;
-  const T t128 = t127 - t122 - T(0.009133333333333334) * t119;
-  const T t129 = E4_11 * t128;
-  const T t130 = b4_7 * t123;
-  const T t131 = T(0.009133333333333334) * t121 + t120 + t127;
-  const T t132 = E4_13 * t131;
-  const T t133 = b4_9 * t119;
-  const T t134 = t125 + t126 + t129 - t130 + t132 - t133;
-  const T t135 = E4_11 * t124;
-  const T t136 = b4_4 * t123;
-  const T t137 = E4_13 * t128;
-  const T t138 = b4_7 * t119;
-  const T t139 = E4_12 * t131;
-  const T t140 = b4_9 * t121;
-  const T t141 = t135 - t136 + t137 - t138 + t139 + t140;
-  const T t142 = t1 * t141;
-  const T t143 = LD1_11 * t134 - JA1_12 * t142;
-  const T t144 = E4_13 * t124 - b4_4 * t119 + E4_12 * t128 + b4_7 * t121 + E4_11 * t131 - b4_9 * t123;
-  const T t145 = LD1_11 * t144 - JA1_13 * t142;
-  const T t146 = t139 + t140 + t135 - t136 + t137 - t138;
-  const T t147 = t132 - (JA1_13 * t143 + LD1_21 * t144) - t133 + t125 + t126 + t129 - t130;
-  const T t148 = t18 * (t146 - (JA1_12 * t143 + LD1_21 * t134));
-  const T t149 = LD1_22 * t147 - b1_1 * t148;
-  const T t150 = t23 * (t141 + t146 + JA1_13 * t145 + LD1_31 * t144 + b1_1 * t149 + LD1_32 * t147);
-  const T t151 = omega1_1 * t121 - omega1_2 * t119 - omega1_3 * t123;
-  const T t152 = omega1_3 * t121 - (omega1_2 * t123 + omega1_1 * t119);
-  const T t153 = omega4_2 * t151 + omega4_3 * t152;
-  const T t154 = T(0.5773502691896257) * t151;
-  const T t155 = T(0.5773502691896257) * t152;
-  const T t156 = thetadot4 * (t154 - t155);
-  const T t157 = t153 - t156;
-  const T t158 = t153 + t156;
-  const T t159 = omega4_3 * t151;
-  const T t160 = t159 + t159;
-  const T t161 = omega1_2 * t121 - omega1_1 * t123 - omega1_3 * t119;
-  const T t162 = omega4_1 * t161;
-  const T t163 = t162 + t162;
-  const T t164 = t160 + t163;
-  const T t165 = omega4_2 * t152;
-  const T t166 = t165 + t165;
-  const T t167 = t166 + t163;
-  const T t168 = omega4_1 * t151 + omega4_3 * t161;
-  const T t169 = T(0.5773502691896257) * t161;
-  const T t170 = thetadot4 * (t169 - t154);
-  const T t171 = t168 + t170;
-  const T t172 = omega4_1 * t152 + omega4_2 * t161;
-  const T t173 = thetadot4 * (t155 - t169);
-  const T t174 = t172 - t173;
-  const T t175 = T(0.0079) * t157 - T(0.0079) * t158 - T(0.0021) * (t164 - t167) - T(0.0021) * t171 + T(0.0021) *
-      t174;
-  const T t176 = t168 - t170;
-  const T t177 = t160 + t166;
-  const T t178 = t172 + t173;
-  const T t179 = T(0.0079) * t176 - T(0.0079) * t171 - T(0.0021) * (t167 - t177) - T(0.0021) * t178 + T(0.0021) *
-      t157;
-  const T t180 = T(0.0079) * t174 - T(0.0079) * t178 - T(0.0021) * (t177 - t164) - T(0.0021) * t158 + T(0.0021) *
-      t176;
-  const T t181 = T(50) * (T(0.5773502691896257) * t175 + T(0.5773502691896257) * t179 + T(0.5773502691896257) * t180);
-  const T t182 = T(0.011547005383792516) * t181;
-  const T t183 = t182 - t175;
-  const T t184 = t182 - t179;
-  const T t185 = t182 - t180;
-  const T t186 = minus_nt4_1 * t123 + E4_11 * t183 + E4_13 * t184 + minus_nt4_2 * t119 + E4_12 * t185 - minus_nt4_3 *
-      t121;
-  const T t187 = E4_12 * t183 - (n1_1 * t143 + LD1_21 * t186) - minus_nt4_1 * t121 + minus_nt4_2 * t123 + E4_11 * t184
-      + E4_13 * t185 + minus_nt4_3 * t119;
-  const T t188 = b1_3 * t150 + LD1_33 * (b1_2 * t149 - LD1_32 * t187 - n1_1 * t145 - LD1_31 * t186 + E4_13 * t183 +
-      minus_nt4_1 * t119 + E4_12 * t184 - minus_nt4_2 * t121 + minus_nt4_3 * t123 + E4_11 * t185);
-  const T t189 = HA1_21 * t149;
-  const T t190 = Y1_31 * t150 - LD1_33 * t189;
-  const T t191 = HA1_21 * t148;
-  const T t192 = t28 * (Y1_31 * t190 - W1_31 * t189 - HA1_21 * t191);
-  const T t193 = LD1_22 * t187 + b1_2 * t148;
-  const T t194 = HA1_21 * t193 + Y1_31 * t188 - w_1_3 * t189;
-  const T t195 = HA1_12 * t143;
-  const T t196 = HA1_12 * t145 - (minus_Y1_22 * t149 + LD1_32 * t195);
-  const T t197 = Y1_32 * t150 - LD1_33 * t196;
-  const T t198 = LD1_22 * t195 - minus_Y1_22 * t148;
-  const T t199 = Y1_31 * t197 - W1_32 * t189 - HA1_21 * t198;
-  const T t200 = minus_M1_12 * t192 + LDs1_11 * t199;
-  const T t201 = HA1_12 * t142;
-  const T t202 = t41 * (Y1_32 * t197 - W1_32 * t196 + minus_W1_22 * t195 + minus_Y1_22 * t198 - HA1_12 * t201 +
-      minus_M1_12 * t200 + minus_LDs1_21 * t199);
-  const T t203 = HA1_13 * t143;
-  const T t204 = HA1_13 * t145 - (minus_Y1_23 * t149 + LD1_32 * t203);
-  const T t205 = Y1_33 * t150 - LD1_33 * t204;
-  const T t206 = LD1_22 * t203 - minus_Y1_23 * t148;
-  const T t207 = HA1_13 * t142;
-  const T t208 = Y1_31 * t205 - W1_33 * t189 - HA1_21 * t206;
-  const T t209 = Y1_32 * t205 - W1_33 * t196 + minus_W1_23 * t195 + minus_Y1_22 * t206 - HA1_12 * t207 + minus_M1_13 *
-      t200 + minus_LDs1_21 * t208;
-  const T t210 = b1_4 * t202 - LDs1_22 * t209;
-  const T t211 = minus_M1_13 * t192 + LDs1_11 * t208;
-  const T t212 = LD1_11 * t186 - n1_1 * t142;
-  const T t213 = HA1_12 * t212 + minus_w_1_2 * t195 - minus_Y1_22 * t193 + Y1_32 * t188 - w_1_3 * t196 + minus_LDs1_21
-      * t194 - gb1_1 * t200;
-  const T t214 = t55 * (Y1_33 * t205 - W1_33 * t204 + minus_W1_23 * t203 + minus_Y1_23 * t206 - HA1_13 * t207 +
-      minus_M1_13 * t211 + minus_LDs1_31 * t208 + b1_4 * t210 - LDs1_32 * t209) * b1_6 - LDs1_33 * (HA1_13 * t212 +
-      minus_w_1_2 * t203 - minus_Y1_23 * t193 + Y1_33 * t188 - w_1_3 * t204 + minus_LDs1_31 * t194 - gb1_1 * t211 +
-      b1_5 * t210 - LDs1_32 * t213);
-  const T t215 = b1_5 * t202 - (ws1_3 * t210 + LDs1_32 * t214) - LDs1_22 * t213;
-  const T t216 = gb1_1 * t192 - LDs1_11 * t194 + z1_1 * t200 + minus_LDs1_21 * t215 + ws1_3 * t211 + minus_LDs1_31 *
+  const T t117 = T(0.6666666666666666) * t4_2;
+  const T t118 = T(0.5773502691896257) * t4_1;
+  const T t119 = T(0.3333333333333333) * t4_2;
+  const T t120 = t118 + t119;
+  const T t121 = t118 - t119;
+  const T t122 = omega1_1 * t120 - omega1_2 * t121 - omega1_3 * t117;
+  const T t123 = omega1_3 * t120 - (omega1_2 * t117 + omega1_1 * t121);
+  const T t124 = omega4_2 * t122 + omega4_3 * t123;
+  const T t125 = T(0.5773502691896257) * t122;
+  const T t126 = T(0.5773502691896257) * t123;
+  const T t127 = thetadot4 * (t125 - t126);
+  const T t128 = t124 - t127;
+  const T t129 = t124 + t127;
+  const T t130 = omega4_3 * t122;
+  const T t131 = t130 + t130;
+  const T t132 = omega1_2 * t120 - omega1_1 * t117 - omega1_3 * t121;
+  const T t133 = omega4_1 * t132;
+  const T t134 = t133 + t133;
+  const T t135 = t131 + t134;
+  const T t136 = omega4_2 * t123;
+  const T t137 = t136 + t136;
+  const T t138 = t137 + t134;
+  const T t139 = omega4_1 * t122 + omega4_3 * t132;
+  const T t140 = T(0.5773502691896257) * t132;
+  const T t141 = thetadot4 * (t140 - t125);
+  const T t142 = t139 + t141;
+  const T t143 = omega4_1 * t123 + omega4_2 * t132;
+  const T t144 = thetadot4 * (t126 - t140);
+  const T t145 = t143 - t144;
+  const T t146 = T(0.0079) * t128 - T(0.0079) * t129 - T(0.0021) * (t135 - t138) - T(0.0021) * t142 + T(0.0021) *
+      t145;
+  const T t147 = t139 - t141;
+  const T t148 = t131 + t137;
+  const T t149 = t143 + t144;
+  const T t150 = T(0.0079) * t147 - T(0.0079) * t142 - T(0.0021) * (t138 - t148) - T(0.0021) * t149 + T(0.0021) *
+      t128;
+  const T t151 = T(0.0079) * t145 - T(0.0079) * t149 - T(0.0021) * (t148 - t135) - T(0.0021) * t129 + T(0.0021) *
+      t147;
+  const T t152 = T(50) * (T(0.5773502691896257) * t146 + T(0.5773502691896257) * t150 + T(0.5773502691896257) * t151);
+  const T t153 = T(0.011547005383792516) * t152;
+  const T t154 = t153 - t146;
+  const T t155 = t153 - t150;
+  const T t156 = t153 - t151;
+  const T t157 = minus_nt4_1 * t117 + E4_11 * t154 + E4_13 * t155 + minus_nt4_2 * t121 + E4_12 * t156 - minus_nt4_3 *
+      t120;
+  const T t158 = T(0.004566666666666667) * t121;
+  const T t159 = T(0.004566666666666667) * t120;
+  const T t160 = t158 - t159 - T(0.009133333333333334) * t117;
+  const T t161 = E4_11 * t160;
+  const T t162 = b4_4 * t117;
+  const T t163 = T(0.004566666666666667) * t117;
+  const T t164 = t163 - t159 - T(0.009133333333333334) * t121;
+  const T t165 = E4_13 * t164;
+  const T t166 = b4_7 * t121;
+  const T t167 = t163 + t158 + T(0.009133333333333334) * t120;
+  const T t168 = E4_12 * t167;
+  const T t169 = b4_9 * t120;
+  const T t170 = t161 - t162 + t165 - t166 + t168 + t169;
+  const T t171 = t7 * t170;
+  const T t172 = LD1_11 * t157 - n1_1 * t171;
+  const T t173 = E4_13 * t160 - b4_4 * t121 + E4_12 * t164 + b4_7 * t120 + E4_11 * t167 - b4_9 * t117;
+  const T t174 = LD1_11 * t173 - JA1_13 * t171;
+  const T t175 = t168 + t169 + t161 - t162 + t165 - t166;
+  const T t176 = E4_13 * t167;
+  const T t177 = b4_9 * t121;
+  const T t178 = E4_12 * t160;
+  const T t179 = b4_4 * t120;
+  const T t180 = E4_11 * t164;
+  const T t181 = b4_7 * t117;
+  const T t182 = t178 + t179 + t180 - t181 + t176 - t177;
+  const T t183 = LD1_11 * t182 - JA1_12 * t171;
+  const T t184 = t176 - t177 + t178 + t179 + t180 - t181 - JA1_13 * t183 - LD1_21 * t173;
+  const T t185 = t19 * (t175 - JA1_12 * t183 - LD1_21 * t182);
+  const T t186 = LD1_22 * t184 - b1_1 * t185;
+  const T t187 = t24 * (t170 + t175 + JA1_13 * t174 + LD1_31 * t173 + b1_1 * t186 + LD1_32 * t184);
+  const T t188 = E4_12 * t154 - (n1_1 * t183 + LD1_21 * t157) - minus_nt4_1 * t120 + minus_nt4_2 * t117 + E4_11 * t155
+      + E4_13 * t156 + minus_nt4_3 * t121;
+  const T t189 = b1_3 * t187 + LD1_33 * (b1_2 * t186 - LD1_32 * t188 - n1_1 * t174 - LD1_31 * t157 + E4_13 * t154 +
+      minus_nt4_1 * t121 + E4_12 * t155 - minus_nt4_2 * t120 + minus_nt4_3 * t117 + E4_11 * t156);
+  const T t190 = HA1_21 * t186;
+  const T t191 = Y1_31 * t187 - LD1_33 * t190;
+  const T t192 = HA1_21 * t185;
+  const T t193 = t29 * (Y1_31 * t191 - W1_31 * t190 - HA1_21 * t192);
+  const T t194 = LD1_22 * t188 + b1_2 * t185;
+  const T t195 = HA1_21 * t194 + Y1_31 * t189 - w_1_3 * t190;
+  const T t196 = HA1_12 * t183;
+  const T t197 = HA1_12 * t174 - (minus_Y1_22 * t186 + LD1_32 * t196);
+  const T t198 = Y1_32 * t187 - LD1_33 * t197;
+  const T t199 = LD1_22 * t196 - minus_Y1_22 * t185;
+  const T t200 = Y1_31 * t198 - W1_32 * t190 - HA1_21 * t199;
+  const T t201 = minus_M1_12 * t193 + LDs1_11 * t200;
+  const T t202 = HA1_12 * t171;
+  const T t203 = t42 * (Y1_32 * t198 - W1_32 * t197 + minus_W1_22 * t196 + minus_Y1_22 * t199 - HA1_12 * t202 +
+      minus_M1_12 * t201 + minus_LDs1_21 * t200);
+  const T t204 = HA1_13 * t183;
+  const T t205 = HA1_13 * t174 - (minus_Y1_23 * t186 + LD1_32 * t204);
+  const T t206 = Y1_33 * t187 - LD1_33 * t205;
+  const T t207 = LD1_22 * t204 - minus_Y1_23 * t185;
+  const T t208 = HA1_13 * t171;
+  const T t209 = Y1_31 * t206 - W1_33 * t190 - HA1_21 * t207;
+  const T t210 = Y1_32 * t206 - W1_33 * t197 + minus_W1_23 * t196 + minus_Y1_22 * t207 - HA1_12 * t208 + minus_M1_13 *
+      t201 + minus_LDs1_21 * t209;
+  const T t211 = b1_4 * t203 - LDs1_22 * t210;
+  const T t212 = minus_M1_13 * t193 + LDs1_11 * t209;
+  const T t213 = HA1_12 * t172 + minus_w_1_2 * t196 - minus_Y1_22 * t194 + Y1_32 * t189 - w_1_3 * t197 + minus_LDs1_21
+      * t195 - gb1_1 * t201;
+  const T t214 = t55 * (Y1_33 * t206 - W1_33 * t205 + minus_W1_23 * t204 + minus_Y1_23 * t207 - HA1_13 * t208 +
+      minus_M1_13 * t212 + minus_LDs1_31 * t209 + b1_4 * t211 - LDs1_32 * t210) * b1_6 - LDs1_33 * (HA1_13 * t172 +
+      minus_w_1_2 * t204 - minus_Y1_23 * t194 + Y1_33 * t189 - w_1_3 * t205 + minus_LDs1_31 * t195 - gb1_1 * t212 +
+      b1_5 * t211 - LDs1_32 * t213);
+  const T t215 = b1_5 * t203 - (ws1_3 * t211 + LDs1_32 * t214) - LDs1_22 * t213;
+  const T t216 = gb1_1 * t193 - LDs1_11 * t195 + z1_1 * t201 + minus_LDs1_21 * t215 + ws1_3 * t212 + minus_LDs1_31 *
       t214;
-  const T t217 = t188 - (Pddot1_1 * t190 + W1_31 * t216 + z1_1 * t197 + W1_32 * t215 + ws1_3 * t205 + W1_33 * t214);
-  const T t218 = minus_W1_23 * t214 - (z1_2 * t149 + LD1_32 * t217) + ws1_3 * t206 + minus_W1_22 * t215 + z1_1 * t198
-      - W1_21 * t216 + Pddot1_1 * t191 + t193;
-  const T t219 = z1_3 * t143 - (z1_2 * t145 + LD1_31 * t217 + LD1_21 * t218) - W1_12 * t215 + z1_1 * t201 - W1_13 *
-      t214 + ws1_3 * t207 + t212;
+  const T t217 = t189 - Pddot1_1 * t191 - W1_31 * t216 - z1_1 * t198 - W1_32 * t215 - ws1_3 * t206 - W1_33 * t214;
+  const T t218 = t194 - z1_2 * t186 - LD1_32 * t217 + minus_W1_23 * t214 + ws1_3 * t207 + minus_W1_22 * t215 + z1_1 *
+      t199 - W1_21 * t216 + Pddot1_1 * t192;
+  const T t219 = t172 - z1_2 * t174 - LD1_31 * t217 - LD1_21 * t218 + z1_3 * t183 - W1_12 * t215 + z1_1 * t202 - W1_13
+      * t214 + ws1_3 * t208;
   S[167] = t219;
   const T t220 = T(0.2) * omega1_3;
   const T t221 = T(0.1) * omega1_2;
@@ -2617,8 +2701,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       t269 - b2_2 * omega2_2 + t252 * t243 + t230 * t251 + t244 * t257 - LD1_21 * t267;
   const T t271 = LD1_32 * LD1_33;
   const T t272 = LD1_21 * t271 - LD1_31 * LD1_33;
-  const T t273 = T(5.3999999999999995) + t67;
-  const T t274 = T(5.3999999999999995) + t15;
+  const T t273 = T(5.3999999999999995) + t76;
+  const T t274 = T(5.3999999999999995) + t16;
   const T t275 = T(6.9799999999999995) * omega1_2 - T(0.2) * t261 - T(0.3) * omega1_3 + E3_22 * t269 + t273 * omega3_2
       + E2_22 * t269 + t274 * omega2_2 + t244 * t243 + t252 * t251 + t230 * t257 - LD1_31 * t267 - LD1_32 * t270;
   const T t276 = LD1_32 * W1_31 - W1_21;
@@ -2649,8 +2733,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t300 = E3_23 * t223;
   const T t301 = T(0.75) * E3_22;
   const T t302 = T(0.75) * E2_22;
-  const T t303 = t299 - (T(0.8) * t261 + t300) - t301 * t262 + t302 * t266 - W1_13 * t267 + minus_W1_23 * t270 - W1_33
-      * t275 - minus_LDs1_31 * t282 - LDs1_32 * t292;
+  const T t303 = t299 - t300 - T(0.8) * t261 - t301 * t262 + t302 * t266 - W1_13 * t267 + minus_W1_23 * t270 - W1_33 *
+      t275 - minus_LDs1_31 * t282 - LDs1_32 * t292;
   S[171] = LD1_11 * t267 - t268 * t270 + t272 * t275 - t278 * t282 + t287 * t292 + t298 * t303;
   const T t304 = T(9) * (omega3_3 + omega3_3);
   const T t305 = t304 * E3_23;
@@ -2732,13 +2816,13 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[175] = LD1_11 * t359 + t268 * t361 + t272 * t362 - t278 * t363 + t287 * t364 - t298 * t365;
   const T t366 = T(0.0021) * t4_14;
   const T t367 = T(0.0021) * t4_13;
-  const T t368 = t237 * T(0.5773502691896257) - t366 - T(0.0158) * t4_11 - t367 + t240 * T(0.5773502691896257) - t242
-      * T(0.5773502691896257);
+  const T t368 = t237 * T(0.5773502691896257) - (t366 + t367) - T(0.0158) * t4_11 + t240 * T(0.5773502691896257) -
+      t242 * T(0.5773502691896257);
   const T t369 = T(0.0021) * t4_11;
-  const T t370 = t249 * T(0.5773502691896257) - (t248 * T(0.5773502691896257) + t366 + T(0.0158) * t4_13 + t369) +
+  const T t370 = t249 * T(0.5773502691896257) - (t366 + t369 + t248 * T(0.5773502691896257) + T(0.0158) * t4_13) +
       t250 * T(0.5773502691896257);
-  const T t371 = t254 * T(0.5773502691896257) - T(0.0158) * t4_14 - t367 - t369 - t255 * T(0.5773502691896257) + t256
-      * T(0.5773502691896257);
+  const T t371 = t254 * T(0.5773502691896257) - (t367 + t369) - T(0.0158) * t4_14 - t255 * T(0.5773502691896257) +
+      t256 * T(0.5773502691896257);
   const T t372 = t230 * t368 + t244 * t370 + t252 * t371;
   const T t373 = t252 * t368 + t230 * t370 + t244 * t371 - LD1_21 * t372;
   const T t374 = t244 * t368 + t252 * t370 + t230 * t371 - LD1_31 * t372 - LD1_32 * t373;
@@ -2762,7 +2846,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[202] = t114;
   S[203] = t217;
   const T t381 = W1_31 * LDs1_11;
-  const T t382 = W1_31 * t286 + t283;
+  const T t382 = t283 + W1_31 * t286;
   const T t383 = t295 - W1_31 * t297;
   S[207] = LD1_33 * t275 + t381 * t282 - t382 * t292 + t383 * t303;
   S[208] = LD1_33 * t330 - t381 * t331 - t382 * t332 + t383 * t333;
@@ -2772,8 +2856,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[212] = LD1_33 * t374 + t381 * t375 + t382 * t376 + t383 * t377;
   const T t384 = T(0.6) * t61;
   const T t385 = T(0.6) * omegadot1_1;
-  S[219] = -(t61 + T(0.75) * (E2_22 * t56 - E2_23 * ws1_3 - E2_22 * z1_1 - E2_23 * t57 + E2_22 * t384 - E2_23 * t385)
-      + t9);
+  S[219] = -(t61 + t3 + T(0.75) * (E2_22 * t56 - E2_23 * ws1_3 - E2_22 * z1_1 - E2_23 * t57 + E2_22 * t384 - E2_23 *
+      t385));
   const T t386 = T(0.6) * t116;
   S[220] = -(t116 + T(0.75) * (E2_22 * t111 - E2_23 * t112 + E2_22 * t386));
   const T t387 = T(0.6) * t219;
@@ -2798,7 +2882,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[229] = t393 * t362 - (t390 * t361 + t391 * t359) - t395 * t363 + t396 * t364 - t397 * t365;
   S[230] = t390 * t373 - t391 * t372 + t393 * t374 - t395 * t375 - t396 * t376 + t397 * t377;
   S[237] = -(t61 - T(0.75) * (E3_22 * t56 - E3_23 * t57 - E3_22 * t384));
-  S[238] = -(t116 + t79 - T(0.75) * (E3_22 * t111 - E3_23 * ws1_3 - E3_22 * z1_1 - E3_23 * t112 + E3_23 * t385 - E3_22
+  S[238] = -(t116 + t64 - T(0.75) * (E3_22 * t111 - E3_23 * ws1_3 - E3_22 * z1_1 - E3_23 * t112 + E3_23 * t385 - E3_22
       * t386));
   S[239] = -(t219 - T(0.75) * (E3_22 * t214 - E3_23 * t215 - E3_22 * t387));
   const T t398 = T(1) + t259;
@@ -2824,10 +2908,10 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       + E4_11 * t60 + E4_12 * t59) + T(0.5773502691896258) * (E4_12 * t61 + E4_13 * t60 + E4_11 * t59));
   S[256] = -(T(0.5773502691896258) * (E4_11 * t116 + E4_12 * t115 + E4_13 * t114) + T(0.5773502691896258) * (E4_13 *
       t116 + E4_11 * t115 + E4_12 * t114) + T(0.5773502691896258) * (E4_12 * t116 + E4_13 * t115 + E4_11 * t114));
-  S[257] = -(T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1 * t123 + E4_12 * t218 - z1_3 * t121 + E4_13 * t217 -
-      z1_2 * t119) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1 * t119 + z1_3 * t123 + E4_11 * t218 + z1_2 *
-      t121 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1 * t121 + E4_12 * t219 + E4_13 * t218 + z1_3 * t119 +
-      E4_11 * t217 - z1_2 * t123) + t181);
+  S[257] = -(t152 + T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1 * t117 + E4_12 * t218 - z1_3 * t120 + E4_13 *
+      t217 - z1_2 * t121) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1 * t121 + z1_3 * t117 + E4_11 * t218 +
+      z1_2 * t120 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1 * t120 + E4_12 * t219 + E4_13 * t218 + z1_3 *
+      t121 + E4_11 * t217 - z1_2 * t117));
   const T t408 = t228 * LD1_21 - t228;
   const T t409 = t408 * LD1_22;
   const T t410 = t228 * LD1_11;
@@ -2889,7 +2973,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t455 = t1_1 * t417;
   const T t456 = t454 - t455;
   S[271] = z1_1 * (t443 - t446) - Pddot1_1 * (t448 + t450) + ws1_3 * (t453 + t456);
-  const T t457 = eps1_2 * t444 + t440;
+  const T t457 = t440 + eps1_2 * t444;
   const T t458 = t436 + t1_3 * t427;
   const T t459 = eps1_2 * t418 - t451;
   const T t460 = t454 - t1_3 * t422;
@@ -2908,15 +2992,15 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[282] = t463 * t357 - t464 * t356 + t465 * t358;
   S[283] = t463 * t364 - t464 * t363 - t465 * t365;
   S[284] = t465 * t377 - (t463 * t376 + t464 * t375);
-  const T t466 = eps1_1 * t428 + t442;
+  const T t466 = t442 + eps1_1 * t428;
   const T t467 = t452 - t455;
   const T t468 = t454 - t451;
   S[288] = Pddot1_1 * (t431 - t435) + z1_1 * (t421 - t466) + ws1_3 * (t467 - t468);
-  const T t469 = eps1_1 * t423 + t430;
+  const T t469 = t430 + eps1_1 * t423;
   const T t470 = t436 + t440;
   const T t471 = t439 + t437;
   S[289] = Pddot1_1 * (t443 + t446) + z1_1 * (t469 - t450) + ws1_3 * (t470 + t471);
-  const T t472 = eps1_1 * t418 + t437;
+  const T t472 = t437 + eps1_1 * t418;
   const T t473 = t447 - t449;
   const T t474 = t432 - t430;
   S[290] = Pddot1_1 * (t459 + t460) - z1_1 * (t472 + t458) + ws1_3 * (t473 - t474);
@@ -2956,8 +3040,10 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 template <class T>
 void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]]
     const Inputs<T>& u, T* B) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 36; ++i) B[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2985,23 +3071,20 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -3010,7 +3093,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_1 = E4_13 * T(0.004566666666666667);
   const T b4_2 = E4_12 * T(0.004566666666666667);
-  const T b4_3 = E4_11 * T(0.009133333333333334) - b4_1 - b4_2;
+  const T b4_3 = E4_11 * T(0.009133333333333334) - (b4_1 + b4_2);
   const T b4_4 = b4_3 * E4_11;
   const T b4_5 = E4_11 * T(0.004566666666666667);
   const T b4_6 = E4_13 * T(0.009133333333333334) - (b4_2 + b4_5);
@@ -3080,7 +3163,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -3105,12 +3188,12 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T W1_32 = LD1_33 * Y1_32;
   const T W1_33 = LD1_33 * Y1_33;
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -3136,8 +3219,8 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T t13 = LDs1_33 * (HA1_13 * t6 + minus_Y1_23 * t7) - t8 * t5 - t9 * t10 - t11 * t12;
   const T t14 = LDs1_22 * t12 - LDs1_32 * t13;
   const T t15 = t5 - W1_33 * t13 - W1_32 * t14;
-  const T t16 = LD1_21 * minus_W1_23 + W1_13;
-  const T t17 = LD1_21 * minus_W1_22 + W1_12;
+  const T t16 = W1_13 + LD1_21 * minus_W1_23;
+  const T t17 = W1_12 + LD1_21 * minus_W1_22;
   const T t18 = LD1_21 * W1_21 - t1 * W1_31;
   const T t19 = minus_LDs1_31 * t13 - LDs1_11 * t10 + minus_LDs1_21 * t14;
   B[18] = t1 * t15 - (t16 * t13 + t6 + LD1_21 * t7 + t17 * t14) + t18 * t19;
@@ -3222,9 +3305,9 @@ void tip_position([[maybe_unused]] const Prepared<T>& c, const T* x, T* position
   const T P2_3 = s1_3 + R1_23 * T(0.6);
 
   // ---- results
-  position[0] = R2_21 * T(2) + P2_1;
-  position[1] = R2_22 * T(2) + P2_2;
-  position[2] = R2_23 * T(2) + P2_3;
+  position[0] = P2_1 + R2_21 * T(2);
+  position[1] = P2_2 + R2_22 * T(2);
+  position[2] = P2_3 + R2_23 * T(2);
 }
 
 // tip_acceleration: acceleration of tip, inertial axes.
@@ -3266,7 +3349,7 @@ void tip_acceleration([[maybe_unused]] const Prepared<T>& c, const T* x, const T
   //   [1/s^2]
   const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
   const T minus_U1_22 = omega1_3 * omega1_3 + omega1_1 * omega1_1;
-  const T U1_32 = omega1_3 * omega1_2 + omegadot1_1;
+  const T U1_32 = omegadot1_1 + omega1_3 * omega1_2;
   // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
@@ -3298,11 +3381,11 @@ void tip_acceleration([[maybe_unused]] const Prepared<T>& c, const T* x, const T
   //   [1/s^2]
   const T U2_12 = omega2_2 * omega2_1 - omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
-  const T U2_32 = omega2_3 * omega2_2 + omegadot2_1;
+  const T U2_32 = omegadot2_1 + omega2_3 * omega2_2;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot2_1 = U1_12 * T(0.6) + Pddot1_1;
+  const T Pddot2_1 = Pddot1_1 + U1_12 * T(0.6);
   const T t2_1 = Pddot1_2 - minus_U1_22 * T(0.6);
-  const T t2_2 = U1_32 * T(0.6) + Pddot1_3;
+  const T t2_2 = Pddot1_3 + U1_32 * T(0.6);
   const T Pddot2_2 = E2_22 * t2_1 + E2_23 * t2_2;
   const T Pddot2_3 = E2_22 * t2_2 - E2_23 * t2_1;
 
