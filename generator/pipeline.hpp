@@ -27,6 +27,7 @@ struct Generated {
   std::string header;  // <name>.hpp
   std::string abi;     // <name>_abi.cpp
   std::string batch;   // <name>_batch.cpp
+  std::vector<std::string> notes = {};  // on what was asked for, for the user
 };
 
 // Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 #include "generator/candidates.hpp"
@@ -48,6 +49,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
                     const BuildArguments& arguments, const std::string& what, SourceOf source) {
   const Interrupts interrupts;
   Generated generated = generate(scene, {functions, arguments.algorithm, arguments.optimize});
+  for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
   compile::Model library = [&] {
     try {
@@ -69,7 +71,8 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
   add_algorithm(command, arguments.algorithm);
-  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++")
+  add_optimize(command, arguments.optimize);
+  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++ (lanes: g++ first)")
       ->option_text("PROGRAM")
       ->group(group);
   command
@@ -113,6 +116,20 @@ void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algori
                                         "whichever takes fewer operations)")
       ->check(CLI::IsMember(std::vector<std::string>{"auto", name(Algorithm::composite), name(Algorithm::articulated)}))
       ->option_text("auto|composite|articulated");
+}
+
+void add_optimize(CLI::App& command, emit::Optimize& optimize) {
+  using emit::Optimize;
+  static const std::map<std::string, Optimize> goals = {
+      {"speed", Optimize::speed}, {"size", Optimize::size}, {"line", Optimize::line}, {"loops", Optimize::loops}};
+  const auto set = [&optimize](const std::string& text) { optimize = goals.at(text); };
+  command
+      .add_option_function<std::string>(
+          "--optimize", set,
+          "loops over bodies: where they are no slower (speed, the default), where they take less code (size), never "
+          "(line), always (loops)")
+      ->check(CLI::IsMember({"speed", "size", "line", "loops"}))
+      ->option_text("speed|size|line|loops");
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {
