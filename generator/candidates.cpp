@@ -2,6 +2,7 @@
 #include "generator/candidates.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "generator/lower/derivatives.hpp"
@@ -16,7 +17,8 @@ using symbolic::Axes;
 using symbolic::Reductions;
 using symbolic::Way;
 
-// A is tried up to so many blocks, or so many a link: its cost grows with them, and joint by joint is cheaper long before.
+// A is tried up to so many blocks, or so many a link: its cost grows with them, and joint by joint is cheaper long
+// before.
 constexpr int most_pairs = 600;
 constexpr int most_pairs_a_link = 8;
 // And up to which all ways are: what they save is known by then, and deriving takes its time.
@@ -132,6 +134,39 @@ std::string choice_of(const Comparison& comparison, const std::string& name) {
   return kanec::name(kept.way.algorithm) + "; " + kanec::name(other) + " would take " + program::text(next->cost);
 }
 
+bool is_derived(const scene::Scene& scene, const std::string& name) {
+  const std::vector<std::string> of = parts(name);
+  const std::vector<lower::Derived> derived = lower::derived_functions(scene);
+  return std::any_of(derived.begin(), derived.end(),
+                     [&of](const lower::Derived& d) { return std::find(of.begin(), of.end(), d.name) != of.end(); });
+}
+
+std::string words(symbolic::Derivatives derivatives) {
+  return derivatives == symbolic::Derivatives::equations ? "equations differentiated" : "operations differentiated";
+}
+
+// Of the ways to make a derivative the one with the fewest operations; of what it is made of the way is known.
+std::pair<Way, std::string> cheapest_derivative(const scene::Scene& scene, const std::string& name, Way way,
+                                                const Size& size) {
+  Comparison comparison(scene, way.reductions, {name});
+  comparison.add(way);
+  way.derivatives = symbolic::Derivatives::equations;
+  comparison.add(way);
+  const bool may_be_composite = size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links);
+  if (way.algorithm == Algorithm::articulated && may_be_composite) {
+    way.algorithm = Algorithm::composite;
+    comparison.add(way);
+  }
+  const Candidate* kept = comparison.best(name, [](const Way&) { return true; });
+  const auto other = [kept](const Way& w) { return w.derivatives != kept->way.derivatives; };
+  const Candidate* next = comparison.best(name, other);
+  std::string choice;
+  if (next->cost != kept->cost)
+    choice =
+        words(kept->way.derivatives) + "; " + words(next->way.derivatives) + " would take " + program::text(next->cost);
+  return {kept->way, choice};
+}
+
 using Groups = std::vector<std::pair<Way, std::vector<std::string>>>;  // names by way
 
 // One program of all groups, its functions in the order of `names`.
@@ -187,10 +222,9 @@ program::Program cheapest_program(const scene::Scene& scene, const std::vector<s
   for (const std::string& name : names) {
     const std::string decides = deciding(scene, name);
     const bool is_solved = decides == "accelerations";
-    const Way way = is_solved                 ? of_solved.best(decides).way
-                    : depends_on_way(decides) ? of_others.best(decides).way
-                                              : plain;
+    Way way = is_solved ? of_solved.best(decides).way : depends_on_way(decides) ? of_others.best(decides).way : plain;
     choices.push_back(is_solved ? choice_of(of_solved, decides) : "");
+    if (is_derived(scene, name)) std::tie(way, choices.back()) = cheapest_derivative(scene, name, way, size);
     const auto same = [&way](const auto& group) { return group.first == way; };
     const auto known = std::find_if(groups.begin(), groups.end(), same);
     known == groups.end() ? groups.push_back({way, {name}}) : known->second.push_back(name);

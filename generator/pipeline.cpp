@@ -42,7 +42,8 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene, version(), mark, options_text(scene, options), source, options.optimize};
+  const emit::Model model{&scene,           version(),           mark, options_text(scene, options), source,
+                          options.optimize, options.longest_line};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   std::string batch = emit::emit_batch(model, program);

@@ -18,6 +18,7 @@ struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
+  int longest_line = emit::Model{}.longest_line;
 };
 
 struct Generated {

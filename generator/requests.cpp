@@ -34,7 +34,7 @@ struct Needed {
   std::vector<std::string> derived, whole, reduced;
 };
 
-Needed needed_for(const scene::Scene& scene, const std::vector<std::string>& names) {
+Needed needed_for(const scene::Scene& scene, const std::vector<std::string>& names, symbolic::Derivatives way) {
   const std::vector<lower::Derived> derived = lower::derived_functions(scene);
   Needed needed;
   for (const std::string& name : names)
@@ -42,7 +42,7 @@ Needed needed_for(const scene::Scene& scene, const std::vector<std::string>& nam
       const auto found = std::find_if(derived.begin(), derived.end(), [&](const auto& d) { return d.name == part; });
       if (found != derived.end()) {
         insert(needed.derived, part);
-        insert(needed.reduced, found->of);
+        for (const std::string& made_of : lower::parts_of(*found, way)) insert(needed.reduced, made_of);
       } else {
         insert(symbolic::needs_whole_mechanism(part) ? needed.whole : needed.reduced, part);
       }
@@ -92,9 +92,13 @@ std::vector<std::string> requested_functions(const scene::Scene& scene, const st
   std::vector<std::string> known, result;
   for (const Available& function : available) known.push_back(function.name);
   for (const std::string& name : names.empty() ? scene.functions : names) {
-    for (const std::string& part : parts(name))
+    std::vector<std::string> before;
+    for (const std::string& part : parts(name)) {
       if (!contains(known, part))
         throw InputError("no function '" + part + "' in this model; it has: " + listed(known));
+      if (contains(before, part)) throw InputError("function '" + part + "' stands twice in '" + name + "'");
+      before.push_back(part);
+    }
     insert(result, name);
   }
   if (result.empty())
@@ -105,7 +109,7 @@ std::vector<std::string> requested_functions(const scene::Scene& scene, const st
 
 program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& names,
                             const symbolic::Way& way) {
-  const Needed needed = needed_for(scene, names);
+  const Needed needed = needed_for(scene, names, way.derivatives);
   program::Program program;
   if (!needed.reduced.empty()) program = lower::lower(symbolic::derive(scene, needed.reduced, way));
   if (!needed.whole.empty()) {
@@ -113,8 +117,9 @@ program::Program program_of(const scene::Scene& scene, const std::vector<std::st
     const program::Program whole = lower::lower(symbolic::derive(scene, needed.whole, none));
     program = needed.reduced.empty() ? whole : program::joined(std::move(program), whole);
   }
+  if (!needed.derived.empty()) program = program::share(program::simplify(program));
   for (const lower::Derived& derived : lower::derived_functions(scene))
-    if (contains(needed.derived, derived.name)) lower::append_derived(program, scene, derived);
+    if (contains(needed.derived, derived.name)) lower::append_derived(program, scene, derived, way.derivatives);
   keep(program, names);
   return program;
 }

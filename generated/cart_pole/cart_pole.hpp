@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model ce4e78cc079b5f03 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 986ddd0236404e5a of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -27,7 +27,7 @@
 //   accelerations           20 (5 add, 14 multiply, 1 divide, 2 sine or cosine, 1 other function)
 //   residual                18 (6 add, 12 multiply, 2 sine or cosine, 1 other function)
 //   mass_matrix             1 (0 add, 1 multiply, 1 sine or cosine)
-//   state_matrix            50 (12 add, 37 multiply, 1 divide, 2 sine or cosine, 1 other function)
+//   state_matrix            45 (10 add, 34 multiply, 1 divide, 2 sine or cosine, 1 other function)
 //   input_matrix            6 (1 add, 4 multiply, 1 divide, 1 sine or cosine)
 //   tip_position            1 (1 add, 0 multiply, 2 sine or cosine)
 #pragma once
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "ce4e78cc079b5f03";
+inline constexpr char model_hash[] = "986ddd0236404e5a";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -304,8 +304,9 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
 // state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
 // S (2 ny x 2 ny)
-// 12 add, 37 multiply, 1 divide, 2 sine or cosine, 1 other function
-// by: composite; articulated would take 6 add, 15 multiply, 1 divide, 2 sine or cosine, 1 other function
+// 10 add, 34 multiply, 1 divide, 2 sine or cosine, 1 other function
+// by: equations differentiated; operations differentiated would take 12 add, 37 multiply, 1 divide, 2 sine or cosine,
+//   1 other function
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
   using std::cos, std::sin, std::tanh;
@@ -321,7 +322,6 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_U2_11 = thetadot2 * thetadot2;
   // Pddot2 = E2 Pddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot2_1 = minus_E2_13 * T(9.8);
-  const T Pddot2_3 = E2_11 * T(9.8);
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
   const T G2_3 = minus_U2_11 * T(0.05);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
@@ -340,31 +340,45 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T sdot1 = y[1];
   // sddot1: from A ydot = f by elimination
   const T z1_1 = tanh(sdot1 * T(100));
-  const T z1_2 = S1_1 + u.push - c.p.mu * z1_1 - b1_2 * N2_2;
-  const T z1_3 = T(1) / D_sddot1;
-  const T sddot1 = z1_2 * z1_3;
+  const T z1_2 = T(1) / D_sddot1;
+  const T sddot1 = (u.push - c.p.mu * z1_1 + S1_1 - b1_2 * N2_2) * z1_2;
+
+  // ---- body 2 (pole), solved
+  // thetaddot2: from A ydot = f by elimination
+  const T thetaddot2 = N2_2 * T(30) - b1_2 * sddot1;
+
+  // ---- body 2 (pole) on body 1
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1_of_r = thetaddot2 * T(0.05);
+
+  // ---- body 2 (pole) and what it carries
+  // hc2 = E2^T h_own_2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc2_1 = minus_E2_13 * T(0.05);
+
+  // ---- body 1 (cart) and what it carries
+  // Fq_thetadot2_1 = -(E2^T G2)~ b2
+  const T minus_Fq_thetadot2_1_1 = minus_E2_13 * G2_1_of_r + E2_11 * G2_3;
+  // r_sdot1 = -tau_cart_: Kane's equation of sdot [N]
+  const T minus_r_sdot1 = u.push - c.p.mu * z1_1;
 
   // ---- results
   S[2] = T(1);
   S[7] = T(1);
-  const T t1 = T(0.05) * Pddot2_3;
-  const T t2 = minus_E2_13 * T(0.05);
-  const T t3 = T(30) * t2;
-  const T t4 = z1_3 * z1_3 * (b1_1 * t3 + b1_2 * t2) * z1_2 + z1_3 * (b1_2 * t1 - N2_2 * t3 - E2_11 * G2_3);
-  S[8] = T(30) * t1 + sddot1 * t3 + b1_2 * t4;
-  const T t5 = T(0.05) * (thetadot2 + thetadot2) * minus_E2_13 * z1_3;
-  S[10] = -b1_2 * t5;
-  const T t6 = (T(1) - z1_1 * z1_1) * T(100) * c.p.mu * z1_3;
-  S[11] = b1_2 * t6;
-  S[12] = -t4;
-  S[14] = t5;
-  S[15] = -t6;
+  const T t1 = T(9.8) * b1_1 + sddot1 * hc2_1;
+  const T t2 = (minus_Fq_thetadot2_1_1 - b1_2 * t1) * z1_2;
+  S[8] = t1 * T(30) - b1_2 * t2;
+  const T t3 = T(2) * thetadot2 * T(0.05) * minus_E2_13 * z1_2;
+  S[10] = -b1_2 * t3;
+  const T t4 = (T(1) - z1_1 * z1_1) * T(100) * c.p.mu * z1_2;
+  S[11] = b1_2 * t4;
+  S[12] = t2;
+  S[14] = t3;
+  S[15] = -t4;
 }
 
 // input_matrix: rates of (xi, y) for small changes of the inputs.
 // B (2 ny x n_inputs)
 // 1 add, 4 multiply, 1 divide, 1 sine or cosine
-// by: composite; articulated would take 6 add, 15 multiply, 1 divide, 2 sine or cosine, 1 other function
 template <class T>
 void input_matrix(const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]] const Inputs<T>& u,
     T* B) noexcept {

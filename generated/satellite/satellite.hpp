@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 07769617f5da6be7 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 4cdb92c80ca99804 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -34,8 +34,8 @@
 //   residual                      357 (172 add, 185 multiply, 6 sine or cosine)
 //   mass_matrix                   138 (65 add, 73 multiply, 6 sine or cosine)
 //   kinematics_and_accelerations  578 (258 add, 314 multiply, 6 divide, 6 sine or cosine)
-//   state_matrix                  3235 (1444 add, 1785 multiply, 6 divide, 6 sine or cosine)
-//   input_matrix                  449 (193 add, 250 multiply, 6 divide, 6 sine or cosine)
+//   state_matrix                  2901 (1309 add, 1583 multiply, 9 divide, 6 sine or cosine)
+//   input_matrix                  401 (174 add, 221 multiply, 6 divide, 6 sine or cosine)
 //   tip_position                  40 (16 add, 24 multiply, 2 sine or cosine)
 //   tip_acceleration              131 (55 add, 76 multiply, 2 sine or cosine)
 #pragma once
@@ -130,7 +130,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "07769617f5da6be7";
+inline constexpr char model_hash[] = "4cdb92c80ca99804";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -152,15 +152,17 @@ inline constexpr int mass_matrix_columns[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 1, 2
     3, 6, 7, 8, 0, 4, 6, 7, 8, 0, 1, 2, 5, 0, 1, 2, 3, 4, 6, 0, 1, 2, 3, 4, 7, 0, 1, 2, 3, 4, 8};
 
 // Entries of state_matrix that are not always 0, row by row.
-inline constexpr int state_matrix_nonzeros = 105;
-inline constexpr int state_matrix_rows[] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9,
-    10, 10, 10, 10, 10, 10, 10, 10, 10, 11, 11, 11, 11, 11, 11, 11, 11, 11, 12, 12, 12, 12, 12, 12, 12, 12, 12, 13,
-    13, 13, 13, 13, 13, 13, 13, 13, 14, 14, 14, 14, 14, 14, 14, 14, 14, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15,
-    15, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17};
-inline constexpr int state_matrix_columns[] = {1, 2, 9, 0, 2, 10, 0, 1, 11, 12, 13, 14, 15, 16, 17, 3, 4, 5, 9, 10,
-    11, 12, 13, 14, 3, 4, 5, 9, 10, 11, 12, 13, 14, 3, 4, 5, 9, 10, 11, 12, 13, 14, 3, 4, 5, 9, 10, 11, 12, 13, 14, 3,
-    4, 5, 9, 10, 11, 12, 13, 14, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3,
-    4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14};
+inline constexpr int state_matrix_nonzeros = 123;
+inline constexpr int state_matrix_rows[] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9,
+    9, 9, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 11, 12, 12, 12,
+    12, 12, 12, 12, 12, 12, 12, 12, 12, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 13, 14, 14, 14, 14, 14, 14, 14,
+    14, 14, 14, 14, 14, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16,
+    16, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17, 17};
+inline constexpr int state_matrix_columns[] = {1, 2, 9, 0, 2, 10, 0, 1, 11, 12, 13, 14, 15, 16, 17, 0, 1, 2, 3, 4, 5,
+    9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2,
+    3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14,
+    0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 9, 10, 11, 12,
+    13, 14};
 
 // Entries of input_matrix that are not always 0, row by row.
 inline constexpr int input_matrix_nonzeros = 18;
@@ -193,7 +195,7 @@ template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
-  const T c0_1 = T(0.08333333333333333) * p.c;
+  const T c0_1 = p.c * T(0.08333333333333333);
   c.c0_1 = c0_1;
   return c;
 }
@@ -2010,8 +2012,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
 // state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
 // S (2 ny x 2 ny)
-// 1444 add, 1785 multiply, 6 divide, 6 sine or cosine
-// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
+// 1309 add, 1583 multiply, 9 divide, 6 sine or cosine
+// by: equations differentiated; operations differentiated would take 1442 add, 1741 multiply, 6 divide, 6 sine or
+//   cosine
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
   for (int i = 0; i < 324; ++i) S[i] = T(0);
@@ -2045,23 +2048,24 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_2 * omega1_2;
+  const T minus_U1_11 = t1_13 + t1_14;
   const T U1_12 = omega1_2 * omega1_1;
   const T U1_13 = omega1_3 * omega1_1;
-  const T t1_13 = omega1_3 * omega1_3;
-  const T t1_14 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_14;
+  const T t1_15 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_15;
   const T U1_23 = omega1_3 * omega1_2;
-  const T t1_15 = omega1_2 * omega1_2;
-  const T minus_U1_33 = t1_15 + t1_14;
+  const T minus_U1_33 = t1_14 + t1_15;
   // G1 = -U1 h_all_1 + F_thruster_: applied less inertia force, body axes [N]
   const T G1_1 = u.thrust + U1_13 * T(0.8);
   const T G1_2 = U1_23 * T(0.8);
   const T minus_G1_3 = minus_U1_33 * T(0.8);
   // N1 = -omega1~ J_all_1 omega1 + r_thruster_~ F_thruster_: applied less inertia moment about the body origin, body
   //   axes [N m]
-  const T minus_N1_1 = T(10.32) * U1_23 + T(0.3) * (t1_15 - t1_13) - T(0.1) * U1_12 - T(0.2) * U1_13;
-  const T minus_N1_2 = T(0.2) * U1_23 - (T(3.34) * U1_13 + T(0.1) * (t1_13 - t1_14)) - T(0.3) * U1_12;
-  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_14 - t1_15) - T(6.9799999999999995) * U1_12 + T(0.3) * U1_13 +
+  const T minus_N1_1 = T(10.32) * U1_23 + T(0.3) * (t1_14 - t1_13) - T(0.1) * U1_12 - T(0.2) * U1_13;
+  const T minus_N1_2 = T(0.2) * U1_23 - (T(3.34) * U1_13 + T(0.1) * (t1_13 - t1_15)) - T(0.3) * U1_12;
+  const T minus_N1_3 = T(0.1) * u.thrust + T(0.2) * (t1_15 - t1_14) - T(6.9799999999999995) * U1_12 + T(0.3) * U1_13 +
       T(0.1) * U1_23;
 
   // ---- body 2 (left_panel) on body 1
@@ -2075,21 +2079,18 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot2_2 = thetadot2 * omega2_3;
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T U2_12 = omega2_2 * omega2_1 + minus_omegadot2_3;
-  const T U2_13 = omega2_3 * omega2_1 + omegadot2_2;
-  const T t2_1 = omega2_3 * omega2_3;
-  const T minus_U2_22 = t2_1 + omega2_1 * omega2_1;
+  const T t2_1 = omega2_2 * omega2_1;
+  const T U2_12 = t2_1 + minus_omegadot2_3;
+  const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
   const T U2_23 = omega2_3 * omega2_2;
   // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot2_1 = U1_12 * T(0.6);
-  const T t2_2 = U1_23 * T(0.6);
-  const T t2_3 = minus_U1_22 * T(0.6);
-  const T Pddot2_2 = E2_23 * t2_2 - E2_22 * t2_3;
-  const T Pddot2_3 = E2_23 * t2_3 + E2_22 * t2_2;
+  const T t2_2 = minus_U1_22 * T(0.6);
+  const T t2_3 = U1_23 * T(0.6);
+  const T Pddot2_3 = E2_23 * t2_2 + E2_22 * t2_3;
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
@@ -2113,18 +2114,15 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
   const T omega3_3 = E3_22 * omega1_3 - E3_23 * omega1_2;
   // omegadot3 = -thetadot3 b3~ E3 omega1: angular acceleration, body axes [rad/s^2]
-  const T omegadot3_2 = thetadot3 * omega3_3;
   const T minus_omegadot3_3 = thetadot3 * omega3_2;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T U3_12 = omega3_2 * omega3_1 + minus_omegadot3_3;
-  const T U3_13 = omega3_3 * omega3_1 + omegadot3_2;
-  const T t3_1 = omega3_3 * omega3_3;
-  const T minus_U3_22 = t3_1 + omega3_1 * omega3_1;
+  const T t3_1 = omega3_2 * omega3_1;
+  const T U3_12 = t3_1 + minus_omegadot3_3;
+  const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
   const T U3_23 = omega3_3 * omega3_2;
   // Pddot3 = E3 U1 q3: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_2 = E3_22 * t2_3 - E3_23 * t2_2;
-  const T minus_Pddot3_3 = E3_23 * t2_3 + E3_22 * t2_2;
+  const T minus_Pddot3_3 = E3_23 * t2_2 + E3_22 * t2_3;
   // effort_right_panel_3 = -theta3 k_right_panel_ - thetadot3 c_right_panel_: along the coordinate [N m], [N]
   const T minus_effort_right_panel_3 = theta3 * c.p.k + thetadot3 * c.p.c;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
@@ -2141,239 +2139,432 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
   const T t4_1 = cosines[6];
   const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
-  const T t4_2 = sines[6];
-  const T t4_3 = t4_2 * T(0.5773502691896257);
-  const T t4_4 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
-  const T E4_12 = t4_3 + t4_4;
-  const T E4_13 = t4_4 - t4_3;
+  const T t4_2 = sines[6] * T(0.5773502691896257);
+  const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
+  const T E4_12 = t4_2 + t4_3;
+  const T E4_13 = t4_3 - t4_2;
   // omega4 = thetadot4 b4 + E4 omega1: absolute angular velocity, body axes [rad/s]
-  const T t4_5 = thetadot4 * T(0.5773502691896257);
-  const T t4_6 = E4_11 * omega1_1 + E4_12 * omega1_2 + E4_13 * omega1_3;
-  const T omega4_1 = t4_5 + t4_6;
-  const T t4_7 = E4_13 * omega1_1 + E4_11 * omega1_2 + E4_12 * omega1_3;
-  const T omega4_2 = t4_5 + t4_7;
-  const T t4_8 = E4_12 * omega1_1 + E4_13 * omega1_2 + E4_11 * omega1_3;
-  const T omega4_3 = t4_5 + t4_8;
+  const T t4_4 = thetadot4 * T(0.5773502691896257);
+  const T t4_5 = E4_11 * omega1_1 + E4_12 * omega1_2 + E4_13 * omega1_3;
+  const T omega4_1 = t4_4 + t4_5;
+  const T t4_6 = E4_13 * omega1_1 + E4_11 * omega1_2 + E4_12 * omega1_3;
+  const T omega4_2 = t4_4 + t4_6;
+  const T t4_7 = E4_12 * omega1_1 + E4_13 * omega1_2 + E4_11 * omega1_3;
+  const T omega4_3 = t4_4 + t4_7;
   // omegadot4 = -thetadot4 b4~ E4 omega1: angular acceleration, body axes [rad/s^2]
-  const T t4_9 = T(0.5773502691896257) * t4_8;
-  const T t4_10 = T(0.5773502691896257) * t4_7;
-  const T t4_11 = t4_9 - t4_10;
-  const T minus_omegadot4_1 = thetadot4 * t4_11;
-  const T t4_12 = T(0.5773502691896257) * t4_6;
-  const T t4_13 = t4_12 - t4_9;
-  const T minus_omegadot4_2 = thetadot4 * t4_13;
-  const T t4_14 = t4_10 - t4_12;
-  const T minus_omegadot4_3 = thetadot4 * t4_14;
+  const T t4_8 = T(0.5773502691896257) * t4_7;
+  const T t4_9 = T(0.5773502691896257) * t4_6;
+  const T minus_omegadot4_1 = thetadot4 * (t4_8 - t4_9);
+  const T t4_10 = T(0.5773502691896257) * t4_5;
+  const T minus_omegadot4_2 = thetadot4 * (t4_10 - t4_8);
+  const T minus_omegadot4_3 = thetadot4 * (t4_9 - t4_10);
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_15 = omega4_3 * omega4_3;
-  const T t4_16 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_15 + t4_16;
-  const T t4_17 = omega4_2 * omega4_1;
-  const T U4_12 = t4_17 + minus_omegadot4_3;
-  const T t4_18 = omega4_3 * omega4_1;
-  const T U4_13 = t4_18 - minus_omegadot4_2;
-  const T U4_21 = t4_17 - minus_omegadot4_3;
-  const T t4_19 = omega4_1 * omega4_1;
-  const T minus_U4_22 = t4_15 + t4_19;
-  const T t4_20 = omega4_3 * omega4_2;
-  const T U4_23 = t4_20 + minus_omegadot4_1;
-  const T U4_31 = t4_18 + minus_omegadot4_2;
-  const T U4_32 = t4_20 - minus_omegadot4_1;
-  const T minus_U4_33 = t4_16 + t4_19;
+  const T t4_11 = omega4_3 * omega4_3;
+  const T t4_12 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_11 + t4_12;
+  const T t4_13 = omega4_2 * omega4_1;
+  const T U4_12 = t4_13 + minus_omegadot4_3;
+  const T t4_14 = omega4_3 * omega4_1;
+  const T U4_13 = t4_14 - minus_omegadot4_2;
+  const T U4_21 = t4_13 - minus_omegadot4_3;
+  const T t4_15 = omega4_1 * omega4_1;
+  const T minus_U4_22 = t4_11 + t4_15;
+  const T t4_16 = omega4_3 * omega4_2;
+  const T U4_23 = t4_16 + minus_omegadot4_1;
+  const T U4_31 = t4_14 + minus_omegadot4_2;
+  const T U4_32 = t4_16 - minus_omegadot4_1;
+  const T minus_U4_33 = t4_12 + t4_15;
   // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the body origin, body axes [N m]
-  const T minus_N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - T(0.0021) * (minus_U4_22 - minus_U4_33) - T(0.0021) *
-      U4_31 + T(0.0021) * U4_21;
-  const T minus_N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - T(0.0021) * (minus_U4_33 - minus_U4_11) - T(0.0021) *
-      U4_12 + T(0.0021) * U4_32;
-  const T minus_N4_3 = T(0.0079) * U4_21 - T(0.0079) * U4_12 - T(0.0021) * (minus_U4_11 - minus_U4_22) - T(0.0021) *
-      U4_23 + T(0.0021) * U4_13;
-
-  // ---- body 4 (wheel) and what it carries
-  // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
-      T(0.5773502691896257) * minus_N4_3;
-  // v4 = invD4 u_4: u/D
-  const T v4 = T(50) * u_4;
-  // nt4 = N4 - v4 K4: moment with the turn solved [N m]
-  const T b4_1 = v4 * T(0.011547005383792516);
-  const T minus_nt4_1 = b4_1 + minus_N4_1;
-  const T minus_nt4_2 = b4_1 + minus_N4_2;
-  const T minus_nt4_3 = b4_1 + minus_N4_3;
-  // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
-  const T b4_2 = E4_13 * T(0.004566666666666667);
-  const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
-  const T b4_5 = b4_4 * E4_11;
-  const T b4_6 = E4_11 * T(0.004566666666666667);
-  const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
-  const T b4_8 = b4_7 * E4_13;
-  const T b4_9 = E4_12 * T(0.009133333333333334) - (b4_2 + b4_6);
-  const T b4_10 = b4_9 * E4_12;
-  const T Jp4_11 = b4_5 + b4_8 + b4_10;
-  const T b4_11 = b4_4 * E4_12;
-  const T b4_12 = b4_7 * E4_11;
-  const T b4_13 = b4_9 * E4_13;
-  const T Jp4_12 = b4_11 + b4_12 + b4_13;
-  const T Jp4_13 = b4_4 * E4_13 + b4_7 * E4_12 + b4_9 * E4_11;
-  const T Jp4_22 = b4_10 + b4_5 + b4_8;
-  const T Jp4_23 = b4_13 + b4_11 + b4_12;
-  const T Jp4_33 = T(0.027400000000000004) - Jp4_11 - Jp4_22;
-  // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
-  const T minus_np4_1 = E4_11 * minus_nt4_1 + E4_13 * minus_nt4_2 + E4_12 * minus_nt4_3;
-  const T minus_np4_2 = E4_12 * minus_nt4_1 + E4_11 * minus_nt4_2 + E4_13 * minus_nt4_3;
-  const T minus_np4_3 = E4_13 * minus_nt4_1 + E4_12 * minus_nt4_2 + E4_11 * minus_nt4_3;
+  const T t4_17 = T(0.0021) * (minus_U4_22 - minus_U4_33);
+  const T minus_N4_1 = T(0.0079) * U4_32 - t4_17 - T(0.0079) * U4_23 - T(0.0021) * U4_31 + T(0.0021) * U4_21;
+  const T t4_18 = T(0.0021) * (minus_U4_33 - minus_U4_11);
+  const T minus_N4_2 = T(0.0079) * U4_13 - t4_18 - T(0.0079) * U4_31 - T(0.0021) * U4_12 + T(0.0021) * U4_32;
+  const T t4_19 = T(0.0021) * (minus_U4_11 - minus_U4_22);
+  const T minus_N4_3 = T(0.0079) * U4_21 - t4_19 - T(0.0079) * U4_12 - T(0.0021) * U4_23 + T(0.0021) * U4_13;
 
   // ---- body 3 (right_panel) and what it carries
-  // u_3 = b3 . N3 + effort_right_panel_3: drives it [N m], [N]
-  const T minus_u_3 = minus_effort_right_panel_3 + minus_N3_1;
-  // v3 = invD3 u_3: u/D
-  const T minus_v3 = T(0.08333333333333333) * minus_u_3;
-  // gt3 = G3 - v3 B3: force with the turn solved [N]
-  const T gt3_3 = G3_3 - minus_v3 * T(9);
-  // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
-  const T b3_1 = E3_23 * T(6.75);
-  const T minus_Mp3_22 = E3_23 * b3_1;
-  const T Mp3_23 = E3_22 * b3_1;
-  const T Mp3_33 = minus_Mp3_22 - T(6.75);
-  // gp3 = E3^T gt3: force passed on, lower body's axes [N]
-  const T minus_gp3_2 = E3_22 * minus_G3_2 + E3_23 * gt3_3;
-  const T gp3_3 = E3_22 * gt3_3 - E3_23 * minus_G3_2;
-  // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
-  const T minus_Hp3_21 = E3_23 * T(9);
-  const T Hp3_31 = E3_22 * T(9);
-  // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
-  const T b3_2 = E3_23 * T(12);
-  const T Jp3_22 = E3_23 * b3_2;
-  const T minus_Jp3_23 = E3_22 * b3_2;
-  const T Jp3_33 = T(12) - Jp3_22;
-  // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
-  const T minus_np3_2 = E3_23 * N3_3;
-  const T np3_3 = E3_22 * N3_3;
-  // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
-  const T minus_Hb3_12 = T(0.6) * Mp3_23;
-  const T minus_Hb3_13 = T(0.6) * Mp3_33;
+  // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
+  const T minus_hc3_2 = E3_22 * T(9);
+  const T minus_hc3_3 = E3_23 * T(9);
 
   // ---- body 2 (left_panel) and what it carries
-  // u_2 = b2 . N2 + effort_left_panel_2: drives it [N m], [N]
-  const T minus_u_2 = minus_effort_left_panel_2 + minus_N2_1;
-  // v2 = invD2 u_2: u/D
-  const T minus_v2 = T(0.08333333333333333) * minus_u_2;
-  // gt2 = G2 - v2 B2: force with the turn solved [N]
-  const T gt2_3 = minus_v2 * T(9) - minus_G2_3;
-  // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
-  const T b2_1 = E2_23 * T(6.75);
-  const T minus_Mp2_22 = E2_23 * b2_1;
-  const T Mp2_23 = E2_22 * b2_1;
-  const T Mp2_33 = minus_Mp2_22 - T(6.75);
-  // gp2 = E2^T gt2: force passed on, lower body's axes [N]
-  const T gp2_2 = E2_22 * G2_2 - E2_23 * gt2_3;
-  const T gp2_3 = E2_23 * G2_2 + E2_22 * gt2_3;
-  // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
-  const T Hp2_21 = E2_23 * T(9);
-  const T minus_Hp2_31 = E2_22 * T(9);
-  // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
-  const T b2_2 = E2_23 * T(12);
-  const T Jp2_22 = E2_23 * b2_2;
-  const T minus_Jp2_23 = E2_22 * b2_2;
-  const T Jp2_33 = T(12) - Jp2_22;
-  // np2 = E2^T nt2: moment passed on, lower body's axes [N m]
-  const T minus_np2_2 = E2_23 * N2_3;
-  const T np2_3 = E2_22 * N2_3;
-  // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
-  const T Hb2_12 = T(0.6) * Mp2_23;
-  const T Hb2_13 = T(0.6) * Mp2_33;
+  // hc2 = E2^T h_own_2: first moment carried, about the body origin, lower body's axes [kg m]
+  const T hc2_2 = E2_22 * T(9);
+  const T hc2_3 = E2_23 * T(9);
 
   // ---- body 1 (hub) and what it carries
-  // MA1 = m_all_1 one + Mp3 + Mp2: force for an acceleration of the origin, home axes [kg]
-  const T MA1_22 = T(142) - minus_Mp3_22 - minus_Mp2_22;
-  const T MA1_23 = Mp3_23 + Mp2_23;
-  const T MA1_33 = T(142) + Mp3_33 + Mp2_33;
-  // HA1 = h_all_1~ + Hb2 + Hb3: moment for an acceleration of the origin, body axes [kg m]
-  const T HA1_12 = Hb2_12 + T(0.8) - minus_Hb3_12;
-  const T HA1_13 = Hb2_13 - minus_Hb3_13;
-  const T HA1_21 = Hp2_21 - T(0.8) - minus_Hp3_21;
-  const T HA1_31 = Hp3_31 - minus_Hp2_31;
-  // JA1 = q2~ Hp2^T + q3~ Hp3^T + J_all_1 + Jp4 + Jp3 + Jp2 - Hb2 q2~ - Hb3 q3~: moment for an angular acceleration,
-  //   body axes [kg m^2]
-  const T JA1_11 = T(22.64) + Jp4_11 + Hb2_13 * T(0.6) + minus_Hb3_13 * T(0.6);
-  const T JA1_12 = T(0.2) + Jp4_12;
-  const T JA1_13 = Jp4_13 - T(0.1);
-  const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
-  const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
-  // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
-  const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
-  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
-  // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
-      - T(0.6) * gp3_3;
-  const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = np3_3 - (minus_N1_3 + minus_np4_3) + np2_3 + T(0.6) * minus_G2_1 + T(0.6) * G3_1;
-  // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
-  const T LD1_11 = T(1) / JA1_11;
-  const T LD1_21 = LD1_11 * JA1_12;
-  const T LD1_22 = T(1) / (JA1_22 - LD1_21 * JA1_12);
-  const T LD1_31 = LD1_11 * JA1_13;
-  const T b1_1 = JA1_23 - LD1_21 * JA1_13;
-  const T LD1_32 = LD1_22 * b1_1;
-  const T LD1_33 = T(1) / (JA1_33 - LD1_31 * JA1_13 - LD1_32 * b1_1);
-  // Y1 = L(LD1)^-1 HA1: L^-1 HA
-  const T minus_Y1_22 = LD1_21 * HA1_12;
-  const T minus_Y1_23 = LD1_21 * HA1_13;
-  const T Y1_31 = HA1_31 - LD1_32 * HA1_21;
-  const T Y1_32 = LD1_32 * minus_Y1_22 - LD1_31 * HA1_12;
-  const T Y1_33 = LD1_32 * minus_Y1_23 - LD1_31 * HA1_13;
-  // W1 = D(LD1)^-1 Y1: D^-1 L^-1 HA
-  const T W1_12 = LD1_11 * HA1_12;
-  const T W1_13 = LD1_11 * HA1_13;
-  const T W1_21 = LD1_22 * HA1_21;
-  const T minus_W1_22 = LD1_22 * minus_Y1_22;
-  const T minus_W1_23 = LD1_22 * minus_Y1_23;
-  const T W1_31 = LD1_33 * Y1_31;
-  const T W1_32 = LD1_33 * Y1_32;
-  const T W1_33 = LD1_33 * Y1_33;
-  // w_1 = D(LD1)^-1 L(LD1)^-1 n1: D^-1 L^-1 n
-  const T w_1_1 = LD1_11 * n1_1;
-  const T b1_2 = minus_n1_2 + LD1_21 * n1_1;
-  const T minus_w_1_2 = LD1_22 * b1_2;
-  const T b1_3 = n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2;
-  const T w_1_3 = LD1_33 * b1_3;
-  // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
-  const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
-  const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
-  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
-  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
-  // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
-  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
-  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
-  // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
-  const T LDs1_11 = T(1) / M1_11;
-  const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
-  const T LDs1_22 = T(1) / (M1_22 - minus_LDs1_21 * minus_M1_12);
-  const T minus_LDs1_31 = LDs1_11 * minus_M1_13;
-  const T b1_4 = M1_23 - minus_LDs1_21 * minus_M1_13;
-  const T LDs1_32 = LDs1_22 * b1_4;
-  const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_4);
-  // ws1 = D(LDs1)^-1 L(LDs1)^-1 gb1: D^-1 L^-1 g
-  const T ws1_1 = LDs1_11 * gb1_1;
-  const T b1_5 = gb1_2 + minus_LDs1_21 * gb1_1;
-  const T ws1_2 = LDs1_22 * b1_5;
-  const T b1_6 = gb1_3 + minus_LDs1_31 * gb1_1 - LDs1_32 * b1_5;
-  const T ws1_3 = LDs1_33 * b1_6;
+  // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1 = G3_1 - minus_G2_1 + G1_1;
+  const T b1_1 = E2_22 * G2_2;
+  const T b1_2 = E3_22 * minus_G3_2;
+  const T S1_2 = b1_1 - b1_2 + E2_23 * minus_G2_3 - E3_23 * G3_3 + G1_2;
+  const T b1_3 = E2_23 * G2_2;
+  const T b1_4 = E2_22 * minus_G2_3 - b1_3;
+  const T b1_5 = E3_23 * minus_G3_2;
+  const T b1_6 = b1_5 - E3_22 * G3_3;
+  const T minus_S1_3 = minus_G1_3 + b1_4 + b1_6;
+  // f_omega1 = q2~ E2^T G2 + E2^T N2 + q3~ E3^T G3 + E3^T N3 + E4^T N4 + N1: Kane's equation of omega [N m]
+  const T minus_f_omega1_1 = minus_N1_1 + minus_N2_1 + minus_N3_1 + T(0.6) * b1_4 - T(0.6) * b1_6 + E4_11 * minus_N4_1
+      + E4_13 * minus_N4_2 + E4_12 * minus_N4_3;
+  const T minus_f_omega1_2 = minus_N1_2 + E2_23 * N2_3 + E3_23 * N3_3 + E4_12 * minus_N4_1 + E4_11 * minus_N4_2 +
+      E4_13 * minus_N4_3;
+  const T f_omega1_3 = T(0.6) * minus_G2_1 - minus_N1_3 + E2_22 * N2_3 + T(0.6) * G3_1 + E3_22 * N3_3 - E4_13 *
+      minus_N4_1 - E4_12 * minus_N4_2 - E4_11 * minus_N4_3;
+  // h1 = h_all_1 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
+  const T minus_h1_2 = minus_hc3_2 - hc2_2;
+  const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
+  // J1 = -q2~ hc2~ + E2^T J_own_2 E2 - q3~ hc3~ + E3^T J_own_3 E3 + E4^T I4 E4 + J_all_1 - hc2~ q2~ - hc3~ q3~:
+  //   inertia carried, about the body origin, body axes [kg m^2]
+  const T b1_7 = T(0.6) * hc2_2;
+  const T b1_8 = b1_7 + T(12);
+  const T b1_9 = T(1.2) * minus_hc3_2;
+  const T b1_10 = E4_13 * T(0.0021);
+  const T b1_11 = E4_12 * T(0.0021);
+  const T b1_12 = b1_10 + b1_11 + E4_11 * T(0.0158);
+  const T b1_13 = b1_12 * E4_11;
+  const T b1_14 = E4_11 * T(0.0021);
+  const T b1_15 = b1_11 + b1_14 + E4_13 * T(0.0158);
+  const T b1_16 = b1_15 * E4_13;
+  const T b1_17 = b1_10 + b1_14 + E4_12 * T(0.0158);
+  const T b1_18 = b1_17 * E4_12;
+  const T b1_19 = b1_13 + b1_16 + b1_18;
+  const T J1_11 = b1_8 + b1_9 + T(34.64) + b1_19 + b1_7;
+  const T b1_20 = b1_12 * E4_12;
+  const T b1_21 = b1_15 * E4_11;
+  const T b1_22 = b1_17 * E4_13;
+  const T b1_23 = b1_20 + b1_21 + b1_22;
+  const T J1_12 = b1_23 + T(0.2);
+  const T b1_24 = b1_12 * E4_13 + b1_15 * E4_12 + b1_17 * E4_11;
+  const T J1_13 = b1_24 - T(0.1);
+  const T b1_25 = E2_23 * T(12);
+  const T b1_26 = E2_23 * b1_25;
+  const T b1_27 = E3_23 * T(12);
+  const T b1_28 = E3_23 * b1_27;
+  const T b1_29 = b1_18 + b1_13 + b1_16;
+  const T J1_22 = b1_26 + b1_28 + b1_29 + T(15.66);
+  const T b1_30 = b1_22 + b1_20 + b1_21;
+  const T b1_31 = E2_22 * b1_25;
+  const T b1_32 = E3_22 * b1_27;
+  const T J1_23 = b1_30 - (b1_31 + b1_32) + T(0.3) - T(0.6) * hc2_3 - T(0.6) * minus_hc3_3;
+  const T b1_33 = T(12) - b1_26;
+  const T b1_34 = T(12) - b1_28;
+  const T b1_35 = T(0.047400000000000005) - b1_19 - b1_29;
+  const T J1_33 = b1_33 + b1_9 + b1_34 + b1_35 + T(25.98) + T(1.2) * hc2_2;
+  // K_thetadot4_1 = E4^T K_thetadot4_4
+  const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
+      T(0.011547005383792516);
+  // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
+  const T K_thetadot3_1_1 = T(12) + T(0.6) * minus_hc3_2;
+  // D_omegadot1: pivots of L D L^T
+  const T b1_36 = K_thetadot4_1_1 * T(50);
+  const T b1_37 = b1_36 * K_thetadot4_1_1;
+  const T b1_38 = K_thetadot3_1_1 * T(0.08333333333333333);
+  const T b1_39 = b1_8 * T(0.08333333333333333);
+  const T D_omegadot1_1 = J1_11 - b1_37 - b1_38 * K_thetadot3_1_1 - b1_39 * b1_8;
+  const T b1_40 = J1_12 - b1_37;
+  const T b1_41 = T(1) / D_omegadot1_1;
+  const T b1_42 = b1_40 * b1_41;
+  const T D_omegadot1_2 = J1_22 - b1_37 - b1_42 * b1_40;
+  const T b1_43 = J1_13 - b1_37;
+  const T b1_44 = b1_43 * b1_41;
+  const T b1_45 = J1_23 - b1_37 - b1_44 * b1_40;
+  const T b1_46 = T(1) / D_omegadot1_2;
+  const T b1_47 = b1_45 * b1_46;
+  const T D_omegadot1_3 = J1_33 - b1_37 - b1_44 * b1_43 - b1_47 * b1_45;
+  // D_Pddot1: pivots of L D L^T
+  const T b1_48 = h1_3 * b1_46;
+  const T b1_49 = b1_48 * b1_45 - minus_h1_2;
+  const T b1_50 = T(1) / D_omegadot1_3;
+  const T b1_51 = b1_49 * b1_50;
+  const T D_Pddot1_1 = T(142) - b1_48 * h1_3 - b1_51 * b1_49;
+  const T b1_52 = minus_hc3_3 * T(0.08333333333333333);
+  const T b1_53 = hc2_3 * T(0.08333333333333333);
+  const T b1_54 = h1_3 + b1_52 * K_thetadot3_1_1 - b1_53 * b1_8;
+  const T b1_55 = b1_54 * b1_41;
+  const T b1_56 = b1_55 * b1_40;
+  const T b1_57 = b1_56 * b1_46;
+  const T b1_58 = b1_55 * b1_43 - b1_57 * b1_45;
+  const T b1_59 = b1_58 * b1_50;
+  const T b1_60 = b1_59 * b1_49 - b1_57 * h1_3;
+  const T b1_61 = T(1) / D_Pddot1_1;
+  const T b1_62 = b1_60 * b1_61;
+  const T D_Pddot1_2 = T(142) - b1_52 * minus_hc3_3 - b1_53 * hc2_3 - b1_55 * b1_54 - b1_57 * b1_56 - b1_59 * b1_58 -
+      b1_62 * b1_60;
+  const T b1_63 = minus_hc3_2 * T(0.08333333333333333);
+  const T b1_64 = hc2_2 * T(0.08333333333333333);
+  const T b1_65 = b1_63 * K_thetadot3_1_1 - minus_h1_2 - b1_64 * b1_8;
+  const T b1_66 = b1_65 * b1_41;
+  const T b1_67 = b1_66 * b1_40;
+  const T b1_68 = b1_67 * b1_46;
+  const T b1_69 = b1_68 * b1_45 - b1_66 * b1_43;
+  const T b1_70 = b1_69 * b1_50;
+  const T b1_71 = b1_68 * h1_3 + b1_70 * b1_49;
+  const T b1_72 = b1_71 * b1_61;
+  const T b1_73 = b1_63 * minus_hc3_3 + b1_64 * hc2_3 + b1_66 * b1_54 + b1_68 * b1_56 - b1_70 * b1_58 - b1_72 * b1_60;
+  const T b1_74 = T(1) / D_Pddot1_2;
+  const T b1_75 = b1_73 * b1_74;
+  const T D_Pddot1_3 = T(142) - b1_63 * minus_hc3_2 - b1_64 * hc2_2 - b1_66 * b1_65 - b1_68 * b1_67 - b1_70 * b1_69 -
+      b1_72 * b1_71 - b1_75 * b1_73;
 
   // ---- body 1 (hub), solved
-  // Pddot1 = L(LDs1)^-T ws1
-  const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
-  const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
-  // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
-  const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
+  // Pddot1: from A ydot = f by elimination
+  const T z1_1 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
+  const T z1_2 = b1_36 * z1_1;
+  const T z1_3 = minus_effort_right_panel_3 + minus_N3_1;
+  const T z1_4 = minus_effort_left_panel_2 + minus_N2_1;
+  const T z1_5 = b1_38 * z1_3 - (minus_f_omega1_1 + z1_2) + b1_39 * z1_4;
+  const T z1_6 = minus_f_omega1_2 + z1_2 + b1_42 * z1_5;
+  const T z1_7 = f_omega1_3 - z1_2 - b1_44 * z1_5 + b1_47 * z1_6;
+  const T z1_8 = S1_1 + b1_48 * z1_6 + b1_51 * z1_7;
+  const T z1_9 = S1_2 + b1_52 * z1_3 - b1_53 * z1_4 + b1_55 * z1_5 + b1_57 * z1_6 - b1_59 * z1_7 - b1_62 * z1_8;
+  const T z1_10 = T(1) / D_Pddot1_3 * (b1_64 * z1_4 - (minus_S1_3 + b1_63 * z1_3) - b1_66 * z1_5 - b1_68 * z1_6 -
+      b1_70 * z1_7 - b1_72 * z1_8 - b1_75 * z1_9);
+  const T z1_11 = z1_9 * b1_74 - b1_75 * z1_10;
+  const T Pddot1_1 = z1_8 * b1_61 - b1_62 * z1_11 - b1_72 * z1_10;
+  // omegadot1: from A ydot = f by elimination
+  const T z1_12 = z1_7 * b1_50 + b1_51 * Pddot1_1 - b1_59 * z1_11 - b1_70 * z1_10;
+  const T z1_13 = b1_68 * z1_10 - (z1_6 * b1_46 + b1_47 * z1_12 + b1_48 * Pddot1_1 + b1_57 * z1_11);
+  const T omegadot1_1 = z1_5 * b1_41 - b1_42 * z1_13 - b1_44 * z1_12 + b1_55 * z1_11 - b1_66 * z1_10;
+  // sddot1 = R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
+  const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_11 + R1_31 * z1_10;
+  const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_11 + R1_32 * z1_10;
+  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_11 + R1_33 * z1_10;
+
+  // ---- body 2 (left_panel), solved
+  // thetaddot2: from A ydot = f by elimination
+  const T thetaddot2 = b1_53 * z1_11 - (T(0.08333333333333333) * z1_4 + b1_39 * omegadot1_1) - b1_64 * z1_10;
+
+  // ---- body 3 (right_panel), solved
+  // thetaddot3: from A ydot = f by elimination
+  const T thetaddot3 = b1_63 * z1_10 - (T(0.08333333333333333) * z1_3 + b1_38 * omegadot1_1 + b1_52 * z1_11);
+
+  // ---- body 4 (wheel), solved
+  // thetaddot4: from A ydot = f by elimination
+  const T thetaddot4 = z1_1 * T(50) - b1_36 * omegadot1_1 - b1_36 * z1_13 - b1_36 * z1_12;
+
+  // ---- body 1 (hub) on the inertial frame
+  // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T U1_12_of_r = U1_12 - z1_12;
+  const T U1_13_of_r = U1_13 + z1_13;
+  const T U1_21_of_r = U1_12 + z1_12;
+  const T U1_23_of_r = U1_23 - omegadot1_1;
+  const T U1_31_of_r = U1_13 - z1_13;
+  const T U1_32_of_r = U1_23 + omegadot1_1;
+  // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot1_1_of_r = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
+  const T Pddot1_2_of_r = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
+  const T Pddot1_3_of_r = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * sddot1_3;
+  // G1 = m_all_1 Pddot1 + U1 h_all_1: inertia less applied force, body axes [N]
+  const T t1_16 = T(142) * Pddot1_1_of_r;
+  const T G1_1_of_r = t1_16 - U1_13_of_r * T(0.8);
+  const T t1_17 = T(142) * Pddot1_2_of_r;
+  const T G1_2_of_r = t1_17 - U1_23_of_r * T(0.8);
+  const T t1_18 = T(142) * Pddot1_3_of_r;
+  const T G1_3_of_r = t1_18 + minus_G1_3;
+
+  // ---- body 2 (left_panel) on body 1
+  // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T omegadot2_1_of_r = thetaddot2 + omegadot1_1;
+  const T omegadot2_3_of_r = E2_22 * z1_12 - minus_omegadot2_3 - E2_23 * z1_13;
+  // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T U2_12_of_r = t2_1 - omegadot2_3_of_r;
+  const T U2_32_of_r = U2_23 + omegadot2_1_of_r;
+  // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T t2_5 = U1_12_of_r * T(0.6);
+  const T Pddot2_1_of_r = t2_5 + Pddot1_1_of_r;
+  // G2 = U2 h_own_2: inertia less applied force, body axes [N]
+  const T G2_1_of_r = U2_12_of_r * T(9);
+  const T G2_3_of_r = U2_32_of_r * T(9);
+  // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T minus_N2_3_of_r = T(9) * Pddot2_1_of_r + T(12) * U2_12_of_r;
+  // Pddotc2 = U1 q2 + Pddot1: acceleration of the body origin, less gravity, lower body's axes [m/s^2]
+  const T Pddotc2_2 = Pddot1_2_of_r - t2_2;
+  const T t2_6 = U1_32_of_r * T(0.6);
+  const T Pddotc2_3 = t2_6 + Pddot1_3_of_r;
+
+  // ---- body 3 (right_panel) on body 1
+  // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T omegadot3_1_of_r = thetaddot3 + omegadot1_1;
+  const T omegadot3_3_of_r = E3_22 * z1_12 - minus_omegadot3_3 - E3_23 * z1_13;
+  // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T U3_12_of_r = t3_1 - omegadot3_3_of_r;
+  const T U3_32_of_r = U3_23 + omegadot3_1_of_r;
+  // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
+  const T Pddot3_1_of_r = Pddot1_1_of_r - t2_5;
+  // G3 = U3 h_own_3: inertia less applied force, body axes [N]
+  const T minus_G3_1_of_r = U3_12_of_r * T(9);
+  const T minus_G3_3_of_r = U3_32_of_r * T(9);
+  // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
+  //   body axes [N m]
+  const T N3_3_of_r = T(9) * Pddot3_1_of_r - T(12) * U3_12_of_r;
+  // Pddotc3 = U1 q3 + Pddot1: acceleration of the body origin, less gravity, lower body's axes [m/s^2]
+  const T Pddotc3_2 = t2_2 + Pddot1_2_of_r;
+  const T Pddotc3_3 = Pddot1_3_of_r - t2_6;
+
+  // ---- body 4 (wheel) on body 1
+  // omegadot4 = -thetadot4 b4~ E4 omega1 + thetaddot4 b4 + E4 omegadot1: angular acceleration, body axes [rad/s^2]
+  const T t4_20 = thetaddot4 * T(0.5773502691896257);
+  const T omegadot4_1_of_r = t4_20 - minus_omegadot4_1 + E4_11 * omegadot1_1 + E4_12 * z1_13 + E4_13 * z1_12;
+  const T omegadot4_2_of_r = t4_20 - minus_omegadot4_2 + E4_13 * omegadot1_1 + E4_11 * z1_13 + E4_12 * z1_12;
+  const T omegadot4_3_of_r = t4_20 - minus_omegadot4_3 + E4_12 * omegadot1_1 + E4_13 * z1_13 + E4_11 * z1_12;
+  // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
+  //   [1/s^2]
+  const T U4_12_of_r = t4_13 - omegadot4_3_of_r;
+  const T U4_13_of_r = t4_14 + omegadot4_2_of_r;
+  const T U4_21_of_r = t4_13 + omegadot4_3_of_r;
+  const T U4_23_of_r = t4_16 - omegadot4_1_of_r;
+  const T U4_31_of_r = t4_14 - omegadot4_2_of_r;
+  const T U4_32_of_r = t4_16 + omegadot4_1_of_r;
+  // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the body origin, body axes [N m]
+  const T N4_1_of_r = T(0.0079) * U4_32_of_r - t4_17 - T(0.0079) * U4_23_of_r - T(0.0021) * U4_31_of_r + T(0.0021) *
+      U4_21_of_r;
+  const T N4_2_of_r = T(0.0079) * U4_13_of_r - t4_18 - T(0.0079) * U4_31_of_r - T(0.0021) * U4_12_of_r + T(0.0021) *
+      U4_32_of_r;
+  const T N4_3_of_r = T(0.0079) * U4_21_of_r - t4_19 - T(0.0079) * U4_12_of_r - T(0.0021) * U4_23_of_r + T(0.0021) *
+      U4_13_of_r;
+
+  // ---- body 4 (wheel) and what it carries
+  // KC4 = -2 omega4~ (tr(I4)/2 - I4): moment of the Coriolis forces of an angular velocity, body axes [kg m^2/s]
+  const T b4_1 = T(2) * omega4_2;
+  const T b4_2 = b4_1 * T(0.0021);
+  const T b4_3 = T(2) * omega4_3;
+  const T b4_4 = b4_3 * T(0.0021);
+  const T KC4_11 = b4_2 - b4_4;
+  const T b4_5 = b4_3 * T(0.0079);
+  const T KC4_12 = b4_5 + b4_2;
+  const T b4_6 = b4_1 * T(0.0079);
+  const T minus_KC4_13 = b4_4 + b4_6;
+  const T b4_7 = T(2) * omega4_1;
+  const T b4_8 = b4_7 * T(0.0021);
+  const T minus_KC4_21 = b4_5 + b4_8;
+  const T KC4_22 = b4_4 - b4_8;
+  const T b4_9 = b4_7 * T(0.0079);
+  const T KC4_23 = b4_4 + b4_9;
+  const T KC4_31 = b4_6 + b4_8;
+  const T minus_KC4_32 = b4_2 + b4_9;
+  const T KC4_33 = b4_8 - b4_2;
+  // KCc4 = E4^T KC4 E4: the same in the lower body's axes
+  const T b4_10 = E4_11 * KC4_11 - E4_13 * minus_KC4_21 + E4_12 * KC4_31;
+  const T b4_11 = E4_13 * KC4_22 + E4_11 * KC4_12 - E4_12 * minus_KC4_32;
+  const T b4_12 = E4_13 * KC4_23 - E4_11 * minus_KC4_13 + E4_12 * KC4_33;
+  const T KCc4_11 = b4_10 * E4_11 + b4_11 * E4_13 + b4_12 * E4_12;
+  const T KCc4_12 = b4_10 * E4_12 + b4_11 * E4_11 + b4_12 * E4_13;
+  const T KCc4_13 = b4_10 * E4_13 + b4_11 * E4_12 + b4_12 * E4_11;
+  const T b4_13 = E4_12 * KC4_11 - E4_11 * minus_KC4_21 + E4_13 * KC4_31;
+  const T b4_14 = E4_11 * KC4_22 + E4_12 * KC4_12 - E4_13 * minus_KC4_32;
+  const T b4_15 = E4_11 * KC4_23 - E4_12 * minus_KC4_13 + E4_13 * KC4_33;
+  const T KCc4_21 = b4_13 * E4_11 + b4_14 * E4_13 + b4_15 * E4_12;
+  const T KCc4_22 = b4_13 * E4_12 + b4_14 * E4_11 + b4_15 * E4_13;
+  const T KCc4_23 = b4_13 * E4_13 + b4_14 * E4_12 + b4_15 * E4_11;
+  const T b4_16 = E4_13 * KC4_11 - E4_12 * minus_KC4_21 + E4_11 * KC4_31;
+  const T b4_17 = E4_12 * KC4_22 + E4_13 * KC4_12 - E4_11 * minus_KC4_32;
+  const T b4_18 = E4_12 * KC4_23 - E4_13 * minus_KC4_13 + E4_11 * KC4_33;
+  const T KCc4_31 = b4_16 * E4_11 + b4_17 * E4_13 + b4_18 * E4_12;
+  const T KCc4_32 = b4_16 * E4_12 + b4_17 * E4_11 + b4_18 * E4_13;
+  const T KCc4_33 = b4_16 * E4_13 + b4_17 * E4_12 + b4_18 * E4_11;
+
+  // ---- body 3 (right_panel) and what it carries
+  // hdot3 = 2 omega3~ h_own_3: twice the rate of the first moment carried, body axes [kg m/s]
+  const T b3_1 = T(2) * omega3_3;
+  const T hdot3_1 = b3_1 * T(9);
+  const T b3_2 = T(2) * omega3_1;
+  const T minus_hdot3_3 = b3_2 * T(9);
+  // KC3 = -2 omega3~ (tr(J_own_3)/2 - J_own_3): moment of the Coriolis forces of an angular velocity, body axes [kg
+  //   m^2/s]
+  const T KC3_12 = b3_1 * T(12);
+  const T minus_KC3_32 = b3_2 * T(12);
+  // hdotc3 = E3^T hdot3: the same in the lower body's axes
+  const T hdotc3_2 = E3_23 * minus_hdot3_3;
+  const T minus_hdotc3_3 = E3_22 * minus_hdot3_3;
+  // KCc3 = E3^T KC3 E3: the same in the lower body's axes
+  const T KCc3_12 = E3_22 * KC3_12;
+  const T KCc3_13 = E3_23 * KC3_12;
+  const T b3_3 = E3_22 * minus_KC3_32;
+  const T KCc3_22 = E3_23 * b3_3;
+  const T b3_4 = E3_22 * b3_3;
+  const T KCc3_23 = minus_KC3_32 - b3_4;
+
+  // ---- body 2 (left_panel) and what it carries
+  // hdot2 = 2 omega2~ h_own_2: twice the rate of the first moment carried, body axes [kg m/s]
+  const T b2_1 = T(2) * omega2_3;
+  const T minus_hdot2_1 = b2_1 * T(9);
+  const T b2_2 = T(2) * omega2_1;
+  const T hdot2_3 = b2_2 * T(9);
+  // KC2 = -2 omega2~ (tr(J_own_2)/2 - J_own_2): moment of the Coriolis forces of an angular velocity, body axes [kg
+  //   m^2/s]
+  const T KC2_12 = b2_1 * T(12);
+  const T minus_KC2_32 = b2_2 * T(12);
+  // hdotc2 = E2^T hdot2: the same in the lower body's axes
+  const T minus_hdotc2_2 = E2_23 * hdot2_3;
+  const T hdotc2_3 = E2_22 * hdot2_3;
+  // KCc2 = E2^T KC2 E2: the same in the lower body's axes
+  const T KCc2_12 = E2_22 * KC2_12;
+  const T KCc2_13 = E2_23 * KC2_12;
+  const T b2_3 = E2_22 * minus_KC2_32;
+  const T KCc2_22 = E2_23 * b2_3;
+  const T b2_4 = E2_22 * b2_3;
+  const T KCc2_23 = minus_KC2_32 - b2_4;
+
+  // ---- body 1 (hub) and what it carries
+  // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
+  const T S1_1_of_inertia_xi = G1_1_of_r + G2_1_of_r - minus_G3_1_of_r;
+  const T b1_76 = b1_2 + E3_23 * minus_G3_3_of_r;
+  const T b1_77 = b1_1 + E2_23 * G2_3_of_r;
+  const T S1_2_of_inertia_xi = b1_76 - b1_77 + G1_2_of_r;
+  const T b1_78 = E2_22 * G2_3_of_r - b1_3;
+  const T b1_79 = b1_5 - E3_22 * minus_G3_3_of_r;
+  const T S1_3_of_inertia_xi = b1_78 + b1_79 + G1_3_of_r;
+  // Mq_thetadot4_1 = (-(E4^T N4)~ + Jc4 U1 + KCc4 omega1~) b4
+  const T b1_80 = E4_13 * N4_1_of_r + E4_12 * N4_2_of_r + E4_11 * N4_3_of_r;
+  const T b1_81 = E4_12 * N4_1_of_r + E4_11 * N4_2_of_r + E4_13 * N4_3_of_r;
+  const T Mq_thetadot4_1_1 = (b1_23 * U1_21_of_r - b1_19 * minus_U1_11 + b1_24 * U1_31_of_r + KCc4_12 * omega1_3 -
+      KCc4_13 * omega1_2) * T(0.5773502691896257) + (b1_80 + b1_19 * U1_12_of_r - b1_23 * minus_U1_22 + b1_24 *
+      U1_32_of_r + KCc4_13 * omega1_1 - KCc4_11 * omega1_3) * T(0.5773502691896257) + (b1_19 * U1_13_of_r - b1_81 +
+      b1_23 * U1_23_of_r - b1_24 * minus_U1_33 + KCc4_11 * omega1_2 - KCc4_12 * omega1_1) * T(0.5773502691896257);
+  const T b1_82 = E4_11 * N4_1_of_r + E4_13 * N4_2_of_r + E4_12 * N4_3_of_r;
+  const T Mq_thetadot4_1_2 = (b1_29 * U1_21_of_r - b1_80 - b1_23 * minus_U1_11 + b1_30 * U1_31_of_r + KCc4_22 *
+      omega1_3 - KCc4_23 * omega1_2) * T(0.5773502691896257) + (b1_23 * U1_12_of_r - b1_29 * minus_U1_22 + b1_30 *
+      U1_32_of_r + KCc4_23 * omega1_1 - KCc4_21 * omega1_3) * T(0.5773502691896257) + (b1_82 + b1_23 * U1_13_of_r +
+      b1_29 * U1_23_of_r - b1_30 * minus_U1_33 + KCc4_21 * omega1_2 - KCc4_22 * omega1_1) * T(0.5773502691896257);
+  const T Mq_thetadot4_1_3 = (b1_81 + b1_30 * U1_21_of_r - b1_24 * minus_U1_11 + b1_35 * U1_31_of_r + KCc4_32 *
+      omega1_3 - KCc4_33 * omega1_2) * T(0.5773502691896257) + (b1_24 * U1_12_of_r - b1_82 - b1_30 * minus_U1_22 +
+      b1_35 * U1_32_of_r + KCc4_33 * omega1_1 - KCc4_31 * omega1_3) * T(0.5773502691896257) + (b1_24 * U1_13_of_r +
+      b1_30 * U1_23_of_r - b1_35 * minus_U1_33 + KCc4_31 * omega1_2 - KCc4_32 * omega1_1) * T(0.5773502691896257);
+  // Fq_thetadot3_1 = -((E3^T G3)~ + hc3~ U1 + hdotc3~ omega1~) b3
+  const T minus_Fq_thetadot3_1_1 = minus_hc3_3 * U1_21_of_r - minus_hc3_2 * U1_31_of_r + minus_hdotc3_3 * omega1_3 -
+      hdotc3_2 * omega1_2;
+  const T minus_Fq_thetadot3_1_2 = b1_79 + minus_hc3_3 * minus_U1_11 + hdot3_1 * omega1_2;
+  const T minus_Fq_thetadot3_1_3 = hdot3_1 * omega1_3 - (minus_hc3_2 * minus_U1_11 + b1_76);
+  // Mq_thetadot3_1 = q3~ Fq_thetadot3_1 + (-(E3^T N3)~ + hc3~ Pddotc3~ + Jc3 U1 + KCc3 omega1~) b3
+  const T b1_83 = omega1_3 * KCc3_12 - omega1_2 * KCc3_13 + Pddotc3_3 * minus_hc3_3 + Pddotc3_2 * minus_hc3_2;
+  const T b1_84 = minus_U1_11 * T(12);
+  const T Mq_thetadot3_1_1 = b1_83 - b1_84 + T(0.6) * minus_Fq_thetadot3_1_3;
+  const T Mq_thetadot3_1_2 = b1_28 * U1_21_of_r - b1_32 * U1_31_of_r - E3_22 * N3_3_of_r + KCc3_22 * omega1_3 -
+      KCc3_23 * omega1_2;
+  const T Mq_thetadot3_1_3 = b1_34 * U1_31_of_r - b1_32 * U1_21_of_r - E3_23 * N3_3_of_r + KCc3_22 * omega1_2 - b3_4 *
+      omega1_3 - T(0.6) * minus_Fq_thetadot3_1_1;
+  // Fq_thetadot2_1 = -((E2^T G2)~ + hc2~ U1 + hdotc2~ omega1~) b2
+  const T minus_Fq_thetadot2_1_1 = hc2_2 * U1_31_of_r - hc2_3 * U1_21_of_r + minus_hdotc2_2 * omega1_2 - hdotc2_3 *
+      omega1_3;
+  const T minus_Fq_thetadot2_1_2 = b1_78 - hc2_3 * minus_U1_11 - minus_hdot2_1 * omega1_2;
+  const T minus_Fq_thetadot2_1_3 = hc2_2 * minus_U1_11 + b1_77 - minus_hdot2_1 * omega1_3;
+  // Mq_thetadot2_1 = q2~ Fq_thetadot2_1 + (-(E2^T N2)~ + hc2~ Pddotc2~ + Jc2 U1 + KCc2 omega1~) b2
+  const T b1_85 = omega1_3 * KCc2_12 - omega1_2 * KCc2_13 - Pddotc2_3 * hc2_3 - Pddotc2_2 * hc2_2;
+  const T Mq_thetadot2_1_1 = b1_85 - b1_84 - T(0.6) * minus_Fq_thetadot2_1_3;
+  const T Mq_thetadot2_1_2 = E2_22 * minus_N2_3_of_r + b1_26 * U1_21_of_r - b1_31 * U1_31_of_r + KCc2_22 * omega1_3 -
+      KCc2_23 * omega1_2;
+  const T Mq_thetadot2_1_3 = T(0.6) * minus_Fq_thetadot2_1_1 + E2_23 * minus_N2_3_of_r + b1_33 * U1_31_of_r - b1_31 *
+      U1_21_of_r + KCc2_22 * omega1_2 - b2_4 * omega1_3;
+
+  // ---- body 1 (hub) and what it carries
+  // r_omega1 = -r_thruster_~ F_thruster_: Kane's equation of omega [N m]
+  const T r_omega1_3 = T(0.1) * u.thrust;
 
   // ---- results
   S[1] = omega1_3;
@@ -2391,652 +2582,426 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[161] = T(1);
   S[20] = omega1_1;
   S[37] = -omega1_1;
-  const T t1 = T(9) * (U2_23 + U2_23);
-  const T t2 = t2_1 - omega2_2 * omega2_2;
-  const T t3 = T(0.08333333333333333) * (c.p.k + T(12) * t2 - T(9) * Pddot2_2);
-  const T t4 = T(9) * t3 - T(9) * t2;
-  const T t5 = gp2_2 - E2_23 * t1 + E2_22 * t4;
-  const T t6 = c.p.k + T(0.6) * t5;
-  const T t7 = LD1_11 * LD1_11;
-  const T t8 = T(6.75) * E2_22;
-  const T t9 = Mp2_23 + E2_23 * t8;
-  const T t10 = T(0.6) * t9;
-  const T t11 = T(0.6) * t10 * t7;
-  const T t12 = LD1_11 * t6 - n1_1 * t11;
-  const T t13 = JA1_13 * t11;
-  const T t14 = T(12) * U2_13;
-  const T t15 = T(9) * U2_13;
-  const T t16 = T(12) * E2_22;
-  const T t17 = JA1_12 * t11;
-  const T t18 = Jp2_22 - E2_22 * t16 - T(0.6) * minus_Hp2_31 + JA1_13 * t17;
-  const T t19 = LD1_22 * LD1_22;
-  const T t20 = minus_Jp2_23 + E2_23 * t16;
-  const T t21 = t19 * (t20 + JA1_12 * t17);
-  const T t22 = LD1_22 * t18 - b1_1 * t21;
-  const T t23 = np2_3 + E2_23 * t14 + LD1_21 * t6 - n1_1 * t17;
-  const T t24 = LD1_33 * LD1_33;
-  const T t25 = t24 * (JA1_13 * t13 - t20 - T(1.2) * Hp2_21 - b1_1 * t22 - LD1_32 * t18);
-  const T t26 = LD1_33 * (n1_1 * t13 - minus_np2_2 - LD1_31 * t6 + E2_22 * t14 + T(0.6) * t15 + b1_2 * t22 + LD1_32 *
-      t23) - b1_3 * t25;
-  const T t27 = Hp2_21 - HA1_21 * t22 - LD1_32 * minus_Hp2_31;
-  const T t28 = LD1_33 * t27 - Y1_31 * t25;
-  const T t29 = LDs1_11 * LDs1_11;
-  const T t30 = LD1_22 * minus_Hp2_31 - HA1_21 * t21;
-  const T t31 = t29 * (HA1_21 * t30 + W1_21 * minus_Hp2_31 + W1_31 * t27 + Y1_31 * t28);
-  const T t32 = b1_2 * t21 - LD1_22 * t23;
-  const T t33 = t15 + HA1_21 * t32 - minus_w_1_2 * minus_Hp2_31 + w_1_3 * t27 + Y1_31 * t26;
-  const T t34 = E2_22 * t8 - minus_Mp2_22;
-  const T t35 = T(0.6) * t34;
-  const T t36 = LD1_21 * t35 - HA1_12 * t17;
-  const T t37 = minus_Y1_22 * t21 - LD1_22 * t36;
-  const T t38 = minus_Y1_22 * t22 + LD1_32 * t36 - LD1_31 * t35 + HA1_12 * t13;
-  const T t39 = LD1_33 * t38 - Y1_32 * t25;
-  const T t40 = HA1_21 * t37 - minus_W1_22 * minus_Hp2_31 + W1_32 * t27 + Y1_31 * t39;
-  const T t41 = minus_M1_12 * t31 + LDs1_11 * t40;
-  const T t42 = LDs1_22 * LDs1_22;
-  const T t43 = LD1_11 * t35 - HA1_12 * t11;
-  const T t44 = t42 * (t9 + W1_12 * t35 + HA1_12 * t43 + minus_W1_22 * t36 - minus_Y1_22 * t37 + W1_32 * t38 + Y1_32 *
-      t39 + minus_M1_12 * t41 + minus_LDs1_21 * t40);
-  const T t45 = LD1_21 * t10 - HA1_13 * t17;
-  const T t46 = minus_Y1_23 * t21 - LD1_22 * t45;
-  const T t47 = minus_Y1_23 * t22 + LD1_32 * t45 - LD1_31 * t10 + HA1_13 * t13;
-  const T t48 = LD1_33 * t47 - Y1_33 * t25;
-  const T t49 = HA1_21 * t46 - minus_W1_23 * minus_Hp2_31 + W1_33 * t27 + Y1_31 * t48;
-  const T t50 = LD1_11 * t10 - HA1_13 * t11;
-  const T t51 = t34 - minus_M1_13 * t41 - minus_LDs1_21 * t49 - W1_13 * t35 - HA1_12 * t50 - minus_W1_23 * t36 +
-      minus_Y1_22 * t46 - W1_33 * t38 - Y1_32 * t48;
-  const T t52 = b1_4 * t44 + LDs1_22 * t51;
-  const T t53 = E2_22 * t1 + gp2_3 + E2_23 * t4 + w_1_1 * t35 + HA1_12 * t12 + minus_w_1_2 * t36 - minus_Y1_22 * t32 +
-      w_1_3 * t38 + Y1_32 * t26 + minus_LDs1_21 * t33 - gb1_1 * t41;
-  const T t54 = minus_M1_13 * t31 + LDs1_11 * t49;
-  const T t55 = LDs1_33 * LDs1_33;
-  const T t56 = LDs1_33 * (t5 + LDs1_32 * t53 - b1_5 * t52 - minus_LDs1_31 * t33 + gb1_1 * t54 - w_1_1 * t10 - HA1_13
-      * t12 - minus_w_1_2 * t45 + minus_Y1_23 * t32 - w_1_3 * t47 - Y1_33 * t26) - t55 * (t9 - b1_4 * t52 - LDs1_32 *
-      t51 - minus_M1_13 * t54 - minus_LDs1_31 * t49 - W1_13 * t10 - HA1_13 * t50 - minus_W1_23 * t45 + minus_Y1_23 *
-      t46 - W1_33 * t47 - Y1_33 * t48) * b1_6;
-  const T t57 = b1_5 * t44 - (ws1_3 * t52 + LDs1_32 * t56) - LDs1_22 * t53;
-  const T t58 = gb1_1 * t31 - LDs1_11 * t33 + z1_1 * t41 + minus_LDs1_21 * t57 + ws1_3 * t54 + minus_LDs1_31 * t56;
-  const T t59 = t26 - Pddot1_1 * t28 - W1_31 * t58 - z1_1 * t39 - W1_32 * t57 - ws1_3 * t48 - W1_33 * t56;
-  const T t60 = t32 - z1_2 * t22 - LD1_32 * t59 - Pddot1_1 * t30 - W1_21 * t58 - z1_1 * t37 + minus_W1_22 * t57 -
-      ws1_3 * t46 + minus_W1_23 * t56;
-  const T t61 = t12 + z1_2 * t13 - LD1_31 * t59 - z1_3 * t17 - LD1_21 * t60 - z1_1 * t43 - W1_12 * t57 - ws1_3 * t50 -
-      W1_13 * t56;
-  S[165] = t61;
-  const T t62 = T(9) * (U3_23 + U3_23);
-  const T t63 = t3_1 - omega3_2 * omega3_2;
-  const T t64 = T(0.08333333333333333) * (c.p.k + T(12) * t63 + T(9) * Pddot3_2);
-  const T t65 = T(9) * t63 - T(9) * t64;
-  const T t66 = E3_23 * t62 - minus_gp3_2 + E3_22 * t65;
-  const T t67 = c.p.k - T(0.6) * t66;
-  const T t68 = T(6.75) * E3_22;
-  const T t69 = Mp3_23 + E3_23 * t68;
-  const T t70 = T(0.6) * t69;
-  const T t71 = T(0.6) * t70 * t7;
-  const T t72 = LD1_11 * t67 - n1_1 * t71;
-  const T t73 = JA1_13 * t71;
-  const T t74 = T(12) * U3_13;
-  const T t75 = T(9) * U3_13;
-  const T t76 = T(12) * E3_22;
-  const T t77 = JA1_12 * t71;
-  const T t78 = Jp3_22 - E3_22 * t76 - T(0.6) * Hp3_31 + JA1_13 * t77;
-  const T t79 = minus_Jp3_23 + E3_23 * t76;
-  const T t80 = t19 * (t79 + JA1_12 * t77);
-  const T t81 = LD1_22 * t78 - b1_1 * t80;
-  const T t82 = np3_3 + E3_23 * t74 + LD1_21 * t67 - n1_1 * t77;
-  const T t83 = t24 * (JA1_13 * t73 - t79 - T(1.2) * minus_Hp3_21 - b1_1 * t81 - LD1_32 * t78);
-  const T t84 = LD1_33 * (n1_1 * t73 - minus_np3_2 - LD1_31 * t67 + E3_22 * t74 + T(0.6) * t75 + b1_2 * t81 + LD1_32 *
-      t82) - b1_3 * t83;
-  const T t85 = minus_Hp3_21 + HA1_21 * t81 - LD1_32 * Hp3_31;
-  const T t86 = LD1_33 * t85 + Y1_31 * t83;
-  const T t87 = E3_22 * t68 - minus_Mp3_22;
-  const T t88 = T(0.6) * t87;
-  const T t89 = HA1_12 * t77 + LD1_21 * t88;
-  const T t90 = minus_Y1_22 * t81 - LD1_32 * t89 + HA1_12 * t73 + LD1_31 * t88;
-  const T t91 = LD1_33 * t90 - Y1_32 * t83;
-  const T t92 = LD1_11 * t88 + HA1_12 * t71;
-  const T t93 = minus_Y1_22 * t80 + LD1_22 * t89;
-  const T t94 = HA1_21 * t93 + minus_W1_22 * Hp3_31 + Y1_31 * t91 - W1_32 * t85;
-  const T t95 = HA1_21 * t80 + LD1_22 * Hp3_31;
-  const T t96 = t29 * (HA1_21 * t95 + W1_21 * Hp3_31 + W1_31 * t85 + Y1_31 * t86);
-  const T t97 = minus_M1_12 * t96 - LDs1_11 * t94;
-  const T t98 = t42 * (t69 + W1_32 * t90 + Y1_32 * t91 - W1_12 * t88 - HA1_12 * t92 - minus_Y1_22 * t93 - minus_W1_22
-      * t89 + minus_LDs1_21 * t94 - minus_M1_12 * t97);
-  const T t99 = HA1_13 * t77 + LD1_21 * t70;
-  const T t100 = minus_Y1_23 * t80 + LD1_22 * t99;
-  const T t101 = minus_Y1_23 * t81 - LD1_32 * t99 + HA1_13 * t73 + LD1_31 * t70;
-  const T t102 = LD1_33 * t101 - Y1_33 * t83;
-  const T t103 = HA1_21 * t100 + minus_W1_23 * Hp3_31 + Y1_31 * t102 - W1_33 * t85;
-  const T t104 = LD1_11 * t70 + HA1_13 * t71;
-  const T t105 = t87 + minus_M1_13 * t97 - minus_LDs1_21 * t103 - W1_33 * t90 - Y1_32 * t102 + W1_13 * t88 + HA1_12 *
-      t104 + minus_Y1_22 * t100 + minus_W1_23 * t89;
-  const T t106 = b1_4 * t98 + LDs1_22 * t105;
-  const T t107 = b1_2 * t80 - LD1_22 * t82;
-  const T t108 = t75 - HA1_21 * t107 - minus_w_1_2 * Hp3_31 - Y1_31 * t84 + w_1_3 * t85;
-  const T t109 = minus_LDs1_21 * t108 - gp3_3 - gb1_1 * t97 - E3_23 * t65 + E3_22 * t62 + minus_Y1_22 * t107 +
-      minus_w_1_2 * t89 - HA1_12 * t72 + w_1_1 * t88 - w_1_3 * t90 - Y1_32 * t84;
-  const T t110 = minus_M1_13 * t96 - LDs1_11 * t103;
-  const T t111 = LDs1_33 * (t66 - b1_5 * t106 - LDs1_32 * t109 - gb1_1 * t110 + minus_LDs1_31 * t108 + minus_w_1_2 *
-      t99 + minus_Y1_23 * t107 - HA1_13 * t72 + w_1_1 * t70 - w_1_3 * t101 - Y1_33 * t84) - t55 * (t69 - b1_4 * t106 -
-      LDs1_32 * t105 - minus_LDs1_31 * t103 + minus_M1_13 * t110 - W1_33 * t101 - Y1_33 * t102 + W1_13 * t70 + HA1_13
-      * t104 + minus_W1_23 * t99 + minus_Y1_23 * t100) * b1_6;
-  const T t112 = b1_5 * t98 - (ws1_3 * t106 + LDs1_32 * t111) + LDs1_22 * t109;
-  const T t113 = minus_LDs1_31 * t111 - ws1_3 * t110 - z1_1 * t97 + minus_LDs1_21 * t112 + LDs1_11 * t108 - gb1_1 *
-      t96;
-  const T t114 = t84 + Pddot1_1 * t86 - W1_31 * t113 - z1_1 * t91 - W1_32 * t112 - ws1_3 * t102 - W1_33 * t111;
-  const T t115 = t107 - z1_2 * t81 - LD1_32 * t114 - W1_21 * t113 + Pddot1_1 * t95 - z1_1 * t93 + minus_W1_22 * t112 -
-      ws1_3 * t100 + minus_W1_23 * t111;
-  const T t116 = t72 + z1_2 * t73 - LD1_31 * t114 - z1_3 * t77 - LD1_21 * t115 - W1_12 * t112 + z1_1 * t92 - W1_13 *
-      t111 + ws1_3 * t104;
-  S[166] = t116;
-  const T t117 = T(0.6666666666666666) * t4_2;
-  const T t118 = T(0.5773502691896257) * t4_1;
-  const T t119 = T(0.3333333333333333) * t4_2;
-  const T t120 = t118 + t119;
-  const T t121 = t118 - t119;
-  const T t122 = omega1_1 * t120 - omega1_2 * t121 - omega1_3 * t117;
-  const T t123 = omega1_3 * t120 - (omega1_2 * t117 + omega1_1 * t121);
-  const T t124 = omega4_2 * t122 + omega4_3 * t123;
-  const T t125 = T(0.5773502691896257) * t122;
-  const T t126 = T(0.5773502691896257) * t123;
-  const T t127 = thetadot4 * (t125 - t126);
-  const T t128 = t124 - t127;
-  const T t129 = t124 + t127;
-  const T t130 = omega4_3 * t122;
-  const T t131 = t130 + t130;
-  const T t132 = omega1_2 * t120 - omega1_1 * t117 - omega1_3 * t121;
-  const T t133 = omega4_1 * t132;
-  const T t134 = t133 + t133;
-  const T t135 = t131 + t134;
-  const T t136 = omega4_2 * t123;
-  const T t137 = t136 + t136;
-  const T t138 = t137 + t134;
-  const T t139 = omega4_1 * t122 + omega4_3 * t132;
-  const T t140 = T(0.5773502691896257) * t132;
-  const T t141 = thetadot4 * (t140 - t125);
-  const T t142 = t139 + t141;
-  const T t143 = omega4_1 * t123 + omega4_2 * t132;
-  const T t144 = thetadot4 * (t126 - t140);
-  const T t145 = t143 - t144;
-  const T t146 = T(0.0079) * t128 - T(0.0079) * t129 - T(0.0021) * (t135 - t138) - T(0.0021) * t142 + T(0.0021) *
-      t145;
-  const T t147 = t139 - t141;
-  const T t148 = t131 + t137;
-  const T t149 = t143 + t144;
-  const T t150 = T(0.0079) * t147 - T(0.0079) * t142 - T(0.0021) * (t138 - t148) - T(0.0021) * t149 + T(0.0021) *
-      t128;
-  const T t151 = T(0.0079) * t145 - T(0.0079) * t149 - T(0.0021) * (t148 - t135) - T(0.0021) * t129 + T(0.0021) *
-      t147;
-  const T t152 = T(50) * (T(0.5773502691896257) * t146 + T(0.5773502691896257) * t150 + T(0.5773502691896257) * t151);
-  const T t153 = T(0.011547005383792516) * t152;
-  const T t154 = t153 - t146;
-  const T t155 = t153 - t150;
-  const T t156 = t153 - t151;
-  const T t157 = minus_nt4_1 * t117 + E4_11 * t154 + E4_13 * t155 + minus_nt4_2 * t121 + E4_12 * t156 - minus_nt4_3 *
-      t120;
-  const T t158 = T(0.004566666666666667) * t121;
-  const T t159 = T(0.004566666666666667) * t120;
-  const T t160 = t158 - t159 - T(0.009133333333333334) * t117;
-  const T t161 = E4_11 * t160;
-  const T t162 = b4_4 * t117;
-  const T t163 = T(0.004566666666666667) * t117;
-  const T t164 = t163 - t159 - T(0.009133333333333334) * t121;
-  const T t165 = E4_13 * t164;
-  const T t166 = b4_7 * t121;
-  const T t167 = t163 + t158 + T(0.009133333333333334) * t120;
-  const T t168 = E4_12 * t167;
-  const T t169 = b4_9 * t120;
-  const T t170 = t161 - t162 + t165 - t166 + t168 + t169;
-  const T t171 = t7 * t170;
-  const T t172 = LD1_11 * t157 - n1_1 * t171;
-  const T t173 = E4_13 * t160 - b4_4 * t121 + E4_12 * t164 + b4_7 * t120 + E4_11 * t167 - b4_9 * t117;
-  const T t174 = LD1_11 * t173 - JA1_13 * t171;
-  const T t175 = t168 + t169 + t161 - t162 + t165 - t166;
-  const T t176 = E4_13 * t167;
-  const T t177 = b4_9 * t121;
-  const T t178 = E4_12 * t160;
-  const T t179 = b4_4 * t120;
-  const T t180 = E4_11 * t164;
-  const T t181 = b4_7 * t117;
-  const T t182 = t178 + t179 + t180 - t181 + t176 - t177;
-  const T t183 = LD1_11 * t182 - JA1_12 * t171;
-  const T t184 = t176 - t177 + t178 + t179 + t180 - t181 - JA1_13 * t183 - LD1_21 * t173;
-  const T t185 = t19 * (t175 - JA1_12 * t183 - LD1_21 * t182);
-  const T t186 = LD1_22 * t184 - b1_1 * t185;
-  const T t187 = t24 * (t170 + t175 + JA1_13 * t174 + LD1_31 * t173 + b1_1 * t186 + LD1_32 * t184);
-  const T t188 = E4_12 * t154 - (n1_1 * t183 + LD1_21 * t157) - minus_nt4_1 * t120 + minus_nt4_2 * t117 + E4_11 * t155
-      + E4_13 * t156 + minus_nt4_3 * t121;
-  const T t189 = b1_3 * t187 + LD1_33 * (b1_2 * t186 - LD1_32 * t188 - n1_1 * t174 - LD1_31 * t157 + E4_13 * t154 +
-      minus_nt4_1 * t121 + E4_12 * t155 - minus_nt4_2 * t120 + minus_nt4_3 * t117 + E4_11 * t156);
-  const T t190 = HA1_21 * t186;
-  const T t191 = Y1_31 * t187 - LD1_33 * t190;
-  const T t192 = HA1_21 * t185;
-  const T t193 = t29 * (Y1_31 * t191 - W1_31 * t190 - HA1_21 * t192);
-  const T t194 = LD1_22 * t188 + b1_2 * t185;
-  const T t195 = HA1_21 * t194 + Y1_31 * t189 - w_1_3 * t190;
-  const T t196 = HA1_12 * t183;
-  const T t197 = HA1_12 * t174 - (minus_Y1_22 * t186 + LD1_32 * t196);
-  const T t198 = Y1_32 * t187 - LD1_33 * t197;
-  const T t199 = LD1_22 * t196 - minus_Y1_22 * t185;
-  const T t200 = Y1_31 * t198 - W1_32 * t190 - HA1_21 * t199;
-  const T t201 = minus_M1_12 * t193 + LDs1_11 * t200;
-  const T t202 = HA1_12 * t171;
-  const T t203 = t42 * (Y1_32 * t198 - W1_32 * t197 + minus_W1_22 * t196 + minus_Y1_22 * t199 - HA1_12 * t202 +
-      minus_M1_12 * t201 + minus_LDs1_21 * t200);
-  const T t204 = HA1_13 * t183;
-  const T t205 = HA1_13 * t174 - (minus_Y1_23 * t186 + LD1_32 * t204);
-  const T t206 = Y1_33 * t187 - LD1_33 * t205;
-  const T t207 = LD1_22 * t204 - minus_Y1_23 * t185;
-  const T t208 = HA1_13 * t171;
-  const T t209 = Y1_31 * t206 - W1_33 * t190 - HA1_21 * t207;
-  const T t210 = Y1_32 * t206 - W1_33 * t197 + minus_W1_23 * t196 + minus_Y1_22 * t207 - HA1_12 * t208 + minus_M1_13 *
-      t201 + minus_LDs1_21 * t209;
-  const T t211 = b1_4 * t203 - LDs1_22 * t210;
-  const T t212 = minus_M1_13 * t193 + LDs1_11 * t209;
-  const T t213 = HA1_12 * t172 + minus_w_1_2 * t196 - minus_Y1_22 * t194 + Y1_32 * t189 - w_1_3 * t197 + minus_LDs1_21
-      * t195 - gb1_1 * t201;
-  const T t214 = t55 * (Y1_33 * t206 - W1_33 * t205 + minus_W1_23 * t204 + minus_Y1_23 * t207 - HA1_13 * t208 +
-      minus_M1_13 * t212 + minus_LDs1_31 * t209 + b1_4 * t211 - LDs1_32 * t210) * b1_6 - LDs1_33 * (HA1_13 * t172 +
-      minus_w_1_2 * t204 - minus_Y1_23 * t194 + Y1_33 * t189 - w_1_3 * t205 + minus_LDs1_31 * t195 - gb1_1 * t212 +
-      b1_5 * t211 - LDs1_32 * t213);
-  const T t215 = b1_5 * t203 - (ws1_3 * t211 + LDs1_32 * t214) - LDs1_22 * t213;
-  const T t216 = gb1_1 * t193 - LDs1_11 * t195 + z1_1 * t201 + minus_LDs1_21 * t215 + ws1_3 * t212 + minus_LDs1_31 *
-      t214;
-  const T t217 = t189 - Pddot1_1 * t191 - W1_31 * t216 - z1_1 * t198 - W1_32 * t215 - ws1_3 * t206 - W1_33 * t214;
-  const T t218 = t194 - z1_2 * t186 - LD1_32 * t217 + minus_W1_23 * t214 + ws1_3 * t207 + minus_W1_22 * t215 + z1_1 *
-      t199 - W1_21 * t216 + Pddot1_1 * t192;
-  const T t219 = t172 - z1_2 * t174 - LD1_31 * t217 - LD1_21 * t218 + z1_3 * t183 - W1_12 * t215 + z1_1 * t202 - W1_13
-      * t214 + ws1_3 * t208;
-  S[167] = t219;
-  const T t220 = T(0.2) * omega1_3;
-  const T t221 = T(0.1) * omega1_2;
-  const T t222 = E3_23 * T(0.6);
-  const T t223 = T(9) * (omega3_1 + omega3_1);
-  const T t224 = t222 * t223;
-  const T t225 = E2_23 * T(0.6);
-  const T t226 = T(9) * (omega2_1 + omega2_1);
-  const T t227 = t225 * t226;
-  const T t228 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
-  const T t229 = t228 * T(0.5773502691896257);
-  const T t230 = t229 - E4_11;
-  const T t231 = T(0.013700000000000002) * t4_5;
-  const T t232 = t231 * E4_13;
-  const T t233 = t231 * E4_12;
-  const T t234 = t232 - t233;
-  const T t235 = T(0.0021) * omega4_2;
-  const T t236 = T(0.0021) * omega4_3;
-  const T t237 = t235 - t236;
-  const T t238 = T(0.0021) * (omega4_2 + omega4_2);
-  const T t239 = T(0.0021) * omega4_1;
-  const T t240 = t238 + t239;
-  const T t241 = T(0.0021) * (omega4_3 + omega4_3);
-  const T t242 = t241 + t239;
-  const T t243 = t234 + t237 * E4_11 + t240 * E4_13 - t242 * E4_12;
-  const T t244 = t229 - E4_13;
-  const T t245 = t231 * E4_11;
-  const T t246 = t233 - t245;
-  const T t247 = T(0.0021) * (omega4_1 + omega4_1);
-  const T t248 = t247 + t235;
-  const T t249 = t236 - t239;
-  const T t250 = t241 + t235;
-  const T t251 = t246 - t248 * E4_11 + t249 * E4_13 + t250 * E4_12;
-  const T t252 = t229 - E4_12;
-  const T t253 = t245 - t232;
-  const T t254 = t247 + t236;
-  const T t255 = t238 + t236;
-  const T t256 = t239 - t235;
-  const T t257 = t253 + t254 * E4_11 - t255 * E4_13 + t256 * E4_12;
-  const T t258 = E3_22 * T(0.6);
-  const T t259 = T(0.75) * t258;
-  const T t260 = T(9) * t222;
-  const T t261 = omega1_1 + omega1_1;
-  const T t262 = t260 * t261;
-  const T t263 = E2_22 * T(0.6);
-  const T t264 = T(0.75) * t263;
-  const T t265 = T(9) * t225;
-  const T t266 = t265 * t261;
-  const T t267 = t220 + t221 + t224 + t227 + t230 * t243 + t244 * t251 + t252 * t257 + t259 * t262 + t264 * t266;
-  const T t268 = LD1_21 * LD1_22;
-  const T t269 = T(5.3999999999999995) * omega1_2;
-  const T t270 = T(3.34) * omega1_3 - T(0.1) * t261 + T(0.3) * omega1_2 - E3_23 * t269 - b3_2 * omega3_2 - E2_23 *
-      t269 - b2_2 * omega2_2 + t252 * t243 + t230 * t251 + t244 * t257 - LD1_21 * t267;
-  const T t271 = LD1_32 * LD1_33;
-  const T t272 = LD1_21 * t271 - LD1_31 * LD1_33;
-  const T t273 = T(5.3999999999999995) + t76;
-  const T t274 = T(5.3999999999999995) + t16;
-  const T t275 = T(6.9799999999999995) * omega1_2 - T(0.2) * t261 - T(0.3) * omega1_3 + E3_22 * t269 + t273 * omega3_2
-      + E2_22 * t269 + t274 * omega2_2 + t244 * t243 + t252 * t251 + t230 * t257 - LD1_31 * t267 - LD1_32 * t270;
-  const T t276 = LD1_32 * W1_31 - W1_21;
-  const T t277 = LD1_31 * W1_31 - LD1_21 * t276;
-  const T t278 = t277 * LDs1_11;
-  const T t279 = T(9) * omega2_2;
-  const T t280 = T(0.8) * omega1_3;
-  const T t281 = T(9) * omega3_2;
-  const T t282 = t279 - (t280 + t281) + W1_21 * t270 + W1_31 * t275;
-  const T t283 = W1_32 * LDs1_22;
-  const T t284 = W1_12 * LDs1_22;
-  const T t285 = LD1_32 * t283 + minus_W1_22 * LDs1_22;
-  const T t286 = minus_LDs1_21 * LDs1_22;
-  const T t287 = LD1_31 * t283 - t284 - LD1_21 * t285 + t277 * t286;
-  const T t288 = E2_22 * t226;
-  const T t289 = E3_22 * t223;
-  const T t290 = T(0.75) * E3_23;
-  const T t291 = T(0.75) * E2_23;
-  const T t292 = t288 - t289 + t290 * t262 - t291 * t266 - W1_12 * t267 + minus_W1_22 * t270 - W1_32 * t275 -
-      minus_LDs1_21 * t282;
-  const T t293 = LDs1_32 * LDs1_33;
-  const T t294 = W1_12 * t293 - W1_13 * LDs1_33;
-  const T t295 = W1_32 * t293 - W1_33 * LDs1_33;
-  const T t296 = minus_W1_23 * LDs1_33 - minus_W1_22 * t293 - LD1_32 * t295;
-  const T t297 = minus_LDs1_31 * LDs1_33 - minus_LDs1_21 * t293;
-  const T t298 = t294 - LD1_31 * t295 - LD1_21 * t296 + t277 * t297;
-  const T t299 = E2_23 * t226;
-  const T t300 = E3_23 * t223;
-  const T t301 = T(0.75) * E3_22;
-  const T t302 = T(0.75) * E2_22;
-  const T t303 = t299 - t300 - T(0.8) * t261 - t301 * t262 + t302 * t266 - W1_13 * t267 + minus_W1_23 * t270 - W1_33 *
-      t275 - minus_LDs1_31 * t282 - LDs1_32 * t292;
-  S[171] = LD1_11 * t267 - t268 * t270 + t272 * t275 - t278 * t282 + t287 * t292 + t298 * t303;
-  const T t304 = T(9) * (omega3_3 + omega3_3);
-  const T t305 = t304 * E3_23;
-  const T t306 = omega1_2 + omega1_2;
-  const T t307 = T(9) * omega3_3;
-  const T t308 = t307 * E3_22 - t281 * E3_23;
-  const T t309 = T(9) * (omega2_3 + omega2_3);
-  const T t310 = t309 * E2_23;
-  const T t311 = T(9) * omega2_3;
-  const T t312 = t279 * E2_23 - t311 * E2_22;
-  const T t313 = t253 + t237 * E4_12 + t240 * E4_11 - t242 * E4_13;
-  const T t314 = t234 - t248 * E4_12 + t249 * E4_11 + t250 * E4_13;
-  const T t315 = t246 + t254 * E4_12 - t255 * E4_11 + t256 * E4_13;
-  const T t316 = T(12) * omega3_2;
-  const T t317 = T(9) * t258;
-  const T t318 = T(12) * omega3_3;
-  const T t319 = t316 * E3_23 - (t317 * omega1_3 + t318 * E3_22);
-  const T t320 = T(12) * omega2_2;
-  const T t321 = T(9) * t263;
-  const T t322 = T(12) * omega2_3;
-  const T t323 = t320 * E2_23 - (t321 * omega1_3 + t322 * E2_22);
-  const T t324 = T(0.1) * omega1_1 - (t222 * t305 + T(0.3) * t306 + T(10.32) * omega1_3) - t258 * t308 - t225 * t310 +
-      t263 * t312 + t230 * t313 + t244 * t314 + t252 * t315 - t259 * t319 - t264 * t323;
-  const T t325 = T(0.3) * omega1_1;
-  const T t326 = T(5.3999999999999995) * omega1_1;
-  const T t327 = omega3_1 * E3_22 + thetadot3 * E3_22;
-  const T t328 = omega2_1 * E2_22 + thetadot2 * E2_22;
-  const T t329 = t325 - t220 - E3_23 * t326 - b3_2 * t327 - E2_23 * t326 - b2_2 * t328 + t252 * t313 + t230 * t314 +
-      t244 * t315 - LD1_21 * t324;
-  const T t330 = T(0.2) * t306 + T(6.9799999999999995) * omega1_1 - T(0.1) * omega1_3 + E3_22 * t326 + t273 * t327 +
-      E2_22 * t326 + t274 * t328 + t244 * t313 + t252 * t314 + t230 * t315 - LD1_31 * t324 - LD1_32 * t329;
-  const T t331 = T(9) * t327 - T(9) * t328 - W1_21 * t329 - W1_31 * t330;
-  const T t332 = t280 - t290 * t319 + E3_22 * t305 - E3_23 * t308 - E2_22 * t310 - E2_23 * t312 + t291 * t323 - W1_12
-      * t324 + minus_W1_22 * t329 - W1_32 * t330 + minus_LDs1_21 * t331;
-  const T t333 = E3_23 * t305 - T(0.8) * t306 + E3_22 * t308 - E2_23 * t310 + E2_22 * t312 + t301 * t319 - t302 * t323
-      - W1_13 * t324 + minus_W1_23 * t329 - W1_33 * t330 + minus_LDs1_31 * t331 - LDs1_32 * t332;
-  S[172] = LD1_11 * t324 - t268 * t329 + t272 * t330 + t278 * t331 + t287 * t332 + t298 * t333;
-  const T t334 = omega1_3 + omega1_3;
-  const T t335 = t304 * E3_22;
-  const T t336 = t307 * E3_23 + t281 * E3_22;
-  const T t337 = t309 * E2_22;
-  const T t338 = t311 * E2_23 + t279 * E2_22;
-  const T t339 = t246 + t237 * E4_13 + t240 * E4_12 - t242 * E4_11;
-  const T t340 = t253 - t248 * E4_13 + t249 * E4_12 + t250 * E4_11;
-  const T t341 = t234 + t254 * E4_13 - t255 * E4_12 + t256 * E4_11;
-  const T t342 = t260 * t334 + t317 * omega1_2 + t318 * E3_23 + t316 * E3_22;
-  const T t343 = t321 * omega1_2 + t265 * t334 + t322 * E2_23 + t320 * E2_22;
-  const T t344 = T(0.3) * t334 - T(10.32) * omega1_2 + T(0.2) * omega1_1 + t222 * t335 - t258 * t336 + t225 * t337 -
-      t263 * t338 + t230 * t339 + t244 * t340 + t252 * t341 + t259 * t342 + t264 * t343;
-  const T t345 = omega3_1 * E3_23 + thetadot3 * E3_23;
-  const T t346 = omega2_1 * E2_23 + thetadot2 * E2_23;
-  const T t347 = T(0.1) * t334 + T(3.34) * omega1_1 - T(0.2) * omega1_2 - b3_2 * t345 - b2_2 * t346 + t252 * t339 +
-      t230 * t340 + t244 * t341 - LD1_21 * t344;
-  const T t348 = t273 * t345 - (t221 + t325) + t274 * t346 + t244 * t339 + t252 * t340 + t230 * t341 - LD1_31 * t344 -
-      LD1_32 * t347;
-  const T t349 = T(0.8) * omega1_1 + T(9) * t345 - T(9) * t346 - W1_21 * t347 - W1_31 * t348;
-  const T t350 = T(0.8) * omega1_2 - E3_22 * t335 - E3_23 * t336 + E2_22 * t337 + E2_23 * t338 + t290 * t342 - t291 *
-      t343 - W1_12 * t344 + minus_W1_22 * t347 - W1_32 * t348 + minus_LDs1_21 * t349;
-  const T t351 = E3_22 * t336 - E3_23 * t335 + E2_23 * t337 - E2_22 * t338 - t301 * t342 + t302 * t343 - W1_13 * t344
-      + minus_W1_23 * t347 - W1_33 * t348 + minus_LDs1_31 * t349 - LDs1_32 * t350;
-  S[173] = LD1_11 * t344 - t268 * t347 + t272 * t348 + t278 * t349 + t287 * t350 + t298 * t351;
-  const T t352 = c.p.c + t227 + t264 * c.p.c;
-  const T t353 = omega2_2 + omega2_2;
-  const T t354 = b2_2 * t353 + LD1_21 * t352;
-  const T t355 = t274 * t353 - LD1_31 * t352 + LD1_32 * t354;
-  const T t356 = T(9) * t353 - W1_21 * t354 + W1_31 * t355;
-  const T t357 = t288 - t291 * c.p.c - W1_12 * t352 - minus_W1_22 * t354 - W1_32 * t355 - minus_LDs1_21 * t356;
-  const T t358 = t299 + t302 * c.p.c - W1_13 * t352 - minus_W1_23 * t354 - W1_33 * t355 - minus_LDs1_31 * t356 -
-      LDs1_32 * t357;
-  S[174] = LD1_11 * t352 + t268 * t354 + t272 * t355 - t278 * t356 + t287 * t357 + t298 * t358;
-  const T t359 = c.p.c + t224 + t259 * c.p.c;
-  const T t360 = omega3_2 + omega3_2;
-  const T t361 = b3_2 * t360 + LD1_21 * t359;
-  const T t362 = t273 * t360 - LD1_31 * t359 + LD1_32 * t361;
-  const T t363 = W1_31 * t362 - (T(9) * t360 + W1_21 * t361);
-  const T t364 = t290 * c.p.c - t289 - W1_12 * t359 - minus_W1_22 * t361 - W1_32 * t362 - minus_LDs1_21 * t363;
-  const T t365 = t300 + t301 * c.p.c + W1_13 * t359 + minus_W1_23 * t361 + W1_33 * t362 + minus_LDs1_31 * t363 +
-      LDs1_32 * t364;
-  S[175] = LD1_11 * t359 + t268 * t361 + t272 * t362 - t278 * t363 + t287 * t364 - t298 * t365;
-  const T t366 = T(0.0021) * t4_14;
-  const T t367 = T(0.0021) * t4_13;
-  const T t368 = t237 * T(0.5773502691896257) - (t366 + t367) - T(0.0158) * t4_11 + t240 * T(0.5773502691896257) -
-      t242 * T(0.5773502691896257);
-  const T t369 = T(0.0021) * t4_11;
-  const T t370 = t249 * T(0.5773502691896257) - (t366 + t369 + t248 * T(0.5773502691896257) + T(0.0158) * t4_13) +
-      t250 * T(0.5773502691896257);
-  const T t371 = t254 * T(0.5773502691896257) - (t367 + t369) - T(0.0158) * t4_14 - t255 * T(0.5773502691896257) +
-      t256 * T(0.5773502691896257);
-  const T t372 = t230 * t368 + t244 * t370 + t252 * t371;
-  const T t373 = t252 * t368 + t230 * t370 + t244 * t371 - LD1_21 * t372;
-  const T t374 = t244 * t368 + t252 * t370 + t230 * t371 - LD1_31 * t372 - LD1_32 * t373;
-  const T t375 = W1_21 * t373 + W1_31 * t374;
-  const T t376 = minus_LDs1_21 * t375 + W1_12 * t372 - minus_W1_22 * t373 + W1_32 * t374;
-  const T t377 = minus_W1_23 * t373 - (minus_LDs1_31 * t375 + W1_13 * t372) - W1_33 * t374 + LDs1_32 * t376;
-  S[176] = LD1_11 * t372 - t268 * t373 + t272 * t374 - t278 * t375 - t287 * t376 + t298 * t377;
-  S[183] = t60;
-  S[184] = t115;
-  S[185] = t218;
-  const T t378 = t276 * LDs1_11;
-  const T t379 = t285 + t276 * t286;
-  const T t380 = t296 + t276 * t297;
-  S[189] = LD1_22 * t270 - t271 * t275 - t378 * t282 + t379 * t292 + t380 * t303;
-  S[190] = LD1_22 * t329 - t271 * t330 + t378 * t331 + t379 * t332 + t380 * t333;
-  S[191] = LD1_22 * t347 - t271 * t348 + t378 * t349 + t379 * t350 + t380 * t351;
-  S[192] = t379 * t357 - (LD1_22 * t354 + t271 * t355 + t378 * t356) + t380 * t358;
-  S[193] = t379 * t364 - (LD1_22 * t361 + t271 * t362 + t378 * t363) - t380 * t365;
-  S[194] = LD1_22 * t373 - t271 * t374 - t378 * t375 - t379 * t376 + t380 * t377;
-  S[201] = t59;
-  S[202] = t114;
-  S[203] = t217;
-  const T t381 = W1_31 * LDs1_11;
-  const T t382 = t283 + W1_31 * t286;
-  const T t383 = t295 - W1_31 * t297;
-  S[207] = LD1_33 * t275 + t381 * t282 - t382 * t292 + t383 * t303;
-  S[208] = LD1_33 * t330 - t381 * t331 - t382 * t332 + t383 * t333;
-  S[209] = LD1_33 * t348 - t381 * t349 - t382 * t350 + t383 * t351;
-  S[210] = LD1_33 * t355 + t381 * t356 - t382 * t357 + t383 * t358;
-  S[211] = LD1_33 * t362 + t381 * t363 - t382 * t364 - t383 * t365;
-  S[212] = LD1_33 * t374 + t381 * t375 + t382 * t376 + t383 * t377;
-  const T t384 = T(0.6) * t61;
-  const T t385 = T(0.6) * omegadot1_1;
-  S[219] = -(t61 + t3 + T(0.75) * (E2_22 * t56 - E2_23 * ws1_3 - E2_22 * z1_1 - E2_23 * t57 + E2_22 * t384 - E2_23 *
-      t385));
-  const T t386 = T(0.6) * t116;
-  S[220] = -(t116 + T(0.75) * (E2_22 * t111 - E2_23 * t112 + E2_22 * t386));
-  const T t387 = T(0.6) * t219;
-  S[221] = -(t219 + T(0.75) * (E2_22 * t214 - E2_23 * t215 + E2_22 * t387));
-  const T t388 = T(1) + t264;
-  const T t389 = t388 * LD1_21;
-  const T t390 = t389 * LD1_22;
-  const T t391 = t388 * LD1_11;
-  const T t392 = t388 * LD1_31;
-  const T t393 = t392 * LD1_33 - t389 * t271;
-  const T t394 = t389 * t276 - t392 * W1_31;
-  const T t395 = t394 * LDs1_11;
-  const T t396 = t291 * LDs1_22 + t388 * t284 - t392 * t283 + t389 * t285 + t394 * t286;
-  const T t397 = t392 * t295 - (t302 * LDs1_33 + t291 * t293 + t388 * t294) + t389 * t296 + t394 * t297;
-  S[225] = t390 * t270 - (T(0.08333333333333333) * t266 + t391 * t267) + t393 * t275 - t395 * t282 + t396 * t292 +
-      t397 * t303;
-  S[226] = T(0.08333333333333333) * t323 - t391 * t324 + t390 * t329 + t393 * t330 + t395 * t331 + t396 * t332 + t397
-      * t333;
-  S[227] = t390 * t347 - (T(0.08333333333333333) * t343 + t391 * t344) + t393 * t348 + t395 * t349 + t396 * t350 +
-      t397 * t351;
-  S[228] = t393 * t355 - (c.c0_1 + t391 * t352 + t390 * t354) - t395 * t356 + t396 * t357 + t397 * t358;
-  S[229] = t393 * t362 - (t390 * t361 + t391 * t359) - t395 * t363 + t396 * t364 - t397 * t365;
-  S[230] = t390 * t373 - t391 * t372 + t393 * t374 - t395 * t375 - t396 * t376 + t397 * t377;
-  S[237] = -(t61 - T(0.75) * (E3_22 * t56 - E3_23 * t57 - E3_22 * t384));
-  S[238] = -(t116 + t64 - T(0.75) * (E3_22 * t111 - E3_23 * ws1_3 - E3_22 * z1_1 - E3_23 * t112 + E3_23 * t385 - E3_22
-      * t386));
-  S[239] = -(t219 - T(0.75) * (E3_22 * t214 - E3_23 * t215 - E3_22 * t387));
-  const T t398 = T(1) + t259;
-  const T t399 = t398 * LD1_21;
-  const T t400 = t399 * LD1_22;
-  const T t401 = t398 * LD1_11;
-  const T t402 = t398 * LD1_31;
-  const T t403 = t399 * t271 - t402 * LD1_33;
-  const T t404 = t399 * t276 - t402 * W1_31;
-  const T t405 = t404 * LDs1_11;
-  const T t406 = t398 * t284 - t290 * LDs1_22 - t402 * t283 + t399 * t285 + t404 * t286;
-  const T t407 = t301 * LDs1_33 + t290 * t293 - t398 * t294 + t402 * t295 + t399 * t296 + t404 * t297;
-  S[243] = t400 * t270 - (T(0.08333333333333333) * t262 + t401 * t267) - t403 * t275 - t405 * t282 + t406 * t292 +
-      t407 * t303;
-  S[244] = T(0.08333333333333333) * t319 - t401 * t324 + t400 * t329 - t403 * t330 + t405 * t331 + t406 * t332 + t407
-      * t333;
-  S[245] = t400 * t347 - (T(0.08333333333333333) * t342 + t401 * t344) - t403 * t348 + t405 * t349 + t406 * t350 +
-      t407 * t351;
-  S[246] = t406 * t357 - (t401 * t352 + t400 * t354 + t403 * t355 + t405 * t356) + t407 * t358;
-  S[247] = t406 * t364 - (c.c0_1 + t401 * t359 + t400 * t361 + t403 * t362 + t405 * t363) - t407 * t365;
-  S[248] = t400 * t373 - t401 * t372 - t403 * t374 - t405 * t375 - t406 * t376 + t407 * t377;
-  S[255] = -(T(0.5773502691896258) * (E4_11 * t61 + E4_12 * t60 + E4_13 * t59) + T(0.5773502691896258) * (E4_13 * t61
-      + E4_11 * t60 + E4_12 * t59) + T(0.5773502691896258) * (E4_12 * t61 + E4_13 * t60 + E4_11 * t59));
-  S[256] = -(T(0.5773502691896258) * (E4_11 * t116 + E4_12 * t115 + E4_13 * t114) + T(0.5773502691896258) * (E4_13 *
-      t116 + E4_11 * t115 + E4_12 * t114) + T(0.5773502691896258) * (E4_12 * t116 + E4_13 * t115 + E4_11 * t114));
-  S[257] = -(t152 + T(0.5773502691896258) * (E4_11 * t219 - omegadot1_1 * t117 + E4_12 * t218 - z1_3 * t120 + E4_13 *
-      t217 - z1_2 * t121) + T(0.5773502691896258) * (E4_13 * t219 - omegadot1_1 * t121 + z1_3 * t117 + E4_11 * t218 +
-      z1_2 * t120 + E4_12 * t217) + T(0.5773502691896258) * (omegadot1_1 * t120 + E4_12 * t219 + E4_13 * t218 + z1_3 *
-      t121 + E4_11 * t217 - z1_2 * t117));
-  const T t408 = t228 * LD1_21 - t228;
-  const T t409 = t408 * LD1_22;
-  const T t410 = t228 * LD1_11;
-  const T t411 = t228 * LD1_31 - t228;
-  const T t412 = t411 * LD1_33 - t408 * t271;
-  const T t413 = t408 * t276 - t411 * W1_31;
-  const T t414 = t413 * LDs1_11;
-  const T t415 = t228 * t284 - t411 * t283 + t408 * t285 + t413 * t286;
-  const T t416 = t411 * t295 - t228 * t294 + t408 * t296 + t413 * t297;
-  S[261] = t409 * t270 - (T(28.867513459481287) * t243 + T(28.867513459481287) * t251 + T(28.867513459481287) * t257 +
-      t410 * t267) + t412 * t275 - t414 * t282 + t415 * t292 + t416 * t303;
-  S[262] = t409 * t329 - (T(28.867513459481287) * t313 + T(28.867513459481287) * t314 + T(28.867513459481287) * t315 +
-      t410 * t324) + t412 * t330 + t414 * t331 + t415 * t332 + t416 * t333;
-  S[263] = t409 * t347 - (T(28.867513459481287) * t339 + T(28.867513459481287) * t340 + T(28.867513459481287) * t341 +
-      t410 * t344) + t412 * t348 + t414 * t349 + t415 * t350 + t416 * t351;
-  S[264] = t412 * t355 - (t409 * t354 + t410 * t352) - t414 * t356 + t415 * t357 + t416 * t358;
-  S[265] = t412 * t362 - (t409 * t361 + t410 * t359) - t414 * t363 + t415 * t364 - t416 * t365;
-  S[266] = t409 * t373 - (T(28.867513459481287) * t368 + T(28.867513459481287) * t370 + T(28.867513459481287) * t371 +
-      t410 * t372) + t412 * t374 - t414 * t375 - t415 * t376 + t416 * t377;
-  const T t417 = T(0.5) * eps1_2;
-  const T t418 = T(2) * t417;
-  const T t419 = eps1_3 * t418;
-  const T t420 = t1_3 * t417;
-  const T t421 = t419 + t420;
-  const T t422 = T(0.5) * eps1_3;
-  const T t423 = T(2) * t422;
-  const T t424 = eps1_2 * t423;
-  const T t425 = t1_1 * t422;
-  const T t426 = t424 + t425;
-  const T t427 = T(0.5) * eps1_4;
-  const T t428 = T(2) * t427;
-  const T t429 = eps1_2 * t428;
-  const T t430 = t1_5 * t422;
-  const T t431 = t429 + t430;
-  const T t432 = eps1_4 * t418;
-  const T t433 = T(0.5) * eps1_1;
-  const T t434 = t1_3 * t433;
-  const T t435 = t432 + t434;
-  const T t436 = eps1_3 * t428;
-  const T t437 = t1_5 * t417;
-  const T t438 = t436 - t437;
-  const T t439 = eps1_4 * t423;
-  const T t440 = t1_1 * t433;
-  const T t441 = t439 - t440;
-  S[270] = Pddot1_1 * (t421 - t426) + z1_1 * (t431 + t435) + ws1_3 * (t438 + t441);
-  const T t442 = t1_5 * t427;
-  const T t443 = t442 - t424;
-  const T t444 = T(2) * t433;
-  const T t445 = eps1_4 * t444;
-  const T t446 = t445 - t420;
-  const T t447 = t1_1 * t427;
-  const T t448 = t429 + t447;
-  const T t449 = eps1_3 * t444;
-  const T t450 = t449 + t434;
-  const T t451 = t1_5 * t433;
-  const T t452 = eps1_3 * t423;
-  const T t453 = t451 - t452;
-  const T t454 = eps1_4 * t428;
-  const T t455 = t1_1 * t417;
-  const T t456 = t454 - t455;
-  S[271] = z1_1 * (t443 - t446) - Pddot1_1 * (t448 + t450) + ws1_3 * (t453 + t456);
-  const T t457 = t440 + eps1_2 * t444;
-  const T t458 = t436 + t1_3 * t427;
-  const T t459 = eps1_2 * t418 - t451;
-  const T t460 = t454 - t1_3 * t422;
-  const T t461 = t419 + t442;
-  const T t462 = t445 + t425;
-  S[272] = Pddot1_1 * (t457 - t458) + z1_1 * (t459 - t460) + ws1_3 * (t461 - t462);
-  S[273] = R1_11 * t58 + R1_21 * t57 + R1_31 * t56;
-  S[274] = R1_11 * t113 + R1_21 * t112 + R1_31 * t111;
-  S[275] = R1_11 * t216 + R1_21 * t215 + R1_31 * t214;
-  const T t463 = R1_21 * LDs1_22 + R1_11 * t286;
-  const T t464 = R1_11 * LDs1_11;
-  const T t465 = R1_31 * LDs1_33 - R1_21 * t293 + R1_11 * t297;
-  S[279] = t463 * t292 - t464 * t282 + t465 * t303;
-  S[280] = t464 * t331 + t463 * t332 + t465 * t333;
-  S[281] = t464 * t349 + t463 * t350 + t465 * t351;
-  S[282] = t463 * t357 - t464 * t356 + t465 * t358;
-  S[283] = t463 * t364 - t464 * t363 - t465 * t365;
-  S[284] = t465 * t377 - (t463 * t376 + t464 * t375);
-  const T t466 = t442 + eps1_1 * t428;
-  const T t467 = t452 - t455;
-  const T t468 = t454 - t451;
-  S[288] = Pddot1_1 * (t431 - t435) + z1_1 * (t421 - t466) + ws1_3 * (t467 - t468);
-  const T t469 = t430 + eps1_1 * t423;
-  const T t470 = t436 + t440;
-  const T t471 = t439 + t437;
-  S[289] = Pddot1_1 * (t443 + t446) + z1_1 * (t469 - t450) + ws1_3 * (t470 + t471);
-  const T t472 = t437 + eps1_1 * t418;
-  const T t473 = t447 - t449;
-  const T t474 = t432 - t430;
-  S[290] = Pddot1_1 * (t459 + t460) - z1_1 * (t472 + t458) + ws1_3 * (t473 - t474);
-  S[291] = R1_12 * t58 + R1_22 * t57 + R1_32 * t56;
-  S[292] = R1_12 * t113 + R1_22 * t112 + R1_32 * t111;
-  S[293] = R1_12 * t216 + R1_22 * t215 + R1_32 * t214;
-  const T t475 = R1_22 * LDs1_22 + R1_12 * t286;
-  const T t476 = R1_12 * LDs1_11;
-  const T t477 = R1_32 * LDs1_33 - R1_22 * t293 + R1_12 * t297;
-  S[297] = t475 * t292 - t476 * t282 + t477 * t303;
-  S[298] = t476 * t331 + t475 * t332 + t477 * t333;
-  S[299] = t476 * t349 + t475 * t350 + t477 * t351;
-  S[300] = t475 * t357 - t476 * t356 + t477 * t358;
-  S[301] = t475 * t364 - t476 * t363 - t477 * t365;
-  S[302] = t477 * t377 - (t475 * t376 + t476 * t375);
-  S[306] = Pddot1_1 * (t438 - t441) + z1_1 * (t467 + t468) - ws1_3 * (t466 + t426);
-  S[307] = Pddot1_1 * (t453 - t456) + z1_1 * (t470 - t471) + ws1_3 * (t469 - t448);
-  S[308] = Pddot1_1 * (t461 + t462) + z1_1 * (t473 + t474) + ws1_3 * (t457 - t472);
-  S[309] = R1_13 * t58 + R1_23 * t57 + R1_33 * t56;
-  S[310] = R1_13 * t113 + R1_23 * t112 + R1_33 * t111;
-  S[311] = R1_13 * t216 + R1_23 * t215 + R1_33 * t214;
-  const T t478 = R1_23 * LDs1_22 + R1_13 * t286;
-  const T t479 = R1_13 * LDs1_11;
-  const T t480 = R1_33 * LDs1_33 - R1_23 * t293 + R1_13 * t297;
-  S[315] = t478 * t292 - t479 * t282 + t480 * t303;
-  S[316] = t479 * t331 + t478 * t332 + t480 * t333;
-  S[317] = t479 * t349 + t478 * t350 + t480 * t351;
-  S[318] = t478 * t357 - t479 * t356 + t480 * t358;
-  S[319] = t478 * t364 - t479 * t363 - t480 * t365;
-  S[320] = t480 * t377 - (t478 * t376 + t479 * t375);
+  const T t1 = Pddot1_3_of_r * h1_3;
+  const T t2 = Pddot1_2_of_r * minus_h1_2;
+  const T t3 = Pddot1_3_of_r * minus_hc3_3 + Pddot1_2_of_r * minus_hc3_2;
+  const T t4 = Pddot1_3_of_r * hc2_3 + Pddot1_2_of_r * hc2_2;
+  const T t5 = t1 - t2 + b1_38 * t3 - b1_39 * t4;
+  const T t6 = b1_42 * t5;
+  const T t7 = b1_47 * t6 - b1_44 * t5;
+  const T t8 = R1_21 * minus_hc3_3 - R1_31 * minus_hc3_2;
+  const T t9 = t8 * T(0.08333333333333333);
+  const T t10 = R1_31 * hc2_2 - R1_21 * hc2_3;
+  const T t11 = t10 * T(0.08333333333333333);
+  const T t12 = minus_h1_2 * R1_31 + h1_3 * R1_21 + t9 * K_thetadot3_1_1 + t11 * b1_8;
+  const T t13 = t12 * b1_41;
+  const T t14 = h1_3 * R1_11 + t13 * b1_40;
+  const T t15 = t14 * b1_46;
+  const T t16 = t15 * b1_45 - (minus_h1_2 * R1_11 + t13 * b1_43);
+  const T t17 = t16 * b1_50;
+  const T t18 = T(4) * eps1_3 * u.thrust;
+  const T t19 = T(0.5) * eps1_2;
+  const T t20 = T(4) * eps1_2 * u.thrust;
+  const T t21 = T(0.5) * eps1_3;
+  const T t22 = S1_3_of_inertia_xi - t1_18;
+  const T t23 = t1_17 - S1_2_of_inertia_xi;
+  const T t24 = t18 * t19 - t20 * t21 + R1_21 * t22 + R1_31 * t23 + t9 * t3 - t11 * t4 + t13 * t5 + t15 * t6 + t17 *
+      t7;
+  const T t25 = T(1) / (T(142) - t9 * t8 - t11 * t10 - t13 * t12 - t15 * t14 - t17 * t16);
+  const T t26 = R1_22 * minus_hc3_3 - R1_32 * minus_hc3_2;
+  const T t27 = t26 * T(0.08333333333333333);
+  const T t28 = R1_32 * hc2_2 - R1_22 * hc2_3;
+  const T t29 = t28 * T(0.08333333333333333);
+  const T t30 = minus_h1_2 * R1_32 + h1_3 * R1_22 + t27 * K_thetadot3_1_1 + t29 * b1_8;
+  const T t31 = t30 * b1_41;
+  const T t32 = h1_3 * R1_12 + t31 * b1_40;
+  const T t33 = t32 * b1_46;
+  const T t34 = t33 * b1_45 - (minus_h1_2 * R1_12 + t31 * b1_43);
+  const T t35 = t34 * b1_50;
+  const T t36 = t27 * t8 + t29 * t10 + t31 * t12 + t33 * t14 + t35 * t16;
+  const T t37 = t36 * t25;
+  const T t38 = u.thrust * t1_1;
+  const T t39 = T(0.5) * eps1_4;
+  const T t40 = u.thrust * t1_3;
+  const T t41 = T(0.5) * eps1_1;
+  const T t42 = eps1_4 * T(2) * u.thrust;
+  const T t43 = u.thrust * t1_5;
+  const T t44 = t38 * t39 - t40 * t41 - t42 * t19 + t43 * t21 + R1_22 * t22 + R1_32 * t23 + t27 * t3 - t29 * t4 + t31
+      * t5 + t33 * t6 + t35 * t7 + t37 * t24;
+  const T t45 = T(1) / (T(142) - t27 * t26 - t29 * t28 - t31 * t30 - t33 * t32 - t35 * t34 - t37 * t36);
+  const T t46 = R1_23 * minus_hc3_3 - R1_33 * minus_hc3_2;
+  const T t47 = t46 * T(0.08333333333333333);
+  const T t48 = R1_33 * hc2_2 - R1_23 * hc2_3;
+  const T t49 = t48 * T(0.08333333333333333);
+  const T t50 = minus_h1_2 * R1_33 + h1_3 * R1_23 + t47 * K_thetadot3_1_1 + t49 * b1_8;
+  const T t51 = t50 * b1_41;
+  const T t52 = h1_3 * R1_13 + t51 * b1_40;
+  const T t53 = t52 * b1_46;
+  const T t54 = t53 * b1_45 - (minus_h1_2 * R1_13 + t51 * b1_43);
+  const T t55 = t54 * b1_50;
+  const T t56 = t47 * t8 + t49 * t10 + t51 * t12 + t53 * t14 + t55 * t16;
+  const T t57 = t56 * t25;
+  const T t58 = t47 * t26 + t49 * t28 + t51 * t30 + t53 * t32 + t55 * t34 + t57 * t36;
+  const T t59 = t58 * t45;
+  const T t60 = T(1) / (T(142) - t47 * t46 - t49 * t48 - t51 * t50 - t53 * t52 - t55 * t54 - t57 * t56 - t59 * t58);
+  const T t61 = (t38 * t41 + t40 * t39 - t43 * t19 - t42 * t21 + R1_23 * t22 + R1_33 * t23 + t47 * t3 - t49 * t4 + t51
+      * t5 + t53 * t6 + t55 * t7 + t57 * t24 + t59 * t44) * t60;
+  const T t62 = t44 * t45 + t59 * t61;
+  const T t63 = t24 * t25 + t37 * t62 + t57 * t61;
+  const T t64 = t7 * b1_50 + t17 * t63 + t35 * t62 + t55 * t61;
+  const T t65 = t6 * b1_46 + b1_47 * t64 + t15 * t63 + t33 * t62 + t53 * t61;
+  const T t66 = t5 * b1_41 + b1_42 * t65 - b1_44 * t64 + t13 * t63 + t31 * t62 + t51 * t61;
+  S[162] = t66;
+  const T t67 = Pddot1_1_of_r * hc2_2;
+  const T t68 = Pddot1_1_of_r * minus_hc3_2;
+  const T t69 = b1_39 * t67 - (b1_38 * t68 - Pddot1_1_of_r * minus_h1_2);
+  const T t70 = t1 - b1_42 * t69;
+  const T t71 = S1_1_of_inertia_xi - t1_16;
+  const T t72 = b1_44 * t69 - Pddot1_3_of_r * minus_h1_2 + b1_47 * t70;
+  const T t73 = R1_31 * t71 - R1_11 * t22 - t18 * t41 - t20 * t39 - t9 * t68 + t11 * t67 + t13 * t69 - t15 * t70 - t17
+      * t72;
+  const T t74 = t42 * t41 + t43 * t39;
+  const T t75 = t40 * t19 + t38 * t21;
+  const T t76 = t74 - t75 + R1_32 * t71 - R1_12 * t22 - t27 * t68 + t29 * t67 + t31 * t69 - t33 * t70 - t35 * t72 +
+      t37 * t73;
+  const T t77 = t43 * t41 - t42 * t39;
+  const T t78 = t40 * t21 - t38 * t19;
+  const T t79 = (t77 - t78 + R1_33 * t71 - R1_13 * t22 - t47 * t68 + t49 * t67 + t51 * t69 - t53 * t70 - t55 * t72 +
+      t57 * t73 + t59 * t76) * t60;
+  const T t80 = t76 * t45 + t59 * t79;
+  const T t81 = t73 * t25 + t37 * t80 + t57 * t79;
+  const T t82 = t17 * t81 - t72 * b1_50 + t35 * t80 + t55 * t79;
+  const T t83 = t70 * b1_46 - b1_47 * t82 - t15 * t81 - t33 * t80 - t53 * t79;
+  const T t84 = t69 * b1_41 - b1_42 * t83 - b1_44 * t82 + t13 * t81 + t31 * t80 + t51 * t79;
+  S[163] = t84;
+  const T t85 = Pddot1_1_of_r * hc2_3;
+  const T t86 = Pddot1_1_of_r * minus_hc3_3;
+  const T t87 = b1_39 * t85 - (Pddot1_1_of_r * h1_3 + b1_38 * t86);
+  const T t88 = Pddot1_2_of_r * h1_3 + b1_42 * t87;
+  const T t89 = b1_47 * t88 - (t2 + b1_44 * t87);
+  const T t90 = t20 * t41 - (R1_11 * t23 + R1_21 * t71 + t18 * t39) - t9 * t86 + t11 * t85 + t13 * t87 + t15 * t88 +
+      t17 * t89;
+  const T t91 = t29 * t85 - (t78 + t77 + R1_12 * t23 + R1_22 * t71 + t27 * t86) + t31 * t87 + t33 * t88 + t35 * t89 +
+      t37 * t90;
+  const T t92 = (t75 + t74 - R1_13 * t23 - R1_23 * t71 - t47 * t86 + t49 * t85 + t51 * t87 + t53 * t88 + t55 * t89 +
+      t57 * t90 + t59 * t91) * t60;
+  const T t93 = t91 * t45 + t59 * t92;
+  const T t94 = t90 * t25 + t37 * t93 + t57 * t92;
+  const T t95 = t89 * b1_50 + t17 * t94 + t35 * t93 + t55 * t92;
+  const T t96 = t88 * b1_46 + b1_47 * t95 + t15 * t94 + t33 * t93 + t53 * t92;
+  const T t97 = t87 * b1_41 + b1_42 * t96 - b1_44 * t95 + t13 * t94 + t31 * t93 + t51 * t92;
+  S[164] = t97;
+  const T t98 = c.p.k - b1_84;
+  const T t99 = b1_85 + t98;
+  const T t100 = b1_39 * t99 - Mq_thetadot2_1_1;
+  const T t101 = Mq_thetadot2_1_2 + b1_42 * t100;
+  const T t102 = b1_47 * t101 - (Mq_thetadot2_1_3 + b1_44 * t100);
+  const T t103 = R1_11 * minus_Fq_thetadot2_1_1 + R1_21 * minus_Fq_thetadot2_1_2 + R1_31 * minus_Fq_thetadot2_1_3 +
+      t11 * t99 + t13 * t100 + t15 * t101 + t17 * t102;
+  const T t104 = R1_12 * minus_Fq_thetadot2_1_1 + R1_22 * minus_Fq_thetadot2_1_2 + R1_32 * minus_Fq_thetadot2_1_3 +
+      t29 * t99 + t31 * t100 + t33 * t101 + t35 * t102 + t37 * t103;
+  const T t105 = (R1_13 * minus_Fq_thetadot2_1_1 + R1_23 * minus_Fq_thetadot2_1_2 + R1_33 * minus_Fq_thetadot2_1_3 +
+      t49 * t99 + t51 * t100 + t53 * t101 + t55 * t102 + t57 * t103 + t59 * t104) * t60;
+  const T t106 = t104 * t45 + t59 * t105;
+  const T t107 = t103 * t25 + t37 * t106 + t57 * t105;
+  const T t108 = t102 * b1_50 + t17 * t107 + t35 * t106 + t55 * t105;
+  const T t109 = t101 * b1_46 + b1_47 * t108 + t15 * t107 + t33 * t106 + t53 * t105;
+  const T t110 = t100 * b1_41 + b1_42 * t109 - b1_44 * t108 + t13 * t107 + t31 * t106 + t51 * t105;
+  S[165] = t110;
+  const T t111 = b1_83 + t98;
+  const T t112 = b1_38 * t111 - Mq_thetadot3_1_1;
+  const T t113 = Mq_thetadot3_1_2 + b1_42 * t112;
+  const T t114 = b1_47 * t113 - (Mq_thetadot3_1_3 + b1_44 * t112);
+  const T t115 = R1_11 * minus_Fq_thetadot3_1_1 + R1_21 * minus_Fq_thetadot3_1_2 + R1_31 * minus_Fq_thetadot3_1_3 + t9
+      * t111 + t13 * t112 + t15 * t113 + t17 * t114;
+  const T t116 = R1_12 * minus_Fq_thetadot3_1_1 + R1_22 * minus_Fq_thetadot3_1_2 + R1_32 * minus_Fq_thetadot3_1_3 +
+      t27 * t111 + t31 * t112 + t33 * t113 + t35 * t114 + t37 * t115;
+  const T t117 = (R1_13 * minus_Fq_thetadot3_1_1 + R1_23 * minus_Fq_thetadot3_1_2 + R1_33 * minus_Fq_thetadot3_1_3 +
+      t47 * t111 + t51 * t112 + t53 * t113 + t55 * t114 + t57 * t115 + t59 * t116) * t60;
+  const T t118 = t116 * t45 + t59 * t117;
+  const T t119 = t115 * t25 + t37 * t118 + t57 * t117;
+  const T t120 = t114 * b1_50 + t17 * t119 + t35 * t118 + t55 * t117;
+  const T t121 = t113 * b1_46 + b1_47 * t120 + t15 * t119 + t33 * t118 + t53 * t117;
+  const T t122 = t112 * b1_41 + b1_42 * t121 - b1_44 * t120 + t13 * t119 + t31 * t118 + t51 * t117;
+  S[166] = t122;
+  const T t123 = omega1_2 * T(0.5773502691896257);
+  const T t124 = omega1_3 * T(0.5773502691896257);
+  const T t125 = KCc4_11 * T(0.5773502691896257) + KCc4_21 * T(0.5773502691896257) + KCc4_31 * T(0.5773502691896257);
+  const T t126 = omega1_1 * T(0.5773502691896257);
+  const T t127 = KCc4_12 * T(0.5773502691896257) + KCc4_22 * T(0.5773502691896257) + KCc4_32 * T(0.5773502691896257);
+  const T t128 = KCc4_13 * T(0.5773502691896257) + KCc4_23 * T(0.5773502691896257) + KCc4_33 * T(0.5773502691896257);
+  const T t129 = b1_23 * T(0.5773502691896257);
+  const T t130 = b1_24 * T(0.5773502691896257);
+  const T t131 = t129 + t130 + b1_19 * T(0.5773502691896257);
+  const T t132 = b1_30 * T(0.5773502691896257);
+  const T t133 = t129 + t132 + b1_29 * T(0.5773502691896257);
+  const T t134 = t130 + t132 + b1_35 * T(0.5773502691896257);
+  const T t135 = (t123 - t124) * t125 + (t124 - t126) * t127 + (t126 - t123) * t128 + (U1_12_of_r *
+      T(0.5773502691896257) - minus_U1_11 * T(0.5773502691896257) + U1_13_of_r * T(0.5773502691896257)) * t131 +
+      (U1_21_of_r * T(0.5773502691896257) - minus_U1_22 * T(0.5773502691896257) + U1_23_of_r * T(0.5773502691896257))
+      * t133 + (U1_31_of_r * T(0.5773502691896257) + U1_32_of_r * T(0.5773502691896257) - minus_U1_33 *
+      T(0.5773502691896257)) * t134;
+  const T t136 = b1_36 * t135;
+  const T t137 = t136 - Mq_thetadot4_1_1;
+  const T t138 = t136 - Mq_thetadot4_1_2 - b1_42 * t137;
+  const T t139 = t136 - Mq_thetadot4_1_3 - b1_44 * t137 - b1_47 * t138;
+  const T t140 = t17 * t139 - (t15 * t138 - t13 * t137);
+  const T t141 = t35 * t139 - (t33 * t138 - t31 * t137) + t37 * t140;
+  const T t142 = (t55 * t139 - (t53 * t138 - t51 * t137) + t57 * t140 + t59 * t141) * t60;
+  const T t143 = t141 * t45 + t59 * t142;
+  const T t144 = t140 * t25 + t37 * t143 + t57 * t142;
+  const T t145 = t139 * b1_50 + t17 * t144 + t35 * t143 + t55 * t142;
+  const T t146 = t138 * b1_46 - b1_47 * t145 - t15 * t144 - t33 * t143 - t53 * t142;
+  const T t147 = t137 * b1_41 - b1_42 * t146 - b1_44 * t145 + t13 * t144 + t31 * t143 + t51 * t142;
+  S[167] = t147;
+  const T t148 = T(2) * omega1_2;
+  const T t149 = omega1_2 * J1_13 + t148 * T(0.1);
+  const T t150 = T(2) * omega1_3;
+  const T t151 = omega1_3 * J1_12 - t150 * T(0.2);
+  const T t152 = T(0.6) * hdotc3_2;
+  const T t153 = T(0.6) * minus_hdotc2_2;
+  const T t154 = t152 + t153;
+  const T t155 = T(2) * omega1_1;
+  const T t156 = t155 * T(0.6);
+  const T t157 = t156 * minus_hc3_3;
+  const T t158 = t156 * hc2_3;
+  const T t159 = t157 + t158;
+  const T t160 = t125 + omega1_3 * t133 - omega1_2 * t134;
+  const T t161 = b1_36 * t160;
+  const T t162 = t149 - t151 + t154 - t159 - KCc4_11 + t161 + b1_38 * t157 + b1_39 * t158;
+  const T t163 = t161 - KCc4_21 + omega1_2 * J1_23 - omega1_3 * J1_22 - t155 * T(0.1) + t150 * T(9.5) - b1_42 * t162;
+  const T t164 = t161 - KCc4_31 + omega1_2 * J1_33 - omega1_3 * J1_23 - t148 * T(9.5) - t155 * T(0.2) - b1_44 * t162 -
+      b1_47 * t163;
+  const T t165 = hdotc2_3 - minus_hdotc3_3;
+  const T t166 = h1_3 * omega1_3;
+  const T t167 = minus_h1_2 * omega1_2;
+  const T t168 = t166 - t167;
+  const T t169 = hdotc3_2 - minus_hdotc2_2 + t155 * T(0.8);
+  const T t170 = R1_21 * t165 - R1_11 * t168 - R1_31 * t169 + t9 * t157 + t11 * t158 + t13 * t162 - t15 * t163 + t17 *
+      t164;
+  const T t171 = R1_22 * t165 - R1_12 * t168 - R1_32 * t169 + t27 * t157 + t29 * t158 + t31 * t162 - t33 * t163 + t35
+      * t164 + t37 * t170;
+  const T t172 = (R1_23 * t165 - R1_13 * t168 - R1_33 * t169 + t47 * t157 + t49 * t158 + t51 * t162 - t53 * t163 + t55
+      * t164 + t57 * t170 + t59 * t171) * t60;
+  const T t173 = t171 * t45 + t59 * t172;
+  const T t174 = t170 * t25 + t37 * t173 + t57 * t172;
+  const T t175 = t164 * b1_50 + t17 * t174 + t35 * t173 + t55 * t172;
+  const T t176 = t163 * b1_46 - b1_47 * t175 - t15 * t174 - t33 * t173 - t53 * t172;
+  const T t177 = t162 * b1_41 - b1_42 * t176 - b1_44 * t175 + t13 * t174 + t31 * t173 + t51 * t172;
+  S[171] = t177;
+  const T t178 = t127 + omega1_1 * t134 - omega1_3 * t131;
+  const T t179 = b1_36 * t178;
+  const T t180 = t150 * T(0.6);
+  const T t181 = KCc2_12 + t180 * hc2_2;
+  const T t182 = KCc3_12 + t180 * minus_hc3_2;
+  const T t183 = t182 - omega1_3 * K_thetadot3_1_1;
+  const T t184 = t181 - omega1_3 * b1_8;
+  const T t185 = t179 - (KCc4_12 + t181 + t182) + omega1_3 * J1_11 - omega1_1 * J1_13 - t150 * T(16.48) - t148 *
+      T(0.3) - T(0.6) * minus_hdot2_1 - T(0.6) * hdot3_1 + b1_38 * t183 + b1_39 * t184;
+  const T t186 = KCc3_22 + KCc2_22 + omega1_1 * J1_23 - t155 * T(0.3);
+  const T t187 = t151 - t186 - t159 - KCc4_22 + t179 - b1_42 * t185;
+  const T t188 = b2_4 + b3_4 - KCc4_32 + t179 + omega1_3 * J1_13 - omega1_1 * J1_33 + t148 * T(0.2) + t155 * T(16.48)
+      + T(0.6) * hdotc2_3 + T(0.6) * minus_hdotc3_3 + hc2_2 * t156 + minus_hc3_2 * t156 - b1_44 * t185 - b1_47 * t187;
+  const T t189 = hdot3_1 - minus_hdot2_1 - t148 * T(0.8);
+  const T t190 = t189 - minus_h1_2 * omega1_3;
+  const T t191 = minus_h1_2 * omega1_1 + t165;
+  const T t192 = R1_31 * t190 - (R1_11 * t191 + R1_21 * t166) + t9 * t183 + t11 * t184 + t13 * t185 - t15 * t187 + t17
+      * t188;
+  const T t193 = R1_32 * t190 - (R1_12 * t191 + R1_22 * t166) + t27 * t183 + t29 * t184 + t31 * t185 - t33 * t187 +
+      t35 * t188 + t37 * t192;
+  const T t194 = (R1_33 * t190 - (R1_13 * t191 + R1_23 * t166) + t47 * t183 + t49 * t184 + t51 * t185 - t53 * t187 +
+      t55 * t188 + t57 * t192 + t59 * t193) * t60;
+  const T t195 = t193 * t45 + t59 * t194;
+  const T t196 = t192 * t25 + t37 * t195 + t57 * t194;
+  const T t197 = t188 * b1_50 + t17 * t196 + t35 * t195 + t55 * t194;
+  const T t198 = t187 * b1_46 - b1_47 * t197 - t15 * t196 - t33 * t195 - t53 * t194;
+  const T t199 = t185 * b1_41 - b1_42 * t198 - b1_44 * t197 + t13 * t196 + t31 * t195 + t51 * t194;
+  S[172] = t199;
+  const T t200 = t128 + omega1_2 * t131 - omega1_1 * t133;
+  const T t201 = b1_36 * t200;
+  const T t202 = KCc2_13 + t180 * hc2_3;
+  const T t203 = KCc3_13 + t180 * minus_hc3_3;
+  const T t204 = t203 + omega1_2 * K_thetadot3_1_1;
+  const T t205 = t202 + omega1_2 * b1_8;
+  const T t206 = t201 - (t202 + t203 + KCc4_13) + omega1_1 * J1_12 - omega1_2 * J1_11 + t150 * T(0.3) + t148 * T(6.16)
+      + b1_38 * t204 + b1_39 * t205;
+  const T t207 = t201 - (KCc2_23 + KCc3_23 + KCc4_23) + omega1_1 * J1_22 - omega1_2 * J1_12 + t150 * T(0.1) - t155 *
+      T(6.16) - b1_42 * t206;
+  const T t208 = t186 - t149 + t154 - KCc4_33 + t201 - b1_44 * t206 - b1_47 * t207;
+  const T t209 = t169 + h1_3 * omega1_1;
+  const T t210 = h1_3 * omega1_2 - t189;
+  const T t211 = R1_11 * t209 + R1_21 * t210 + R1_31 * t167 + t9 * t204 + t11 * t205 + t13 * t206 - t15 * t207 + t17 *
+      t208;
+  const T t212 = R1_12 * t209 + R1_22 * t210 + R1_32 * t167 + t27 * t204 + t29 * t205 + t31 * t206 - t33 * t207 + t35
+      * t208 + t37 * t211;
+  const T t213 = (R1_13 * t209 + R1_23 * t210 + R1_33 * t167 + t47 * t204 + t49 * t205 + t51 * t206 - t53 * t207 + t55
+      * t208 + t57 * t211 + t59 * t212) * t60;
+  const T t214 = t212 * t45 + t59 * t213;
+  const T t215 = t211 * t25 + t37 * t214 + t57 * t213;
+  const T t216 = t208 * b1_50 + t17 * t215 + t35 * t214 + t55 * t213;
+  const T t217 = t207 * b1_46 - b1_47 * t216 - t15 * t215 - t33 * t214 - t53 * t213;
+  const T t218 = t206 * b1_41 - b1_42 * t217 - b1_44 * t216 + t13 * t215 + t31 * t214 + t51 * t213;
+  S[173] = t218;
+  const T t219 = t153 + b1_39 * c.p.c;
+  const T t220 = b1_26 * t150 + b1_31 * t148 + b1_42 * t219;
+  const T t221 = T(2) * hc2_3 * omega1_3 + T(2) * hc2_2 * omega1_2;
+  const T t222 = T(0.6) * t221 + b1_31 * t150 + b1_33 * t148 - b1_44 * t219 + b1_47 * t220;
+  const T t223 = R1_21 * hdotc2_3 - R1_11 * t221 + R1_31 * minus_hdotc2_2 + t11 * c.p.c + t13 * t219 + t15 * t220 +
+      t17 * t222;
+  const T t224 = R1_22 * hdotc2_3 - R1_12 * t221 + R1_32 * minus_hdotc2_2 + t29 * c.p.c + t31 * t219 + t33 * t220 +
+      t35 * t222 + t37 * t223;
+  const T t225 = (R1_23 * hdotc2_3 - R1_13 * t221 + R1_33 * minus_hdotc2_2 + t49 * c.p.c + t51 * t219 + t53 * t220 +
+      t55 * t222 + t57 * t223 + t59 * t224) * t60;
+  const T t226 = t224 * t45 + t59 * t225;
+  const T t227 = t223 * t25 + t37 * t226 + t57 * t225;
+  const T t228 = t222 * b1_50 + t17 * t227 + t35 * t226 + t55 * t225;
+  const T t229 = t220 * b1_46 + b1_47 * t228 + t15 * t227 + t33 * t226 + t53 * t225;
+  const T t230 = t219 * b1_41 + b1_42 * t229 - b1_44 * t228 + t13 * t227 + t31 * t226 + t51 * t225;
+  S[174] = t230;
+  const T t231 = t152 + b1_38 * c.p.c;
+  const T t232 = b1_28 * t150 + b1_32 * t148 + b1_42 * t231;
+  const T t233 = T(2) * minus_hc3_3 * omega1_3 + T(2) * minus_hc3_2 * omega1_2;
+  const T t234 = T(0.6) * t233 + b1_32 * t150 + b1_34 * t148 - b1_44 * t231 + b1_47 * t232;
+  const T t235 = R1_11 * t233 - R1_21 * minus_hdotc3_3 - R1_31 * hdotc3_2 + t9 * c.p.c + t13 * t231 + t15 * t232 + t17
+      * t234;
+  const T t236 = R1_12 * t233 - R1_22 * minus_hdotc3_3 - R1_32 * hdotc3_2 + t27 * c.p.c + t31 * t231 + t33 * t232 +
+      t35 * t234 + t37 * t235;
+  const T t237 = (R1_13 * t233 - R1_23 * minus_hdotc3_3 - R1_33 * hdotc3_2 + t47 * c.p.c + t51 * t231 + t53 * t232 +
+      t55 * t234 + t57 * t235 + t59 * t236) * t60;
+  const T t238 = t236 * t45 + t59 * t237;
+  const T t239 = t235 * t25 + t37 * t238 + t57 * t237;
+  const T t240 = t234 * b1_50 + t17 * t239 + t35 * t238 + t55 * t237;
+  const T t241 = t232 * b1_46 + b1_47 * t240 + t15 * t239 + t33 * t238 + t53 * t237;
+  const T t242 = t231 * b1_41 + b1_42 * t241 - b1_44 * t240 + t13 * t239 + t31 * t238 + t51 * t237;
+  S[175] = t242;
+  const T t243 = t148 * T(0.5773502691896257);
+  const T t244 = t150 * T(0.5773502691896257);
+  const T t245 = t155 * T(0.5773502691896257);
+  const T t246 = (t243 - t244) * t131 + (t244 - t245) * t133 + (t245 - t243) * t134 + T(0.5773502691896257) * t125 +
+      T(0.5773502691896257) * t127 + T(0.5773502691896257) * t128;
+  const T t247 = b1_36 * t246;
+  const T t248 = b1_23 * t150;
+  const T t249 = b1_24 * t148;
+  const T t250 = t247 - (t248 - t249 + KCc4_11) * T(0.5773502691896257) - (KCc4_12 + b1_24 * t155 - b1_19 * t150) *
+      T(0.5773502691896257) - (KCc4_13 + b1_19 * t148 - b1_23 * t155) * T(0.5773502691896257);
+  const T t251 = b1_30 * t155;
+  const T t252 = t247 - (KCc4_21 + b1_29 * t150 - b1_30 * t148) * T(0.5773502691896257) - (t251 - t248 + KCc4_22) *
+      T(0.5773502691896257) - (KCc4_23 + b1_23 * t148 - b1_29 * t155) * T(0.5773502691896257) - b1_42 * t250;
+  const T t253 = t247 - (KCc4_31 + b1_30 * t150 - b1_35 * t148) * T(0.5773502691896257) - (KCc4_32 + b1_35 * t155 -
+      b1_24 * t150) * T(0.5773502691896257) - (t249 - t251 + KCc4_33) * T(0.5773502691896257) - b1_44 * t250 - b1_47 *
+      t252;
+  const T t254 = t17 * t253 - (t15 * t252 - t13 * t250);
+  const T t255 = t35 * t253 - (t33 * t252 - t31 * t250) + t37 * t254;
+  const T t256 = (t55 * t253 - (t53 * t252 - t51 * t250) + t57 * t254 + t59 * t255) * t60;
+  const T t257 = t255 * t45 + t59 * t256;
+  const T t258 = t254 * t25 + t37 * t257 + t57 * t256;
+  const T t259 = t253 * b1_50 + t17 * t258 + t35 * t257 + t55 * t256;
+  const T t260 = t252 * b1_46 - b1_47 * t259 - t15 * t258 - t33 * t257 - t53 * t256;
+  const T t261 = t250 * b1_41 - b1_42 * t260 - b1_44 * t259 + t13 * t258 + t31 * t257 + t51 * t256;
+  S[176] = t261;
+  S[180] = -t65;
+  S[181] = t83;
+  S[182] = -t96;
+  S[183] = -t109;
+  S[184] = -t121;
+  S[185] = t146;
+  S[189] = t176;
+  S[190] = t198;
+  S[191] = t217;
+  S[192] = -t229;
+  S[193] = -t241;
+  S[194] = t260;
+  S[198] = t64;
+  S[199] = t82;
+  S[200] = t95;
+  S[201] = t108;
+  S[202] = t120;
+  S[203] = t145;
+  S[207] = t175;
+  S[208] = t197;
+  S[209] = t216;
+  S[210] = t228;
+  S[211] = t240;
+  S[212] = t259;
+  S[216] = t4 * T(0.08333333333333333) - b1_39 * t66 - t11 * t63 - t29 * t62 - t49 * t61;
+  S[217] = -(t67 * T(0.08333333333333333) + b1_39 * t84 + t11 * t81 + t29 * t80 + t49 * t79);
+  S[218] = -(t85 * T(0.08333333333333333) + b1_39 * t97 + t11 * t94 + t29 * t93 + t49 * t92);
+  S[219] = -(t99 * T(0.08333333333333333) + b1_39 * t110 + t11 * t107 + t29 * t106 + t49 * t105);
+  S[220] = -(b1_39 * t122 + t11 * t119 + t29 * t118 + t49 * t117);
+  S[221] = -(b1_39 * t147 + t11 * t144 + t29 * t143 + t49 * t142);
+  S[225] = -(t158 * T(0.08333333333333333) + b1_39 * t177 + t11 * t174 + t29 * t173 + t49 * t172);
+  S[226] = -(t184 * T(0.08333333333333333) + b1_39 * t199 + t11 * t196 + t29 * t195 + t49 * t194);
+  S[227] = -(t205 * T(0.08333333333333333) + b1_39 * t218 + t11 * t215 + t29 * t214 + t49 * t213);
+  S[228] = -(c.c0_1 + b1_39 * t230 + t11 * t227 + t29 * t226 + t49 * t225);
+  S[229] = -(b1_39 * t242 + t11 * t239 + t29 * t238 + t49 * t237);
+  S[230] = -(b1_39 * t261 + t11 * t258 + t29 * t257 + t49 * t256);
+  S[234] = -(t3 * T(0.08333333333333333) + b1_38 * t66 + t9 * t63 + t27 * t62 + t47 * t61);
+  S[235] = t68 * T(0.08333333333333333) - b1_38 * t84 - t9 * t81 - t27 * t80 - t47 * t79;
+  S[236] = t86 * T(0.08333333333333333) - b1_38 * t97 - t9 * t94 - t27 * t93 - t47 * t92;
+  S[237] = -(b1_38 * t110 + t9 * t107 + t27 * t106 + t47 * t105);
+  S[238] = -(t111 * T(0.08333333333333333) + b1_38 * t122 + t9 * t119 + t27 * t118 + t47 * t117);
+  S[239] = -(b1_38 * t147 + t9 * t144 + t27 * t143 + t47 * t142);
+  S[243] = -(t157 * T(0.08333333333333333) + b1_38 * t177 + t9 * t174 + t27 * t173 + t47 * t172);
+  S[244] = -(t183 * T(0.08333333333333333) + b1_38 * t199 + t9 * t196 + t27 * t195 + t47 * t194);
+  S[245] = -(t204 * T(0.08333333333333333) + b1_38 * t218 + t9 * t215 + t27 * t214 + t47 * t213);
+  S[246] = -(b1_38 * t230 + t9 * t227 + t27 * t226 + t47 * t225);
+  S[247] = -(c.c0_1 + b1_38 * t242 + t9 * t239 + t27 * t238 + t47 * t237);
+  S[248] = -(b1_38 * t261 + t9 * t258 + t27 * t257 + t47 * t256);
+  S[252] = -(b1_36 * t66 - b1_36 * t65 + b1_36 * t64);
+  S[253] = -(b1_36 * t84 + b1_36 * t83 + b1_36 * t82);
+  S[254] = -(b1_36 * t97 - b1_36 * t96 + b1_36 * t95);
+  S[255] = -(b1_36 * t110 - b1_36 * t109 + b1_36 * t108);
+  S[256] = -(b1_36 * t122 - b1_36 * t121 + b1_36 * t120);
+  S[257] = -(t135 * T(50) + b1_36 * t147 + b1_36 * t146 + b1_36 * t145);
+  S[261] = -(t160 * T(50) + b1_36 * t177 + b1_36 * t176 + b1_36 * t175);
+  S[262] = -(t178 * T(50) + b1_36 * t199 + b1_36 * t198 + b1_36 * t197);
+  S[263] = -(t200 * T(50) + b1_36 * t218 + b1_36 * t217 + b1_36 * t216);
+  S[264] = -(b1_36 * t230 - b1_36 * t229 + b1_36 * t228);
+  S[265] = -(b1_36 * t242 - b1_36 * t241 + b1_36 * t240);
+  S[266] = -(t246 * T(50) + b1_36 * t261 + b1_36 * t260 + b1_36 * t259);
+  S[270] = t63;
+  S[271] = t81;
+  S[272] = t94;
+  S[273] = t107;
+  S[274] = t119;
+  S[275] = t144;
+  S[279] = t174;
+  S[280] = t196;
+  S[281] = t215;
+  S[282] = t227;
+  S[283] = t239;
+  S[284] = t258;
+  S[288] = t62;
+  S[289] = t80;
+  S[290] = t93;
+  S[291] = t106;
+  S[292] = t118;
+  S[293] = t143;
+  S[297] = t173;
+  S[298] = t195;
+  S[299] = t214;
+  S[300] = t226;
+  S[301] = t238;
+  S[302] = t257;
+  S[306] = t61;
+  S[307] = t79;
+  S[308] = t92;
+  S[309] = t105;
+  S[310] = t117;
+  S[311] = t142;
+  S[315] = t172;
+  S[316] = t194;
+  S[317] = t213;
+  S[318] = t225;
+  S[319] = t237;
+  S[320] = t256;
 }
 
 // input_matrix: rates of (xi, y) for small changes of the inputs.
 // B (2 ny x n_inputs)
-// 193 add, 250 multiply, 6 divide, 6 sine or cosine
-// by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
+// 174 add, 221 multiply, 6 divide, 6 sine or cosine
+// by: operations differentiated; equations differentiated would take 186 add, 236 multiply, 6 divide, 6 sine or
+//   cosine
 template <class T>
 void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]]
     const Inputs<T>& u, T* B) noexcept {
@@ -3204,66 +3169,50 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_2);
 
   // ---- results
-  const T t1 = LD1_21 * LD1_32 - LD1_31;
-  const T t2 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
-  const T t3 = t2 * LD1_21 - t2;
-  const T t4 = t2 * LD1_31 - t2 - LD1_32 * t3;
-  const T t5 = LD1_33 * t4;
-  const T t6 = t2 * LD1_11;
-  const T t7 = t3 * LD1_22;
-  const T t8 = LDs1_33 * Y1_33;
-  const T t9 = minus_LDs1_31 * LDs1_33;
-  const T t10 = HA1_21 * t7 + Y1_31 * t5;
-  const T t11 = LDs1_32 * LDs1_33;
-  const T t12 = HA1_12 * t6 + minus_Y1_22 * t7 - Y1_32 * t5 - minus_LDs1_21 * t10;
-  const T t13 = LDs1_33 * (HA1_13 * t6 + minus_Y1_23 * t7) - t8 * t5 - t9 * t10 - t11 * t12;
-  const T t14 = LDs1_22 * t12 - LDs1_32 * t13;
-  const T t15 = t5 - W1_33 * t13 - W1_32 * t14;
-  const T t16 = W1_13 + LD1_21 * minus_W1_23;
-  const T t17 = W1_12 + LD1_21 * minus_W1_22;
-  const T t18 = LD1_21 * W1_21 - t1 * W1_31;
-  const T t19 = minus_LDs1_31 * t13 - LDs1_11 * t10 + minus_LDs1_21 * t14;
-  B[18] = t1 * t15 - (t16 * t13 + t6 + LD1_21 * t7 + t17 * t14) + t18 * t19;
-  const T t20 = LD1_33 * T(0.1);
-  const T t21 = T(1) + Y1_31 * t20;
-  const T t22 = Y1_32 * t20 + minus_LDs1_21 * t21;
-  const T t23 = t8 * t20 + t9 * t21 - t11 * t22;
-  const T t24 = LDs1_22 * t22 - LDs1_32 * t23;
-  const T t25 = LDs1_11 * t21 + minus_LDs1_31 * t23 + minus_LDs1_21 * t24;
-  const T t26 = t20 + W1_33 * t23 + W1_32 * t24;
-  B[19] = t18 * t25 - (t16 * t23 + t17 * t24 + t1 * t26);
-  const T t27 = LD1_32 * W1_31 - W1_21;
-  B[20] = t7 + minus_W1_23 * t13 + minus_W1_22 * t14 - LD1_32 * t15 + t27 * t19;
-  B[21] = LD1_32 * t26 + minus_W1_23 * t23 + minus_W1_22 * t24 + t27 * t25;
-  B[22] = t15 - W1_31 * t19;
-  B[23] = -(t26 + W1_31 * t25);
-  const T t28 = T(1) + E2_22 * T(0.6) * T(0.75);
-  const T t29 = t28 * LD1_21;
-  const T t30 = t28 * W1_13 - T(0.75) * E2_22 + t29 * minus_W1_23;
-  const T t31 = T(0.75) * E2_23 + t28 * W1_12 + t29 * minus_W1_22;
-  const T t32 = t28 * LD1_31 - t29 * LD1_32;
-  const T t33 = t29 * W1_21 + t32 * W1_31;
-  B[24] = t28 * t6 + t29 * t7 + t30 * t13 + t31 * t14 + t32 * t15 - t33 * t19;
-  B[25] = t30 * t23 + t31 * t24 - t32 * t26 - t33 * t25;
-  const T t34 = T(1) + E3_22 * T(0.6) * T(0.75);
-  const T t35 = t34 * LD1_21;
-  const T t36 = T(0.75) * E3_22 + t34 * W1_13 + t35 * minus_W1_23;
-  const T t37 = t34 * W1_12 - T(0.75) * E3_23 + t35 * minus_W1_22;
-  const T t38 = t35 * LD1_32 - t34 * LD1_31;
-  const T t39 = t38 * W1_31 - t35 * W1_21;
-  B[26] = t35 * t7 + t34 * t6 + t36 * t13 + t37 * t14 - t38 * t15 + t39 * t19;
-  B[27] = t37 * t24 + t36 * t23 + t38 * t26 + t39 * t25;
-  const T t40 = t2 * W1_13 + t3 * minus_W1_23;
-  const T t41 = t2 * W1_12 + t3 * minus_W1_22;
-  const T t42 = t3 * W1_21 + t4 * W1_31;
-  B[28] = T(50) + t2 * t6 + t3 * t7 + t40 * t13 + t41 * t14 + t4 * t15 - t42 * t19;
-  B[29] = t40 * t23 + t41 * t24 - t4 * t26 - t42 * t25;
-  B[30] = R1_31 * t13 + R1_21 * t14 + R1_11 * t19;
-  B[31] = R1_31 * t23 + R1_21 * t24 + R1_11 * t25;
-  B[32] = R1_32 * t13 + R1_22 * t14 + R1_12 * t19;
-  B[33] = R1_32 * t23 + R1_22 * t24 + R1_12 * t25;
-  B[34] = R1_33 * t13 + R1_23 * t14 + R1_13 * t19;
-  B[35] = R1_33 * t23 + R1_23 * t24 + R1_13 * t25;
+  const T t1 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
+  const T t2 = t1 - LD1_21 * t1;
+  const T t3 = LD1_22 * t2;
+  const T t4 = LD1_11 * t1;
+  const T t5 = LD1_33 * (LD1_31 * t1 - t1 + LD1_32 * t2);
+  const T t6 = Y1_31 * t5 - HA1_21 * t3;
+  const T t7 = minus_Y1_22 * t3 - HA1_12 * t4 + Y1_32 * t5 + minus_LDs1_21 * t6;
+  const T t8 = LDs1_33 * (HA1_13 * t4 - minus_Y1_23 * t3 - Y1_33 * t5 - minus_LDs1_31 * t6 + LDs1_32 * t7);
+  const T t9 = LDs1_22 * t7 + LDs1_32 * t8;
+  const T t10 = minus_LDs1_31 * t8 - (LDs1_11 * t6 + minus_LDs1_21 * t9);
+  const T t11 = t5 + W1_32 * t9 - W1_31 * t10 - W1_33 * t8;
+  const T t12 = t3 + W1_21 * t10 + minus_W1_22 * t9 - minus_W1_23 * t8 + LD1_32 * t11;
+  const T t13 = W1_12 * t9 - (t4 + W1_13 * t8) + LD1_21 * t12 - LD1_31 * t11;
+  B[18] = t13;
+  const T t14 = LD1_33 * T(0.1);
+  const T t15 = T(1) + Y1_31 * t14;
+  const T t16 = Y1_32 * t14 + minus_LDs1_21 * t15;
+  const T t17 = LDs1_33 * (Y1_33 * t14 + minus_LDs1_31 * t15 - LDs1_32 * t16);
+  const T t18 = LDs1_22 * t16 - LDs1_32 * t17;
+  const T t19 = LDs1_11 * t15 + minus_LDs1_21 * t18 + minus_LDs1_31 * t17;
+  const T t20 = t14 + W1_31 * t19 + W1_32 * t18 + W1_33 * t17;
+  const T t21 = W1_21 * t19 - minus_W1_22 * t18 - minus_W1_23 * t17 - LD1_32 * t20;
+  const T t22 = LD1_21 * t21 - (W1_12 * t18 + W1_13 * t17) + LD1_31 * t20;
+  B[19] = t22;
+  B[20] = -t12;
+  B[21] = -t21;
+  B[22] = t11;
+  B[23] = -t20;
+  const T t23 = T(0.6) * t13;
+  B[24] = -(t13 + T(0.75) * (E2_22 * t8 + E2_23 * t9 + E2_22 * t23));
+  const T t24 = T(0.6) * t22;
+  B[25] = -(t22 + T(0.75) * (E2_22 * t17 - E2_23 * t18 + E2_22 * t24));
+  B[26] = T(0.75) * (E3_22 * t8 + E3_23 * t9 - E3_22 * t23) - t13;
+  B[27] = T(0.75) * (E3_22 * t17 - E3_23 * t18 - E3_22 * t24) - t22;
+  B[28] = T(50) - T(0.5773502691896258) * (E4_11 * t13 - E4_12 * t12 + E4_13 * t11) - T(0.5773502691896258) * (E4_13 *
+      t13 - E4_11 * t12 + E4_12 * t11) - T(0.5773502691896258) * (E4_12 * t13 - E4_13 * t12 + E4_11 * t11);
+  B[29] = -(T(0.5773502691896258) * (E4_11 * t22 - E4_12 * t21 - E4_13 * t20) + T(0.5773502691896258) * (E4_13 * t22 -
+      E4_11 * t21 - E4_12 * t20) + T(0.5773502691896258) * (E4_12 * t22 - E4_13 * t21 - E4_11 * t20));
+  B[30] = R1_11 * t10 - R1_21 * t9 + R1_31 * t8;
+  B[31] = R1_11 * t19 + R1_21 * t18 + R1_31 * t17;
+  B[32] = R1_12 * t10 - R1_22 * t9 + R1_32 * t8;
+  B[33] = R1_12 * t19 + R1_22 * t18 + R1_32 * t17;
+  B[34] = R1_13 * t10 - R1_23 * t9 + R1_33 * t8;
+  B[35] = R1_13 * t19 + R1_23 * t18 + R1_33 * t17;
 }
 
 // tip_position: position of tip, inertial axes.

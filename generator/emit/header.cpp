@@ -33,7 +33,7 @@ std::string emit_header(const Model& model, const program::Program& program) {
   const std::vector<program::Stage> stages = program::stages(program);
   const Preparation preparation = emit_prepare(read, program, stages);
   const std::vector<program::Ledger> costs = program::ledgers(program);
-  const std::vector<Form> how = forms(program, costs, model.optimize);
+  const std::vector<Form> how = forms(program, costs, model);
   const std::string turns = cos_sin_text(model, program);
   const std::string included =
       includes(program) + (turns.empty() ? "" : "#include <cstdint>\n#include <cstring>\n" + turns);

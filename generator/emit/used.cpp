@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/used.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace kanec::emit {
@@ -22,10 +23,13 @@ std::set<program::Index> entries_read(const program::Program& program, const std
 Used used(const scene::Scene& scene, const program::Program& program) {
   const std::vector<bool> alive = reachable(program, all_outputs(program));
   Used result;
+  const bool by_inputs = std::any_of(program.functions.begin(), program.functions.end(),
+                                     [](const program::Function& f) { return f.signature.by_inputs; });
   const auto divide = [&](const std::vector<scene::Named>& list, Group group, std::vector<scene::Named>& read) {
     const std::set<program::Index> entries = entries_read(program, alive, group);
+    const bool all = by_inputs && group == Group::input;
     for (std::size_t i = 0; i < list.size(); ++i)
-      (entries.count(static_cast<program::Index>(i)) > 0 ? read : result.left_out).push_back(list[i]);
+      (all || entries.count(static_cast<program::Index>(i)) > 0 ? read : result.left_out).push_back(list[i]);
   };
   divide(scene.parameters, Group::parameter, result.parameters);
   divide(scene.inputs, Group::input, result.inputs);

@@ -10,7 +10,7 @@
 
 namespace kanec::emit {
 
-// In the scene's order.
+// In the scene's order. Where a function has a column an input, all inputs count as read.
 struct Used {
   std::vector<scene::Named> parameters, inputs;
   std::vector<scene::Named> left_out;  // parameters, then inputs

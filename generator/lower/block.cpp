@@ -272,13 +272,20 @@ Block gyroscopic(Builder& builder, const Block& inertia, const Block& omega) {
   return result;
 }
 
+Block second_moment(Builder& builder, const Block& inertia) {
+  const Ref half = builder.constant(0.5);
+  Block result = -inertia;
+  for (const auto [i, j, k] : cyclic) {
+    const Ref others = builder.add(inertia.at(j, j), inertia.at(k, k));
+    result.at(i, i) = builder.multiply(half, builder.subtract(others, inertia.at(i, i)));
+  }
+  return result;
+}
+
 Block inertia_moment(Builder& builder, const Block& spin, const Block& inertia) {
   const auto times = [&](Ref a, Ref b) { return builder.multiply(a, b); };
   const auto less = [&](Ref a, Ref b) { return builder.subtract(a, b); };
-  const Ref half = builder.constant(0.5);
-  Block J = -inertia;
-  for (const auto [i, j, k] : cyclic)
-    J.at(i, i) = times(half, less(builder.add(inertia.at(j, j), inertia.at(k, k)), inertia.at(i, i)));
+  const Block J = second_moment(builder, inertia);
   const auto& U = spin;
   Block result{3, 1, {}};
   for (const auto [i, j, k] : cyclic) {

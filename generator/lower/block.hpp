@@ -56,6 +56,8 @@ Block backward(Builder& builder, const Block& factors, Block B);
 Block outer(Builder& builder, const Block& a, const Block& b);
 // Inverse of a symmetric matrix through its cofactors.
 Block inverse(Builder& builder, const Block& symmetric);
+// ½ tr(I) 1 − I.
+Block second_moment(Builder& builder, const Block& inertia);
 // ω × I ω by the products of speeds, which ω̃ω̃ shares.
 Block gyroscopic(Builder& builder, const Block& inertia, const Block& omega);
 // I ω̇ + ω × I ω as the axial vector of U J − (U J)ᵀ, J = ½ tr(I) 1 − I.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/lower/directions.hpp"
+#include "generator/lower/implicit.hpp"
 #include "generator/program/derivative.hpp"
 #include "runtime/base/error.hpp"
 
@@ -15,61 +17,9 @@ using program::Group;
 using program::Program;
 using program::Ref;
 using program::Variable;
+using symbolic::Derivatives;
 
 namespace {
-
-// The columns of a derivative: one a direction of the state.
-class Columns {
- public:
-  Columns(Builder& builder, const scene::Scene& scene) : builder_(builder), layout_(scene) {}
-
-  std::vector<Column> by(const std::string& what, int n_inputs) {
-    if (what == "x") return along(Group::x, layout_.nx);
-    if (what == "y") return along(Group::y, layout_.ny);
-    if (what == "ydot") return along(Group::ydot, layout_.ny);
-    if (what == "u") return along(Group::input, n_inputs);
-    return tangent();
-  }
-
- private:
-  std::vector<Column> along(Group group, int n) {
-    std::vector<Column> columns;
-    for (int i = 0; i < n; ++i) columns.push_back({{Variable{group, i}, builder_.constant(1.0)}});
-    return columns;
-  }
-
-  // ξ: in the place of a ball's ω its rotation vector φ, body axes; else the coordinate whose speed stands there.
-  std::vector<Column> tangent() {
-    std::vector<Column> columns(static_cast<std::size_t>(layout_.ny));
-    const auto set = [&](const std::vector<int>& at, const std::vector<int>& rate_at) {
-      for (std::size_t i = 0; i < at.size(); ++i)
-        if (at[i] >= 0)
-          columns[static_cast<std::size_t>(rate_at[i])] = {{Variable{Group::x, at[i]}, builder_.constant(1.0)}};
-    };
-    for (const scene::BodyLayout& body : layout_.bodies) {
-      set(body.theta, body.thetadot);
-      set(body.s, body.sdot);
-      for (int i = 0; body.eps >= 0 && i < 3; ++i)
-        columns[static_cast<std::size_t>(body.omega + i)] = turn(body.eps, i);
-    }
-    return columns;
-  }
-
-  // δe = ½ (ε4 φ + e × φ), δε4 = −½ e·φ for φ along one axis.
-  Column turn(int eps, int axis) {
-    const auto half = [&](int i) {
-      return builder_.multiply(builder_.constant(0.5), builder_.variable(Group::x, eps + i));
-    };
-    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    return {{Variable{Group::x, eps + axis}, half(3)},
-            {Variable{Group::x, eps + next}, half(last)},
-            {Variable{Group::x, eps + last}, -half(next)},
-            {Variable{Group::x, eps + 3}, -half(axis)}};
-  }
-
-  Builder& builder_;
-  scene::Layout layout_;
-};
 
 const program::Function& find(const Program& program, const std::string& name) {
   for (const program::Function& function : program.functions)
@@ -77,16 +27,9 @@ const program::Function& find(const Program& program, const std::string& name) {
   throw InternalError("no function " + name + " to differentiate");
 }
 
-std::vector<Column> columns_by(Program& program, const scene::Scene& scene, const std::string& what) {
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  std::vector<Column> columns = Columns(builder, scene).by(what, static_cast<int>(scene.inputs.size()));
-  program.nodes = std::move(builder.nodes());
-  return columns;
-}
-
 program::Function derivative(Program& program, const scene::Scene& scene, const std::string& of,
-                             const std::string& what) {
+                             const std::string& what, Derivatives way) {
+  if (way == Derivatives::equations) return derivative_by_equations(program, scene, of, what);
   const std::vector<Column> columns = columns_by(program, scene, what);
   const program::Function function = find(program, of);
   return program::jacobian(program, function, columns);
@@ -113,10 +56,10 @@ std::vector<Ref> kinematic_rows(Program& program, const scene::Scene& scene) {
   return rows;
 }
 
-program::Function state_matrix(Program& program, const scene::Scene& scene) {
+program::Function state_matrix(Program& program, const scene::Scene& scene, Derivatives way) {
   const auto n = static_cast<std::size_t>(scene::n_speeds(scene));
-  program::Function by_xi = derivative(program, scene, "accelerations", "xi");
-  const program::Function by_y = derivative(program, scene, "accelerations", "y");
+  program::Function by_xi = derivative(program, scene, "accelerations", "xi", way);
+  const program::Function by_y = derivative(program, scene, "accelerations", "y", way);
   std::vector<Ref> outputs = kinematic_rows(program, scene);
   for (std::size_t i = 0; i < n; ++i)
     for (const program::Function* half : {&std::as_const(by_xi), &by_y})
@@ -126,8 +69,8 @@ program::Function state_matrix(Program& program, const scene::Scene& scene) {
   return by_xi;
 }
 
-program::Function input_matrix(Program& program, const scene::Scene& scene) {
-  program::Function function = derivative(program, scene, "accelerations", "u");
+program::Function input_matrix(Program& program, const scene::Scene& scene, Derivatives way) {
+  program::Function function = derivative(program, scene, "accelerations", "u", way);
   Builder builder;
   builder.nodes() = std::move(program.nodes);
   function.outputs.insert(function.outputs.begin(), function.outputs.size(), builder.constant(0.0));
@@ -144,41 +87,91 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
     return program::Signature{true, true, ydot, true, out, out + " (" + shape + ")", columns};
   };
   std::vector<Derived> list = {
-      {"residual_x", "derivative of r by x", "residual", ny, nx, signature("r_x", true, "ny x nx", nx)},
-      {"residual_y", "derivative of r by y", "residual", ny, ny, signature("r_y", true, "ny x ny", ny)},
-      {"residual_ydot", "derivative of r by ydot", "residual", ny, ny, signature("r_ydot", true, "ny x ny", ny)},
-      {"residual_xi", "derivative of r by the tangent of x", "residual", ny, ny,
+      {"residual_x", "derivative of r by x", "residual", {"x"}, ny, nx, signature("r_x", true, "ny x nx", nx)},
+      {"residual_y", "derivative of r by y", "residual", {"y"}, ny, ny, signature("r_y", true, "ny x ny", ny)},
+      {"residual_ydot",
+       "derivative of r by ydot",
+       "residual",
+       {"ydot"},
+       ny,
+       ny,
+       signature("r_ydot", true, "ny x ny", ny)},
+      {"residual_xi",
+       "derivative of r by the tangent of x",
+       "residual",
+       {"xi"},
+       ny,
+       ny,
        signature("r_xi", true, "ny x ny", ny)},
-      {"accelerations_x", "derivative of ydot by x", "accelerations", ny, nx,
+      {"accelerations_x",
+       "derivative of ydot by x",
+       "accelerations",
+       {"x"},
+       ny,
+       nx,
        signature("ydot_x", false, "ny x nx", nx)},
-      {"accelerations_y", "derivative of ydot by y", "accelerations", ny, ny,
+      {"accelerations_y",
+       "derivative of ydot by y",
+       "accelerations",
+       {"y"},
+       ny,
+       ny,
        signature("ydot_y", false, "ny x ny", ny)},
-      {"accelerations_xi", "derivative of ydot by the tangent of x", "accelerations", ny, ny,
+      {"accelerations_xi",
+       "derivative of ydot by the tangent of x",
+       "accelerations",
+       {"xi"},
+       ny,
+       ny,
        signature("ydot_xi", false, "ny x ny", ny)},
-      {"state_matrix", "S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y", "accelerations",
-       2 * ny, 2 * ny, signature("S", false, "2 ny x 2 ny", 2 * ny)}};
+      {"state_matrix",
+       "S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y",
+       "accelerations",
+       {"xi", "y"},
+       2 * ny,
+       2 * ny,
+       signature("S", false, "2 ny x 2 ny", 2 * ny)}};
   if (nu > 0) {
-    list.push_back({"accelerations_u", "derivative of ydot by the inputs", "accelerations", ny, nu,
+    list.push_back({"accelerations_u",
+                    "derivative of ydot by the inputs",
+                    "accelerations",
+                    {"u"},
+                    ny,
+                    nu,
                     signature("ydot_u", false, "ny x n_inputs", nu)});
-    list.push_back({"input_matrix", "rates of (xi, y) for small changes of the inputs", "accelerations", 2 * ny, nu,
+    list.push_back({"input_matrix",
+                    "rates of (xi, y) for small changes of the inputs",
+                    "accelerations",
+                    {"u"},
+                    2 * ny,
+                    nu,
                     signature("B", false, "2 ny x n_inputs", nu)});
   }
+  for (Derived& derived : list) derived.signature.by_inputs = derived.by == std::vector<std::string>{"u"};
   return list;
 }
 
-void append_derived(Program& program, const scene::Scene& scene, const Derived& derived) {
+void append_derived(Program& program, const scene::Scene& scene, const Derived& derived, Derivatives way) {
   program::Function function;
   if (derived.name == "state_matrix")
-    function = state_matrix(program, scene);
+    function = state_matrix(program, scene, way);
   else if (derived.name == "input_matrix")
-    function = input_matrix(program, scene);
+    function = input_matrix(program, scene, way);
   else
-    function = derivative(program, scene, derived.of, derived.name.substr(derived.of.size() + 1));
+    function = derivative(program, scene, derived.of, derived.by[0], way);
   function.name = derived.name;
   function.meaning = derived.meaning;
   function.signature = derived.signature;
   function.n_out = derived.rows * derived.columns;
   program.functions.push_back(std::move(function));
+}
+
+std::vector<std::string> parts_of(const Derived& derived, Derivatives way) {
+  if (way == Derivatives::operations) return {derived.of};
+  std::vector<std::string> parts;
+  for (const std::string& by : derived.by)
+    for (const std::string& part : parts_for(derived.of, by)) parts.push_back(part);
+  return parts;
 }
 
 }  // namespace kanec::lower

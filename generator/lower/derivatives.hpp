@@ -7,6 +7,7 @@
 
 #include "generator/program/program.hpp"
 #include "generator/scene/scene.hpp"
+#include "generator/symbolic/way.hpp"
 
 namespace kanec::lower {
 
@@ -14,7 +15,8 @@ namespace kanec::lower {
 struct Derived {
   std::string name;  // "accelerations_x"
   std::string meaning;
-  std::string of;  // "accelerations"
+  std::string of;               // "accelerations"
+  std::vector<std::string> by;  // directions.hpp
   int rows = 0, columns = 0;
   program::Signature signature;
 };
@@ -22,7 +24,11 @@ struct Derived {
 // Those of a scene, in order.
 std::vector<Derived> derived_functions(const scene::Scene& scene);
 
-// Appends one to a program that has the function it is made of.
-void append_derived(program::Program& program, const scene::Scene& scene, const Derived& derived);
+// The functions that it is made of.
+std::vector<std::string> parts_of(const Derived& derived, symbolic::Derivatives way);
+
+// Appends one to a program that has these, simplified.
+void append_derived(program::Program& program, const scene::Scene& scene, const Derived& derived,
+                    symbolic::Derivatives way);
 
 }  // namespace kanec::lower

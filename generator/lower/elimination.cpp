@@ -26,34 +26,49 @@ void subtract(Builder& builder, Entries& matrix, std::pair<int, int> at, Ref amo
 
 }  // namespace
 
-Elimination eliminate(Builder& builder, Entries matrix, std::vector<Ref> right) {
-  const int n = static_cast<int>(right.size());
-  Elimination result;
-  std::vector<Ref> inverse;
-  for (int pivot = 0; pivot < n; ++pivot) {
+Factors factorised(Builder& builder, Entries matrix, int size) {
+  Factors result;
+  for (int pivot = 0; pivot < size; ++pivot) {
     const Ref d = matrix.at({pivot, pivot});
     result.pivots.push_back(d);
-    inverse.push_back(builder.divide(builder.constant(1.0), d));
-    const std::vector<int> rows = rows_of(matrix, pivot, n);
+    result.inverses.push_back(builder.divide(builder.constant(1.0), d));
+    const std::vector<int> rows = rows_of(matrix, pivot, size);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Ref a = matrix.at({rows[i], pivot});
-      const Ref factor = builder.multiply(a, inverse.back());
-      result.factors[{rows[i], pivot}] = factor;
+      const Ref factor = builder.multiply(matrix.at({rows[i], pivot}), result.inverses.back());
+      result.lower[{rows[i], pivot}] = factor;
       for (std::size_t j = 0; j <= i; ++j)
         subtract(builder, matrix, {rows[i], rows[j]}, builder.multiply(factor, matrix.at({rows[j], pivot})));
-      const auto at = static_cast<std::size_t>(rows[i]);
-      right[at] = builder.subtract(right[at], builder.multiply(factor, right[static_cast<std::size_t>(pivot)]));
     }
   }
-  result.solution.resize(right.size());
+  return result;
+}
+
+std::vector<Ref> solved(Builder& builder, const Factors& factors, std::vector<Ref> right) {
+  const auto at = [&right](int row) -> Ref& { return right[static_cast<std::size_t>(row)]; };
+  const int n = static_cast<int>(right.size());
+  for (int pivot = 0; pivot < n; ++pivot)
+    for (const int row : rows_of(factors.lower, pivot, n))
+      at(row) = builder.subtract(at(row), builder.multiply(factors.lower.at({row, pivot}), at(pivot)));
   for (int row = n - 1; row >= 0; --row) {
-    const auto at = static_cast<std::size_t>(row);
-    Ref value = builder.multiply(right[at], inverse[at]);
-    for (const int above : rows_of(result.factors, row, n))
-      value = builder.subtract(
-          value, builder.multiply(result.factors.at({above, row}), result.solution[static_cast<std::size_t>(above)]));
-    result.solution[at] = value;
+    at(row) = builder.multiply(at(row), factors.inverses[static_cast<std::size_t>(row)]);
+    for (const int above : rows_of(factors.lower, row, n))
+      at(row) = builder.subtract(at(row), builder.multiply(factors.lower.at({above, row}), at(above)));
   }
+  return right;
+}
+
+// From A⁻¹ = D⁻¹ L⁻¹ + (1 − Lᵀ) A⁻¹ the entries on and above the diagonal, from the last on.
+std::vector<Ref> inverted(Builder& builder, const Factors& factors) {
+  const int n = static_cast<int>(factors.pivots.size());
+  std::vector<Ref> result(static_cast<std::size_t>(n * n));
+  const auto at = [&](int i, int j) -> Ref& { return result[static_cast<std::size_t>(i * n + j)]; };
+  for (int column = n - 1; column >= 0; --column)
+    for (int row = column; row >= 0; --row) {
+      Ref value = row == column ? factors.inverses[static_cast<std::size_t>(row)] : builder.constant(0.0);
+      for (const int above : rows_of(factors.lower, row, n))
+        value = builder.subtract(value, builder.multiply(factors.lower.at({above, row}), at(above, column)));
+      at(row, column) = at(column, row) = value;
+    }
   return result;
 }
 

@@ -14,13 +14,15 @@ namespace kanec::lower {
 // Rows and columns by number; the lower triangle in elimination order: an entry's row is not before its column.
 using Entries = std::map<std::pair<int, int>, program::Ref>;
 
-struct Elimination {
-  std::vector<program::Ref> pivots;  // D, by row
-  Entries factors;                   // L
-  std::vector<program::Ref> solution;
+struct Factors {
+  std::vector<program::Ref> pivots, inverses;  // D and 1/D, by row
+  Entries lower;                               // L
 };
 
 // Throws nothing: a pivot that vanishes shows in its value.
-Elimination eliminate(program::Builder& builder, Entries matrix, std::vector<program::Ref> right);
+Factors factorised(program::Builder& builder, Entries matrix, int size);
+std::vector<program::Ref> solved(program::Builder& builder, const Factors& factors, std::vector<program::Ref> right);
+// All of the inverse, row-major, its symmetric half computed: after Takahashi, Fagan & Chin (1973).
+std::vector<program::Ref> inverted(program::Builder& builder, const Factors& factors);
 
 }  // namespace kanec::lower

@@ -160,6 +160,7 @@ class Lowering {
     if (is_ex_the_function(e, symbolic::forward)) return forward(builder_, of(e.op(0)), of(e.op(1)));
     if (is_ex_the_function(e, symbolic::scaled)) return scaled(builder_, of(e.op(0)), of(e.op(1)));
     if (is_ex_the_function(e, symbolic::backward)) return backward(builder_, of(e.op(0)), of(e.op(1)));
+    if (is_ex_the_function(e, symbolic::second_moment)) return second_moment(builder_, of(e.op(0)));
     if (is_ex_the_function(e, symbolic::expression)) return scalar(data_.expression(whole(e.op(0)), whole(e.op(1))));
     if (is_ex_the_function(e, symbolic::inverse)) return inverse(builder_, of(e.op(0)));
     if (is_ex_the_function(e, symbolic::gyroscopic)) return gyroscopic(builder_, of(e.op(0)), of(e.op(1)));
@@ -269,11 +270,12 @@ class Lowering {
     }
     Entries matrix;
     for (const symbolic::Solve::Entry& entry : solve.matrix) place(entry, first, matrix);
-    const Elimination result = eliminate(builder_, std::move(matrix), std::move(right));
+    const Factors factors = factorised(builder_, std::move(matrix), static_cast<int>(right.size()));
+    const std::vector<Ref> solution = lower::solved(builder_, factors, std::move(right));
     for (std::size_t i = 0; i < solve.unknowns.size(); ++i) {
       const ex& letter = solve.unknowns[i].letter;
-      values_[index(letter)] = part(result.solution, first[i], symbolic::shape_of(letter));
-      pivots_[static_cast<int>(index(letter))] = part(result.pivots, first[i], symbolic::shape_of(letter));
+      values_[index(letter)] = part(solution, first[i], symbolic::shape_of(letter));
+      pivots_[static_cast<int>(index(letter))] = part(factors.pivots, first[i], symbolic::shape_of(letter));
     }
   }
 
@@ -305,7 +307,7 @@ class Lowering {
   std::vector<std::optional<Block>> values_;  // of letters, by table index
   std::map<int, Block> pivots_;               // of unknowns, likewise
   Sections sections_;
-  std::vector<bool> used_;                    // by the function being lowered
+  std::vector<bool> used_;  // by the function being lowered
 };
 
 // "theta_3" is theta3 in code.

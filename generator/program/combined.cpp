@@ -33,26 +33,26 @@ bool is_same(const Quantity& a, const Quantity& b) { return a.labels == b.labels
 // Quantities of several functions in one order that keeps each one's.
 class Merged {
  public:
-  explicit Merged(std::vector<Quantity>& list) : list_(list) {}
+  explicit Merged(std::vector<Quantity>& list) : list_(list) {
+    for (const Quantity& quantity : list) labels_.insert(quantity.labels.begin(), quantity.labels.end());
+  }
 
-  void add(const Function& function) {
-    std::size_t after = 0;
-    for (const Quantity& quantity : function.quantities) {
+  void add(const std::vector<Quantity>& more, const std::string& suffix, std::size_t after = 0) {
+    for (const Quantity& quantity : more) {
       const auto is_known = [&](const Quantity& other) { return is_same(other, quantity); };
       const auto known = std::find_if(list_.begin(), list_.end(), is_known);
       if (known != list_.end()) {
         after = std::max(after, static_cast<std::size_t>(known - list_.begin()) + 1);
         continue;
       }
-      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(after++), unique(quantity, function.name));
+      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(after++), unique(quantity, suffix));
     }
   }
 
  private:
-  // A label that something else bears gets the function's name behind.
-  Quantity unique(Quantity quantity, const std::string& function) {
+  Quantity unique(Quantity quantity, const std::string& suffix) {
     for (std::string& label : quantity.labels) {
-      if (labels_.count(label) > 0) label += "_" + function;
+      if (labels_.count(label) > 0) label += "_" + suffix;
       labels_.insert(label);
     }
     return quantity;
@@ -72,6 +72,11 @@ void append_results(const Function& function, std::vector<Result>& list) {
 
 }  // namespace
 
+void merge_quantities(std::vector<Quantity>& list, const std::vector<Quantity>& more, const std::string& suffix,
+                      From from) {
+  Merged(list).add(more, suffix, from == From::beginning ? 0 : list.size());
+}
+
 Function combined(Program& program, const std::vector<std::string>& names) {
   Builder builder;
   builder.nodes() = std::move(program.nodes);
@@ -86,12 +91,13 @@ Function combined(Program& program, const std::vector<std::string>& names) {
     result.meaning += (result.meaning.empty() ? "" : "; ") + part.meaning;
     const std::vector<Ref> outputs = dense(part, zero);
     result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
-    quantities.add(part);
+    quantities.add(part.quantities, part.name);
     append_results(part, result.signature.results);
     result.signature.x |= part.signature.x;
     result.signature.y |= part.signature.y;
     result.signature.ydot |= part.signature.ydot;
     result.signature.inputs |= part.signature.inputs;
+    result.signature.by_inputs |= part.signature.by_inputs;
   }
   result.n_out = static_cast<Index>(result.outputs.size());
   return result;

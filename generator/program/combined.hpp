@@ -14,4 +14,10 @@ namespace kanec::program {
 // name, the later bear their function's behind. Throws InternalError for a name that the program does not have.
 Function combined(Program& program, const std::vector<std::string>& names);
 
+// Takes more quantities into a list, each once and after those it follows there, from the beginning on or behind all
+// that the list has; a label that something else bears gets the suffix behind.
+enum class From { beginning, end };
+void merge_quantities(std::vector<Quantity>& list, const std::vector<Quantity>& more, const std::string& suffix,
+                      From from = From::beginning);
+
 }  // namespace kanec::program

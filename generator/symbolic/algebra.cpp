@@ -27,6 +27,7 @@ ex skew_eval(const ex& a) {
   return result;
 }
 
+ex second_moment_eval(const ex& I) { return I.is_zero() ? ex(0) : second_moment(I).hold(); }
 // Of functions that are linear in both arguments, or in the second.
 ex dot_eval(const ex& a, const ex& b) { return a.is_zero() || b.is_zero() ? ex(0) : dot(a, b).hold(); }
 ex outer_eval(const ex& a, const ex& b) { return a.is_zero() || b.is_zero() ? ex(0) : outer(a, b).hold(); }
@@ -48,6 +49,8 @@ Atom* Atom::duplicate() const {
 REGISTER_FUNCTION(skew, eval_func(skew_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(dot, eval_func(dot_eval).set_return_type(GiNaC::return_types::commutative))
 REGISTER_FUNCTION(rotation, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
+REGISTER_FUNCTION(second_moment,
+                  eval_func(second_moment_eval).set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(inverse, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(turn, set_return_type(GiNaC::return_types::noncommutative, &block_type()))
 REGISTER_FUNCTION(congruence,
@@ -117,7 +120,9 @@ namespace {
 ex transposed_factor(const ex& factor, const std::function<ex(const Atom&)>& of_atom) {
   if (GiNaC::is_a<Atom>(factor)) return of_atom(GiNaC::ex_to<Atom>(factor));
   if (is_ex_the_function(factor, skew)) return -factor;
-  if (is_ex_the_function(factor, inverse) || is_ex_the_function(factor, congruence)) return factor;
+  const bool is_symmetric = is_ex_the_function(factor, inverse) || is_ex_the_function(factor, congruence) ||
+                            is_ex_the_function(factor, second_moment);
+  if (is_symmetric) return factor;
   throw InternalError("transpose of a block that has none");
 }
 

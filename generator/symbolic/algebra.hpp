@@ -54,6 +54,8 @@ DECLARE_FUNCTION_1P(ldl)
 DECLARE_FUNCTION_2P(forward)
 DECLARE_FUNCTION_2P(scaled)
 DECLARE_FUNCTION_2P(backward)
+// Σ m r rᵀ = ½ tr(I) 1 − I of an inertia matrix I.
+DECLARE_FUNCTION_1P(second_moment)
 // An expression of the scene, as (index, order): its time derivative of that order.
 DECLARE_FUNCTION_2P(expression)
 // ω̃ I ω for a symmetric I, as (I, ω): its six products of speeds are shared with ω̃ω̃.

@@ -11,10 +11,6 @@ using GiNaC::ex;
 
 namespace {
 
-bool is_wide(const Coordinate& c) {
-  return c.freedom.kind == Freedom::Kind::attitude || c.freedom.kind == Freedom::Kind::translation;
-}
-
 std::string column_name(const Derivation& derivation, const Coordinate& c) {
   const Symbol& speed = derivation.equations.table.of(c.speed);
   return speed.name + speed.suffix + "_";
@@ -44,22 +40,36 @@ void Composites::add(int k) {
     if (is_cut(c)) continue;
     const auto above = static_cast<std::size_t>(c);
     const ex& d = derivation_.joint_offsets[above];
-    const ex& E_T = derivation_.letters(c).to_lower;
     mass += mass_[above];
     moment += mass_[above] * d;
     inertia -= mass_[above] * (skew(d) * skew(d));
     if (!passes_moment(c)) continue;
-    const ex h = define("hc", "h", c, E_T * moment_[above],
-                        "first moment carried, about the body origin, lower body's axes [kg m]");
+    const ex& h = lower_moment(c);
     moment += h;
     inertia -= skew(d) * skew(h) + skew(h) * skew(d);
-    if (!inertia_[above].is_zero()) inertia += E_T.is_equal(1) ? inertia_[above] : congruence(E_T, inertia_[above]);
+    inertia += congruence(derivation_.letters(c).to_lower, inertia_[above]);
   }
   mass_[at] = derivation_.define("m_sub", "m^{*}", k, Pass::inward, mass, "mass of the subtree [kg]");
   moment_[at] = derivation_.define("h", "h", k, Pass::inward, sum(expanded(moment)),
                                    "first moment of mass carried, about the body origin, body axes [kg m]");
   inertia_[at] = derivation_.define("J", "J", k, Pass::inward, factored(inertia),
                                     "inertia carried, about the body origin, body axes [kg m^2]", true);
+}
+
+const ex& Composites::lower_moment(int k) {
+  const auto [at, is_new] = lower_moment_.try_emplace(k);
+  if (is_new)
+    at->second = define("hc", "h", k, derivation_.letters(k).to_lower * moment(k),
+                        "first moment carried, about the body origin, lower body's axes [kg m]");
+  return at->second;
+}
+
+const ex& Composites::lower_inertia(int k) {
+  const auto [at, is_new] = lower_inertia_.try_emplace(k);
+  if (is_new)
+    at->second = derivation_.define("Jc", "J", k, Pass::inward, congruence(derivation_.letters(k).to_lower, inertia(k)),
+                                    "inertia carried, about the body origin, lower body's axes [kg m^2]", true);
+  return at->second;
 }
 
 ex Composites::define(const std::string& name, const std::string& latex, int link, const ex& value,

@@ -29,6 +29,14 @@ class Composites {
   // left out.
   std::vector<MatrixBlock> columns(int link);
 
+  // Of what a link carries, about its origin, link axes.
+  const GiNaC::ex& mass(int link) const { return mass_[static_cast<std::size_t>(link)]; }
+  const GiNaC::ex& moment(int link) const { return moment_[static_cast<std::size_t>(link)]; }
+  const GiNaC::ex& inertia(int link) const { return inertia_[static_cast<std::size_t>(link)]; }
+  // The same in the lower link's axes, for a link that turns with its lower link.
+  const GiNaC::ex& lower_moment(int link);
+  const GiNaC::ex& lower_inertia(int link);
+
  private:
   // Force (axes of `frame`) and moment about the origin (link axes) that the rest must give to what a link carries.
   struct Wrench {
@@ -51,8 +59,9 @@ class Composites {
 
   Derivation& derivation_;
   std::vector<bool> starts_anew_;
-  std::vector<GiNaC::ex> mass_, moment_, inertia_;  // of what each link carries: m, h and J about its origin, link axes
-  std::map<int, int> link_of_attitude_;             // by table index of R and Rᵀ
+  std::vector<GiNaC::ex> mass_, moment_, inertia_;  // m, h and J
+  std::map<int, GiNaC::ex> lower_moment_, lower_inertia_;
+  std::map<int, int> link_of_attitude_;  // by table index of R and Rᵀ
   GiNaC::exmap rotations_;
 };
 

@@ -27,6 +27,9 @@ const std::map<std::string, Stage>& stages() {
                                                      {"residual", derive_residual},
                                                      {"forcing", derive_forcing},
                                                      {"mass_matrix", derive_mass_matrix},
+                                                     {"inertia_xi", derive_inertia_xi},
+                                                     {"inertia_y", derive_inertia_y},
+                                                     {"applied", derive_applied},
                                                      {"driving_loads", derive_driving_loads},
                                                      {"reactions", derive_reactions}};
   return known;
@@ -62,7 +65,9 @@ bool needs_whole_mechanism(const std::string& function) {
 
 Equations derive(const scene::Scene& scene, const std::vector<std::string>& names, const Way& way) {
   Derivation derivation(scene, way);
-  derivation.equations.functions = chosen(functions(scene), names);
+  std::vector<Function> known = functions(scene);
+  for (Function& part : derivative_parts(scene)) known.push_back(std::move(part));
+  derivation.equations.functions = chosen(std::move(known), names);
   derive_positions(derivation);
   derive_velocities(derivation);
   std::vector<std::string> wanted;

@@ -89,6 +89,15 @@ struct Coordinate {
   int column = -1;  // into Equations::speeds
 };
 
+inline bool is_rotation(const Coordinate& c) {
+  return c.freedom.kind == Freedom::Kind::attitude || c.freedom.kind == Freedom::Kind::turn;
+}
+
+// Three numbers in one.
+inline bool is_wide(const Coordinate& c) {
+  return c.freedom.kind == Freedom::Kind::attitude || c.freedom.kind == Freedom::Kind::translation;
+}
+
 // Letters of one link; [0] is the inertial frame.
 struct Letters {
   GiNaC::ex to_inertial = 1, to_body = 1;  // Rᵀ, R

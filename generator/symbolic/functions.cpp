@@ -108,4 +108,18 @@ class List {
 
 std::vector<Function> functions(const scene::Scene& scene) { return List(scene).all(); }
 
+std::vector<Function> derivative_parts(const scene::Scene& scene) {
+  const int ny = n_speeds(scene);
+  const program::Signature signature{true, true, true, true, "r", ""};
+  return {{"inertia_xi",
+           "derivative of A ydot - f without applied loads by the tangent of x",
+           {},
+           ny * ny,
+           false,
+           signature,
+           false},
+          {"inertia_y", "the same by y", {}, ny * ny, false, signature, false},
+          {"applied", "the part of r = A ydot - f that applied loads make", {}, ny, false, signature, false}};
+}
+
 }  // namespace kanec::symbolic

@@ -11,4 +11,7 @@ namespace kanec::symbolic {
 // In order, without outputs.
 std::vector<Function> functions(const scene::Scene& scene);
 
+// What derivatives are put together from; never emitted themselves.
+std::vector<Function> derivative_parts(const scene::Scene& scene);
+
 }  // namespace kanec::symbolic

@@ -146,6 +146,20 @@ Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain) {
   return balance_of(derivation, chain, applied_loads(derivation), Motion::at_rest);
 }
 
+Balance inertia_alone(Derivation& derivation, AccelerationChain& chain) {
+  const std::vector<ex> none(static_cast<std::size_t>(derivation.size()) + 1);
+  return balance_of(derivation, chain, {none, none, {}, {}}, Motion::as_given);
+}
+
+// Less the applied forces and moments, projected.
+void derive_applied(Derivation& derivation) {
+  const AppliedLoads loads = applied_loads(derivation);
+  Balance balance;
+  for (const ex& force : loads.force) balance.force.push_back(-force);
+  for (const ex& moment : loads.moment) balance.moment.push_back(-moment);
+  fill(derivation, InwardSums(derivation, balance, "r"), loads, "r", -1, derivation.function("applied"));
+}
+
 void derive_forcing(Derivation& derivation) {
   AccelerationChain chain = derive_acceleration_chain(derivation, rates_at_rest(derivation));
   const Balance balance = applied_less_inertia(derivation, chain);
@@ -161,12 +175,10 @@ void derive_driving_loads(Derivation& derivation) {
     for (int k = 1; k <= derivation.size(); ++k) {
       const std::vector<Coordinate>& coordinates = derivation.letters(k).coordinates;
       for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Freedom::Kind kind = coordinates[i].freedom.kind;
-        const bool is_rotation = kind == Freedom::Kind::attitude || kind == Freedom::Kind::turn;
-        if (coordinates[i].row >= 0 || is_rotation != rotation) continue;
+        if (coordinates[i].row >= 0 || is_rotation(coordinates[i]) != rotation) continue;
         const ex value = r.sums.row(k, coordinates[i]) - r.loads.effort[static_cast<std::size_t>(k)][i];
         function.outputs.push_back({value, at, 1, false});
-        at += kind == Freedom::Kind::attitude ? 3 : 1;
+        at += coordinates[i].freedom.kind == Freedom::Kind::attitude ? 3 : 1;
       }
     }
 }

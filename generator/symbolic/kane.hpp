@@ -19,6 +19,9 @@ Rates rates_at_rest(const Derivation& derivation);
 // Applied less inertia force and moment of each link.
 Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain);
 
+// Inertia force and moment of each link, whatever is applied.
+Balance inertia_alone(Derivation& derivation, AccelerationChain& chain);
+
 // Name of Kane's equation of a coordinate: "r_sdot", "f_theta"; its unit.
 std::string row_name(const std::string& letter, const Coordinate& coordinate);
 

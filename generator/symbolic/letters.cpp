@@ -383,8 +383,7 @@ class Definition {
     for (const bool rotation : {true, false})
       for (int j = 1; j <= equations_.mechanism.size(); ++j)
         for (Coordinate& c : letters(j).coordinates) {
-          const bool is_rotation = c.freedom.kind == Freedom::Kind::attitude || c.freedom.kind == Freedom::Kind::turn;
-          if (is_rotation != rotation || c.row < 0) continue;
+          if (is_rotation(c) != rotation || c.row < 0) continue;
           c.column = static_cast<int>(equations_.speeds.size());
           equations_.speeds.push_back({c.speed, c.row, j});
         }

@@ -76,8 +76,7 @@ class Notation {
     if (is_ex_the_function(e, skew)) return skew_of(e.op(0));
     if (is_ex_the_function(e, dot)) return grouped(e.op(0)) + (latex_ ? " \\cdot " : " . ") + grouped(e.op(1));
     if (is_ex_the_function(e, inverse)) return argument(0) + "^" + (latex_ ? "{-1}" : "-1");
-    if (is_ex_the_function(e, gyroscopic))
-      return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
+    if (is_ex_the_function(e, gyroscopic)) return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
     if (is_ex_the_function(e, turn))
       return (latex_ ? "\\mathrm{Rot}(" : "Rot(") + argument(0) + ", " + argument(1) + ")";
     if (is_ex_the_function(e, congruence) || is_ex_the_function(e, similarity))
@@ -92,9 +91,13 @@ class Notation {
       // Rᵀ = 1 + 2 ẽ (ε4 + ẽ)
       return "1 + 2 " + skew_of(e.op(0)) + " (" + argument(1) + " + " + skew_of(e.op(0)) + ")";
     }
-    // inertia_moment(U, I), J = tr(I)/2 - I
-    const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + argument(1) + ")" : "tr(" + argument(1) + ")/2";
-    return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " (" + trace + " - " + argument(1) + "))";
+    if (is_ex_the_function(e, second_moment)) return second_moment_of(argument(0));
+    return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " " + second_moment_of(argument(1)) + ")";
+  }
+
+  std::string second_moment_of(const std::string& inertia) const {
+    const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + inertia + ")" : "tr(" + inertia + ")/2";
+    return "(" + trace + " - " + inertia + ")";
   }
 
   // "L D L^T of J3"

@@ -14,6 +14,11 @@ void derive_power(Derivation& derivation);
 void derive_load_powers(Derivation& derivation);
 void derive_accelerations(Derivation& derivation);
 void derive_mass_matrix(Derivation& derivation);
+// Parts of derivatives of the residual: by the tangent of x and by y of all but what is applied, and what is applied
+// itself.
+void derive_inertia_xi(Derivation& derivation);
+void derive_inertia_y(Derivation& derivation);
+void derive_applied(Derivation& derivation);
 // "<point>_position" and the like.
 void derive_point_function(Derivation& derivation, const std::string& name);
 

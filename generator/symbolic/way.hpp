@@ -16,10 +16,17 @@ enum class Algorithm {
 // their own axes.
 enum class Axes { inertial, body };
 
+// How derivatives of residual and accelerations are made.
+enum class Derivatives {
+  operations,  // of the function's own program, operation by operation (program/jacobian.cpp)
+  equations    // of Kane's equations, joint by joint (variations.cpp); of accelerations −A⁻¹ times these
+};
+
 struct Way {
   Reductions reductions = {};
   Algorithm algorithm = Algorithm::composite;
   Axes axes = Axes::inertial;
+  Derivatives derivatives = Derivatives::operations;
 
   bool operator==(const Way&) const = default;
 };

@@ -45,10 +45,10 @@ compile::Source batch_source_of(const Generated& generated, const scene::Scene& 
 
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
-CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildArguments& arguments, const std::string& what, SourceOf source) {
+CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+                    const std::string& what, SourceOf source) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, {functions, arguments.algorithm, arguments.optimize});
+  Generated generated = generate(scene, options);
   for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
   compile::Model library = [&] {
@@ -63,7 +63,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
   for (const std::string& note : library.notes()) remark("note: " + note);
   remark(library.from_cache() ? what + ": from the cache"
                               : fmt::format("{}: compiled in {:.2g} s", what, library.compile_seconds()));
-  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
+  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
 }
 
 }  // namespace
@@ -93,13 +93,16 @@ compile::Options compile_options(const BuildArguments& arguments) {
 
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments) {
-  return build(scene, functions, arguments, scene.name,
+  return build(scene, {functions, arguments.algorithm, arguments.optimize}, arguments, scene.name,
                [&](const Generated& generated) { return source_of(generated, scene); });
 }
 
 CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
                           const BuildArguments& arguments, const LaneArguments& lanes) {
-  return build(scene, functions, arguments, scene.name + " in lanes",
+  // lanes take instructions in less often a state: straight lines pay up to here, but take seconds to compile
+  constexpr int longest_line = 20'000;
+  return build(scene, {functions, arguments.algorithm, arguments.optimize, longest_line}, arguments,
+               scene.name + " in lanes",
                [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
 }
 

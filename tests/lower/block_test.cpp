@@ -237,6 +237,15 @@ TEST_F(Blocks, gyroscopic_is_omega_cross_inertia_omega) {
   EXPECT_EQ(value(gyroscopic(b, I, omega)), cross_matrix(value(omega)) * value(I) * value(omega));
 }
 
+TEST_F(Blocks, second_moment_is_half_the_trace_less_the_inertia) {
+  const Block I = symmetric();
+  const Field o(0.0), i(1.0);
+  const Plain one{3, 3, {i, o, o, o, i, o, o, o, i}};
+  const Plain inertia = value(I);
+  const Field half_trace = Field(0.5) * (inertia.at(0, 0) + inertia.at(1, 1) + inertia.at(2, 2));
+  EXPECT_EQ(value(second_moment(b, I)), half_trace * one + -Field(1.0) * inertia);
+}
+
 TEST_F(Blocks, inertia_moment_is_inertia_omegadot_plus_gyroscopic) {
   const Block I = symmetric(), omega = vector(), omegadot = vector();
   const Block spin = add(b, skew(b, omegadot), multiply(b, skew(b, omega), skew(b, omega)));

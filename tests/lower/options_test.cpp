@@ -71,6 +71,19 @@ TEST(GenerateOptions, refuse_a_function_that_the_scene_does_not_have_and_name_th
               ThrowsMessage<InputError>(HasSubstr("no function 'power' in this model; it has: kinematics, poses, ")));
 }
 
+TEST(GenerateOptions, refuse_a_function_twice_in_one) {
+  EXPECT_THAT([] { generate(scene_of({}), {{"energy+energy"}}); },
+              ThrowsMessage<InputError>(HasSubstr("function 'energy' stands twice in 'energy+energy'")));
+}
+
+// A column of a derivative by the inputs is one of theirs, read or not.
+TEST(Generate, a_derivative_by_inputs_keeps_all_inputs) {
+  scene::Scene scene = scene_of({});
+  scene.inputs = {{"tau", 0.0}, {"spare", 0.0}};
+  EXPECT_THAT(generate(scene, {{"accelerations_u"}}).header, HasSubstr("inline constexpr int n_inputs = 2;"));
+  EXPECT_THAT(generate(scene, {{"accelerations"}}).header, HasSubstr("inline constexpr int n_inputs = 0;"));
+}
+
 TEST(Generate, a_scene_without_gravity_does_not_mention_it) {
   const std::string with = generate(scene_of({})).header;
   const std::string without = generate(scene_of({.gravity = false})).header;
