@@ -5,6 +5,7 @@
 
 #include "generator/candidates.hpp"
 #include "generator/emit/header.hpp"
+#include "generator/reach.hpp"
 #include "generator/regular.hpp"
 #include "runtime/base/hash.hpp"
 
@@ -34,13 +35,15 @@ std::string without(std::string text, const std::string& what) {
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   check_regular(scene);
-  const program::Program program = 
-      cheapest_program(scene, requested_functions(scene, options.functions), options.algorithm);
+  const bool are_named = !options.functions.empty() || !scene.functions.empty();
+  const Reach reach = within_reach(scene, requested_functions(scene, options.functions), are_named);
+  const program::Program program = cheapest_program(scene, reach.names, options.algorithm);
   // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene, version(), mark, options_text(scene, options), source, options.optimize};
+  const emit::Model model{&scene,           version(),           mark, options_text(scene, options), source,
+                          options.optimize, options.longest_line};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   std::string batch = emit::emit_batch(model, program);
@@ -49,7 +52,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   if (!source.empty()) replace_all(header, source, scene.source);
   replace_all(abi, mark, hash);
   replace_all(batch, mark, hash);
-  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch)};
+  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch), reach.notes};
 }
 
 std::string version() { return KANEC_VERSION; }

@@ -18,6 +18,7 @@ struct GenerateOptions {
   std::vector<std::string> functions;  // empty: those that the scene names, else the usual ones; "a+b" combines
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
+  int longest_line = emit::Model{}.longest_line;
 };
 
 struct Generated {
@@ -27,6 +28,7 @@ struct Generated {
   std::string header;  // <name>.hpp
   std::string abi;     // <name>_abi.cpp
   std::string batch;   // <name>_batch.cpp
+  std::vector<std::string> notes = {};  // on what was asked for, for the user
 };
 
 // Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.

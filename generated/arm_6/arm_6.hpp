@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 345970f782be92b3 of arm_6/scene.toml; the usual functions
+// model 7e4efc7ddf4f488c of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -19,7 +19,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
@@ -36,6 +37,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::arm_6 {
 
@@ -44,7 +126,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "345970f782be92b3";
+inline constexpr char model_hash[] = "7e4efc7ddf4f488c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -227,14 +309,15 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T*
 // 49 add, 83 multiply, 12 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 84; ++i) pose[i] = T(0);
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 6, cosines, sines);
 
   // ---- body 1 (waist) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   pose[0] = E1_11;
   pose[4] = E1_11;
   pose[19] = E1_11;
@@ -245,10 +328,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[30] = -E1_12;
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   pose[17] = -E2_11;
   pose[14] = -minus_E2_13;
   // R2^T = E1^T E2^T: R takes inertial components to body components
@@ -262,10 +344,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[16] = -R2_32;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
@@ -288,10 +369,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T minus_P3_3 = minus_E2_13 * T(0.4318);
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
@@ -309,9 +389,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[41] = R4_23;
   pose[56] = R4_23;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = R3_31 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
-  const T P4_2 = R3_32 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
-  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
+  const T P4_1 = P3_1 + R3_31 * T(0.4331) - R3_11 * T(0.0203);
+  const T P4_2 = P3_2 + R3_32 * T(0.4331) - R3_12 * T(0.0203);
+  const T P4_3 = minus_R3_13 * T(0.0203) - minus_P3_3 + R3_33 * T(0.4331);
   pose[57] = P4_1;
   pose[58] = P4_2;
   pose[59] = P4_3;
@@ -324,10 +404,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[47] = p4_3;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
   const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
@@ -349,10 +428,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[80] = R5_33;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
@@ -378,15 +456,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[21] = R2_11 * T(0.068) - T(0.22749999999999998) * E1_12 - R2_31 * T(0.006);
   pose[22] = R2_12 * T(0.068) + T(0.22749999999999998) * E1_11 - R2_32 * T(0.006);
   pose[23] = -(minus_E2_13 * T(0.068) + E2_11 * T(0.006));
-  pose[33] = R3_31 * T(0.07) - E1_12 * T(0.014) + P3_1;
-  pose[34] = E1_11 * T(0.014) + R3_32 * T(0.07) + P3_2;
+  pose[33] = P3_1 + R3_31 * T(0.07) - E1_12 * T(0.014);
+  pose[34] = P3_2 + E1_11 * T(0.014) + R3_32 * T(0.07);
   pose[35] = R3_33 * T(0.07) - minus_P3_3;
-  pose[69] = R5_31 * T(0.032) + P4_1;
-  pose[70] = R5_32 * T(0.032) + P4_2;
-  pose[71] = R5_33 * T(0.032) + P4_3;
-  pose[81] = T(0.10650000000000001) * R5_31 + P4_1;
-  pose[82] = T(0.10650000000000001) * R5_32 + P4_2;
-  pose[83] = T(0.10650000000000001) * R5_33 + P4_3;
+  pose[69] = P4_1 + R5_31 * T(0.032);
+  pose[70] = P4_2 + R5_32 * T(0.032);
+  pose[71] = P4_3 + R5_33 * T(0.032);
+  pose[81] = P4_1 + T(0.10650000000000001) * R5_31;
+  pose[82] = P4_2 + T(0.10650000000000001) * R5_32;
+  pose[83] = P4_3 + T(0.10650000000000001) * R5_33;
 }
 
 // energy: kinetic and potential energy [J].
@@ -394,23 +472,23 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 120 add, 205 multiply, 12 sine or cosine
 template <class T>
 void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 6, cosines, sines);
 
   // ---- body 1 (waist) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // T1 = 1/2 omega1 . (I1 omega1): kinetic energy [J]
   const T T1 = T(0.35) * thetadot1 * thetadot1 * T(0.5);
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -429,19 +507,18 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t2_2 = omega2_3 * T(0.016) - thetadot2 * T(0.006);
   const T t2_3 = omega2_3 * T(0.068) - minus_omega2_1 * T(0.006);
   const T t2_4 = minus_omega2_1 * T(0.016) - thetadot2 * T(0.068);
-  const T v2_1 = R2_11 * t2_2 - E1_12 * t2_3 + R2_31 * t2_4 - minus_Pdot2_1;
-  const T v2_2 = R2_12 * t2_2 + E1_11 * t2_3 + R2_32 * t2_4 - minus_Pdot2_2;
+  const T v2_1 = R2_11 * t2_2 - minus_Pdot2_1 - E1_12 * t2_3 + R2_31 * t2_4;
+  const T v2_2 = R2_12 * t2_2 - minus_Pdot2_2 + E1_11 * t2_3 + R2_32 * t2_4;
   const T v2_3 = E2_11 * t2_4 - minus_E2_13 * t2_2;
   // T2 = 1/2 omega2 . (I_link2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (T(0.13) * minus_omega2_1 * minus_omega2_1 + T(0.539) * thetadot2 * thetadot2 + T(0.524) *
       omega2_3 * omega2_3) + T(8.7) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
@@ -461,26 +538,25 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t3_1 = omega2_3 * T(0.0934);
   const T t3_2 = omega2_3 * T(0.4318);
   const T t3_3 = minus_omega2_1 * T(0.0934) - thetadot2 * T(0.4318);
-  const T Pdot3_1 = R2_11 * t3_1 - E1_12 * t3_2 + R2_31 * t3_3 - minus_Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_1 + E1_11 * t3_2 + R2_32 * t3_3 - minus_Pdot2_2;
+  const T Pdot3_1 = R2_11 * t3_1 - minus_Pdot2_1 - E1_12 * t3_2 + R2_31 * t3_3;
+  const T Pdot3_2 = R2_12 * t3_1 - minus_Pdot2_2 + E1_11 * t3_2 + R2_32 * t3_3;
   const T Pdot3_3 = E2_11 * t3_3 - minus_E2_13 * t3_1;
   // v3 = R3^T omega3~ r_link3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_4 = omega3_2 * T(0.07) - omega3_3 * T(0.014);
   const T t3_5 = minus_omega3_1 * T(0.07);
   const T t3_6 = minus_omega3_1 * T(0.014);
-  const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
-  const T v3_3 = Pdot3_3 - (minus_R3_13 * t3_4 + R3_33 * t3_6);
+  const T v3_1 = Pdot3_1 + R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6;
+  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
   // T3 = 1/2 omega3 . (I_link3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(0.066) * minus_omega3_1 * minus_omega3_1 + T(0.066) * omega3_2 * omega3_2 + T(0.0125) *
       omega3_3 * omega3_3) + T(2.4) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
@@ -493,32 +569,31 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
+  const T P4_3 = minus_R3_13 * T(0.0203) - minus_P3_3 + R3_33 * T(0.4331);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
   const T p4_3 = P4_3 - R3_33 * T(0.019);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_2 * T(0.4331);
   const T t4_2 = minus_omega3_1 * T(0.4331) - omega3_3 * T(0.0203);
   const T t4_3 = omega3_2 * T(0.0203);
-  const T Pdot4_1 = R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3 + Pdot3_2;
-  const T Pdot4_3 = R3_33 * t4_3 - minus_R3_13 * t4_1 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3;
+  const T Pdot4_3 = Pdot3_3 + R3_33 * t4_3 - minus_R3_13 * t4_1;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
-  const T v4_1 = Pdot4_1 - (R4_11 * t4_4 + minus_R4_21 * t4_5);
-  const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
-  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_22 * t4_5 - R4_12 * t4_4;
+  const T v4_3 = Pdot4_3 + minus_R4_13 * t4_4 + R4_23 * t4_5;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (T(0.0018) * omega4_1 * omega4_1 + T(0.0018) * omega4_2 * omega4_2 + T(0.0013) * omega4_3 *
       omega4_3) + T(0.41) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
   const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
@@ -533,11 +608,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
       omega5_3) + T(0.17) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 + Pdot4_3 * Pdot4_3);
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
@@ -550,20 +624,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
   const T omega6_3 = thetadot6 + omega5_3;
   // p6 = R6^T r_link6 + P4: position of the mass centre, inertial axes [m]
-  const T p6_3 = R5_33 * c.r_link6_3 + P4_3;
+  const T p6_3 = P4_3 + R5_33 * c.r_link6_3;
   // v6 = R6^T omega6~ r_link6 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t6_1 = omega6_2 * c.r_link6_3;
   const T t6_2 = omega6_1 * c.r_link6_3;
-  const T v6_1 = R6_11 * t6_1 + minus_R6_21 * t6_2 + Pdot4_1;
-  const T v6_2 = R6_12 * t6_1 - R6_22 * t6_2 + Pdot4_2;
-  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 + Pdot4_3;
+  const T v6_1 = Pdot4_1 + R6_11 * t6_1 + minus_R6_21 * t6_2;
+  const T v6_2 = Pdot4_2 + R6_12 * t6_1 - R6_22 * t6_2;
+  const T v6_3 = Pdot4_3 + R6_13 * t6_1 - R6_23 * t6_2;
   // T6 = 1/2 omega6 . (I_link6 omega6) + 1/2 m_link6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (c.I_link6_11 * omega6_1 * omega6_1 + c.I_link6_11 * omega6_2 * omega6_2 + T(4e-05) * omega6_3
       * omega6_3) + c.c6_1 * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
 
   // ---- whole system
   // kinetic = T1 + T2 + T3 + T4 + T5 + T6: kinetic energy of the system [J]
-  const T kinetic = T1 + T2 + T3 + T4 + T5 + T6;
+  const T kinetic = T2 + T3 + T4 + T5 + T6 + T1;
   energy[0] = kinetic;
   // mp = m2 p2 + m3 p3 + m4 p4 + m5 P4 + m_link6 p6: first moment of mass, inertial axes [kg m]
   const T mp_3 = T(4.8) * p3_3 - T(17.4) * minus_p2_3 + T(0.82) * p4_3 + T(0.34) * P4_3 + c.m_link6 * p6_3;
@@ -577,23 +651,23 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
 // 189 add, 271 multiply, 12 sine or cosine
 template <class T>
 void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 6, cosines, sines);
 
   // ---- body 1 (waist) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // H1 = E1^T I1 omega1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T H1_3 = T(0.35) * thetadot1;
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -614,8 +688,8 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t2_2 = omega2_3 * T(0.016) - thetadot2 * T(0.006);
   const T t2_3 = omega2_3 * T(0.068) - minus_omega2_1 * T(0.006);
   const T t2_4 = minus_omega2_1 * T(0.016) - thetadot2 * T(0.068);
-  const T v2_1 = R2_11 * t2_2 - E1_12 * t2_3 + R2_31 * t2_4 - minus_Pdot2_1;
-  const T v2_2 = R2_12 * t2_2 + E1_11 * t2_3 + R2_32 * t2_4 - minus_Pdot2_2;
+  const T v2_1 = R2_11 * t2_2 - minus_Pdot2_1 - E1_12 * t2_3 + R2_31 * t2_4;
+  const T v2_2 = R2_12 * t2_2 - minus_Pdot2_2 + E1_11 * t2_3 + R2_32 * t2_4;
   const T v2_3 = E2_11 * t2_4 - minus_E2_13 * t2_2;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(17.4) * v2_1;
@@ -630,11 +704,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H2_3 = minus_E2_13 * t2_6 + E2_11 * t2_5 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
@@ -651,23 +724,23 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P3_2 = R2_12 * T(0.4318) + T(0.1501) * E1_11;
   const T minus_P3_3 = minus_E2_13 * T(0.4318);
   // p3 = R3^T r_link3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_31 * T(0.07) - E1_12 * T(0.014) + P3_1;
-  const T p3_2 = E1_11 * T(0.014) + R3_32 * T(0.07) + P3_2;
+  const T p3_1 = P3_1 + R3_31 * T(0.07) - E1_12 * T(0.014);
+  const T p3_2 = P3_2 + E1_11 * T(0.014) + R3_32 * T(0.07);
   const T p3_3 = R3_33 * T(0.07) - minus_P3_3;
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = omega2_3 * T(0.0934);
   const T t3_2 = omega2_3 * T(0.4318);
   const T t3_3 = minus_omega2_1 * T(0.0934) - thetadot2 * T(0.4318);
-  const T Pdot3_1 = R2_11 * t3_1 - E1_12 * t3_2 + R2_31 * t3_3 - minus_Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_1 + E1_11 * t3_2 + R2_32 * t3_3 - minus_Pdot2_2;
+  const T Pdot3_1 = R2_11 * t3_1 - minus_Pdot2_1 - E1_12 * t3_2 + R2_31 * t3_3;
+  const T Pdot3_2 = R2_12 * t3_1 - minus_Pdot2_2 + E1_11 * t3_2 + R2_32 * t3_3;
   const T Pdot3_3 = E2_11 * t3_3 - minus_E2_13 * t3_1;
   // v3 = R3^T omega3~ r_link3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_4 = omega3_2 * T(0.07) - omega3_3 * T(0.014);
   const T t3_5 = minus_omega3_1 * T(0.07);
   const T t3_6 = minus_omega3_1 * T(0.014);
-  const T v3_1 = R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6 + Pdot3_2;
-  const T v3_3 = Pdot3_3 - (minus_R3_13 * t3_4 + R3_33 * t3_6);
+  const T v3_1 = Pdot3_1 + R3_11 * t3_4 - E1_12 * t3_5 - R3_31 * t3_6;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_4 + E1_11 * t3_5 - R3_32 * t3_6;
+  const T v3_3 = Pdot3_3 - minus_R3_13 * t3_4 - R3_33 * t3_6;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(4.8) * v3_1;
   const T l3_2 = T(4.8) * v3_2;
@@ -681,11 +754,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H3_3 = minus_R3_13 * t3_8 + R3_33 * t3_7 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
@@ -698,9 +770,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
   const T omega4_3 = thetadot4 + omega3_3;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = R3_31 * T(0.4331) - R3_11 * T(0.0203) + P3_1;
-  const T P4_2 = R3_32 * T(0.4331) - R3_12 * T(0.0203) + P3_2;
-  const T P4_3 = minus_R3_13 * T(0.0203) + R3_33 * T(0.4331) - minus_P3_3;
+  const T P4_1 = P3_1 + R3_31 * T(0.4331) - R3_11 * T(0.0203);
+  const T P4_2 = P3_2 + R3_32 * T(0.4331) - R3_12 * T(0.0203);
+  const T P4_3 = minus_R3_13 * T(0.0203) - minus_P3_3 + R3_33 * T(0.4331);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
   const T p4_1 = P4_1 - R3_31 * T(0.019);
   const T p4_2 = P4_2 - R3_32 * T(0.019);
@@ -709,15 +781,15 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t4_1 = omega3_2 * T(0.4331);
   const T t4_2 = minus_omega3_1 * T(0.4331) - omega3_3 * T(0.0203);
   const T t4_3 = omega3_2 * T(0.0203);
-  const T Pdot4_1 = R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3 + Pdot3_2;
-  const T Pdot4_3 = R3_33 * t4_3 - minus_R3_13 * t4_1 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_1 - E1_12 * t4_2 + R3_31 * t4_3;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_1 + E1_11 * t4_2 + R3_32 * t4_3;
+  const T Pdot4_3 = Pdot3_3 + R3_33 * t4_3 - minus_R3_13 * t4_1;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_4 = omega4_2 * T(0.019);
   const T t4_5 = omega4_1 * T(0.019);
-  const T v4_1 = Pdot4_1 - (R4_11 * t4_4 + minus_R4_21 * t4_5);
-  const T v4_2 = R4_22 * t4_5 - R4_12 * t4_4 + Pdot4_2;
-  const T v4_3 = minus_R4_13 * t4_4 + R4_23 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 - R4_11 * t4_4 - minus_R4_21 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_22 * t4_5 - R4_12 * t4_4;
+  const T v4_3 = Pdot4_3 + minus_R4_13 * t4_4 + R4_23 * t4_5;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(0.82) * v4_1;
   const T l4_2 = T(0.82) * v4_2;
@@ -731,11 +803,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H4_3 = R4_23 * t4_7 - minus_R4_13 * t4_6 + R3_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
   const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
@@ -760,11 +831,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H5_3 = R4_23 * t5_2 - minus_R5_13 * t5_1 + R5_33 * t5_3 + P4_1 * l5_2 - P4_2 * l5_1;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
@@ -777,15 +847,15 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
   const T omega6_3 = thetadot6 + omega5_3;
   // p6 = R6^T r_link6 + P4: position of the mass centre, inertial axes [m]
-  const T p6_1 = R5_31 * c.r_link6_3 + P4_1;
-  const T p6_2 = R5_32 * c.r_link6_3 + P4_2;
-  const T p6_3 = R5_33 * c.r_link6_3 + P4_3;
+  const T p6_1 = P4_1 + R5_31 * c.r_link6_3;
+  const T p6_2 = P4_2 + R5_32 * c.r_link6_3;
+  const T p6_3 = P4_3 + R5_33 * c.r_link6_3;
   // v6 = R6^T omega6~ r_link6 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t6_1 = omega6_2 * c.r_link6_3;
   const T t6_2 = omega6_1 * c.r_link6_3;
-  const T v6_1 = R6_11 * t6_1 + minus_R6_21 * t6_2 + Pdot4_1;
-  const T v6_2 = R6_12 * t6_1 - R6_22 * t6_2 + Pdot4_2;
-  const T v6_3 = R6_13 * t6_1 - R6_23 * t6_2 + Pdot4_3;
+  const T v6_1 = Pdot4_1 + R6_11 * t6_1 + minus_R6_21 * t6_2;
+  const T v6_2 = Pdot4_2 + R6_12 * t6_1 - R6_22 * t6_2;
+  const T v6_3 = Pdot4_3 + R6_13 * t6_1 - R6_23 * t6_2;
   // l6 = m_link6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = c.m_link6 * v6_1;
   const T l6_2 = c.m_link6 * v6_2;
@@ -809,7 +879,7 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   // angular = H1 + H2 + H3 + H4 + H5 + H6: angular momentum of the system about the inertial origin [kg m^2/s]
   const T angular_1 = H2_1 + H3_1 + H4_1 + H5_1 + H6_1;
   const T angular_2 = H2_2 + H3_2 + H4_2 + H5_2 + H6_2;
-  const T angular_3 = H1_3 + H2_3 + H3_3 + H4_3 + H5_3 + H6_3;
+  const T angular_3 = H2_3 + H3_3 + H4_3 + H5_3 + H6_3 + H1_3;
   momentum[3] = angular_1;
   momentum[4] = angular_2;
   momentum[5] = angular_3;
@@ -842,15 +912,16 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 // by: composite; articulated would take 294 add, 354 multiply, 4 divide, 10 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 5, cosines + 1, sines + 1);
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -881,11 +952,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       T(0.023750999999999998) * minus_U2_13;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
   const T omega3_2 = thetadot3 + thetadot2;
@@ -910,7 +980,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U3_32 = t3_5 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_4;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_6 = minus_Pddot2_1 + minus_U2_11 * T(0.4318);
   const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
   const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
   const T minus_Pddot3_2 = minus_U2_21 * T(0.4318);
@@ -929,11 +999,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       minus_U3_22) - c.J_all_3_13 * U3_23 + c.c1_2 * minus_U3_13;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
   const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
@@ -954,11 +1023,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + U3_12 * T(0.1501) - minus_Pddot3_1;
-  const T t4_5 = minus_U3_21 * T(0.0203) - minus_U3_22 * T(0.1501) - minus_Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_Pddot3_1 + U3_12 * T(0.1501);
+  const T t4_5 = minus_U3_21 * T(0.0203) - minus_Pddot3_2 - minus_U3_22 * T(0.1501);
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_13 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  const T Pddot4_3 = Pddot3_3 + minus_U3_13 * T(0.0203) + U3_32 * T(0.1501);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
@@ -966,11 +1035,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
   const T omega5_2 = thetadot5 + omega4_2;
@@ -991,8 +1059,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U5_32 = t5_3 + omegadot5_1;
   const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
-  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * (Pddot4_1 + U4_13 * T(0.4331)) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = Pddot4_2 + U4_23 * T(0.4331);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_13 * c.h_all_5_3;
   const T minus_G5_2 = U5_23 * c.h_all_5_3;
@@ -1004,11 +1072,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -1035,8 +1102,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 5 (hand) and what it carries
   // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = N5_1 - (E6_12 * N6_2 + E6_11 * minus_N6_1);
-  const T minus_rho5_2 = E6_12 * minus_N6_1 - E6_11 * N6_2 + minus_N5_2;
+  const T rho5_1 = N5_1 - E6_12 * N6_2 - E6_11 * minus_N6_1;
+  const T minus_rho5_2 = minus_N5_2 + E6_12 * minus_N6_1 - E6_11 * N6_2;
   const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = minus_E5_13 * c.h_all_5_3;
@@ -1048,9 +1115,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T S4_3 = minus_E5_13 * minus_G5_1 + E5_11 * G5_3;
   // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho4_1 = T(0.4331) * minus_G5_2 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - minus_N4_1;
-  const T rho4_2 = T(0.4331) * S4_1 - minus_rho5_2 + N4_2;
-  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
+  const T rho4_1 = T(0.4331) * minus_G5_2 - minus_N4_1 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3;
+  const T rho4_2 = N4_2 - minus_rho5_2 + T(0.4331) * S4_1;
+  const T minus_rho4_3 = minus_N4_3 + minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3;
   // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
   const T b4_1 = minus_E5_13 * c.c4_3;
   const T b4_2 = minus_E5_13 * b4_1;
@@ -1079,20 +1146,20 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T S3_3 = S4_3 - minus_G3_3;
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = T(0.1501) * S4_3 + E4_11 * rho4_1 - E4_12 * rho4_2 - minus_N3_1;
-  const T rho3_2 = T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - minus_N3_2;
-  const T minus_rho3_3 = T(0.0203) * b3_2 + T(0.1501) * b3_1 + minus_rho4_3 + minus_N3_3;
+  const T rho3_1 = T(0.1501) * S4_3 - minus_N3_1 + E4_11 * rho4_1 - E4_12 * rho4_2;
+  const T rho3_2 = T(0.0203) * S4_3 - minus_N3_2 + E4_12 * rho4_1 + E4_11 * rho4_2;
+  const T minus_rho3_3 = minus_rho4_3 + minus_N3_3 + T(0.0203) * b3_2 + T(0.1501) * b3_1;
   // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
   const T h3_1 = hc4_1 - c.c1_1;
   const T h3_3 = c.h_all_3_3 + hc5_3;
   // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
   const T b3_3 = E4_12 * (J4_11 - J4_22);
   const T b3_4 = E4_12 * b3_3;
-  const T J3_11 = J4_11 - b3_4 + T(0.3002) * hc4_2 + c.J_own_3_11;
-  const T J3_12 = E4_11 * b3_3 - T(0.1501) * hc4_1 + c.J_all_3_12 + T(0.0203) * hc4_2;
+  const T J3_11 = J4_11 - b3_4 + c.J_own_3_11 + T(0.3002) * hc4_2;
+  const T J3_12 = c.J_all_3_12 + E4_11 * b3_3 - T(0.1501) * hc4_1 + T(0.0203) * hc4_2;
   const T b3_5 = E4_11 * J4_13;
   const T J3_13 = b3_5 + c.J_all_3_13 + T(0.0203) * hc5_3;
-  const T J3_22 = J4_22 + b3_4 - T(0.0406) * hc4_1 + c.J_all_3_22;
+  const T J3_22 = J4_22 + b3_4 + c.J_all_3_22 - T(0.0406) * hc4_1;
   const T b3_6 = E4_12 * J4_13;
   const T J3_23 = b3_6 - c.c1_2 - T(0.1501) * hc5_3;
   const T b3_7 = T(0.1501) * hc4_2 - T(0.0203) * hc4_1;
@@ -1124,16 +1191,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 2 (upper_arm) and what it carries
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 + N2_1;
-  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) - minus_N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
+  const T rho2_1 = N2_1 + E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3;
+  const T rho2_2 = rho3_2 - minus_N2_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1);
+  const T rho2_3 = T(0.4318) * S3_2 - (minus_N2_3 + minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3);
   // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
   const T b2_1 = minus_E3_13 * (J3_33 - J3_11) + T(2) * E3_11 * J3_13;
   const T b2_2 = minus_E3_13 * b2_1;
   const T J2_11 = J3_11 + b2_2 + c.J_own_2_11;
   const T b2_3 = E3_11 * J3_12 + minus_E3_13 * J3_23;
   const T J2_12 = b2_3 - c.c1_3 - T(0.4318) * hc4_2;
-  const T J2_13 = E3_11 * b2_1 - J3_13 + T(0.0070992) - T(0.4318) * hc3_3;
+  const T J2_13 = T(0.0070992) - J3_13 + E3_11 * b2_1 - T(0.4318) * hc3_3;
   const T b2_4 = T(0.4318) * hc3_1;
   const T b2_5 = b2_4 + J3_22;
   const T J2_22 = b2_5 + c.J_all_2_22 + b2_4;
@@ -1145,7 +1212,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T minus_K_thetadot5_2_1 = minus_E3_13 * minus_K_thetadot5_3_3 + E3_11 * minus_K_thetadot5_3_1;
-  const T K_thetadot5_2_2 = T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1) + K_thetadot5_3_2;
+  const T K_thetadot5_2_2 = K_thetadot5_3_2 + T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1);
   const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + minus_E3_13 * minus_K_thetadot5_3_1 - E3_11 *
       minus_K_thetadot5_3_3;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
@@ -1166,7 +1233,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1;
   // J1 = E2^T J2 E2 + J_own_1: inertia carried, about the body origin, body axes [kg m^2]
   const T J1_23 = E2_11 * J2_23 - minus_E2_13 * J2_12;
-  const T J1_33 = J2_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13) + c.J_all_1_33;
+  const T J1_33 = J2_33 + c.J_all_1_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13);
   // K_thetadot6_1 = E2^T K_thetadot6_2
   const T K_thetadot6_1_3 = E2_11 * K_thetadot6_2_3 - minus_E2_13 * K_thetadot6_2_1;
   // K_thetadot5_1 = E2^T K_thetadot5_2
@@ -1233,7 +1300,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 // 183 add, 196 multiply, 10 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 5, cosines + 1, sines + 1);
 
   // ---- body 1 (waist) on the inertial frame
   const T thetaddot1 = ydot[0];
@@ -1242,13 +1311,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N1_3 = c.c1_4 * thetaddot1 + c.c1_5 * thetaddot1;
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -1286,12 +1354,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       T(0.023750999999999998) * U2_13;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   const T thetaddot3 = ydot[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
   const T omega3_2 = thetadot3 + thetadot2;
@@ -1318,7 +1385,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U3_32 = t3_6 - minus_omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_7 = minus_Pddot2_1 + minus_U2_11 * T(0.4318);
   const T t3_8 = Pddot2_3 - minus_U2_31 * T(0.4318);
   const T minus_Pddot3_1 = E3_11 * t3_7 + minus_E3_13 * t3_8;
   const T Pddot3_2 = U2_21 * T(0.4318);
@@ -1337,12 +1404,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       U3_23 - c.c1_2 * U3_13 - c.c1_1 * Pddot3_2;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   const T thetaddot4 = ydot[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
   const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
@@ -1364,11 +1430,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) - minus_U3_12 * T(0.1501) - minus_Pddot3_1;
-  const T t4_5 = Pddot3_2 - (U3_21 * T(0.0203) + minus_U3_22 * T(0.1501));
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_Pddot3_1 - minus_U3_12 * T(0.1501);
+  const T t4_5 = Pddot3_2 - U3_21 * T(0.0203) - minus_U3_22 * T(0.1501);
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_31 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  const T Pddot4_3 = Pddot3_3 + minus_U3_31 * T(0.0203) + U3_32 * T(0.1501);
   // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
   //   body axes [N m]
   const T N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
@@ -1376,12 +1442,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   const T thetaddot5 = ydot[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
   const T omega5_2 = thetadot5 + omega4_2;
@@ -1403,8 +1468,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U5_32 = t5_3 + omegadot5_1;
   const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
-  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * (Pddot4_1 + U4_13 * T(0.4331)) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = Pddot4_2 + U4_23 * T(0.4331);
   // G5 = U5 h_own_5: inertia less applied force, body axes [N]
   const T G5_1 = U5_13 * c.h_all_5_3;
   const T G5_2 = U5_23 * c.h_all_5_3;
@@ -1416,12 +1481,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   const T thetaddot6 = ydot[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -1454,8 +1518,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 5 (hand) and what it carries
   // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = E6_11 * N6_1 + E6_12 * minus_N6_2 - minus_N5_1;
-  const T rho5_2 = E6_12 * N6_1 - E6_11 * minus_N6_2 + N5_2;
+  const T rho5_1 = E6_11 * N6_1 - minus_N5_1 + E6_12 * minus_N6_2;
+  const T rho5_2 = N5_2 + E6_12 * N6_1 - E6_11 * minus_N6_2;
   const T rho5_3 = N6_3 + N5_3;
   // r_theta5 = b5 . rho5 - tau_hand_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_2 - u.tau_5;
@@ -1467,9 +1531,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_S4_3 = minus_E5_13 * G5_1 + E5_11 * minus_G5_3;
   // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho4_1 = E5_11 * rho5_1 + minus_E5_13 * rho5_3 - T(0.4331) * G5_2 + N4_1;
-  const T rho4_2 = T(0.4331) * S4_1 + rho5_2 - minus_N4_2;
-  const T rho4_3 = E5_11 * rho5_3 - minus_E5_13 * rho5_1 + N4_3;
+  const T rho4_1 = N4_1 + E5_11 * rho5_1 + minus_E5_13 * rho5_3 - T(0.4331) * G5_2;
+  const T rho4_2 = rho5_2 - minus_N4_2 + T(0.4331) * S4_1;
+  const T rho4_3 = N4_3 + E5_11 * rho5_3 - minus_E5_13 * rho5_1;
   // r_theta4 = b4 . rho4 - tau_wrist_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_3 - u.tau_4;
   r[3] = r_theta4;
@@ -1483,9 +1547,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S3_3 = G3_3 - minus_S4_3;
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.1501) * minus_S4_3 + N3_1;
-  const T rho3_2 = E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.0203) * minus_S4_3 + N3_2;
-  const T rho3_3 = rho4_3 - (T(0.0203) * b3_2 + T(0.1501) * b3_1) + N3_3;
+  const T rho3_1 = N3_1 + E4_11 * rho4_1 - E4_12 * rho4_2 - T(0.1501) * minus_S4_3;
+  const T rho3_2 = N3_2 + E4_12 * rho4_1 + E4_11 * rho4_2 - T(0.0203) * minus_S4_3;
+  const T rho3_3 = rho4_3 + N3_3 - T(0.0203) * b3_2 - T(0.1501) * b3_1;
   // r_theta3 = b3 . rho3 - tau_forearm_: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_2 - u.tau_3;
   r[2] = r_theta3;
@@ -1493,16 +1557,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 2 (upper_arm) and what it carries
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 + N2_1;
-  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) + N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + N2_3;
+  const T rho2_1 = N2_1 + E3_11 * rho3_1 + minus_E3_13 * rho3_3;
+  const T rho2_2 = rho3_2 + N2_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1);
+  const T rho2_3 = N2_3 + T(0.4318) * S3_2 + E3_11 * rho3_3 - minus_E3_13 * rho3_1;
   // r_theta2 = b2 . rho2 - tau_upper_arm_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_2 - u.tau_2;
   r[1] = r_theta2;
 
   // ---- body 1 (waist) and what it carries
   // rho1 = E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho1_3 = E2_11 * rho2_3 - minus_E2_13 * rho2_1 + N1_3;
+  const T rho1_3 = N1_3 + E2_11 * rho2_3 - minus_E2_13 * rho2_1;
   // r_theta1 = b1 . rho1 - tau_waist_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_3 - u.tau_1;
   r[0] = r_theta1;
@@ -1513,15 +1577,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 // 163 add, 186 multiply, 10 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 5, cosines + 1, sines + 1);
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -1552,11 +1617,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       T(0.023750999999999998) * minus_U2_13;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T minus_omega3_1 = E3_11 * minus_omega2_1 + minus_E3_13 * omega2_3;
   const T omega3_2 = thetadot3 + thetadot2;
@@ -1581,7 +1645,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U3_32 = t3_5 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_4;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_6 = minus_U2_11 * T(0.4318) + minus_Pddot2_1;
+  const T t3_6 = minus_Pddot2_1 + minus_U2_11 * T(0.4318);
   const T t3_7 = Pddot2_3 - minus_U2_13 * T(0.4318);
   const T minus_Pddot3_1 = E3_11 * t3_6 + minus_E3_13 * t3_7;
   const T minus_Pddot3_2 = minus_U2_21 * T(0.4318);
@@ -1600,11 +1664,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       minus_U3_22) - c.J_all_3_13 * U3_23 + c.c1_2 * minus_U3_13;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_12 * omega3_2 - E4_11 * minus_omega3_1;
   const T omega4_2 = E4_11 * omega3_2 + E4_12 * minus_omega3_1;
@@ -1625,11 +1688,11 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U4_32 = t4_3 + omegadot4_1;
   const T minus_U4_33 = omega4_2 * omega4_2 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_4 = minus_U3_11 * T(0.0203) + U3_12 * T(0.1501) - minus_Pddot3_1;
-  const T t4_5 = minus_U3_21 * T(0.0203) - minus_U3_22 * T(0.1501) - minus_Pddot3_2;
+  const T t4_4 = minus_U3_11 * T(0.0203) - minus_Pddot3_1 + U3_12 * T(0.1501);
+  const T t4_5 = minus_U3_21 * T(0.0203) - minus_Pddot3_2 - minus_U3_22 * T(0.1501);
   const T Pddot4_1 = E4_11 * t4_4 + E4_12 * t4_5;
   const T Pddot4_2 = E4_11 * t4_5 - E4_12 * t4_4;
-  const T Pddot4_3 = minus_U3_13 * T(0.0203) + U3_32 * T(0.1501) + Pddot3_3;
+  const T Pddot4_3 = Pddot3_3 + minus_U3_13 * T(0.0203) + U3_32 * T(0.1501);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N4_1 = c.c4_2 * U4_32 + c.c4_2 * U4_23;
@@ -1637,11 +1700,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N4_3 = c.c4_1 * U4_21 - c.c4_2 * U4_12;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 - minus_E5_13 * omega4_3;
   const T omega5_2 = thetadot5 + omega4_2;
@@ -1662,8 +1724,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U5_32 = t5_3 + omegadot5_1;
   const T minus_U5_33 = omega5_2 * omega5_2 + omega5_1 * omega5_1;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot5_1 = E5_11 * (U4_13 * T(0.4331) + Pddot4_1) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
-  const T Pddot5_2 = U4_23 * T(0.4331) + Pddot4_2;
+  const T Pddot5_1 = E5_11 * (Pddot4_1 + U4_13 * T(0.4331)) - minus_E5_13 * (Pddot4_3 - minus_U4_33 * T(0.4331));
+  const T Pddot5_2 = Pddot4_2 + U4_23 * T(0.4331);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_13 * c.h_all_5_3;
   const T minus_G5_2 = U5_23 * c.h_all_5_3;
@@ -1675,11 +1737,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N5_3 = c.c5_1 * U5_21 + c.c5_1 * U5_12;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 + E6_12 * omega5_2;
   const T omega6_2 = E6_11 * omega5_2 - E6_12 * omega5_1;
@@ -1711,8 +1772,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 5 (hand) and what it carries
   // rho5 = E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho5_1 = N5_1 - (E6_12 * N6_2 + E6_11 * minus_N6_1);
-  const T minus_rho5_2 = E6_12 * minus_N6_1 - E6_11 * N6_2 + minus_N5_2;
+  const T rho5_1 = N5_1 - E6_12 * N6_2 - E6_11 * minus_N6_1;
+  const T minus_rho5_2 = minus_N5_2 + E6_12 * minus_N6_1 - E6_11 * N6_2;
   const T minus_rho5_3 = minus_N6_3 + minus_N5_3;
   // f_theta5 = b5 . rho5 + tau_hand_: Kane's equation of the angle [N m]
   const T f_theta5 = u.tau_5 - minus_rho5_2;
@@ -1724,9 +1785,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S4_3 = minus_E5_13 * minus_G5_1 + E5_11 * G5_3;
   // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho4_1 = T(0.4331) * minus_G5_2 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3 - minus_N4_1;
-  const T rho4_2 = T(0.4331) * S4_1 - minus_rho5_2 + N4_2;
-  const T minus_rho4_3 = minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3 + minus_N4_3;
+  const T rho4_1 = T(0.4331) * minus_G5_2 - minus_N4_1 + E5_11 * rho5_1 - minus_E5_13 * minus_rho5_3;
+  const T rho4_2 = N4_2 - minus_rho5_2 + T(0.4331) * S4_1;
+  const T minus_rho4_3 = minus_N4_3 + minus_E5_13 * rho5_1 + E5_11 * minus_rho5_3;
   // f_theta4 = b4 . rho4 + tau_wrist_: Kane's equation of the angle [N m]
   const T f_theta4 = u.tau_4 - minus_rho4_3;
   f[3] = f_theta4;
@@ -1740,9 +1801,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S3_3 = S4_3 - minus_G3_3;
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = T(0.1501) * S4_3 + E4_11 * rho4_1 - E4_12 * rho4_2 - minus_N3_1;
-  const T rho3_2 = T(0.0203) * S4_3 + E4_12 * rho4_1 + E4_11 * rho4_2 - minus_N3_2;
-  const T minus_rho3_3 = T(0.0203) * b3_2 + T(0.1501) * b3_1 + minus_rho4_3 + minus_N3_3;
+  const T rho3_1 = T(0.1501) * S4_3 - minus_N3_1 + E4_11 * rho4_1 - E4_12 * rho4_2;
+  const T rho3_2 = T(0.0203) * S4_3 - minus_N3_2 + E4_12 * rho4_1 + E4_11 * rho4_2;
+  const T minus_rho3_3 = minus_rho4_3 + minus_N3_3 + T(0.0203) * b3_2 + T(0.1501) * b3_1;
   // f_theta3 = b3 . rho3 + tau_forearm_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + u.tau_3;
   f[2] = f_theta3;
@@ -1750,9 +1811,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 2 (upper_arm) and what it carries
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 + N2_1;
-  const T rho2_2 = rho3_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1) - minus_N2_2;
-  const T rho2_3 = T(0.4318) * S3_2 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
+  const T rho2_1 = N2_1 + E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3;
+  const T rho2_2 = rho3_2 - minus_N2_2 - T(0.4318) * (E3_11 * S3_3 - minus_E3_13 * S3_1);
+  const T rho2_3 = T(0.4318) * S3_2 - (minus_N2_3 + minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3);
   // f_theta2 = b2 . rho2 + tau_upper_arm_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_2 + u.tau_2;
   f[1] = f_theta2;
@@ -1770,34 +1831,32 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 // 68 add, 85 multiply, 8 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
+  T cosines[5], sines[5];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 4, cosines + 1, sines + 1);
 
   // ---- body 1 (waist) on the inertial frame
   A[28] = c.J_all_5_22;
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
 
   // ---- body 5 (hand) and what it carries
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
@@ -1831,11 +1890,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // J3 = -q4~ hc4~ + E4^T J4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
   const T b3_1 = E4_12 * (J4_11 - J4_22);
   const T b3_2 = E4_12 * b3_1;
-  const T J3_11 = J4_11 - b3_2 + T(0.3002) * hc4_2 + c.J_own_3_11;
-  const T J3_12 = E4_11 * b3_1 - T(0.1501) * hc4_1 + c.J_all_3_12 + T(0.0203) * hc4_2;
+  const T J3_11 = J4_11 - b3_2 + c.J_own_3_11 + T(0.3002) * hc4_2;
+  const T J3_12 = c.J_all_3_12 + E4_11 * b3_1 - T(0.1501) * hc4_1 + T(0.0203) * hc4_2;
   const T b3_3 = E4_11 * J4_13;
   const T J3_13 = b3_3 + c.J_all_3_13 + T(0.0203) * hc5_3;
-  const T J3_22 = J4_22 + b3_2 - T(0.0406) * hc4_1 + c.J_all_3_22;
+  const T J3_22 = J4_22 + b3_2 + c.J_all_3_22 - T(0.0406) * hc4_1;
   const T b3_4 = E4_12 * J4_13;
   const T J3_23 = b3_4 - c.c1_2 - T(0.1501) * hc5_3;
   const T b3_5 = T(0.1501) * hc4_2 - T(0.0203) * hc4_1;
@@ -1871,7 +1930,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J2_11 = J3_11 + b2_2 + c.J_own_2_11;
   const T b2_3 = E3_11 * J3_12 + minus_E3_13 * J3_23;
   const T J2_12 = b2_3 - c.c1_3 - T(0.4318) * hc4_2;
-  const T J2_13 = E3_11 * b2_1 - J3_13 + T(0.0070992) - T(0.4318) * hc3_3;
+  const T J2_13 = T(0.0070992) - J3_13 + E3_11 * b2_1 - T(0.4318) * hc3_3;
   const T b2_4 = T(0.4318) * hc3_1;
   const T b2_5 = b2_4 + J3_22;
   const T J2_22 = b2_5 + c.J_all_2_22 + b2_4;
@@ -1884,7 +1943,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T K_thetadot6_2_3 = E3_11 * K_thetadot6_4_3 - minus_E3_13 * K_thetadot6_3_1;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
   const T minus_K_thetadot5_2_1 = minus_E3_13 * minus_K_thetadot5_3_3 + E3_11 * minus_K_thetadot5_3_1;
-  const T K_thetadot5_2_2 = T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1) + K_thetadot5_3_2;
+  const T K_thetadot5_2_2 = K_thetadot5_3_2 + T(0.4318) * (minus_E3_13 * B_thetadot5_3_1 + E3_11 * hc5_1);
   const T K_thetadot5_2_3 = T(0.4318) * B_thetadot5_3_2 + minus_E3_13 * minus_K_thetadot5_3_1 - E3_11 *
       minus_K_thetadot5_3_3;
   A[10] = K_thetadot5_2_2;
@@ -1901,7 +1960,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // ---- body 1 (waist) and what it carries
   // J1 = E2^T J2 E2 + J_own_1: inertia carried, about the body origin, body axes [kg m^2]
   const T J1_23 = E2_11 * J2_23 - minus_E2_13 * J2_12;
-  const T J1_33 = J2_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13) + c.J_all_1_33;
+  const T J1_33 = J2_33 + c.J_all_1_33 - minus_E2_13 * (minus_E2_13 * (J2_33 - J2_11) + T(2) * E2_11 * J2_13);
   A[1] = J1_23;
   A[6] = J1_23;
   A[0] = J1_33;
@@ -1935,20 +1994,20 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 // 138 add, 215 multiply, 12 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 126; ++i) v_y[i] = T(0);
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 6, cosines, sines);
 
   // ---- body 1 (waist) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -1961,8 +2020,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t2_1 = T(0.016) * E2_11;
   const T t2_2 = T(0.006) * minus_E2_13 - T(0.068) * E2_11;
   const T t2_3 = T(0.016) * minus_E2_13;
-  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - (R2_11 * t2_1 + E1_12 * t2_2 + R2_31 * t2_3);
-  const T minus_B1_1_2 = E1_11 * t2_2 - R2_12 * t2_1 - R2_32 * t2_3 + minus_P_thetadot1_2_2;
+  const T minus_B1_1_1 = minus_P_thetadot1_2_1 - R2_11 * t2_1 - E1_12 * t2_2 - R2_31 * t2_3;
+  const T minus_B1_1_2 = minus_P_thetadot1_2_2 + E1_11 * t2_2 - R2_12 * t2_1 - R2_32 * t2_3;
   const T minus_B1_1_3 = minus_E2_13 * t2_1 - E2_11 * t2_3;
   v_y[18] = -minus_B1_1_1;
   v_y[24] = -minus_B1_1_2;
@@ -1975,10 +2034,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[31] = t2_2;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
@@ -1990,8 +2048,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_1 = T(0.4318) * E2_11;
   const T t3_2 = T(0.0934) * E2_11;
   const T t3_3 = T(0.0934) * minus_E2_13;
-  const T minus_P_thetadot1_3_1 = E1_12 * t3_1 - R2_11 * t3_2 - R2_31 * t3_3 + minus_P_thetadot1_2_1;
-  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - (R2_12 * t3_2 + E1_11 * t3_1 + R2_32 * t3_3);
+  const T minus_P_thetadot1_3_1 = minus_P_thetadot1_2_1 + E1_12 * t3_1 - R2_11 * t3_2 - R2_31 * t3_3;
+  const T minus_P_thetadot1_3_2 = minus_P_thetadot1_2_2 - R2_12 * t3_2 - E1_11 * t3_1 - R2_32 * t3_3;
   const T minus_P_thetadot1_3_3 = minus_E2_13 * t3_2 - E2_11 * t3_3;
   v_y[84] = -minus_P_thetadot1_3_3;
   // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
@@ -2001,9 +2059,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_4 = T(0.014) * R3_33;
   const T t3_5 = T(0.07) * minus_R3_13;
   const T t3_6 = T(0.014) * minus_R3_13;
-  const T minus_B3_1_1 = R3_11 * t3_4 + E1_12 * t3_5 + R3_31 * t3_6 + minus_P_thetadot1_3_1;
-  const T minus_B3_1_2 = R3_12 * t3_4 - E1_11 * t3_5 + R3_32 * t3_6 + minus_P_thetadot1_3_2;
-  const T minus_B3_1_3 = R3_33 * t3_6 - minus_R3_13 * t3_4 + minus_P_thetadot1_3_3;
+  const T minus_B3_1_1 = minus_P_thetadot1_3_1 + R3_11 * t3_4 + E1_12 * t3_5 + R3_31 * t3_6;
+  const T minus_B3_1_2 = minus_P_thetadot1_3_2 + R3_12 * t3_4 - E1_11 * t3_5 + R3_32 * t3_6;
+  const T minus_B3_1_3 = minus_P_thetadot1_3_3 + R3_33 * t3_6 - minus_R3_13 * t3_4;
   v_y[36] = -minus_B3_1_1;
   v_y[42] = -minus_B3_1_2;
   v_y[48] = -minus_B3_1_3;
@@ -2021,10 +2079,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[50] = -t3_5;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
@@ -2035,7 +2092,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_4 = -R3^T q4~ omega_thetadot1_3 + P_thetadot1_3: partial velocity of the body origin, inertial axes
   const T t4_1 = T(0.0203) * R3_33 - T(0.4331) * minus_R3_13;
   const T minus_P_thetadot1_4_1 = minus_P_thetadot1_3_1 - E1_12 * t4_1;
-  const T minus_P_thetadot1_4_2 = E1_11 * t4_1 + minus_P_thetadot1_3_2;
+  const T minus_P_thetadot1_4_2 = minus_P_thetadot1_3_2 + E1_11 * t4_1;
   v_y[72] = -minus_P_thetadot1_4_1;
   v_y[78] = -minus_P_thetadot1_4_2;
   // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
@@ -2053,9 +2110,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B6_1 = -R4^T r4~ omega_thetadot1_4 + P_thetadot1_4
   const T t4_4 = T(0.019) * R4_23;
   const T t4_5 = T(0.019) * minus_R4_13;
-  const T minus_B6_1_1 = R4_11 * t4_4 - minus_R4_21 * t4_5 + minus_P_thetadot1_4_1;
-  const T minus_B6_1_2 = R4_12 * t4_4 + R4_22 * t4_5 + minus_P_thetadot1_4_2;
-  const T minus_B6_1_3 = R4_23 * t4_5 - minus_R4_13 * t4_4 + minus_P_thetadot1_3_3;
+  const T minus_B6_1_1 = minus_P_thetadot1_4_1 + R4_11 * t4_4 - minus_R4_21 * t4_5;
+  const T minus_B6_1_2 = minus_P_thetadot1_4_2 + R4_12 * t4_4 + R4_22 * t4_5;
+  const T minus_B6_1_3 = minus_P_thetadot1_3_3 + R4_23 * t4_5 - minus_R4_13 * t4_4;
   v_y[54] = -minus_B6_1_1;
   v_y[60] = -minus_B6_1_2;
   v_y[66] = -minus_B6_1_3;
@@ -2080,10 +2137,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[68] = B8_3_3;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
   const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
@@ -2092,10 +2148,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_thetadot2_5_1 = E5_11 * E4_12;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
@@ -2112,9 +2167,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B13_1 = -R6^T r6~ omega_thetadot1_6 + P_thetadot1_4
   const T t6_1 = T(0.032) * R6_23;
   const T t6_2 = T(0.032) * R6_13;
-  const T minus_B13_1_1 = minus_P_thetadot1_4_1 - (R6_11 * t6_1 + minus_R6_21 * t6_2);
-  const T minus_B13_1_2 = R6_22 * t6_2 - R6_12 * t6_1 + minus_P_thetadot1_4_2;
-  const T minus_B13_1_3 = R6_23 * t6_2 - R6_13 * t6_1 + minus_P_thetadot1_3_3;
+  const T minus_B13_1_1 = minus_P_thetadot1_4_1 - R6_11 * t6_1 - minus_R6_21 * t6_2;
+  const T minus_B13_1_2 = minus_P_thetadot1_4_2 + R6_22 * t6_2 - R6_12 * t6_1;
+  const T minus_B13_1_3 = minus_P_thetadot1_3_3 + R6_23 * t6_2 - R6_13 * t6_1;
   v_y[90] = -minus_B13_1_1;
   v_y[96] = -minus_B13_1_2;
   v_y[102] = -minus_B13_1_3;
@@ -2160,10 +2215,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_13 = T(0.0565) * R6_13;
   const T t6_14 = T(0.05) * R6_23;
   const T t6_15 = T(0.05) * R6_13;
-  const T minus_B19_1_1 = minus_P_thetadot1_4_1 - (R6_11 * t6_12 + minus_R6_21 * t6_13 + R6_11 * t6_14 + minus_R6_21 *
-      t6_15);
-  const T minus_B19_1_2 = R6_22 * t6_13 - R6_12 * t6_12 + R6_22 * t6_15 - R6_12 * t6_14 + minus_P_thetadot1_4_2;
-  const T minus_B19_1_3 = R6_23 * t6_13 - R6_13 * t6_12 + R6_23 * t6_15 - R6_13 * t6_14 + minus_P_thetadot1_3_3;
+  const T minus_B19_1_1 = minus_P_thetadot1_4_1 - R6_11 * t6_12 - minus_R6_21 * t6_13 - R6_11 * t6_14 - minus_R6_21 *
+      t6_15;
+  const T minus_B19_1_2 = minus_P_thetadot1_4_2 + R6_22 * t6_13 - R6_12 * t6_12 + R6_22 * t6_15 - R6_12 * t6_14;
+  const T minus_B19_1_3 = minus_P_thetadot1_3_3 + R6_23 * t6_13 - R6_13 * t6_12 + R6_23 * t6_15 - R6_13 * t6_14;
   v_y[108] = -minus_B19_1_1;
   v_y[114] = -minus_B19_1_2;
   v_y[120] = -minus_B19_1_3;
@@ -2217,22 +2272,22 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 360 add, 569 multiply, 12 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 126; ++i) v_y_dot[i] = T(0);
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 6, cosines, sines);
 
   // ---- body 1 (waist) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
 
   // ---- body 2 (upper_arm) on body 1
-  const T theta2 = x[1];
   const T thetadot1 = y[0];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -2258,10 +2313,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_8 = T(0.016) * minus_omega_dot_thetadot1_2_3;
   const T t2_9 = T(0.006) * minus_omega_dot_thetadot1_2_1 + T(0.068) * minus_omega_dot_thetadot1_2_3;
   const T t2_10 = T(0.016) * minus_omega_dot_thetadot1_2_1;
-  const T minus_B1_1_1 = E1_12 * t2_4 - R2_11 * t2_6 + R2_31 * t2_7 + R2_11 * t2_8 - E1_12 * t2_9 - R2_31 * t2_10 -
-      P_dot_thetadot1_2_1;
-  const T minus_B1_1_2 = R2_32 * t2_7 - (R2_12 * t2_6 + E1_11 * t2_4) + R2_12 * t2_8 + E1_11 * t2_9 - R2_32 * t2_10 +
-      minus_P_dot_thetadot1_2_2;
+  const T minus_B1_1_1 = E1_12 * t2_4 - P_dot_thetadot1_2_1 - R2_11 * t2_6 + R2_31 * t2_7 + R2_11 * t2_8 - E1_12 *
+      t2_9 - R2_31 * t2_10;
+  const T minus_B1_1_2 = minus_P_dot_thetadot1_2_2 - R2_12 * t2_6 - E1_11 * t2_4 + R2_32 * t2_7 + R2_12 * t2_8 + E1_11
+      * t2_9 - R2_32 * t2_10;
   const T minus_B1_1_3 = minus_E2_13 * t2_6 + E2_11 * t2_7 - minus_E2_13 * t2_8 - E2_11 * t2_10;
   v_y_dot[18] = -minus_B1_1_1;
   v_y_dot[24] = -minus_B1_1_2;
@@ -2278,11 +2333,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[31] = B2_2_3;
 
   // ---- body 3 (forearm) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T minus_E3_13 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R2_12 * E3_11 - R2_32 * minus_E3_13;
@@ -2307,8 +2361,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_4 = T(0.0934) * E2_11;
   const T t3_5 = T(0.4318) * minus_omega_dot_thetadot1_2_3 - (omega2_3 * t3_4 + minus_omega2_1 * t3_2);
   const T t3_6 = minus_omega2_1 * t3_1 + thetadot2 * t3_4 - T(0.0934) * minus_omega_dot_thetadot1_2_1;
-  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - E1_12 * t3_5 + R2_31 * t3_6 - P_dot_thetadot1_2_1;
-  const T minus_P_dot_thetadot1_3_2 = R2_12 * t3_3 + E1_11 * t3_5 + R2_32 * t3_6 + minus_P_dot_thetadot1_2_2;
+  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - P_dot_thetadot1_2_1 - E1_12 * t3_5 + R2_31 * t3_6;
+  const T minus_P_dot_thetadot1_3_2 = minus_P_dot_thetadot1_2_2 + R2_12 * t3_3 + E1_11 * t3_5 + R2_32 * t3_6;
   const T minus_P_dot_thetadot1_3_3 = E2_11 * t3_6 - minus_E2_13 * t3_3;
   // P_dot_thetadot2_3 = -R2^T omega2~ q3~ b2: its rate
   const T t3_7 = thetadot2 * T(0.4318);
@@ -2326,12 +2380,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_15 = T(0.014) * minus_omega_dot_thetadot1_3_3;
   const T t3_16 = T(0.07) * omega_dot_thetadot1_3_1;
   const T t3_17 = T(0.014) * omega_dot_thetadot1_3_1;
-  const T minus_B3_1_1 = R3_11 * t3_11 - E1_12 * t3_13 + R3_31 * t3_14 - R3_11 * t3_15 - E1_12 * t3_16 - R3_31 * t3_17
-      + minus_P_dot_thetadot1_3_1;
-  const T minus_B3_1_2 = R3_12 * t3_11 + E1_11 * t3_13 + R3_32 * t3_14 + E1_11 * t3_16 - R3_12 * t3_15 - R3_32 * t3_17
-      + minus_P_dot_thetadot1_3_2;
-  const T minus_B3_1_3 = R3_33 * t3_14 - minus_R3_13 * t3_11 + minus_R3_13 * t3_15 - R3_33 * t3_17 +
-      minus_P_dot_thetadot1_3_3;
+  const T minus_B3_1_1 = minus_P_dot_thetadot1_3_1 + R3_11 * t3_11 - E1_12 * t3_13 + R3_31 * t3_14 - R3_11 * t3_15 -
+      E1_12 * t3_16 - R3_31 * t3_17;
+  const T minus_B3_1_2 = minus_P_dot_thetadot1_3_2 + R3_12 * t3_11 + E1_11 * t3_13 + R3_32 * t3_14 + E1_11 * t3_16 -
+      R3_12 * t3_15 - R3_32 * t3_17;
+  const T minus_B3_1_3 = minus_P_dot_thetadot1_3_3 + R3_33 * t3_14 - minus_R3_13 * t3_11 + minus_R3_13 * t3_15 - R3_33
+      * t3_17;
   v_y_dot[36] = -minus_B3_1_1;
   v_y_dot[42] = -minus_B3_1_2;
   v_y_dot[48] = -minus_B3_1_3;
@@ -2352,11 +2406,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[50] = -t3_22;
 
   // ---- body 4 (wrist) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_12 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_12 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - E1_12 * E4_12;
   const T R4_12 = R3_12 * E4_11 + E1_11 * E4_12;
@@ -2380,9 +2433,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_2 = omega3_3 * t4_1;
   const T t4_3 = T(0.4331) * omega_dot_thetadot1_3_1 - T(0.0203) * minus_omega_dot_thetadot1_3_3;
   const T t4_4 = minus_omega3_1 * t4_1;
-  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 - (R3_11 * t4_2 + E1_12 * t4_3 + R3_31 * t4_4);
-  const T minus_P_dot_thetadot1_4_2 = E1_11 * t4_3 - R3_12 * t4_2 - R3_32 * t4_4 + minus_P_dot_thetadot1_3_2;
-  const T minus_P_dot_thetadot1_4_3 = minus_R3_13 * t4_2 - R3_33 * t4_4 + minus_P_dot_thetadot1_3_3;
+  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 - R3_11 * t4_2 - E1_12 * t4_3 - R3_31 * t4_4;
+  const T minus_P_dot_thetadot1_4_2 = minus_P_dot_thetadot1_3_2 + E1_11 * t4_3 - R3_12 * t4_2 - R3_32 * t4_4;
+  const T minus_P_dot_thetadot1_4_3 = minus_P_dot_thetadot1_3_3 + minus_R3_13 * t4_2 - R3_33 * t4_4;
   v_y_dot[72] = -minus_P_dot_thetadot1_4_1;
   v_y_dot[78] = -minus_P_dot_thetadot1_4_2;
   v_y_dot[84] = -minus_P_dot_thetadot1_4_3;
@@ -2405,18 +2458,18 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[86] = -t4_10;
   // B6_1 = -R4^T omega4~ r4~ omega_thetadot1_4 - R4^T r4~ omega_dot_thetadot1_4 + P_dot_thetadot1_4
   const T t4_11 = T(0.019) * minus_R4_13;
-  const T t4_12 = T(0.019) * R4_23;
-  const T t4_13 = omega4_1 * t4_11 - omega4_2 * t4_12;
-  const T t4_14 = omega4_3 * t4_11;
-  const T t4_15 = omega4_3 * t4_12;
+  const T t4_12 = omega4_3 * t4_11;
+  const T t4_13 = T(0.019) * R4_23;
+  const T t4_14 = omega4_3 * t4_13;
+  const T t4_15 = omega4_1 * t4_11 - omega4_2 * t4_13;
   const T t4_16 = T(0.019) * omega_dot_thetadot1_4_2;
   const T t4_17 = T(0.019) * omega_dot_thetadot1_4_1;
-  const T minus_B6_1_1 = R3_31 * t4_13 - (R4_11 * t4_14 + minus_R4_21 * t4_15) + R4_11 * t4_16 + minus_R4_21 * t4_17 +
-      minus_P_dot_thetadot1_4_1;
-  const T minus_B6_1_2 = R4_22 * t4_15 - R4_12 * t4_14 + R3_32 * t4_13 + R4_12 * t4_16 - R4_22 * t4_17 +
-      minus_P_dot_thetadot1_4_2;
-  const T minus_B6_1_3 = minus_R4_13 * t4_14 + R4_23 * t4_15 + R3_33 * t4_13 - minus_R4_13 * t4_16 - R4_23 * t4_17 +
-      minus_P_dot_thetadot1_4_3;
+  const T minus_B6_1_1 = minus_P_dot_thetadot1_4_1 - R4_11 * t4_12 - minus_R4_21 * t4_14 + R3_31 * t4_15 + R4_11 *
+      t4_16 + minus_R4_21 * t4_17;
+  const T minus_B6_1_2 = minus_P_dot_thetadot1_4_2 + R4_22 * t4_14 - R4_12 * t4_12 + R3_32 * t4_15 + R4_12 * t4_16 -
+      R4_22 * t4_17;
+  const T minus_B6_1_3 = minus_P_dot_thetadot1_4_3 + minus_R4_13 * t4_12 + R4_23 * t4_14 + R3_33 * t4_15 - minus_R4_13
+      * t4_16 - R4_23 * t4_17;
   v_y_dot[54] = -minus_B6_1_1;
   v_y_dot[60] = -minus_B6_1_2;
   v_y_dot[66] = -minus_B6_1_3;
@@ -2446,11 +2499,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[68] = -minus_B8_3_3;
 
   // ---- body 5 (hand) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T minus_E5_13 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T minus_E5_13 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - R3_31 * minus_E5_13;
   const T R5_12 = R4_12 * E5_11 - R3_32 * minus_E5_13;
@@ -2474,11 +2526,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_omega_dot_thetadot4_5_1 = thetadot5 * E5_11;
 
   // ---- body 6 (flange) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T E6_12 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T E6_12 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - minus_R4_21 * E6_12;
   const T R6_12 = R5_12 * E6_11 + R4_22 * E6_12;
@@ -2520,12 +2571,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_5 = omega6_1 * t6_3 + omega6_2 * t6_1;
   const T t6_6 = T(0.032) * omega_dot_thetadot1_6_2;
   const T t6_7 = T(0.032) * omega_dot_thetadot1_6_1;
-  const T minus_B13_1_1 = minus_R6_21 * t6_2 - R6_11 * t6_4 + R5_31 * t6_5 - R6_11 * t6_6 - minus_R6_21 * t6_7 +
-      minus_P_dot_thetadot1_4_1;
-  const T minus_B13_1_2 = R5_32 * t6_5 - (R6_12 * t6_4 + R6_22 * t6_2) + R6_22 * t6_7 - R6_12 * t6_6 +
-      minus_P_dot_thetadot1_4_2;
-  const T minus_B13_1_3 = R5_33 * t6_5 - (R6_13 * t6_4 + R6_23 * t6_2) + R6_23 * t6_7 - R6_13 * t6_6 +
-      minus_P_dot_thetadot1_4_3;
+  const T minus_B13_1_1 = minus_P_dot_thetadot1_4_1 + minus_R6_21 * t6_2 - R6_11 * t6_4 + R5_31 * t6_5 - R6_11 * t6_6
+      - minus_R6_21 * t6_7;
+  const T minus_B13_1_2 = minus_P_dot_thetadot1_4_2 - R6_12 * t6_4 - R6_22 * t6_2 + R5_32 * t6_5 + R6_22 * t6_7 -
+      R6_12 * t6_6;
+  const T minus_B13_1_3 = minus_P_dot_thetadot1_4_3 - R6_13 * t6_4 - R6_23 * t6_2 + R5_33 * t6_5 + R6_23 * t6_7 -
+      R6_13 * t6_6;
   v_y_dot[90] = -minus_B13_1_1;
   v_y_dot[96] = -minus_B13_1_2;
   v_y_dot[102] = -minus_B13_1_3;
@@ -2597,13 +2648,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_43 = T(0.0565) * omega_dot_thetadot1_6_1;
   const T t6_44 = T(0.05) * omega_dot_thetadot1_6_2;
   const T t6_45 = T(0.05) * omega_dot_thetadot1_6_1;
-  const T minus_B19_1_1 = minus_R6_21 * t6_33 - R6_11 * t6_35 + R5_31 * t6_36 + minus_R6_21 * t6_38 - R6_11 * t6_40 +
-      R5_31 * t6_41 - R6_11 * t6_42 - minus_R6_21 * t6_43 - R6_11 * t6_44 - minus_R6_21 * t6_45 +
-      minus_P_dot_thetadot1_4_1;
-  const T minus_B19_1_2 = R5_32 * t6_36 - (R6_12 * t6_35 + R6_22 * t6_33) - R6_12 * t6_40 - R6_22 * t6_38 + R5_32 *
-      t6_41 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44 + minus_P_dot_thetadot1_4_2;
-  const T minus_B19_1_3 = R5_33 * t6_36 - (R6_13 * t6_35 + R6_23 * t6_33) - R6_13 * t6_40 - R6_23 * t6_38 + R5_33 *
-      t6_41 + R6_23 * t6_43 - R6_13 * t6_42 + R6_23 * t6_45 - R6_13 * t6_44 + minus_P_dot_thetadot1_4_3;
+  const T minus_B19_1_1 = minus_P_dot_thetadot1_4_1 + minus_R6_21 * t6_33 - R6_11 * t6_35 + R5_31 * t6_36 +
+      minus_R6_21 * t6_38 - R6_11 * t6_40 + R5_31 * t6_41 - R6_11 * t6_42 - minus_R6_21 * t6_43 - R6_11 * t6_44 -
+      minus_R6_21 * t6_45;
+  const T minus_B19_1_2 = minus_P_dot_thetadot1_4_2 - R6_12 * t6_35 - R6_22 * t6_33 + R5_32 * t6_36 - R6_12 * t6_40 -
+      R6_22 * t6_38 + R5_32 * t6_41 + R6_22 * t6_43 - R6_12 * t6_42 + R6_22 * t6_45 - R6_12 * t6_44;
+  const T minus_B19_1_3 = minus_P_dot_thetadot1_4_3 - R6_13 * t6_35 - R6_23 * t6_33 + R5_33 * t6_36 - R6_13 * t6_40 -
+      R6_23 * t6_38 + R5_33 * t6_41 + R6_23 * t6_43 - R6_13 * t6_42 + R6_23 * t6_45 - R6_13 * t6_44;
   v_y_dot[108] = -minus_B19_1_1;
   v_y_dot[114] = -minus_B19_1_2;
   v_y_dot[120] = -minus_B19_1_3;

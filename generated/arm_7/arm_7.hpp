@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 90a8f8bb4a4ca2f9 of arm_7/scene.toml; the usual functions
+// model 2fdb454bb15f9822 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -19,7 +19,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
@@ -36,6 +37,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::arm_7 {
 
@@ -44,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "90a8f8bb4a4ca2f9";
+inline constexpr char model_hash[] = "2fdb454bb15f9822";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -122,13 +204,14 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T*
 // 73 add, 115 multiply, 14 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (link_1) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   pose[0] = E1_11;
   pose[4] = E1_11;
   pose[19] = E1_11;
@@ -142,10 +225,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[10] = -minus_p1_2;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   pose[17] = E2_11;
   pose[32] = E2_11;
   pose[14] = minus_E2_13;
@@ -162,10 +244,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[31] = R2_32;
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
@@ -183,20 +264,19 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[29] = R3_23;
   pose[44] = -R3_23;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = E2_11 * T(0.2045) + T(0.36);
+  const T P3_3 = T(0.36) + E2_11 * T(0.2045);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
   const T p3_1 = T(0.3345) * R2_31 - minus_R3_21 * T(0.03);
   const T p3_2 = R3_22 * T(0.03) + T(0.3345) * R2_32;
-  const T p3_3 = R3_23 * T(0.03) + E2_11 * T(0.13) + P3_3;
+  const T p3_3 = P3_3 + R3_23 * T(0.03) + E2_11 * T(0.13);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 + R2_31 * E4_13;
   const T R4_12 = R3_12 * E4_11 + R2_32 * E4_13;
@@ -216,13 +296,12 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_1 = T(0.42) * R2_31;
   const T P4_2 = T(0.42) * R2_32;
-  const T P4_3 = E2_11 * T(0.2155) + P3_3;
+  const T P4_3 = P3_3 + E2_11 * T(0.2155);
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -240,15 +319,14 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[53] = -R5_23;
   pose[68] = R5_23;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_1 = R4_31 * T(0.1845) + P4_1;
-  const T P5_2 = R4_32 * T(0.1845) + P4_2;
-  const T P5_3 = R4_33 * T(0.1845) + P4_3;
+  const T P5_1 = P4_1 + R4_31 * T(0.1845);
+  const T P5_2 = P4_2 + R4_32 * T(0.1845);
+  const T P5_3 = P4_3 + R4_33 * T(0.1845);
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - R4_31 * minus_E6_13;
   const T R6_12 = R5_12 * E6_11 - R4_32 * minus_E6_13;
@@ -266,15 +344,14 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[65] = R6_33;
   pose[80] = R6_33;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R4_31 * T(0.2155) + P5_1;
-  const T P6_2 = R4_32 * T(0.2155) + P5_2;
-  const T P6_3 = R4_33 * T(0.2155) + P5_3;
+  const T P6_1 = P5_1 + R4_31 * T(0.2155);
+  const T P6_2 = P5_2 + R4_32 * T(0.2155);
+  const T P6_3 = P5_3 + R4_33 * T(0.2155);
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
@@ -289,13 +366,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[76] = R7_22;
   pose[77] = R7_23;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = R6_31 * T(0.081) + P6_1;
-  const T P7_2 = R6_32 * T(0.081) + P6_2;
-  const T P7_3 = R6_33 * T(0.081) + P6_3;
+  const T P7_1 = P6_1 + R6_31 * T(0.081);
+  const T P7_2 = P6_2 + R6_32 * T(0.081);
+  const T P7_3 = P6_3 + R6_33 * T(0.081);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = R6_31 * T(0.02) + P7_1;
-  const T p7_2 = R6_32 * T(0.02) + P7_2;
-  const T p7_3 = R6_33 * T(0.02) + P7_3;
+  const T p7_1 = P7_1 + R6_31 * T(0.02);
+  const T p7_2 = P7_2 + R6_32 * T(0.02);
+  const T p7_3 = P7_3 + R6_33 * T(0.02);
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
@@ -310,16 +387,16 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[11] = T(0.27749999999999997);
   pose[21] = R2_31 * T(0.059) - (R2_11 * T(3e-04) + E1_12 * T(0.042));
   pose[22] = E1_11 * T(0.042) - R2_12 * T(3e-04) + R2_32 * T(0.059);
-  pose[23] = minus_E2_13 * T(3e-04) + E2_11 * T(0.059) + T(0.36);
-  pose[45] = minus_R3_21 * T(0.034) + R4_31 * T(0.067) + P4_1;
-  pose[46] = R4_32 * T(0.067) - R3_22 * T(0.034) + P4_2;
-  pose[47] = R4_33 * T(0.067) - R3_23 * T(0.034) + P4_3;
-  pose[57] = minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076) + P5_1;
-  pose[58] = R4_32 * T(0.076) - (R5_12 * T(1e-04) + R5_22 * T(0.021)) + P5_2;
-  pose[59] = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
-  pose[69] = R6_31 * T(6e-04) - minus_R5_21 * T(4e-04) + P6_1;
-  pose[70] = R5_22 * T(4e-04) + R6_32 * T(6e-04) + P6_2;
-  pose[71] = R5_23 * T(4e-04) + R6_33 * T(6e-04) + P6_3;
+  pose[23] = T(0.36) + minus_E2_13 * T(3e-04) + E2_11 * T(0.059);
+  pose[45] = P4_1 + minus_R3_21 * T(0.034) + R4_31 * T(0.067);
+  pose[46] = P4_2 + R4_32 * T(0.067) - R3_22 * T(0.034);
+  pose[47] = P4_3 + R4_33 * T(0.067) - R3_23 * T(0.034);
+  pose[57] = P5_1 + minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076);
+  pose[58] = P5_2 - R5_12 * T(1e-04) - R5_22 * T(0.021) + R4_32 * T(0.076);
+  pose[59] = P5_3 - R5_13 * T(1e-04) - R5_23 * T(0.021) + R4_33 * T(0.076);
+  pose[69] = P6_1 + R6_31 * T(6e-04) - minus_R5_21 * T(4e-04);
+  pose[70] = P6_2 + R5_22 * T(4e-04) + R6_32 * T(6e-04);
+  pose[71] = P6_3 + R5_23 * T(4e-04) + R6_33 * T(6e-04);
 }
 
 // energy: kinetic and potential energy [J].
@@ -327,14 +404,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 186 add, 298 multiply, 14 sine or cosine
 template <class T>
 void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (link_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
   const T t1_1 = thetadot1 * T(0.03);
   const T v1_1 = E1_11 * t1_1;
@@ -343,11 +421,10 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T T1 = T(0.0123) * thetadot1 * thetadot1 * T(0.5) + T(2.88) * (v1_1 * v1_1 + v1_2 * v1_2);
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -357,7 +434,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
   // p2 = R2^T r_link2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_3 = minus_E2_13 * T(3e-04) + E2_11 * T(0.059) + T(0.36);
+  const T p2_3 = T(0.36) + minus_E2_13 * T(3e-04) + E2_11 * T(0.059);
   // v2 = R2^T omega2~ r_link2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
   const T t2_1 = thetadot2 * T(0.059) - omega2_3 * T(0.042);
   const T t2_2 = minus_omega2_1 * T(0.059) - omega2_3 * T(3e-04);
@@ -370,11 +447,10 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
       omega2_3 * omega2_3) + T(3.175) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
@@ -387,9 +463,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = E2_11 * T(0.2045) + T(0.36);
+  const T P3_3 = T(0.36) + E2_11 * T(0.2045);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R3_23 * T(0.03) + E2_11 * T(0.13) + P3_3;
+  const T p3_3 = P3_3 + R3_23 * T(0.03) + E2_11 * T(0.13);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = thetadot2 * T(0.2045);
   const T t3_2 = minus_omega2_1 * T(0.2045);
@@ -400,19 +476,18 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_3 = omega3_2 * T(0.13) - omega3_3 * T(0.03);
   const T t3_4 = omega3_1 * T(0.13);
   const T t3_5 = omega3_1 * T(0.03);
-  const T v3_1 = R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5 + Pdot3_2;
-  const T v3_3 = E2_11 * t3_5 - (minus_R3_13 * t3_3 + R3_23 * t3_4) - minus_Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5;
+  const T v3_3 = E2_11 * t3_5 - (minus_Pdot3_3 + minus_R3_13 * t3_3 + R3_23 * t3_4);
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(0.025) * omega3_1 * omega3_1 + T(0.0238) * omega3_2 * omega3_2 + T(0.0076) * omega3_3 *
       omega3_3) + T(1.75) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 + R2_31 * E4_13;
   const T R4_12 = R3_12 * E4_11 + R2_32 * E4_13;
@@ -425,32 +500,31 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega4_2 = omega3_2 - thetadot4;
   const T omega4_3 = E4_11 * omega3_3 - E4_13 * omega3_1;
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
-  const T P4_3 = E2_11 * T(0.2155) + P3_3;
+  const T P4_3 = P3_3 + E2_11 * T(0.2155);
   // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_33 * T(0.067) - R3_23 * T(0.034) + P4_3;
+  const T p4_3 = P4_3 + R4_33 * T(0.067) - R3_23 * T(0.034);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_2 * T(0.2155);
   const T t4_2 = omega3_1 * T(0.2155);
-  const T Pdot4_1 = R3_11 * t4_1 + minus_R3_21 * t4_2 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 - R3_22 * t4_2 + Pdot3_2;
-  const T minus_Pdot4_3 = minus_R3_13 * t4_1 + R3_23 * t4_2 + minus_Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_1 + minus_R3_21 * t4_2;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_1 - R3_22 * t4_2;
+  const T minus_Pdot4_3 = minus_Pdot3_3 + minus_R3_13 * t4_1 + R3_23 * t4_2;
   // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_3 = omega4_3 * T(0.034) + omega4_2 * T(0.067);
   const T t4_4 = omega4_1 * T(0.067);
   const T t4_5 = omega4_1 * T(0.034);
-  const T v4_1 = R4_11 * t4_3 + minus_R3_21 * t4_4 - R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_3 - R3_22 * t4_4 - R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_3 - R3_23 * t4_4 - R4_33 * t4_5 - minus_Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_3 + minus_R3_21 * t4_4 - R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_3 - R3_22 * t4_4 - R4_32 * t4_5;
+  const T v4_3 = R4_13 * t4_3 - minus_Pdot4_3 - R3_23 * t4_4 - R4_33 * t4_5;
   // T4 = 1/2 omega4 . (I_link4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (T(0.017) * omega4_1 * omega4_1 + T(0.006) * omega4_2 * omega4_2 + T(0.0164) * omega4_3 *
       omega4_3) + T(1.75) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -463,32 +537,31 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
   const T omega5_3 = thetadot5 + omega4_3;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_3 = R4_33 * T(0.1845) + P4_3;
+  const T P5_3 = P4_3 + R4_33 * T(0.1845);
   // p5 = R5^T r_link5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
+  const T p5_3 = P5_3 - R5_13 * T(1e-04) - R5_23 * T(0.021) + R4_33 * T(0.076);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_1 = omega4_2 * T(0.1845);
   const T t5_2 = omega4_1 * T(0.1845);
-  const T Pdot5_1 = R4_11 * t5_1 + minus_R3_21 * t5_2 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_1 - R3_22 * t5_2 + Pdot4_2;
-  const T Pdot5_3 = R4_13 * t5_1 - R3_23 * t5_2 - minus_Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_1 + minus_R3_21 * t5_2;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_1 - R3_22 * t5_2;
+  const T Pdot5_3 = R4_13 * t5_1 - minus_Pdot4_3 - R3_23 * t5_2;
   // v5 = R5^T omega5~ r_link5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_3 = omega5_3 * T(0.021) + omega5_2 * T(0.076);
   const T t5_4 = omega5_3 * T(1e-04) + omega5_1 * T(0.076);
   const T t5_5 = omega5_2 * T(1e-04) - omega5_1 * T(0.021);
-  const T v5_1 = R5_11 * t5_3 + minus_R5_21 * t5_4 + R4_31 * t5_5 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_3 - R5_22 * t5_4 + R4_32 * t5_5 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_3 - R5_23 * t5_4 + R4_33 * t5_5 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_3 + minus_R5_21 * t5_4 + R4_31 * t5_5;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_3 - R5_22 * t5_4 + R4_32 * t5_5;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_3 - R5_23 * t5_4 + R4_33 * t5_5;
   // T5 = 1/2 omega5 . (I_link5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (T(0.01) * omega5_1 * omega5_1 + T(0.0087) * omega5_2 * omega5_2 + T(0.00449) * omega5_3 *
       omega5_3) + T(1.75) * (v5_1 * v5_1 + v5_2 * v5_2 + v5_3 * v5_3);
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - R4_31 * minus_E6_13;
   const T R6_12 = R5_12 * E6_11 - R4_32 * minus_E6_13;
@@ -501,32 +574,31 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega6_2 = thetadot6 + omega5_2;
   const T omega6_3 = minus_E6_13 * omega5_1 + E6_11 * omega5_3;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_3 = R4_33 * T(0.2155) + P5_3;
+  const T P6_3 = P5_3 + R4_33 * T(0.2155);
   // p6 = R6^T r_link6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R5_23 * T(4e-04) + R6_33 * T(6e-04) + P6_3;
+  const T p6_3 = P6_3 + R5_23 * T(4e-04) + R6_33 * T(6e-04);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega5_2 * T(0.2155);
   const T t6_2 = omega5_1 * T(0.2155);
-  const T Pdot6_1 = R5_11 * t6_1 + minus_R5_21 * t6_2 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_1 - R5_22 * t6_2 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_1 - R5_23 * t6_2 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_1 + minus_R5_21 * t6_2;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_1 - R5_22 * t6_2;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_1 - R5_23 * t6_2;
   // v6 = R6^T omega6~ r_link6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_3 = omega6_2 * T(6e-04) - omega6_3 * T(4e-04);
   const T t6_4 = omega6_1 * T(6e-04);
   const T t6_5 = omega6_1 * T(4e-04);
-  const T v6_1 = R6_11 * t6_3 + minus_R5_21 * t6_4 + R6_31 * t6_5 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_3 - R5_22 * t6_4 + R6_32 * t6_5 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_3 - R5_23 * t6_4 + R6_33 * t6_5 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_3 + minus_R5_21 * t6_4 + R6_31 * t6_5;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_3 - R5_22 * t6_4 + R6_32 * t6_5;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_3 - R5_23 * t6_4 + R6_33 * t6_5;
   // T6 = 1/2 omega6 . (I_link6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (T(0.0049) * omega6_1 * omega6_1 + T(0.0036) * omega6_2 * omega6_2 + T(0.0047) * omega6_3 *
       omega6_3) + T(0.9) * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
@@ -539,21 +611,21 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
   const T omega7_3 = thetadot7 + omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_3 = R6_33 * T(0.081) + P6_3;
+  const T P7_3 = P6_3 + R6_33 * T(0.081);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = R6_33 * T(0.02) + P7_3;
+  const T p7_3 = P7_3 + R6_33 * T(0.02);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_2 * T(0.081);
   const T t7_2 = omega6_1 * T(0.081);
-  const T Pdot7_1 = R6_11 * t7_1 + minus_R5_21 * t7_2 + Pdot6_1;
-  const T Pdot7_2 = R6_12 * t7_1 - R5_22 * t7_2 + Pdot6_2;
-  const T Pdot7_3 = R6_13 * t7_1 - R5_23 * t7_2 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R6_11 * t7_1 + minus_R5_21 * t7_2;
+  const T Pdot7_2 = Pdot6_2 + R6_12 * t7_1 - R5_22 * t7_2;
+  const T Pdot7_3 = Pdot6_3 + R6_13 * t7_1 - R5_23 * t7_2;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_3 = omega7_2 * T(0.02);
   const T t7_4 = omega7_1 * T(0.02);
-  const T v7_1 = R7_11 * t7_3 + minus_R7_21 * t7_4 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_3 - R7_22 * t7_4 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_3 - R7_23 * t7_4 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_3 + minus_R7_21 * t7_4;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_3 - R7_22 * t7_4;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_3 - R7_23 * t7_4;
   // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
   const T T7 = T(0.5) * (T(0.001) * omega7_1 * omega7_1 + T(0.001) * omega7_2 * omega7_2 + T(0.001) * omega7_3 *
       omega7_3) + T(0.6) * (v7_1 * v7_1 + v7_2 * v7_2 + v7_3 * v7_3);
@@ -575,14 +647,15 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 // 278 add, 387 multiply, 14 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (link_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // p1 = q1 + E1^T r1: position of the mass centre, inertial axes [m]
   const T p1_1 = E1_12 * T(0.03);
   const T minus_p1_2 = E1_11 * T(0.03);
@@ -599,11 +672,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H1_3 = T(0.0123) * thetadot1 + p1_1 * l1_2 + minus_p1_2 * l1_1;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -615,7 +687,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // p2 = R2^T r_link2 + P2: position of the mass centre, inertial axes [m]
   const T p2_1 = R2_31 * T(0.059) - (R2_11 * T(3e-04) + E1_12 * T(0.042));
   const T p2_2 = E1_11 * T(0.042) - R2_12 * T(3e-04) + R2_32 * T(0.059);
-  const T p2_3 = minus_E2_13 * T(3e-04) + E2_11 * T(0.059) + T(0.36);
+  const T p2_3 = T(0.36) + minus_E2_13 * T(3e-04) + E2_11 * T(0.059);
   // v2 = R2^T omega2~ r_link2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
   const T t2_1 = thetadot2 * T(0.059) - omega2_3 * T(0.042);
   const T t2_2 = minus_omega2_1 * T(0.059) - omega2_3 * T(3e-04);
@@ -636,11 +708,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H2_3 = minus_E2_13 * t2_5 + E2_11 * t2_4 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
@@ -653,11 +724,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
   const T omega3_3 = thetadot3 + omega2_3;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = E2_11 * T(0.2045) + T(0.36);
+  const T P3_3 = T(0.36) + E2_11 * T(0.2045);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
   const T p3_1 = T(0.3345) * R2_31 - minus_R3_21 * T(0.03);
   const T p3_2 = R3_22 * T(0.03) + T(0.3345) * R2_32;
-  const T p3_3 = R3_23 * T(0.03) + E2_11 * T(0.13) + P3_3;
+  const T p3_3 = P3_3 + R3_23 * T(0.03) + E2_11 * T(0.13);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = thetadot2 * T(0.2045);
   const T t3_2 = minus_omega2_1 * T(0.2045);
@@ -668,9 +739,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_3 = omega3_2 * T(0.13) - omega3_3 * T(0.03);
   const T t3_4 = omega3_1 * T(0.13);
   const T t3_5 = omega3_1 * T(0.03);
-  const T v3_1 = R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5 + Pdot3_2;
-  const T v3_3 = E2_11 * t3_5 - (minus_R3_13 * t3_3 + R3_23 * t3_4) - minus_Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_3 + minus_R3_21 * t3_4 + R2_31 * t3_5;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_3 - R3_22 * t3_4 + R2_32 * t3_5;
+  const T v3_3 = E2_11 * t3_5 - (minus_Pdot3_3 + minus_R3_13 * t3_3 + R3_23 * t3_4);
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(3.5) * v3_1;
   const T l3_2 = T(3.5) * v3_2;
@@ -684,11 +755,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H3_3 = R3_23 * t3_7 - minus_R3_13 * t3_6 + E2_11 * t3_8 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 + R2_31 * E4_13;
   const T R4_12 = R3_12 * E4_11 + R2_32 * E4_13;
@@ -703,24 +773,24 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_1 = T(0.42) * R2_31;
   const T P4_2 = T(0.42) * R2_32;
-  const T P4_3 = E2_11 * T(0.2155) + P3_3;
+  const T P4_3 = P3_3 + E2_11 * T(0.2155);
   // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = minus_R3_21 * T(0.034) + R4_31 * T(0.067) + P4_1;
-  const T p4_2 = R4_32 * T(0.067) - R3_22 * T(0.034) + P4_2;
-  const T p4_3 = R4_33 * T(0.067) - R3_23 * T(0.034) + P4_3;
+  const T p4_1 = P4_1 + minus_R3_21 * T(0.034) + R4_31 * T(0.067);
+  const T p4_2 = P4_2 + R4_32 * T(0.067) - R3_22 * T(0.034);
+  const T p4_3 = P4_3 + R4_33 * T(0.067) - R3_23 * T(0.034);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_2 * T(0.2155);
   const T t4_2 = omega3_1 * T(0.2155);
-  const T Pdot4_1 = R3_11 * t4_1 + minus_R3_21 * t4_2 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_1 - R3_22 * t4_2 + Pdot3_2;
-  const T minus_Pdot4_3 = minus_R3_13 * t4_1 + R3_23 * t4_2 + minus_Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_1 + minus_R3_21 * t4_2;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_1 - R3_22 * t4_2;
+  const T minus_Pdot4_3 = minus_Pdot3_3 + minus_R3_13 * t4_1 + R3_23 * t4_2;
   // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_3 = omega4_3 * T(0.034) + omega4_2 * T(0.067);
   const T t4_4 = omega4_1 * T(0.067);
   const T t4_5 = omega4_1 * T(0.034);
-  const T v4_1 = R4_11 * t4_3 + minus_R3_21 * t4_4 - R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_3 - R3_22 * t4_4 - R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_3 - R3_23 * t4_4 - R4_33 * t4_5 - minus_Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_3 + minus_R3_21 * t4_4 - R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_3 - R3_22 * t4_4 - R4_32 * t4_5;
+  const T v4_3 = R4_13 * t4_3 - minus_Pdot4_3 - R3_23 * t4_4 - R4_33 * t4_5;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(3.5) * v4_1;
   const T l4_2 = T(3.5) * v4_2;
@@ -734,11 +804,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H4_3 = R4_13 * t4_6 + R3_23 * t4_7 + R4_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -751,26 +820,26 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
   const T omega5_3 = thetadot5 + omega4_3;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_1 = R4_31 * T(0.1845) + P4_1;
-  const T P5_2 = R4_32 * T(0.1845) + P4_2;
-  const T P5_3 = R4_33 * T(0.1845) + P4_3;
+  const T P5_1 = P4_1 + R4_31 * T(0.1845);
+  const T P5_2 = P4_2 + R4_32 * T(0.1845);
+  const T P5_3 = P4_3 + R4_33 * T(0.1845);
   // p5 = R5^T r_link5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076) + P5_1;
-  const T p5_2 = R4_32 * T(0.076) - (R5_12 * T(1e-04) + R5_22 * T(0.021)) + P5_2;
-  const T p5_3 = R4_33 * T(0.076) - (R5_13 * T(1e-04) + R5_23 * T(0.021)) + P5_3;
+  const T p5_1 = P5_1 + minus_R5_21 * T(0.021) - R5_11 * T(1e-04) + R4_31 * T(0.076);
+  const T p5_2 = P5_2 - R5_12 * T(1e-04) - R5_22 * T(0.021) + R4_32 * T(0.076);
+  const T p5_3 = P5_3 - R5_13 * T(1e-04) - R5_23 * T(0.021) + R4_33 * T(0.076);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_1 = omega4_2 * T(0.1845);
   const T t5_2 = omega4_1 * T(0.1845);
-  const T Pdot5_1 = R4_11 * t5_1 + minus_R3_21 * t5_2 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_1 - R3_22 * t5_2 + Pdot4_2;
-  const T Pdot5_3 = R4_13 * t5_1 - R3_23 * t5_2 - minus_Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_1 + minus_R3_21 * t5_2;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_1 - R3_22 * t5_2;
+  const T Pdot5_3 = R4_13 * t5_1 - minus_Pdot4_3 - R3_23 * t5_2;
   // v5 = R5^T omega5~ r_link5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_3 = omega5_3 * T(0.021) + omega5_2 * T(0.076);
   const T t5_4 = omega5_3 * T(1e-04) + omega5_1 * T(0.076);
   const T t5_5 = omega5_2 * T(1e-04) - omega5_1 * T(0.021);
-  const T v5_1 = R5_11 * t5_3 + minus_R5_21 * t5_4 + R4_31 * t5_5 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_3 - R5_22 * t5_4 + R4_32 * t5_5 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_3 - R5_23 * t5_4 + R4_33 * t5_5 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_3 + minus_R5_21 * t5_4 + R4_31 * t5_5;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_3 - R5_22 * t5_4 + R4_32 * t5_5;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_3 - R5_23 * t5_4 + R4_33 * t5_5;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(3.5) * v5_1;
   const T l5_2 = T(3.5) * v5_2;
@@ -784,11 +853,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H5_3 = R5_13 * t5_6 + R5_23 * t5_7 + R4_33 * t5_8 + p5_1 * l5_2 - p5_2 * l5_1;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - R4_31 * minus_E6_13;
   const T R6_12 = R5_12 * E6_11 - R4_32 * minus_E6_13;
@@ -801,26 +869,26 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega6_2 = thetadot6 + omega5_2;
   const T omega6_3 = minus_E6_13 * omega5_1 + E6_11 * omega5_3;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R4_31 * T(0.2155) + P5_1;
-  const T P6_2 = R4_32 * T(0.2155) + P5_2;
-  const T P6_3 = R4_33 * T(0.2155) + P5_3;
+  const T P6_1 = P5_1 + R4_31 * T(0.2155);
+  const T P6_2 = P5_2 + R4_32 * T(0.2155);
+  const T P6_3 = P5_3 + R4_33 * T(0.2155);
   // p6 = R6^T r_link6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_31 * T(6e-04) - minus_R5_21 * T(4e-04) + P6_1;
-  const T p6_2 = R5_22 * T(4e-04) + R6_32 * T(6e-04) + P6_2;
-  const T p6_3 = R5_23 * T(4e-04) + R6_33 * T(6e-04) + P6_3;
+  const T p6_1 = P6_1 + R6_31 * T(6e-04) - minus_R5_21 * T(4e-04);
+  const T p6_2 = P6_2 + R5_22 * T(4e-04) + R6_32 * T(6e-04);
+  const T p6_3 = P6_3 + R5_23 * T(4e-04) + R6_33 * T(6e-04);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega5_2 * T(0.2155);
   const T t6_2 = omega5_1 * T(0.2155);
-  const T Pdot6_1 = R5_11 * t6_1 + minus_R5_21 * t6_2 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_1 - R5_22 * t6_2 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_1 - R5_23 * t6_2 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_1 + minus_R5_21 * t6_2;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_1 - R5_22 * t6_2;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_1 - R5_23 * t6_2;
   // v6 = R6^T omega6~ r_link6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_3 = omega6_2 * T(6e-04) - omega6_3 * T(4e-04);
   const T t6_4 = omega6_1 * T(6e-04);
   const T t6_5 = omega6_1 * T(4e-04);
-  const T v6_1 = R6_11 * t6_3 + minus_R5_21 * t6_4 + R6_31 * t6_5 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_3 - R5_22 * t6_4 + R6_32 * t6_5 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_3 - R5_23 * t6_4 + R6_33 * t6_5 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_3 + minus_R5_21 * t6_4 + R6_31 * t6_5;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_3 - R5_22 * t6_4 + R6_32 * t6_5;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_3 - R5_23 * t6_4 + R6_33 * t6_5;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.8) * v6_1;
   const T l6_2 = T(1.8) * v6_2;
@@ -834,11 +902,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H6_3 = R6_13 * t6_6 + R5_23 * t6_7 + R6_33 * t6_8 + p6_1 * l6_2 - p6_2 * l6_1;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
@@ -851,25 +918,25 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
   const T omega7_3 = thetadot7 + omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = R6_31 * T(0.081) + P6_1;
-  const T P7_2 = R6_32 * T(0.081) + P6_2;
-  const T P7_3 = R6_33 * T(0.081) + P6_3;
+  const T P7_1 = P6_1 + R6_31 * T(0.081);
+  const T P7_2 = P6_2 + R6_32 * T(0.081);
+  const T P7_3 = P6_3 + R6_33 * T(0.081);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = R6_31 * T(0.02) + P7_1;
-  const T p7_2 = R6_32 * T(0.02) + P7_2;
-  const T p7_3 = R6_33 * T(0.02) + P7_3;
+  const T p7_1 = P7_1 + R6_31 * T(0.02);
+  const T p7_2 = P7_2 + R6_32 * T(0.02);
+  const T p7_3 = P7_3 + R6_33 * T(0.02);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_2 * T(0.081);
   const T t7_2 = omega6_1 * T(0.081);
-  const T Pdot7_1 = R6_11 * t7_1 + minus_R5_21 * t7_2 + Pdot6_1;
-  const T Pdot7_2 = R6_12 * t7_1 - R5_22 * t7_2 + Pdot6_2;
-  const T Pdot7_3 = R6_13 * t7_1 - R5_23 * t7_2 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R6_11 * t7_1 + minus_R5_21 * t7_2;
+  const T Pdot7_2 = Pdot6_2 + R6_12 * t7_1 - R5_22 * t7_2;
+  const T Pdot7_3 = Pdot6_3 + R6_13 * t7_1 - R5_23 * t7_2;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_3 = omega7_2 * T(0.02);
   const T t7_4 = omega7_1 * T(0.02);
-  const T v7_1 = R7_11 * t7_3 + minus_R7_21 * t7_4 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_3 - R7_22 * t7_4 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_3 - R7_23 * t7_4 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_3 + minus_R7_21 * t7_4;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_3 - R7_22 * t7_4;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_3 - R7_23 * t7_4;
   // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
   const T l7_1 = T(1.2) * v7_1;
   const T l7_2 = T(1.2) * v7_2;
@@ -891,8 +958,8 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   momentum[1] = linear_2;
   momentum[2] = linear_3;
   // angular = H1 + H2 + H3 + H4 + H5 + H6 + H7: angular momentum of the system about the inertial origin [kg m^2/s]
-  const T angular_1 = H2_1 - minus_H1_1 + H3_1 + H4_1 + H5_1 + H6_1 + H7_1;
-  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H5_2 + H6_2 + H7_2;
+  const T angular_1 = H2_1 + H3_1 + H4_1 + H5_1 + H6_1 + H7_1 - minus_H1_1;
+  const T angular_2 = H2_2 + H3_2 + H4_2 + H5_2 + H6_2 + H7_2 + H1_2;
   const T angular_3 = H1_3 + H2_3 + H3_3 + H4_3 + H5_3 + H6_3 + H7_3;
   momentum[3] = angular_1;
   momentum[4] = angular_2;
@@ -955,7 +1022,9 @@ void power(const Prepared<T>& c, [[maybe_unused]] const T* x, const T* y, const 
 // by: articulated; composite would take 381 add, 455 multiply, 5 divide, 12 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 6, cosines + 1, sines + 1);
 
   // ---- body 1 (link_1) on the inertial frame
   const T thetadot1 = y[0];
@@ -963,11 +1032,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T effort_link_1_1 = u.tau_1 - thetadot1 * c.p.c;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -1000,11 +1068,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       (minus_U2_11 - minus_U2_22) + T(0.00011239499999999998) * U2_23);
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
   const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
@@ -1020,12 +1087,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U3_13 = t3_2 + omegadot3_2;
   const T U3_21 = t3_1 - minus_omegadot2_3;
   const T t3_3 = omega3_1 * omega3_1;
-  const T minus_U3_22 = omega3_3 * omega3_3 + t3_3;
+  const T minus_U3_22 = t3_3 + omega3_3 * omega3_3;
   const T t3_4 = omega3_3 * omega3_2;
   const T U3_23 = t3_4 - omegadot3_1;
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
-  const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
+  const T minus_U3_33 = t3_3 + omega3_2 * omega3_2;
   // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
   const T Pddot3_2 = E3_12 * minus_Pddot2_1;
@@ -1040,11 +1107,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       T(0.014000000000000012) * minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 + E4_13 * omega3_3;
   const T omega4_2 = omega3_2 - thetadot4;
@@ -1060,12 +1126,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_13 = t4_2 + omegadot3_2;
   const T U4_21 = t4_1 - minus_omegadot4_3;
   const T t4_3 = omega4_1 * omega4_1;
-  const T minus_U4_22 = omega4_3 * omega4_3 + t4_3;
+  const T minus_U4_22 = t4_3 + omega4_3 * omega4_3;
   const T t4_4 = omega4_3 * omega4_2;
   const T U4_23 = t4_4 - omegadot4_1;
   const T U4_31 = t4_2 - omegadot3_2;
   const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
+  const T minus_U4_33 = t4_3 + omega4_2 * omega4_2;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
   const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
@@ -1087,11 +1153,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -1137,11 +1202,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 - minus_E6_13 * omega5_3;
   const T omega6_2 = thetadot6 + omega5_2;
@@ -1157,15 +1221,15 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U6_13 = t6_2 + omegadot5_2;
   const T U6_21 = t6_1 + omegadot6_3;
   const T t6_3 = omega6_1 * omega6_1;
-  const T minus_U6_22 = omega6_3 * omega6_3 + t6_3;
+  const T minus_U6_22 = t6_3 + omega6_3 * omega6_3;
   const T t6_4 = omega6_3 * omega6_2;
   const T U6_23 = t6_4 - omegadot6_1;
   const T U6_31 = t6_2 - omegadot5_2;
   const T U6_32 = t6_4 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
+  const T minus_U6_33 = t6_3 + omega6_2 * omega6_2;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
-  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  const T Pddot6_1 = E6_11 * (Pddot5_1 + U5_13 * T(0.4)) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = Pddot5_2 + U5_23 * T(0.4);
   // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
   const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
@@ -1181,11 +1245,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 + E7_12 * omega6_2;
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
@@ -1265,23 +1328,23 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 5 (link_5) and what it carries
   // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
   const T HA5_13 = Hp6_13 - T(0.07278000000000001);
-  const T HA5_23 = Hb6_23 + T(0.00035);
+  const T HA5_23 = T(0.00035) + Hb6_23;
   const T HA5_31 = b6_4 + T(0.07278000000000001);
   const T HA5_32 = Hp6_32 - T(0.00035);
   // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA5_11 = T(0.8) * minus_Hp6_12 + Jp6_11;
+  const T JA5_11 = Jp6_11 + T(0.8) * minus_Hp6_12;
   const T JA5_12 = T(0.4) * Hp6_11 - T(7.350000000000001e-06);
   const T JA5_13 = T(9.117500000000001e-05) - T(0.4) * Hp6_32 - minus_Jp6_13;
   const T JA5_22 = Hb6_21 * T(0.4) - T(0.007543753000000001);
-  const T JA5_23 = T(0.4) * b6_4 + T(0.01885875);
+  const T JA5_23 = T(0.01885875) + T(0.4) * b6_4;
   const T JA5_33 = T(0.010733823) + Jp6_33;
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T g5_1 = gp6_1 - minus_G5_1;
   const T minus_g5_2 = minus_G6_2 + minus_G5_2;
   const T g5_3 = gp6_3 + G5_3;
   // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
-  const T n5_1 = T(0.4) * minus_G6_2 - minus_N5_1 + np6_1;
-  const T n5_2 = T(0.4) * gp6_1 - minus_N5_2 - effort_link_6_6;
+  const T n5_1 = np6_1 - minus_N5_1 + T(0.4) * minus_G6_2;
+  const T n5_2 = T(0.4) * gp6_1 - (minus_N5_2 + effort_link_6_6);
   const T n5_3 = np6_3 - minus_N5_3;
   // invD5 = D5^-1: 1/D
   const T invD5 = T(1) / JA5_33;
@@ -1326,7 +1389,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b5_2 = E5_12 * (M5_11 + minus_M5_22) - b5_1 * minus_M5_12;
   const T b5_3 = E5_12 * b5_2;
   const T Mp5_11 = M5_11 - b5_3;
-  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
+  const T Mp5_12 = minus_M5_12 + E5_11 * b5_2;
   const T Mp5_13 = E5_11 * M5_13 - E5_12 * M5_23;
   const T Mp5_22 = b5_3 - minus_M5_22;
   const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
@@ -1413,7 +1476,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // gp4 = E4^T gt4: force passed on, lower body's axes [N]
   const T gp4_1 = E4_11 * gt4_1 - E4_13 * gt4_3;
   // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
-  const T b4_2 = E4_11 * (H4_13 - minus_H4_31) + E4_13 * (minus_H4_33 + H4_11);
+  const T b4_2 = E4_11 * (H4_13 - minus_H4_31) + E4_13 * (H4_11 + minus_H4_33);
   const T Hp4_11 = H4_11 - E4_13 * b4_2;
   const T Hp4_12 = E4_11 * H4_12 + E4_13 * minus_H4_32;
   const T Hp4_31 = E4_11 * b4_2 - H4_13;
@@ -1422,7 +1485,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b4_3 = E4_13 * (minus_J4_33 + J4_11) - b4_1 * minus_J4_13;
   const T b4_4 = E4_13 * b4_3;
   const T Jp4_11 = J4_11 - b4_4;
-  const T Jp4_13 = E4_11 * b4_3 + minus_J4_13;
+  const T Jp4_13 = minus_J4_13 + E4_11 * b4_3;
   const T Jp4_33 = b4_4 - minus_J4_33;
   // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
   const T np4_1 = E4_11 * nt4_1 - E4_13 * nt4_3;
@@ -1439,11 +1502,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T JA3_12 = Hb4_11 * T(0.42);
   const T JA3_13 = Jp4_13 - T(0.42) * Hp4_32;
   const T JA3_22 = Hb4_21 * T(0.42) - T(0.024796000000000002);
-  const T JA3_23 = T(0.42) * Hp4_31 + T(0.014857500000000004);
+  const T JA3_23 = T(0.014857500000000004) + T(0.42) * Hp4_31;
   const T JA3_33 = T(0.031196) + Jp4_33;
   // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
-  const T n3_1 = np4_1 - (T(0.42) * gt4_2 + minus_N3_1);
-  const T n3_2 = T(0.42) * gp4_1 + N3_2 + effort_link_4_4;
+  const T n3_1 = np4_1 - minus_N3_1 - T(0.42) * gt4_2;
+  const T n3_2 = N3_2 + effort_link_4_4 + T(0.42) * gp4_1;
   const T n3_3 = np4_3 - minus_N3_3;
   // invD3 = D3^-1: 1/D
   const T invD3 = T(1) / JA3_33;
@@ -1525,7 +1588,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL3_1 = E3_12 * phi2 - E3_11 * minus_alphaL2_1;
   const T alphaL3_2 = E3_11 * phi2 + E3_12 * minus_alphaL2_1;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
-  const T phi3 = v3 - (kK3_1 * alphaL3_1 + kK3_2 * alphaL3_2);
+  const T phi3 = v3 - kK3_1 * alphaL3_1 - kK3_2 * alphaL3_2;
   // thetaddot3 = -b3 . alphaL3 + phi3
   const T thetaddot3 = phi3 - alphaL2_3;
   ydot[2] = thetaddot3;
@@ -1540,7 +1603,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL4_1 = E4_11 * alphaL3_1 + E4_13 * phi3;
   const T alphaL4_3 = E4_11 * phi3 - E4_13 * alphaL3_1;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = minus_kB4_1 * beta4_1 - minus_kB4_2 * minus_beta4_2 - minus_kB4_3 * minus_beta4_3 + v4 + minus_kK4_1
+  const T phi4 = v4 + minus_kB4_1 * beta4_1 - minus_kB4_2 * minus_beta4_2 - minus_kB4_3 * minus_beta4_3 + minus_kK4_1
       * alphaL4_1 + minus_kK4_3 * alphaL4_3;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = alphaL3_2 + phi4;
@@ -1554,7 +1617,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL5_1 = E5_11 * alphaL4_1 - E5_12 * phi4;
   const T minus_alphaL5_2 = E5_11 * phi4 + E5_12 * alphaL4_1;
   // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
-  const T phi5 = kB5_2 * minus_beta5_2 - kB5_1 * beta5_1 - minus_kB5_3 * minus_beta4_3 + v5 - kK5_1 * alphaL5_1 +
+  const T phi5 = v5 + kB5_2 * minus_beta5_2 - kB5_1 * beta5_1 - minus_kB5_3 * minus_beta4_3 - kK5_1 * alphaL5_1 +
       kK5_2 * minus_alphaL5_2;
   // thetaddot5 = -b5 . alphaL5 + phi5
   const T thetaddot5 = phi5 - alphaL4_3;
@@ -1582,7 +1645,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 // 226 add, 238 multiply, 12 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 6, cosines + 1, sines + 1);
 
   // ---- body 1 (link_1) on the inertial frame
   const T thetadot1 = y[0];
@@ -1594,12 +1659,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N1_3 = T(0.0590859715) * thetaddot1;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -1639,12 +1703,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       minus_U2_22) - T(0.00011239499999999998) * U2_23 - T(0.0157353) * U2_13;
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   const T thetaddot3 = ydot[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
   const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
@@ -1661,12 +1724,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U3_13 = t3_2 + omegadot3_2;
   const T U3_21 = t3_1 + omegadot3_3;
   const T t3_3 = omega3_1 * omega3_1;
-  const T minus_U3_22 = omega3_3 * omega3_3 + t3_3;
+  const T minus_U3_22 = t3_3 + omega3_3 * omega3_3;
   const T t3_4 = omega3_3 * omega3_2;
   const T U3_23 = t3_4 - omegadot3_1;
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
-  const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
+  const T minus_U3_33 = t3_3 + omega3_2 * omega3_2;
   // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
   const T Pddot3_2 = E3_12 * minus_Pddot2_1;
@@ -1681,12 +1744,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   const T thetaddot4 = ydot[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 + E4_13 * omega3_3;
   const T omega4_2 = omega3_2 - thetadot4;
@@ -1703,12 +1765,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U4_13 = t4_2 + omegadot4_2;
   const T U4_21 = t4_1 + omegadot4_3;
   const T t4_3 = omega4_1 * omega4_1;
-  const T minus_U4_22 = omega4_3 * omega4_3 + t4_3;
+  const T minus_U4_22 = t4_3 + omega4_3 * omega4_3;
   const T t4_4 = omega4_3 * omega4_2;
   const T U4_23 = t4_4 - omegadot4_1;
   const T U4_31 = t4_2 - omegadot4_2;
   const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
+  const T minus_U4_33 = t4_3 + omega4_2 * omega4_2;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
   const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
@@ -1729,12 +1791,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   const T thetaddot5 = ydot[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -1781,12 +1842,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
       U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   const T thetaddot6 = ydot[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 - minus_E6_13 * omega5_3;
   const T omega6_2 = thetadot6 + omega5_2;
@@ -1803,15 +1863,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U6_13 = t6_2 + omegadot6_2;
   const T U6_21 = t6_1 + omegadot6_3;
   const T t6_3 = omega6_1 * omega6_1;
-  const T minus_U6_22 = omega6_3 * omega6_3 + t6_3;
+  const T minus_U6_22 = t6_3 + omega6_3 * omega6_3;
   const T t6_4 = omega6_3 * omega6_2;
   const T U6_23 = t6_4 - omegadot6_1;
   const T U6_31 = t6_2 - omegadot6_2;
   const T U6_32 = t6_4 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
+  const T minus_U6_33 = t6_3 + omega6_2 * omega6_2;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
-  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  const T Pddot6_1 = E6_11 * (Pddot5_1 + U5_13 * T(0.4)) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = Pddot5_2 + U5_23 * T(0.4);
   // effort_link_6_6 = -thetadot6 c_link_6_ + tau_link_6_: along the coordinate [N m], [N]
   const T effort_link_6_6 = u.tau_6 - thetadot6 * c.p.c;
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
@@ -1827,12 +1887,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   const T thetaddot7 = ydot[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 + E7_12 * omega6_2;
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
@@ -1867,8 +1926,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 6 (link_6) and what it carries
   // rho6 = E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho6_1 = E7_11 * N7_1 + E7_12 * minus_N7_2 + N6_1;
-  const T rho6_2 = E7_12 * N7_1 - E7_11 * minus_N7_2 + N6_2;
+  const T rho6_1 = N6_1 + E7_11 * N7_1 + E7_12 * minus_N7_2;
+  const T rho6_2 = N6_2 + E7_12 * N7_1 - E7_11 * minus_N7_2;
   const T rho6_3 = N7_3 + N6_3;
   // r_theta6 = b6 . rho6 - effort_link_6_6: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_2 - effort_link_6_6;
@@ -1879,12 +1938,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b5_1 = E6_11 * G6_1 - minus_E6_13 * minus_G6_3;
   const T S5_1 = b5_1 + G5_1;
   const T S5_2 = G6_2 + G5_2;
-  const T minus_S5_3 = minus_E6_13 * G6_1 + E6_11 * minus_G6_3 + minus_G5_3;
+  const T minus_S5_3 = minus_G5_3 + minus_E6_13 * G6_1 + E6_11 * minus_G6_3;
   // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho5_1 = E6_11 * rho6_1 + minus_E6_13 * rho6_3 - T(0.4) * G6_2 + N5_1;
-  const T rho5_2 = T(0.4) * b5_1 + rho6_2 + N5_2;
-  const T rho5_3 = E6_11 * rho6_3 - minus_E6_13 * rho6_1 + N5_3;
+  const T rho5_1 = N5_1 + E6_11 * rho6_1 + minus_E6_13 * rho6_3 - T(0.4) * G6_2;
+  const T rho5_2 = rho6_2 + N5_2 + T(0.4) * b5_1;
+  const T rho5_3 = N5_3 + E6_11 * rho6_3 - minus_E6_13 * rho6_1;
   // r_theta5 = b5 . rho5 - effort_link_5_5: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - effort_link_5_5;
   r[4] = r_theta5;
@@ -1895,8 +1954,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S4_2 = E5_12 * S5_1 + E5_11 * S5_2 + G4_2;
   const T minus_S4_3 = minus_S5_3 + minus_G4_3;
   // rho4 = E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 - minus_N4_1;
-  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 + N4_2;
+  const T rho4_1 = E5_11 * rho5_1 - minus_N4_1 - E5_12 * rho5_2;
+  const T rho4_2 = N4_2 + E5_12 * rho5_1 + E5_11 * rho5_2;
   const T rho4_3 = rho5_3 + N4_3;
   // r_theta4 = b4 . rho4 - effort_link_4_4: Kane's equation of the angle [N m]
   const T minus_r_theta4 = rho4_2 + effort_link_4_4;
@@ -1905,17 +1964,17 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 3 (link_3) and what it carries
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.42) * S4_2 + N3_1;
-  const T rho3_2 = T(0.42) * (E4_11 * S4_1 + E4_13 * minus_S4_3) + rho4_2 - minus_N3_2;
-  const T rho3_3 = E4_13 * rho4_1 + E4_11 * rho4_3 + N3_3;
+  const T rho3_1 = N3_1 + E4_11 * rho4_1 - E4_13 * rho4_3 - T(0.42) * S4_2;
+  const T rho3_2 = rho4_2 - minus_N3_2 + T(0.42) * (E4_11 * S4_1 + E4_13 * minus_S4_3);
+  const T rho3_3 = N3_3 + E4_13 * rho4_1 + E4_11 * rho4_3;
   // r_theta3 = b3 . rho3 - effort_link_3_3: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_3 - effort_link_3_3;
   r[2] = r_theta3;
 
   // ---- body 2 (link_2) and what it carries
   // rho2 = E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 + N2_1;
-  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 + N2_2;
+  const T rho2_1 = N2_1 + E3_11 * rho3_1 - E3_12 * rho3_2;
+  const T rho2_2 = N2_2 + E3_12 * rho3_1 + E3_11 * rho3_2;
   const T rho2_3 = rho3_3 + N2_3;
   // r_theta2 = b2 . rho2 - effort_link_2_2: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_2 - effort_link_2_2;
@@ -1935,7 +1994,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 // 207 add, 228 multiply, 12 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 6, cosines + 1, sines + 1);
 
   // ---- body 1 (link_1) on the inertial frame
   const T thetadot1 = y[0];
@@ -1943,11 +2004,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T effort_link_1_1 = u.tau_1 - thetadot1 * c.p.c;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T minus_omega2_1 = minus_E2_13 * thetadot1;
   const T omega2_3 = E2_11 * thetadot1;
@@ -1980,11 +2040,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       (minus_U2_11 - minus_U2_22) + T(0.00011239499999999998) * U2_23);
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = E3_12 * thetadot2 - E3_11 * minus_omega2_1;
   const T omega3_2 = E3_11 * thetadot2 + E3_12 * minus_omega2_1;
@@ -2002,12 +2061,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U3_13 = t3_2 + omegadot3_2;
   const T U3_21 = t3_1 - minus_omegadot2_3;
   const T t3_3 = omega3_1 * omega3_1;
-  const T minus_U3_22 = omega3_3 * omega3_3 + t3_3;
+  const T minus_U3_22 = t3_3 + omega3_3 * omega3_3;
   const T t3_4 = omega3_3 * omega3_2;
   const T U3_23 = t3_4 - omegadot3_1;
   const T U3_31 = t3_2 - omegadot3_2;
   const T U3_32 = t3_4 + omegadot3_1;
-  const T minus_U3_33 = omega3_2 * omega3_2 + t3_3;
+  const T minus_U3_33 = t3_3 + omega3_2 * omega3_2;
   // Pddot3 = E3 Pddot2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T minus_Pddot3_1 = E3_11 * minus_Pddot2_1;
   const T Pddot3_2 = E3_12 * minus_Pddot2_1;
@@ -2020,11 +2079,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       T(0.014000000000000012) * minus_Pddot3_1;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 + E4_13 * omega3_3;
   const T omega4_2 = omega3_2 - thetadot4;
@@ -2042,12 +2100,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U4_13 = t4_2 + omegadot3_2;
   const T U4_21 = t4_1 - minus_omegadot4_3;
   const T t4_3 = omega4_1 * omega4_1;
-  const T minus_U4_22 = omega4_3 * omega4_3 + t4_3;
+  const T minus_U4_22 = t4_3 + omega4_3 * omega4_3;
   const T t4_4 = omega4_3 * omega4_2;
   const T U4_23 = t4_4 - omegadot4_1;
   const T U4_31 = t4_2 - omegadot3_2;
   const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = omega4_2 * omega4_2 + t4_3;
+  const T minus_U4_33 = t4_3 + omega4_2 * omega4_2;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_5 = U3_13 * T(0.42) - minus_Pddot3_1;
   const T t4_6 = Pddot2_3 - minus_U3_33 * T(0.42);
@@ -2067,11 +2125,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N4_3 = T(0.0027) * U4_21 + T(0.0027) * U4_12 + T(0.007973000000000001) * U4_13;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -2117,11 +2174,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
       U5_23 + T(0.01885875) * U5_13;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = E6_11 * omega5_1 - minus_E6_13 * omega5_3;
   const T omega6_2 = thetadot6 + omega5_2;
@@ -2139,15 +2195,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U6_13 = t6_2 + omegadot5_2;
   const T U6_21 = t6_1 + omegadot6_3;
   const T t6_3 = omega6_1 * omega6_1;
-  const T minus_U6_22 = omega6_3 * omega6_3 + t6_3;
+  const T minus_U6_22 = t6_3 + omega6_3 * omega6_3;
   const T t6_4 = omega6_3 * omega6_2;
   const T U6_23 = t6_4 - omegadot6_1;
   const T U6_31 = t6_2 - omegadot5_2;
   const T U6_32 = t6_4 + omegadot6_1;
-  const T minus_U6_33 = omega6_2 * omega6_2 + t6_3;
+  const T minus_U6_33 = t6_3 + omega6_2 * omega6_2;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = E6_11 * (U5_13 * T(0.4) + Pddot5_1) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
-  const T Pddot6_2 = U5_23 * T(0.4) + Pddot5_2;
+  const T Pddot6_1 = E6_11 * (Pddot5_1 + U5_13 * T(0.4)) - minus_E6_13 * (Pddot4_3 - minus_U5_33 * T(0.4));
+  const T Pddot6_2 = Pddot5_2 + U5_23 * T(0.4);
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_13 * T(0.12228);
   const T minus_G6_2 = U6_23 * T(0.12228);
@@ -2161,11 +2217,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_N6_3 = T(0.0017000000000000001) * U6_21 + T(0.0017000000000000001) * U6_12 - T(4.32e-07) * U6_13;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
   const T omega7_1 = E7_11 * omega6_1 + E7_12 * omega6_2;
   const T omega7_2 = E7_11 * omega6_2 - E7_12 * omega6_1;
@@ -2199,11 +2254,11 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 6 (link_6) and what it carries
   // rho6 = E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T minus_rho6_1 = E7_11 * minus_N7_1 + E7_12 * N7_2 + minus_N6_1;
-  const T rho6_2 = E7_11 * N7_2 - E7_12 * minus_N7_1 - minus_N6_2;
+  const T minus_rho6_1 = minus_N6_1 + E7_12 * N7_2 + E7_11 * minus_N7_1;
+  const T minus_rho6_2 = minus_N6_2 + E7_12 * minus_N7_1 - E7_11 * N7_2;
   const T minus_rho6_3 = minus_N7_3 + minus_N6_3;
   // f_theta6 = b6 . rho6 + effort_link_6_6: Kane's equation of the angle [N m]
-  const T f_theta6 = rho6_2 + effort_link_6_6;
+  const T f_theta6 = effort_link_6_6 - minus_rho6_2;
   f[5] = f_theta6;
 
   // ---- body 5 (link_5) and what it carries
@@ -2211,12 +2266,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b5_1 = minus_E6_13 * G6_3 - E6_11 * minus_G6_1;
   const T S5_1 = b5_1 - minus_G5_1;
   const T minus_S5_2 = minus_G6_2 + minus_G5_2;
-  const T S5_3 = minus_E6_13 * minus_G6_1 + E6_11 * G6_3 + G5_3;
+  const T S5_3 = G5_3 + minus_E6_13 * minus_G6_1 + E6_11 * G6_3;
   // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho5_1 = T(0.4) * minus_G6_2 - (E6_11 * minus_rho6_1 + minus_E6_13 * minus_rho6_3) - minus_N5_1;
-  const T rho5_2 = T(0.4) * b5_1 + rho6_2 - minus_N5_2;
-  const T minus_rho5_3 = E6_11 * minus_rho6_3 - minus_E6_13 * minus_rho6_1 + minus_N5_3;
+  const T rho5_1 = T(0.4) * minus_G6_2 - (minus_N5_1 + E6_11 * minus_rho6_1 + minus_E6_13 * minus_rho6_3);
+  const T rho5_2 = T(0.4) * b5_1 - (minus_rho6_2 + minus_N5_2);
+  const T minus_rho5_3 = minus_N5_3 + E6_11 * minus_rho6_3 - minus_E6_13 * minus_rho6_1;
   // f_theta5 = b5 . rho5 + effort_link_5_5: Kane's equation of the angle [N m]
   const T f_theta5 = effort_link_5_5 - minus_rho5_3;
   f[4] = f_theta5;
@@ -2227,8 +2282,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S4_2 = E5_12 * S5_1 - E5_11 * minus_S5_2 - minus_G4_2;
   const T S4_3 = S5_3 + G4_3;
   // rho4 = E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho4_1 = E5_11 * rho5_1 - E5_12 * rho5_2 + N4_1;
-  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 - minus_N4_2;
+  const T rho4_1 = N4_1 + E5_11 * rho5_1 - E5_12 * rho5_2;
+  const T rho4_2 = E5_12 * rho5_1 - minus_N4_2 + E5_11 * rho5_2;
   const T minus_rho4_3 = minus_rho5_3 + minus_N4_3;
   // f_theta4 = b4 . rho4 + effort_link_4_4: Kane's equation of the angle [N m]
   const T f_theta4 = effort_link_4_4 - rho4_2;
@@ -2237,17 +2292,17 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 3 (link_3) and what it carries
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = E4_11 * rho4_1 + E4_13 * minus_rho4_3 - T(0.42) * S4_2 - minus_N3_1;
-  const T rho3_2 = T(0.42) * (E4_11 * S4_1 - E4_13 * S4_3) + rho4_2 + N3_2;
-  const T rho3_3 = E4_13 * rho4_1 - E4_11 * minus_rho4_3 - minus_N3_3;
+  const T rho3_1 = E4_11 * rho4_1 - minus_N3_1 + E4_13 * minus_rho4_3 - T(0.42) * S4_2;
+  const T rho3_2 = rho4_2 + N3_2 + T(0.42) * (E4_11 * S4_1 - E4_13 * S4_3);
+  const T rho3_3 = E4_13 * rho4_1 - minus_N3_3 - E4_11 * minus_rho4_3;
   // f_theta3 = b3 . rho3 + effort_link_3_3: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_3 + effort_link_3_3;
   f[2] = f_theta3;
 
   // ---- body 2 (link_2) and what it carries
   // rho2 = E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes [N m]
-  const T rho2_1 = E3_11 * rho3_1 - E3_12 * rho3_2 - minus_N2_1;
-  const T rho2_2 = E3_12 * rho3_1 + E3_11 * rho3_2 - minus_N2_2;
+  const T rho2_1 = E3_11 * rho3_1 - minus_N2_1 - E3_12 * rho3_2;
+  const T rho2_2 = E3_12 * rho3_1 - minus_N2_2 + E3_11 * rho3_2;
   const T rho2_3 = rho3_3 - minus_N2_3;
   // f_theta2 = b2 . rho2 + effort_link_2_2: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_2 + effort_link_2_2;
@@ -2267,37 +2322,34 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 // 84 add, 110 multiply, 10 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
+  T cosines[6], sines[6];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 5, cosines + 1, sines + 1);
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
 
   // ---- body 6 (link_6) and what it carries
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
@@ -2313,7 +2365,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T J5_11 = T(0.013441848) - b5_2 + T(0.8) * hc6_3;
   const T b5_3 = minus_E6_13 * T(4.32e-07);
   const T minus_J5_12 = b5_3 + T(7.350000000000001e-06);
-  const T J5_13 = T(9.117500000000001e-05) - (E6_11 * b5_1 + T(0.4) * hc6_1);
+  const T J5_13 = T(9.117500000000001e-05) - E6_11 * b5_1 - T(0.4) * hc6_1;
   const T b5_4 = T(0.4) * hc6_3;
   const T b5_5 = b5_4 + T(0.016841848);
   const T J5_22 = b5_5 - T(0.007543753000000001) + b5_4;
@@ -2339,7 +2391,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b4_1 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
   const T b4_2 = E5_12 * b4_1;
   const T J4_11 = J5_11 - b4_2 + T(0.750066163);
-  const T J4_12 = E5_11 * b4_1 + minus_J5_12;
+  const T J4_12 = minus_J5_12 + E5_11 * b4_1;
   const T J4_13 = E5_11 * J5_13 - E5_12 * J5_23;
   const T J4_22 = J5_22 + b4_2 + T(0.755466163);
   const T b4_3 = E5_12 * J5_13 + E5_11 * J5_23;
@@ -2375,7 +2427,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b3_4 = b3_3 + J4_22;
   const T J3_22 = b3_4 - T(0.024796000000000002) + b3_3;
   const T b3_5 = E4_13 * J4_12 + E4_11 * J4_23;
-  const T J3_23 = b3_5 + T(0.42) * minus_hc5_2 + T(0.014857500000000004);
+  const T J3_23 = b3_5 + T(0.014857500000000004) + T(0.42) * minus_hc5_2;
   const T J3_33 = J5_33 + b3_2 + T(0.031196);
   A[16] = J3_33;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
@@ -2387,7 +2439,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot6_3_1 = E4_11 * B_thetadot6_4_1 + E4_13 * hc6_1;
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
   const T K_thetadot6_3_1 = E4_13 * b5_6 - E4_11 * minus_K_thetadot6_4_1 - T(0.42) * B_thetadot6_4_2;
-  const T K_thetadot6_3_2 = T(0.42) * B_thetadot6_3_1 + K_thetadot6_4_2;
+  const T K_thetadot6_3_2 = K_thetadot6_4_2 + T(0.42) * B_thetadot6_3_1;
   const T minus_K_thetadot6_3_3 = E4_13 * minus_K_thetadot6_4_1 + E4_11 * b5_6;
   A[19] = -minus_K_thetadot6_3_3;
   A[37] = -minus_K_thetadot6_3_3;
@@ -2395,7 +2447,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot5_3_1 = E4_11 * minus_hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = E4_11 * J4_13 - E4_13 * J5_33 - T(0.42) * hc5_1;
-  const T K_thetadot5_3_2 = T(0.42) * B_thetadot5_3_1 + b4_3;
+  const T K_thetadot5_3_2 = b4_3 + T(0.42) * B_thetadot5_3_1;
   const T K_thetadot5_3_3 = E4_13 * J4_13 + E4_11 * J5_33;
   A[18] = K_thetadot5_3_3;
   A[30] = K_thetadot5_3_3;
@@ -2407,7 +2459,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b2_1 = E3_12 * (J3_11 - J3_22) - T(2) * E3_11 * minus_J3_12;
   const T b2_2 = E3_12 * b2_1;
   const T J2_11 = J3_11 - b2_2 + T(2.2264156534999997);
-  const T J2_12 = E3_11 * b2_1 + minus_J3_12 + T(8.000999999999999e-05);
+  const T J2_12 = minus_J3_12 + T(8.000999999999999e-05) + E3_11 * b2_1;
   const T b2_3 = E3_11 * J3_13 - E3_12 * J3_23;
   const T J2_13 = b2_3 + T(0.00011239499999999998);
   const T J2_22 = J3_22 + b2_2 + T(2.2373167965);
@@ -2439,7 +2491,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 
   // ---- body 1 (link_1) and what it carries
   // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T J1_33 = J3_33 - minus_E2_13 * (minus_E2_13 * (J3_33 - J2_11) + T(2) * E2_11 * J2_13) + T(0.0590859715);
+  const T J1_33 = J3_33 + T(0.0590859715) - minus_E2_13 * (minus_E2_13 * (J3_33 - J2_11) + T(2) * E2_11 * J2_13);
   A[0] = J1_33;
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
   const T K_thetadot7_1_3 = E2_11 * K_thetadot7_3_3 - minus_E2_13 * K_thetadot7_2_1;
@@ -2478,14 +2530,15 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 // 293 add, 468 multiply, 14 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 147; ++i) v_y[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (link_1) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // B1_1 = -E1^T r1~ b1
   const T B1_1_1 = E1_11 * T(0.03);
   const T B1_1_2 = E1_12 * T(0.03);
@@ -2493,10 +2546,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[7] = B1_1_2;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -2520,10 +2572,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[36] = t2_2;
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
@@ -2542,8 +2593,8 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_2 = T(0.03) * E2_11 - T(0.13) * R3_23;
   const T t3_3 = T(0.13) * minus_R3_13;
   const T t3_4 = T(0.03) * minus_R3_13;
-  const T minus_B4_1_1 = R3_11 * t3_2 + minus_R3_21 * t3_3 + R2_31 * t3_4 + minus_P_thetadot1_3_1;
-  const T minus_B4_1_2 = R3_12 * t3_2 - R3_22 * t3_3 + R2_32 * t3_4 - P_thetadot1_3_2;
+  const T minus_B4_1_1 = minus_P_thetadot1_3_1 + R3_11 * t3_2 + minus_R3_21 * t3_3 + R2_31 * t3_4;
+  const T minus_B4_1_2 = R3_12 * t3_2 - P_thetadot1_3_2 - R3_22 * t3_3 + R2_32 * t3_4;
   const T minus_B4_1_3 = E2_11 * t3_4 - (minus_R3_13 * t3_2 + R3_23 * t3_3);
   v_y[42] = -minus_B4_1_1;
   v_y[49] = -minus_B4_1_2;
@@ -2552,9 +2603,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_5 = T(0.13) * E3_11;
   const T t3_6 = T(0.13) * E3_12;
   const T t3_7 = T(0.03) * E3_12;
-  const T B5_2_1 = R3_11 * t3_5 + minus_R3_21 * t3_6 + R2_31 * t3_7 + P_thetadot2_3_1;
-  const T minus_B5_2_2 = R3_22 * t3_6 - R3_12 * t3_5 - R2_32 * t3_7 - P_thetadot2_3_2;
-  const T minus_B5_2_3 = minus_R3_13 * t3_5 + R3_23 * t3_6 - E2_11 * t3_7 + t3_1;
+  const T B5_2_1 = P_thetadot2_3_1 + R3_11 * t3_5 + minus_R3_21 * t3_6 + R2_31 * t3_7;
+  const T minus_B5_2_2 = R3_22 * t3_6 - P_thetadot2_3_2 - R3_12 * t3_5 - R2_32 * t3_7;
+  const T minus_B5_2_3 = t3_1 + minus_R3_13 * t3_5 + R3_23 * t3_6 - E2_11 * t3_7;
   v_y[43] = B5_2_1;
   v_y[50] = -minus_B5_2_2;
   v_y[57] = -minus_B5_2_3;
@@ -2566,10 +2617,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[58] = t3_4;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 + R2_31 * E4_13;
   const T R4_12 = R3_12 * E4_11 + R2_32 * E4_13;
@@ -2583,22 +2633,22 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_4 = -R3^T q4~ omega_thetadot1_3 + P_thetadot1_3: partial velocity of the body origin, inertial axes
   const T t4_1 = T(0.2155) * minus_R3_13;
   const T t4_2 = T(0.2155) * R3_23;
-  const T minus_P_thetadot1_4_1 = minus_R3_21 * t4_1 - R3_11 * t4_2 + minus_P_thetadot1_3_1;
-  const T P_thetadot1_4_2 = R3_12 * t4_2 + R3_22 * t4_1 + P_thetadot1_3_2;
+  const T minus_P_thetadot1_4_1 = minus_P_thetadot1_3_1 + minus_R3_21 * t4_1 - R3_11 * t4_2;
+  const T P_thetadot1_4_2 = P_thetadot1_3_2 + R3_12 * t4_2 + R3_22 * t4_1;
   const T minus_P_thetadot1_4_3 = minus_R3_13 * t4_2 - R3_23 * t4_1;
   // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
   const T t4_3 = T(0.2155) * E3_11;
   const T t4_4 = T(0.2155) * E3_12;
-  const T P_thetadot2_4_1 = R3_11 * t4_3 + minus_R3_21 * t4_4 + P_thetadot2_3_1;
-  const T minus_P_thetadot2_4_2 = R3_22 * t4_4 - R3_12 * t4_3 - P_thetadot2_3_2;
-  const T minus_P_thetadot2_4_3 = minus_R3_13 * t4_3 + R3_23 * t4_4 + t3_1;
+  const T P_thetadot2_4_1 = P_thetadot2_3_1 + R3_11 * t4_3 + minus_R3_21 * t4_4;
+  const T minus_P_thetadot2_4_2 = R3_22 * t4_4 - P_thetadot2_3_2 - R3_12 * t4_3;
+  const T minus_P_thetadot2_4_3 = t3_1 + minus_R3_13 * t4_3 + R3_23 * t4_4;
   // B7_1 = -R4^T (C4^T r4)~ omega_thetadot1_4 + P_thetadot1_4
-  const T t4_5 = T(0.034) * R4_13;
-  const T t4_6 = T(0.067) * R3_23 + T(0.034) * R4_33;
-  const T t4_7 = T(0.067) * R4_13;
-  const T minus_B7_1_1 = R4_31 * t4_5 - (R4_11 * t4_6 + minus_R3_21 * t4_7) + minus_P_thetadot1_4_1;
-  const T minus_B7_1_2 = R3_22 * t4_7 - R4_12 * t4_6 + R4_32 * t4_5 - P_thetadot1_4_2;
-  const T minus_B7_1_3 = R3_23 * t4_7 - R4_13 * t4_6 + R4_33 * t4_5 + minus_P_thetadot1_4_3;
+  const T t4_5 = T(0.067) * R3_23 + T(0.034) * R4_33;
+  const T t4_6 = T(0.067) * R4_13;
+  const T t4_7 = T(0.034) * R4_13;
+  const T minus_B7_1_1 = minus_P_thetadot1_4_1 - R4_11 * t4_5 - minus_R3_21 * t4_6 + R4_31 * t4_7;
+  const T minus_B7_1_2 = R3_22 * t4_6 - P_thetadot1_4_2 - R4_12 * t4_5 + R4_32 * t4_7;
+  const T minus_B7_1_3 = minus_P_thetadot1_4_3 + R3_23 * t4_6 - R4_13 * t4_5 + R4_33 * t4_7;
   v_y[63] = -minus_B7_1_1;
   v_y[70] = -minus_B7_1_2;
   v_y[77] = -minus_B7_1_3;
@@ -2606,9 +2656,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_8 = T(0.034) * minus_omega_thetadot2_4_3 - T(0.067) * E3_11;
   const T t4_9 = T(0.067) * omega_thetadot2_4_1;
   const T t4_10 = T(0.034) * omega_thetadot2_4_1;
-  const T minus_B8_2_1 = R4_11 * t4_8 - minus_R3_21 * t4_9 + R4_31 * t4_10 - P_thetadot2_4_1;
-  const T minus_B8_2_2 = R4_12 * t4_8 + R3_22 * t4_9 + R4_32 * t4_10 + minus_P_thetadot2_4_2;
-  const T minus_B8_2_3 = R4_13 * t4_8 + R3_23 * t4_9 + R4_33 * t4_10 + minus_P_thetadot2_4_3;
+  const T minus_B8_2_1 = R4_11 * t4_8 - P_thetadot2_4_1 - minus_R3_21 * t4_9 + R4_31 * t4_10;
+  const T minus_B8_2_2 = minus_P_thetadot2_4_2 + R4_12 * t4_8 + R3_22 * t4_9 + R4_32 * t4_10;
+  const T minus_B8_2_3 = minus_P_thetadot2_4_3 + R4_13 * t4_8 + R3_23 * t4_9 + R4_33 * t4_10;
   v_y[64] = -minus_B8_2_1;
   v_y[71] = -minus_B8_2_2;
   v_y[78] = -minus_B8_2_3;
@@ -2627,13 +2677,12 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_B10_4_2 = R4_12 * T(0.067);
   v_y[66] = -minus_B10_4_1;
   v_y[73] = -minus_B10_4_2;
-  v_y[80] = -t4_7;
+  v_y[80] = -t4_6;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -2650,15 +2699,15 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_5 = -R4^T q5~ omega_thetadot1_4 + P_thetadot1_4: partial velocity of the body origin, inertial axes
   const T t5_1 = T(0.1845) * R3_23;
   const T t5_2 = T(0.1845) * R4_13;
-  const T minus_P_thetadot1_5_1 = minus_P_thetadot1_4_1 - (R4_11 * t5_1 + minus_R3_21 * t5_2);
-  const T minus_P_thetadot1_5_2 = R3_22 * t5_2 - R4_12 * t5_1 - P_thetadot1_4_2;
-  const T minus_P_thetadot1_5_3 = R3_23 * t5_2 - R4_13 * t5_1 + minus_P_thetadot1_4_3;
+  const T minus_P_thetadot1_5_1 = minus_P_thetadot1_4_1 - R4_11 * t5_1 - minus_R3_21 * t5_2;
+  const T minus_P_thetadot1_5_2 = R3_22 * t5_2 - P_thetadot1_4_2 - R4_12 * t5_1;
+  const T minus_P_thetadot1_5_3 = minus_P_thetadot1_4_3 + R3_23 * t5_2 - R4_13 * t5_1;
   // P_thetadot2_5 = -R4^T q5~ omega_thetadot2_4 + P_thetadot2_4: partial velocity of the body origin, inertial axes
   const T t5_3 = T(0.1845) * E3_11;
   const T t5_4 = T(0.1845) * omega_thetadot2_4_1;
-  const T P_thetadot2_5_1 = R4_11 * t5_3 + minus_R3_21 * t5_4 + P_thetadot2_4_1;
-  const T minus_P_thetadot2_5_2 = R3_22 * t5_4 - R4_12 * t5_3 + minus_P_thetadot2_4_2;
-  const T minus_P_thetadot2_5_3 = R3_23 * t5_4 - R4_13 * t5_3 + minus_P_thetadot2_4_3;
+  const T P_thetadot2_5_1 = P_thetadot2_4_1 + R4_11 * t5_3 + minus_R3_21 * t5_4;
+  const T minus_P_thetadot2_5_2 = minus_P_thetadot2_4_2 + R3_22 * t5_4 - R4_12 * t5_3;
+  const T minus_P_thetadot2_5_3 = minus_P_thetadot2_4_3 + R3_23 * t5_4 - R4_13 * t5_3;
   // P_thetadot3_5 = -R4^T q5~ omega_thetadot3_4 + P_thetadot3_4: partial velocity of the body origin, inertial axes
   const T t5_5 = T(0.1845) * E4_13;
   const T P_thetadot3_5_1 = minus_R3_21 * t5_5;
@@ -2668,12 +2717,12 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_P_thetadot4_5_1 = R4_11 * T(0.1845);
   const T minus_P_thetadot4_5_2 = R4_12 * T(0.1845);
   // B11_1 = -R5^T (C5^T r5)~ omega_thetadot1_5 + P_thetadot1_5
-  const T t5_6 = T(0.021) * R5_13 - T(1e-04) * R5_23;
-  const T t5_7 = T(0.076) * R5_23 + T(0.021) * R4_33;
-  const T t5_8 = T(0.076) * R5_13 + T(1e-04) * R4_33;
-  const T minus_B11_1_1 = R4_31 * t5_6 - (R5_11 * t5_7 + minus_R5_21 * t5_8) + minus_P_thetadot1_5_1;
-  const T minus_B11_1_2 = R5_22 * t5_8 - R5_12 * t5_7 + R4_32 * t5_6 + minus_P_thetadot1_5_2;
-  const T minus_B11_1_3 = R5_23 * t5_8 - R5_13 * t5_7 + R4_33 * t5_6 + minus_P_thetadot1_5_3;
+  const T t5_6 = T(0.076) * R5_23 + T(0.021) * R4_33;
+  const T t5_7 = T(0.076) * R5_13 + T(1e-04) * R4_33;
+  const T t5_8 = T(0.021) * R5_13 - T(1e-04) * R5_23;
+  const T minus_B11_1_1 = minus_P_thetadot1_5_1 - R5_11 * t5_6 - minus_R5_21 * t5_7 + R4_31 * t5_8;
+  const T minus_B11_1_2 = minus_P_thetadot1_5_2 + R5_22 * t5_7 - R5_12 * t5_6 + R4_32 * t5_8;
+  const T minus_B11_1_3 = minus_P_thetadot1_5_3 + R5_23 * t5_7 - R5_13 * t5_6 + R4_33 * t5_8;
   v_y[84] = -minus_B11_1_1;
   v_y[91] = -minus_B11_1_2;
   v_y[98] = -minus_B11_1_3;
@@ -2681,9 +2730,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_9 = T(0.021) * minus_omega_thetadot2_4_3 - T(0.076) * omega_thetadot2_5_2;
   const T t5_10 = T(0.076) * omega_thetadot2_5_1 - T(1e-04) * minus_omega_thetadot2_4_3;
   const T t5_11 = T(0.021) * omega_thetadot2_5_1 - T(1e-04) * omega_thetadot2_5_2;
-  const T minus_B12_2_1 = R5_11 * t5_9 - minus_R5_21 * t5_10 + R4_31 * t5_11 - P_thetadot2_5_1;
-  const T minus_B12_2_2 = R5_12 * t5_9 + R5_22 * t5_10 + R4_32 * t5_11 + minus_P_thetadot2_5_2;
-  const T minus_B12_2_3 = R5_13 * t5_9 + R5_23 * t5_10 + R4_33 * t5_11 + minus_P_thetadot2_5_3;
+  const T minus_B12_2_1 = R5_11 * t5_9 - P_thetadot2_5_1 - minus_R5_21 * t5_10 + R4_31 * t5_11;
+  const T minus_B12_2_2 = minus_P_thetadot2_5_2 + R5_12 * t5_9 + R5_22 * t5_10 + R4_32 * t5_11;
+  const T minus_B12_2_3 = minus_P_thetadot2_5_3 + R5_13 * t5_9 + R5_23 * t5_10 + R4_33 * t5_11;
   v_y[85] = -minus_B12_2_1;
   v_y[92] = -minus_B12_2_2;
   v_y[99] = -minus_B12_2_3;
@@ -2691,9 +2740,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_12 = T(0.076) * minus_omega_thetadot3_5_2 - T(0.021) * E4_11;
   const T t5_13 = T(0.076) * omega_thetadot3_5_1 + T(1e-04) * E4_11;
   const T t5_14 = T(1e-04) * minus_omega_thetadot3_5_2 + T(0.021) * omega_thetadot3_5_1;
-  const T minus_B13_3_1 = R5_11 * t5_12 - minus_R5_21 * t5_13 + R4_31 * t5_14 - P_thetadot3_5_1;
-  const T minus_B13_3_2 = R5_12 * t5_12 + R5_22 * t5_13 + R4_32 * t5_14 + minus_P_thetadot3_5_2;
-  const T minus_B13_3_3 = R5_13 * t5_12 + R5_23 * t5_13 + R4_33 * t5_14 + minus_P_thetadot3_5_3;
+  const T minus_B13_3_1 = R5_11 * t5_12 - P_thetadot3_5_1 - minus_R5_21 * t5_13 + R4_31 * t5_14;
+  const T minus_B13_3_2 = minus_P_thetadot3_5_2 + R5_12 * t5_12 + R5_22 * t5_13 + R4_32 * t5_14;
+  const T minus_B13_3_3 = minus_P_thetadot3_5_3 + R5_13 * t5_12 + R5_23 * t5_13 + R4_33 * t5_14;
   v_y[86] = -minus_B13_3_1;
   v_y[93] = -minus_B13_3_2;
   v_y[100] = -minus_B13_3_3;
@@ -2701,9 +2750,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_15 = T(0.076) * E5_11;
   const T t5_16 = T(0.076) * E5_12;
   const T t5_17 = T(1e-04) * E5_11 - T(0.021) * E5_12;
-  const T minus_B14_4_1 = R5_11 * t5_15 + minus_R5_21 * t5_16 + R4_31 * t5_17 + minus_P_thetadot4_5_1;
-  const T minus_B14_4_2 = R5_12 * t5_15 - R5_22 * t5_16 + R4_32 * t5_17 + minus_P_thetadot4_5_2;
-  const T minus_B14_4_3 = R5_13 * t5_15 - R5_23 * t5_16 + R4_33 * t5_17 + t5_2;
+  const T minus_B14_4_1 = minus_P_thetadot4_5_1 + R5_11 * t5_15 + minus_R5_21 * t5_16 + R4_31 * t5_17;
+  const T minus_B14_4_2 = minus_P_thetadot4_5_2 + R5_12 * t5_15 - R5_22 * t5_16 + R4_32 * t5_17;
+  const T minus_B14_4_3 = t5_2 + R5_13 * t5_15 - R5_23 * t5_16 + R4_33 * t5_17;
   v_y[87] = -minus_B14_4_1;
   v_y[94] = -minus_B14_4_2;
   v_y[101] = -minus_B14_4_3;
@@ -2712,13 +2761,12 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_B15_5_2 = R5_22 * T(1e-04) - R5_12 * T(0.021);
   v_y[88] = B15_5_1;
   v_y[95] = -minus_B15_5_2;
-  v_y[102] = t5_6;
+  v_y[102] = t5_8;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - R4_31 * minus_E6_13;
   const T R6_12 = R5_12 * E6_11 - R4_32 * minus_E6_13;
@@ -2738,34 +2786,34 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_6 = -R5^T q6~ omega_thetadot1_5 + P_thetadot1_5: partial velocity of the body origin, inertial axes
   const T t6_1 = T(0.2155) * R5_23;
   const T t6_2 = T(0.2155) * R5_13;
-  const T minus_P_thetadot1_6_1 = minus_P_thetadot1_5_1 - (R5_11 * t6_1 + minus_R5_21 * t6_2);
-  const T minus_P_thetadot1_6_2 = R5_22 * t6_2 - R5_12 * t6_1 + minus_P_thetadot1_5_2;
-  const T minus_P_thetadot1_6_3 = R5_23 * t6_2 - R5_13 * t6_1 + minus_P_thetadot1_5_3;
+  const T minus_P_thetadot1_6_1 = minus_P_thetadot1_5_1 - R5_11 * t6_1 - minus_R5_21 * t6_2;
+  const T minus_P_thetadot1_6_2 = minus_P_thetadot1_5_2 + R5_22 * t6_2 - R5_12 * t6_1;
+  const T minus_P_thetadot1_6_3 = minus_P_thetadot1_5_3 + R5_23 * t6_2 - R5_13 * t6_1;
   // P_thetadot2_6 = -R5^T q6~ omega_thetadot2_5 + P_thetadot2_5: partial velocity of the body origin, inertial axes
   const T t6_3 = T(0.2155) * omega_thetadot2_5_2;
   const T t6_4 = T(0.2155) * omega_thetadot2_5_1;
-  const T P_thetadot2_6_1 = R5_11 * t6_3 + minus_R5_21 * t6_4 + P_thetadot2_5_1;
-  const T minus_P_thetadot2_6_2 = R5_22 * t6_4 - R5_12 * t6_3 + minus_P_thetadot2_5_2;
-  const T minus_P_thetadot2_6_3 = R5_23 * t6_4 - R5_13 * t6_3 + minus_P_thetadot2_5_3;
+  const T P_thetadot2_6_1 = P_thetadot2_5_1 + R5_11 * t6_3 + minus_R5_21 * t6_4;
+  const T minus_P_thetadot2_6_2 = minus_P_thetadot2_5_2 + R5_22 * t6_4 - R5_12 * t6_3;
+  const T minus_P_thetadot2_6_3 = minus_P_thetadot2_5_3 + R5_23 * t6_4 - R5_13 * t6_3;
   // P_thetadot3_6 = -R5^T q6~ omega_thetadot3_5 + P_thetadot3_5: partial velocity of the body origin, inertial axes
   const T t6_5 = T(0.2155) * minus_omega_thetadot3_5_2;
   const T t6_6 = T(0.2155) * omega_thetadot3_5_1;
-  const T minus_P_thetadot3_6_1 = R5_11 * t6_5 - minus_R5_21 * t6_6 - P_thetadot3_5_1;
-  const T minus_P_thetadot3_6_2 = R5_12 * t6_5 + R5_22 * t6_6 + minus_P_thetadot3_5_2;
-  const T minus_P_thetadot3_6_3 = R5_13 * t6_5 + R5_23 * t6_6 + minus_P_thetadot3_5_3;
+  const T minus_P_thetadot3_6_1 = R5_11 * t6_5 - P_thetadot3_5_1 - minus_R5_21 * t6_6;
+  const T minus_P_thetadot3_6_2 = minus_P_thetadot3_5_2 + R5_12 * t6_5 + R5_22 * t6_6;
+  const T minus_P_thetadot3_6_3 = minus_P_thetadot3_5_3 + R5_13 * t6_5 + R5_23 * t6_6;
   // P_thetadot4_6 = -R5^T q6~ omega_thetadot4_5 + P_thetadot4_5: partial velocity of the body origin, inertial axes
   const T t6_7 = T(0.2155) * E5_11;
   const T t6_8 = T(0.2155) * E5_12;
-  const T minus_P_thetadot4_6_1 = R5_11 * t6_7 + minus_R5_21 * t6_8 + minus_P_thetadot4_5_1;
-  const T minus_P_thetadot4_6_2 = R5_12 * t6_7 - R5_22 * t6_8 + minus_P_thetadot4_5_2;
-  const T minus_P_thetadot4_6_3 = R5_13 * t6_7 - R5_23 * t6_8 + t5_2;
+  const T minus_P_thetadot4_6_1 = minus_P_thetadot4_5_1 + R5_11 * t6_7 + minus_R5_21 * t6_8;
+  const T minus_P_thetadot4_6_2 = minus_P_thetadot4_5_2 + R5_12 * t6_7 - R5_22 * t6_8;
+  const T minus_P_thetadot4_6_3 = t5_2 + R5_13 * t6_7 - R5_23 * t6_8;
   // B16_1 = -R6^T (C6^T r6)~ omega_thetadot1_6 + P_thetadot1_6
   const T t6_9 = T(4e-04) * R6_33 - T(6e-04) * R5_23;
   const T t6_10 = T(6e-04) * R6_13;
   const T t6_11 = T(4e-04) * R6_13;
-  const T minus_B16_1_1 = R6_11 * t6_9 - minus_R5_21 * t6_10 - R6_31 * t6_11 + minus_P_thetadot1_6_1;
-  const T minus_B16_1_2 = R6_12 * t6_9 + R5_22 * t6_10 - R6_32 * t6_11 + minus_P_thetadot1_6_2;
-  const T minus_B16_1_3 = R6_13 * t6_9 + R5_23 * t6_10 - R6_33 * t6_11 + minus_P_thetadot1_6_3;
+  const T minus_B16_1_1 = minus_P_thetadot1_6_1 + R6_11 * t6_9 - minus_R5_21 * t6_10 - R6_31 * t6_11;
+  const T minus_B16_1_2 = minus_P_thetadot1_6_2 + R6_12 * t6_9 + R5_22 * t6_10 - R6_32 * t6_11;
+  const T minus_B16_1_3 = minus_P_thetadot1_6_3 + R6_13 * t6_9 + R5_23 * t6_10 - R6_33 * t6_11;
   v_y[105] = -minus_B16_1_1;
   v_y[112] = -minus_B16_1_2;
   v_y[119] = -minus_B16_1_3;
@@ -2773,9 +2821,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_12 = T(4e-04) * omega_thetadot2_6_3 - T(6e-04) * omega_thetadot2_5_2;
   const T t6_13 = T(6e-04) * omega_thetadot2_6_1;
   const T t6_14 = T(4e-04) * omega_thetadot2_6_1;
-  const T minus_B17_2_1 = R6_11 * t6_12 - minus_R5_21 * t6_13 - R6_31 * t6_14 - P_thetadot2_6_1;
-  const T minus_B17_2_2 = R6_12 * t6_12 + R5_22 * t6_13 - R6_32 * t6_14 + minus_P_thetadot2_6_2;
-  const T minus_B17_2_3 = R6_13 * t6_12 + R5_23 * t6_13 - R6_33 * t6_14 + minus_P_thetadot2_6_3;
+  const T minus_B17_2_1 = R6_11 * t6_12 - P_thetadot2_6_1 - minus_R5_21 * t6_13 - R6_31 * t6_14;
+  const T minus_B17_2_2 = minus_P_thetadot2_6_2 + R6_12 * t6_12 + R5_22 * t6_13 - R6_32 * t6_14;
+  const T minus_B17_2_3 = minus_P_thetadot2_6_3 + R6_13 * t6_12 + R5_23 * t6_13 - R6_33 * t6_14;
   v_y[106] = -minus_B17_2_1;
   v_y[113] = -minus_B17_2_2;
   v_y[120] = -minus_B17_2_3;
@@ -2783,9 +2831,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_15 = T(6e-04) * minus_omega_thetadot3_5_2 + T(4e-04) * omega_thetadot3_6_3;
   const T t6_16 = T(6e-04) * omega_thetadot3_6_1;
   const T t6_17 = T(4e-04) * omega_thetadot3_6_1;
-  const T minus_B18_3_1 = R6_11 * t6_15 - minus_R5_21 * t6_16 - R6_31 * t6_17 + minus_P_thetadot3_6_1;
-  const T minus_B18_3_2 = R6_12 * t6_15 + R5_22 * t6_16 - R6_32 * t6_17 + minus_P_thetadot3_6_2;
-  const T minus_B18_3_3 = R6_13 * t6_15 + R5_23 * t6_16 - R6_33 * t6_17 + minus_P_thetadot3_6_3;
+  const T minus_B18_3_1 = minus_P_thetadot3_6_1 + R6_11 * t6_15 - minus_R5_21 * t6_16 - R6_31 * t6_17;
+  const T minus_B18_3_2 = minus_P_thetadot3_6_2 + R6_12 * t6_15 + R5_22 * t6_16 - R6_32 * t6_17;
+  const T minus_B18_3_3 = minus_P_thetadot3_6_3 + R6_13 * t6_15 + R5_23 * t6_16 - R6_33 * t6_17;
   v_y[107] = -minus_B18_3_1;
   v_y[114] = -minus_B18_3_2;
   v_y[121] = -minus_B18_3_3;
@@ -2793,9 +2841,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_18 = T(6e-04) * E5_11 - T(4e-04) * minus_omega_thetadot4_6_3;
   const T t6_19 = T(6e-04) * minus_omega_thetadot4_6_1;
   const T t6_20 = T(4e-04) * minus_omega_thetadot4_6_1;
-  const T minus_B19_4_1 = R6_11 * t6_18 + minus_R5_21 * t6_19 + R6_31 * t6_20 + minus_P_thetadot4_6_1;
-  const T minus_B19_4_2 = R6_12 * t6_18 - R5_22 * t6_19 + R6_32 * t6_20 + minus_P_thetadot4_6_2;
-  const T minus_B19_4_3 = R6_13 * t6_18 - R5_23 * t6_19 + R6_33 * t6_20 + minus_P_thetadot4_6_3;
+  const T minus_B19_4_1 = minus_P_thetadot4_6_1 + R6_11 * t6_18 + minus_R5_21 * t6_19 + R6_31 * t6_20;
+  const T minus_B19_4_2 = minus_P_thetadot4_6_2 + R6_12 * t6_18 - R5_22 * t6_19 + R6_32 * t6_20;
+  const T minus_B19_4_3 = minus_P_thetadot4_6_3 + R6_13 * t6_18 - R5_23 * t6_19 + R6_33 * t6_20;
   v_y[108] = -minus_B19_4_1;
   v_y[115] = -minus_B19_4_2;
   v_y[122] = -minus_B19_4_3;
@@ -2817,10 +2865,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[124] = t6_10;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
@@ -2843,27 +2890,27 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_7 = -R6^T q7~ omega_thetadot1_6 + P_thetadot1_6: partial velocity of the body origin, inertial axes
   const T t7_1 = T(0.081) * R5_23;
   const T t7_2 = T(0.081) * R6_13;
-  const T minus_P_thetadot1_7_1 = minus_P_thetadot1_6_1 - (R6_11 * t7_1 + minus_R5_21 * t7_2);
-  const T minus_P_thetadot1_7_2 = R5_22 * t7_2 - R6_12 * t7_1 + minus_P_thetadot1_6_2;
-  const T minus_P_thetadot1_7_3 = R5_23 * t7_2 - R6_13 * t7_1 + minus_P_thetadot1_6_3;
+  const T minus_P_thetadot1_7_1 = minus_P_thetadot1_6_1 - R6_11 * t7_1 - minus_R5_21 * t7_2;
+  const T minus_P_thetadot1_7_2 = minus_P_thetadot1_6_2 + R5_22 * t7_2 - R6_12 * t7_1;
+  const T minus_P_thetadot1_7_3 = minus_P_thetadot1_6_3 + R5_23 * t7_2 - R6_13 * t7_1;
   // P_thetadot2_7 = -R6^T q7~ omega_thetadot2_6 + P_thetadot2_6: partial velocity of the body origin, inertial axes
   const T t7_3 = T(0.081) * omega_thetadot2_5_2;
   const T t7_4 = T(0.081) * omega_thetadot2_6_1;
-  const T P_thetadot2_7_1 = R6_11 * t7_3 + minus_R5_21 * t7_4 + P_thetadot2_6_1;
-  const T minus_P_thetadot2_7_2 = R5_22 * t7_4 - R6_12 * t7_3 + minus_P_thetadot2_6_2;
-  const T minus_P_thetadot2_7_3 = R5_23 * t7_4 - R6_13 * t7_3 + minus_P_thetadot2_6_3;
+  const T P_thetadot2_7_1 = P_thetadot2_6_1 + R6_11 * t7_3 + minus_R5_21 * t7_4;
+  const T minus_P_thetadot2_7_2 = minus_P_thetadot2_6_2 + R5_22 * t7_4 - R6_12 * t7_3;
+  const T minus_P_thetadot2_7_3 = minus_P_thetadot2_6_3 + R5_23 * t7_4 - R6_13 * t7_3;
   // P_thetadot3_7 = -R6^T q7~ omega_thetadot3_6 + P_thetadot3_6: partial velocity of the body origin, inertial axes
   const T t7_5 = T(0.081) * minus_omega_thetadot3_5_2;
   const T t7_6 = T(0.081) * omega_thetadot3_6_1;
-  const T minus_P_thetadot3_7_1 = R6_11 * t7_5 - minus_R5_21 * t7_6 + minus_P_thetadot3_6_1;
-  const T minus_P_thetadot3_7_2 = R6_12 * t7_5 + R5_22 * t7_6 + minus_P_thetadot3_6_2;
-  const T minus_P_thetadot3_7_3 = R6_13 * t7_5 + R5_23 * t7_6 + minus_P_thetadot3_6_3;
+  const T minus_P_thetadot3_7_1 = minus_P_thetadot3_6_1 + R6_11 * t7_5 - minus_R5_21 * t7_6;
+  const T minus_P_thetadot3_7_2 = minus_P_thetadot3_6_2 + R6_12 * t7_5 + R5_22 * t7_6;
+  const T minus_P_thetadot3_7_3 = minus_P_thetadot3_6_3 + R6_13 * t7_5 + R5_23 * t7_6;
   // P_thetadot4_7 = -R6^T q7~ omega_thetadot4_6 + P_thetadot4_6: partial velocity of the body origin, inertial axes
   const T t7_7 = T(0.081) * E5_11;
   const T t7_8 = T(0.081) * minus_omega_thetadot4_6_1;
-  const T minus_P_thetadot4_7_1 = R6_11 * t7_7 + minus_R5_21 * t7_8 + minus_P_thetadot4_6_1;
-  const T minus_P_thetadot4_7_2 = R6_12 * t7_7 - R5_22 * t7_8 + minus_P_thetadot4_6_2;
-  const T minus_P_thetadot4_7_3 = R6_13 * t7_7 - R5_23 * t7_8 + minus_P_thetadot4_6_3;
+  const T minus_P_thetadot4_7_1 = minus_P_thetadot4_6_1 + R6_11 * t7_7 + minus_R5_21 * t7_8;
+  const T minus_P_thetadot4_7_2 = minus_P_thetadot4_6_2 + R6_12 * t7_7 - R5_22 * t7_8;
+  const T minus_P_thetadot4_7_3 = minus_P_thetadot4_6_3 + R6_13 * t7_7 - R5_23 * t7_8;
   // P_thetadot5_7 = -R6^T q7~ omega_thetadot5_6 + P_thetadot5_6: partial velocity of the body origin, inertial axes
   const T t7_9 = T(0.081) * minus_E6_13;
   const T minus_P_thetadot5_7_1 = minus_R5_21 * t7_9;
@@ -2875,36 +2922,36 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B22_1 = -R7^T r7~ omega_thetadot1_7 + P_thetadot1_7
   const T t7_10 = T(0.02) * R7_23;
   const T t7_11 = T(0.02) * R7_13;
-  const T minus_B22_1_1 = minus_P_thetadot1_7_1 - (R7_11 * t7_10 + minus_R7_21 * t7_11);
-  const T minus_B22_1_2 = R7_22 * t7_11 - R7_12 * t7_10 + minus_P_thetadot1_7_2;
-  const T minus_B22_1_3 = R7_23 * t7_11 - R7_13 * t7_10 + minus_P_thetadot1_7_3;
+  const T minus_B22_1_1 = minus_P_thetadot1_7_1 - R7_11 * t7_10 - minus_R7_21 * t7_11;
+  const T minus_B22_1_2 = minus_P_thetadot1_7_2 + R7_22 * t7_11 - R7_12 * t7_10;
+  const T minus_B22_1_3 = minus_P_thetadot1_7_3 + R7_23 * t7_11 - R7_13 * t7_10;
   v_y[126] = -minus_B22_1_1;
   v_y[133] = -minus_B22_1_2;
   v_y[140] = -minus_B22_1_3;
   // B23_2 = -R7^T r7~ omega_thetadot2_7 + P_thetadot2_7
   const T t7_12 = T(0.02) * omega_thetadot2_7_2;
   const T t7_13 = T(0.02) * omega_thetadot2_7_1;
-  const T B23_2_1 = R7_11 * t7_12 + minus_R7_21 * t7_13 + P_thetadot2_7_1;
-  const T minus_B23_2_2 = R7_22 * t7_13 - R7_12 * t7_12 + minus_P_thetadot2_7_2;
-  const T minus_B23_2_3 = R7_23 * t7_13 - R7_13 * t7_12 + minus_P_thetadot2_7_3;
+  const T B23_2_1 = P_thetadot2_7_1 + R7_11 * t7_12 + minus_R7_21 * t7_13;
+  const T minus_B23_2_2 = minus_P_thetadot2_7_2 + R7_22 * t7_13 - R7_12 * t7_12;
+  const T minus_B23_2_3 = minus_P_thetadot2_7_3 + R7_23 * t7_13 - R7_13 * t7_12;
   v_y[127] = B23_2_1;
   v_y[134] = -minus_B23_2_2;
   v_y[141] = -minus_B23_2_3;
   // B24_3 = -R7^T r7~ omega_thetadot3_7 + P_thetadot3_7
   const T t7_14 = T(0.02) * minus_omega_thetadot3_7_2;
   const T t7_15 = T(0.02) * omega_thetadot3_7_1;
-  const T minus_B24_3_1 = R7_11 * t7_14 - minus_R7_21 * t7_15 + minus_P_thetadot3_7_1;
-  const T minus_B24_3_2 = R7_12 * t7_14 + R7_22 * t7_15 + minus_P_thetadot3_7_2;
-  const T minus_B24_3_3 = R7_13 * t7_14 + R7_23 * t7_15 + minus_P_thetadot3_7_3;
+  const T minus_B24_3_1 = minus_P_thetadot3_7_1 + R7_11 * t7_14 - minus_R7_21 * t7_15;
+  const T minus_B24_3_2 = minus_P_thetadot3_7_2 + R7_12 * t7_14 + R7_22 * t7_15;
+  const T minus_B24_3_3 = minus_P_thetadot3_7_3 + R7_13 * t7_14 + R7_23 * t7_15;
   v_y[128] = -minus_B24_3_1;
   v_y[135] = -minus_B24_3_2;
   v_y[142] = -minus_B24_3_3;
   // B25_4 = -R7^T r7~ omega_thetadot4_7 + P_thetadot4_7
   const T t7_16 = T(0.02) * minus_omega_thetadot4_7_1;
   const T t7_17 = T(0.02) * omega_thetadot4_7_2;
-  const T minus_B25_4_1 = minus_R7_21 * t7_16 - R7_11 * t7_17 + minus_P_thetadot4_7_1;
-  const T minus_B25_4_2 = minus_P_thetadot4_7_2 - (R7_12 * t7_17 + R7_22 * t7_16);
-  const T minus_B25_4_3 = minus_P_thetadot4_7_3 - (R7_13 * t7_17 + R7_23 * t7_16);
+  const T minus_B25_4_1 = minus_P_thetadot4_7_1 + minus_R7_21 * t7_16 - R7_11 * t7_17;
+  const T minus_B25_4_2 = minus_P_thetadot4_7_2 - R7_12 * t7_17 - R7_22 * t7_16;
+  const T minus_B25_4_3 = minus_P_thetadot4_7_3 - R7_13 * t7_17 - R7_23 * t7_16;
   v_y[129] = -minus_B25_4_1;
   v_y[136] = -minus_B25_4_2;
   v_y[143] = -minus_B25_4_3;
@@ -2922,7 +2969,7 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_21 = T(0.02) * E7_12;
   const T B27_6_1 = R7_11 * t7_20 + minus_R7_21 * t7_21 + P_thetadot6_7_1;
   const T minus_B27_6_2 = R7_22 * t7_21 - R7_12 * t7_20 - P_thetadot6_7_2;
-  const T minus_B27_6_3 = R7_23 * t7_21 - R7_13 * t7_20 - t7_2;
+  const T minus_B27_6_3 = R7_23 * t7_21 - t7_2 - R7_13 * t7_20;
   v_y[131] = B27_6_1;
   v_y[138] = -minus_B27_6_2;
   v_y[145] = -minus_B27_6_3;
@@ -2933,15 +2980,16 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 732 add, 1147 multiply, 14 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 147; ++i) v_y_dot[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (link_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T E1_12 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T E1_12 = sines[0];
   // B1_1 = -E1^T omega1~ r1~ b1
   const T t1_1 = thetadot1 * T(0.03);
   const T minus_B1_1_1 = E1_12 * t1_1;
@@ -2950,11 +2998,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[7] = B1_1_2;
 
   // ---- body 2 (link_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T R2_12 = E1_12 * E2_11;
@@ -2994,11 +3041,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[36] = -minus_B3_2_3;
 
   // ---- body 3 (link_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T E3_12 = sin(theta3);
+  const T E3_11 = cosines[2];
+  const T E3_12 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R2_11 * E3_11 - E1_12 * E3_12;
   const T R3_12 = R2_12 * E3_11 + E1_11 * E3_12;
@@ -3041,31 +3087,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_13 = T(0.13) * omega_dot_thetadot1_3_2 + T(0.03) * minus_omega_dot_thetadot1_2_3;
   const T t3_14 = T(0.13) * omega_dot_thetadot1_3_1;
   const T t3_15 = T(0.03) * omega_dot_thetadot1_3_1;
-  const T minus_B4_1_1 = R3_11 * t3_9 - minus_R3_21 * t3_11 - R2_31 * t3_12 - R3_11 * t3_13 - minus_R3_21 * t3_14 -
-      R2_31 * t3_15 + minus_P_dot_thetadot1_3_1;
-  const T minus_B4_1_2 = R3_12 * t3_9 + R3_22 * t3_11 - R2_32 * t3_12 + R3_22 * t3_14 - R3_12 * t3_13 - R2_32 * t3_15
-      + minus_P_dot_thetadot1_3_2;
-  const T minus_B4_1_3 = R3_23 * t3_11 - minus_R3_13 * t3_9 - E2_11 * t3_12 + minus_R3_13 * t3_13 + R3_23 * t3_14 -
-      E2_11 * t3_15 + minus_P_dot_thetadot1_3_3;
+  const T minus_B4_1_1 = minus_P_dot_thetadot1_3_1 + R3_11 * t3_9 - minus_R3_21 * t3_11 - R2_31 * t3_12 - R3_11 *
+      t3_13 - minus_R3_21 * t3_14 - R2_31 * t3_15;
+  const T minus_B4_1_2 = minus_P_dot_thetadot1_3_2 + R3_12 * t3_9 + R3_22 * t3_11 - R2_32 * t3_12 + R3_22 * t3_14 -
+      R3_12 * t3_13 - R2_32 * t3_15;
+  const T minus_B4_1_3 = minus_P_dot_thetadot1_3_3 + R3_23 * t3_11 - minus_R3_13 * t3_9 - E2_11 * t3_12 + minus_R3_13
+      * t3_13 + R3_23 * t3_14 - E2_11 * t3_15;
   v_y_dot[42] = -minus_B4_1_1;
   v_y_dot[49] = -minus_B4_1_2;
   v_y_dot[56] = -minus_B4_1_3;
   // B5_2 = -R3^T omega3~ r3~ omega_thetadot2_3 - R3^T r3~ omega_dot_thetadot2_3 + P_dot_thetadot2_3
   const T t3_16 = T(0.13) * E3_12;
-  const T t3_17 = T(0.13) * E3_11;
-  const T t3_18 = omega3_1 * t3_16 + omega3_2 * t3_17;
-  const T t3_19 = T(0.03) * E3_12;
-  const T t3_20 = omega3_3 * t3_16 + omega3_2 * t3_19;
-  const T t3_21 = omega3_1 * t3_19 - omega3_3 * t3_17;
+  const T t3_17 = T(0.03) * E3_12;
+  const T t3_18 = omega3_3 * t3_16 + omega3_2 * t3_17;
+  const T t3_19 = T(0.13) * E3_11;
+  const T t3_20 = omega3_1 * t3_17 - omega3_3 * t3_19;
+  const T t3_21 = omega3_1 * t3_16 + omega3_2 * t3_19;
   const T t3_22 = T(0.13) * minus_omega_dot_thetadot2_3_2;
   const T t3_23 = T(0.13) * omega_dot_thetadot2_3_1;
   const T t3_24 = T(0.03) * omega_dot_thetadot2_3_1;
-  const T minus_B5_2_1 = R2_31 * t3_18 - (R3_11 * t3_20 + minus_R3_21 * t3_21) + R3_11 * t3_22 - minus_R3_21 * t3_23 -
-      R2_31 * t3_24 + minus_P_dot_thetadot2_3_1;
-  const T minus_B5_2_2 = R3_22 * t3_21 - R3_12 * t3_20 + R2_32 * t3_18 + R3_12 * t3_22 + R3_22 * t3_23 - R2_32 * t3_24
-      + minus_P_dot_thetadot2_3_2;
-  const T minus_B5_2_3 = minus_R3_13 * t3_20 + R3_23 * t3_21 + E2_11 * t3_18 + R3_23 * t3_23 - minus_R3_13 * t3_22 -
-      E2_11 * t3_24 + minus_P_dot_thetadot2_3_3;
+  const T minus_B5_2_1 = minus_P_dot_thetadot2_3_1 - R3_11 * t3_18 - minus_R3_21 * t3_20 + R2_31 * t3_21 + R3_11 *
+      t3_22 - minus_R3_21 * t3_23 - R2_31 * t3_24;
+  const T minus_B5_2_2 = minus_P_dot_thetadot2_3_2 + R3_22 * t3_20 - R3_12 * t3_18 + R2_32 * t3_21 + R3_12 * t3_22 +
+      R3_22 * t3_23 - R2_32 * t3_24;
+  const T minus_B5_2_3 = minus_P_dot_thetadot2_3_3 + minus_R3_13 * t3_18 + R3_23 * t3_20 + E2_11 * t3_21 + R3_23 *
+      t3_23 - minus_R3_13 * t3_22 - E2_11 * t3_24;
   v_y_dot[43] = -minus_B5_2_1;
   v_y_dot[50] = -minus_B5_2_2;
   v_y_dot[57] = -minus_B5_2_3;
@@ -3080,11 +3126,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[58] = -minus_B6_3_3;
 
   // ---- body 4 (link_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 + R2_31 * E4_13;
   const T R4_12 = R3_12 * E4_11 + R2_32 * E4_13;
@@ -3117,9 +3162,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_3 = T(0.2155) * R3_23;
   const T t4_4 = T(0.2155) * omega_dot_thetadot1_3_1 - omega3_3 * t4_3;
   const T t4_5 = omega3_2 * t4_3 - omega3_1 * t4_1;
-  const T minus_P_dot_thetadot1_4_1 = R3_11 * t4_2 - minus_R3_21 * t4_4 + R2_31 * t4_5 + minus_P_dot_thetadot1_3_1;
-  const T minus_P_dot_thetadot1_4_2 = R3_12 * t4_2 + R3_22 * t4_4 + R2_32 * t4_5 + minus_P_dot_thetadot1_3_2;
-  const T minus_P_dot_thetadot1_4_3 = R3_23 * t4_4 - minus_R3_13 * t4_2 + E2_11 * t4_5 + minus_P_dot_thetadot1_3_3;
+  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 + R3_11 * t4_2 - minus_R3_21 * t4_4 + R2_31 * t4_5;
+  const T minus_P_dot_thetadot1_4_2 = minus_P_dot_thetadot1_3_2 + R3_12 * t4_2 + R3_22 * t4_4 + R2_32 * t4_5;
+  const T minus_P_dot_thetadot1_4_3 = minus_P_dot_thetadot1_3_3 + R3_23 * t4_4 - minus_R3_13 * t4_2 + E2_11 * t4_5;
   // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
   //   rate
   const T t4_6 = T(0.2155) * E3_12;
@@ -3127,9 +3172,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_8 = T(0.2155) * E3_11;
   const T t4_9 = T(0.2155) * omega_dot_thetadot2_3_1 - omega3_3 * t4_8;
   const T t4_10 = omega3_1 * t4_6 + omega3_2 * t4_8;
-  const T minus_P_dot_thetadot2_4_1 = R3_11 * t4_7 - minus_R3_21 * t4_9 + R2_31 * t4_10 + minus_P_dot_thetadot2_3_1;
-  const T minus_P_dot_thetadot2_4_2 = R3_12 * t4_7 + R3_22 * t4_9 + R2_32 * t4_10 + minus_P_dot_thetadot2_3_2;
-  const T minus_P_dot_thetadot2_4_3 = R3_23 * t4_9 - minus_R3_13 * t4_7 + E2_11 * t4_10 + minus_P_dot_thetadot2_3_3;
+  const T minus_P_dot_thetadot2_4_1 = minus_P_dot_thetadot2_3_1 + R3_11 * t4_7 - minus_R3_21 * t4_9 + R2_31 * t4_10;
+  const T minus_P_dot_thetadot2_4_2 = minus_P_dot_thetadot2_3_2 + R3_12 * t4_7 + R3_22 * t4_9 + R2_32 * t4_10;
+  const T minus_P_dot_thetadot2_4_3 = minus_P_dot_thetadot2_3_3 + R3_23 * t4_9 - minus_R3_13 * t4_7 + E2_11 * t4_10;
   // B7_1 = -R4^T omega4~ (C4^T r4)~ omega_thetadot1_4 - R4^T (C4^T r4)~ omega_dot_thetadot1_4 + P_dot_thetadot1_4
   const T t4_11 = T(0.034) * R4_13;
   const T t4_12 = T(0.067) * R4_13;
@@ -3140,12 +3185,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_17 = T(0.034) * minus_omega_dot_thetadot1_4_3 - T(0.067) * omega_dot_thetadot1_3_2;
   const T t4_18 = T(0.067) * omega_dot_thetadot1_4_1;
   const T t4_19 = T(0.034) * omega_dot_thetadot1_4_1;
-  const T minus_B7_1_1 = R4_11 * t4_13 + minus_R3_21 * t4_15 + R4_31 * t4_16 + R4_11 * t4_17 - minus_R3_21 * t4_18 +
-      R4_31 * t4_19 + minus_P_dot_thetadot1_4_1;
-  const T minus_B7_1_2 = R4_12 * t4_13 - R3_22 * t4_15 + R4_32 * t4_16 + R4_12 * t4_17 + R3_22 * t4_18 + R4_32 * t4_19
-      + minus_P_dot_thetadot1_4_2;
-  const T minus_B7_1_3 = R4_13 * t4_13 - R3_23 * t4_15 + R4_33 * t4_16 + R4_13 * t4_17 + R3_23 * t4_18 + R4_33 * t4_19
-      + minus_P_dot_thetadot1_4_3;
+  const T minus_B7_1_1 = minus_P_dot_thetadot1_4_1 + R4_11 * t4_13 + minus_R3_21 * t4_15 + R4_31 * t4_16 + R4_11 *
+      t4_17 - minus_R3_21 * t4_18 + R4_31 * t4_19;
+  const T minus_B7_1_2 = minus_P_dot_thetadot1_4_2 + R4_12 * t4_13 - R3_22 * t4_15 + R4_32 * t4_16 + R4_12 * t4_17 +
+      R3_22 * t4_18 + R4_32 * t4_19;
+  const T minus_B7_1_3 = minus_P_dot_thetadot1_4_3 + R4_13 * t4_13 - R3_23 * t4_15 + R4_33 * t4_16 + R4_13 * t4_17 +
+      R3_23 * t4_18 + R4_33 * t4_19;
   v_y_dot[63] = -minus_B7_1_1;
   v_y_dot[70] = -minus_B7_1_2;
   v_y_dot[77] = -minus_B7_1_3;
@@ -3159,12 +3204,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_26 = T(0.067) * minus_omega_dot_thetadot2_3_2 + T(0.034) * minus_omega_dot_thetadot2_4_3;
   const T t4_27 = T(0.067) * omega_dot_thetadot2_4_1;
   const T t4_28 = T(0.034) * omega_dot_thetadot2_4_1;
-  const T minus_B8_2_1 = R4_11 * t4_22 - minus_R3_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_26 - minus_R3_21 * t4_27 +
-      R4_31 * t4_28 + minus_P_dot_thetadot2_4_1;
-  const T minus_B8_2_2 = R4_12 * t4_22 + R3_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_26 + R3_22 * t4_27 + R4_32 * t4_28
-      + minus_P_dot_thetadot2_4_2;
-  const T minus_B8_2_3 = R4_13 * t4_22 + R3_23 * t4_24 + R4_33 * t4_25 + R4_13 * t4_26 + R3_23 * t4_27 + R4_33 * t4_28
-      + minus_P_dot_thetadot2_4_3;
+  const T minus_B8_2_1 = minus_P_dot_thetadot2_4_1 + R4_11 * t4_22 - minus_R3_21 * t4_24 + R4_31 * t4_25 + R4_11 *
+      t4_26 - minus_R3_21 * t4_27 + R4_31 * t4_28;
+  const T minus_B8_2_2 = minus_P_dot_thetadot2_4_2 + R4_12 * t4_22 + R3_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_26 +
+      R3_22 * t4_27 + R4_32 * t4_28;
+  const T minus_B8_2_3 = minus_P_dot_thetadot2_4_3 + R4_13 * t4_22 + R3_23 * t4_24 + R4_33 * t4_25 + R4_13 * t4_26 +
+      R3_23 * t4_27 + R4_33 * t4_28;
   v_y_dot[64] = -minus_B8_2_1;
   v_y_dot[71] = -minus_B8_2_2;
   v_y_dot[78] = -minus_B8_2_3;
@@ -3198,11 +3243,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[80] = -minus_B10_4_3;
 
   // ---- body 5 (link_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 - minus_R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -3239,13 +3283,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // P_dot_thetadot1_5 = R4^T (-omega4~ q5~ omega_thetadot1_4 - q5~ omega_dot_thetadot1_4) + P_dot_thetadot1_4: its
   //   rate
   const T t5_1 = T(0.1845) * R4_13;
-  const T t5_2 = T(0.1845) * R3_23;
-  const T t5_3 = omega4_1 * t5_1 + omega4_2 * t5_2;
-  const T t5_4 = omega4_3 * t5_1 + T(0.1845) * omega_dot_thetadot1_3_2;
-  const T t5_5 = T(0.1845) * omega_dot_thetadot1_4_1 - omega4_3 * t5_2;
-  const T minus_P_dot_thetadot1_5_1 = R4_31 * t5_3 - (R4_11 * t5_4 + minus_R3_21 * t5_5) + minus_P_dot_thetadot1_4_1;
-  const T minus_P_dot_thetadot1_5_2 = R3_22 * t5_5 - R4_12 * t5_4 + R4_32 * t5_3 + minus_P_dot_thetadot1_4_2;
-  const T minus_P_dot_thetadot1_5_3 = R3_23 * t5_5 - R4_13 * t5_4 + R4_33 * t5_3 + minus_P_dot_thetadot1_4_3;
+  const T t5_2 = omega4_3 * t5_1 + T(0.1845) * omega_dot_thetadot1_3_2;
+  const T t5_3 = T(0.1845) * R3_23;
+  const T t5_4 = T(0.1845) * omega_dot_thetadot1_4_1 - omega4_3 * t5_3;
+  const T t5_5 = omega4_1 * t5_1 + omega4_2 * t5_3;
+  const T minus_P_dot_thetadot1_5_1 = minus_P_dot_thetadot1_4_1 - R4_11 * t5_2 - minus_R3_21 * t5_4 + R4_31 * t5_5;
+  const T minus_P_dot_thetadot1_5_2 = minus_P_dot_thetadot1_4_2 + R3_22 * t5_4 - R4_12 * t5_2 + R4_32 * t5_5;
+  const T minus_P_dot_thetadot1_5_3 = minus_P_dot_thetadot1_4_3 + R3_23 * t5_4 - R4_13 * t5_2 + R4_33 * t5_5;
   // P_dot_thetadot2_5 = R4^T (-omega4~ q5~ omega_thetadot2_4 - q5~ omega_dot_thetadot2_4) + P_dot_thetadot2_4: its
   //   rate
   const T t5_6 = T(0.1845) * omega_thetadot2_4_1;
@@ -3253,9 +3297,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_8 = T(0.1845) * E3_11;
   const T t5_9 = T(0.1845) * omega_dot_thetadot2_4_1 - omega4_3 * t5_8;
   const T t5_10 = omega4_1 * t5_6 + omega4_2 * t5_8;
-  const T minus_P_dot_thetadot2_5_1 = R4_11 * t5_7 - minus_R3_21 * t5_9 + R4_31 * t5_10 + minus_P_dot_thetadot2_4_1;
-  const T minus_P_dot_thetadot2_5_2 = R4_12 * t5_7 + R3_22 * t5_9 + R4_32 * t5_10 + minus_P_dot_thetadot2_4_2;
-  const T minus_P_dot_thetadot2_5_3 = R4_13 * t5_7 + R3_23 * t5_9 + R4_33 * t5_10 + minus_P_dot_thetadot2_4_3;
+  const T minus_P_dot_thetadot2_5_1 = minus_P_dot_thetadot2_4_1 + R4_11 * t5_7 - minus_R3_21 * t5_9 + R4_31 * t5_10;
+  const T minus_P_dot_thetadot2_5_2 = minus_P_dot_thetadot2_4_2 + R4_12 * t5_7 + R3_22 * t5_9 + R4_32 * t5_10;
+  const T minus_P_dot_thetadot2_5_3 = minus_P_dot_thetadot2_4_3 + R4_13 * t5_7 + R3_23 * t5_9 + R4_33 * t5_10;
   // P_dot_thetadot3_5 = R4^T (-omega4~ q5~ omega_thetadot3_4 - q5~ omega_dot_thetadot3_4) + P_dot_thetadot3_4: its
   //   rate
   const T t5_11 = T(0.1845) * E4_13;
@@ -3281,12 +3325,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_23 = T(0.021) * minus_omega_dot_thetadot1_4_3 - T(0.076) * omega_dot_thetadot1_5_2;
   const T t5_24 = T(0.076) * omega_dot_thetadot1_5_1 - T(1e-04) * minus_omega_dot_thetadot1_4_3;
   const T t5_25 = T(0.021) * omega_dot_thetadot1_5_1 - T(1e-04) * omega_dot_thetadot1_5_2;
-  const T minus_B11_1_1 = R5_11 * t5_19 + minus_R5_21 * t5_21 + R4_31 * t5_22 + R5_11 * t5_23 - minus_R5_21 * t5_24 +
-      R4_31 * t5_25 + minus_P_dot_thetadot1_5_1;
-  const T minus_B11_1_2 = R5_12 * t5_19 - R5_22 * t5_21 + R4_32 * t5_22 + R5_12 * t5_23 + R5_22 * t5_24 + R4_32 *
-      t5_25 + minus_P_dot_thetadot1_5_2;
-  const T minus_B11_1_3 = R5_13 * t5_19 - R5_23 * t5_21 + R4_33 * t5_22 + R5_13 * t5_23 + R5_23 * t5_24 + R4_33 *
-      t5_25 + minus_P_dot_thetadot1_5_3;
+  const T minus_B11_1_1 = minus_P_dot_thetadot1_5_1 + R5_11 * t5_19 + minus_R5_21 * t5_21 + R4_31 * t5_22 + R5_11 *
+      t5_23 - minus_R5_21 * t5_24 + R4_31 * t5_25;
+  const T minus_B11_1_2 = minus_P_dot_thetadot1_5_2 + R5_12 * t5_19 - R5_22 * t5_21 + R4_32 * t5_22 + R5_12 * t5_23 +
+      R5_22 * t5_24 + R4_32 * t5_25;
+  const T minus_B11_1_3 = minus_P_dot_thetadot1_5_3 + R5_13 * t5_19 - R5_23 * t5_21 + R4_33 * t5_22 + R5_13 * t5_23 +
+      R5_23 * t5_24 + R4_33 * t5_25;
   v_y_dot[84] = -minus_B11_1_1;
   v_y_dot[91] = -minus_B11_1_2;
   v_y_dot[98] = -minus_B11_1_3;
@@ -3300,12 +3344,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_32 = T(0.076) * minus_omega_dot_thetadot2_5_2 + T(0.021) * minus_omega_dot_thetadot2_4_3;
   const T t5_33 = T(0.076) * omega_dot_thetadot2_5_1 - T(1e-04) * minus_omega_dot_thetadot2_4_3;
   const T t5_34 = T(1e-04) * minus_omega_dot_thetadot2_5_2 + T(0.021) * omega_dot_thetadot2_5_1;
-  const T minus_B12_2_1 = R5_11 * t5_28 - minus_R5_21 * t5_30 + R4_31 * t5_31 + R5_11 * t5_32 - minus_R5_21 * t5_33 +
-      R4_31 * t5_34 + minus_P_dot_thetadot2_5_1;
-  const T minus_B12_2_2 = R5_12 * t5_28 + R5_22 * t5_30 + R4_32 * t5_31 + R5_12 * t5_32 + R5_22 * t5_33 + R4_32 *
-      t5_34 + minus_P_dot_thetadot2_5_2;
-  const T minus_B12_2_3 = R5_13 * t5_28 + R5_23 * t5_30 + R4_33 * t5_31 + R5_13 * t5_32 + R5_23 * t5_33 + R4_33 *
-      t5_34 + minus_P_dot_thetadot2_5_3;
+  const T minus_B12_2_1 = minus_P_dot_thetadot2_5_1 + R5_11 * t5_28 - minus_R5_21 * t5_30 + R4_31 * t5_31 + R5_11 *
+      t5_32 - minus_R5_21 * t5_33 + R4_31 * t5_34;
+  const T minus_B12_2_2 = minus_P_dot_thetadot2_5_2 + R5_12 * t5_28 + R5_22 * t5_30 + R4_32 * t5_31 + R5_12 * t5_32 +
+      R5_22 * t5_33 + R4_32 * t5_34;
+  const T minus_B12_2_3 = minus_P_dot_thetadot2_5_3 + R5_13 * t5_28 + R5_23 * t5_30 + R4_33 * t5_31 + R5_13 * t5_32 +
+      R5_23 * t5_33 + R4_33 * t5_34;
   v_y_dot[85] = -minus_B12_2_1;
   v_y_dot[92] = -minus_B12_2_2;
   v_y_dot[99] = -minus_B12_2_3;
@@ -3319,12 +3363,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_41 = T(0.076) * minus_omega_dot_thetadot3_5_2 + T(0.021) * minus_omega_dot_thetadot3_4_3;
   const T t5_42 = T(0.076) * omega_dot_thetadot3_5_1 - T(1e-04) * minus_omega_dot_thetadot3_4_3;
   const T t5_43 = T(1e-04) * minus_omega_dot_thetadot3_5_2 + T(0.021) * omega_dot_thetadot3_5_1;
-  const T minus_B13_3_1 = R5_11 * t5_37 - minus_R5_21 * t5_39 + R4_31 * t5_40 + R5_11 * t5_41 - minus_R5_21 * t5_42 +
-      R4_31 * t5_43 + minus_P_dot_thetadot3_5_1;
-  const T minus_B13_3_2 = R5_12 * t5_37 + R5_22 * t5_39 + R4_32 * t5_40 + R5_12 * t5_41 + R5_22 * t5_42 + R4_32 *
-      t5_43 + minus_P_dot_thetadot3_5_2;
-  const T minus_B13_3_3 = R5_13 * t5_37 + R5_23 * t5_39 + R4_33 * t5_40 + R5_13 * t5_41 + R5_23 * t5_42 + R4_33 *
-      t5_43 + minus_P_dot_thetadot3_5_3;
+  const T minus_B13_3_1 = minus_P_dot_thetadot3_5_1 + R5_11 * t5_37 - minus_R5_21 * t5_39 + R4_31 * t5_40 + R5_11 *
+      t5_41 - minus_R5_21 * t5_42 + R4_31 * t5_43;
+  const T minus_B13_3_2 = minus_P_dot_thetadot3_5_2 + R5_12 * t5_37 + R5_22 * t5_39 + R4_32 * t5_40 + R5_12 * t5_41 +
+      R5_22 * t5_42 + R4_32 * t5_43;
+  const T minus_B13_3_3 = minus_P_dot_thetadot3_5_3 + R5_13 * t5_37 + R5_23 * t5_39 + R4_33 * t5_40 + R5_13 * t5_41 +
+      R5_23 * t5_42 + R4_33 * t5_43;
   v_y_dot[86] = -minus_B13_3_1;
   v_y_dot[93] = -minus_B13_3_2;
   v_y_dot[100] = -minus_B13_3_3;
@@ -3338,12 +3382,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_50 = T(0.076) * minus_omega_dot_thetadot4_5_1;
   const T t5_51 = T(0.076) * omega_dot_thetadot4_5_2;
   const T t5_52 = T(1e-04) * omega_dot_thetadot4_5_2 + T(0.021) * minus_omega_dot_thetadot4_5_1;
-  const T minus_B14_4_1 = R5_11 * t5_46 - minus_R5_21 * t5_48 - R4_31 * t5_49 + minus_R5_21 * t5_50 - R5_11 * t5_51 -
-      R4_31 * t5_52 - P_dot_thetadot4_5_1;
-  const T minus_B14_4_2 = R5_12 * t5_46 + R5_22 * t5_48 - R4_32 * t5_49 - R5_12 * t5_51 - R5_22 * t5_50 - R4_32 *
-      t5_52 + minus_P_dot_thetadot4_5_2;
-  const T minus_B14_4_3 = R5_13 * t5_46 + R5_23 * t5_48 - R4_33 * t5_49 - R5_13 * t5_51 - R5_23 * t5_50 - R4_33 *
-      t5_52 + minus_P_dot_thetadot4_5_3;
+  const T minus_B14_4_1 = R5_11 * t5_46 - P_dot_thetadot4_5_1 - minus_R5_21 * t5_48 - R4_31 * t5_49 + minus_R5_21 *
+      t5_50 - R5_11 * t5_51 - R4_31 * t5_52;
+  const T minus_B14_4_2 = minus_P_dot_thetadot4_5_2 + R5_12 * t5_46 + R5_22 * t5_48 - R4_32 * t5_49 - R5_12 * t5_51 -
+      R5_22 * t5_50 - R4_32 * t5_52;
+  const T minus_B14_4_3 = minus_P_dot_thetadot4_5_3 + R5_13 * t5_46 + R5_23 * t5_48 - R4_33 * t5_49 - R5_13 * t5_51 -
+      R5_23 * t5_50 - R4_33 * t5_52;
   v_y_dot[87] = -minus_B14_4_1;
   v_y_dot[94] = -minus_B14_4_2;
   v_y_dot[101] = -minus_B14_4_3;
@@ -3359,11 +3403,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[102] = -minus_B15_5_3;
 
   // ---- body 6 (link_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_11 = cos(theta6);
-  const T minus_E6_13 = sin(theta6);
+  const T E6_11 = cosines[5];
+  const T minus_E6_13 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_11 = R5_11 * E6_11 - R4_31 * minus_E6_13;
   const T R6_12 = R5_12 * E6_11 - R4_32 * minus_E6_13;
@@ -3409,13 +3452,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // P_dot_thetadot1_6 = R5^T (-omega5~ q6~ omega_thetadot1_5 - q6~ omega_dot_thetadot1_5) + P_dot_thetadot1_5: its
   //   rate
   const T t6_1 = T(0.2155) * R5_13;
-  const T t6_2 = T(0.2155) * R5_23;
-  const T t6_3 = omega5_1 * t6_1 + omega5_2 * t6_2;
-  const T t6_4 = omega5_3 * t6_1 + T(0.2155) * omega_dot_thetadot1_5_2;
-  const T t6_5 = T(0.2155) * omega_dot_thetadot1_5_1 - omega5_3 * t6_2;
-  const T minus_P_dot_thetadot1_6_1 = R4_31 * t6_3 - (R5_11 * t6_4 + minus_R5_21 * t6_5) + minus_P_dot_thetadot1_5_1;
-  const T minus_P_dot_thetadot1_6_2 = R5_22 * t6_5 - R5_12 * t6_4 + R4_32 * t6_3 + minus_P_dot_thetadot1_5_2;
-  const T minus_P_dot_thetadot1_6_3 = R5_23 * t6_5 - R5_13 * t6_4 + R4_33 * t6_3 + minus_P_dot_thetadot1_5_3;
+  const T t6_2 = omega5_3 * t6_1 + T(0.2155) * omega_dot_thetadot1_5_2;
+  const T t6_3 = T(0.2155) * R5_23;
+  const T t6_4 = T(0.2155) * omega_dot_thetadot1_5_1 - omega5_3 * t6_3;
+  const T t6_5 = omega5_1 * t6_1 + omega5_2 * t6_3;
+  const T minus_P_dot_thetadot1_6_1 = minus_P_dot_thetadot1_5_1 - R5_11 * t6_2 - minus_R5_21 * t6_4 + R4_31 * t6_5;
+  const T minus_P_dot_thetadot1_6_2 = minus_P_dot_thetadot1_5_2 + R5_22 * t6_4 - R5_12 * t6_2 + R4_32 * t6_5;
+  const T minus_P_dot_thetadot1_6_3 = minus_P_dot_thetadot1_5_3 + R5_23 * t6_4 - R5_13 * t6_2 + R4_33 * t6_5;
   // P_dot_thetadot2_6 = R5^T (-omega5~ q6~ omega_thetadot2_5 - q6~ omega_dot_thetadot2_5) + P_dot_thetadot2_5: its
   //   rate
   const T t6_6 = T(0.2155) * omega_thetadot2_5_1;
@@ -3423,9 +3466,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_8 = T(0.2155) * omega_thetadot2_5_2;
   const T t6_9 = T(0.2155) * omega_dot_thetadot2_5_1 - omega5_3 * t6_8;
   const T t6_10 = omega5_1 * t6_6 + omega5_2 * t6_8;
-  const T minus_P_dot_thetadot2_6_1 = R5_11 * t6_7 - minus_R5_21 * t6_9 + R4_31 * t6_10 + minus_P_dot_thetadot2_5_1;
-  const T minus_P_dot_thetadot2_6_2 = R5_12 * t6_7 + R5_22 * t6_9 + R4_32 * t6_10 + minus_P_dot_thetadot2_5_2;
-  const T minus_P_dot_thetadot2_6_3 = R5_13 * t6_7 + R5_23 * t6_9 + R4_33 * t6_10 + minus_P_dot_thetadot2_5_3;
+  const T minus_P_dot_thetadot2_6_1 = minus_P_dot_thetadot2_5_1 + R5_11 * t6_7 - minus_R5_21 * t6_9 + R4_31 * t6_10;
+  const T minus_P_dot_thetadot2_6_2 = minus_P_dot_thetadot2_5_2 + R5_12 * t6_7 + R5_22 * t6_9 + R4_32 * t6_10;
+  const T minus_P_dot_thetadot2_6_3 = minus_P_dot_thetadot2_5_3 + R5_13 * t6_7 + R5_23 * t6_9 + R4_33 * t6_10;
   // P_dot_thetadot3_6 = R5^T (-omega5~ q6~ omega_thetadot3_5 - q6~ omega_dot_thetadot3_5) + P_dot_thetadot3_5: its
   //   rate
   const T t6_11 = T(0.2155) * omega_thetadot3_5_1;
@@ -3433,9 +3476,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_13 = T(0.2155) * minus_omega_thetadot3_5_2;
   const T t6_14 = omega5_3 * t6_13 + T(0.2155) * omega_dot_thetadot3_5_1;
   const T t6_15 = omega5_1 * t6_11 - omega5_2 * t6_13;
-  const T minus_P_dot_thetadot3_6_1 = R5_11 * t6_12 - minus_R5_21 * t6_14 + R4_31 * t6_15 + minus_P_dot_thetadot3_5_1;
-  const T minus_P_dot_thetadot3_6_2 = R5_12 * t6_12 + R5_22 * t6_14 + R4_32 * t6_15 + minus_P_dot_thetadot3_5_2;
-  const T minus_P_dot_thetadot3_6_3 = R5_13 * t6_12 + R5_23 * t6_14 + R4_33 * t6_15 + minus_P_dot_thetadot3_5_3;
+  const T minus_P_dot_thetadot3_6_1 = minus_P_dot_thetadot3_5_1 + R5_11 * t6_12 - minus_R5_21 * t6_14 + R4_31 * t6_15;
+  const T minus_P_dot_thetadot3_6_2 = minus_P_dot_thetadot3_5_2 + R5_12 * t6_12 + R5_22 * t6_14 + R4_32 * t6_15;
+  const T minus_P_dot_thetadot3_6_3 = minus_P_dot_thetadot3_5_3 + R5_13 * t6_12 + R5_23 * t6_14 + R4_33 * t6_15;
   // P_dot_thetadot4_6 = R5^T (-omega5~ q6~ omega_thetadot4_5 - q6~ omega_dot_thetadot4_5) + P_dot_thetadot4_5: its
   //   rate
   const T t6_16 = T(0.2155) * E5_12;
@@ -3443,63 +3486,63 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_18 = T(0.2155) * E5_11;
   const T t6_19 = omega5_3 * t6_18 - T(0.2155) * minus_omega_dot_thetadot4_5_1;
   const T t6_20 = omega5_1 * t6_16 + omega5_2 * t6_18;
-  const T minus_P_dot_thetadot4_6_1 = R5_11 * t6_17 - minus_R5_21 * t6_19 - R4_31 * t6_20 - P_dot_thetadot4_5_1;
-  const T minus_P_dot_thetadot4_6_2 = R5_12 * t6_17 + R5_22 * t6_19 - R4_32 * t6_20 + minus_P_dot_thetadot4_5_2;
-  const T minus_P_dot_thetadot4_6_3 = R5_13 * t6_17 + R5_23 * t6_19 - R4_33 * t6_20 + minus_P_dot_thetadot4_5_3;
+  const T minus_P_dot_thetadot4_6_1 = R5_11 * t6_17 - P_dot_thetadot4_5_1 - minus_R5_21 * t6_19 - R4_31 * t6_20;
+  const T minus_P_dot_thetadot4_6_2 = minus_P_dot_thetadot4_5_2 + R5_12 * t6_17 + R5_22 * t6_19 - R4_32 * t6_20;
+  const T minus_P_dot_thetadot4_6_3 = minus_P_dot_thetadot4_5_3 + R5_13 * t6_17 + R5_23 * t6_19 - R4_33 * t6_20;
   // B16_1 = -R6^T omega6~ (C6^T r6)~ omega_thetadot1_6 - R6^T (C6^T r6)~ omega_dot_thetadot1_6 + P_dot_thetadot1_6
   const T t6_21 = T(6e-04) * R6_13;
-  const T t6_22 = T(4e-04) * R6_33 - T(6e-04) * R5_23;
-  const T t6_23 = omega6_1 * t6_21 - omega6_2 * t6_22;
-  const T t6_24 = T(4e-04) * R6_13;
-  const T t6_25 = omega6_3 * t6_21 + omega6_2 * t6_24;
-  const T t6_26 = omega6_3 * t6_22 + omega6_1 * t6_24;
+  const T t6_22 = T(4e-04) * R6_13;
+  const T t6_23 = omega6_3 * t6_21 + omega6_2 * t6_22;
+  const T t6_24 = T(4e-04) * R6_33 - T(6e-04) * R5_23;
+  const T t6_25 = omega6_3 * t6_24 + omega6_1 * t6_22;
+  const T t6_26 = omega6_1 * t6_21 - omega6_2 * t6_24;
   const T t6_27 = T(4e-04) * omega_dot_thetadot1_6_3 - T(6e-04) * omega_dot_thetadot1_5_2;
   const T t6_28 = T(6e-04) * omega_dot_thetadot1_6_1;
   const T t6_29 = T(4e-04) * omega_dot_thetadot1_6_1;
-  const T minus_B16_1_1 = R6_31 * t6_23 - (R6_11 * t6_25 + minus_R5_21 * t6_26) + R6_11 * t6_27 - minus_R5_21 * t6_28
-      - R6_31 * t6_29 + minus_P_dot_thetadot1_6_1;
-  const T minus_B16_1_2 = R5_22 * t6_26 - R6_12 * t6_25 + R6_32 * t6_23 + R6_12 * t6_27 + R5_22 * t6_28 - R6_32 *
-      t6_29 + minus_P_dot_thetadot1_6_2;
-  const T minus_B16_1_3 = R5_23 * t6_26 - R6_13 * t6_25 + R6_33 * t6_23 + R6_13 * t6_27 + R5_23 * t6_28 - R6_33 *
-      t6_29 + minus_P_dot_thetadot1_6_3;
+  const T minus_B16_1_1 = minus_P_dot_thetadot1_6_1 - R6_11 * t6_23 - minus_R5_21 * t6_25 + R6_31 * t6_26 + R6_11 *
+      t6_27 - minus_R5_21 * t6_28 - R6_31 * t6_29;
+  const T minus_B16_1_2 = minus_P_dot_thetadot1_6_2 + R5_22 * t6_25 - R6_12 * t6_23 + R6_32 * t6_26 + R6_12 * t6_27 +
+      R5_22 * t6_28 - R6_32 * t6_29;
+  const T minus_B16_1_3 = minus_P_dot_thetadot1_6_3 + R5_23 * t6_25 - R6_13 * t6_23 + R6_33 * t6_26 + R6_13 * t6_27 +
+      R5_23 * t6_28 - R6_33 * t6_29;
   v_y_dot[105] = -minus_B16_1_1;
   v_y_dot[112] = -minus_B16_1_2;
   v_y_dot[119] = -minus_B16_1_3;
   // B17_2 = -R6^T omega6~ (C6^T r6)~ omega_thetadot2_6 - R6^T (C6^T r6)~ omega_dot_thetadot2_6 + P_dot_thetadot2_6
   const T t6_30 = T(6e-04) * omega_thetadot2_6_1;
-  const T t6_31 = T(4e-04) * omega_thetadot2_6_3 - T(6e-04) * omega_thetadot2_5_2;
-  const T t6_32 = omega6_1 * t6_30 - omega6_2 * t6_31;
-  const T t6_33 = T(4e-04) * omega_thetadot2_6_1;
-  const T t6_34 = omega6_3 * t6_30 + omega6_2 * t6_33;
-  const T t6_35 = omega6_3 * t6_31 + omega6_1 * t6_33;
+  const T t6_31 = T(4e-04) * omega_thetadot2_6_1;
+  const T t6_32 = omega6_3 * t6_30 + omega6_2 * t6_31;
+  const T t6_33 = T(4e-04) * omega_thetadot2_6_3 - T(6e-04) * omega_thetadot2_5_2;
+  const T t6_34 = omega6_3 * t6_33 + omega6_1 * t6_31;
+  const T t6_35 = omega6_1 * t6_30 - omega6_2 * t6_33;
   const T t6_36 = T(6e-04) * minus_omega_dot_thetadot2_5_2 + T(4e-04) * omega_dot_thetadot2_6_3;
   const T t6_37 = T(6e-04) * omega_dot_thetadot2_6_1;
   const T t6_38 = T(4e-04) * omega_dot_thetadot2_6_1;
-  const T minus_B17_2_1 = R6_31 * t6_32 - (R6_11 * t6_34 + minus_R5_21 * t6_35) + R6_11 * t6_36 - minus_R5_21 * t6_37
-      - R6_31 * t6_38 + minus_P_dot_thetadot2_6_1;
-  const T minus_B17_2_2 = R5_22 * t6_35 - R6_12 * t6_34 + R6_32 * t6_32 + R6_12 * t6_36 + R5_22 * t6_37 - R6_32 *
-      t6_38 + minus_P_dot_thetadot2_6_2;
-  const T minus_B17_2_3 = R5_23 * t6_35 - R6_13 * t6_34 + R6_33 * t6_32 + R6_13 * t6_36 + R5_23 * t6_37 - R6_33 *
-      t6_38 + minus_P_dot_thetadot2_6_3;
+  const T minus_B17_2_1 = minus_P_dot_thetadot2_6_1 - R6_11 * t6_32 - minus_R5_21 * t6_34 + R6_31 * t6_35 + R6_11 *
+      t6_36 - minus_R5_21 * t6_37 - R6_31 * t6_38;
+  const T minus_B17_2_2 = minus_P_dot_thetadot2_6_2 + R5_22 * t6_34 - R6_12 * t6_32 + R6_32 * t6_35 + R6_12 * t6_36 +
+      R5_22 * t6_37 - R6_32 * t6_38;
+  const T minus_B17_2_3 = minus_P_dot_thetadot2_6_3 + R5_23 * t6_34 - R6_13 * t6_32 + R6_33 * t6_35 + R6_13 * t6_36 +
+      R5_23 * t6_37 - R6_33 * t6_38;
   v_y_dot[106] = -minus_B17_2_1;
   v_y_dot[113] = -minus_B17_2_2;
   v_y_dot[120] = -minus_B17_2_3;
   // B18_3 = -R6^T omega6~ (C6^T r6)~ omega_thetadot3_6 - R6^T (C6^T r6)~ omega_dot_thetadot3_6 + P_dot_thetadot3_6
   const T t6_39 = T(6e-04) * omega_thetadot3_6_1;
-  const T t6_40 = T(6e-04) * minus_omega_thetadot3_5_2 + T(4e-04) * omega_thetadot3_6_3;
-  const T t6_41 = omega6_1 * t6_39 - omega6_2 * t6_40;
-  const T t6_42 = T(4e-04) * omega_thetadot3_6_1;
-  const T t6_43 = omega6_3 * t6_39 + omega6_2 * t6_42;
-  const T t6_44 = omega6_3 * t6_40 + omega6_1 * t6_42;
+  const T t6_40 = T(4e-04) * omega_thetadot3_6_1;
+  const T t6_41 = omega6_3 * t6_39 + omega6_2 * t6_40;
+  const T t6_42 = T(6e-04) * minus_omega_thetadot3_5_2 + T(4e-04) * omega_thetadot3_6_3;
+  const T t6_43 = omega6_3 * t6_42 + omega6_1 * t6_40;
+  const T t6_44 = omega6_1 * t6_39 - omega6_2 * t6_42;
   const T t6_45 = T(6e-04) * minus_omega_dot_thetadot3_5_2 + T(4e-04) * omega_dot_thetadot3_6_3;
   const T t6_46 = T(6e-04) * omega_dot_thetadot3_6_1;
   const T t6_47 = T(4e-04) * omega_dot_thetadot3_6_1;
-  const T minus_B18_3_1 = R6_31 * t6_41 - (R6_11 * t6_43 + minus_R5_21 * t6_44) + R6_11 * t6_45 - minus_R5_21 * t6_46
-      - R6_31 * t6_47 + minus_P_dot_thetadot3_6_1;
-  const T minus_B18_3_2 = R5_22 * t6_44 - R6_12 * t6_43 + R6_32 * t6_41 + R6_12 * t6_45 + R5_22 * t6_46 - R6_32 *
-      t6_47 + minus_P_dot_thetadot3_6_2;
-  const T minus_B18_3_3 = R5_23 * t6_44 - R6_13 * t6_43 + R6_33 * t6_41 + R6_13 * t6_45 + R5_23 * t6_46 - R6_33 *
-      t6_47 + minus_P_dot_thetadot3_6_3;
+  const T minus_B18_3_1 = minus_P_dot_thetadot3_6_1 - R6_11 * t6_41 - minus_R5_21 * t6_43 + R6_31 * t6_44 + R6_11 *
+      t6_45 - minus_R5_21 * t6_46 - R6_31 * t6_47;
+  const T minus_B18_3_2 = minus_P_dot_thetadot3_6_2 + R5_22 * t6_43 - R6_12 * t6_41 + R6_32 * t6_44 + R6_12 * t6_45 +
+      R5_22 * t6_46 - R6_32 * t6_47;
+  const T minus_B18_3_3 = minus_P_dot_thetadot3_6_3 + R5_23 * t6_43 - R6_13 * t6_41 + R6_33 * t6_44 + R6_13 * t6_45 +
+      R5_23 * t6_46 - R6_33 * t6_47;
   v_y_dot[107] = -minus_B18_3_1;
   v_y_dot[114] = -minus_B18_3_2;
   v_y_dot[121] = -minus_B18_3_3;
@@ -3513,12 +3556,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_54 = T(6e-04) * omega_dot_thetadot4_5_2 + T(4e-04) * minus_omega_dot_thetadot4_6_3;
   const T t6_55 = T(6e-04) * omega_dot_thetadot4_6_1;
   const T t6_56 = T(4e-04) * omega_dot_thetadot4_6_1;
-  const T minus_B19_4_1 = R6_11 * t6_50 - minus_R5_21 * t6_52 - R6_31 * t6_53 - R6_11 * t6_54 - minus_R5_21 * t6_55 -
-      R6_31 * t6_56 + minus_P_dot_thetadot4_6_1;
-  const T minus_B19_4_2 = R6_12 * t6_50 + R5_22 * t6_52 - R6_32 * t6_53 + R5_22 * t6_55 - R6_12 * t6_54 - R6_32 *
-      t6_56 + minus_P_dot_thetadot4_6_2;
-  const T minus_B19_4_3 = R6_13 * t6_50 + R5_23 * t6_52 - R6_33 * t6_53 + R5_23 * t6_55 - R6_13 * t6_54 - R6_33 *
-      t6_56 + minus_P_dot_thetadot4_6_3;
+  const T minus_B19_4_1 = minus_P_dot_thetadot4_6_1 + R6_11 * t6_50 - minus_R5_21 * t6_52 - R6_31 * t6_53 - R6_11 *
+      t6_54 - minus_R5_21 * t6_55 - R6_31 * t6_56;
+  const T minus_B19_4_2 = minus_P_dot_thetadot4_6_2 + R6_12 * t6_50 + R5_22 * t6_52 - R6_32 * t6_53 + R5_22 * t6_55 -
+      R6_12 * t6_54 - R6_32 * t6_56;
+  const T minus_B19_4_3 = minus_P_dot_thetadot4_6_3 + R6_13 * t6_50 + R5_23 * t6_52 - R6_33 * t6_53 + R5_23 * t6_55 -
+      R6_13 * t6_54 - R6_33 * t6_56;
   v_y_dot[108] = -minus_B19_4_1;
   v_y_dot[115] = -minus_B19_4_2;
   v_y_dot[122] = -minus_B19_4_3;
@@ -3552,11 +3595,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[124] = -minus_B21_6_3;
 
   // ---- body 7 (link_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T E7_12 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T E7_12 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R6_11 * E7_11 - minus_R5_21 * E7_12;
   const T R7_12 = R6_12 * E7_11 + R5_22 * E7_12;
@@ -3609,13 +3651,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // P_dot_thetadot1_7 = R6^T (-omega6~ q7~ omega_thetadot1_6 - q7~ omega_dot_thetadot1_6) + P_dot_thetadot1_6: its
   //   rate
   const T t7_1 = T(0.081) * R6_13;
-  const T t7_2 = T(0.081) * R5_23;
-  const T t7_3 = omega6_1 * t7_1 + omega6_2 * t7_2;
-  const T t7_4 = omega6_3 * t7_1 + T(0.081) * omega_dot_thetadot1_5_2;
-  const T t7_5 = T(0.081) * omega_dot_thetadot1_6_1 - omega6_3 * t7_2;
-  const T minus_P_dot_thetadot1_7_1 = R6_31 * t7_3 - (R6_11 * t7_4 + minus_R5_21 * t7_5) + minus_P_dot_thetadot1_6_1;
-  const T minus_P_dot_thetadot1_7_2 = R5_22 * t7_5 - R6_12 * t7_4 + R6_32 * t7_3 + minus_P_dot_thetadot1_6_2;
-  const T minus_P_dot_thetadot1_7_3 = R5_23 * t7_5 - R6_13 * t7_4 + R6_33 * t7_3 + minus_P_dot_thetadot1_6_3;
+  const T t7_2 = omega6_3 * t7_1 + T(0.081) * omega_dot_thetadot1_5_2;
+  const T t7_3 = T(0.081) * R5_23;
+  const T t7_4 = T(0.081) * omega_dot_thetadot1_6_1 - omega6_3 * t7_3;
+  const T t7_5 = omega6_1 * t7_1 + omega6_2 * t7_3;
+  const T minus_P_dot_thetadot1_7_1 = minus_P_dot_thetadot1_6_1 - R6_11 * t7_2 - minus_R5_21 * t7_4 + R6_31 * t7_5;
+  const T minus_P_dot_thetadot1_7_2 = minus_P_dot_thetadot1_6_2 + R5_22 * t7_4 - R6_12 * t7_2 + R6_32 * t7_5;
+  const T minus_P_dot_thetadot1_7_3 = minus_P_dot_thetadot1_6_3 + R5_23 * t7_4 - R6_13 * t7_2 + R6_33 * t7_5;
   // P_dot_thetadot2_7 = R6^T (-omega6~ q7~ omega_thetadot2_6 - q7~ omega_dot_thetadot2_6) + P_dot_thetadot2_6: its
   //   rate
   const T t7_6 = T(0.081) * omega_thetadot2_6_1;
@@ -3623,9 +3665,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_8 = T(0.081) * omega_thetadot2_5_2;
   const T t7_9 = T(0.081) * omega_dot_thetadot2_6_1 - omega6_3 * t7_8;
   const T t7_10 = omega6_1 * t7_6 + omega6_2 * t7_8;
-  const T minus_P_dot_thetadot2_7_1 = R6_11 * t7_7 - minus_R5_21 * t7_9 + R6_31 * t7_10 + minus_P_dot_thetadot2_6_1;
-  const T minus_P_dot_thetadot2_7_2 = R6_12 * t7_7 + R5_22 * t7_9 + R6_32 * t7_10 + minus_P_dot_thetadot2_6_2;
-  const T minus_P_dot_thetadot2_7_3 = R6_13 * t7_7 + R5_23 * t7_9 + R6_33 * t7_10 + minus_P_dot_thetadot2_6_3;
+  const T minus_P_dot_thetadot2_7_1 = minus_P_dot_thetadot2_6_1 + R6_11 * t7_7 - minus_R5_21 * t7_9 + R6_31 * t7_10;
+  const T minus_P_dot_thetadot2_7_2 = minus_P_dot_thetadot2_6_2 + R6_12 * t7_7 + R5_22 * t7_9 + R6_32 * t7_10;
+  const T minus_P_dot_thetadot2_7_3 = minus_P_dot_thetadot2_6_3 + R6_13 * t7_7 + R5_23 * t7_9 + R6_33 * t7_10;
   // P_dot_thetadot3_7 = R6^T (-omega6~ q7~ omega_thetadot3_6 - q7~ omega_dot_thetadot3_6) + P_dot_thetadot3_6: its
   //   rate
   const T t7_11 = T(0.081) * omega_thetadot3_6_1;
@@ -3633,9 +3675,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_13 = T(0.081) * minus_omega_thetadot3_5_2;
   const T t7_14 = omega6_3 * t7_13 + T(0.081) * omega_dot_thetadot3_6_1;
   const T t7_15 = omega6_1 * t7_11 - omega6_2 * t7_13;
-  const T minus_P_dot_thetadot3_7_1 = R6_11 * t7_12 - minus_R5_21 * t7_14 + R6_31 * t7_15 + minus_P_dot_thetadot3_6_1;
-  const T minus_P_dot_thetadot3_7_2 = R6_12 * t7_12 + R5_22 * t7_14 + R6_32 * t7_15 + minus_P_dot_thetadot3_6_2;
-  const T minus_P_dot_thetadot3_7_3 = R6_13 * t7_12 + R5_23 * t7_14 + R6_33 * t7_15 + minus_P_dot_thetadot3_6_3;
+  const T minus_P_dot_thetadot3_7_1 = minus_P_dot_thetadot3_6_1 + R6_11 * t7_12 - minus_R5_21 * t7_14 + R6_31 * t7_15;
+  const T minus_P_dot_thetadot3_7_2 = minus_P_dot_thetadot3_6_2 + R6_12 * t7_12 + R5_22 * t7_14 + R6_32 * t7_15;
+  const T minus_P_dot_thetadot3_7_3 = minus_P_dot_thetadot3_6_3 + R6_13 * t7_12 + R5_23 * t7_14 + R6_33 * t7_15;
   // P_dot_thetadot4_7 = R6^T (-omega6~ q7~ omega_thetadot4_6 - q7~ omega_dot_thetadot4_6) + P_dot_thetadot4_6: its
   //   rate
   const T t7_16 = T(0.081) * minus_omega_thetadot4_6_1;
@@ -3643,9 +3685,9 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_18 = T(0.081) * E5_11;
   const T t7_19 = omega6_3 * t7_18 + T(0.081) * omega_dot_thetadot4_6_1;
   const T t7_20 = omega6_1 * t7_16 + omega6_2 * t7_18;
-  const T minus_P_dot_thetadot4_7_1 = R6_11 * t7_17 - minus_R5_21 * t7_19 - R6_31 * t7_20 + minus_P_dot_thetadot4_6_1;
-  const T minus_P_dot_thetadot4_7_2 = R6_12 * t7_17 + R5_22 * t7_19 - R6_32 * t7_20 + minus_P_dot_thetadot4_6_2;
-  const T minus_P_dot_thetadot4_7_3 = R6_13 * t7_17 + R5_23 * t7_19 - R6_33 * t7_20 + minus_P_dot_thetadot4_6_3;
+  const T minus_P_dot_thetadot4_7_1 = minus_P_dot_thetadot4_6_1 + R6_11 * t7_17 - minus_R5_21 * t7_19 - R6_31 * t7_20;
+  const T minus_P_dot_thetadot4_7_2 = minus_P_dot_thetadot4_6_2 + R6_12 * t7_17 + R5_22 * t7_19 - R6_32 * t7_20;
+  const T minus_P_dot_thetadot4_7_3 = minus_P_dot_thetadot4_6_3 + R6_13 * t7_17 + R5_23 * t7_19 - R6_33 * t7_20;
   // P_dot_thetadot5_7 = R6^T (-omega6~ q7~ omega_thetadot5_6 - q7~ omega_dot_thetadot5_6) + P_dot_thetadot5_6: its
   //   rate
   const T t7_21 = T(0.081) * minus_E6_13;
@@ -3669,12 +3711,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_31 = omega7_1 * t7_29 + omega7_2 * t7_27;
   const T t7_32 = T(0.02) * omega_dot_thetadot1_7_2;
   const T t7_33 = T(0.02) * omega_dot_thetadot1_7_1;
-  const T minus_B22_1_1 = minus_R7_21 * t7_28 - R7_11 * t7_30 + R6_31 * t7_31 - R7_11 * t7_32 - minus_R7_21 * t7_33 +
-      minus_P_dot_thetadot1_7_1;
-  const T minus_B22_1_2 = R6_32 * t7_31 - (R7_12 * t7_30 + R7_22 * t7_28) + R7_22 * t7_33 - R7_12 * t7_32 +
-      minus_P_dot_thetadot1_7_2;
-  const T minus_B22_1_3 = R6_33 * t7_31 - (R7_13 * t7_30 + R7_23 * t7_28) + R7_23 * t7_33 - R7_13 * t7_32 +
-      minus_P_dot_thetadot1_7_3;
+  const T minus_B22_1_1 = minus_P_dot_thetadot1_7_1 + minus_R7_21 * t7_28 - R7_11 * t7_30 + R6_31 * t7_31 - R7_11 *
+      t7_32 - minus_R7_21 * t7_33;
+  const T minus_B22_1_2 = minus_P_dot_thetadot1_7_2 - R7_12 * t7_30 - R7_22 * t7_28 + R6_32 * t7_31 + R7_22 * t7_33 -
+      R7_12 * t7_32;
+  const T minus_B22_1_3 = minus_P_dot_thetadot1_7_3 - R7_13 * t7_30 - R7_23 * t7_28 + R6_33 * t7_31 + R7_23 * t7_33 -
+      R7_13 * t7_32;
   v_y_dot[126] = -minus_B22_1_1;
   v_y_dot[133] = -minus_B22_1_2;
   v_y_dot[140] = -minus_B22_1_3;
@@ -3686,29 +3728,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_38 = omega7_1 * t7_36 + omega7_2 * t7_34;
   const T t7_39 = T(0.02) * minus_omega_dot_thetadot2_7_2;
   const T t7_40 = T(0.02) * omega_dot_thetadot2_7_1;
-  const T minus_B23_2_1 = minus_R7_21 * t7_35 - R7_11 * t7_37 + R6_31 * t7_38 + R7_11 * t7_39 - minus_R7_21 * t7_40 +
-      minus_P_dot_thetadot2_7_1;
-  const T minus_B23_2_2 = R6_32 * t7_38 - (R7_12 * t7_37 + R7_22 * t7_35) + R7_12 * t7_39 + R7_22 * t7_40 +
-      minus_P_dot_thetadot2_7_2;
-  const T minus_B23_2_3 = R6_33 * t7_38 - (R7_13 * t7_37 + R7_23 * t7_35) + R7_13 * t7_39 + R7_23 * t7_40 +
-      minus_P_dot_thetadot2_7_3;
+  const T minus_B23_2_1 = minus_P_dot_thetadot2_7_1 + minus_R7_21 * t7_35 - R7_11 * t7_37 + R6_31 * t7_38 + R7_11 *
+      t7_39 - minus_R7_21 * t7_40;
+  const T minus_B23_2_2 = minus_P_dot_thetadot2_7_2 - R7_12 * t7_37 - R7_22 * t7_35 + R6_32 * t7_38 + R7_12 * t7_39 +
+      R7_22 * t7_40;
+  const T minus_B23_2_3 = minus_P_dot_thetadot2_7_3 - R7_13 * t7_37 - R7_23 * t7_35 + R6_33 * t7_38 + R7_13 * t7_39 +
+      R7_23 * t7_40;
   v_y_dot[127] = -minus_B23_2_1;
   v_y_dot[134] = -minus_B23_2_2;
   v_y_dot[141] = -minus_B23_2_3;
   // B24_3 = -R7^T omega7~ r7~ omega_thetadot3_7 - R7^T r7~ omega_dot_thetadot3_7 + P_dot_thetadot3_7
   const T t7_41 = T(0.02) * omega_thetadot3_7_1;
-  const T t7_42 = T(0.02) * minus_omega_thetadot3_7_2;
-  const T t7_43 = omega7_1 * t7_41 - omega7_2 * t7_42;
-  const T t7_44 = omega7_3 * t7_41;
-  const T t7_45 = omega7_3 * t7_42;
+  const T t7_42 = omega7_3 * t7_41;
+  const T t7_43 = T(0.02) * minus_omega_thetadot3_7_2;
+  const T t7_44 = omega7_3 * t7_43;
+  const T t7_45 = omega7_1 * t7_41 - omega7_2 * t7_43;
   const T t7_46 = T(0.02) * minus_omega_dot_thetadot3_7_2;
   const T t7_47 = T(0.02) * omega_dot_thetadot3_7_1;
-  const T minus_B24_3_1 = R6_31 * t7_43 - (R7_11 * t7_44 + minus_R7_21 * t7_45) + R7_11 * t7_46 - minus_R7_21 * t7_47
-      + minus_P_dot_thetadot3_7_1;
-  const T minus_B24_3_2 = R7_22 * t7_45 - R7_12 * t7_44 + R6_32 * t7_43 + R7_12 * t7_46 + R7_22 * t7_47 +
-      minus_P_dot_thetadot3_7_2;
-  const T minus_B24_3_3 = R7_23 * t7_45 - R7_13 * t7_44 + R6_33 * t7_43 + R7_13 * t7_46 + R7_23 * t7_47 +
-      minus_P_dot_thetadot3_7_3;
+  const T minus_B24_3_1 = minus_P_dot_thetadot3_7_1 - R7_11 * t7_42 - minus_R7_21 * t7_44 + R6_31 * t7_45 + R7_11 *
+      t7_46 - minus_R7_21 * t7_47;
+  const T minus_B24_3_2 = minus_P_dot_thetadot3_7_2 + R7_22 * t7_44 - R7_12 * t7_42 + R6_32 * t7_45 + R7_12 * t7_46 +
+      R7_22 * t7_47;
+  const T minus_B24_3_3 = minus_P_dot_thetadot3_7_3 + R7_23 * t7_44 - R7_13 * t7_42 + R6_33 * t7_45 + R7_13 * t7_46 +
+      R7_23 * t7_47;
   v_y_dot[128] = -minus_B24_3_1;
   v_y_dot[135] = -minus_B24_3_2;
   v_y_dot[142] = -minus_B24_3_3;
@@ -3720,12 +3762,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_52 = omega7_2 * t7_50 - omega7_1 * t7_48;
   const T t7_53 = T(0.02) * omega_dot_thetadot4_7_2;
   const T t7_54 = T(0.02) * omega_dot_thetadot4_7_1;
-  const T minus_B25_4_1 = R7_11 * t7_49 + minus_R7_21 * t7_51 + R6_31 * t7_52 - R7_11 * t7_53 - minus_R7_21 * t7_54 +
-      minus_P_dot_thetadot4_7_1;
-  const T minus_B25_4_2 = R7_12 * t7_49 - R7_22 * t7_51 + R6_32 * t7_52 + R7_22 * t7_54 - R7_12 * t7_53 +
-      minus_P_dot_thetadot4_7_2;
-  const T minus_B25_4_3 = R7_13 * t7_49 - R7_23 * t7_51 + R6_33 * t7_52 + R7_23 * t7_54 - R7_13 * t7_53 +
-      minus_P_dot_thetadot4_7_3;
+  const T minus_B25_4_1 = minus_P_dot_thetadot4_7_1 + R7_11 * t7_49 + minus_R7_21 * t7_51 + R6_31 * t7_52 - R7_11 *
+      t7_53 - minus_R7_21 * t7_54;
+  const T minus_B25_4_2 = minus_P_dot_thetadot4_7_2 + R7_12 * t7_49 - R7_22 * t7_51 + R6_32 * t7_52 + R7_22 * t7_54 -
+      R7_12 * t7_53;
+  const T minus_B25_4_3 = minus_P_dot_thetadot4_7_3 + R7_13 * t7_49 - R7_23 * t7_51 + R6_33 * t7_52 + R7_23 * t7_54 -
+      R7_13 * t7_53;
   v_y_dot[129] = -minus_B25_4_1;
   v_y_dot[136] = -minus_B25_4_2;
   v_y_dot[143] = -minus_B25_4_3;
@@ -3737,12 +3779,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_59 = omega7_2 * t7_57 - omega7_1 * t7_55;
   const T t7_60 = T(0.02) * omega_dot_thetadot5_7_2;
   const T t7_61 = T(0.02) * omega_dot_thetadot5_7_1;
-  const T minus_B26_5_1 = R7_11 * t7_56 + minus_R7_21 * t7_58 + R6_31 * t7_59 - R7_11 * t7_60 - minus_R7_21 * t7_61 +
-      minus_P_dot_thetadot5_7_1;
-  const T minus_B26_5_2 = R7_12 * t7_56 - R7_22 * t7_58 + R6_32 * t7_59 + R7_22 * t7_61 - R7_12 * t7_60 +
-      minus_P_dot_thetadot5_7_2;
-  const T minus_B26_5_3 = R7_13 * t7_56 - R7_23 * t7_58 + R6_33 * t7_59 + R7_23 * t7_61 - R7_13 * t7_60 +
-      minus_P_dot_thetadot5_7_3;
+  const T minus_B26_5_1 = minus_P_dot_thetadot5_7_1 + R7_11 * t7_56 + minus_R7_21 * t7_58 + R6_31 * t7_59 - R7_11 *
+      t7_60 - minus_R7_21 * t7_61;
+  const T minus_B26_5_2 = minus_P_dot_thetadot5_7_2 + R7_12 * t7_56 - R7_22 * t7_58 + R6_32 * t7_59 + R7_22 * t7_61 -
+      R7_12 * t7_60;
+  const T minus_B26_5_3 = minus_P_dot_thetadot5_7_3 + R7_13 * t7_56 - R7_23 * t7_58 + R6_33 * t7_59 + R7_23 * t7_61 -
+      R7_13 * t7_60;
   v_y_dot[130] = -minus_B26_5_1;
   v_y_dot[137] = -minus_B26_5_2;
   v_y_dot[144] = -minus_B26_5_3;
@@ -3754,12 +3796,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_66 = omega7_1 * t7_64 + omega7_2 * t7_62;
   const T t7_67 = T(0.02) * minus_omega_dot_thetadot6_7_2;
   const T t7_68 = T(0.02) * omega_dot_thetadot6_7_1;
-  const T minus_B27_6_1 = minus_R7_21 * t7_63 - R7_11 * t7_65 + R6_31 * t7_66 + R7_11 * t7_67 - minus_R7_21 * t7_68 +
-      minus_P_dot_thetadot6_7_1;
-  const T minus_B27_6_2 = R6_32 * t7_66 - (R7_12 * t7_65 + R7_22 * t7_63) + R7_12 * t7_67 + R7_22 * t7_68 +
-      minus_P_dot_thetadot6_7_2;
-  const T minus_B27_6_3 = R6_33 * t7_66 - (R7_13 * t7_65 + R7_23 * t7_63) + R7_13 * t7_67 + R7_23 * t7_68 +
-      minus_P_dot_thetadot6_7_3;
+  const T minus_B27_6_1 = minus_P_dot_thetadot6_7_1 + minus_R7_21 * t7_63 - R7_11 * t7_65 + R6_31 * t7_66 + R7_11 *
+      t7_67 - minus_R7_21 * t7_68;
+  const T minus_B27_6_2 = minus_P_dot_thetadot6_7_2 - R7_12 * t7_65 - R7_22 * t7_63 + R6_32 * t7_66 + R7_12 * t7_67 +
+      R7_22 * t7_68;
+  const T minus_B27_6_3 = minus_P_dot_thetadot6_7_3 - R7_13 * t7_65 - R7_23 * t7_63 + R6_33 * t7_66 + R7_13 * t7_67 +
+      R7_23 * t7_68;
   v_y_dot[131] = -minus_B27_6_1;
   v_y_dot[138] = -minus_B27_6_2;
   v_y_dot[145] = -minus_B27_6_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cb6: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model bfb1a9828cee34c1 of bench_cb6/scene.toml; the usual functions
+// model 531adcdc61c69f1d of bench_cb6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: ball
 //   2 body_2 on 1: ball
@@ -42,7 +42,7 @@ inline constexpr int nx = 24;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 18;
-inline constexpr char model_hash[] = "bfb1a9828cee34c1";
+inline constexpr char model_hash[] = "531adcdc61c69f1d";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -322,9 +322,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_2 = R1_12 * T(0.3) + R1_22 * T(0.1) + R1_32 * T(0.1);
   const T P2_3 = R1_13 * T(0.3) + R1_23 * T(0.1) + R1_33 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05) + P2_1;
-  const T p2_2 = R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05) + P2_2;
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05);
+  const T p2_2 = P2_2 + R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05);
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
@@ -363,15 +363,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[31] = R3_32;
   pose[32] = R3_33;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * T(0.3) + R2_21 * T(0.15) + R2_31 * T(0.1) + P2_1;
-  const T P3_2 = R2_12 * T(0.3) + R2_22 * T(0.15) + R2_32 * T(0.1) + P2_2;
-  const T P3_3 = R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1) + P2_3;
+  const T P3_1 = P2_1 + R2_11 * T(0.3) + R2_21 * T(0.15) + R2_31 * T(0.1);
+  const T P3_2 = P2_2 + R2_12 * T(0.3) + R2_22 * T(0.15) + R2_32 * T(0.1);
+  const T P3_3 = P2_3 + R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T t3_13 = R3_21 * T(0.2) + P3_1;
+  const T t3_13 = P3_1 + R3_21 * T(0.2);
   const T p3_1 = R3_11 * T(0.1) + t3_13 + R3_31 * T(0.05);
-  const T t3_14 = R3_22 * T(0.2) + P3_2;
+  const T t3_14 = P3_2 + R3_22 * T(0.2);
   const T p3_2 = R3_12 * T(0.1) + t3_14 + R3_32 * T(0.05);
-  const T t3_15 = R3_23 * T(0.2) + P3_3;
+  const T t3_15 = P3_3 + R3_23 * T(0.2);
   const T p3_3 = R3_13 * T(0.1) + t3_15 + R3_33 * T(0.05);
   pose[33] = p3_1;
   pose[34] = p3_2;
@@ -415,9 +415,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P4_2 = R3_12 * T(0.3) + t3_14 + R3_32 * T(0.1);
   const T P4_3 = R3_13 * T(0.3) + t3_15 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
@@ -456,13 +456,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[55] = R5_32;
   pose[56] = R5_33;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_1 = R4_11 * T(0.3) + R4_21 * T(0.25) + R4_31 * T(0.1) + P4_1;
-  const T P5_2 = R4_12 * T(0.3) + R4_22 * T(0.25) + R4_32 * T(0.1) + P4_2;
-  const T P5_3 = R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1) + P4_3;
+  const T P5_1 = P4_1 + R4_11 * T(0.3) + R4_21 * T(0.25) + R4_31 * T(0.1);
+  const T P5_2 = P4_2 + R4_12 * T(0.3) + R4_22 * T(0.25) + R4_32 * T(0.1);
+  const T P5_3 = P4_3 + R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -501,13 +501,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[67] = R6_32;
   pose[68] = R6_33;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1) + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1) + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_1 = P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1);
+  const T P6_2 = P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1);
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -588,7 +588,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P2 = R1^T q2: position of the body origin, inertial axes [m]
   const T P2_3 = R1_13 * T(0.3) + R1_23 * T(0.1) + R1_33 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   // Pdot2 = R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_13 = t1_16 - t1_14;
   const T t2_14 = omega1_1 * T(0.1);
@@ -602,9 +602,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_18 = omega2_3 * T(0.1) - omega2_1 * T(0.05);
   const T t2_19 = omega2_2 * T(0.1);
   const T t2_20 = omega2_1 * T(0.2) - t2_19;
-  const T v2_1 = R2_11 * t2_17 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_17 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_17 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_17 + R2_21 * t2_18 + R2_31 * t2_20;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_17 + R2_22 * t2_18 + R2_32 * t2_20;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_17 + R2_23 * t2_18 + R2_33 * t2_20;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * omega2_3) + omega2_2 *
       (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * omega2_3) + omega2_3 * (T(0.0036) * omega2_1 -
@@ -636,17 +636,17 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R3_32 = t3_11 - t3_12;
   const T R3_33 = t3_10 - t3_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1) + P2_3;
+  const T P3_3 = P2_3 + R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T t3_13 = R3_23 * T(0.2) + P3_3;
+  const T t3_13 = P3_3 + R3_23 * T(0.2);
   const T p3_3 = R3_13 * T(0.1) + t3_13 + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_14 = t2_19 - omega2_3 * T(0.15);
   const T t3_15 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
   const T t3_16 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
-  const T Pdot3_1 = R2_11 * t3_14 + R2_21 * t3_15 + R2_31 * t3_16 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_14 + R2_22 * t3_15 + R2_32 * t3_16 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_14 + R2_23 * t3_15 + R2_33 * t3_16 + Pdot2_3;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_14 + R2_21 * t3_15 + R2_31 * t3_16;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_14 + R2_22 * t3_15 + R2_32 * t3_16;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_14 + R2_23 * t3_15 + R2_33 * t3_16;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_17 = omega3_3 * T(0.2);
   const T t3_18 = omega3_2 * T(0.05) - t3_17;
@@ -654,9 +654,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_20 = omega3_1 * T(0.2);
   const T t3_21 = omega3_2 * T(0.1);
   const T t3_22 = t3_20 - t3_21;
-  const T v3_1 = R3_11 * t3_18 + R3_21 * t3_19 + R3_31 * t3_22 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_18 + R3_22 * t3_19 + R3_32 * t3_22 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_18 + R3_23 * t3_19 + R3_33 * t3_22 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_18 + R3_21 * t3_19 + R3_31 * t3_22;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_18 + R3_22 * t3_19 + R3_32 * t3_22;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_18 + R3_23 * t3_19 + R3_33 * t3_22;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
       (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
@@ -690,22 +690,22 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_3 = R3_13 * T(0.3) + t3_13 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_13 = t3_21 - t3_17;
   const T t4_14 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
   const T t4_15 = t3_20 - omega3_2 * T(0.3);
-  const T Pdot4_1 = R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15 + Pdot3_2;
-  const T Pdot4_3 = R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15;
+  const T Pdot4_3 = Pdot3_3 + R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_17 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_18 = omega4_2 * T(0.1);
   const T t4_19 = omega4_1 * T(0.2) - t4_18;
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_19;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_19;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_19;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
       (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
@@ -737,24 +737,24 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R5_32 = t5_11 - t5_12;
   const T R5_33 = t5_10 - t5_2;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_3 = R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1) + P4_3;
+  const T P5_3 = P4_3 + R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = t4_18 - omega4_3 * T(0.25);
   const T t5_14 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
   const T t5_15 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
-  const T Pdot5_1 = R4_11 * t5_13 + R4_21 * t5_14 + R4_31 * t5_15 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_13 + R4_22 * t5_14 + R4_32 * t5_15 + Pdot4_2;
-  const T Pdot5_3 = R4_13 * t5_13 + R4_23 * t5_14 + R4_33 * t5_15 + Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_13 + R4_21 * t5_14 + R4_31 * t5_15;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_13 + R4_22 * t5_14 + R4_32 * t5_15;
+  const T Pdot5_3 = Pdot4_3 + R4_13 * t5_13 + R4_23 * t5_14 + R4_33 * t5_15;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_16 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_17 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_18 = omega5_2 * T(0.1);
   const T t5_19 = omega5_1 * T(0.2) - t5_18;
-  const T v5_1 = R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_19 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_19 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_19 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_19;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_19;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_19;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
       (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
@@ -786,24 +786,24 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_13 = omega5_3 * T(0.3);
   const T t6_14 = t5_18 - t6_13;
   const T t6_15 = t6_13 - omega5_1 * T(0.1);
   const T t6_16 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_17 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_18 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_19 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
       (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
@@ -906,9 +906,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P2_2 = R1_12 * T(0.3) + R1_22 * T(0.1) + R1_32 * T(0.1);
   const T P2_3 = R1_13 * T(0.3) + R1_23 * T(0.1) + R1_33 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05) + P2_1;
-  const T p2_2 = R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05) + P2_2;
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05);
+  const T p2_2 = P2_2 + R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05);
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   // Pdot2 = R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_13 = t1_16 - t1_14;
   const T t2_14 = omega1_1 * T(0.1);
@@ -922,9 +922,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_18 = omega2_3 * T(0.1) - omega2_1 * T(0.05);
   const T t2_19 = omega2_2 * T(0.1);
   const T t2_20 = omega2_1 * T(0.2) - t2_19;
-  const T v2_1 = R2_11 * t2_17 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_17 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_17 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_17 + R2_21 * t2_18 + R2_31 * t2_20;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_17 + R2_22 * t2_18 + R2_32 * t2_20;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_17 + R2_23 * t2_18 + R2_33 * t2_20;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(1.2) * v2_1;
   const T l2_2 = T(1.2) * v2_2;
@@ -963,23 +963,23 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R3_32 = t3_11 - t3_12;
   const T R3_33 = t3_10 - t3_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * T(0.3) + R2_21 * T(0.15) + R2_31 * T(0.1) + P2_1;
-  const T P3_2 = R2_12 * T(0.3) + R2_22 * T(0.15) + R2_32 * T(0.1) + P2_2;
-  const T P3_3 = R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1) + P2_3;
+  const T P3_1 = P2_1 + R2_11 * T(0.3) + R2_21 * T(0.15) + R2_31 * T(0.1);
+  const T P3_2 = P2_2 + R2_12 * T(0.3) + R2_22 * T(0.15) + R2_32 * T(0.1);
+  const T P3_3 = P2_3 + R2_13 * T(0.3) + R2_23 * T(0.15) + R2_33 * T(0.1);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T t3_13 = R3_21 * T(0.2) + P3_1;
+  const T t3_13 = P3_1 + R3_21 * T(0.2);
   const T p3_1 = R3_11 * T(0.1) + t3_13 + R3_31 * T(0.05);
-  const T t3_14 = R3_22 * T(0.2) + P3_2;
+  const T t3_14 = P3_2 + R3_22 * T(0.2);
   const T p3_2 = R3_12 * T(0.1) + t3_14 + R3_32 * T(0.05);
-  const T t3_15 = R3_23 * T(0.2) + P3_3;
+  const T t3_15 = P3_3 + R3_23 * T(0.2);
   const T p3_3 = R3_13 * T(0.1) + t3_15 + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_16 = t2_19 - omega2_3 * T(0.15);
   const T t3_17 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
   const T t3_18 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
-  const T Pdot3_1 = R2_11 * t3_16 + R2_21 * t3_17 + R2_31 * t3_18 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_16 + R2_22 * t3_17 + R2_32 * t3_18 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_16 + R2_23 * t3_17 + R2_33 * t3_18 + Pdot2_3;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_16 + R2_21 * t3_17 + R2_31 * t3_18;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_16 + R2_22 * t3_17 + R2_32 * t3_18;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_16 + R2_23 * t3_17 + R2_33 * t3_18;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_19 = omega3_3 * T(0.2);
   const T t3_20 = omega3_2 * T(0.05) - t3_19;
@@ -987,9 +987,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_22 = omega3_1 * T(0.2);
   const T t3_23 = omega3_2 * T(0.1);
   const T t3_24 = t3_22 - t3_23;
-  const T v3_1 = R3_11 * t3_20 + R3_21 * t3_21 + R3_31 * t3_24 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_20 + R3_22 * t3_21 + R3_32 * t3_24 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_20 + R3_23 * t3_21 + R3_33 * t3_24 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_20 + R3_21 * t3_21 + R3_31 * t3_24;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_20 + R3_22 * t3_21 + R3_32 * t3_24;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_20 + R3_23 * t3_21 + R3_33 * t3_24;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.3) * v3_1;
   const T l3_2 = T(1.3) * v3_2;
@@ -1032,24 +1032,24 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P4_2 = R3_12 * T(0.3) + t3_14 + R3_32 * T(0.1);
   const T P4_3 = R3_13 * T(0.3) + t3_15 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_13 = t3_23 - t3_19;
   const T t4_14 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
   const T t4_15 = t3_22 - omega3_2 * T(0.3);
-  const T Pdot4_1 = R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15 + Pdot3_2;
-  const T Pdot4_3 = R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15;
+  const T Pdot4_3 = Pdot3_3 + R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_17 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_18 = omega4_2 * T(0.1);
   const T t4_19 = omega4_1 * T(0.2) - t4_18;
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_19;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_19;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_19;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.4) * v4_1;
   const T l4_2 = T(1.4) * v4_2;
@@ -1088,28 +1088,28 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R5_32 = t5_11 - t5_12;
   const T R5_33 = t5_10 - t5_2;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
-  const T P5_1 = R4_11 * T(0.3) + R4_21 * T(0.25) + R4_31 * T(0.1) + P4_1;
-  const T P5_2 = R4_12 * T(0.3) + R4_22 * T(0.25) + R4_32 * T(0.1) + P4_2;
-  const T P5_3 = R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1) + P4_3;
+  const T P5_1 = P4_1 + R4_11 * T(0.3) + R4_21 * T(0.25) + R4_31 * T(0.1);
+  const T P5_2 = P4_2 + R4_12 * T(0.3) + R4_22 * T(0.25) + R4_32 * T(0.1);
+  const T P5_3 = P4_3 + R4_13 * T(0.3) + R4_23 * T(0.25) + R4_33 * T(0.1);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = t4_18 - omega4_3 * T(0.25);
   const T t5_14 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
   const T t5_15 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
-  const T Pdot5_1 = R4_11 * t5_13 + R4_21 * t5_14 + R4_31 * t5_15 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_13 + R4_22 * t5_14 + R4_32 * t5_15 + Pdot4_2;
-  const T Pdot5_3 = R4_13 * t5_13 + R4_23 * t5_14 + R4_33 * t5_15 + Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_13 + R4_21 * t5_14 + R4_31 * t5_15;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_13 + R4_22 * t5_14 + R4_32 * t5_15;
+  const T Pdot5_3 = Pdot4_3 + R4_13 * t5_13 + R4_23 * t5_14 + R4_33 * t5_15;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_16 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_17 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_18 = omega5_2 * T(0.1);
   const T t5_19 = omega5_1 * T(0.2) - t5_18;
-  const T v5_1 = R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_19 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_19 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_19 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_19;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_19;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_19;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.5) * v5_1;
   const T l5_2 = T(1.5) * v5_2;
@@ -1148,28 +1148,28 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1) + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1) + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_1 = P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1);
+  const T P6_2 = P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1);
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_13 = omega5_3 * T(0.3);
   const T t6_14 = t5_18 - t6_13;
   const T t6_15 = t6_13 - omega5_1 * T(0.1);
   const T t6_16 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_17 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_18 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_19 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.6) * v6_1;
   const T l6_2 = T(1.6) * v6_2;
@@ -1470,24 +1470,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_23 = omega2_3 * omega2_2;
   const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = C2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_16 = U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1) + Pddot1_1;
+  const T t2_16 = Pddot1_1 + U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1);
   const T t2_17 = U1_23 * T(0.1);
-  const T t2_18 = U1_12 * T(0.3) - minus_U1_22 * T(0.1) + t2_17 + Pddot1_2;
-  const T t2_19 = U1_13 * T(0.3) + t2_17 - minus_U1_33 * T(0.1) + Pddot1_3;
+  const T t2_18 = t2_17 + Pddot1_2 + U1_12 * T(0.3) - minus_U1_22 * T(0.1);
+  const T t2_19 = t2_17 + Pddot1_3 + U1_13 * T(0.3) - minus_U1_33 * T(0.1);
   const T Pddot2_1 = C2_11 * t2_16 + C2_12 * t2_18 + C2_13 * t2_19;
   const T Pddot2_2 = C2_21 * t2_16 + C2_22 * t2_18 + C2_23 * t2_19;
   const T Pddot2_3 = C2_31 * t2_16 + C2_32 * t2_18 + C2_33 * t2_19;
   // N1 = -C2^T M_torque_2_ - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M_torque_1_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N1_1 = T(0.30500000000000005) * Pddot1_2 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 +
-      T(0.47000000000000003) * Pddot1_3) + T(0.0027500000000000033) * U1_23 + T(0.040400000000000005) * (t1_4 - t1_3)
-      + T(0.0772) * U1_12 - T(0.09150000000000001) * U1_13 + u.tau_1_1;
-  const T N1_2 = T(0.86) * Pddot1_3 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 +
-      T(0.30500000000000005) * Pddot1_1) + T(0.18624999999999997) * U1_13 + T(0.0772) * (t1_3 - t1_5) +
-      T(0.09150000000000001) * U1_23 - T(0.040400000000000005) * U1_12 + u.tau_1_2;
-  const T N1_3 = T(0.47000000000000003) * Pddot1_1 - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 +
-      T(0.86) * Pddot1_2) - T(0.18899999999999997) * U1_12 + T(0.09150000000000001) * (t1_5 - t1_4) +
-      T(0.040400000000000005) * U1_13 - T(0.0772) * U1_23 + u.tau_1_3;
+  const T N1_1 = u.tau_1_1 - C2_11 * u.tau_2_1 - C2_21 * u.tau_2_2 - C2_31 * u.tau_2_3 - T(0.47000000000000003) *
+      Pddot1_3 + T(0.30500000000000005) * Pddot1_2 + T(0.0027500000000000033) * U1_23 + T(0.040400000000000005) *
+      (t1_4 - t1_3) + T(0.0772) * U1_12 - T(0.09150000000000001) * U1_13;
+  const T N1_2 = u.tau_1_2 - C2_12 * u.tau_2_1 - C2_22 * u.tau_2_2 - C2_32 * u.tau_2_3 - T(0.30500000000000005) *
+      Pddot1_1 + T(0.86) * Pddot1_3 + T(0.18624999999999997) * U1_13 + T(0.0772) * (t1_3 - t1_5) +
+      T(0.09150000000000001) * U1_23 - T(0.040400000000000005) * U1_12;
+  const T N1_3 = u.tau_1_3 - C2_13 * u.tau_2_1 - C2_23 * u.tau_2_2 - C2_33 * u.tau_2_3 - T(0.86) * Pddot1_2 +
+      T(0.47000000000000003) * Pddot1_1 - T(0.18899999999999997) * U1_12 + T(0.09150000000000001) * (t1_5 - t1_4) +
+      T(0.040400000000000005) * U1_13 - T(0.0772) * U1_23;
   // G2 = -U2 h_all_2: applied less inertia force, body axes [N]
   const T minus_G2_1 = U2_12 * T(0.435) - minus_U2_11 * T(0.51) + U2_13 * T(0.19);
   const T minus_G2_2 = U2_12 * T(0.51) - minus_U2_22 * T(0.435) + U2_23 * T(0.19);
@@ -1535,22 +1535,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_23 = omega3_3 * omega3_2;
   const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_16 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
-  const T t3_17 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) + Pddot2_2;
-  const T t3_18 = U2_13 * T(0.3) + U2_23 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T t3_16 = Pddot2_1 + U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_17 = Pddot2_2 + U2_12 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1);
+  const T t3_18 = Pddot2_3 + U2_13 * T(0.3) + U2_23 * T(0.15) - minus_U2_33 * T(0.1);
   const T Pddot3_1 = C3_11 * t3_16 + C3_12 * t3_17 + C3_13 * t3_18;
   const T Pddot3_2 = C3_21 * t3_16 + C3_22 * t3_17 + C3_23 * t3_18;
   const T Pddot3_3 = C3_31 * t3_16 + C3_32 * t3_17 + C3_33 * t3_18;
   // N2 = -C3^T M_torque_3_ - h_all_2~ Pddot2 - omega2~ J_all_2 omega2 + M_torque_2_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N2_1 = T(0.19) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + T(0.435) *
-      Pddot2_3) - T(0.013250000000000014) * U2_23 + T(0.0363) * (t2_14 - t2_13) + T(0.0414) * U2_12 - T(0.0765) *
-      U2_13 + u.tau_2_1;
-  const T N2_2 = T(0.51) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + T(0.19) * Pddot2_1)
-      + T(0.089) * U2_13 + T(0.0414) * (t2_13 - t2_15) + T(0.0765) * U2_23 - T(0.0363) * U2_12 + u.tau_2_2;
-  const T N2_3 = T(0.435) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + T(0.51) *
-      Pddot2_2) - T(0.07574999999999998) * U2_12 + T(0.0765) * (t2_15 - t2_14) + T(0.0363) * U2_13 - T(0.0414) * U2_23
-      + u.tau_2_3;
+  const T N2_1 = u.tau_2_1 - C3_11 * u.tau_3_1 - C3_21 * u.tau_3_2 - C3_31 * u.tau_3_3 - T(0.435) * Pddot2_3 + T(0.19)
+      * Pddot2_2 - T(0.013250000000000014) * U2_23 + T(0.0363) * (t2_14 - t2_13) + T(0.0414) * U2_12 - T(0.0765) *
+      U2_13;
+  const T N2_2 = u.tau_2_2 - C3_12 * u.tau_3_1 - C3_22 * u.tau_3_2 - C3_32 * u.tau_3_3 - T(0.19) * Pddot2_1 + T(0.51)
+      * Pddot2_3 + T(0.089) * U2_13 + T(0.0414) * (t2_13 - t2_15) + T(0.0765) * U2_23 - T(0.0363) * U2_12;
+  const T N2_3 = u.tau_2_3 - C3_13 * u.tau_3_1 - C3_23 * u.tau_3_2 - C3_33 * u.tau_3_3 - T(0.51) * Pddot2_2 + T(0.435)
+      * Pddot2_1 - T(0.07574999999999998) * U2_12 + T(0.0765) * (t2_15 - t2_14) + T(0.0363) * U2_13 - T(0.0414) *
+      U2_23;
   // G3 = -U3 h_all_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = U3_12 * T(0.26) - minus_U3_11 * T(0.13) + U3_13 * T(0.065);
   const T minus_G3_2 = U3_12 * T(0.13) - minus_U3_22 * T(0.26) + U3_23 * T(0.065);
@@ -1598,23 +1598,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_23 = omega4_3 * omega4_2;
   const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = C4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_16 = U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1) + Pddot3_1;
-  const T t4_17 = U3_12 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1) + Pddot3_2;
-  const T t4_18 = U3_13 * T(0.3) + U3_23 * T(0.2) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_16 = Pddot3_1 + U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_17 = Pddot3_2 + U3_12 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1);
+  const T t4_18 = Pddot3_3 + U3_13 * T(0.3) + U3_23 * T(0.2) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = C4_11 * t4_16 + C4_12 * t4_17 + C4_13 * t4_18;
   const T Pddot4_2 = C4_21 * t4_16 + C4_22 * t4_17 + C4_23 * t4_18;
   const T Pddot4_3 = C4_31 * t4_16 + C4_32 * t4_17 + C4_33 * t4_18;
   // N3 = -C4^T M_torque_4_ - h_all_3~ Pddot3 - omega3~ J_all_3 omega3 + M_torque_3_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N3_1 = T(0.065) * Pddot3_2 - (C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.26) *
-      Pddot3_3) + T(0.0032499999999999977) * U3_23 + T(0.0182) * (t3_14 - t3_13) + T(0.002600000000000001) * U3_12 -
-      T(0.019500000000000003) * U3_13 + u.tau_3_1;
-  const T N3_2 = T(0.13) * Pddot3_3 - (C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.065) *
-      Pddot3_1) - T(0.016250000000000007) * U3_13 + T(0.002600000000000001) * (t3_13 - t3_15) +
-      T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12 + u.tau_3_2;
-  const T N3_3 = T(0.26) * Pddot3_1 - (C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.13) * Pddot3_2)
-      + T(0.01300000000000001) * U3_12 + T(0.019500000000000003) * (t3_15 - t3_14) + T(0.0182) * U3_13 -
-      T(0.002600000000000001) * U3_23 + u.tau_3_3;
+  const T N3_1 = u.tau_3_1 - C4_11 * u.tau_4_1 - C4_21 * u.tau_4_2 - C4_31 * u.tau_4_3 - T(0.26) * Pddot3_3 + T(0.065)
+      * Pddot3_2 + T(0.0032499999999999977) * U3_23 + T(0.0182) * (t3_14 - t3_13) + T(0.002600000000000001) * U3_12 -
+      T(0.019500000000000003) * U3_13;
+  const T N3_2 = u.tau_3_2 - C4_12 * u.tau_4_1 - C4_22 * u.tau_4_2 - C4_32 * u.tau_4_3 - T(0.065) * Pddot3_1 + T(0.13)
+      * Pddot3_3 - T(0.016250000000000007) * U3_13 + T(0.002600000000000001) * (t3_13 - t3_15) +
+      T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12;
+  const T N3_3 = u.tau_3_3 - C4_13 * u.tau_4_1 - C4_23 * u.tau_4_2 - C4_33 * u.tau_4_3 - T(0.13) * Pddot3_2 + T(0.26)
+      * Pddot3_1 + T(0.01300000000000001) * U3_12 + T(0.019500000000000003) * (t3_15 - t3_14) + T(0.0182) * U3_13 -
+      T(0.002600000000000001) * U3_23;
   // G4 = -m_all_4 Pddot4 - U4 h_all_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(4.5) * Pddot4_1 + U4_12 * T(1.055) - minus_U4_11 * T(1.07) + U4_13 * T(0.38);
   const T minus_G4_2 = T(4.5) * Pddot4_2 + U4_12 * T(1.07) - minus_U4_22 * T(1.055) + U4_23 * T(0.38);
@@ -1662,23 +1662,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_23 = omega5_3 * omega5_2;
   const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = C5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_16 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_17 = U4_12 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
-  const T t5_18 = U4_13 * T(0.3) + U4_23 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T t5_16 = Pddot4_1 + U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1);
+  const T t5_17 = Pddot4_2 + U4_12 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1);
+  const T t5_18 = Pddot4_3 + U4_13 * T(0.3) + U4_23 * T(0.25) - minus_U4_33 * T(0.1);
   const T Pddot5_1 = C5_11 * t5_16 + C5_12 * t5_17 + C5_13 * t5_18;
   const T Pddot5_2 = C5_21 * t5_16 + C5_22 * t5_17 + C5_23 * t5_18;
   const T Pddot5_3 = C5_31 * t5_16 + C5_32 * t5_17 + C5_33 * t5_18;
   // N4 = -C5^T M_torque_5_ - h_all_4~ Pddot4 - omega4~ J_all_4 omega4 + M_torque_4_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N4_1 = T(0.38) * Pddot4_2 - (C5_11 * u.tau_5_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 + T(1.055) *
-      Pddot4_3) - T(0.15925) * U4_23 + T(0.0971) * (t4_14 - t4_13) + T(0.09580000000000001) * U4_12 - T(0.2535) *
-      U4_13 + u.tau_4_1;
-  const T N4_2 = T(1.07) * Pddot4_3 - (C5_12 * u.tau_5_1 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 + T(0.38) * Pddot4_1)
-      + T(0.23049999999999998) * U4_13 + T(0.09580000000000001) * (t4_13 - t4_15) + T(0.2535) * U4_23 - T(0.0971) *
-      U4_12 + u.tau_4_2;
-  const T N4_3 = T(1.055) * Pddot4_1 - (C5_13 * u.tau_5_1 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 + T(1.07) *
-      Pddot4_2) - T(0.07124999999999998) * U4_12 + T(0.2535) * (t4_15 - t4_14) + T(0.0971) * U4_13 -
-      T(0.09580000000000001) * U4_23 + u.tau_4_3;
+  const T N4_1 = u.tau_4_1 - C5_11 * u.tau_5_1 - C5_21 * u.tau_5_2 - C5_31 * u.tau_5_3 - T(1.055) * Pddot4_3 + T(0.38)
+      * Pddot4_2 - T(0.15925) * U4_23 + T(0.0971) * (t4_14 - t4_13) + T(0.09580000000000001) * U4_12 - T(0.2535) *
+      U4_13;
+  const T N4_2 = u.tau_4_2 - C5_12 * u.tau_5_1 - C5_22 * u.tau_5_2 - C5_32 * u.tau_5_3 - T(0.38) * Pddot4_1 + T(1.07)
+      * Pddot4_3 + T(0.23049999999999998) * U4_13 + T(0.09580000000000001) * (t4_13 - t4_15) + T(0.2535) * U4_23 -
+      T(0.0971) * U4_12;
+  const T N4_3 = u.tau_4_3 - C5_13 * u.tau_5_1 - C5_23 * u.tau_5_2 - C5_33 * u.tau_5_3 - T(1.07) * Pddot4_2 + T(1.055)
+      * Pddot4_1 - T(0.07124999999999998) * U4_12 + T(0.2535) * (t4_15 - t4_14) + T(0.0971) * U4_13 -
+      T(0.09580000000000001) * U4_23;
   // G5 = -U5 h_all_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T minus_G5_2 = U5_12 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -1727,23 +1727,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t6_16 = U5_12 * T(0.3);
-  const T t6_17 = t6_16 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_18 = t6_16 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_19 = U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_17 = t6_16 + Pddot5_1 - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_18 = t6_16 + Pddot5_2 - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_19 = Pddot5_3 + U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_17 + C6_12 * t6_18 + C6_13 * t6_19;
   const T Pddot6_2 = C6_21 * t6_17 + C6_22 * t6_18 + C6_23 * t6_19;
   const T Pddot6_3 = C6_31 * t6_17 + C6_32 * t6_18 + C6_33 * t6_19;
   // N5 = -C6^T M_torque_6_ - h_all_5~ Pddot5 - omega5~ J_all_5 omega5 + M_torque_5_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 +
-      T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) * U5_12 -
-      T(0.1665) * U5_13 + u.tau_5_1;
-  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
-      T(0.23500000000000001) * Pddot5_1) + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665)
-      * U5_23 - T(0.069) * U5_12 + u.tau_5_2;
-  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2)
-      + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 - T(0.051000000000000004) *
-      U5_23 + u.tau_5_3;
+  const T N5_1 = u.tau_5_1 - C6_11 * u.tau_6_1 - C6_21 * u.tau_6_2 - C6_31 * u.tau_6_3 - T(0.78) * Pddot5_3 +
+      T(0.23500000000000001) * Pddot5_2 - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) *
+      U5_12 - T(0.1665) * U5_13;
+  const T N5_2 = u.tau_5_2 - C6_12 * u.tau_6_1 - C6_22 * u.tau_6_2 - C6_32 * u.tau_6_3 - T(0.23500000000000001) *
+      Pddot5_1 + T(0.63) * Pddot5_3 + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665) *
+      U5_23 - T(0.069) * U5_12;
+  const T N5_3 = u.tau_5_3 - C6_13 * u.tau_6_1 - C6_23 * u.tau_6_2 - C6_33 * u.tau_6_3 - T(0.63) * Pddot5_2 + T(0.78)
+      * Pddot5_1 + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 -
+      T(0.051000000000000004) * U5_23;
   // G6 = -U6 h_all_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -1753,15 +1753,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.08000000000000002);
   // N6 = -h_all_6~ Pddot6 - omega6~ J_all_6 omega6 + M_torque_6_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 + T(0.003999999999999991) *
-      U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 - T(0.024000000000000004) *
-      U6_13 + u.tau_6_1;
-  const T N6_2 = T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 - T(0.019999999999999997) *
-      U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 - T(0.022400000000000003) *
-      U6_12 + u.tau_6_2;
-  const T N6_3 = T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 + T(0.016000000000000007) *
-      U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 - T(0.003200000000000002) *
-      U6_23 + u.tau_6_3;
+  const T N6_1 = u.tau_6_1 + T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 +
+      T(0.003999999999999991) * U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 -
+      T(0.024000000000000004) * U6_13;
+  const T N6_2 = u.tau_6_2 + T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 -
+      T(0.019999999999999997) * U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 -
+      T(0.022400000000000003) * U6_12;
+  const T N6_3 = u.tau_6_3 + T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 +
+      T(0.016000000000000007) * U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 -
+      T(0.003200000000000002) * U6_23;
 
   // ---- body 6 (body_6) and what it carries
   // w_6 = D(LD6)^-1 L(LD6)^-1 N6: D^-1 L^-1 n
@@ -1795,10 +1795,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b6_10 = T(0.3) * minus_Mb6_23;
   const T Hb6_12 = T(0.1) * minus_Mb6_22 - b6_10;
   const T b6_11 = T(0.3) * Mb6_33;
-  const T Hb6_13 = T(0.1) * minus_Mb6_23 + b6_11;
+  const T Hb6_13 = b6_11 + T(0.1) * minus_Mb6_23;
   const T Hb6_21 = b6_9 - T(0.1) * minus_Mb6_11;
   const T Hb6_22 = b6_10 - b6_8;
-  const T minus_Hb6_23 = T(0.1) * minus_Mb6_13 + b6_11;
+  const T minus_Hb6_23 = b6_11 + T(0.1) * minus_Mb6_13;
   const T b6_12 = T(0.3) * minus_Mb6_12;
   const T Hb6_31 = T(0.3) * minus_Mb6_11 - b6_12;
   const T Hb6_32 = b6_12 - T(0.3) * minus_Mb6_22;
@@ -1814,12 +1814,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA5_32 = T(0.63) + Hb6_32;
   // JA5 = J_all_5 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T b5_1 = Hb6_13 * T(0.3);
-  const T JA5_11 = b5_1 - Hb6_12 * T(0.1) + T(0.37375);
+  const T JA5_11 = b5_1 + T(0.37375) - Hb6_12 * T(0.1);
   const T minus_JA5_12 = T(0.1665) + b5_1 - Hb6_11 * T(0.1);
   const T minus_JA5_13 = T(0.051000000000000004) + Hb6_11 * T(0.3) - Hb6_12 * T(0.3);
   const T JA5_22 = T(0.35875) + Hb6_21 * T(0.1) + minus_Hb6_23 * T(0.3);
   const T minus_JA5_23 = T(0.069) + Hb6_21 * T(0.3) - Hb6_22 * T(0.3);
-  const T JA5_33 = Hb6_32 * T(0.3) - Hb6_31 * T(0.3) + T(0.483);
+  const T JA5_33 = T(0.483) + Hb6_32 * T(0.3) - Hb6_31 * T(0.3);
   // g5 = C6^T gb6 + G5: force that drives it, home axes [N]
   const T b5_2 = C6_11 * minus_gb6_1 + C6_21 * minus_gb6_2 + C6_31 * minus_gb6_3;
   const T minus_g5_1 = b5_2 + minus_G5_1;
@@ -1829,9 +1829,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_g5_3 = b5_4 + minus_G5_3;
   // n5 = q6~ C6^T gb6 + N5: moment that drives it, body axes [N m]
   const T b5_5 = T(0.3) * b5_4;
-  const T n5_1 = T(0.1) * b5_3 - b5_5 + N5_1;
-  const T n5_2 = b5_5 - T(0.1) * b5_2 + N5_2;
-  const T n5_3 = T(0.3) * b5_2 - T(0.3) * b5_3 + N5_3;
+  const T n5_1 = N5_1 - b5_5 + T(0.1) * b5_3;
+  const T n5_2 = b5_5 + N5_2 - T(0.1) * b5_2;
+  const T n5_3 = N5_3 + T(0.3) * b5_2 - T(0.3) * b5_3;
   // LD5 = L D L^T of JA5: L D L^T = JA: L, and 1/D on the diagonal
   const T LD5_11 = T(1) / JA5_11;
   const T minus_LD5_21 = LD5_11 * minus_JA5_12;
@@ -1868,7 +1868,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_M5_13 = minus_Mb6_13 + Hb6_11 * W5_13 - Y5_21 * minus_W5_23 + Y5_31 * W5_33;
   const T minus_M5_22 = minus_Mb6_22 + HA5_12 * W5_12 + Y5_22 * W5_22 + Y5_32 * W5_32;
   const T minus_M5_23 = minus_Mb6_23 + HA5_12 * W5_13 - Y5_22 * minus_W5_23 + Y5_32 * W5_33;
-  const T M5_33 = Mb6_33 - (HA5_13 * W5_13 + minus_Y5_23 * minus_W5_23 + Y5_33 * W5_33);
+  const T M5_33 = Mb6_33 - HA5_13 * W5_13 - minus_Y5_23 * minus_W5_23 - Y5_33 * W5_33;
   // gb5 = g5 - Y5^T w_5: force with the ball solved [N]
   const T minus_gb5_1 = minus_g5_1 + Hb6_11 * w_5_1 + Y5_21 * w_5_2 + Y5_31 * w_5_3;
   const T minus_gb5_2 = minus_g5_2 + HA5_12 * w_5_1 + Y5_22 * w_5_2 + Y5_32 * w_5_3;
@@ -1913,12 +1913,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA4_31 = Hb5_31 - T(1.055);
   const T HA4_32 = T(1.07) + Hb5_32;
   // JA4 = J_all_4 - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA4_11 = Hb5_13 * T(0.25) - Hb5_12 * T(0.1) + T(0.42425);
+  const T JA4_11 = T(0.42425) + Hb5_13 * T(0.25) - Hb5_12 * T(0.1);
   const T minus_JA4_12 = T(0.2535) + Hb5_13 * T(0.3) - Hb5_11 * T(0.1);
   const T minus_JA4_13 = T(0.09580000000000001) + Hb5_11 * T(0.25) - Hb5_12 * T(0.3);
-  const T JA4_22 = Hb5_21 * T(0.1) - Hb5_23 * T(0.3) + T(0.4955);
+  const T JA4_22 = T(0.4955) + Hb5_21 * T(0.1) - Hb5_23 * T(0.3);
   const T minus_JA4_23 = T(0.0971) + Hb5_21 * T(0.25) - Hb5_22 * T(0.3);
-  const T JA4_33 = Hb5_32 * T(0.3) - Hb5_31 * T(0.25) + T(0.6547499999999999);
+  const T JA4_33 = T(0.6547499999999999) + Hb5_32 * T(0.3) - Hb5_31 * T(0.25);
   // g4 = C5^T gb5 + G4: force that drives it, home axes [N]
   const T b4_1 = C5_11 * minus_gb5_1 + C5_21 * minus_gb5_2 + C5_31 * minus_gb5_3;
   const T minus_g4_1 = minus_G4_1 + b4_1;
@@ -1927,9 +1927,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b4_3 = C5_13 * minus_gb5_1 + C5_23 * minus_gb5_2 + C5_33 * minus_gb5_3;
   const T minus_g4_3 = minus_G4_3 + b4_3;
   // n4 = q5~ C5^T gb5 + N4: moment that drives it, body axes [N m]
-  const T n4_1 = T(0.1) * b4_2 - T(0.25) * b4_3 + N4_1;
-  const T n4_2 = T(0.3) * b4_3 - T(0.1) * b4_1 + N4_2;
-  const T n4_3 = T(0.25) * b4_1 - T(0.3) * b4_2 + N4_3;
+  const T n4_1 = N4_1 + T(0.1) * b4_2 - T(0.25) * b4_3;
+  const T n4_2 = N4_2 + T(0.3) * b4_3 - T(0.1) * b4_1;
+  const T n4_3 = N4_3 + T(0.25) * b4_1 - T(0.3) * b4_2;
   // LD4 = L D L^T of JA4: L D L^T = JA: L, and 1/D on the diagonal
   const T LD4_11 = T(1) / JA4_11;
   const T minus_LD4_21 = LD4_11 * minus_JA4_12;
@@ -1961,12 +1961,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_4_2 = LD4_22 * b4_5;
   const T w_4_3 = LD4_33 * (n4_3 + minus_LD4_31 * n4_1 + minus_LD4_32 * b4_5);
   // M4 = MA4 - Y4^T W4: MA less what the ball takes up [kg]
-  const T M4_11 = MA4_11 - (Hb5_11 * W4_11 + Y4_21 * W4_21 + Y4_31 * W4_31);
-  const T M4_12 = Mb5_12 - (Hb5_11 * W4_12 + Y4_21 * W4_22 + Y4_31 * W4_32);
-  const T M4_13 = Mb5_13 - (Hb5_11 * W4_13 + Y4_21 * W4_23 + Y4_31 * W4_33);
-  const T M4_22 = MA4_22 - (HA4_12 * W4_12 + Y4_22 * W4_22 + Y4_32 * W4_32);
-  const T M4_23 = Mb5_23 - (HA4_12 * W4_13 + Y4_22 * W4_23 + Y4_32 * W4_33);
-  const T M4_33 = MA4_33 - (HA4_13 * W4_13 + Y4_23 * W4_23 + Y4_33 * W4_33);
+  const T M4_11 = MA4_11 - Hb5_11 * W4_11 - Y4_21 * W4_21 - Y4_31 * W4_31;
+  const T M4_12 = Mb5_12 - Hb5_11 * W4_12 - Y4_21 * W4_22 - Y4_31 * W4_32;
+  const T M4_13 = Mb5_13 - Hb5_11 * W4_13 - Y4_21 * W4_23 - Y4_31 * W4_33;
+  const T M4_22 = MA4_22 - HA4_12 * W4_12 - Y4_22 * W4_22 - Y4_32 * W4_32;
+  const T M4_23 = Mb5_23 - HA4_12 * W4_13 - Y4_22 * W4_23 - Y4_32 * W4_33;
+  const T M4_33 = MA4_33 - HA4_13 * W4_13 - Y4_23 * W4_23 - Y4_33 * W4_33;
   // gb4 = g4 - Y4^T w_4: force with the ball solved [N]
   const T minus_gb4_1 = minus_g4_1 + Hb5_11 * w_4_1 + Y4_21 * w_4_2 + Y4_31 * w_4_3;
   const T minus_gb4_2 = minus_g4_2 + HA4_12 * w_4_1 + Y4_22 * w_4_2 + Y4_32 * w_4_3;
@@ -2007,12 +2007,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA3_31 = Hb4_31 - T(0.26);
   const T HA3_32 = T(0.13) + Hb4_32;
   // JA3 = J_all_3 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_11 = Hb4_13 * T(0.2) - Hb4_12 * T(0.1) + T(0.18525000000000003);
+  const T JA3_11 = T(0.18525000000000003) + Hb4_13 * T(0.2) - Hb4_12 * T(0.1);
   const T minus_JA3_12 = T(0.019500000000000003) + Hb4_13 * T(0.3) - Hb4_11 * T(0.1);
   const T minus_JA3_13 = T(0.002600000000000001) + Hb4_11 * T(0.2) - Hb4_12 * T(0.3);
-  const T JA3_22 = Hb4_21 * T(0.1) - Hb4_23 * T(0.3) + T(0.17225000000000001);
+  const T JA3_22 = T(0.17225000000000001) + Hb4_21 * T(0.1) - Hb4_23 * T(0.3);
   const T minus_JA3_23 = T(0.0182) + Hb4_21 * T(0.2) - Hb4_22 * T(0.3);
-  const T JA3_33 = Hb4_32 * T(0.3) - Hb4_31 * T(0.2) + T(0.169);
+  const T JA3_33 = T(0.169) + Hb4_32 * T(0.3) - Hb4_31 * T(0.2);
   // g3 = C4^T gb4 + G3: force that drives it, home axes [N]
   const T b3_1 = C4_11 * minus_gb4_1 + C4_21 * minus_gb4_2 + C4_31 * minus_gb4_3;
   const T minus_g3_1 = b3_1 + minus_G3_1;
@@ -2021,9 +2021,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b3_3 = C4_13 * minus_gb4_1 + C4_23 * minus_gb4_2 + C4_33 * minus_gb4_3;
   const T minus_g3_3 = b3_3 + minus_G3_3;
   // n3 = q4~ C4^T gb4 + N3: moment that drives it, body axes [N m]
-  const T n3_1 = T(0.1) * b3_2 - T(0.2) * b3_3 + N3_1;
-  const T n3_2 = T(0.3) * b3_3 - T(0.1) * b3_1 + N3_2;
-  const T n3_3 = T(0.2) * b3_1 - T(0.3) * b3_2 + N3_3;
+  const T n3_1 = N3_1 + T(0.1) * b3_2 - T(0.2) * b3_3;
+  const T n3_2 = N3_2 + T(0.3) * b3_3 - T(0.1) * b3_1;
+  const T n3_3 = N3_3 + T(0.2) * b3_1 - T(0.3) * b3_2;
   // LD3 = L D L^T of JA3: L D L^T = JA: L, and 1/D on the diagonal
   const T LD3_11 = T(1) / JA3_11;
   const T minus_LD3_21 = LD3_11 * minus_JA3_12;
@@ -2055,12 +2055,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_3_2 = LD3_22 * b3_5;
   const T w_3_3 = LD3_33 * (n3_3 + minus_LD3_31 * n3_1 + minus_LD3_32 * b3_5);
   // M3 = Mb4 - Y3^T W3: MA less what the ball takes up [kg]
-  const T M3_11 = Mb4_11 - (Hb4_11 * W3_11 + Y3_21 * W3_21 + Y3_31 * W3_31);
-  const T M3_12 = Mb4_12 - (Hb4_11 * W3_12 + Y3_21 * W3_22 + Y3_31 * W3_32);
-  const T M3_13 = Mb4_13 - (Hb4_11 * W3_13 + Y3_21 * W3_23 + Y3_31 * W3_33);
-  const T M3_22 = Mb4_22 - (HA3_12 * W3_12 + Y3_22 * W3_22 + Y3_32 * W3_32);
-  const T M3_23 = Mb4_23 - (HA3_12 * W3_13 + Y3_22 * W3_23 + Y3_32 * W3_33);
-  const T M3_33 = Mb4_33 - (HA3_13 * W3_13 + Y3_23 * W3_23 + Y3_33 * W3_33);
+  const T M3_11 = Mb4_11 - Hb4_11 * W3_11 - Y3_21 * W3_21 - Y3_31 * W3_31;
+  const T M3_12 = Mb4_12 - Hb4_11 * W3_12 - Y3_21 * W3_22 - Y3_31 * W3_32;
+  const T M3_13 = Mb4_13 - Hb4_11 * W3_13 - Y3_21 * W3_23 - Y3_31 * W3_33;
+  const T M3_22 = Mb4_22 - HA3_12 * W3_12 - Y3_22 * W3_22 - Y3_32 * W3_32;
+  const T M3_23 = Mb4_23 - HA3_12 * W3_13 - Y3_22 * W3_23 - Y3_32 * W3_33;
+  const T M3_33 = Mb4_33 - HA3_13 * W3_13 - Y3_23 * W3_23 - Y3_33 * W3_33;
   // gb3 = g3 - Y3^T w_3: force with the ball solved [N]
   const T minus_gb3_1 = minus_g3_1 + Hb4_11 * w_3_1 + Y3_21 * w_3_2 + Y3_31 * w_3_3;
   const T minus_gb3_2 = minus_g3_2 + HA3_12 * w_3_1 + Y3_22 * w_3_2 + Y3_32 * w_3_3;
@@ -2101,12 +2101,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA2_31 = Hb3_31 - T(0.435);
   const T HA2_32 = T(0.51) + Hb3_32;
   // JA2 = J_all_2 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA2_11 = Hb3_13 * T(0.15) - Hb3_12 * T(0.1) + T(0.21325);
+  const T JA2_11 = T(0.21325) + Hb3_13 * T(0.15) - Hb3_12 * T(0.1);
   const T minus_JA2_12 = T(0.0765) + Hb3_13 * T(0.3) - Hb3_11 * T(0.1);
   const T minus_JA2_13 = T(0.0414) + Hb3_11 * T(0.15) - Hb3_12 * T(0.3);
-  const T JA2_22 = Hb3_21 * T(0.1) - Hb3_23 * T(0.3) + T(0.289);
+  const T JA2_22 = T(0.289) + Hb3_21 * T(0.1) - Hb3_23 * T(0.3);
   const T minus_JA2_23 = T(0.0363) + Hb3_21 * T(0.15) - Hb3_22 * T(0.3);
-  const T JA2_33 = Hb3_32 * T(0.3) - Hb3_31 * T(0.15) + T(0.30225);
+  const T JA2_33 = T(0.30225) + Hb3_32 * T(0.3) - Hb3_31 * T(0.15);
   // g2 = C3^T gb3 + G2: force that drives it, home axes [N]
   const T b2_1 = C3_11 * minus_gb3_1 + C3_21 * minus_gb3_2 + C3_31 * minus_gb3_3;
   const T minus_g2_1 = b2_1 + minus_G2_1;
@@ -2115,9 +2115,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b2_3 = C3_13 * minus_gb3_1 + C3_23 * minus_gb3_2 + C3_33 * minus_gb3_3;
   const T minus_g2_3 = b2_3 + minus_G2_3;
   // n2 = q3~ C3^T gb3 + N2: moment that drives it, body axes [N m]
-  const T n2_1 = T(0.1) * b2_2 - T(0.15) * b2_3 + N2_1;
-  const T n2_2 = T(0.3) * b2_3 - T(0.1) * b2_1 + N2_2;
-  const T n2_3 = T(0.15) * b2_1 - T(0.3) * b2_2 + N2_3;
+  const T n2_1 = N2_1 + T(0.1) * b2_2 - T(0.15) * b2_3;
+  const T n2_2 = N2_2 + T(0.3) * b2_3 - T(0.1) * b2_1;
+  const T n2_3 = N2_3 + T(0.15) * b2_1 - T(0.3) * b2_2;
   // LD2 = L D L^T of JA2: L D L^T = JA: L, and 1/D on the diagonal
   const T LD2_11 = T(1) / JA2_11;
   const T minus_LD2_21 = LD2_11 * minus_JA2_12;
@@ -2149,12 +2149,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_2_2 = LD2_22 * b2_5;
   const T w_2_3 = LD2_33 * (n2_3 + minus_LD2_31 * n2_1 + minus_LD2_32 * b2_5);
   // M2 = Mb3 - Y2^T W2: MA less what the ball takes up [kg]
-  const T M2_11 = Mb3_11 - (Hb3_11 * W2_11 + Y2_21 * W2_21 + Y2_31 * W2_31);
-  const T M2_12 = Mb3_12 - (Hb3_11 * W2_12 + Y2_21 * W2_22 + Y2_31 * W2_32);
-  const T M2_13 = Mb3_13 - (Hb3_11 * W2_13 + Y2_21 * W2_23 + Y2_31 * W2_33);
-  const T M2_22 = Mb3_22 - (HA2_12 * W2_12 + Y2_22 * W2_22 + Y2_32 * W2_32);
-  const T M2_23 = Mb3_23 - (HA2_12 * W2_13 + Y2_22 * W2_23 + Y2_32 * W2_33);
-  const T M2_33 = Mb3_33 - (HA2_13 * W2_13 + Y2_23 * W2_23 + Y2_33 * W2_33);
+  const T M2_11 = Mb3_11 - Hb3_11 * W2_11 - Y2_21 * W2_21 - Y2_31 * W2_31;
+  const T M2_12 = Mb3_12 - Hb3_11 * W2_12 - Y2_21 * W2_22 - Y2_31 * W2_32;
+  const T M2_13 = Mb3_13 - Hb3_11 * W2_13 - Y2_21 * W2_23 - Y2_31 * W2_33;
+  const T M2_22 = Mb3_22 - HA2_12 * W2_12 - Y2_22 * W2_22 - Y2_32 * W2_32;
+  const T M2_23 = Mb3_23 - HA2_12 * W2_13 - Y2_22 * W2_23 - Y2_32 * W2_33;
+  const T M2_33 = Mb3_33 - HA2_13 * W2_13 - Y2_23 * W2_23 - Y2_33 * W2_33;
   // gb2 = g2 - Y2^T w_2: force with the ball solved [N]
   const T minus_gb2_1 = minus_g2_1 + Hb3_11 * w_2_1 + Y2_21 * w_2_2 + Y2_31 * w_2_3;
   const T minus_gb2_2 = minus_g2_2 + HA2_12 * w_2_1 + Y2_22 * w_2_2 + Y2_32 * w_2_3;
@@ -2188,21 +2188,21 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 1 (body_1) and what it carries
   // JA1 = J_all_1 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA1_11 = Hb2_13 * T(0.1) - Hb2_12 * T(0.1) + T(0.20675000000000002);
+  const T JA1_11 = T(0.20675000000000002) + Hb2_13 * T(0.1) - Hb2_12 * T(0.1);
   const T b1_1 = Hb2_11 * T(0.1);
-  const T minus_JA1_12 = T(0.09150000000000001) + Hb2_13 * T(0.3) - b1_1;
+  const T minus_JA1_12 = T(0.09150000000000001) - b1_1 + Hb2_13 * T(0.3);
   const T minus_JA1_13 = T(0.0772) + b1_1 - Hb2_12 * T(0.3);
   const T b1_2 = Hb2_21 * T(0.1);
-  const T JA1_22 = b1_2 - Hb2_23 * T(0.3) + T(0.39575);
+  const T JA1_22 = b1_2 + T(0.39575) - Hb2_23 * T(0.3);
   const T minus_JA1_23 = T(0.040400000000000005) + b1_2 - Hb2_22 * T(0.3);
-  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(0.393);
+  const T JA1_33 = T(0.393) + Hb2_32 * T(0.3) - Hb2_31 * T(0.1);
   // n1 = q2~ C2^T gb2 + N1: moment that drives it, body axes [N m]
   const T b1_3 = C2_12 * minus_gb2_1 + C2_22 * minus_gb2_2 + C2_32 * minus_gb2_3;
   const T b1_4 = C2_13 * minus_gb2_1 + C2_23 * minus_gb2_2 + C2_33 * minus_gb2_3;
-  const T n1_1 = T(0.1) * b1_3 - T(0.1) * b1_4 + N1_1;
+  const T n1_1 = N1_1 + T(0.1) * b1_3 - T(0.1) * b1_4;
   const T b1_5 = T(0.1) * (C2_11 * minus_gb2_1 + C2_21 * minus_gb2_2 + C2_31 * minus_gb2_3);
-  const T n1_2 = T(0.3) * b1_4 - b1_5 + N1_2;
-  const T n1_3 = b1_5 - T(0.3) * b1_3 + N1_3;
+  const T n1_2 = N1_2 - b1_5 + T(0.3) * b1_4;
+  const T n1_3 = b1_5 + N1_3 - T(0.3) * b1_3;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T minus_LD1_21 = LD1_11 * minus_JA1_12;
@@ -2235,9 +2235,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_beta2_2 = C2_21 * z2_1 + C2_22 * z2_3 + C2_23 * z2_4;
   const T minus_beta2_3 = C2_31 * z2_1 + C2_32 * z2_3 + C2_33 * z2_4;
   // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
-  const T z2_5 = W2_31 * minus_beta2_1 + W2_32 * minus_beta2_2 + W2_33 * minus_beta2_3 + w_2_3;
-  const T z2_6 = W2_21 * minus_beta2_1 + W2_22 * minus_beta2_2 + W2_23 * minus_beta2_3 + w_2_2 + minus_LD2_32 * z2_5;
-  const T omegadot2_1 = W2_11 * minus_beta2_1 + W2_12 * minus_beta2_2 + W2_13 * minus_beta2_3 + w_2_1 + minus_LD2_21 *
+  const T z2_5 = w_2_3 + W2_31 * minus_beta2_1 + W2_32 * minus_beta2_2 + W2_33 * minus_beta2_3;
+  const T z2_6 = w_2_2 + W2_21 * minus_beta2_1 + W2_22 * minus_beta2_2 + W2_23 * minus_beta2_3 + minus_LD2_32 * z2_5;
+  const T omegadot2_1 = w_2_1 + W2_11 * minus_beta2_1 + W2_12 * minus_beta2_2 + W2_13 * minus_beta2_3 + minus_LD2_21 *
       z2_6 + minus_LD2_31 * z2_5;
   ydot[3] = omegadot2_1;
   ydot[4] = z2_6;
@@ -2255,9 +2255,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_beta3_3 = C3_31 * z3_1 + C3_32 * z3_2 + C3_33 * z3_3 + C3_31 * minus_beta2_1 + C3_32 * minus_beta2_2 +
       C3_33 * minus_beta2_3;
   // omegadot3 = L(LD3)^-T (-W3 beta3 + w_3)
-  const T z3_4 = W3_31 * minus_beta3_1 + W3_32 * minus_beta3_2 + W3_33 * minus_beta3_3 + w_3_3;
-  const T z3_5 = W3_21 * minus_beta3_1 + W3_22 * minus_beta3_2 + W3_23 * minus_beta3_3 + w_3_2 + minus_LD3_32 * z3_4;
-  const T omegadot3_1 = W3_11 * minus_beta3_1 + W3_12 * minus_beta3_2 + W3_13 * minus_beta3_3 + w_3_1 + minus_LD3_21 *
+  const T z3_4 = w_3_3 + W3_31 * minus_beta3_1 + W3_32 * minus_beta3_2 + W3_33 * minus_beta3_3;
+  const T z3_5 = w_3_2 + W3_21 * minus_beta3_1 + W3_22 * minus_beta3_2 + W3_23 * minus_beta3_3 + minus_LD3_32 * z3_4;
+  const T omegadot3_1 = w_3_1 + W3_11 * minus_beta3_1 + W3_12 * minus_beta3_2 + W3_13 * minus_beta3_3 + minus_LD3_21 *
       z3_5 + minus_LD3_31 * z3_4;
   ydot[6] = omegadot3_1;
   ydot[7] = z3_5;
@@ -2275,9 +2275,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_beta4_3 = C4_31 * z4_1 + C4_32 * z4_2 + C4_33 * z4_3 + C4_31 * minus_beta3_1 + C4_32 * minus_beta3_2 +
       C4_33 * minus_beta3_3;
   // omegadot4 = L(LD4)^-T (-W4 beta4 + w_4)
-  const T z4_4 = W4_31 * minus_beta4_1 + W4_32 * minus_beta4_2 + W4_33 * minus_beta4_3 + w_4_3;
-  const T z4_5 = W4_21 * minus_beta4_1 + W4_22 * minus_beta4_2 + W4_23 * minus_beta4_3 + w_4_2 + minus_LD4_32 * z4_4;
-  const T omegadot4_1 = W4_11 * minus_beta4_1 + W4_12 * minus_beta4_2 + W4_13 * minus_beta4_3 + w_4_1 + minus_LD4_21 *
+  const T z4_4 = w_4_3 + W4_31 * minus_beta4_1 + W4_32 * minus_beta4_2 + W4_33 * minus_beta4_3;
+  const T z4_5 = w_4_2 + W4_21 * minus_beta4_1 + W4_22 * minus_beta4_2 + W4_23 * minus_beta4_3 + minus_LD4_32 * z4_4;
+  const T omegadot4_1 = w_4_1 + W4_11 * minus_beta4_1 + W4_12 * minus_beta4_2 + W4_13 * minus_beta4_3 + minus_LD4_21 *
       z4_5 + minus_LD4_31 * z4_4;
   ydot[9] = omegadot4_1;
   ydot[10] = z4_5;
@@ -2295,10 +2295,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_beta5_3 = C5_31 * z5_1 + C5_32 * z5_2 + C5_33 * z5_3 + C5_31 * minus_beta4_1 + C5_32 * minus_beta4_2 +
       C5_33 * minus_beta4_3;
   // omegadot5 = L(LD5)^-T (-W5 beta5 + w_5)
-  const T z5_4 = W5_31 * minus_beta5_1 + W5_32 * minus_beta5_2 + W5_33 * minus_beta5_3 + w_5_3;
-  const T z5_5 = W5_21 * minus_beta5_1 + W5_22 * minus_beta5_2 - minus_W5_23 * minus_beta5_3 + w_5_2 + minus_LD5_32 *
+  const T z5_4 = w_5_3 + W5_31 * minus_beta5_1 + W5_32 * minus_beta5_2 + W5_33 * minus_beta5_3;
+  const T z5_5 = w_5_2 + W5_21 * minus_beta5_1 + W5_22 * minus_beta5_2 - minus_W5_23 * minus_beta5_3 + minus_LD5_32 *
       z5_4;
-  const T omegadot5_1 = W5_11 * minus_beta5_1 + W5_12 * minus_beta5_2 + W5_13 * minus_beta5_3 + w_5_1 + minus_LD5_21 *
+  const T omegadot5_1 = w_5_1 + W5_11 * minus_beta5_1 + W5_12 * minus_beta5_2 + W5_13 * minus_beta5_3 + minus_LD5_21 *
       z5_5 + minus_LD5_31 * z5_4;
   ydot[12] = omegadot5_1;
   ydot[13] = z5_5;
@@ -2317,11 +2317,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_beta6_3 = C6_31 * z6_2 + C6_32 * z6_3 + C6_33 * z6_4 + C6_31 * minus_beta5_1 + C6_32 * minus_beta5_2 +
       C6_33 * minus_beta5_3;
   // omegadot6 = L(LD6)^-T (-W6 beta6 + w_6)
-  const T z6_5 = T(0.7687251214257022) * minus_beta6_2 - T(1.5150171378488217) * minus_beta6_1 -
-      T(0.044866210005164824) * minus_beta6_3 + w_6_3;
-  const T z6_6 = T(0.3819095477386935) * minus_beta6_1 - T(0.040201005025125636) * minus_beta6_2 -
-      T(0.6030150753768845) * minus_beta6_3 + w_6_2 + T(0.1085427135678392) * z6_5;
-  const T omegadot6_1 = T(1.4035087719298247) * minus_beta6_3 - T(0.3508771929824562) * minus_beta6_2 + w_6_1 +
+  const T z6_5 = w_6_3 + T(0.7687251214257022) * minus_beta6_2 - T(1.5150171378488217) * minus_beta6_1 -
+      T(0.044866210005164824) * minus_beta6_3;
+  const T z6_6 = w_6_2 + T(0.3819095477386935) * minus_beta6_1 - T(0.040201005025125636) * minus_beta6_2 -
+      T(0.6030150753768845) * minus_beta6_3 + T(0.1085427135678392) * z6_5;
+  const T omegadot6_1 = w_6_1 + T(1.4035087719298247) * minus_beta6_3 - T(0.3508771929824562) * minus_beta6_2 +
       T(0.10526315789473686) * z6_6 + T(0.014035087719298253) * z6_5;
   ydot[15] = omegadot6_1;
   ydot[16] = z6_6;
@@ -2417,23 +2417,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_18 + omegadot2_1;
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = C2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_19 = U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1) + Pddot1_1;
-  const T t2_20 = U1_21 * T(0.3) - minus_U1_22 * T(0.1) + U1_23 * T(0.1) + Pddot1_2;
-  const T t2_21 = U1_31 * T(0.3) + U1_32 * T(0.1) - minus_U1_33 * T(0.1) + Pddot1_3;
+  const T t2_19 = Pddot1_1 + U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1);
+  const T t2_20 = Pddot1_2 + U1_21 * T(0.3) - minus_U1_22 * T(0.1) + U1_23 * T(0.1);
+  const T t2_21 = Pddot1_3 + U1_31 * T(0.3) + U1_32 * T(0.1) - minus_U1_33 * T(0.1);
   const T Pddot2_1 = C2_11 * t2_19 + C2_12 * t2_20 + C2_13 * t2_21;
   const T Pddot2_2 = C2_21 * t2_19 + C2_22 * t2_20 + C2_23 * t2_21;
   const T Pddot2_3 = C2_31 * t2_19 + C2_32 * t2_20 + C2_33 * t2_21;
   // N1 = C2^T M_torque_2_ + h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - M_torque_1_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N1_1 = C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + T(0.92) * Pddot1_3 - T(0.755) * Pddot1_2
-      + T(0.14700000000000002) * U1_32 - T(0.14975000000000002) * U1_23 + T(0.0854) * (minus_U1_22 - minus_U1_33) +
-      T(0.2265) * U1_31 - T(0.2122) * U1_21 - u.tau_1_1;
-  const T N1_2 = C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + T(0.755) * Pddot1_1 - T(2.21) * Pddot1_3
-      + T(0.14975000000000002) * U1_13 - T(0.696) * U1_31 + T(0.2122) * (minus_U1_33 - minus_U1_11) + T(0.0854) *
-      U1_12 - T(0.2265) * U1_32 - u.tau_1_2;
-  const T N1_3 = C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + T(2.21) * Pddot1_2 - T(0.92) * Pddot1_1 +
-      T(0.696) * U1_21 - T(0.14700000000000002) * U1_12 + T(0.2265) * (minus_U1_11 - minus_U1_22) + T(0.2122) * U1_23
-      - T(0.0854) * U1_13 - u.tau_1_3;
+  const T N1_1 = C2_11 * u.tau_2_1 - u.tau_1_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + T(0.92) * Pddot1_3 - T(0.755)
+      * Pddot1_2 + T(0.14700000000000002) * U1_32 - T(0.14975000000000002) * U1_23 + T(0.0854) * (minus_U1_22 -
+      minus_U1_33) + T(0.2265) * U1_31 - T(0.2122) * U1_21;
+  const T N1_2 = C2_12 * u.tau_2_1 - u.tau_1_2 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + T(0.755) * Pddot1_1 - T(2.21)
+      * Pddot1_3 + T(0.14975000000000002) * U1_13 - T(0.696) * U1_31 + T(0.2122) * (minus_U1_33 - minus_U1_11) +
+      T(0.0854) * U1_12 - T(0.2265) * U1_32;
+  const T N1_3 = C2_13 * u.tau_2_1 - u.tau_1_3 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + T(2.21) * Pddot1_2 - T(0.92)
+      * Pddot1_1 + T(0.696) * U1_21 - T(0.14700000000000002) * U1_12 + T(0.2265) * (minus_U1_11 - minus_U1_22) +
+      T(0.2122) * U1_23 - T(0.0854) * U1_13;
   // G2 = U2 h_all_2: inertia less applied force, body axes [N]
   const T G2_1 = U2_12 * T(1.1099999999999999) - minus_U2_11 * T(1.8599999999999999) + U2_13 * T(0.64);
   const T G2_2 = U2_21 * T(1.8599999999999999) - minus_U2_22 * T(1.1099999999999999) + U2_23 * T(0.64);
@@ -2489,23 +2489,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_18 + omegadot3_1;
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_19 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
-  const T t3_20 = U2_21 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) + Pddot2_2;
-  const T t3_21 = U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T t3_19 = Pddot2_1 + U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_20 = Pddot2_2 + U2_21 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1);
+  const T t3_21 = Pddot2_3 + U2_31 * T(0.3) + U2_32 * T(0.15) - minus_U2_33 * T(0.1);
   const T Pddot3_1 = C3_11 * t3_19 + C3_12 * t3_20 + C3_13 * t3_21;
   const T Pddot3_2 = C3_21 * t3_19 + C3_22 * t3_20 + C3_23 * t3_21;
   const T Pddot3_3 = C3_31 * t3_19 + C3_32 * t3_20 + C3_33 * t3_21;
   // N2 = C3^T M_torque_3_ + h_all_2~ Pddot2 + axial(U2 (tr(J_all_2)/2 - J_all_2)) - M_torque_2_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N2_1 = C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + T(1.1099999999999999) * Pddot2_3 -
-      T(0.64) * Pddot2_2 + T(0.2145) * U2_32 - T(0.145) * U2_23 + T(0.1038) * (minus_U2_22 - minus_U2_33) +
-      T(0.27899999999999997) * U2_31 - T(0.1764) * U2_21 - u.tau_2_1;
-  const T N2_2 = C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + T(0.64) * Pddot2_1 -
+  const T N2_1 = C3_11 * u.tau_3_1 - u.tau_2_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + T(1.1099999999999999) *
+      Pddot2_3 - T(0.64) * Pddot2_2 + T(0.2145) * U2_32 - T(0.145) * U2_23 + T(0.1038) * (minus_U2_22 - minus_U2_33) +
+      T(0.27899999999999997) * U2_31 - T(0.1764) * U2_21;
+  const T N2_2 = C3_12 * u.tau_3_1 - u.tau_2_2 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + T(0.64) * Pddot2_1 -
       T(1.8599999999999999) * Pddot2_3 + T(0.145) * U2_13 - T(0.594) * U2_31 + T(0.1764) * (minus_U2_33 - minus_U2_11)
-      + T(0.1038) * U2_12 - T(0.27899999999999997) * U2_32 - u.tau_2_2;
-  const T N2_3 = C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + T(1.8599999999999999) * Pddot2_2 -
-      T(1.1099999999999999) * Pddot2_1 + T(0.594) * U2_21 - T(0.2145) * U2_12 + T(0.27899999999999997) * (minus_U2_11
-      - minus_U2_22) + T(0.1764) * U2_23 - T(0.1038) * U2_13 - u.tau_2_3;
+      + T(0.1038) * U2_12 - T(0.27899999999999997) * U2_32;
+  const T N2_3 = C3_13 * u.tau_3_1 - u.tau_2_3 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + T(1.8599999999999999) *
+      Pddot2_2 - T(1.1099999999999999) * Pddot2_1 + T(0.594) * U2_21 - T(0.2145) * U2_12 + T(0.27899999999999997) *
+      (minus_U2_11 - minus_U2_22) + T(0.1764) * U2_23 - T(0.1038) * U2_13;
   // G3 = U3 h_all_3: inertia less applied force, body axes [N]
   const T G3_1 = U3_12 * T(1.1600000000000001) - minus_U3_11 * T(1.48) + U3_13 * T(0.515);
   const T G3_2 = U3_21 * T(1.48) - minus_U3_22 * T(1.1600000000000001) + U3_23 * T(0.515);
@@ -2561,23 +2561,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_18 + omegadot4_1;
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = C4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_19 = U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1) + Pddot3_1;
-  const T t4_20 = U3_21 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1) + Pddot3_2;
-  const T t4_21 = U3_31 * T(0.3) + U3_32 * T(0.2) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_19 = Pddot3_1 + U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_20 = Pddot3_2 + U3_21 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1);
+  const T t4_21 = Pddot3_3 + U3_31 * T(0.3) + U3_32 * T(0.2) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = C4_11 * t4_19 + C4_12 * t4_20 + C4_13 * t4_21;
   const T Pddot4_2 = C4_21 * t4_19 + C4_22 * t4_20 + C4_23 * t4_21;
   const T Pddot4_3 = C4_31 * t4_19 + C4_32 * t4_20 + C4_33 * t4_21;
   // N3 = C4^T M_torque_4_ + h_all_3~ Pddot3 + axial(U3 (tr(J_all_3)/2 - J_all_3)) - M_torque_3_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N3_1 = C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(1.1600000000000001) * Pddot3_3 -
-      T(0.515) * Pddot3_2 + T(0.271) * U3_32 - T(0.13925) * U3_23 + T(0.10820000000000002) * (minus_U3_22 -
-      minus_U3_33) + T(0.28950000000000004) * U3_31 - T(0.1376) * U3_21 - u.tau_3_1;
-  const T N3_2 = C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.515) * Pddot3_1 - T(1.48) * Pddot3_3
-      + T(0.13925) * U3_13 - T(0.483) * U3_31 + T(0.1376) * (minus_U3_33 - minus_U3_11) + T(0.10820000000000002) *
-      U3_12 - T(0.28950000000000004) * U3_32 - u.tau_3_2;
-  const T N3_3 = C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(1.48) * Pddot3_2 -
+  const T N3_1 = C4_11 * u.tau_4_1 - u.tau_3_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(1.1600000000000001) *
+      Pddot3_3 - T(0.515) * Pddot3_2 + T(0.271) * U3_32 - T(0.13925) * U3_23 + T(0.10820000000000002) * (minus_U3_22 -
+      minus_U3_33) + T(0.28950000000000004) * U3_31 - T(0.1376) * U3_21;
+  const T N3_2 = C4_12 * u.tau_4_1 - u.tau_3_2 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.515) * Pddot3_1 - T(1.48)
+      * Pddot3_3 + T(0.13925) * U3_13 - T(0.483) * U3_31 + T(0.1376) * (minus_U3_33 - minus_U3_11) +
+      T(0.10820000000000002) * U3_12 - T(0.28950000000000004) * U3_32;
+  const T N3_3 = C4_13 * u.tau_4_1 - u.tau_3_3 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(1.48) * Pddot3_2 -
       T(1.1600000000000001) * Pddot3_1 + T(0.483) * U3_21 - T(0.271) * U3_12 + T(0.28950000000000004) * (minus_U3_11 -
-      minus_U3_22) + T(0.1376) * U3_23 - T(0.10820000000000002) * U3_13 - u.tau_3_3;
+      minus_U3_22) + T(0.1376) * U3_23 - T(0.10820000000000002) * U3_13;
   // G4 = U4 h_all_4: inertia less applied force, body axes [N]
   const T G4_1 = U4_12 * T(1.055) - minus_U4_11 * T(1.07) + U4_13 * T(0.38);
   const T G4_2 = U4_21 * T(1.07) - minus_U4_22 * T(1.055) + U4_23 * T(0.38);
@@ -2633,23 +2633,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_18 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = C5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_19 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_20 = U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
-  const T t5_21 = U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T t5_19 = Pddot4_1 + U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1);
+  const T t5_20 = Pddot4_2 + U4_21 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1);
+  const T t5_21 = Pddot4_3 + U4_31 * T(0.3) + U4_32 * T(0.25) - minus_U4_33 * T(0.1);
   const T Pddot5_1 = C5_11 * t5_19 + C5_12 * t5_20 + C5_13 * t5_21;
   const T Pddot5_2 = C5_21 * t5_19 + C5_22 * t5_20 + C5_23 * t5_21;
   const T Pddot5_3 = C5_31 * t5_19 + C5_32 * t5_20 + C5_33 * t5_21;
   // N4 = C5^T M_torque_5_ + h_all_4~ Pddot4 + axial(U4 (tr(J_all_4)/2 - J_all_4)) - M_torque_4_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N4_1 = C5_11 * u.tau_5_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 + T(1.055) * Pddot4_3 - T(0.38) * Pddot4_2
-      + T(0.29175) * U4_32 - T(0.1325) * U4_23 + T(0.0971) * (minus_U4_22 - minus_U4_33) + T(0.2535) * U4_31 -
-      T(0.09580000000000001) * U4_21 - u.tau_4_1;
-  const T N4_2 = C5_12 * u.tau_5_1 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 + T(0.38) * Pddot4_1 - T(1.07) * Pddot4_3 +
-      T(0.1325) * U4_13 - T(0.363) * U4_31 + T(0.09580000000000001) * (minus_U4_33 - minus_U4_11) + T(0.0971) * U4_12
-      - T(0.2535) * U4_32 - u.tau_4_2;
-  const T N4_3 = C5_13 * u.tau_5_1 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 + T(1.07) * Pddot4_2 - T(1.055) * Pddot4_1
-      + T(0.363) * U4_21 - T(0.29175) * U4_12 + T(0.2535) * (minus_U4_11 - minus_U4_22) + T(0.09580000000000001) *
-      U4_23 - T(0.0971) * U4_13 - u.tau_4_3;
+  const T N4_1 = C5_11 * u.tau_5_1 - u.tau_4_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 + T(1.055) * Pddot4_3 - T(0.38)
+      * Pddot4_2 + T(0.29175) * U4_32 - T(0.1325) * U4_23 + T(0.0971) * (minus_U4_22 - minus_U4_33) + T(0.2535) *
+      U4_31 - T(0.09580000000000001) * U4_21;
+  const T N4_2 = C5_12 * u.tau_5_1 - u.tau_4_2 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 + T(0.38) * Pddot4_1 - T(1.07)
+      * Pddot4_3 + T(0.1325) * U4_13 - T(0.363) * U4_31 + T(0.09580000000000001) * (minus_U4_33 - minus_U4_11) +
+      T(0.0971) * U4_12 - T(0.2535) * U4_32;
+  const T N4_3 = C5_13 * u.tau_5_1 - u.tau_4_3 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 + T(1.07) * Pddot4_2 - T(1.055)
+      * Pddot4_1 + T(0.363) * U4_21 - T(0.29175) * U4_12 + T(0.2535) * (minus_U4_11 - minus_U4_22) +
+      T(0.09580000000000001) * U4_23 - T(0.0971) * U4_13;
   // G5 = U5 h_all_5: inertia less applied force, body axes [N]
   const T G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T G5_2 = U5_21 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -2705,23 +2705,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_18 + omegadot6_1;
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_19 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_20 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_21 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_19 = Pddot5_1 + U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_20 = Pddot5_2 + U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_21 = Pddot5_3 + U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_19 + C6_12 * t6_20 + C6_13 * t6_21;
   const T Pddot6_2 = C6_21 * t6_19 + C6_22 * t6_20 + C6_23 * t6_21;
   const T Pddot6_3 = C6_31 * t6_19 + C6_32 * t6_20 + C6_33 * t6_21;
   // N5 = C6^T M_torque_6_ + h_all_5~ Pddot5 + axial(U5 (tr(J_all_5)/2 - J_all_5)) - M_torque_5_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N5_1 = C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 + T(0.78) * Pddot5_3 -
+  const T N5_1 = C6_11 * u.tau_6_1 - u.tau_5_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 + T(0.78) * Pddot5_3 -
       T(0.23500000000000001) * Pddot5_2 + T(0.249) * U5_32 - T(0.12475) * U5_23 + T(0.069) * (minus_U5_22 -
-      minus_U5_33) + T(0.1665) * U5_31 - T(0.051000000000000004) * U5_21 - u.tau_5_1;
-  const T N5_2 = C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 + T(0.23500000000000001) * Pddot5_1 -
-      T(0.63) * Pddot5_3 + T(0.12475) * U5_13 - T(0.23399999999999999) * U5_31 + T(0.051000000000000004) *
-      (minus_U5_33 - minus_U5_11) + T(0.069) * U5_12 - T(0.1665) * U5_32 - u.tau_5_2;
-  const T N5_3 = C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2 - T(0.78) * Pddot5_1 +
-      T(0.23399999999999999) * U5_21 - T(0.249) * U5_12 + T(0.1665) * (minus_U5_11 - minus_U5_22) +
-      T(0.051000000000000004) * U5_23 - T(0.069) * U5_13 - u.tau_5_3;
+      minus_U5_33) + T(0.1665) * U5_31 - T(0.051000000000000004) * U5_21;
+  const T N5_2 = C6_12 * u.tau_6_1 - u.tau_5_2 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 + T(0.23500000000000001) *
+      Pddot5_1 - T(0.63) * Pddot5_3 + T(0.12475) * U5_13 - T(0.23399999999999999) * U5_31 + T(0.051000000000000004) *
+      (minus_U5_33 - minus_U5_11) + T(0.069) * U5_12 - T(0.1665) * U5_32;
+  const T N5_3 = C6_13 * u.tau_6_1 - u.tau_5_3 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2 - T(0.78)
+      * Pddot5_1 + T(0.23399999999999999) * U5_21 - T(0.249) * U5_12 + T(0.1665) * (minus_U5_11 - minus_U5_22) +
+      T(0.051000000000000004) * U5_23 - T(0.069) * U5_13;
   // G6 = U6 h_all_6: inertia less applied force, body axes [N]
   const T G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -2731,15 +2731,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.08000000000000002);
   // N6 = h_all_6~ Pddot6 + axial(U6 (tr(J_all_6)/2 - J_all_6)) - M_torque_6_: inertia less applied moment about the
   //   body origin, body axes [N m]
-  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002) *
-      U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.024000000000000004) *
-      U6_31 - T(0.003200000000000002) * U6_21 - u.tau_6_1;
-  const T N6_2 = T(0.08000000000000002) * Pddot6_1 - T(0.16000000000000003) * Pddot6_3 + T(0.116) * U6_13 - T(0.096) *
-      U6_31 + T(0.003200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 -
-      T(0.024000000000000004) * U6_32 - u.tau_6_2;
-  const T N6_3 = T(0.16000000000000003) * Pddot6_2 - T(0.32000000000000006) * Pddot6_1 + T(0.096) * U6_21 -
-      T(0.11200000000000002) * U6_12 + T(0.024000000000000004) * (minus_U6_11 - minus_U6_22) + T(0.003200000000000002)
-      * U6_23 - T(0.022400000000000003) * U6_13 - u.tau_6_3;
+  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - u.tau_6_1 - T(0.08000000000000002) * Pddot6_2 +
+      T(0.11200000000000002) * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) +
+      T(0.024000000000000004) * U6_31 - T(0.003200000000000002) * U6_21;
+  const T N6_2 = T(0.08000000000000002) * Pddot6_1 - u.tau_6_2 - T(0.16000000000000003) * Pddot6_3 + T(0.116) * U6_13
+      - T(0.096) * U6_31 + T(0.003200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 -
+      T(0.024000000000000004) * U6_32;
+  const T N6_3 = T(0.16000000000000003) * Pddot6_2 - u.tau_6_3 - T(0.32000000000000006) * Pddot6_1 + T(0.096) * U6_21
+      - T(0.11200000000000002) * U6_12 + T(0.024000000000000004) * (minus_U6_11 - minus_U6_22) +
+      T(0.003200000000000002) * U6_23 - T(0.022400000000000003) * U6_13;
   r[15] = N6_1;
   r[16] = N6_2;
   r[17] = N6_3;
@@ -2754,9 +2754,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_3 = b5_3 + G5_3;
   // r_omega5 = q6~ C6^T G6 + N5: Kane's equation of omega [N m]
   const T b5_4 = T(0.3) * b5_3;
-  const T r_omega5_1 = b5_4 - T(0.1) * b5_2 + N5_1;
-  const T r_omega5_2 = T(0.1) * b5_1 - b5_4 + N5_2;
-  const T r_omega5_3 = T(0.3) * b5_2 - T(0.3) * b5_1 + N5_3;
+  const T r_omega5_1 = b5_4 + N5_1 - T(0.1) * b5_2;
+  const T r_omega5_2 = N5_2 - b5_4 + T(0.1) * b5_1;
+  const T r_omega5_3 = N5_3 + T(0.3) * b5_2 - T(0.3) * b5_1;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
@@ -2770,9 +2770,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b4_3 = C5_13 * S5_1 + C5_23 * S5_2 + C5_33 * S5_3;
   const T S4_3 = b4_3 + G4_3;
   // r_omega4 = q5~ C5^T S5 + N4: Kane's equation of omega [N m]
-  const T r_omega4_1 = T(0.25) * b4_3 - T(0.1) * b4_2 + N4_1;
-  const T r_omega4_2 = T(0.1) * b4_1 - T(0.3) * b4_3 + N4_2;
-  const T r_omega4_3 = T(0.3) * b4_2 - T(0.25) * b4_1 + N4_3;
+  const T r_omega4_1 = N4_1 + T(0.25) * b4_3 - T(0.1) * b4_2;
+  const T r_omega4_2 = N4_2 + T(0.1) * b4_1 - T(0.3) * b4_3;
+  const T r_omega4_3 = N4_3 + T(0.3) * b4_2 - T(0.25) * b4_1;
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -2786,9 +2786,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b3_3 = C4_13 * S4_1 + C4_23 * S4_2 + C4_33 * S4_3;
   const T S3_3 = b3_3 + G3_3;
   // r_omega3 = q4~ C4^T S4 + N3: Kane's equation of omega [N m]
-  const T r_omega3_1 = T(0.2) * b3_3 - T(0.1) * b3_2 + N3_1;
-  const T r_omega3_2 = T(0.1) * b3_1 - T(0.3) * b3_3 + N3_2;
-  const T r_omega3_3 = T(0.3) * b3_2 - T(0.2) * b3_1 + N3_3;
+  const T r_omega3_1 = N3_1 + T(0.2) * b3_3 - T(0.1) * b3_2;
+  const T r_omega3_2 = N3_2 + T(0.1) * b3_1 - T(0.3) * b3_3;
+  const T r_omega3_3 = N3_3 + T(0.3) * b3_2 - T(0.2) * b3_1;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
   r[8] = r_omega3_3;
@@ -2802,9 +2802,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b2_3 = C3_13 * S3_1 + C3_23 * S3_2 + C3_33 * S3_3;
   const T S2_3 = b2_3 + G2_3;
   // r_omega2 = q3~ C3^T S3 + N2: Kane's equation of omega [N m]
-  const T r_omega2_1 = T(0.15) * b2_3 - T(0.1) * b2_2 + N2_1;
-  const T r_omega2_2 = T(0.1) * b2_1 - T(0.3) * b2_3 + N2_2;
-  const T r_omega2_3 = T(0.3) * b2_2 - T(0.15) * b2_1 + N2_3;
+  const T r_omega2_1 = N2_1 + T(0.15) * b2_3 - T(0.1) * b2_2;
+  const T r_omega2_2 = N2_2 + T(0.1) * b2_1 - T(0.3) * b2_3;
+  const T r_omega2_3 = N2_3 + T(0.3) * b2_2 - T(0.15) * b2_1;
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
@@ -2813,10 +2813,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega1 = q2~ C2^T S2 + N1: Kane's equation of omega [N m]
   const T b1_1 = C2_13 * S2_1 + C2_23 * S2_2 + C2_33 * S2_3;
   const T b1_2 = C2_12 * S2_1 + C2_22 * S2_2 + C2_32 * S2_3;
-  const T r_omega1_1 = T(0.1) * b1_1 - T(0.1) * b1_2 + N1_1;
+  const T r_omega1_1 = N1_1 + T(0.1) * b1_1 - T(0.1) * b1_2;
   const T b1_3 = T(0.1) * (C2_11 * S2_1 + C2_21 * S2_2 + C2_31 * S2_3);
-  const T r_omega1_2 = b1_3 - T(0.3) * b1_1 + N1_2;
-  const T r_omega1_3 = T(0.3) * b1_2 - b1_3 + N1_3;
+  const T r_omega1_2 = b1_3 + N1_2 - T(0.3) * b1_1;
+  const T r_omega1_3 = N1_3 - b1_3 + T(0.3) * b1_2;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2894,24 +2894,24 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U2_23 = omega2_3 * omega2_2;
   const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = C2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_16 = U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1) + Pddot1_1;
+  const T t2_16 = Pddot1_1 + U1_12 * T(0.1) - minus_U1_11 * T(0.3) + U1_13 * T(0.1);
   const T t2_17 = U1_23 * T(0.1);
-  const T t2_18 = U1_12 * T(0.3) - minus_U1_22 * T(0.1) + t2_17 + Pddot1_2;
-  const T t2_19 = U1_13 * T(0.3) + t2_17 - minus_U1_33 * T(0.1) + Pddot1_3;
+  const T t2_18 = t2_17 + Pddot1_2 + U1_12 * T(0.3) - minus_U1_22 * T(0.1);
+  const T t2_19 = t2_17 + Pddot1_3 + U1_13 * T(0.3) - minus_U1_33 * T(0.1);
   const T Pddot2_1 = C2_11 * t2_16 + C2_12 * t2_18 + C2_13 * t2_19;
   const T Pddot2_2 = C2_21 * t2_16 + C2_22 * t2_18 + C2_23 * t2_19;
   const T Pddot2_3 = C2_31 * t2_16 + C2_32 * t2_18 + C2_33 * t2_19;
   // N1 = -C2^T M_torque_2_ - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M_torque_1_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N1_1 = T(0.0027500000000000033) * U1_23 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 +
-      T(0.92) * Pddot1_3 - T(0.755) * Pddot1_2) + T(0.0854) * (t1_4 - t1_3) + T(0.2122) * U1_12 - T(0.2265) * U1_13 +
-      u.tau_1_1;
-  const T N1_2 = T(0.5462499999999999) * U1_13 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + T(0.755)
-      * Pddot1_1 - T(2.21) * Pddot1_3) + T(0.2122) * (t1_3 - t1_5) + T(0.2265) * U1_23 - T(0.0854) * U1_12 +
-      u.tau_1_2;
-  const T N1_3 = T(0.2265) * (t1_5 - t1_4) - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + T(2.21) *
-      Pddot1_2 - T(0.92) * Pddot1_1 + T(0.5489999999999999) * U1_12) + T(0.0854) * U1_13 - T(0.2122) * U1_23 +
-      u.tau_1_3;
+  const T N1_1 = T(0.0027500000000000033) * U1_23 - (C2_11 * u.tau_2_1 - u.tau_1_1 + C2_21 * u.tau_2_2 + C2_31 *
+      u.tau_2_3 + T(0.92) * Pddot1_3 - T(0.755) * Pddot1_2) + T(0.0854) * (t1_4 - t1_3) + T(0.2122) * U1_12 -
+      T(0.2265) * U1_13;
+  const T N1_2 = T(0.5462499999999999) * U1_13 - (C2_12 * u.tau_2_1 - u.tau_1_2 + C2_22 * u.tau_2_2 + C2_32 *
+      u.tau_2_3 + T(0.755) * Pddot1_1 - T(2.21) * Pddot1_3) + T(0.2122) * (t1_3 - t1_5) + T(0.2265) * U1_23 -
+      T(0.0854) * U1_12;
+  const T N1_3 = T(0.2265) * (t1_5 - t1_4) - (C2_13 * u.tau_2_1 - u.tau_1_3 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 +
+      T(2.21) * Pddot1_2 - T(0.92) * Pddot1_1 + T(0.5489999999999999) * U1_12) + T(0.0854) * U1_13 - T(0.2122) *
+      U1_23;
   // G2 = -U2 h_all_2: applied less inertia force, body axes [N]
   const T minus_G2_1 = U2_12 * T(1.1099999999999999) - minus_U2_11 * T(1.8599999999999999) + U2_13 * T(0.64);
   const T minus_G2_2 = U2_12 * T(1.8599999999999999) - minus_U2_22 * T(1.1099999999999999) + U2_23 * T(0.64);
@@ -2959,23 +2959,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U3_23 = omega3_3 * omega3_2;
   const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_16 = U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1) + Pddot2_1;
-  const T t3_17 = U2_12 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1) + Pddot2_2;
-  const T t3_18 = U2_13 * T(0.3) + U2_23 * T(0.15) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T t3_16 = Pddot2_1 + U2_12 * T(0.15) - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_17 = Pddot2_2 + U2_12 * T(0.3) - minus_U2_22 * T(0.15) + U2_23 * T(0.1);
+  const T t3_18 = Pddot2_3 + U2_13 * T(0.3) + U2_23 * T(0.15) - minus_U2_33 * T(0.1);
   const T Pddot3_1 = C3_11 * t3_16 + C3_12 * t3_17 + C3_13 * t3_18;
   const T Pddot3_2 = C3_21 * t3_16 + C3_22 * t3_17 + C3_23 * t3_18;
   const T Pddot3_3 = C3_31 * t3_16 + C3_32 * t3_17 + C3_33 * t3_18;
   // N2 = -C3^T M_torque_3_ - h_all_2~ Pddot2 - omega2~ J_all_2 omega2 + M_torque_2_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N2_1 = T(0.64) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 +
+  const T N2_1 = T(0.64) * Pddot2_2 - (C3_11 * u.tau_3_1 - u.tau_2_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 +
       T(1.1099999999999999) * Pddot2_3) - T(0.0695) * U2_23 + T(0.1038) * (t2_14 - t2_13) + T(0.1764) * U2_12 -
-      T(0.27899999999999997) * U2_13 + u.tau_2_1;
-  const T N2_2 = T(1.8599999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 +
-      T(0.64) * Pddot2_1) + T(0.44899999999999995) * U2_13 + T(0.1764) * (t2_13 - t2_15) + T(0.27899999999999997) *
-      U2_23 - T(0.1038) * U2_12 + u.tau_2_2;
-  const T N2_3 = T(1.1099999999999999) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 +
-      T(1.8599999999999999) * Pddot2_2) - T(0.37949999999999995) * U2_12 + T(0.27899999999999997) * (t2_15 - t2_14) +
-      T(0.1038) * U2_13 - T(0.1764) * U2_23 + u.tau_2_3;
+      T(0.27899999999999997) * U2_13;
+  const T N2_2 = T(1.8599999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 - u.tau_2_2 + C3_22 * u.tau_3_2 + C3_32 *
+      u.tau_3_3 + T(0.64) * Pddot2_1) + T(0.44899999999999995) * U2_13 + T(0.1764) * (t2_13 - t2_15) +
+      T(0.27899999999999997) * U2_23 - T(0.1038) * U2_12;
+  const T N2_3 = T(1.1099999999999999) * Pddot2_1 - (C3_13 * u.tau_3_1 - u.tau_2_3 + C3_23 * u.tau_3_2 + C3_33 *
+      u.tau_3_3 + T(1.8599999999999999) * Pddot2_2) - T(0.37949999999999995) * U2_12 + T(0.27899999999999997) * (t2_15
+      - t2_14) + T(0.1038) * U2_13 - T(0.1764) * U2_23;
   // G3 = -U3 h_all_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = U3_12 * T(1.1600000000000001) - minus_U3_11 * T(1.48) + U3_13 * T(0.515);
   const T minus_G3_2 = U3_12 * T(1.48) - minus_U3_22 * T(1.1600000000000001) + U3_23 * T(0.515);
@@ -3023,23 +3023,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U4_23 = omega4_3 * omega4_2;
   const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = C4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_16 = U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1) + Pddot3_1;
-  const T t4_17 = U3_12 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1) + Pddot3_2;
-  const T t4_18 = U3_13 * T(0.3) + U3_23 * T(0.2) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_16 = Pddot3_1 + U3_12 * T(0.2) - minus_U3_11 * T(0.3) + U3_13 * T(0.1);
+  const T t4_17 = Pddot3_2 + U3_12 * T(0.3) - minus_U3_22 * T(0.2) + U3_23 * T(0.1);
+  const T t4_18 = Pddot3_3 + U3_13 * T(0.3) + U3_23 * T(0.2) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = C4_11 * t4_16 + C4_12 * t4_17 + C4_13 * t4_18;
   const T Pddot4_2 = C4_21 * t4_16 + C4_22 * t4_17 + C4_23 * t4_18;
   const T Pddot4_3 = C4_31 * t4_16 + C4_32 * t4_17 + C4_33 * t4_18;
   // N3 = -C4^T M_torque_4_ - h_all_3~ Pddot3 - omega3~ J_all_3 omega3 + M_torque_3_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N3_1 = T(0.515) * Pddot3_2 - (C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 +
+  const T N3_1 = T(0.515) * Pddot3_2 - (C4_11 * u.tau_4_1 - u.tau_3_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 +
       T(1.1600000000000001) * Pddot3_3) - T(0.13175) * U3_23 + T(0.10820000000000002) * (t3_14 - t3_13) + T(0.1376) *
-      U3_12 - T(0.28950000000000004) * U3_13 + u.tau_3_1;
-  const T N3_2 = T(1.48) * Pddot3_3 - (C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.515) *
-      Pddot3_1) + T(0.34374999999999994) * U3_13 + T(0.1376) * (t3_13 - t3_15) + T(0.28950000000000004) * U3_23 -
-      T(0.10820000000000002) * U3_12 + u.tau_3_2;
-  const T N3_3 = T(1.1600000000000001) * Pddot3_1 - (C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 +
-      T(1.48) * Pddot3_2) - T(0.21199999999999994) * U3_12 + T(0.28950000000000004) * (t3_15 - t3_14) +
-      T(0.10820000000000002) * U3_13 - T(0.1376) * U3_23 + u.tau_3_3;
+      U3_12 - T(0.28950000000000004) * U3_13;
+  const T N3_2 = T(1.48) * Pddot3_3 - (C4_12 * u.tau_4_1 - u.tau_3_2 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 +
+      T(0.515) * Pddot3_1) + T(0.34374999999999994) * U3_13 + T(0.1376) * (t3_13 - t3_15) + T(0.28950000000000004) *
+      U3_23 - T(0.10820000000000002) * U3_12;
+  const T N3_3 = T(1.1600000000000001) * Pddot3_1 - (C4_13 * u.tau_4_1 - u.tau_3_3 + C4_23 * u.tau_4_2 + C4_33 *
+      u.tau_4_3 + T(1.48) * Pddot3_2) - T(0.21199999999999994) * U3_12 + T(0.28950000000000004) * (t3_15 - t3_14) +
+      T(0.10820000000000002) * U3_13 - T(0.1376) * U3_23;
   // G4 = -U4 h_all_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_12 * T(1.055) - minus_U4_11 * T(1.07) + U4_13 * T(0.38);
   const T minus_G4_2 = U4_12 * T(1.07) - minus_U4_22 * T(1.055) + U4_23 * T(0.38);
@@ -3087,23 +3087,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U5_23 = omega5_3 * omega5_2;
   const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = C5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_16 = U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1) + Pddot4_1;
-  const T t5_17 = U4_12 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1) + Pddot4_2;
-  const T t5_18 = U4_13 * T(0.3) + U4_23 * T(0.25) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T t5_16 = Pddot4_1 + U4_12 * T(0.25) - minus_U4_11 * T(0.3) + U4_13 * T(0.1);
+  const T t5_17 = Pddot4_2 + U4_12 * T(0.3) - minus_U4_22 * T(0.25) + U4_23 * T(0.1);
+  const T t5_18 = Pddot4_3 + U4_13 * T(0.3) + U4_23 * T(0.25) - minus_U4_33 * T(0.1);
   const T Pddot5_1 = C5_11 * t5_16 + C5_12 * t5_17 + C5_13 * t5_18;
   const T Pddot5_2 = C5_21 * t5_16 + C5_22 * t5_17 + C5_23 * t5_18;
   const T Pddot5_3 = C5_31 * t5_16 + C5_32 * t5_17 + C5_33 * t5_18;
   // N4 = -C5^T M_torque_5_ - h_all_4~ Pddot4 - omega4~ J_all_4 omega4 + M_torque_4_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N4_1 = T(0.38) * Pddot4_2 - (C5_11 * u.tau_5_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 + T(1.055) *
-      Pddot4_3) - T(0.15925) * U4_23 + T(0.0971) * (t4_14 - t4_13) + T(0.09580000000000001) * U4_12 - T(0.2535) *
-      U4_13 + u.tau_4_1;
-  const T N4_2 = T(1.07) * Pddot4_3 - (C5_12 * u.tau_5_1 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 + T(0.38) * Pddot4_1)
-      + T(0.23049999999999998) * U4_13 + T(0.09580000000000001) * (t4_13 - t4_15) + T(0.2535) * U4_23 - T(0.0971) *
-      U4_12 + u.tau_4_2;
-  const T N4_3 = T(1.055) * Pddot4_1 - (C5_13 * u.tau_5_1 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 + T(1.07) *
-      Pddot4_2) - T(0.07124999999999998) * U4_12 + T(0.2535) * (t4_15 - t4_14) + T(0.0971) * U4_13 -
-      T(0.09580000000000001) * U4_23 + u.tau_4_3;
+  const T N4_1 = T(0.38) * Pddot4_2 - (C5_11 * u.tau_5_1 - u.tau_4_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 +
+      T(1.055) * Pddot4_3) - T(0.15925) * U4_23 + T(0.0971) * (t4_14 - t4_13) + T(0.09580000000000001) * U4_12 -
+      T(0.2535) * U4_13;
+  const T N4_2 = T(1.07) * Pddot4_3 - (C5_12 * u.tau_5_1 - u.tau_4_2 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 + T(0.38)
+      * Pddot4_1) + T(0.23049999999999998) * U4_13 + T(0.09580000000000001) * (t4_13 - t4_15) + T(0.2535) * U4_23 -
+      T(0.0971) * U4_12;
+  const T N4_3 = T(1.055) * Pddot4_1 - (C5_13 * u.tau_5_1 - u.tau_4_3 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 +
+      T(1.07) * Pddot4_2) - T(0.07124999999999998) * U4_12 + T(0.2535) * (t4_15 - t4_14) + T(0.0971) * U4_13 -
+      T(0.09580000000000001) * U4_23;
   // G5 = -U5 h_all_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T minus_G5_2 = U5_12 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -3152,23 +3152,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t6_16 = U5_12 * T(0.3);
-  const T t6_17 = t6_16 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_18 = t6_16 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_19 = U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_17 = t6_16 + Pddot5_1 - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_18 = t6_16 + Pddot5_2 - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_19 = Pddot5_3 + U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_17 + C6_12 * t6_18 + C6_13 * t6_19;
   const T Pddot6_2 = C6_21 * t6_17 + C6_22 * t6_18 + C6_23 * t6_19;
   const T Pddot6_3 = C6_31 * t6_17 + C6_32 * t6_18 + C6_33 * t6_19;
   // N5 = -C6^T M_torque_6_ - h_all_5~ Pddot5 - omega5~ J_all_5 omega5 + M_torque_5_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 +
-      T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) * U5_12 -
-      T(0.1665) * U5_13 + u.tau_5_1;
-  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
+  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 - u.tau_5_1 + C6_21 * u.tau_6_2 + C6_31 *
+      u.tau_6_3 + T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) *
+      U5_12 - T(0.1665) * U5_13;
+  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 - u.tau_5_2 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
       T(0.23500000000000001) * Pddot5_1) + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665)
-      * U5_23 - T(0.069) * U5_12 + u.tau_5_2;
-  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2)
-      + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 - T(0.051000000000000004) *
-      U5_23 + u.tau_5_3;
+      * U5_23 - T(0.069) * U5_12;
+  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 - u.tau_5_3 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63)
+      * Pddot5_2) + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 -
+      T(0.051000000000000004) * U5_23;
   // G6 = -U6 h_all_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -3178,15 +3178,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.08000000000000002);
   // N6 = -h_all_6~ Pddot6 - omega6~ J_all_6 omega6 + M_torque_6_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 + T(0.003999999999999991) *
-      U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 - T(0.024000000000000004) *
-      U6_13 + u.tau_6_1;
-  const T N6_2 = T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 - T(0.019999999999999997) *
-      U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 - T(0.022400000000000003) *
-      U6_12 + u.tau_6_2;
-  const T N6_3 = T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 + T(0.016000000000000007) *
-      U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 - T(0.003200000000000002) *
-      U6_23 + u.tau_6_3;
+  const T N6_1 = u.tau_6_1 + T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 +
+      T(0.003999999999999991) * U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 -
+      T(0.024000000000000004) * U6_13;
+  const T N6_2 = u.tau_6_2 + T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 -
+      T(0.019999999999999997) * U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 -
+      T(0.022400000000000003) * U6_12;
+  const T N6_3 = u.tau_6_3 + T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 +
+      T(0.016000000000000007) * U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 -
+      T(0.003200000000000002) * U6_23;
   f[15] = N6_1;
   f[16] = N6_2;
   f[17] = N6_3;
@@ -3201,9 +3201,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S5_3 = b5_3 + minus_G5_3;
   // f_omega5 = q6~ C6^T G6 + N5: Kane's equation of omega [N m]
   const T b5_4 = T(0.3) * b5_3;
-  const T f_omega5_1 = T(0.1) * b5_2 - b5_4 + N5_1;
-  const T f_omega5_2 = b5_4 - T(0.1) * b5_1 + N5_2;
-  const T f_omega5_3 = T(0.3) * b5_1 - T(0.3) * b5_2 + N5_3;
+  const T f_omega5_1 = N5_1 - b5_4 + T(0.1) * b5_2;
+  const T f_omega5_2 = b5_4 + N5_2 - T(0.1) * b5_1;
+  const T f_omega5_3 = N5_3 + T(0.3) * b5_1 - T(0.3) * b5_2;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
@@ -3217,9 +3217,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b4_3 = C5_13 * minus_S5_1 + C5_23 * minus_S5_2 + C5_33 * minus_S5_3;
   const T minus_S4_3 = b4_3 + minus_G4_3;
   // f_omega4 = q5~ C5^T S5 + N4: Kane's equation of omega [N m]
-  const T f_omega4_1 = T(0.1) * b4_2 - T(0.25) * b4_3 + N4_1;
-  const T f_omega4_2 = T(0.3) * b4_3 - T(0.1) * b4_1 + N4_2;
-  const T f_omega4_3 = T(0.25) * b4_1 - T(0.3) * b4_2 + N4_3;
+  const T f_omega4_1 = N4_1 + T(0.1) * b4_2 - T(0.25) * b4_3;
+  const T f_omega4_2 = N4_2 + T(0.3) * b4_3 - T(0.1) * b4_1;
+  const T f_omega4_3 = N4_3 + T(0.25) * b4_1 - T(0.3) * b4_2;
   f[9] = f_omega4_1;
   f[10] = f_omega4_2;
   f[11] = f_omega4_3;
@@ -3233,9 +3233,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b3_3 = C4_13 * minus_S4_1 + C4_23 * minus_S4_2 + C4_33 * minus_S4_3;
   const T minus_S3_3 = b3_3 + minus_G3_3;
   // f_omega3 = q4~ C4^T S4 + N3: Kane's equation of omega [N m]
-  const T f_omega3_1 = T(0.1) * b3_2 - T(0.2) * b3_3 + N3_1;
-  const T f_omega3_2 = T(0.3) * b3_3 - T(0.1) * b3_1 + N3_2;
-  const T f_omega3_3 = T(0.2) * b3_1 - T(0.3) * b3_2 + N3_3;
+  const T f_omega3_1 = N3_1 + T(0.1) * b3_2 - T(0.2) * b3_3;
+  const T f_omega3_2 = N3_2 + T(0.3) * b3_3 - T(0.1) * b3_1;
+  const T f_omega3_3 = N3_3 + T(0.2) * b3_1 - T(0.3) * b3_2;
   f[6] = f_omega3_1;
   f[7] = f_omega3_2;
   f[8] = f_omega3_3;
@@ -3249,9 +3249,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b2_3 = C3_13 * minus_S3_1 + C3_23 * minus_S3_2 + C3_33 * minus_S3_3;
   const T minus_S2_3 = b2_3 + minus_G2_3;
   // f_omega2 = q3~ C3^T S3 + N2: Kane's equation of omega [N m]
-  const T f_omega2_1 = T(0.1) * b2_2 - T(0.15) * b2_3 + N2_1;
-  const T f_omega2_2 = T(0.3) * b2_3 - T(0.1) * b2_1 + N2_2;
-  const T f_omega2_3 = T(0.15) * b2_1 - T(0.3) * b2_2 + N2_3;
+  const T f_omega2_1 = N2_1 + T(0.1) * b2_2 - T(0.15) * b2_3;
+  const T f_omega2_2 = N2_2 + T(0.3) * b2_3 - T(0.1) * b2_1;
+  const T f_omega2_3 = N2_3 + T(0.15) * b2_1 - T(0.3) * b2_2;
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
@@ -3260,10 +3260,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega1 = q2~ C2^T S2 + N1: Kane's equation of omega [N m]
   const T b1_1 = C2_12 * minus_S2_1 + C2_22 * minus_S2_2 + C2_32 * minus_S2_3;
   const T b1_2 = C2_13 * minus_S2_1 + C2_23 * minus_S2_2 + C2_33 * minus_S2_3;
-  const T f_omega1_1 = T(0.1) * b1_1 - T(0.1) * b1_2 + N1_1;
+  const T f_omega1_1 = N1_1 + T(0.1) * b1_1 - T(0.1) * b1_2;
   const T b1_3 = T(0.1) * (C2_11 * minus_S2_1 + C2_21 * minus_S2_2 + C2_31 * minus_S2_3);
-  const T f_omega1_2 = T(0.3) * b1_2 - b1_3 + N1_2;
-  const T f_omega1_3 = b1_3 - T(0.3) * b1_1 + N1_3;
+  const T f_omega1_2 = N1_2 - b1_3 + T(0.3) * b1_2;
+  const T f_omega1_3 = b1_3 + N1_3 - T(0.3) * b1_1;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;

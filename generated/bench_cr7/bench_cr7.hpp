@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 3a0c4df52f7e8276 of bench_cr7/scene.toml; the usual functions
+// model 80973856f4613e10 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -19,7 +19,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
@@ -36,6 +37,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::bench_cr7 {
 
@@ -44,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "3a0c4df52f7e8276";
+inline constexpr char model_hash[] = "80973856f4613e10";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -117,13 +199,14 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T*
 // 126 add, 134 multiply, 14 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   pose[0] = E1_11;
   pose[8] = E1_11;
   pose[20] = E1_11;
@@ -141,10 +224,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[11] = p1_3;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   pose[16] = E2_11;
   pose[13] = E2_12;
   pose[25] = E2_12;
@@ -160,24 +242,23 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[15] = -minus_R2_21;
   pose[17] = R2_23;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
-  const T P2_1 = E1_11 * T(0.3) + t1_4;
+  const T P2_1 = t1_4 + E1_11 * T(0.3);
   const T P2_3 = t1_1 - minus_E1_13 * T(0.3);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_1 = R2_11 * T(0.1);
-  const T p2_1 = t2_1 - minus_R2_21 * T(0.2) + t1_2 + P2_1;
+  const T p2_1 = t2_1 + t1_2 + P2_1 - minus_R2_21 * T(0.2);
   const T t2_2 = E2_12 * T(0.1);
-  const T p2_2 = t2_2 + E2_11 * T(0.2) + T(0.1);
+  const T p2_2 = t2_2 + T(0.1) + E2_11 * T(0.2);
   const T t2_3 = minus_R2_13 * T(0.1);
-  const T p2_3 = R2_23 * T(0.2) - t2_3 + t1_3 + P2_3;
+  const T p2_3 = t1_3 - t2_3 + P2_3 + R2_23 * T(0.2);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
   const T R3_22 = E2_11 * E3_22;
@@ -196,11 +277,11 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[32] = R3_33;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = R2_11 * T(0.3);
-  const T P3_1 = t3_1 - minus_R2_21 * T(0.15) + t1_4 + P2_1;
+  const T P3_1 = t3_1 + t1_4 + P2_1 - minus_R2_21 * T(0.15);
   const T t3_2 = E2_12 * T(0.3);
-  const T P3_2 = t3_2 + E2_11 * T(0.15) + T(0.1);
+  const T P3_2 = t3_2 + T(0.1) + E2_11 * T(0.15);
   const T t3_3 = minus_R2_13 * T(0.3);
-  const T P3_3 = R2_23 * T(0.15) - t3_3 + t1_1 + P2_3;
+  const T P3_3 = t1_1 - t3_3 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
   const T t3_4 = R3_21 * T(0.2);
   const T t3_5 = t3_4 + P3_1;
@@ -216,10 +297,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[35] = p3_3;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
@@ -242,20 +322,19 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P4_3 = t3_9 - t3_3 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
   const T t4_1 = R4_31 * T(0.05);
-  const T p4_1 = R4_11 * T(0.1) + t3_4 + t4_1 + P4_1;
+  const T p4_1 = t3_4 + t4_1 + P4_1 + R4_11 * T(0.1);
   const T t4_2 = R4_32 * T(0.05);
-  const T p4_2 = R4_12 * T(0.1) + t3_6 + t4_2 + P4_2;
+  const T p4_2 = t3_6 + t4_2 + P4_2 + R4_12 * T(0.1);
   const T t4_3 = R4_33 * T(0.05);
-  const T p4_3 = t3_8 - minus_R4_13 * T(0.1) + t4_3 + P4_3;
+  const T p4_3 = t3_8 + t4_3 + P4_3 - minus_R4_13 * T(0.1);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -274,27 +353,26 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[53] = R5_23;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
   const T t5_1 = R4_31 * T(0.1);
-  const T P5_1 = R4_11 * T(0.3) + R3_21 * T(0.25) + t5_1 + P4_1;
+  const T P5_1 = t5_1 + P4_1 + R4_11 * T(0.3) + R3_21 * T(0.25);
   const T t5_2 = R4_32 * T(0.1);
-  const T P5_2 = R4_12 * T(0.3) + R3_22 * T(0.25) + t5_2 + P4_2;
+  const T P5_2 = t5_2 + P4_2 + R4_12 * T(0.3) + R3_22 * T(0.25);
   const T t5_3 = R4_33 * T(0.1);
-  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_3 + P4_3;
+  const T P5_3 = t5_3 + P4_3 + R3_23 * T(0.25) - minus_R4_13 * T(0.3);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_4 = R5_11 * T(0.1);
-  const T p5_1 = t5_4 + R5_21 * T(0.2) + t4_1 + P5_1;
+  const T p5_1 = t5_4 + t4_1 + P5_1 + R5_21 * T(0.2);
   const T t5_5 = R5_12 * T(0.1);
-  const T p5_2 = t5_5 + R5_22 * T(0.2) + t4_2 + P5_2;
+  const T p5_2 = t5_5 + t4_2 + P5_2 + R5_22 * T(0.2);
   const T t5_6 = R5_13 * T(0.1);
-  const T p5_3 = t5_6 + R5_23 * T(0.2) + t4_3 + P5_3;
+  const T p5_3 = t5_6 + t4_3 + P5_3 + R5_23 * T(0.2);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
@@ -313,27 +391,26 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[68] = R6_33;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
   const T t6_1 = R5_11 * T(0.3);
-  const T P6_1 = t6_1 + R5_21 * T(0.3) + t5_1 + P5_1;
+  const T P6_1 = t6_1 + t5_1 + P5_1 + R5_21 * T(0.3);
   const T t6_2 = R5_12 * T(0.3);
-  const T P6_2 = t6_2 + R5_22 * T(0.3) + t5_2 + P5_2;
+  const T P6_2 = t6_2 + t5_2 + P5_2 + R5_22 * T(0.3);
   const T t6_3 = R5_13 * T(0.3);
-  const T P6_3 = t6_3 + R5_23 * T(0.3) + t5_3 + P5_3;
+  const T P6_3 = t6_3 + t5_3 + P5_3 + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
   const T t6_4 = R6_21 * T(0.2);
-  const T p6_1 = t5_4 + t6_4 + R6_31 * T(0.05) + P6_1;
+  const T p6_1 = t5_4 + t6_4 + P6_1 + R6_31 * T(0.05);
   const T t6_5 = R6_22 * T(0.2);
-  const T p6_2 = t5_5 + t6_5 + R6_32 * T(0.05) + P6_2;
+  const T p6_2 = t5_5 + t6_5 + P6_2 + R6_32 * T(0.05);
   const T t6_6 = R6_23 * T(0.2);
-  const T p6_3 = t5_6 + t6_6 + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = t5_6 + t6_6 + P6_3 + R6_33 * T(0.05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
@@ -348,13 +425,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[79] = R7_32;
   pose[80] = R7_33;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = t6_1 + R6_21 * T(0.35) + R6_31 * T(0.1) + P6_1;
-  const T P7_2 = t6_2 + R6_22 * T(0.35) + R6_32 * T(0.1) + P6_2;
-  const T P7_3 = t6_3 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  const T P7_1 = t6_1 + P6_1 + R6_21 * T(0.35) + R6_31 * T(0.1);
+  const T P7_2 = t6_2 + P6_2 + R6_22 * T(0.35) + R6_32 * T(0.1);
+  const T P7_3 = t6_3 + P6_3 + R6_23 * T(0.35) + R6_33 * T(0.1);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = R7_11 * T(0.1) + t6_4 + R7_31 * T(0.05) + P7_1;
-  const T p7_2 = R7_12 * T(0.1) + t6_5 + R7_32 * T(0.05) + P7_2;
-  const T p7_3 = R7_13 * T(0.1) + t6_6 + R7_33 * T(0.05) + P7_3;
+  const T p7_1 = t6_4 + P7_1 + R7_11 * T(0.1) + R7_31 * T(0.05);
+  const T p7_2 = t6_5 + P7_2 + R7_12 * T(0.1) + R7_32 * T(0.05);
+  const T p7_3 = t6_6 + P7_3 + R7_13 * T(0.1) + R7_33 * T(0.05);
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
@@ -374,14 +451,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 289 add, 390 multiply, 14 sine or cosine
 template <class T>
 void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // p1 = E1^T r1: position of the mass centre, inertial axes [m]
   const T t1_1 = E1_11 * T(0.05);
   const T p1_3 = t1_1 - minus_E1_13 * T(0.1);
@@ -391,16 +469,15 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t1_4 = minus_E1_13 * t1_3;
   const T v1_1 = E1_11 * t1_2 - t1_4;
   const T t1_5 = E1_11 * t1_3;
-  const T minus_v1_3 = minus_E1_13 * t1_2 + t1_5;
+  const T minus_v1_3 = t1_5 + minus_E1_13 * t1_2;
   // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
   const T T1 = T(0.132) * thetadot1 * thetadot1 * T(0.5) + T(0.55) * (v1_1 * v1_1 + minus_v1_3 * minus_v1_3);
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T minus_R2_13 = minus_E1_13 * E2_11;
@@ -414,7 +491,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T P2_3 = t2_1 - minus_E1_13 * T(0.3);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_2 = minus_R2_13 * T(0.1);
-  const T p2_3 = R2_23 * T(0.2) - t2_2 + t1_1 + P2_3;
+  const T p2_3 = t1_1 - t2_2 + P2_3 + R2_23 * T(0.2);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_3 = thetadot1 * T(0.3);
   const T Pdot2_1 = t1_5 - minus_E1_13 * t2_3;
@@ -424,20 +501,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_5 = thetadot2 * T(0.1) - omega2_1 * T(0.05);
   const T t2_6 = omega2_2 * T(0.1);
   const T t2_7 = omega2_1 * T(0.2) - t2_6;
-  const T v2_1 = R2_11 * t2_4 - minus_R2_21 * t2_5 + minus_E1_13 * t2_7 + Pdot2_1;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_4 - minus_R2_21 * t2_5 + minus_E1_13 * t2_7;
   const T v2_2 = E2_12 * t2_4 + E2_11 * t2_5;
-  const T v2_3 = R2_23 * t2_5 - minus_R2_13 * t2_4 + E1_11 * t2_7 - minus_Pdot2_3;
+  const T v2_3 = R2_23 * t2_5 - minus_Pdot2_3 - minus_R2_13 * t2_4 + E1_11 * t2_7;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * thetadot2) + omega2_2 *
       (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * thetadot2) + thetadot2 * (T(0.0036) * omega2_1 -
       T(0.0048) * omega2_2 + T(0.096) * thetadot2)) + T(0.6) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
   const T R3_22 = E2_11 * E3_22;
@@ -451,7 +527,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = minus_R2_13 * T(0.3);
-  const T P3_3 = R2_23 * T(0.15) - t3_1 + t2_1 + P2_3;
+  const T P3_3 = t2_1 - t3_1 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
   const T t3_2 = R3_23 * T(0.2);
   const T t3_3 = t3_2 + P3_3;
@@ -460,9 +536,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_4 = t2_6 - thetadot2 * T(0.15);
   const T t3_5 = thetadot2 * T(0.3) - omega2_1 * T(0.1);
   const T t3_6 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
-  const T Pdot3_1 = R2_11 * t3_4 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6 + Pdot2_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_4 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6;
   const T Pdot3_2 = E2_12 * t3_4 + E2_11 * t3_5;
-  const T Pdot3_3 = R2_23 * t3_5 - minus_R2_13 * t3_4 + E1_11 * t3_6 - minus_Pdot2_3;
+  const T Pdot3_3 = R2_23 * t3_5 - minus_Pdot2_3 - minus_R2_13 * t3_4 + E1_11 * t3_6;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_7 = omega3_3 * T(0.2);
   const T t3_8 = omega3_2 * T(0.05) - t3_7;
@@ -470,20 +546,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_10 = omega3_1 * T(0.2);
   const T t3_11 = omega3_2 * T(0.1);
   const T t3_12 = t3_10 - t3_11;
-  const T v3_1 = R2_11 * t3_8 + R3_21 * t3_9 + R3_31 * t3_12 + Pdot3_1;
-  const T v3_2 = E2_12 * t3_8 + R3_22 * t3_9 - minus_R3_32 * t3_12 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_9 - minus_R2_13 * t3_8 + R3_33 * t3_12 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_11 * t3_8 + R3_21 * t3_9 + R3_31 * t3_12;
+  const T v3_2 = Pdot3_2 + E2_12 * t3_8 + R3_22 * t3_9 - minus_R3_32 * t3_12;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_9 - minus_R2_13 * t3_8 + R3_33 * t3_12;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
       (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
       T(0.0052) * omega3_2 + T(0.104) * omega3_3)) + T(0.65) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
@@ -499,33 +574,32 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T P4_3 = t3_3 - t3_1 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
   const T t4_1 = R4_33 * T(0.05);
-  const T p4_3 = t3_2 - minus_R4_13 * T(0.1) + t4_1 + P4_3;
+  const T p4_3 = t3_2 + t4_1 + P4_3 - minus_R4_13 * T(0.1);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_2 = t3_11 - t3_7;
   const T t4_3 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
   const T t4_4 = t3_10 - omega3_2 * T(0.3);
-  const T Pdot4_1 = R2_11 * t4_2 + R3_21 * t4_3 + R3_31 * t4_4 + Pdot3_1;
-  const T Pdot4_2 = E2_12 * t4_2 + R3_22 * t4_3 - minus_R3_32 * t4_4 + Pdot3_2;
-  const T Pdot4_3 = R3_23 * t4_3 - minus_R2_13 * t4_2 + R3_33 * t4_4 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R2_11 * t4_2 + R3_21 * t4_3 + R3_31 * t4_4;
+  const T Pdot4_2 = Pdot3_2 + E2_12 * t4_2 + R3_22 * t4_3 - minus_R3_32 * t4_4;
+  const T Pdot4_3 = Pdot3_3 + R3_23 * t4_3 - minus_R2_13 * t4_2 + R3_33 * t4_4;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_5 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_6 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_7 = omega4_2 * T(0.1);
   const T t4_8 = omega4_1 * T(0.2) - t4_7;
-  const T v4_1 = R4_11 * t4_5 + R3_21 * t4_6 + R4_31 * t4_8 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_5 + R3_22 * t4_6 + R4_32 * t4_8 + Pdot4_2;
-  const T v4_3 = R3_23 * t4_6 - minus_R4_13 * t4_5 + R4_33 * t4_8 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_5 + R3_21 * t4_6 + R4_31 * t4_8;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_5 + R3_22 * t4_6 + R4_32 * t4_8;
+  const T v4_3 = Pdot4_3 + R3_23 * t4_6 - minus_R4_13 * t4_5 + R4_33 * t4_8;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
       (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
       T(0.0056) * omega4_2 + T(0.112) * omega4_3)) + T(0.7) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -539,36 +613,35 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega5_3 = thetadot5 + omega4_3;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
   const T t5_1 = R4_33 * T(0.1);
-  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_1 + P4_3;
+  const T P5_3 = t5_1 + P4_3 + R3_23 * T(0.25) - minus_R4_13 * T(0.3);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_2 = R5_13 * T(0.1);
-  const T p5_3 = t5_2 + R5_23 * T(0.2) + t4_1 + P5_3;
+  const T p5_3 = t5_2 + t4_1 + P5_3 + R5_23 * T(0.2);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_3 = t4_7 - omega4_3 * T(0.25);
   const T t5_4 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
   const T t5_5 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
-  const T Pdot5_1 = R4_11 * t5_3 + R3_21 * t5_4 + R4_31 * t5_5 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_3 + R3_22 * t5_4 + R4_32 * t5_5 + Pdot4_2;
-  const T Pdot5_3 = R3_23 * t5_4 - minus_R4_13 * t5_3 + R4_33 * t5_5 + Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_3 + R3_21 * t5_4 + R4_31 * t5_5;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_3 + R3_22 * t5_4 + R4_32 * t5_5;
+  const T Pdot5_3 = Pdot4_3 + R3_23 * t5_4 - minus_R4_13 * t5_3 + R4_33 * t5_5;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_6 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_7 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_8 = omega5_2 * T(0.1);
   const T t5_9 = omega5_1 * T(0.2) - t5_8;
-  const T v5_1 = R5_11 * t5_6 + R5_21 * t5_7 + R4_31 * t5_9 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_6 + R5_22 * t5_7 + R4_32 * t5_9 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_6 + R5_23 * t5_7 + R4_33 * t5_9 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_6 + R5_21 * t5_7 + R4_31 * t5_9;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_6 + R5_22 * t5_7 + R4_32 * t5_9;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_6 + R5_23 * t5_7 + R4_33 * t5_9;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
       (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
       * omega5_2 + T(0.12) * omega5_3)) + T(0.75) * (v5_1 * v5_1 + v5_2 * v5_2 + v5_3 * v5_3);
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
@@ -582,37 +655,36 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
   const T t6_1 = R5_13 * T(0.3);
-  const T P6_3 = t6_1 + R5_23 * T(0.3) + t5_1 + P5_3;
+  const T P6_3 = t6_1 + t5_1 + P5_3 + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
   const T t6_2 = R6_23 * T(0.2);
-  const T p6_3 = t5_2 + t6_2 + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = t5_2 + t6_2 + P6_3 + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_3 = omega5_3 * T(0.3);
   const T t6_4 = t5_8 - t6_3;
   const T t6_5 = t6_3 - omega5_1 * T(0.1);
   const T t6_6 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_4 + R5_21 * t6_5 + R4_31 * t6_6 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_4 + R5_22 * t6_5 + R4_32 * t6_6 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_4 + R5_23 * t6_5 + R4_33 * t6_6 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_4 + R5_21 * t6_5 + R4_31 * t6_6;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_4 + R5_22 * t6_5 + R4_32 * t6_6;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_4 + R5_23 * t6_5 + R4_33 * t6_6;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_7 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_8 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_9 = omega6_2 * T(0.1);
   const T t6_10 = omega6_1 * T(0.2) - t6_9;
-  const T v6_1 = R5_11 * t6_7 + R6_21 * t6_8 + R6_31 * t6_10 + Pdot6_1;
-  const T v6_2 = R5_12 * t6_7 + R6_22 * t6_8 + R6_32 * t6_10 + Pdot6_2;
-  const T v6_3 = R5_13 * t6_7 + R6_23 * t6_8 + R6_33 * t6_10 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R5_11 * t6_7 + R6_21 * t6_8 + R6_31 * t6_10;
+  const T v6_2 = Pdot6_2 + R5_12 * t6_7 + R6_22 * t6_8 + R6_32 * t6_10;
+  const T v6_3 = Pdot6_3 + R5_13 * t6_7 + R6_23 * t6_8 + R6_33 * t6_10;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
       (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
       T(0.0064) * omega6_2 + T(0.128) * omega6_3)) + T(0.8) * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
@@ -625,23 +697,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_3 = t6_1 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  const T P7_3 = t6_1 + P6_3 + R6_23 * T(0.35) + R6_33 * T(0.1);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = R7_13 * T(0.1) + t6_2 + R7_33 * T(0.05) + P7_3;
+  const T p7_3 = t6_2 + P7_3 + R7_13 * T(0.1) + R7_33 * T(0.05);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = t6_9 - omega6_3 * T(0.35);
   const T t7_2 = omega6_3 * T(0.3) - omega6_1 * T(0.1);
   const T t7_3 = omega6_1 * T(0.35) - omega6_2 * T(0.3);
-  const T Pdot7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + Pdot6_1;
-  const T Pdot7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + Pdot6_2;
-  const T Pdot7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3;
+  const T Pdot7_2 = Pdot6_2 + R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3;
+  const T Pdot7_3 = Pdot6_3 + R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_4 = omega7_2 * T(0.05) - omega7_3 * T(0.2);
   const T t7_5 = omega7_3 * T(0.1) - omega7_1 * T(0.05);
   const T t7_6 = omega7_1 * T(0.2) - omega7_2 * T(0.1);
-  const T v7_1 = R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6;
   // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
   const T T7 = T(0.5) * (omega7_1 * (T(0.17) * omega7_1 + T(0.0085) * omega7_2 + T(0.0051) * omega7_3) + omega7_2 *
       (T(0.0085) * omega7_1 + T(0.204) * omega7_2 - T(0.0068) * omega7_3) + omega7_3 * (T(0.0051) * omega7_1 -
@@ -664,14 +736,15 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 // 421 add, 494 multiply, 14 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // p1 = E1^T r1: position of the mass centre, inertial axes [m]
   const T t1_1 = E1_11 * T(0.1);
   const T t1_2 = minus_E1_13 * T(0.05);
@@ -685,7 +758,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t1_7 = minus_E1_13 * t1_6;
   const T v1_1 = E1_11 * t1_5 - t1_7;
   const T t1_8 = E1_11 * t1_6;
-  const T minus_v1_3 = minus_E1_13 * t1_5 + t1_8;
+  const T minus_v1_3 = t1_8 + minus_E1_13 * t1_5;
   // l1 = m1 v1: linear momentum, inertial axes [kg m/s]
   const T l1_1 = T(1.1) * v1_1;
   const T minus_l1_3 = T(1.1) * minus_v1_3;
@@ -697,11 +770,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T minus_H1_3 = minus_E1_13 * t1_9 + E1_11 * t1_10 + T(0.2) * l1_1;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T minus_R2_13 = minus_E1_13 * E2_11;
@@ -711,15 +783,15 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega2_1 = E2_12 * thetadot1;
   const T omega2_2 = E2_11 * thetadot1;
   // P2 = E1^T q2: position of the body origin, inertial axes [m]
-  const T P2_1 = E1_11 * T(0.3) + t1_4;
+  const T P2_1 = t1_4 + E1_11 * T(0.3);
   const T P2_3 = t1_1 - minus_E1_13 * T(0.3);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_1 = R2_11 * T(0.1);
-  const T p2_1 = t2_1 - minus_R2_21 * T(0.2) + t1_2 + P2_1;
+  const T p2_1 = t2_1 + t1_2 + P2_1 - minus_R2_21 * T(0.2);
   const T t2_2 = E2_12 * T(0.1);
-  const T p2_2 = t2_2 + E2_11 * T(0.2) + T(0.1);
+  const T p2_2 = t2_2 + T(0.1) + E2_11 * T(0.2);
   const T t2_3 = minus_R2_13 * T(0.1);
-  const T p2_3 = R2_23 * T(0.2) - t2_3 + t1_3 + P2_3;
+  const T p2_3 = t1_3 - t2_3 + P2_3 + R2_23 * T(0.2);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_4 = thetadot1 * T(0.3);
   const T Pdot2_1 = t1_8 - minus_E1_13 * t2_4;
@@ -729,9 +801,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_6 = thetadot2 * T(0.1) - omega2_1 * T(0.05);
   const T t2_7 = omega2_2 * T(0.1);
   const T t2_8 = omega2_1 * T(0.2) - t2_7;
-  const T v2_1 = R2_11 * t2_5 - minus_R2_21 * t2_6 + minus_E1_13 * t2_8 + Pdot2_1;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_5 - minus_R2_21 * t2_6 + minus_E1_13 * t2_8;
   const T v2_2 = E2_12 * t2_5 + E2_11 * t2_6;
-  const T v2_3 = R2_23 * t2_6 - minus_R2_13 * t2_5 + E1_11 * t2_8 - minus_Pdot2_3;
+  const T v2_3 = R2_23 * t2_6 - minus_Pdot2_3 - minus_R2_13 * t2_5 + E1_11 * t2_8;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(1.2) * v2_1;
   const T l2_2 = T(1.2) * v2_2;
@@ -745,11 +817,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H2_3 = R2_23 * t2_10 - minus_R2_13 * t2_9 + E1_11 * t2_11 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
   const T R3_22 = E2_11 * E3_22;
@@ -763,11 +834,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega3_3 = E3_22 * thetadot2 - E3_23 * omega2_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = R2_11 * T(0.3);
-  const T P3_1 = t3_1 - minus_R2_21 * T(0.15) + t1_4 + P2_1;
+  const T P3_1 = t3_1 + t1_4 + P2_1 - minus_R2_21 * T(0.15);
   const T t3_2 = E2_12 * T(0.3);
-  const T P3_2 = t3_2 + E2_11 * T(0.15) + T(0.1);
+  const T P3_2 = t3_2 + T(0.1) + E2_11 * T(0.15);
   const T t3_3 = minus_R2_13 * T(0.3);
-  const T P3_3 = R2_23 * T(0.15) - t3_3 + t1_1 + P2_3;
+  const T P3_3 = t1_1 - t3_3 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
   const T t3_4 = R3_21 * T(0.2);
   const T t3_5 = t3_4 + P3_1;
@@ -782,9 +853,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_10 = t2_7 - thetadot2 * T(0.15);
   const T t3_11 = thetadot2 * T(0.3) - omega2_1 * T(0.1);
   const T t3_12 = omega2_1 * T(0.15) - omega2_2 * T(0.3);
-  const T Pdot3_1 = R2_11 * t3_10 - minus_R2_21 * t3_11 + minus_E1_13 * t3_12 + Pdot2_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_10 - minus_R2_21 * t3_11 + minus_E1_13 * t3_12;
   const T Pdot3_2 = E2_12 * t3_10 + E2_11 * t3_11;
-  const T Pdot3_3 = R2_23 * t3_11 - minus_R2_13 * t3_10 + E1_11 * t3_12 - minus_Pdot2_3;
+  const T Pdot3_3 = R2_23 * t3_11 - minus_Pdot2_3 - minus_R2_13 * t3_10 + E1_11 * t3_12;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_13 = omega3_3 * T(0.2);
   const T t3_14 = omega3_2 * T(0.05) - t3_13;
@@ -792,9 +863,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_16 = omega3_1 * T(0.2);
   const T t3_17 = omega3_2 * T(0.1);
   const T t3_18 = t3_16 - t3_17;
-  const T v3_1 = R2_11 * t3_14 + R3_21 * t3_15 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = E2_12 * t3_14 + R3_22 * t3_15 - minus_R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_15 - minus_R2_13 * t3_14 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_11 * t3_14 + R3_21 * t3_15 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + E2_12 * t3_14 + R3_22 * t3_15 - minus_R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_15 - minus_R2_13 * t3_14 + R3_33 * t3_18;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.3) * v3_1;
   const T l3_2 = T(1.3) * v3_2;
@@ -808,11 +879,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H3_3 = R3_23 * t3_20 - minus_R2_13 * t3_19 + R3_33 * t3_21 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
@@ -830,26 +900,26 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P4_3 = t3_9 - t3_3 + R3_33 * T(0.1);
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
   const T t4_1 = R4_31 * T(0.05);
-  const T p4_1 = R4_11 * T(0.1) + t3_4 + t4_1 + P4_1;
+  const T p4_1 = t3_4 + t4_1 + P4_1 + R4_11 * T(0.1);
   const T t4_2 = R4_32 * T(0.05);
-  const T p4_2 = R4_12 * T(0.1) + t3_6 + t4_2 + P4_2;
+  const T p4_2 = t3_6 + t4_2 + P4_2 + R4_12 * T(0.1);
   const T t4_3 = R4_33 * T(0.05);
-  const T p4_3 = t3_8 - minus_R4_13 * T(0.1) + t4_3 + P4_3;
+  const T p4_3 = t3_8 + t4_3 + P4_3 - minus_R4_13 * T(0.1);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_4 = t3_17 - t3_13;
   const T t4_5 = omega3_3 * T(0.3) - omega3_1 * T(0.1);
   const T t4_6 = t3_16 - omega3_2 * T(0.3);
-  const T Pdot4_1 = R2_11 * t4_4 + R3_21 * t4_5 + R3_31 * t4_6 + Pdot3_1;
-  const T Pdot4_2 = E2_12 * t4_4 + R3_22 * t4_5 - minus_R3_32 * t4_6 + Pdot3_2;
-  const T Pdot4_3 = R3_23 * t4_5 - minus_R2_13 * t4_4 + R3_33 * t4_6 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R2_11 * t4_4 + R3_21 * t4_5 + R3_31 * t4_6;
+  const T Pdot4_2 = Pdot3_2 + E2_12 * t4_4 + R3_22 * t4_5 - minus_R3_32 * t4_6;
+  const T Pdot4_3 = Pdot3_3 + R3_23 * t4_5 - minus_R2_13 * t4_4 + R3_33 * t4_6;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_7 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_8 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_9 = omega4_2 * T(0.1);
   const T t4_10 = omega4_1 * T(0.2) - t4_9;
-  const T v4_1 = R4_11 * t4_7 + R3_21 * t4_8 + R4_31 * t4_10 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_7 + R3_22 * t4_8 + R4_32 * t4_10 + Pdot4_2;
-  const T v4_3 = R3_23 * t4_8 - minus_R4_13 * t4_7 + R4_33 * t4_10 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_7 + R3_21 * t4_8 + R4_31 * t4_10;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_7 + R3_22 * t4_8 + R4_32 * t4_10;
+  const T v4_3 = Pdot4_3 + R3_23 * t4_8 - minus_R4_13 * t4_7 + R4_33 * t4_10;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.4) * v4_1;
   const T l4_2 = T(1.4) * v4_2;
@@ -863,11 +933,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H4_3 = R3_23 * t4_12 - minus_R4_13 * t4_11 + R4_33 * t4_13 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -881,33 +950,33 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega5_3 = thetadot5 + omega4_3;
   // P5 = R4^T q5 + P4: position of the body origin, inertial axes [m]
   const T t5_1 = R4_31 * T(0.1);
-  const T P5_1 = R4_11 * T(0.3) + R3_21 * T(0.25) + t5_1 + P4_1;
+  const T P5_1 = t5_1 + P4_1 + R4_11 * T(0.3) + R3_21 * T(0.25);
   const T t5_2 = R4_32 * T(0.1);
-  const T P5_2 = R4_12 * T(0.3) + R3_22 * T(0.25) + t5_2 + P4_2;
+  const T P5_2 = t5_2 + P4_2 + R4_12 * T(0.3) + R3_22 * T(0.25);
   const T t5_3 = R4_33 * T(0.1);
-  const T P5_3 = R3_23 * T(0.25) - minus_R4_13 * T(0.3) + t5_3 + P4_3;
+  const T P5_3 = t5_3 + P4_3 + R3_23 * T(0.25) - minus_R4_13 * T(0.3);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_4 = R5_11 * T(0.1);
-  const T p5_1 = t5_4 + R5_21 * T(0.2) + t4_1 + P5_1;
+  const T p5_1 = t5_4 + t4_1 + P5_1 + R5_21 * T(0.2);
   const T t5_5 = R5_12 * T(0.1);
-  const T p5_2 = t5_5 + R5_22 * T(0.2) + t4_2 + P5_2;
+  const T p5_2 = t5_5 + t4_2 + P5_2 + R5_22 * T(0.2);
   const T t5_6 = R5_13 * T(0.1);
-  const T p5_3 = t5_6 + R5_23 * T(0.2) + t4_3 + P5_3;
+  const T p5_3 = t5_6 + t4_3 + P5_3 + R5_23 * T(0.2);
   // Pdot5 = R4^T omega4~ q5 + Pdot4: velocity of the body origin, inertial axes [m/s]
   const T t5_7 = t4_9 - omega4_3 * T(0.25);
   const T t5_8 = omega4_3 * T(0.3) - omega4_1 * T(0.1);
   const T t5_9 = omega4_1 * T(0.25) - omega4_2 * T(0.3);
-  const T Pdot5_1 = R4_11 * t5_7 + R3_21 * t5_8 + R4_31 * t5_9 + Pdot4_1;
-  const T Pdot5_2 = R4_12 * t5_7 + R3_22 * t5_8 + R4_32 * t5_9 + Pdot4_2;
-  const T Pdot5_3 = R3_23 * t5_8 - minus_R4_13 * t5_7 + R4_33 * t5_9 + Pdot4_3;
+  const T Pdot5_1 = Pdot4_1 + R4_11 * t5_7 + R3_21 * t5_8 + R4_31 * t5_9;
+  const T Pdot5_2 = Pdot4_2 + R4_12 * t5_7 + R3_22 * t5_8 + R4_32 * t5_9;
+  const T Pdot5_3 = Pdot4_3 + R3_23 * t5_8 - minus_R4_13 * t5_7 + R4_33 * t5_9;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_10 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_11 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_12 = omega5_2 * T(0.1);
   const T t5_13 = omega5_1 * T(0.2) - t5_12;
-  const T v5_1 = R5_11 * t5_10 + R5_21 * t5_11 + R4_31 * t5_13 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_10 + R5_22 * t5_11 + R4_32 * t5_13 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_10 + R5_23 * t5_11 + R4_33 * t5_13 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_10 + R5_21 * t5_11 + R4_31 * t5_13;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_10 + R5_22 * t5_11 + R4_32 * t5_13;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_10 + R5_23 * t5_11 + R4_33 * t5_13;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.5) * v5_1;
   const T l5_2 = T(1.5) * v5_2;
@@ -921,11 +990,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H5_3 = R5_13 * t5_14 + R5_23 * t5_15 + R4_33 * t5_16 + p5_1 * l5_2 - p5_2 * l5_1;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
@@ -939,34 +1007,34 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
   const T t6_1 = R5_11 * T(0.3);
-  const T P6_1 = t6_1 + R5_21 * T(0.3) + t5_1 + P5_1;
+  const T P6_1 = t6_1 + t5_1 + P5_1 + R5_21 * T(0.3);
   const T t6_2 = R5_12 * T(0.3);
-  const T P6_2 = t6_2 + R5_22 * T(0.3) + t5_2 + P5_2;
+  const T P6_2 = t6_2 + t5_2 + P5_2 + R5_22 * T(0.3);
   const T t6_3 = R5_13 * T(0.3);
-  const T P6_3 = t6_3 + R5_23 * T(0.3) + t5_3 + P5_3;
+  const T P6_3 = t6_3 + t5_3 + P5_3 + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
   const T t6_4 = R6_21 * T(0.2);
-  const T p6_1 = t5_4 + t6_4 + R6_31 * T(0.05) + P6_1;
+  const T p6_1 = t5_4 + t6_4 + P6_1 + R6_31 * T(0.05);
   const T t6_5 = R6_22 * T(0.2);
-  const T p6_2 = t5_5 + t6_5 + R6_32 * T(0.05) + P6_2;
+  const T p6_2 = t5_5 + t6_5 + P6_2 + R6_32 * T(0.05);
   const T t6_6 = R6_23 * T(0.2);
-  const T p6_3 = t5_6 + t6_6 + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = t5_6 + t6_6 + P6_3 + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_7 = omega5_3 * T(0.3);
   const T t6_8 = t5_12 - t6_7;
   const T t6_9 = t6_7 - omega5_1 * T(0.1);
   const T t6_10 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_8 + R5_21 * t6_9 + R4_31 * t6_10 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_8 + R5_22 * t6_9 + R4_32 * t6_10 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_8 + R5_23 * t6_9 + R4_33 * t6_10 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_8 + R5_21 * t6_9 + R4_31 * t6_10;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_8 + R5_22 * t6_9 + R4_32 * t6_10;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_8 + R5_23 * t6_9 + R4_33 * t6_10;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_11 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_12 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_13 = omega6_2 * T(0.1);
   const T t6_14 = omega6_1 * T(0.2) - t6_13;
-  const T v6_1 = R5_11 * t6_11 + R6_21 * t6_12 + R6_31 * t6_14 + Pdot6_1;
-  const T v6_2 = R5_12 * t6_11 + R6_22 * t6_12 + R6_32 * t6_14 + Pdot6_2;
-  const T v6_3 = R5_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_14 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R5_11 * t6_11 + R6_21 * t6_12 + R6_31 * t6_14;
+  const T v6_2 = Pdot6_2 + R5_12 * t6_11 + R6_22 * t6_12 + R6_32 * t6_14;
+  const T v6_3 = Pdot6_3 + R5_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_14;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.6) * v6_1;
   const T l6_2 = T(1.6) * v6_2;
@@ -980,11 +1048,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H6_3 = R5_13 * t6_15 + R6_23 * t6_16 + R6_33 * t6_17 + p6_1 * l6_2 - p6_2 * l6_1;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
@@ -997,27 +1064,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = t6_1 + R6_21 * T(0.35) + R6_31 * T(0.1) + P6_1;
-  const T P7_2 = t6_2 + R6_22 * T(0.35) + R6_32 * T(0.1) + P6_2;
-  const T P7_3 = t6_3 + R6_23 * T(0.35) + R6_33 * T(0.1) + P6_3;
+  const T P7_1 = t6_1 + P6_1 + R6_21 * T(0.35) + R6_31 * T(0.1);
+  const T P7_2 = t6_2 + P6_2 + R6_22 * T(0.35) + R6_32 * T(0.1);
+  const T P7_3 = t6_3 + P6_3 + R6_23 * T(0.35) + R6_33 * T(0.1);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = R7_11 * T(0.1) + t6_4 + R7_31 * T(0.05) + P7_1;
-  const T p7_2 = R7_12 * T(0.1) + t6_5 + R7_32 * T(0.05) + P7_2;
-  const T p7_3 = R7_13 * T(0.1) + t6_6 + R7_33 * T(0.05) + P7_3;
+  const T p7_1 = t6_4 + P7_1 + R7_11 * T(0.1) + R7_31 * T(0.05);
+  const T p7_2 = t6_5 + P7_2 + R7_12 * T(0.1) + R7_32 * T(0.05);
+  const T p7_3 = t6_6 + P7_3 + R7_13 * T(0.1) + R7_33 * T(0.05);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = t6_13 - omega6_3 * T(0.35);
   const T t7_2 = omega6_3 * T(0.3) - omega6_1 * T(0.1);
   const T t7_3 = omega6_1 * T(0.35) - omega6_2 * T(0.3);
-  const T Pdot7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + Pdot6_1;
-  const T Pdot7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + Pdot6_2;
-  const T Pdot7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3;
+  const T Pdot7_2 = Pdot6_2 + R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3;
+  const T Pdot7_3 = Pdot6_3 + R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_4 = omega7_2 * T(0.05) - omega7_3 * T(0.2);
   const T t7_5 = omega7_3 * T(0.1) - omega7_1 * T(0.05);
   const T t7_6 = omega7_1 * T(0.2) - omega7_2 * T(0.1);
-  const T v7_1 = R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_4 + R6_21 * t7_5 + R7_31 * t7_6;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_4 + R6_22 * t7_5 + R7_32 * t7_6;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_4 + R6_23 * t7_5 + R7_33 * t7_6;
   // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
   const T l7_1 = T(1.7) * v7_1;
   const T l7_2 = T(1.7) * v7_2;
@@ -1077,14 +1144,15 @@ void power([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T* x, c
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
@@ -1095,11 +1163,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T N1_2 = T(2.7199999999999998) * Pddot1_3 + T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_12 * thetadot1;
   const T omega2_2 = E2_11 * thetadot1;
@@ -1118,7 +1185,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U2_32 = omegadot2_1 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
+  const T t2_4 = minus_Pddot1_1 + minus_U1_11 * T(0.3);
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
@@ -1133,11 +1200,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.6539999999999999) * (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
@@ -1165,7 +1231,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1;
   const T t3_7 = Pddot2_2 - minus_U2_22 * T(0.15);
-  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot1_3;
+  const T t3_8 = Pddot1_3 + U2_32 * T(0.15) - minus_U2_33 * T(0.2);
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
@@ -1182,11 +1248,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       U3_23 - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
@@ -1212,10 +1277,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
-  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_7 = Pddot3_1 + U3_13 * T(0.1) - minus_U3_11 * T(0.6);
+  const T t4_8 = Pddot3_3 + U3_31 * T(0.6) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
+  const T Pddot4_2 = Pddot3_2 + U3_21 * T(0.6) + U3_23 * T(0.1);
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
@@ -1231,11 +1296,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       (minus_U4_11 - minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -1261,11 +1325,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
+  const T t5_7 = Pddot4_1 + U4_12 * T(0.45) - minus_U4_11 * T(0.3);
+  const T t5_8 = Pddot4_2 + U4_21 * T(0.3) - minus_U4_22 * T(0.45);
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  const T Pddot5_3 = Pddot4_3 + U4_31 * T(0.3) + U4_32 * T(0.45);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
   const T minus_G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
@@ -1280,11 +1344,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -1310,9 +1373,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T t6_7 = Pddot5_2 + U5_23 * T(0.2) - minus_U5_22 * T(0.3);
+  const T t6_8 = Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2);
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
@@ -1329,11 +1392,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T t7_1 = cos(theta7);
-  const T t7_2 = sin(theta7);
+  const T t7_1 = cosines[6];
+  const T t7_2 = sines[6];
   const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
   const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -1361,9 +1423,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U7_32 = t7_8 + omegadot7_1;
   const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
-      minus_U6_33 * T(0.1) + Pddot6_3);
-  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_1 = E7_11 * (Pddot6_1 + U6_13 * T(0.1) - minus_U6_11 * T(0.6)) - minus_E7_13 * (Pddot6_3 + U6_31 *
+      T(0.6) - minus_U6_33 * T(0.1));
+  const T Pddot7_2 = Pddot6_2 + U6_21 * T(0.6) + U6_23 * T(0.1);
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
   const T minus_G7_1 = U7_13 * T(0.19006577808748215);
   const T minus_G7_2 = U7_23 * T(0.19006577808748215);
@@ -1386,7 +1448,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // gt7 = G7 - v7 B7: force with the turn solved [N]
   const T minus_gt7_1 = v7 * T(0.19006577808748215) + minus_G7_1;
   // nt7 = -tau_body_7_ b7 + P_b7 (N7 - v7 K7): moment with the turn solved [N m]
-  const T minus_nt7_1 = v7 * T(0.009883420460549072) + minus_N7_1;
+  const T minus_nt7_1 = minus_N7_1 + v7 * T(0.009883420460549072);
   const T nt7_3 = v7 * T(0.0999745992740156) - minus_N7_3;
   // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
   const T b7_1 = minus_E7_13 * T(0.16037735849056606);
@@ -1424,20 +1486,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA6_21 = T(0.25) + Hb7_21;
   const T HA6_31 = b7_5 - T(1.255);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(0.2) * minus_Hp7_12 + T(0.92653) + Jp7_11;
-  const T JA6_12 = T(0.1) * Hp7_11 - T(0.6) * Hp7_13 - T(0.6809999999999999);
-  const T JA6_13 = Jp7_13 - (T(0.1) * Hp7_32 + T(0.1292)) - T(0.6) * minus_Hp7_12;
+  const T JA6_11 = T(0.92653) + Jp7_11 + T(0.2) * minus_Hp7_12;
+  const T JA6_12 = T(0.1) * Hp7_11 - T(0.6809999999999999) - T(0.6) * Hp7_13;
+  const T JA6_13 = Jp7_13 - T(0.1292) - T(0.1) * Hp7_32 - T(0.6) * minus_Hp7_12;
   const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
-  const T JA6_23 = T(0.1) * b7_5 + T(0.6) * b7_4 - T(0.1159);
-  const T JA6_33 = T(1.2) * Hp7_32 + T(0.66053) - minus_Jp7_33;
+  const T JA6_23 = T(0.1) * b7_5 - T(0.1159) + T(0.6) * b7_4;
+  const T JA6_33 = T(0.66053) - minus_Jp7_33 + T(1.2) * Hp7_32;
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T minus_g6_2 = minus_G7_2 + minus_G6_2;
   const T g6_3 = gp7_3 - minus_G6_3;
   // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
-  const T n6_1 = T(0.1) * minus_G7_2 - minus_N6_1 + np7_1;
-  const T n6_2 = T(0.1) * gp7_1 - T(0.6) * gp7_3 - minus_N6_2 - u.tau_7;
-  const T n6_3 = np7_3 - (T(0.6) * minus_G7_2 + minus_N6_3);
+  const T n6_1 = np7_1 - minus_N6_1 + T(0.1) * minus_G7_2;
+  const T n6_2 = T(0.1) * gp7_1 - (minus_N6_2 + u.tau_7) - T(0.6) * gp7_3;
+  const T n6_3 = np7_3 - minus_N6_3 - T(0.6) * minus_G7_2;
   // invD6 = D6^-1: 1/D
   const T invD6 = T(1) / JA6_11;
   // kB6 = invD6 B6: B/D
@@ -1513,11 +1575,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb6_11 = b6_9 + b6_10;
   const T Hb6_12 = T(0.2) * minus_Mp6_22 + T(0.3) * Mp6_23;
   const T Hb6_13 = T(0.3) * Mp6_33 - T(0.2) * Mp6_23;
-  const T Hb6_21 = T(0.2) * M6_11 + Hp6_21;
+  const T Hb6_21 = Hp6_21 + T(0.2) * M6_11;
   const T minus_Hb6_22 = minus_Hp6_22 + b6_9;
-  const T Hb6_23 = T(0.2) * Mp6_13 + Hp6_23;
+  const T Hb6_23 = Hp6_23 + T(0.2) * Mp6_13;
   const T Hb6_31 = Hp6_31 - T(0.3) * M6_11;
-  const T Hb6_32 = T(0.3) * minus_Mp6_12 + Hp6_32;
+  const T Hb6_32 = Hp6_32 + T(0.3) * minus_Mp6_12;
   const T Hb6_33 = Hp6_33 - b6_10;
 
   // ---- body 5 (body_5) and what it carries
@@ -1528,19 +1590,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA5_32 = T(1.81) + Hb6_32;
   // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
-  const T JA5_12 = T(0.2) * minus_Hp6_22 + T(0.3) * Hp6_23 - T(0.5205) + Hb6_11 * T(0.2);
-  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.35000000000000003) - Hb6_11 * T(0.3);
-  const T JA5_22 = T(0.2) * Hp6_21 + T(0.769) - minus_Jp6_22 + Hb6_21 * T(0.2);
-  const T JA5_23 = T(0.2) * Hp6_31 - T(0.249) + Jp6_23 - Hb6_21 * T(0.3);
-  const T JA5_33 = T(1.573) - T(0.3) * Hp6_31 + Jp6_33 - Hb6_31 * T(0.3);
+  const T JA5_12 = T(0.2) * minus_Hp6_22 - T(0.5205) + T(0.3) * Hp6_23 + Hb6_11 * T(0.2);
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.35000000000000003) - T(0.2) * Hp6_32 - Hb6_11 * T(0.3);
+  const T JA5_22 = T(0.769) - minus_Jp6_22 + T(0.2) * Hp6_21 + Hb6_21 * T(0.2);
+  const T JA5_23 = Jp6_23 - T(0.249) + T(0.2) * Hp6_31 - Hb6_21 * T(0.3);
+  const T JA5_33 = T(1.573) + Jp6_33 - T(0.3) * Hp6_31 - Hb6_31 * T(0.3);
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T g5_1 = gt6_1 - minus_G5_1;
   const T g5_2 = gp6_2 - minus_G5_2;
   const T g5_3 = gp6_3 - minus_G5_3;
   // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
-  const T n5_1 = T(0.3) * gp6_3 - T(0.2) * gp6_2 - minus_N5_1 - u.tau_6;
-  const T n5_2 = T(0.2) * gt6_1 - minus_N5_2 + np6_2;
-  const T n5_3 = np6_3 - (T(0.3) * gt6_1 + minus_N5_3);
+  const T n5_1 = T(0.3) * gp6_3 - (minus_N5_1 + u.tau_6) - T(0.2) * gp6_2;
+  const T n5_2 = np6_2 - minus_N5_2 + T(0.2) * gt6_1;
+  const T n5_3 = np6_3 - minus_N5_3 - T(0.3) * gt6_1;
   // invD5 = D5^-1: 1/D
   const T invD5 = T(1) / JA5_33;
   // kB5 = invD5 B5: B/D
@@ -1584,7 +1646,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b5_2 = E5_12 * (M5_11 + minus_M5_22) - b5_1 * minus_M5_12;
   const T b5_3 = E5_12 * b5_2;
   const T Mp5_11 = M5_11 - b5_3;
-  const T Mp5_12 = E5_11 * b5_2 + minus_M5_12;
+  const T Mp5_12 = minus_M5_12 + E5_11 * b5_2;
   const T Mp5_13 = E5_11 * M5_13 - E5_12 * M5_23;
   const T Mp5_22 = b5_3 - minus_M5_22;
   const T Mp5_23 = E5_12 * M5_13 + E5_11 * M5_23;
@@ -1613,8 +1675,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
   const T b5_9 = T(0.45) * Mp5_13;
   const T Hb5_11 = b5_9 + Hp5_11;
-  const T Hb5_12 = T(0.45) * Mp5_23 + Hp5_12;
-  const T Hb5_13 = T(0.45) * M5_33 + Hp5_13;
+  const T Hb5_12 = Hp5_12 + T(0.45) * Mp5_23;
+  const T Hb5_13 = Hp5_13 + T(0.45) * M5_33;
   const T Hb5_21 = Hp5_21 - T(0.3) * Mp5_13;
   const T b5_10 = T(0.3) * Mp5_23;
   const T Hb5_22 = Hp5_22 - b5_10;
@@ -1630,10 +1692,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA4_23 = Hb5_23 - T(1.5799999999999998);
   const T HA4_32 = T(1.5799999999999998) + Hb5_32;
   // JA4 = q5~ Hp5^T + J_own_4 + Jp5 - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA4_11 = T(0.45) * Hp5_13 + T(0.25825000000000004) - minus_Jp5_11 + Hb5_13 * T(0.45);
-  const T JA4_12 = T(0.45) * Hp5_23 - T(0.697) + Jp5_12 - Hb5_13 * T(0.3);
+  const T JA4_11 = T(0.25825000000000004) - minus_Jp5_11 + T(0.45) * Hp5_13 + Hb5_13 * T(0.45);
+  const T JA4_12 = Jp5_12 - T(0.697) + T(0.45) * Hp5_23 - Hb5_13 * T(0.3);
   const T minus_JA4_13 = T(0.2683) + Hb5_11 * T(0.45) - Hb5_12 * T(0.3);
-  const T JA4_22 = T(1.29025) - T(0.3) * Hp5_23 + Jp5_22 - Hb5_23 * T(0.3);
+  const T JA4_22 = T(1.29025) + Jp5_22 - T(0.3) * Hp5_23 - Hb5_23 * T(0.3);
   const T minus_JA4_23 = T(0.43185) + Hb5_21 * T(0.45) - Hb5_22 * T(0.3);
   const T minus_JA4_33 = Hb5_31 * T(0.45) - Hb5_32 * T(0.3);
   // g4 = G4 + gp5: force that drives it, home axes [N]
@@ -1641,9 +1703,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T g4_2 = gp5_2 - minus_G4_2;
   const T g4_3 = gt5_3 - minus_G4_3;
   // n4 = q5~ gp5 + N4 + np5: moment that drives it, body axes [N m]
-  const T n4_1 = T(0.45) * gt5_3 - minus_N4_1 + np5_1;
-  const T n4_2 = np5_2 - (T(0.3) * gt5_3 + minus_N4_2);
-  const T n4_3 = T(0.3) * gp5_2 - T(0.45) * gp5_1 - minus_N4_3 - u.tau_5;
+  const T n4_1 = np5_1 - minus_N4_1 + T(0.45) * gt5_3;
+  const T n4_2 = np5_2 - minus_N4_2 - T(0.3) * gt5_3;
+  const T n4_3 = T(0.3) * gp5_2 - (minus_N4_3 + u.tau_5) - T(0.45) * gp5_1;
   // invD4 = D4^-1: 1/D
   const T invD4 = T(1) / JA4_22;
   // kB4 = invD4 B4: B/D
@@ -1722,8 +1784,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b4_10 = T(0.6) * Mp4_23;
   const T Hb4_22 = b4_9 - b4_10;
   const T Hb4_23 = T(0.1) * Mp4_13 - T(0.6) * Mp4_33;
-  const T Hb4_31 = T(0.6) * Mp4_12 + Hp4_31;
-  const T Hb4_32 = T(0.6) * M4_22 + Hp4_32;
+  const T Hb4_31 = Hp4_31 + T(0.6) * Mp4_12;
+  const T Hb4_32 = Hp4_32 + T(0.6) * M4_22;
   const T Hb4_33 = b4_10 + Hp4_33;
 
   // ---- body 3 (body_3) and what it carries
@@ -1733,20 +1795,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA3_21 = T(0.685) + Hb4_21;
   const T HA3_31 = Hb4_31 - T(2.98);
   // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_11 = T(2.00125) - T(0.1) * Hp4_12 + Jp4_11 - Hb4_12 * T(0.1);
+  const T JA3_11 = T(2.00125) + Jp4_11 - T(0.1) * Hp4_12 - Hb4_12 * T(0.1);
   const T minus_JA3_12 = T(1.7295) + Hb4_13 * T(0.6) - Hb4_11 * T(0.1);
-  const T JA3_13 = Jp4_13 - (T(0.1) * Hp4_32 + T(0.3941)) + Hb4_12 * T(0.6);
+  const T JA3_13 = Jp4_13 - T(0.3941) - T(0.1) * Hp4_32 + Hb4_12 * T(0.6);
   const T minus_JA3_22 = Hb4_23 * T(0.6) - Hb4_21 * T(0.1);
-  const T JA3_23 = T(0.1) * Hp4_31 - T(0.6) * Hp4_33 - T(0.2902) + Hb4_22 * T(0.6);
-  const T JA3_33 = T(0.6) * Hp4_32 + T(1.68875) - minus_Jp4_33 + Hb4_32 * T(0.6);
+  const T JA3_23 = T(0.1) * Hp4_31 - T(0.2902) - T(0.6) * Hp4_33 + Hb4_22 * T(0.6);
+  const T JA3_33 = T(1.68875) - minus_Jp4_33 + T(0.6) * Hp4_32 + Hb4_32 * T(0.6);
   // g3 = G3 + gp4: force that drives it, home axes [N]
   const T g3_1 = gp4_1 - minus_G3_1;
   const T g3_2 = gt4_2 - minus_G3_2;
   const T g3_3 = gp4_3 - minus_G3_3;
   // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
-  const T n3_1 = np4_1 - (T(0.1) * gt4_2 + minus_N3_1);
-  const T n3_2 = T(0.1) * gp4_1 - T(0.6) * gp4_3 - minus_N3_2 - u.tau_4;
-  const T n3_3 = T(0.6) * gt4_2 - minus_N3_3 + np4_3;
+  const T n3_1 = np4_1 - minus_N3_1 - T(0.1) * gt4_2;
+  const T n3_2 = T(0.1) * gp4_1 - (minus_N3_2 + u.tau_4) - T(0.6) * gp4_3;
+  const T n3_3 = np4_3 - minus_N3_3 + T(0.6) * gt4_2;
   // invD3 = D3^-1: 1/D
   const T invD3 = T(1) / JA3_11;
   // kB3 = invD3 B3: B/D
@@ -1821,8 +1883,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hb3_11 = b3_9 - T(0.2) * Mp3_12;
   const T Hb3_12 = T(0.15) * Mp3_23 - T(0.2) * Mp3_22;
   const T Hb3_13 = T(0.15) * Mp3_33 - T(0.2) * Mp3_23;
-  const T Hb3_21 = T(0.2) * M3_11 + Hp3_21;
-  const T Hb3_23 = T(0.2) * Mp3_13 + Hp3_23;
+  const T Hb3_21 = Hp3_21 + T(0.2) * M3_11;
+  const T Hb3_23 = Hp3_23 + T(0.2) * Mp3_13;
   const T Hb3_31 = Hp3_31 - T(0.15) * M3_11;
   const T Hb3_33 = Hp3_33 - b3_9;
 
@@ -1832,17 +1894,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA2_23 = Hb3_23 - T(4.359999999999999);
   // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
   const T minus_JA2_11 = Hb3_12 * T(0.2) - Hb3_13 * T(0.15);
-  const T JA2_12 = T(0.15) * Hp3_23 - T(0.2) * Hp3_22 - T(0.6539999999999999) + Hb3_11 * T(0.2);
-  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.8624) - Hb3_11 * T(0.15);
-  const T JA2_22 = T(0.2) * Hp3_21 + T(2.4804999999999997) - minus_Jp3_22 + Hb3_21 * T(0.2);
-  const T JA2_23 = T(0.2) * Hp3_31 - T(0.2658) + Jp3_23 - Hb3_21 * T(0.15);
-  const T JA2_33 = T(2.9859999999999998) - T(0.15) * Hp3_31 + Jp3_33 - Hb3_31 * T(0.15);
+  const T JA2_12 = T(0.15) * Hp3_23 - T(0.6539999999999999) - T(0.2) * Hp3_22 + Hb3_11 * T(0.2);
+  const T JA2_13 = T(0.15) * Hp3_33 - T(0.8624) - T(0.2) * Hp3_32 - Hb3_11 * T(0.15);
+  const T JA2_22 = T(2.4804999999999997) - minus_Jp3_22 + T(0.2) * Hp3_21 + Hb3_21 * T(0.2);
+  const T JA2_23 = Jp3_23 - T(0.2658) + T(0.2) * Hp3_31 - Hb3_21 * T(0.15);
+  const T JA2_33 = T(2.9859999999999998) + Jp3_33 - T(0.15) * Hp3_31 - Hb3_31 * T(0.15);
   // g2 = G2 + gp3: force that drives it, home axes [N]
   const T g2_3 = gp3_3 - minus_G2_3;
   // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
-  const T n2_1 = T(0.15) * gp3_3 - T(0.2) * gp3_2 - minus_N2_1 - u.tau_3;
-  const T n2_2 = T(0.2) * gt3_1 - minus_N2_2 + np3_2;
-  const T n2_3 = np3_3 - (T(0.15) * gt3_1 + minus_N2_3);
+  const T n2_1 = T(0.15) * gp3_3 - (minus_N2_1 + u.tau_3) - T(0.2) * gp3_2;
+  const T n2_2 = np3_2 - minus_N2_2 + T(0.2) * gt3_1;
+  const T n2_3 = np3_3 - minus_N2_3 - T(0.15) * gt3_1;
   // invD2 = D2^-1: 1/D
   const T invD2 = T(1) / JA2_33;
   // kB2 = invD2 B2: B/D
@@ -1879,9 +1941,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 
   // ---- body 1 (body_1) and what it carries
   // JA1 = q2~ Hp2^T + J_own_1 + Jp2 - Hb2 q2~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA1_22 = T(1.5925) - T(0.3) * Hp2_23 + Jp2_22 - Hb2_23 * T(0.3);
+  const T JA1_22 = T(1.5925) + Jp2_22 - T(0.3) * Hp2_23 - Hb2_23 * T(0.3);
   // n1 = q2~ gp2 + N1 + np2: moment that drives it, body axes [N m]
-  const T n1_2 = N1_2 - T(0.3) * gt2_3 + np2_2;
+  const T n1_2 = N1_2 + np2_2 - T(0.3) * gt2_3;
   // invD1 = D1^-1: 1/D
   const T invD1 = T(1) / JA1_22;
   // u_1 = b1 . n1 + tau_body_1_: drives it [N m], [N]
@@ -1911,7 +1973,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL3_2 = E3_22 * alphaL2_2 + E3_23 * phi2;
   const T alphaL3_3 = E3_22 * phi2 - E3_23 * alphaL2_2;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
-  const T phi3 = kB3_1 * minus_beta3_1 + kB3_2 * minus_beta3_2 - kB3_3 * beta3_3 + v3 - kK3_3 * alphaL3_3 +
+  const T phi3 = v3 + kB3_1 * minus_beta3_1 + kB3_2 * minus_beta3_2 - kB3_3 * beta3_3 - kK3_3 * alphaL3_3 +
       minus_kK3_2 * alphaL3_2;
   // thetaddot3 = -b3 . alphaL3 + phi3
   const T thetaddot3 = phi3 - alphaL2_1;
@@ -1928,7 +1990,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL4_1 = E4_11 * phi3 - minus_E4_13 * alphaL3_3;
   const T alphaL4_3 = minus_E4_13 * phi3 + E4_11 * alphaL3_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = kB4_2 * minus_beta4_2 + kB4_1 * minus_beta4_1 - kB4_3 * beta4_3 + v4 - kK4_1 * alphaL4_1 +
+  const T phi4 = v4 + kB4_2 * minus_beta4_2 + kB4_1 * minus_beta4_1 - kB4_3 * beta4_3 - kK4_1 * alphaL4_1 +
       minus_kK4_3 * alphaL4_3;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = phi4 - alphaL3_2;
@@ -1940,12 +2002,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T z5_2 = T(0.3) * alphaL4_3;
   const T minus_beta5_1 = E5_12 * minus_beta4_2 + E5_11 * minus_beta4_1 + E5_11 * z5_1 - E5_12 * z5_2;
   const T beta5_2 = E5_12 * minus_beta4_1 - E5_11 * minus_beta4_2 + E5_11 * z5_2 + E5_12 * z5_1;
-  const T beta5_3 = T(0.45) * alphaL4_1 - T(0.3) * phi4 + beta4_3;
+  const T beta5_3 = beta4_3 + T(0.45) * alphaL4_1 - T(0.3) * phi4;
   // alphaL5 = E5 alpha4: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL5_1 = E5_11 * alphaL4_1 + E5_12 * phi4;
   const T alphaL5_2 = E5_11 * phi4 - E5_12 * alphaL4_1;
   // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
-  const T phi5 = kB5_1 * minus_beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 + v5 - kK5_1 * alphaL5_1 - kK5_2 *
+  const T phi5 = v5 + kB5_1 * minus_beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 - kK5_1 * alphaL5_1 - kK5_2 *
       alphaL5_2;
   // thetaddot5 = -b5 . alphaL5 + phi5
   const T thetaddot5 = phi5 - alphaL4_3;
@@ -1962,7 +2024,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
   const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
-  const T phi6 = kB6_1 * minus_beta6_1 + minus_kB6_2 * beta6_2 - kB6_3 * beta6_3 + v6 - kK6_3 * alphaL6_3 - kK6_2 *
+  const T phi6 = v6 + kB6_1 * minus_beta6_1 + minus_kB6_2 * beta6_2 - kB6_3 * beta6_3 - kK6_3 * alphaL6_3 - kK6_2 *
       alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
   const T thetaddot6 = phi6 - alphaL5_1;
@@ -1989,15 +2051,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   const T thetaddot1 = ydot[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
@@ -2009,12 +2072,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T N1_2 = T(1.5925) * thetaddot1 - T(2.7199999999999998) * Pddot1_3 - T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_12 * thetadot1;
   const T omega2_2 = E2_11 * thetadot1;
@@ -2039,7 +2101,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_1 + omegadot2_1;
   const T minus_U2_33 = t2_4 + t2_6;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_7 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
+  const T t2_7 = minus_Pddot1_1 + minus_U1_11 * T(0.3);
   const T minus_Pddot2_1 = E2_11 * t2_7;
   const T Pddot2_2 = E2_12 * t2_7;
   const T Pddot2_3 = Pddot1_3 - thetaddot1 * T(0.3);
@@ -2055,12 +2117,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       + T(0.6539999999999999) * (minus_U2_11 - minus_U2_22) + T(0.8624) * U2_23 - T(0.2658) * U2_13;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   const T thetaddot3 = ydot[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
@@ -2087,9 +2148,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot3_1 = U2_12 * T(0.15) + U2_13 * T(0.2) - minus_Pddot2_1;
-  const T t3_7 = U2_23 * T(0.2) - minus_U2_22 * T(0.15) + Pddot2_2;
-  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot2_3;
+  const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1 + U2_13 * T(0.2);
+  const T t3_7 = Pddot2_2 + U2_23 * T(0.2) - minus_U2_22 * T(0.15);
+  const T t3_8 = Pddot2_3 + U2_32 * T(0.15) - minus_U2_33 * T(0.2);
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
   // G3 = U3 h_own_3: inertia less applied force, body axes [N]
@@ -2106,12 +2167,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   const T thetaddot4 = ydot[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
@@ -2138,10 +2198,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
-  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_7 = Pddot3_1 + U3_13 * T(0.1) - minus_U3_11 * T(0.6);
+  const T t4_8 = Pddot3_3 + U3_31 * T(0.6) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
+  const T Pddot4_2 = Pddot3_2 + U3_21 * T(0.6) + U3_23 * T(0.1);
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
   // G4 = U4 h_own_4: inertia less applied force, body axes [N]
   const T G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
@@ -2157,12 +2217,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   const T thetaddot5 = ydot[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -2189,11 +2248,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
+  const T t5_7 = Pddot4_1 + U4_12 * T(0.45) - minus_U4_11 * T(0.3);
+  const T t5_8 = Pddot4_2 + U4_21 * T(0.3) - minus_U4_22 * T(0.45);
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  const T Pddot5_3 = Pddot4_3 + U4_31 * T(0.3) + U4_32 * T(0.45);
   // G5 = U5 h_own_5: inertia less applied force, body axes [N]
   const T G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
   const T G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
@@ -2208,12 +2267,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   const T thetaddot6 = ydot[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -2240,9 +2298,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_6 + omegadot6_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T t6_7 = Pddot5_2 + U5_23 * T(0.2) - minus_U5_22 * T(0.3);
+  const T t6_8 = Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2);
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
@@ -2259,12 +2317,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   const T thetaddot7 = ydot[6];
   // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T t7_1 = cos(theta7);
-  const T t7_2 = sin(theta7);
+  const T t7_1 = cosines[6];
+  const T t7_2 = sines[6];
   const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
   const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -2293,9 +2350,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U7_32 = t7_8 + omegadot7_1;
   const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
-      minus_U6_33 * T(0.1) + Pddot6_3);
-  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_1 = E7_11 * (Pddot6_1 + U6_13 * T(0.1) - minus_U6_11 * T(0.6)) - minus_E7_13 * (Pddot6_3 + U6_31 *
+      T(0.6) - minus_U6_33 * T(0.1));
+  const T Pddot7_2 = Pddot6_2 + U6_21 * T(0.6) + U6_23 * T(0.1);
   // G7 = U7 h_own_7: inertia less applied force, body axes [N]
   const T G7_1 = U7_13 * T(0.19006577808748215);
   const T G7_2 = U7_23 * T(0.19006577808748215);
@@ -2323,9 +2380,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S6_3 = G6_3 - b6_2;
   // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho6_1 = E7_11 * N7_1 + minus_E7_13 * N7_3 - T(0.1) * G7_2 + N6_1;
-  const T rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + N7_2 + N6_2;
-  const T rho6_3 = T(0.6) * G7_2 + E7_11 * N7_3 - minus_E7_13 * N7_1 + N6_3;
+  const T rho6_1 = N6_1 + E7_11 * N7_1 + minus_E7_13 * N7_3 - T(0.1) * G7_2;
+  const T rho6_2 = N7_2 + N6_2 + T(0.1) * b6_1 + T(0.6) * b6_2;
+  const T rho6_3 = N6_3 + T(0.6) * G7_2 + E7_11 * N7_3 - minus_E7_13 * N7_1;
   // r_theta6 = b6 . rho6 - tau_body_6_: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - u.tau_6;
   r[5] = r_theta6;
@@ -2339,9 +2396,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_3 = b5_2 + G5_3;
   // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho5_1 = T(0.3) * b5_2 - T(0.2) * b5_1 + rho6_1 + N5_1;
-  const T rho5_2 = T(0.2) * S6_1 + E6_22 * rho6_2 - E6_23 * rho6_3 + N5_2;
-  const T rho5_3 = E6_23 * rho6_2 + E6_22 * rho6_3 - T(0.3) * S6_1 + N5_3;
+  const T rho5_1 = rho6_1 + N5_1 + T(0.3) * b5_2 - T(0.2) * b5_1;
+  const T rho5_2 = N5_2 + T(0.2) * S6_1 + E6_22 * rho6_2 - E6_23 * rho6_3;
+  const T rho5_3 = N5_3 + E6_23 * rho6_2 + E6_22 * rho6_3 - T(0.3) * S6_1;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - u.tau_5;
   r[4] = r_theta5;
@@ -2355,9 +2412,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S4_3 = S5_3 + G4_3;
   // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2 + N4_1;
-  const T rho4_2 = E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.3) * S5_3 + N4_2;
-  const T rho4_3 = T(0.3) * b4_2 - T(0.45) * b4_1 + rho5_3 + N4_3;
+  const T rho4_1 = N4_1 + T(0.45) * S5_3 + E5_11 * rho5_1 - E5_12 * rho5_2;
+  const T rho4_2 = N4_2 + E5_12 * rho5_1 + E5_11 * rho5_2 - T(0.3) * S5_3;
+  const T rho4_3 = rho5_3 + N4_3 + T(0.3) * b4_2 - T(0.45) * b4_1;
   // r_theta4 = b4 . rho4 - tau_body_4_: Kane's equation of the angle [N m]
   const T r_theta4 = rho4_2 - u.tau_4;
   r[3] = r_theta4;
@@ -2371,9 +2428,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S3_3 = b3_2 + G3_3;
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.1) * S4_2 + N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 + N3_2;
-  const T rho3_3 = T(0.6) * S4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1 + N3_3;
+  const T rho3_1 = N3_1 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - T(0.1) * S4_2;
+  const T rho3_2 = rho4_2 + N3_2 + T(0.1) * b3_1 - T(0.6) * b3_2;
+  const T rho3_3 = N3_3 + T(0.6) * S4_2 + E4_11 * rho4_3 - minus_E4_13 * rho4_1;
   // r_theta3 = b3 . rho3 - tau_body_3_: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_1 - u.tau_3;
   r[2] = r_theta3;
@@ -2384,9 +2441,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S2_3 = b2_1 + G2_3;
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = T(0.15) * b2_1 - T(0.2) * (E3_22 * S3_2 - E3_23 * S3_3) + rho3_1 + N2_1;
-  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 + N2_2;
-  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 + N2_3;
+  const T rho2_1 = rho3_1 + N2_1 + T(0.15) * b2_1 - T(0.2) * (E3_22 * S3_2 - E3_23 * S3_3);
+  const T rho2_2 = N2_2 + T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3;
+  const T rho2_3 = N2_3 + E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_3 - u.tau_2;
   r[1] = r_theta2;
@@ -2394,7 +2451,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // ---- body 1 (body_1) and what it carries
   // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
+  const T rho1_2 = N1_2 + E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3;
   // r_theta1 = b1 . rho1 - tau_body_1_: Kane's equation of the angle [N m]
   const T r_theta1 = rho1_2 - u.tau_1;
   r[0] = r_theta1;
@@ -2405,14 +2462,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 // 322 add, 343 multiply, 14 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
@@ -2423,11 +2481,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T N1_2 = T(2.7199999999999998) * Pddot1_3 + T(1.735) * minus_Pddot1_1;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_12 * thetadot1;
   const T omega2_2 = E2_11 * thetadot1;
@@ -2446,7 +2503,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U2_32 = omegadot2_1 + omegadot2_1;
   const T minus_U2_33 = t2_2 + t2_3;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_4 = minus_U1_11 * T(0.3) + minus_Pddot1_1;
+  const T t2_4 = minus_Pddot1_1 + minus_U1_11 * T(0.3);
   const T minus_Pddot2_1 = E2_11 * t2_4;
   const T Pddot2_2 = E2_12 * t2_4;
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
@@ -2461,11 +2518,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.6539999999999999) * (minus_U2_11 - minus_U2_22);
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega2_1;
   const T omega3_2 = E3_22 * omega2_2 + E3_23 * thetadot2;
@@ -2493,7 +2549,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot3_1 = U2_12 * T(0.15) - minus_Pddot2_1;
   const T t3_7 = Pddot2_2 - minus_U2_22 * T(0.15);
-  const T t3_8 = U2_32 * T(0.15) - minus_U2_33 * T(0.2) + Pddot1_3;
+  const T t3_8 = Pddot1_3 + U2_32 * T(0.15) - minus_U2_33 * T(0.2);
   const T Pddot3_2 = E3_22 * t3_7 + E3_23 * t3_8;
   const T Pddot3_3 = E3_22 * t3_8 - E3_23 * t3_7;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
@@ -2510,11 +2566,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       U3_23 - T(0.2902) * U3_13 - T(2.98) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
   const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
@@ -2540,10 +2595,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U4_32 = t4_6 + omegadot4_1;
   const T minus_U4_33 = t4_2 + t4_5;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_7 = U3_13 * T(0.1) - minus_U3_11 * T(0.6) + Pddot3_1;
-  const T t4_8 = U3_31 * T(0.6) - minus_U3_33 * T(0.1) + Pddot3_3;
+  const T t4_7 = Pddot3_1 + U3_13 * T(0.1) - minus_U3_11 * T(0.6);
+  const T t4_8 = Pddot3_3 + U3_31 * T(0.6) - minus_U3_33 * T(0.1);
   const T Pddot4_1 = E4_11 * t4_7 - minus_E4_13 * t4_8;
-  const T Pddot4_2 = U3_21 * T(0.6) + U3_23 * T(0.1) + Pddot3_2;
+  const T Pddot4_2 = Pddot3_2 + U3_21 * T(0.6) + U3_23 * T(0.1);
   const T Pddot4_3 = minus_E4_13 * t4_7 + E4_11 * t4_8;
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_13 * T(0.9550000000000001) - minus_U4_11 * T(1.5799999999999998);
@@ -2559,11 +2614,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       (minus_U4_11 - minus_U4_22) + T(0.2683) * U4_23 - T(0.43185) * U4_13;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // omega5 = thetadot5 b5 + E5 omega4: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega4_1 + E5_12 * omega4_2;
   const T omega5_2 = E5_11 * omega4_2 - E5_12 * omega4_1;
@@ -2589,11 +2643,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U5_32 = t5_6 + omegadot5_1;
   const T minus_U5_33 = t5_2 + t5_5;
   // Pddot5 = E5 (U4 q5 + Pddot4): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_7 = U4_12 * T(0.45) - minus_U4_11 * T(0.3) + Pddot4_1;
-  const T t5_8 = U4_21 * T(0.3) - minus_U4_22 * T(0.45) + Pddot4_2;
+  const T t5_7 = Pddot4_1 + U4_12 * T(0.45) - minus_U4_11 * T(0.3);
+  const T t5_8 = Pddot4_2 + U4_21 * T(0.3) - minus_U4_22 * T(0.45);
   const T Pddot5_1 = E5_11 * t5_7 + E5_12 * t5_8;
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
-  const T Pddot5_3 = U4_31 * T(0.3) + U4_32 * T(0.45) + Pddot4_3;
+  const T Pddot5_3 = Pddot4_3 + U4_31 * T(0.3) + U4_32 * T(0.45);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(1.29) - minus_U5_11 * T(1.81);
   const T minus_G5_2 = U5_21 * T(1.81) - minus_U5_22 * T(1.29);
@@ -2608,11 +2662,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.5205) * (minus_U5_11 - minus_U5_22) + T(0.35000000000000003) * U5_23 - T(0.249) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
   const T omega6_1 = thetadot6 + omega5_1;
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
@@ -2638,9 +2691,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U6_32 = t6_6 + omegadot5_1;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T t6_7 = U5_23 * T(0.2) - minus_U5_22 * T(0.3) + Pddot5_2;
-  const T t6_8 = U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3;
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T t6_7 = Pddot5_2 + U5_23 * T(0.2) - minus_U5_22 * T(0.3);
+  const T t6_8 = Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2);
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
@@ -2657,11 +2710,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Z7^T Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T t7_1 = cos(theta7);
-  const T t7_2 = sin(theta7);
+  const T t7_1 = cosines[6];
+  const T t7_2 = sines[6];
   const T E7_11 = T(0.44721359549995804) * t7_1 - T(0.8944271909999159) * t7_2;
   const T minus_E7_13 = T(0.8944271909999159) * t7_1 + T(0.44721359549995804) * t7_2;
   // omega7 = thetadot7 b7 + E7 omega6: absolute angular velocity, body axes [rad/s]
@@ -2689,9 +2741,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U7_32 = t7_8 + omegadot7_1;
   const T minus_U7_33 = t7_4 + t7_7;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot7_1 = E7_11 * (U6_13 * T(0.1) - minus_U6_11 * T(0.6) + Pddot6_1) - minus_E7_13 * (U6_31 * T(0.6) -
-      minus_U6_33 * T(0.1) + Pddot6_3);
-  const T Pddot7_2 = U6_21 * T(0.6) + U6_23 * T(0.1) + Pddot6_2;
+  const T Pddot7_1 = E7_11 * (Pddot6_1 + U6_13 * T(0.1) - minus_U6_11 * T(0.6)) - minus_E7_13 * (Pddot6_3 + U6_31 *
+      T(0.6) - minus_U6_33 * T(0.1));
+  const T Pddot7_2 = Pddot6_2 + U6_21 * T(0.6) + U6_23 * T(0.1);
   // G7 = -U7 h_own_7: applied less inertia force, body axes [N]
   const T minus_G7_1 = U7_13 * T(0.19006577808748215);
   const T minus_G7_2 = U7_23 * T(0.19006577808748215);
@@ -2720,9 +2772,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S6_3 = b6_2 - minus_G6_3;
   // rho6 = q7~ E7^T G7 + E7^T N7 + N6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho6_1 = T(0.1) * minus_G7_2 - (E7_11 * minus_N7_1 + minus_E7_13 * minus_N7_3) - minus_N6_1;
-  const T minus_rho6_2 = T(0.1) * b6_1 + T(0.6) * b6_2 + minus_N7_2 + minus_N6_2;
-  const T rho6_3 = minus_E7_13 * minus_N7_1 - E7_11 * minus_N7_3 - T(0.6) * minus_G7_2 - minus_N6_3;
+  const T rho6_1 = T(0.1) * minus_G7_2 - (minus_N6_1 + E7_11 * minus_N7_1 + minus_E7_13 * minus_N7_3);
+  const T minus_rho6_2 = minus_N7_2 + minus_N6_2 + T(0.1) * b6_1 + T(0.6) * b6_2;
+  const T rho6_3 = minus_E7_13 * minus_N7_1 - minus_N6_3 - E7_11 * minus_N7_3 - T(0.6) * minus_G7_2;
   // f_theta6 = b6 . rho6 + tau_body_6_: Kane's equation of the angle [N m]
   const T f_theta6 = rho6_1 + u.tau_6;
   f[5] = f_theta6;
@@ -2736,9 +2788,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S5_3 = b5_2 - minus_G5_3;
   // rho5 = q6~ E6^T S6 + E6^T rho6 + N5: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + rho6_1 - minus_N5_1;
-  const T minus_rho5_2 = T(0.2) * minus_S6_1 + E6_22 * minus_rho6_2 + E6_23 * rho6_3 + minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_S6_1 + E6_22 * rho6_3 - E6_23 * minus_rho6_2 - minus_N5_3;
+  const T rho5_1 = rho6_1 - minus_N5_1 + T(0.2) * b5_1 + T(0.3) * b5_2;
+  const T minus_rho5_2 = minus_N5_2 + T(0.2) * minus_S6_1 + E6_22 * minus_rho6_2 + E6_23 * rho6_3;
+  const T rho5_3 = T(0.3) * minus_S6_1 - minus_N5_3 + E6_22 * rho6_3 - E6_23 * minus_rho6_2;
   // f_theta5 = b5 . rho5 + tau_body_5_: Kane's equation of the angle [N m]
   const T f_theta5 = rho5_3 + u.tau_5;
   f[4] = f_theta5;
@@ -2752,9 +2804,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S4_3 = S5_3 - minus_G4_3;
   // rho4 = q5~ E5^T S5 + E5^T rho5 + N4: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho4_1 = T(0.45) * S5_3 + E5_11 * rho5_1 + E5_12 * minus_rho5_2 - minus_N4_1;
-  const T rho4_2 = E5_12 * rho5_1 - E5_11 * minus_rho5_2 - T(0.3) * S5_3 - minus_N4_2;
-  const T rho4_3 = rho5_3 - (T(0.3) * b4_2 + T(0.45) * b4_1) - minus_N4_3;
+  const T rho4_1 = T(0.45) * S5_3 - minus_N4_1 + E5_11 * rho5_1 + E5_12 * minus_rho5_2;
+  const T rho4_2 = E5_12 * rho5_1 - minus_N4_2 - E5_11 * minus_rho5_2 - T(0.3) * S5_3;
+  const T rho4_3 = rho5_3 - minus_N4_3 - T(0.3) * b4_2 - T(0.45) * b4_1;
   // f_theta4 = b4 . rho4 + tau_body_4_: Kane's equation of the angle [N m]
   const T f_theta4 = rho4_2 + u.tau_4;
   f[3] = f_theta4;
@@ -2768,9 +2820,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S3_3 = b3_2 - minus_G3_3;
   // rho3 = q4~ E4^T S4 + E4^T rho4 + N3: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho3_1 = T(0.1) * minus_S4_2 + E4_11 * rho4_1 + minus_E4_13 * rho4_3 - minus_N3_1;
-  const T rho3_2 = T(0.1) * b3_1 - T(0.6) * b3_2 + rho4_2 - minus_N3_2;
-  const T rho3_3 = E4_11 * rho4_3 - minus_E4_13 * rho4_1 - T(0.6) * minus_S4_2 - minus_N3_3;
+  const T rho3_1 = T(0.1) * minus_S4_2 - minus_N3_1 + E4_11 * rho4_1 + minus_E4_13 * rho4_3;
+  const T rho3_2 = rho4_2 - minus_N3_2 + T(0.1) * b3_1 - T(0.6) * b3_2;
+  const T rho3_3 = E4_11 * rho4_3 - minus_N3_3 - minus_E4_13 * rho4_1 - T(0.6) * minus_S4_2;
   // f_theta3 = b3 . rho3 + tau_body_3_: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_1 + u.tau_3;
   f[2] = f_theta3;
@@ -2781,9 +2833,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S2_3 = b2_1 - minus_G2_3;
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = T(0.2) * (E3_22 * minus_S3_2 + E3_23 * S3_3) + T(0.15) * b2_1 + rho3_1 - minus_N2_1;
-  const T rho2_2 = T(0.2) * S3_1 + E3_22 * rho3_2 - E3_23 * rho3_3 - minus_N2_2;
-  const T rho2_3 = E3_23 * rho3_2 + E3_22 * rho3_3 - T(0.15) * S3_1 - minus_N2_3;
+  const T rho2_1 = rho3_1 - minus_N2_1 + T(0.2) * (E3_22 * minus_S3_2 + E3_23 * S3_3) + T(0.15) * b2_1;
+  const T rho2_2 = T(0.2) * S3_1 - minus_N2_2 + E3_22 * rho3_2 - E3_23 * rho3_3;
+  const T rho2_3 = E3_23 * rho3_2 - minus_N2_3 + E3_22 * rho3_3 - T(0.15) * S3_1;
   // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_3 + u.tau_2;
   f[1] = f_theta2;
@@ -2791,7 +2843,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // ---- body 1 (body_1) and what it carries
   // rho1 = q2~ E2^T S2 + E2^T rho2 + N1: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + N1_2;
+  const T rho1_2 = N1_2 + E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3;
   // f_theta1 = b1 . rho1 + tau_body_1_: Kane's equation of the angle [N m]
   const T f_theta1 = rho1_2 + u.tau_1;
   f[0] = f_theta1;
@@ -2802,43 +2854,39 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 // 207 add, 232 multiply, 12 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 1, 6, cosines + 1, sines + 1);
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
 
   // ---- body 7 (body_7) and what it carries
   // hc7 = E7^T h_own_7: first moment carried, about the body origin, lower body's axes [kg m]
@@ -2861,7 +2909,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T J6_22 = b6_6 + b6_5;
   const T b6_7 = minus_E7_13 * T(0.085) - E7_11 * T(0.05355);
   const T J6_23 = b6_7 - T(0.1159);
-  const T J6_33 = b6_2 + T(1.2) * hc7_1 + T(0.64625);
+  const T J6_33 = b6_2 + T(0.64625) + T(1.2) * hc7_1;
   A[40] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(1.255) - E6_23 * h6_3;
@@ -2875,19 +2923,19 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T h5_2 = T(1.29) + hc6_2;
   // J5 = -q6~ hc6~ + E6^T J6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
   const T b5_1 = T(0.3) * hc6_2;
-  const T b5_2 = T(0.2) * hc6_3 + b5_1;
+  const T b5_2 = b5_1 + T(0.2) * hc6_3;
   const T b5_3 = b5_2 + J6_11;
   const T J5_11 = b5_3 + b5_2;
   const T b5_4 = E6_22 * minus_J6_12 - E6_23 * minus_J6_13;
-  const T minus_J5_12 = b5_4 + T(0.3) * hc7_1 + T(0.5205);
+  const T minus_J5_12 = b5_4 + T(0.5205) + T(0.3) * hc7_1;
   const T b5_5 = E6_22 * minus_J6_13 + E6_23 * minus_J6_12;
-  const T minus_J5_13 = b5_5 + T(0.2) * hc7_1 + T(0.35000000000000003);
+  const T minus_J5_13 = b5_5 + T(0.35000000000000003) + T(0.2) * hc7_1;
   const T b5_6 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
   const T b5_7 = E6_23 * b5_6;
-  const T J5_22 = J6_22 - b5_7 + T(0.4) * hc6_3 + T(0.769);
+  const T J5_22 = J6_22 - b5_7 + T(0.769) + T(0.4) * hc6_3;
   const T b5_8 = T(0.3) * hc6_3;
-  const T J5_23 = E6_22 * b5_6 - J6_23 - T(0.2) * hc6_2 - T(0.249) - b5_8;
-  const T J5_33 = J6_33 + b5_7 + T(0.6) * hc6_2 + T(1.573);
+  const T J5_23 = E6_22 * b5_6 - (J6_23 + T(0.249) + b5_8) - T(0.2) * hc6_2;
+  const T J5_33 = J6_33 + b5_7 + T(1.573) + T(0.6) * hc6_2;
   A[32] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc5_1 = E5_11 * h5_1 - E5_12 * h5_2;
@@ -2897,7 +2945,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot7_5_3 = E6_22 * hc7_1;
   // K_thetadot7_5 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
   const T b5_9 = T(0.3) * minus_B_thetadot7_5_3;
-  const T minus_K_thetadot7_5_1 = T(0.2) * B_thetadot7_5_2 + b5_9 + b6_4;
+  const T minus_K_thetadot7_5_1 = b5_9 + b6_4 + T(0.2) * B_thetadot7_5_2;
   const T K_thetadot7_5_2 = b6_3 + E6_22 * b6_6 - E6_23 * b6_7;
   const T K_thetadot7_5_3 = E6_23 * b6_6 + E6_22 * b6_7 - T(0.3) * hc7_3;
   A[34] = K_thetadot7_5_3;
@@ -2912,8 +2960,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // J4 = -q5~ hc5~ + E5^T J5 E5 + J_own_4 - hc5~ q5~: inertia carried, about the body origin, body axes [kg m^2]
   const T b4_1 = E5_12 * (J5_11 - J5_22) - T(2) * E5_11 * minus_J5_12;
   const T b4_2 = E5_12 * b4_1;
-  const T J4_11 = J5_11 - b4_2 + T(0.9) * hc5_2 + T(0.25825000000000004);
-  const T J4_12 = E5_11 * b4_1 + minus_J5_12 - T(0.45) * hc5_1 - T(0.697) - T(0.3) * hc5_2;
+  const T J4_11 = J5_11 - b4_2 + T(0.25825000000000004) + T(0.9) * hc5_2;
+  const T J4_12 = minus_J5_12 - T(0.697) + E5_11 * b4_1 - T(0.45) * hc5_1 - T(0.3) * hc5_2;
   const T b4_3 = E5_11 * minus_J5_13 + E5_12 * J5_23;
   const T minus_J4_13 = b4_3 + T(0.2683) + b5_8;
   const T b4_4 = T(0.6) * hc5_1;
@@ -2934,7 +2982,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_K_thetadot7_4_1 = T(0.45) * minus_B_thetadot7_5_3 + E5_11 * minus_K_thetadot7_5_1 + E5_12 *
       K_thetadot7_5_2;
   const T K_thetadot7_4_2 = b5_9 + E5_11 * K_thetadot7_5_2 - E5_12 * minus_K_thetadot7_5_1;
-  const T K_thetadot7_4_3 = T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1 + K_thetadot7_5_3;
+  const T K_thetadot7_4_3 = K_thetadot7_5_3 + T(0.3) * B_thetadot7_4_2 - T(0.45) * B_thetadot7_4_1;
   A[27] = K_thetadot7_4_2;
   A[45] = K_thetadot7_4_2;
   // B_thetadot6_4 = E5^T B_thetadot6_5
@@ -2942,7 +2990,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot6_4_2 = E5_11 * hc6_3;
   // K_thetadot6_4 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
   const T K_thetadot6_4_1 = T(0.45) * hc6_2 + E5_11 * b5_3 + E5_12 * b5_4;
-  const T K_thetadot6_4_2 = E5_12 * b5_3 - E5_11 * b5_4 - b5_1;
+  const T K_thetadot6_4_2 = E5_12 * b5_3 - b5_1 - E5_11 * b5_4;
   const T minus_K_thetadot6_4_3 = b5_5 + T(0.3) * minus_B_thetadot6_4_2 + T(0.45) * B_thetadot6_4_1;
   A[26] = K_thetadot6_4_2;
   A[38] = K_thetadot6_4_2;
@@ -2960,13 +3008,13 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T J3_11 = J4_11 + b3_2 + b3_3 + T(2.00125);
   const T b3_4 = E4_11 * J4_12 + minus_E4_13 * J4_23;
   const T J3_12 = b3_4 - T(1.7295) - T(0.6) * hc5_2;
-  const T J3_13 = E4_11 * b3_1 + minus_J4_13 - T(0.1) * hc4_1 - T(0.3941) - T(0.6) * hc4_3;
+  const T J3_13 = minus_J4_13 - T(0.3941) + E4_11 * b3_1 - T(0.1) * hc4_1 - T(0.6) * hc4_3;
   const T b3_5 = T(0.1) * hc4_3 + T(0.6) * hc4_1;
   const T b3_6 = b3_5 + J4_22;
   const T J3_22 = b3_6 + b3_5;
   const T b3_7 = E4_11 * J4_23 - minus_E4_13 * J4_12;
-  const T J3_23 = b3_7 - T(0.1) * hc5_2 - T(0.2902);
-  const T J3_33 = J4_33 - b3_2 + T(1.2) * hc4_1 + T(1.68875);
+  const T J3_23 = b3_7 - T(0.2902) - T(0.1) * hc5_2;
+  const T J3_33 = J4_33 - b3_2 + T(1.68875) + T(1.2) * hc4_1;
   A[16] = J3_11;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc3_2 = E3_22 * h3_2 - E3_23 * h3_3;
@@ -2976,7 +3024,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot7_3_3 = minus_E4_13 * B_thetadot7_4_1 + E4_11 * minus_B_thetadot7_5_3;
   // K_thetadot7_3 = q4~ E4^T B_thetadot7_4 + E4^T K_thetadot7_4
   const T K_thetadot7_3_1 = minus_E4_13 * K_thetadot7_4_3 - E4_11 * minus_K_thetadot7_4_1 - T(0.1) * B_thetadot7_4_2;
-  const T K_thetadot7_3_2 = T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3 + K_thetadot7_4_2;
+  const T K_thetadot7_3_2 = K_thetadot7_4_2 + T(0.1) * B_thetadot7_3_1 + T(0.6) * minus_B_thetadot7_3_3;
   const T K_thetadot7_3_3 = T(0.6) * B_thetadot7_4_2 + minus_E4_13 * minus_K_thetadot7_4_1 + E4_11 * K_thetadot7_4_3;
   A[20] = K_thetadot7_3_1;
   A[44] = K_thetadot7_3_1;
@@ -2986,7 +3034,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   // K_thetadot6_3 = q4~ E4^T B_thetadot6_4 + E4^T K_thetadot6_4
   const T K_thetadot6_3_1 = T(0.1) * minus_B_thetadot6_4_2 + E4_11 * K_thetadot6_4_1 - minus_E4_13 *
       minus_K_thetadot6_4_3;
-  const T K_thetadot6_3_2 = T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3 + K_thetadot6_4_2;
+  const T K_thetadot6_3_2 = K_thetadot6_4_2 + T(0.1) * B_thetadot6_3_1 - T(0.6) * B_thetadot6_3_3;
   const T minus_K_thetadot6_3_3 = E4_11 * minus_K_thetadot6_4_3 + minus_E4_13 * K_thetadot6_4_1 + T(0.6) *
       minus_B_thetadot6_4_2;
   A[19] = K_thetadot6_3_1;
@@ -2996,7 +3044,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot5_3_3 = minus_E4_13 * hc5_2;
   // K_thetadot5_3 = q4~ E4^T B_thetadot5_4 + E4^T K_thetadot5_4
   const T K_thetadot5_3_1 = minus_E4_13 * b4_7 - E4_11 * b4_3 - T(0.1) * hc5_1;
-  const T K_thetadot5_3_2 = b4_5 - (T(0.1) * minus_B_thetadot5_3_1 + T(0.6) * B_thetadot5_3_3);
+  const T K_thetadot5_3_2 = b4_5 - T(0.1) * minus_B_thetadot5_3_1 - T(0.6) * B_thetadot5_3_3;
   const T K_thetadot5_3_3 = b4_4 + E4_11 * b4_7 + minus_E4_13 * b4_3;
   A[18] = K_thetadot5_3_1;
   A[30] = K_thetadot5_3_1;
@@ -3012,13 +3060,13 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b2_2 = b2_1 + J3_11;
   const T J2_11 = b2_2 + b2_1;
   const T b2_3 = E3_22 * J3_12 - E3_23 * J3_13;
-  const T J2_12 = b2_3 - T(0.15) * hc4_1 - T(0.6539999999999999);
+  const T J2_12 = b2_3 - T(0.6539999999999999) - T(0.15) * hc4_1;
   const T b2_4 = E3_23 * J3_12 + E3_22 * J3_13;
-  const T J2_13 = b2_4 - T(0.2) * hc4_1 - T(0.8624);
+  const T J2_13 = b2_4 - T(0.8624) - T(0.2) * hc4_1;
   const T b2_5 = E3_23 * (J3_22 - J3_33) + T(2) * E3_22 * J3_23;
   const T b2_6 = E3_23 * b2_5;
-  const T J2_22 = J3_22 - b2_6 + T(0.4) * hc3_3 + T(2.4804999999999997);
-  const T J2_23 = E3_22 * b2_5 - J3_23 - T(0.2) * hc3_2 - T(0.2658) - T(0.15) * hc3_3;
+  const T J2_22 = J3_22 - b2_6 + T(2.4804999999999997) + T(0.4) * hc3_3;
+  const T J2_23 = E3_22 * b2_5 - (J3_23 + T(0.2658)) - T(0.2) * hc3_2 - T(0.15) * hc3_3;
   const T b2_7 = T(0.3) * hc3_2;
   const T J2_33 = J3_33 + b2_6 + b2_7 + T(2.9859999999999998);
   A[8] = J2_33;
@@ -3028,7 +3076,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot7_2_2 = E3_22 * B_thetadot7_4_2 + E3_23 * minus_B_thetadot7_3_3;
   const T B_thetadot7_2_3 = E3_23 * B_thetadot7_4_2 - E3_22 * minus_B_thetadot7_3_3;
   // K_thetadot7_2 = q3~ E3^T B_thetadot7_3 + E3^T K_thetadot7_3
-  const T K_thetadot7_2_1 = T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2 + K_thetadot7_3_1;
+  const T K_thetadot7_2_1 = K_thetadot7_3_1 + T(0.15) * B_thetadot7_2_3 - T(0.2) * B_thetadot7_2_2;
   const T K_thetadot7_2_2 = T(0.2) * B_thetadot7_3_1 + E3_22 * K_thetadot7_3_2 - E3_23 * K_thetadot7_3_3;
   const T K_thetadot7_2_3 = E3_23 * K_thetadot7_3_2 + E3_22 * K_thetadot7_3_3 - T(0.15) * B_thetadot7_3_1;
   A[13] = K_thetadot7_2_3;
@@ -3037,7 +3085,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot6_2_2 = E3_22 * minus_B_thetadot6_4_2 + E3_23 * B_thetadot6_3_3;
   const T B_thetadot6_2_3 = E3_22 * B_thetadot6_3_3 - E3_23 * minus_B_thetadot6_4_2;
   // K_thetadot6_2 = q3~ E3^T B_thetadot6_3 + E3^T K_thetadot6_3
-  const T K_thetadot6_2_1 = T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3 + K_thetadot6_3_1;
+  const T K_thetadot6_2_1 = K_thetadot6_3_1 + T(0.2) * minus_B_thetadot6_2_2 + T(0.15) * B_thetadot6_2_3;
   const T K_thetadot6_2_2 = T(0.2) * B_thetadot6_3_1 + E3_22 * K_thetadot6_3_2 + E3_23 * minus_K_thetadot6_3_3;
   const T K_thetadot6_2_3 = E3_23 * K_thetadot6_3_2 - E3_22 * minus_K_thetadot6_3_3 - T(0.15) * B_thetadot6_3_1;
   A[12] = K_thetadot6_2_3;
@@ -3046,7 +3094,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot5_2_2 = E3_22 * hc5_1 - E3_23 * B_thetadot5_3_3;
   const T B_thetadot5_2_3 = E3_23 * hc5_1 + E3_22 * B_thetadot5_3_3;
   // K_thetadot5_2 = q3~ E3^T B_thetadot5_3 + E3^T K_thetadot5_3
-  const T K_thetadot5_2_1 = T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2 + K_thetadot5_3_1;
+  const T K_thetadot5_2_1 = K_thetadot5_3_1 + T(0.15) * B_thetadot5_2_3 - T(0.2) * B_thetadot5_2_2;
   const T K_thetadot5_2_2 = E3_22 * K_thetadot5_3_2 - E3_23 * K_thetadot5_3_3 - T(0.2) * minus_B_thetadot5_3_1;
   const T K_thetadot5_2_3 = T(0.15) * minus_B_thetadot5_3_1 + E3_23 * K_thetadot5_3_2 + E3_22 * K_thetadot5_3_3;
   A[11] = K_thetadot5_2_3;
@@ -3055,7 +3103,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot4_2_2 = E3_23 * hc4_1;
   const T minus_B_thetadot4_2_3 = E3_22 * hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
-  const T K_thetadot4_2_1 = b3_4 - (T(0.2) * B_thetadot4_2_2 + T(0.15) * minus_B_thetadot4_2_3);
+  const T K_thetadot4_2_1 = b3_4 - T(0.2) * B_thetadot4_2_2 - T(0.15) * minus_B_thetadot4_2_3;
   const T K_thetadot4_2_2 = b3_3 + E3_22 * b3_6 - E3_23 * b3_7;
   const T K_thetadot4_2_3 = E3_23 * b3_6 + E3_22 * b3_7 - T(0.15) * hc4_3;
   A[10] = K_thetadot4_2_3;
@@ -3065,7 +3113,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 
   // ---- body 1 (body_1) and what it carries
   // J1 = -q2~ hc2~ + E2^T J2 E2 + J_own_1 - hc2~ q2~: inertia carried, about the body origin, body axes [kg m^2]
-  const T J1_22 = J2_22 + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1 + T(1.5925);
+  const T J1_22 = J2_22 + T(1.5925) + E2_12 * (E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12) + T(0.6) * hc2_1;
   A[0] = J1_22;
   // K_thetadot7_1 = q2~ E2^T B_thetadot7_2 + E2^T K_thetadot7_2
   const T K_thetadot7_1_2 = E2_12 * K_thetadot7_2_1 + E2_11 * K_thetadot7_2_2 - T(0.3) * B_thetadot7_2_3;
@@ -3084,7 +3132,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[3] = K_thetadot4_1_2;
   A[21] = K_thetadot4_1_2;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_2 = E2_12 * b2_2 + E2_11 * b2_3 - b2_7;
+  const T K_thetadot3_1_2 = E2_12 * b2_2 - b2_7 + E2_11 * b2_3;
   A[2] = K_thetadot3_1_2;
   A[14] = K_thetadot3_1_2;
   // K_thetadot2_1 = q2~ E2^T B_thetadot2_2 + E2^T K_thetadot2_2
@@ -3101,14 +3149,15 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 // 472 add, 598 multiply, 14 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 147; ++i) v_y[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // B1_1 = -E1^T r1~ b1
   const T t1_1 = minus_E1_13 * T(0.1);
   const T B1_1_1 = E1_11 * T(0.05) - t1_1;
@@ -3118,10 +3167,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[14] = -minus_B1_1_3;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T minus_R2_13 = minus_E1_13 * E2_11;
@@ -3129,16 +3177,16 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T R2_23 = minus_E1_13 * E2_12;
   // P_thetadot1_2 = -E1^T q2~ b1: partial velocity of the body origin, inertial axes
   const T P_thetadot1_2_1 = t1_2 - minus_E1_13 * T(0.3);
-  const T minus_P_thetadot1_2_3 = E1_11 * T(0.3) + t1_1;
+  const T minus_P_thetadot1_2_3 = t1_1 + E1_11 * T(0.3);
   // B2_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
   const T t2_1 = T(0.1) * E2_11;
   const T t2_2 = T(0.2) * E2_12;
   const T t2_3 = t2_1 - t2_2;
   const T t2_4 = T(0.05) * E2_11;
   const T t2_5 = T(0.05) * E2_12;
-  const T minus_B2_1_1 = minus_E1_13 * t2_3 - (R2_11 * t2_4 + minus_R2_21 * t2_5) - P_thetadot1_2_1;
+  const T minus_B2_1_1 = minus_E1_13 * t2_3 - (P_thetadot1_2_1 + R2_11 * t2_4 + minus_R2_21 * t2_5);
   const T minus_B2_1_2 = E2_11 * t2_5 - E2_12 * t2_4;
-  const T minus_B2_1_3 = minus_R2_13 * t2_4 + R2_23 * t2_5 + E1_11 * t2_3 + minus_P_thetadot1_2_3;
+  const T minus_B2_1_3 = minus_P_thetadot1_2_3 + minus_R2_13 * t2_4 + R2_23 * t2_5 + E1_11 * t2_3;
   v_y[21] = -minus_B2_1_1;
   v_y[28] = -minus_B2_1_2;
   v_y[35] = -minus_B2_1_3;
@@ -3150,10 +3198,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[36] = B3_2_3;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
   const T R3_22 = E2_11 * E3_22;
@@ -3164,9 +3211,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // P_thetadot1_3 = -R2^T q3~ omega_thetadot1_2 + P_thetadot1_2: partial velocity of the body origin, inertial axes
   const T t3_1 = T(0.3) * E2_11 - T(0.15) * E2_12;
   const T t3_2 = E2_12 * T(0.1);
-  const T minus_P_thetadot1_3_1 = minus_E1_13 * t3_1 - (R2_11 * t2_1 + minus_R2_21 * t3_2) - P_thetadot1_2_1;
+  const T minus_P_thetadot1_3_1 = minus_E1_13 * t3_1 - (P_thetadot1_2_1 + R2_11 * t2_1 + minus_R2_21 * t3_2);
   const T minus_P_thetadot1_3_2 = E2_11 * t3_2 - E2_12 * t2_1;
-  const T minus_P_thetadot1_3_3 = minus_R2_13 * t2_1 + R2_23 * t3_2 + E1_11 * t3_1 + minus_P_thetadot1_2_3;
+  const T minus_P_thetadot1_3_3 = minus_P_thetadot1_2_3 + minus_R2_13 * t2_1 + R2_23 * t3_2 + E1_11 * t3_1;
   // P_thetadot2_3 = -R2^T q3~ b2: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot2_3_1 = R2_11 * T(0.15) + minus_R2_21 * T(0.3);
   const T P_thetadot2_3_3 = minus_R2_13 * T(0.15) + R2_23 * T(0.3);
@@ -3177,9 +3224,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_6 = t3_4 + t3_5;
   const T t3_7 = T(0.1) * R3_22;
   const T t3_8 = t3_7 - t2_2;
-  const T minus_B4_1_1 = R3_21 * t3_3 - R2_11 * t3_6 + R3_31 * t3_8 + minus_P_thetadot1_3_1;
-  const T minus_B4_1_2 = R3_22 * t3_3 - E2_12 * t3_6 - minus_R3_32 * t3_8 + minus_P_thetadot1_3_2;
-  const T minus_B4_1_3 = minus_R2_13 * t3_6 + R3_23 * t3_3 + R3_33 * t3_8 + minus_P_thetadot1_3_3;
+  const T minus_B4_1_1 = minus_P_thetadot1_3_1 + R3_21 * t3_3 - R2_11 * t3_6 + R3_31 * t3_8;
+  const T minus_B4_1_2 = minus_P_thetadot1_3_2 + R3_22 * t3_3 - E2_12 * t3_6 - minus_R3_32 * t3_8;
+  const T minus_B4_1_3 = minus_P_thetadot1_3_3 + minus_R2_13 * t3_6 + R3_23 * t3_3 + R3_33 * t3_8;
   v_y[42] = -minus_B4_1_1;
   v_y[49] = -minus_B4_1_2;
   v_y[56] = -minus_B4_1_3;
@@ -3189,9 +3236,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_11 = t3_9 - t3_10;
   const T t3_12 = T(0.1) * E3_22;
   const T t3_13 = T(0.1) * E3_23;
-  const T minus_B5_2_1 = R2_11 * t3_11 - R3_21 * t3_12 + R3_31 * t3_13 + minus_P_thetadot2_3_1;
-  const T minus_B5_2_2 = E2_12 * t3_11 - R3_22 * t3_12 - minus_R3_32 * t3_13 - t3_1;
-  const T minus_B5_2_3 = R3_33 * t3_13 - (minus_R2_13 * t3_11 + R3_23 * t3_12) - P_thetadot2_3_3;
+  const T minus_B5_2_1 = minus_P_thetadot2_3_1 + R2_11 * t3_11 - R3_21 * t3_12 + R3_31 * t3_13;
+  const T minus_B5_2_2 = E2_12 * t3_11 - t3_1 - R3_22 * t3_12 - minus_R3_32 * t3_13;
+  const T minus_B5_2_3 = R3_33 * t3_13 - (P_thetadot2_3_3 + minus_R2_13 * t3_11 + R3_23 * t3_12);
   v_y[43] = -minus_B5_2_1;
   v_y[50] = -minus_B5_2_2;
   v_y[57] = -minus_B5_2_3;
@@ -3205,10 +3252,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[58] = -minus_B6_3_3;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
@@ -3224,16 +3270,16 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_2 = t3_7 + t3_5;
   const T t4_3 = T(0.3) * R3_22;
   const T t4_4 = t4_3 - t2_2;
-  const T minus_P_thetadot1_4_1 = R3_21 * t4_1 - R2_11 * t4_2 + R3_31 * t4_4 + minus_P_thetadot1_3_1;
-  const T minus_P_thetadot1_4_2 = R3_22 * t4_1 - E2_12 * t4_2 - minus_R3_32 * t4_4 + minus_P_thetadot1_3_2;
-  const T minus_P_thetadot1_4_3 = minus_R2_13 * t4_2 + R3_23 * t4_1 + R3_33 * t4_4 + minus_P_thetadot1_3_3;
+  const T minus_P_thetadot1_4_1 = minus_P_thetadot1_3_1 + R3_21 * t4_1 - R2_11 * t4_2 + R3_31 * t4_4;
+  const T minus_P_thetadot1_4_2 = minus_P_thetadot1_3_2 + R3_22 * t4_1 - E2_12 * t4_2 - minus_R3_32 * t4_4;
+  const T minus_P_thetadot1_4_3 = minus_P_thetadot1_3_3 + minus_R2_13 * t4_2 + R3_23 * t4_1 + R3_33 * t4_4;
   // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
   const T t4_5 = t3_9 - t3_13;
   const T t4_6 = T(0.3) * E3_22;
   const T t4_7 = T(0.3) * E3_23;
-  const T minus_P_thetadot2_4_1 = R2_11 * t4_5 - R3_21 * t4_6 + R3_31 * t4_7 + minus_P_thetadot2_3_1;
-  const T minus_P_thetadot2_4_2 = E2_12 * t4_5 - R3_22 * t4_6 - minus_R3_32 * t4_7 - t3_1;
-  const T minus_P_thetadot2_4_3 = R3_33 * t4_7 - (minus_R2_13 * t4_5 + R3_23 * t4_6) - P_thetadot2_3_3;
+  const T minus_P_thetadot2_4_1 = minus_P_thetadot2_3_1 + R2_11 * t4_5 - R3_21 * t4_6 + R3_31 * t4_7;
+  const T minus_P_thetadot2_4_2 = E2_12 * t4_5 - t3_1 - R3_22 * t4_6 - minus_R3_32 * t4_7;
+  const T minus_P_thetadot2_4_3 = R3_33 * t4_7 - (P_thetadot2_3_3 + minus_R2_13 * t4_5 + R3_23 * t4_6);
   // P_thetadot3_4 = -R3^T q4~ b3: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot3_4_1 = R3_21 * T(0.1) - t3_14;
   const T minus_P_thetadot3_4_3 = R3_23 * T(0.1) - t3_15;
@@ -3243,9 +3289,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_10 = R4_32 * T(0.1);
   const T t4_11 = T(0.05) * R4_12 - t4_10;
   const T t4_12 = t3_7 - T(0.2) * R4_12;
-  const T minus_B7_1_1 = R4_11 * t4_9 + R3_21 * t4_11 + R4_31 * t4_12 + minus_P_thetadot1_4_1;
-  const T minus_B7_1_2 = R4_12 * t4_9 + R3_22 * t4_11 + R4_32 * t4_12 + minus_P_thetadot1_4_2;
-  const T minus_B7_1_3 = R3_23 * t4_11 - minus_R4_13 * t4_9 + R4_33 * t4_12 + minus_P_thetadot1_4_3;
+  const T minus_B7_1_1 = minus_P_thetadot1_4_1 + R4_11 * t4_9 + R3_21 * t4_11 + R4_31 * t4_12;
+  const T minus_B7_1_2 = minus_P_thetadot1_4_2 + R4_12 * t4_9 + R3_22 * t4_11 + R4_32 * t4_12;
+  const T minus_B7_1_3 = minus_P_thetadot1_4_3 + R3_23 * t4_11 - minus_R4_13 * t4_9 + R4_33 * t4_12;
   v_y[63] = -minus_B7_1_1;
   v_y[70] = -minus_B7_1_2;
   v_y[77] = -minus_B7_1_3;
@@ -3253,11 +3299,11 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_13 = T(0.2) * omega_thetadot2_4_3;
   const T t4_14 = t4_13 - t3_10;
   const T t4_15 = T(0.1) * omega_thetadot2_4_3;
-  const T t4_16 = T(0.05) * minus_omega_thetadot2_4_1 + t4_15;
+  const T t4_16 = t4_15 + T(0.05) * minus_omega_thetadot2_4_1;
   const T t4_17 = t3_13 + T(0.2) * minus_omega_thetadot2_4_1;
-  const T minus_B8_2_1 = R4_11 * t4_14 - R3_21 * t4_16 + R4_31 * t4_17 + minus_P_thetadot2_4_1;
-  const T minus_B8_2_2 = R4_12 * t4_14 - R3_22 * t4_16 + R4_32 * t4_17 + minus_P_thetadot2_4_2;
-  const T minus_B8_2_3 = R4_33 * t4_17 - (minus_R4_13 * t4_14 + R3_23 * t4_16) + minus_P_thetadot2_4_3;
+  const T minus_B8_2_1 = minus_P_thetadot2_4_1 + R4_11 * t4_14 - R3_21 * t4_16 + R4_31 * t4_17;
+  const T minus_B8_2_2 = minus_P_thetadot2_4_2 + R4_12 * t4_14 - R3_22 * t4_16 + R4_32 * t4_17;
+  const T minus_B8_2_3 = minus_P_thetadot2_4_3 - minus_R4_13 * t4_14 - R3_23 * t4_16 + R4_33 * t4_17;
   v_y[64] = -minus_B8_2_1;
   v_y[71] = -minus_B8_2_2;
   v_y[78] = -minus_B8_2_3;
@@ -3266,9 +3312,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_19 = T(0.1) * minus_E4_13;
   const T t4_20 = T(0.05) * E4_11 - t4_19;
   const T t4_21 = T(0.2) * E4_11;
-  const T minus_B9_3_1 = R4_11 * t4_18 + R3_21 * t4_20 - R4_31 * t4_21 + minus_P_thetadot3_4_1;
-  const T minus_B9_3_2 = R4_12 * t4_18 + R3_22 * t4_20 - R4_32 * t4_21 + t4_2;
-  const T minus_B9_3_3 = R3_23 * t4_20 - minus_R4_13 * t4_18 - R4_33 * t4_21 + minus_P_thetadot3_4_3;
+  const T minus_B9_3_1 = minus_P_thetadot3_4_1 + R4_11 * t4_18 + R3_21 * t4_20 - R4_31 * t4_21;
+  const T minus_B9_3_2 = t4_2 + R4_12 * t4_18 + R3_22 * t4_20 - R4_32 * t4_21;
+  const T minus_B9_3_3 = minus_P_thetadot3_4_3 + R3_23 * t4_20 - minus_R4_13 * t4_18 - R4_33 * t4_21;
   v_y[65] = -minus_B9_3_1;
   v_y[72] = -minus_B9_3_2;
   v_y[79] = -minus_B9_3_3;
@@ -3280,10 +3326,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[80] = -minus_B10_4_3;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -3302,25 +3347,25 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_2 = T(0.3) * R4_32;
   const T t5_3 = R4_12 * T(0.1) - t5_2;
   const T t5_4 = t4_3 - T(0.25) * R4_12;
-  const T minus_P_thetadot1_5_1 = R4_11 * t5_1 + R3_21 * t5_3 + R4_31 * t5_4 + minus_P_thetadot1_4_1;
-  const T minus_P_thetadot1_5_2 = R4_12 * t5_1 + R3_22 * t5_3 + R4_32 * t5_4 + minus_P_thetadot1_4_2;
-  const T minus_P_thetadot1_5_3 = R3_23 * t5_3 - minus_R4_13 * t5_1 + R4_33 * t5_4 + minus_P_thetadot1_4_3;
+  const T minus_P_thetadot1_5_1 = minus_P_thetadot1_4_1 + R4_11 * t5_1 + R3_21 * t5_3 + R4_31 * t5_4;
+  const T minus_P_thetadot1_5_2 = minus_P_thetadot1_4_2 + R4_12 * t5_1 + R3_22 * t5_3 + R4_32 * t5_4;
+  const T minus_P_thetadot1_5_3 = minus_P_thetadot1_4_3 + R3_23 * t5_3 - minus_R4_13 * t5_1 + R4_33 * t5_4;
   // P_thetadot2_5 = -R4^T q5~ omega_thetadot2_4 + P_thetadot2_4: partial velocity of the body origin, inertial axes
   const T t5_5 = T(0.25) * omega_thetadot2_4_3 - t3_13;
   const T t5_6 = T(0.3) * omega_thetadot2_4_3;
-  const T t5_7 = T(0.1) * minus_omega_thetadot2_4_1 + t5_6;
+  const T t5_7 = t5_6 + T(0.1) * minus_omega_thetadot2_4_1;
   const T t5_8 = t4_7 + T(0.25) * minus_omega_thetadot2_4_1;
-  const T minus_P_thetadot2_5_1 = R4_11 * t5_5 - R3_21 * t5_7 + R4_31 * t5_8 + minus_P_thetadot2_4_1;
-  const T minus_P_thetadot2_5_2 = R4_12 * t5_5 - R3_22 * t5_7 + R4_32 * t5_8 + minus_P_thetadot2_4_2;
-  const T minus_P_thetadot2_5_3 = R4_33 * t5_8 - (minus_R4_13 * t5_5 + R3_23 * t5_7) + minus_P_thetadot2_4_3;
+  const T minus_P_thetadot2_5_1 = minus_P_thetadot2_4_1 + R4_11 * t5_5 - R3_21 * t5_7 + R4_31 * t5_8;
+  const T minus_P_thetadot2_5_2 = minus_P_thetadot2_4_2 + R4_12 * t5_5 - R3_22 * t5_7 + R4_32 * t5_8;
+  const T minus_P_thetadot2_5_3 = minus_P_thetadot2_4_3 - minus_R4_13 * t5_5 - R3_23 * t5_7 + R4_33 * t5_8;
   // P_thetadot3_5 = -R4^T q5~ omega_thetadot3_4 + P_thetadot3_4: partial velocity of the body origin, inertial axes
   const T t5_9 = T(0.25) * minus_E4_13;
   const T t5_10 = T(0.3) * minus_E4_13;
   const T t5_11 = T(0.1) * E4_11 - t5_10;
   const T t5_12 = T(0.25) * E4_11;
-  const T minus_P_thetadot3_5_1 = R4_11 * t5_9 + R3_21 * t5_11 - R4_31 * t5_12 + minus_P_thetadot3_4_1;
-  const T minus_P_thetadot3_5_2 = R4_12 * t5_9 + R3_22 * t5_11 - R4_32 * t5_12 + t4_2;
-  const T minus_P_thetadot3_5_3 = R3_23 * t5_11 - minus_R4_13 * t5_9 - R4_33 * t5_12 + minus_P_thetadot3_4_3;
+  const T minus_P_thetadot3_5_1 = minus_P_thetadot3_4_1 + R4_11 * t5_9 + R3_21 * t5_11 - R4_31 * t5_12;
+  const T minus_P_thetadot3_5_2 = t4_2 + R4_12 * t5_9 + R3_22 * t5_11 - R4_32 * t5_12;
+  const T minus_P_thetadot3_5_3 = minus_P_thetadot3_4_3 + R3_23 * t5_11 - minus_R4_13 * t5_9 - R4_33 * t5_12;
   // P_thetadot4_5 = -R4^T q5~ b4: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot4_5_1 = R4_31 * T(0.3) - R4_11 * T(0.1);
   const T minus_P_thetadot4_5_3 = minus_R4_13 * T(0.1) + R4_33 * T(0.3);
@@ -3331,9 +3376,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_16 = T(0.1) * R5_22;
   const T t5_17 = T(0.2) * R5_12;
   const T t5_18 = t5_16 - t5_17;
-  const T minus_B11_1_1 = R5_11 * t5_13 + R5_21 * t5_15 + R4_31 * t5_18 + minus_P_thetadot1_5_1;
-  const T minus_B11_1_2 = R5_12 * t5_13 + R5_22 * t5_15 + R4_32 * t5_18 + minus_P_thetadot1_5_2;
-  const T minus_B11_1_3 = R5_13 * t5_13 + R5_23 * t5_15 + R4_33 * t5_18 + minus_P_thetadot1_5_3;
+  const T minus_B11_1_1 = minus_P_thetadot1_5_1 + R5_11 * t5_13 + R5_21 * t5_15 + R4_31 * t5_18;
+  const T minus_B11_1_2 = minus_P_thetadot1_5_2 + R5_12 * t5_13 + R5_22 * t5_15 + R4_32 * t5_18;
+  const T minus_B11_1_3 = minus_P_thetadot1_5_3 + R5_13 * t5_13 + R5_23 * t5_15 + R4_33 * t5_18;
   v_y[84] = -minus_B11_1_1;
   v_y[91] = -minus_B11_1_2;
   v_y[98] = -minus_B11_1_3;
@@ -3344,22 +3389,22 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_22 = T(0.1) * omega_thetadot2_5_2;
   const T t5_23 = T(0.2) * omega_thetadot2_5_1;
   const T t5_24 = t5_22 - t5_23;
-  const T minus_B12_2_1 = R5_11 * t5_19 + R5_21 * t5_21 + R4_31 * t5_24 + minus_P_thetadot2_5_1;
-  const T minus_B12_2_2 = R5_12 * t5_19 + R5_22 * t5_21 + R4_32 * t5_24 + minus_P_thetadot2_5_2;
-  const T minus_B12_2_3 = R5_13 * t5_19 + R5_23 * t5_21 + R4_33 * t5_24 + minus_P_thetadot2_5_3;
+  const T minus_B12_2_1 = minus_P_thetadot2_5_1 + R5_11 * t5_19 + R5_21 * t5_21 + R4_31 * t5_24;
+  const T minus_B12_2_2 = minus_P_thetadot2_5_2 + R5_12 * t5_19 + R5_22 * t5_21 + R4_32 * t5_24;
+  const T minus_B12_2_3 = minus_P_thetadot2_5_3 + R5_13 * t5_19 + R5_23 * t5_21 + R4_33 * t5_24;
   v_y[85] = -minus_B12_2_1;
   v_y[92] = -minus_B12_2_2;
   v_y[99] = -minus_B12_2_3;
   // B13_3 = -R5^T r5~ omega_thetadot3_5 + P_thetadot3_5
-  const T t5_25 = T(0.05) * minus_omega_thetadot3_5_2 + t4_18;
+  const T t5_25 = t4_18 + T(0.05) * minus_omega_thetadot3_5_2;
   const T t5_26 = T(0.05) * omega_thetadot3_5_1;
   const T t5_27 = t5_26 - t4_19;
   const T t5_28 = T(0.1) * minus_omega_thetadot3_5_2;
   const T t5_29 = T(0.2) * omega_thetadot3_5_1;
   const T t5_30 = t5_28 + t5_29;
-  const T minus_B13_3_1 = R5_11 * t5_25 + R5_21 * t5_27 - R4_31 * t5_30 + minus_P_thetadot3_5_1;
-  const T minus_B13_3_2 = R5_12 * t5_25 + R5_22 * t5_27 - R4_32 * t5_30 + minus_P_thetadot3_5_2;
-  const T minus_B13_3_3 = R5_13 * t5_25 + R5_23 * t5_27 - R4_33 * t5_30 + minus_P_thetadot3_5_3;
+  const T minus_B13_3_1 = minus_P_thetadot3_5_1 + R5_11 * t5_25 + R5_21 * t5_27 - R4_31 * t5_30;
+  const T minus_B13_3_2 = minus_P_thetadot3_5_2 + R5_12 * t5_25 + R5_22 * t5_27 - R4_32 * t5_30;
+  const T minus_B13_3_3 = minus_P_thetadot3_5_3 + R5_13 * t5_25 + R5_23 * t5_27 - R4_33 * t5_30;
   v_y[86] = -minus_B13_3_1;
   v_y[93] = -minus_B13_3_2;
   v_y[100] = -minus_B13_3_3;
@@ -3369,9 +3414,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_33 = T(0.1) * E5_11;
   const T t5_34 = T(0.2) * E5_12;
   const T t5_35 = t5_33 - t5_34;
-  const T minus_B14_4_1 = R5_21 * t5_31 - R5_11 * t5_32 + R4_31 * t5_35 + minus_P_thetadot4_5_1;
-  const T minus_B14_4_2 = R5_22 * t5_31 - R5_12 * t5_32 + R4_32 * t5_35 - t5_3;
-  const T minus_B14_4_3 = R5_23 * t5_31 - R5_13 * t5_32 + R4_33 * t5_35 + minus_P_thetadot4_5_3;
+  const T minus_B14_4_1 = minus_P_thetadot4_5_1 + R5_21 * t5_31 - R5_11 * t5_32 + R4_31 * t5_35;
+  const T minus_B14_4_2 = R5_22 * t5_31 - t5_3 - R5_12 * t5_32 + R4_32 * t5_35;
+  const T minus_B14_4_3 = minus_P_thetadot4_5_3 + R5_23 * t5_31 - R5_13 * t5_32 + R4_33 * t5_35;
   v_y[87] = -minus_B14_4_1;
   v_y[94] = -minus_B14_4_2;
   v_y[101] = -minus_B14_4_3;
@@ -3383,10 +3428,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[102] = -minus_B15_5_3;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
@@ -3408,31 +3452,31 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_2 = R5_12 * T(0.1);
   const T t6_3 = t6_2 - t5_2;
   const T t6_4 = R5_22 * T(0.3) - R5_12 * T(0.3);
-  const T minus_P_thetadot1_6_1 = R5_11 * t6_1 + R5_21 * t6_3 + R4_31 * t6_4 + minus_P_thetadot1_5_1;
-  const T minus_P_thetadot1_6_2 = R5_12 * t6_1 + R5_22 * t6_3 + R4_32 * t6_4 + minus_P_thetadot1_5_2;
-  const T minus_P_thetadot1_6_3 = R5_13 * t6_1 + R5_23 * t6_3 + R4_33 * t6_4 + minus_P_thetadot1_5_3;
+  const T minus_P_thetadot1_6_1 = minus_P_thetadot1_5_1 + R5_11 * t6_1 + R5_21 * t6_3 + R4_31 * t6_4;
+  const T minus_P_thetadot1_6_2 = minus_P_thetadot1_5_2 + R5_12 * t6_1 + R5_22 * t6_3 + R4_32 * t6_4;
+  const T minus_P_thetadot1_6_3 = minus_P_thetadot1_5_3 + R5_13 * t6_1 + R5_23 * t6_3 + R4_33 * t6_4;
   // P_thetadot2_6 = -R5^T q6~ omega_thetadot2_5 + P_thetadot2_5: partial velocity of the body origin, inertial axes
   const T t6_5 = t5_6 - t5_22;
   const T t6_6 = T(0.1) * omega_thetadot2_5_1;
   const T t6_7 = t6_6 - t5_6;
   const T t6_8 = T(0.3) * omega_thetadot2_5_2 - T(0.3) * omega_thetadot2_5_1;
-  const T minus_P_thetadot2_6_1 = R5_11 * t6_5 + R5_21 * t6_7 + R4_31 * t6_8 + minus_P_thetadot2_5_1;
-  const T minus_P_thetadot2_6_2 = R5_12 * t6_5 + R5_22 * t6_7 + R4_32 * t6_8 + minus_P_thetadot2_5_2;
-  const T minus_P_thetadot2_6_3 = R5_13 * t6_5 + R5_23 * t6_7 + R4_33 * t6_8 + minus_P_thetadot2_5_3;
+  const T minus_P_thetadot2_6_1 = minus_P_thetadot2_5_1 + R5_11 * t6_5 + R5_21 * t6_7 + R4_31 * t6_8;
+  const T minus_P_thetadot2_6_2 = minus_P_thetadot2_5_2 + R5_12 * t6_5 + R5_22 * t6_7 + R4_32 * t6_8;
+  const T minus_P_thetadot2_6_3 = minus_P_thetadot2_5_3 + R5_13 * t6_5 + R5_23 * t6_7 + R4_33 * t6_8;
   // P_thetadot3_6 = -R5^T q6~ omega_thetadot3_5 + P_thetadot3_5: partial velocity of the body origin, inertial axes
   const T t6_9 = t5_28 + t5_10;
   const T t6_10 = T(0.1) * omega_thetadot3_5_1;
   const T t6_11 = t6_10 - t5_10;
   const T t6_12 = T(0.3) * minus_omega_thetadot3_5_2 + T(0.3) * omega_thetadot3_5_1;
-  const T minus_P_thetadot3_6_1 = R5_11 * t6_9 + R5_21 * t6_11 - R4_31 * t6_12 + minus_P_thetadot3_5_1;
-  const T minus_P_thetadot3_6_2 = R5_12 * t6_9 + R5_22 * t6_11 - R4_32 * t6_12 + minus_P_thetadot3_5_2;
-  const T minus_P_thetadot3_6_3 = R5_13 * t6_9 + R5_23 * t6_11 - R4_33 * t6_12 + minus_P_thetadot3_5_3;
+  const T minus_P_thetadot3_6_1 = minus_P_thetadot3_5_1 + R5_11 * t6_9 + R5_21 * t6_11 - R4_31 * t6_12;
+  const T minus_P_thetadot3_6_2 = minus_P_thetadot3_5_2 + R5_12 * t6_9 + R5_22 * t6_11 - R4_32 * t6_12;
+  const T minus_P_thetadot3_6_3 = minus_P_thetadot3_5_3 + R5_13 * t6_9 + R5_23 * t6_11 - R4_33 * t6_12;
   // P_thetadot4_6 = -R5^T q6~ omega_thetadot4_5 + P_thetadot4_5: partial velocity of the body origin, inertial axes
   const T t6_13 = T(0.1) * E5_12;
   const T t6_14 = T(0.3) * E5_11 - T(0.3) * E5_12;
-  const T minus_P_thetadot4_6_1 = R5_21 * t6_13 - R5_11 * t5_33 + R4_31 * t6_14 + minus_P_thetadot4_5_1;
-  const T minus_P_thetadot4_6_2 = R5_22 * t6_13 - R5_12 * t5_33 + R4_32 * t6_14 - t5_3;
-  const T minus_P_thetadot4_6_3 = R5_23 * t6_13 - R5_13 * t5_33 + R4_33 * t6_14 + minus_P_thetadot4_5_3;
+  const T minus_P_thetadot4_6_1 = minus_P_thetadot4_5_1 + R5_21 * t6_13 - R5_11 * t5_33 + R4_31 * t6_14;
+  const T minus_P_thetadot4_6_2 = R5_22 * t6_13 - t5_3 - R5_12 * t5_33 + R4_32 * t6_14;
+  const T minus_P_thetadot4_6_3 = minus_P_thetadot4_5_3 + R5_23 * t6_13 - R5_13 * t5_33 + R4_33 * t6_14;
   // P_thetadot5_6 = -R5^T q6~ b5: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot5_6_1 = R5_11 * T(0.3) - R5_21 * T(0.3);
   const T minus_P_thetadot5_6_3 = R5_13 * T(0.3) - R5_23 * T(0.3);
@@ -3442,9 +3486,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_17 = t5_14 - R6_32 * T(0.1);
   const T t6_18 = T(0.1) * R6_22;
   const T t6_19 = t6_18 - t5_17;
-  const T minus_B16_1_1 = R5_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_19 + minus_P_thetadot1_6_1;
-  const T minus_B16_1_2 = R5_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_19 + minus_P_thetadot1_6_2;
-  const T minus_B16_1_3 = R5_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_19 + minus_P_thetadot1_6_3;
+  const T minus_B16_1_1 = minus_P_thetadot1_6_1 + R5_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_19;
+  const T minus_B16_1_2 = minus_P_thetadot1_6_2 + R5_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_19;
+  const T minus_B16_1_3 = minus_P_thetadot1_6_3 + R5_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_19;
   v_y[105] = -minus_B16_1_1;
   v_y[112] = -minus_B16_1_2;
   v_y[119] = -minus_B16_1_3;
@@ -3454,9 +3498,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_22 = t5_20 - T(0.1) * omega_thetadot2_6_3;
   const T t6_23 = T(0.1) * omega_thetadot2_6_2;
   const T t6_24 = t6_23 - t5_23;
-  const T minus_B17_2_1 = R5_11 * t6_21 + R6_21 * t6_22 + R6_31 * t6_24 + minus_P_thetadot2_6_1;
-  const T minus_B17_2_2 = R5_12 * t6_21 + R6_22 * t6_22 + R6_32 * t6_24 + minus_P_thetadot2_6_2;
-  const T minus_B17_2_3 = R5_13 * t6_21 + R6_23 * t6_22 + R6_33 * t6_24 + minus_P_thetadot2_6_3;
+  const T minus_B17_2_1 = minus_P_thetadot2_6_1 + R5_11 * t6_21 + R6_21 * t6_22 + R6_31 * t6_24;
+  const T minus_B17_2_2 = minus_P_thetadot2_6_2 + R5_12 * t6_21 + R6_22 * t6_22 + R6_32 * t6_24;
+  const T minus_B17_2_3 = minus_P_thetadot2_6_3 + R5_13 * t6_21 + R6_23 * t6_22 + R6_33 * t6_24;
   v_y[106] = -minus_B17_2_1;
   v_y[113] = -minus_B17_2_2;
   v_y[120] = -minus_B17_2_3;
@@ -3466,9 +3510,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_27 = t5_26 - T(0.1) * omega_thetadot3_6_3;
   const T t6_28 = T(0.1) * omega_thetadot3_6_2;
   const T t6_29 = t6_28 - t5_29;
-  const T minus_B18_3_1 = R5_11 * t6_26 + R6_21 * t6_27 + R6_31 * t6_29 + minus_P_thetadot3_6_1;
-  const T minus_B18_3_2 = R5_12 * t6_26 + R6_22 * t6_27 + R6_32 * t6_29 + minus_P_thetadot3_6_2;
-  const T minus_B18_3_3 = R5_13 * t6_26 + R6_23 * t6_27 + R6_33 * t6_29 + minus_P_thetadot3_6_3;
+  const T minus_B18_3_1 = minus_P_thetadot3_6_1 + R5_11 * t6_26 + R6_21 * t6_27 + R6_31 * t6_29;
+  const T minus_B18_3_2 = minus_P_thetadot3_6_2 + R5_12 * t6_26 + R6_22 * t6_27 + R6_32 * t6_29;
+  const T minus_B18_3_3 = minus_P_thetadot3_6_3 + R5_13 * t6_26 + R6_23 * t6_27 + R6_33 * t6_29;
   v_y[107] = -minus_B18_3_1;
   v_y[114] = -minus_B18_3_2;
   v_y[121] = -minus_B18_3_3;
@@ -3478,9 +3522,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_32 = t6_31 + T(0.2) * minus_omega_thetadot4_6_3;
   const T t6_33 = T(0.1) * omega_thetadot4_6_2;
   const T t6_34 = t6_33 - t5_34;
-  const T minus_B19_4_1 = R6_21 * t6_30 - R5_11 * t6_32 + R6_31 * t6_34 + minus_P_thetadot4_6_1;
-  const T minus_B19_4_2 = R6_22 * t6_30 - R5_12 * t6_32 + R6_32 * t6_34 + minus_P_thetadot4_6_2;
-  const T minus_B19_4_3 = R6_23 * t6_30 - R5_13 * t6_32 + R6_33 * t6_34 + minus_P_thetadot4_6_3;
+  const T minus_B19_4_1 = minus_P_thetadot4_6_1 + R6_21 * t6_30 - R5_11 * t6_32 + R6_31 * t6_34;
+  const T minus_B19_4_2 = minus_P_thetadot4_6_2 + R6_22 * t6_30 - R5_12 * t6_32 + R6_32 * t6_34;
+  const T minus_B19_4_3 = minus_P_thetadot4_6_3 + R6_23 * t6_30 - R5_13 * t6_32 + R6_33 * t6_34;
   v_y[108] = -minus_B19_4_1;
   v_y[115] = -minus_B19_4_2;
   v_y[122] = -minus_B19_4_3;
@@ -3489,9 +3533,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_36 = T(0.2) * E6_22 - t6_35;
   const T t6_37 = T(0.1) * E6_22;
   const T t6_38 = T(0.1) * E6_23;
-  const T minus_B20_5_1 = R5_11 * t6_36 - R6_21 * t6_37 + R6_31 * t6_38 + minus_P_thetadot5_6_1;
-  const T minus_B20_5_2 = R5_12 * t6_36 - R6_22 * t6_37 + R6_32 * t6_38 - t6_4;
-  const T minus_B20_5_3 = R5_13 * t6_36 - R6_23 * t6_37 + R6_33 * t6_38 + minus_P_thetadot5_6_3;
+  const T minus_B20_5_1 = minus_P_thetadot5_6_1 + R5_11 * t6_36 - R6_21 * t6_37 + R6_31 * t6_38;
+  const T minus_B20_5_2 = R5_12 * t6_36 - t6_4 - R6_22 * t6_37 + R6_32 * t6_38;
+  const T minus_B20_5_3 = minus_P_thetadot5_6_3 + R5_13 * t6_36 - R6_23 * t6_37 + R6_33 * t6_38;
   v_y[109] = -minus_B20_5_1;
   v_y[116] = -minus_B20_5_2;
   v_y[123] = -minus_B20_5_3;
@@ -3503,10 +3547,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[124] = -minus_B21_6_3;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
@@ -3530,37 +3573,37 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_1 = T(0.35) * R6_32 - t6_18;
   const T t7_2 = t6_2 - T(0.3) * R6_32;
   const T t7_3 = T(0.3) * R6_22 - T(0.35) * R5_12;
-  const T minus_P_thetadot1_7_1 = R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3 + minus_P_thetadot1_6_1;
-  const T minus_P_thetadot1_7_2 = R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3 + minus_P_thetadot1_6_2;
-  const T minus_P_thetadot1_7_3 = R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3 + minus_P_thetadot1_6_3;
+  const T minus_P_thetadot1_7_1 = minus_P_thetadot1_6_1 + R5_11 * t7_1 + R6_21 * t7_2 + R6_31 * t7_3;
+  const T minus_P_thetadot1_7_2 = minus_P_thetadot1_6_2 + R5_12 * t7_1 + R6_22 * t7_2 + R6_32 * t7_3;
+  const T minus_P_thetadot1_7_3 = minus_P_thetadot1_6_3 + R5_13 * t7_1 + R6_23 * t7_2 + R6_33 * t7_3;
   // P_thetadot2_7 = -R6^T q7~ omega_thetadot2_6 + P_thetadot2_6: partial velocity of the body origin, inertial axes
   const T t7_4 = T(0.35) * omega_thetadot2_6_3 - t6_23;
   const T t7_5 = t6_6 - T(0.3) * omega_thetadot2_6_3;
   const T t7_6 = T(0.3) * omega_thetadot2_6_2 - T(0.35) * omega_thetadot2_5_1;
-  const T minus_P_thetadot2_7_1 = R5_11 * t7_4 + R6_21 * t7_5 + R6_31 * t7_6 + minus_P_thetadot2_6_1;
-  const T minus_P_thetadot2_7_2 = R5_12 * t7_4 + R6_22 * t7_5 + R6_32 * t7_6 + minus_P_thetadot2_6_2;
-  const T minus_P_thetadot2_7_3 = R5_13 * t7_4 + R6_23 * t7_5 + R6_33 * t7_6 + minus_P_thetadot2_6_3;
+  const T minus_P_thetadot2_7_1 = minus_P_thetadot2_6_1 + R5_11 * t7_4 + R6_21 * t7_5 + R6_31 * t7_6;
+  const T minus_P_thetadot2_7_2 = minus_P_thetadot2_6_2 + R5_12 * t7_4 + R6_22 * t7_5 + R6_32 * t7_6;
+  const T minus_P_thetadot2_7_3 = minus_P_thetadot2_6_3 + R5_13 * t7_4 + R6_23 * t7_5 + R6_33 * t7_6;
   // P_thetadot3_7 = -R6^T q7~ omega_thetadot3_6 + P_thetadot3_6: partial velocity of the body origin, inertial axes
   const T t7_7 = T(0.35) * omega_thetadot3_6_3 - t6_28;
   const T t7_8 = t6_10 - T(0.3) * omega_thetadot3_6_3;
   const T t7_9 = T(0.3) * omega_thetadot3_6_2 - T(0.35) * omega_thetadot3_5_1;
-  const T minus_P_thetadot3_7_1 = R5_11 * t7_7 + R6_21 * t7_8 + R6_31 * t7_9 + minus_P_thetadot3_6_1;
-  const T minus_P_thetadot3_7_2 = R5_12 * t7_7 + R6_22 * t7_8 + R6_32 * t7_9 + minus_P_thetadot3_6_2;
-  const T minus_P_thetadot3_7_3 = R5_13 * t7_7 + R6_23 * t7_8 + R6_33 * t7_9 + minus_P_thetadot3_6_3;
+  const T minus_P_thetadot3_7_1 = minus_P_thetadot3_6_1 + R5_11 * t7_7 + R6_21 * t7_8 + R6_31 * t7_9;
+  const T minus_P_thetadot3_7_2 = minus_P_thetadot3_6_2 + R5_12 * t7_7 + R6_22 * t7_8 + R6_32 * t7_9;
+  const T minus_P_thetadot3_7_3 = minus_P_thetadot3_6_3 + R5_13 * t7_7 + R6_23 * t7_8 + R6_33 * t7_9;
   // P_thetadot4_7 = -R6^T q7~ omega_thetadot4_6 + P_thetadot4_6: partial velocity of the body origin, inertial axes
   const T t7_10 = t6_13 + T(0.3) * minus_omega_thetadot4_6_3;
   const T t7_11 = t6_33 + T(0.35) * minus_omega_thetadot4_6_3;
   const T t7_12 = T(0.3) * omega_thetadot4_6_2 - T(0.35) * E5_12;
-  const T minus_P_thetadot4_7_1 = R6_21 * t7_10 - R5_11 * t7_11 + R6_31 * t7_12 + minus_P_thetadot4_6_1;
-  const T minus_P_thetadot4_7_2 = R6_22 * t7_10 - R5_12 * t7_11 + R6_32 * t7_12 + minus_P_thetadot4_6_2;
-  const T minus_P_thetadot4_7_3 = R6_23 * t7_10 - R5_13 * t7_11 + R6_33 * t7_12 + minus_P_thetadot4_6_3;
+  const T minus_P_thetadot4_7_1 = minus_P_thetadot4_6_1 + R6_21 * t7_10 - R5_11 * t7_11 + R6_31 * t7_12;
+  const T minus_P_thetadot4_7_2 = minus_P_thetadot4_6_2 + R6_22 * t7_10 - R5_12 * t7_11 + R6_32 * t7_12;
+  const T minus_P_thetadot4_7_3 = minus_P_thetadot4_6_3 + R6_23 * t7_10 - R5_13 * t7_11 + R6_33 * t7_12;
   // P_thetadot5_7 = -R6^T q7~ omega_thetadot5_6 + P_thetadot5_6: partial velocity of the body origin, inertial axes
   const T t7_13 = T(0.35) * E6_22 - t6_38;
   const T t7_14 = T(0.3) * E6_22;
   const T t7_15 = T(0.3) * E6_23;
-  const T minus_P_thetadot5_7_1 = R5_11 * t7_13 - R6_21 * t7_14 + R6_31 * t7_15 + minus_P_thetadot5_6_1;
-  const T minus_P_thetadot5_7_2 = R5_12 * t7_13 - R6_22 * t7_14 + R6_32 * t7_15 - t6_4;
-  const T minus_P_thetadot5_7_3 = R5_13 * t7_13 - R6_23 * t7_14 + R6_33 * t7_15 + minus_P_thetadot5_6_3;
+  const T minus_P_thetadot5_7_1 = minus_P_thetadot5_6_1 + R5_11 * t7_13 - R6_21 * t7_14 + R6_31 * t7_15;
+  const T minus_P_thetadot5_7_2 = R5_12 * t7_13 - t6_4 - R6_22 * t7_14 + R6_32 * t7_15;
+  const T minus_P_thetadot5_7_3 = minus_P_thetadot5_6_3 + R5_13 * t7_13 - R6_23 * t7_14 + R6_33 * t7_15;
   // P_thetadot6_7 = -R6^T q7~ b6: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot6_7_1 = R6_21 * T(0.1) - R6_31 * T(0.35);
   const T minus_P_thetadot6_7_3 = R6_23 * T(0.1) - R6_33 * T(0.35);
@@ -3568,9 +3611,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_16 = T(0.2) * R7_32 - t6_15;
   const T t7_17 = T(0.05) * R7_12 - T(0.1) * R7_32;
   const T t7_18 = t6_18 - T(0.2) * R7_12;
-  const T minus_B22_1_1 = R7_11 * t7_16 + R6_21 * t7_17 + R7_31 * t7_18 + minus_P_thetadot1_7_1;
-  const T minus_B22_1_2 = R7_12 * t7_16 + R6_22 * t7_17 + R7_32 * t7_18 + minus_P_thetadot1_7_2;
-  const T minus_B22_1_3 = R7_13 * t7_16 + R6_23 * t7_17 + R7_33 * t7_18 + minus_P_thetadot1_7_3;
+  const T minus_B22_1_1 = minus_P_thetadot1_7_1 + R7_11 * t7_16 + R6_21 * t7_17 + R7_31 * t7_18;
+  const T minus_B22_1_2 = minus_P_thetadot1_7_2 + R7_12 * t7_16 + R6_22 * t7_17 + R7_32 * t7_18;
+  const T minus_B22_1_3 = minus_P_thetadot1_7_3 + R7_13 * t7_16 + R6_23 * t7_17 + R7_33 * t7_18;
   v_y[126] = -minus_B22_1_1;
   v_y[133] = -minus_B22_1_2;
   v_y[140] = -minus_B22_1_3;
@@ -3578,9 +3621,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_19 = T(0.2) * omega_thetadot2_7_3 - t6_20;
   const T t7_20 = T(0.05) * omega_thetadot2_7_1 - T(0.1) * omega_thetadot2_7_3;
   const T t7_21 = t6_23 - T(0.2) * omega_thetadot2_7_1;
-  const T minus_B23_2_1 = R7_11 * t7_19 + R6_21 * t7_20 + R7_31 * t7_21 + minus_P_thetadot2_7_1;
-  const T minus_B23_2_2 = R7_12 * t7_19 + R6_22 * t7_20 + R7_32 * t7_21 + minus_P_thetadot2_7_2;
-  const T minus_B23_2_3 = R7_13 * t7_19 + R6_23 * t7_20 + R7_33 * t7_21 + minus_P_thetadot2_7_3;
+  const T minus_B23_2_1 = minus_P_thetadot2_7_1 + R7_11 * t7_19 + R6_21 * t7_20 + R7_31 * t7_21;
+  const T minus_B23_2_2 = minus_P_thetadot2_7_2 + R7_12 * t7_19 + R6_22 * t7_20 + R7_32 * t7_21;
+  const T minus_B23_2_3 = minus_P_thetadot2_7_3 + R7_13 * t7_19 + R6_23 * t7_20 + R7_33 * t7_21;
   v_y[127] = -minus_B23_2_1;
   v_y[134] = -minus_B23_2_2;
   v_y[141] = -minus_B23_2_3;
@@ -3588,9 +3631,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_22 = T(0.2) * omega_thetadot3_7_3 - t6_25;
   const T t7_23 = T(0.05) * omega_thetadot3_7_1 - T(0.1) * omega_thetadot3_7_3;
   const T t7_24 = t6_28 - T(0.2) * omega_thetadot3_7_1;
-  const T minus_B24_3_1 = R7_11 * t7_22 + R6_21 * t7_23 + R7_31 * t7_24 + minus_P_thetadot3_7_1;
-  const T minus_B24_3_2 = R7_12 * t7_22 + R6_22 * t7_23 + R7_32 * t7_24 + minus_P_thetadot3_7_2;
-  const T minus_B24_3_3 = R7_13 * t7_22 + R6_23 * t7_23 + R7_33 * t7_24 + minus_P_thetadot3_7_3;
+  const T minus_B24_3_1 = minus_P_thetadot3_7_1 + R7_11 * t7_22 + R6_21 * t7_23 + R7_31 * t7_24;
+  const T minus_B24_3_2 = minus_P_thetadot3_7_2 + R7_12 * t7_22 + R6_22 * t7_23 + R7_32 * t7_24;
+  const T minus_B24_3_3 = minus_P_thetadot3_7_3 + R7_13 * t7_22 + R6_23 * t7_23 + R7_33 * t7_24;
   v_y[128] = -minus_B24_3_1;
   v_y[135] = -minus_B24_3_2;
   v_y[142] = -minus_B24_3_3;
@@ -3598,9 +3641,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_25 = T(0.2) * omega_thetadot4_7_3 - t6_31;
   const T t7_26 = T(0.05) * omega_thetadot4_7_1 - T(0.1) * omega_thetadot4_7_3;
   const T t7_27 = t6_33 - T(0.2) * omega_thetadot4_7_1;
-  const T minus_B25_4_1 = R7_11 * t7_25 + R6_21 * t7_26 + R7_31 * t7_27 + minus_P_thetadot4_7_1;
-  const T minus_B25_4_2 = R7_12 * t7_25 + R6_22 * t7_26 + R7_32 * t7_27 + minus_P_thetadot4_7_2;
-  const T minus_B25_4_3 = R7_13 * t7_25 + R6_23 * t7_26 + R7_33 * t7_27 + minus_P_thetadot4_7_3;
+  const T minus_B25_4_1 = minus_P_thetadot4_7_1 + R7_11 * t7_25 + R6_21 * t7_26 + R7_31 * t7_27;
+  const T minus_B25_4_2 = minus_P_thetadot4_7_2 + R7_12 * t7_25 + R6_22 * t7_26 + R7_32 * t7_27;
+  const T minus_B25_4_3 = minus_P_thetadot4_7_3 + R7_13 * t7_25 + R6_23 * t7_26 + R7_33 * t7_27;
   v_y[129] = -minus_B25_4_1;
   v_y[136] = -minus_B25_4_2;
   v_y[143] = -minus_B25_4_3;
@@ -3608,9 +3651,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_28 = T(0.2) * omega_thetadot5_7_3 - t6_35;
   const T t7_29 = T(0.05) * minus_omega_thetadot5_7_1 + T(0.1) * omega_thetadot5_7_3;
   const T t7_30 = t6_38 + T(0.2) * minus_omega_thetadot5_7_1;
-  const T minus_B26_5_1 = R7_11 * t7_28 - R6_21 * t7_29 + R7_31 * t7_30 + minus_P_thetadot5_7_1;
-  const T minus_B26_5_2 = R7_12 * t7_28 - R6_22 * t7_29 + R7_32 * t7_30 + minus_P_thetadot5_7_2;
-  const T minus_B26_5_3 = R7_13 * t7_28 - R6_23 * t7_29 + R7_33 * t7_30 + minus_P_thetadot5_7_3;
+  const T minus_B26_5_1 = minus_P_thetadot5_7_1 + R7_11 * t7_28 - R6_21 * t7_29 + R7_31 * t7_30;
+  const T minus_B26_5_2 = minus_P_thetadot5_7_2 + R7_12 * t7_28 - R6_22 * t7_29 + R7_32 * t7_30;
+  const T minus_B26_5_3 = minus_P_thetadot5_7_3 + R7_13 * t7_28 - R6_23 * t7_29 + R7_33 * t7_30;
   v_y[130] = -minus_B26_5_1;
   v_y[137] = -minus_B26_5_2;
   v_y[144] = -minus_B26_5_3;
@@ -3618,9 +3661,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_31 = T(0.2) * minus_E7_13;
   const T t7_32 = T(0.05) * E7_11 - T(0.1) * minus_E7_13;
   const T t7_33 = T(0.2) * E7_11;
-  const T minus_B27_6_1 = R7_11 * t7_31 + R6_21 * t7_32 - R7_31 * t7_33 + minus_P_thetadot6_7_1;
-  const T minus_B27_6_2 = R7_12 * t7_31 + R6_22 * t7_32 - R7_32 * t7_33 - t7_1;
-  const T minus_B27_6_3 = R7_13 * t7_31 + R6_23 * t7_32 - R7_33 * t7_33 + minus_P_thetadot6_7_3;
+  const T minus_B27_6_1 = minus_P_thetadot6_7_1 + R7_11 * t7_31 + R6_21 * t7_32 - R7_31 * t7_33;
+  const T minus_B27_6_2 = R7_12 * t7_31 - t7_1 + R6_22 * t7_32 - R7_32 * t7_33;
+  const T minus_B27_6_3 = minus_P_thetadot6_7_3 + R7_13 * t7_31 + R6_23 * t7_32 - R7_33 * t7_33;
   v_y[131] = -minus_B27_6_1;
   v_y[138] = -minus_B27_6_2;
   v_y[145] = -minus_B27_6_3;
@@ -3637,31 +3680,31 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 1017 add, 1345 multiply, 14 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 147; ++i) v_y_dot[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 7, cosines, sines);
 
   // ---- body 1 (body_1) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // B1_1 = -E1^T omega1~ r1~ b1
-  const T t1_1 = thetadot1 * T(0.05);
-  const T t1_2 = thetadot1 * T(0.1);
-  const T t1_3 = E1_11 * t1_2;
-  const T minus_B1_1_1 = minus_E1_13 * t1_1 + t1_3;
-  const T t1_4 = minus_E1_13 * t1_2;
-  const T minus_B1_1_3 = E1_11 * t1_1 - t1_4;
+  const T t1_1 = thetadot1 * T(0.1);
+  const T t1_2 = E1_11 * t1_1;
+  const T t1_3 = thetadot1 * T(0.05);
+  const T minus_B1_1_1 = t1_2 + minus_E1_13 * t1_3;
+  const T t1_4 = minus_E1_13 * t1_1;
+  const T minus_B1_1_3 = E1_11 * t1_3 - t1_4;
   v_y_dot[0] = -minus_B1_1_1;
   v_y_dot[14] = -minus_B1_1_3;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T E2_12 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11;
   const T minus_R2_13 = minus_E1_13 * E2_11;
@@ -3676,7 +3719,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   // P_dot_thetadot1_2 = -E1^T omega1~ q2~ b1: its rate
   const T t2_1 = thetadot1 * T(0.3);
   const T minus_P_dot_thetadot1_2_1 = t1_4 + E1_11 * t2_1;
-  const T minus_P_dot_thetadot1_2_3 = t1_3 - minus_E1_13 * t2_1;
+  const T minus_P_dot_thetadot1_2_3 = t1_2 - minus_E1_13 * t2_1;
   // B2_1 = -R2^T omega2~ r2~ omega_thetadot1_2 - R2^T r2~ omega_dot_thetadot1_2 + P_dot_thetadot1_2
   const T t2_2 = T(0.1) * E2_11;
   const T t2_3 = T(0.2) * E2_12;
@@ -3691,11 +3734,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_12 = T(0.1) * minus_omega_dot_thetadot1_2_2;
   const T t2_13 = T(0.2) * omega_dot_thetadot1_2_1;
   const T t2_14 = t2_12 + t2_13;
-  const T minus_B2_1_1 = R2_11 * t2_6 + minus_R2_21 * t2_8 + minus_E1_13 * t2_9 + R2_11 * t2_10 - minus_R2_21 * t2_11
-      - minus_E1_13 * t2_14 + minus_P_dot_thetadot1_2_1;
+  const T minus_B2_1_1 = minus_P_dot_thetadot1_2_1 + R2_11 * t2_6 + minus_R2_21 * t2_8 + minus_E1_13 * t2_9 + R2_11 *
+      t2_10 - minus_R2_21 * t2_11 - minus_E1_13 * t2_14;
   const T minus_B2_1_2 = E2_12 * t2_6 - E2_11 * t2_8 + E2_12 * t2_10 + E2_11 * t2_11;
-  const T minus_B2_1_3 = E1_11 * t2_9 - (minus_R2_13 * t2_6 + R2_23 * t2_8) + R2_23 * t2_11 - minus_R2_13 * t2_10 -
-      E1_11 * t2_14 + minus_P_dot_thetadot1_2_3;
+  const T minus_B2_1_3 = minus_P_dot_thetadot1_2_3 - minus_R2_13 * t2_6 - R2_23 * t2_8 + E1_11 * t2_9 + R2_23 * t2_11
+      - minus_R2_13 * t2_10 - E1_11 * t2_14;
   v_y_dot[21] = -minus_B2_1_1;
   v_y_dot[28] = -minus_B2_1_2;
   v_y_dot[35] = -minus_B2_1_3;
@@ -3711,11 +3754,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[36] = -minus_B3_2_3;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[2];
   const T thetadot3 = y[2];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[2];
+  const T E3_23 = sines[2];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = minus_E1_13 * E3_23 - minus_R2_21 * E3_22;
   const T R3_22 = E2_11 * E3_22;
@@ -3737,15 +3779,15 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   //   rate
   const T t3_1 = T(0.3) * E2_11 - T(0.15) * E2_12;
   const T t3_2 = E2_12 * T(0.1);
-  const T t3_3 = omega2_2 * t3_1 - thetadot2 * t3_2 + t2_12;
+  const T t3_3 = t2_12 + omega2_2 * t3_1 - thetadot2 * t3_2;
   const T t3_4 = T(0.1) * omega_dot_thetadot1_2_1;
-  const T t3_5 = t3_4 - (thetadot2 * t2_2 + omega2_1 * t3_1);
+  const T t3_5 = t3_4 - thetadot2 * t2_2 - omega2_1 * t3_1;
   const T t3_6 = omega2_1 * t3_2 + omega2_2 * t2_2 - T(0.3) * minus_omega_dot_thetadot1_2_2 - T(0.15) *
       omega_dot_thetadot1_2_1;
-  const T minus_P_dot_thetadot1_3_1 = R2_11 * t3_3 - minus_R2_21 * t3_5 + minus_E1_13 * t3_6 +
-      minus_P_dot_thetadot1_2_1;
+  const T minus_P_dot_thetadot1_3_1 = minus_P_dot_thetadot1_2_1 + R2_11 * t3_3 - minus_R2_21 * t3_5 + minus_E1_13 *
+      t3_6;
   const T minus_P_dot_thetadot1_3_2 = E2_12 * t3_3 + E2_11 * t3_5;
-  const T minus_P_dot_thetadot1_3_3 = R2_23 * t3_5 - minus_R2_13 * t3_3 + E1_11 * t3_6 + minus_P_dot_thetadot1_2_3;
+  const T minus_P_dot_thetadot1_3_3 = minus_P_dot_thetadot1_2_3 + R2_23 * t3_5 - minus_R2_13 * t3_3 + E1_11 * t3_6;
   // P_dot_thetadot2_3 = -R2^T omega2~ q3~ b2: its rate
   const T t3_7 = thetadot2 * T(0.3);
   const T t3_8 = thetadot2 * T(0.15);
@@ -3769,12 +3811,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_22 = t2_11 - T(0.1) * omega_dot_thetadot1_3_3;
   const T t3_23 = T(0.1) * minus_omega_dot_thetadot1_3_2;
   const T t3_24 = t3_23 + t2_13;
-  const T minus_B4_1_1 = R2_11 * t3_13 - R3_21 * t3_17 + R3_31 * t3_18 + R2_11 * t3_21 + R3_21 * t3_22 - R3_31 * t3_24
-      + minus_P_dot_thetadot1_3_1;
-  const T minus_B4_1_2 = E2_12 * t3_13 - R3_22 * t3_17 - minus_R3_32 * t3_18 + E2_12 * t3_21 + R3_22 * t3_22 +
-      minus_R3_32 * t3_24 + minus_P_dot_thetadot1_3_2;
-  const T minus_B4_1_3 = R3_33 * t3_18 - (minus_R2_13 * t3_13 + R3_23 * t3_17) + R3_23 * t3_22 - minus_R2_13 * t3_21 -
-      R3_33 * t3_24 + minus_P_dot_thetadot1_3_3;
+  const T minus_B4_1_1 = minus_P_dot_thetadot1_3_1 + R2_11 * t3_13 - R3_21 * t3_17 + R3_31 * t3_18 + R2_11 * t3_21 +
+      R3_21 * t3_22 - R3_31 * t3_24;
+  const T minus_B4_1_2 = minus_P_dot_thetadot1_3_2 + E2_12 * t3_13 - R3_22 * t3_17 - minus_R3_32 * t3_18 + E2_12 *
+      t3_21 + R3_22 * t3_22 + minus_R3_32 * t3_24;
+  const T minus_B4_1_3 = minus_P_dot_thetadot1_3_3 - minus_R2_13 * t3_13 - R3_23 * t3_17 + R3_33 * t3_18 + R3_23 *
+      t3_22 - minus_R2_13 * t3_21 - R3_33 * t3_24;
   v_y_dot[42] = -minus_B4_1_1;
   v_y_dot[49] = -minus_B4_1_2;
   v_y_dot[56] = -minus_B4_1_3;
@@ -3792,12 +3834,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_35 = T(0.2) * minus_omega_dot_thetadot2_3_3;
   const T t3_36 = t3_34 + t3_35;
   const T t3_37 = T(0.1) * omega_dot_thetadot2_3_2;
-  const T minus_B5_2_1 = R2_11 * t3_27 + R3_21 * t3_31 - R3_31 * t3_32 + R3_21 * t3_33 - R2_11 * t3_36 + R3_31 * t3_37
-      + minus_P_dot_thetadot2_3_1;
-  const T minus_B5_2_2 = E2_12 * t3_27 + R3_22 * t3_31 + minus_R3_32 * t3_32 + R3_22 * t3_33 - E2_12 * t3_36 -
-      minus_R3_32 * t3_37 + minus_P_dot_thetadot2_3_2;
-  const T minus_B5_2_3 = R3_23 * t3_31 - minus_R2_13 * t3_27 - R3_33 * t3_32 + minus_R2_13 * t3_36 + R3_23 * t3_33 +
-      R3_33 * t3_37 + minus_P_dot_thetadot2_3_3;
+  const T minus_B5_2_1 = minus_P_dot_thetadot2_3_1 + R2_11 * t3_27 + R3_21 * t3_31 - R3_31 * t3_32 + R3_21 * t3_33 -
+      R2_11 * t3_36 + R3_31 * t3_37;
+  const T minus_B5_2_2 = minus_P_dot_thetadot2_3_2 + E2_12 * t3_27 + R3_22 * t3_31 + minus_R3_32 * t3_32 + R3_22 *
+      t3_33 - E2_12 * t3_36 - minus_R3_32 * t3_37;
+  const T minus_B5_2_3 = minus_P_dot_thetadot2_3_3 + R3_23 * t3_31 - minus_R2_13 * t3_27 - R3_33 * t3_32 + minus_R2_13
+      * t3_36 + R3_23 * t3_33 + R3_33 * t3_37;
   v_y_dot[43] = -minus_B5_2_1;
   v_y_dot[50] = -minus_B5_2_2;
   v_y_dot[57] = -minus_B5_2_3;
@@ -3805,7 +3847,7 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_38 = omega3_1 * T(0.2);
   const T t3_39 = R3_21 * t3_38;
   const T t3_40 = omega3_2 * T(0.2);
-  const T t3_41 = omega3_3 * T(0.05) + t3_40;
+  const T t3_41 = t3_40 + omega3_3 * T(0.05);
   const T t3_42 = omega3_1 * T(0.05);
   const T minus_B6_3_1 = t3_39 - R2_11 * t3_41 + R3_31 * t3_42;
   const T t3_43 = R3_22 * t3_38;
@@ -3817,11 +3859,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[58] = -minus_B6_3_3;
 
   // ---- body 4 (body_4) on body 3
-  const T theta4 = x[3];
   const T thetadot4 = y[3];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[3];
+  const T minus_E4_13 = sines[3];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = E2_12 * E4_11 + minus_R3_32 * minus_E4_13;
@@ -3853,28 +3894,28 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_1 = T(0.3) * R3_22;
   const T t4_2 = t4_1 - t2_3;
   const T t4_3 = t3_2 + T(0.3) * minus_R3_32;
-  const T t4_4 = omega3_2 * t4_2 - omega3_3 * t4_3 + t3_23 + t3_20;
+  const T t4_4 = t3_23 + t3_20 + omega3_2 * t4_2 - omega3_3 * t4_3;
   const T t4_5 = t3_10 + t3_15;
-  const T t4_6 = t3_4 - (omega3_3 * t4_5 + omega3_1 * t4_2) - T(0.3) * omega_dot_thetadot1_3_3;
+  const T t4_6 = t3_4 - omega3_3 * t4_5 - omega3_1 * t4_2 - T(0.3) * omega_dot_thetadot1_3_3;
   const T t4_7 = T(0.3) * minus_omega_dot_thetadot1_3_2;
-  const T t4_8 = omega3_1 * t4_3 + omega3_2 * t4_5 - t4_7 - t2_13;
-  const T minus_P_dot_thetadot1_4_1 = R2_11 * t4_4 + R3_21 * t4_6 + R3_31 * t4_8 + minus_P_dot_thetadot1_3_1;
-  const T minus_P_dot_thetadot1_4_2 = E2_12 * t4_4 + R3_22 * t4_6 - minus_R3_32 * t4_8 + minus_P_dot_thetadot1_3_2;
-  const T minus_P_dot_thetadot1_4_3 = R3_23 * t4_6 - minus_R2_13 * t4_4 + R3_33 * t4_8 + minus_P_dot_thetadot1_3_3;
+  const T t4_8 = omega3_1 * t4_3 - (t4_7 + t2_13) + omega3_2 * t4_5;
+  const T minus_P_dot_thetadot1_4_1 = minus_P_dot_thetadot1_3_1 + R2_11 * t4_4 + R3_21 * t4_6 + R3_31 * t4_8;
+  const T minus_P_dot_thetadot1_4_2 = minus_P_dot_thetadot1_3_2 + E2_12 * t4_4 + R3_22 * t4_6 - minus_R3_32 * t4_8;
+  const T minus_P_dot_thetadot1_4_3 = minus_P_dot_thetadot1_3_3 + R3_23 * t4_6 - minus_R2_13 * t4_4 + R3_33 * t4_8;
   // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
   //   rate
   const T t4_9 = T(0.3) * E3_22;
   const T t4_10 = T(0.3) * E3_23;
-  const T t4_11 = omega3_3 * t4_9 + omega3_2 * t4_10 - t3_37 - t3_35;
+  const T t4_11 = omega3_3 * t4_9 - (t3_37 + t3_35) + omega3_2 * t4_10;
   const T t4_12 = t3_28 - t3_26;
   const T t4_13 = omega3_3 * t4_12 - omega3_1 * t4_10 + T(0.3) * minus_omega_dot_thetadot2_3_3;
   const T t4_14 = T(0.3) * omega_dot_thetadot2_3_2;
-  const T t4_15 = t4_14 - (omega3_1 * t4_9 + omega3_2 * t4_12);
-  const T minus_P_dot_thetadot2_4_1 = R2_11 * t4_11 + R3_21 * t4_13 + R3_31 * t4_15 + minus_P_dot_thetadot2_3_1;
-  const T minus_P_dot_thetadot2_4_2 = E2_12 * t4_11 + R3_22 * t4_13 - minus_R3_32 * t4_15 + minus_P_dot_thetadot2_3_2;
-  const T minus_P_dot_thetadot2_4_3 = R3_23 * t4_13 - minus_R2_13 * t4_11 + R3_33 * t4_15 + minus_P_dot_thetadot2_3_3;
+  const T t4_15 = t4_14 - omega3_1 * t4_9 - omega3_2 * t4_12;
+  const T minus_P_dot_thetadot2_4_1 = minus_P_dot_thetadot2_3_1 + R2_11 * t4_11 + R3_21 * t4_13 + R3_31 * t4_15;
+  const T minus_P_dot_thetadot2_4_2 = minus_P_dot_thetadot2_3_2 + E2_12 * t4_11 + R3_22 * t4_13 - minus_R3_32 * t4_15;
+  const T minus_P_dot_thetadot2_4_3 = minus_P_dot_thetadot2_3_3 + R3_23 * t4_13 - minus_R2_13 * t4_11 + R3_33 * t4_15;
   // P_dot_thetadot3_4 = -R3^T omega3~ q4~ b3: its rate
-  const T t4_16 = omega3_3 * T(0.1) + t3_40;
+  const T t4_16 = t3_40 + omega3_3 * T(0.1);
   const T t4_17 = omega3_1 * T(0.1);
   const T minus_P_dot_thetadot3_4_1 = t3_39 - R2_11 * t4_16 + R3_31 * t4_17;
   const T minus_P_dot_thetadot3_4_2 = t3_43 - E2_12 * t4_16 - minus_R3_32 * t4_17;
@@ -3893,18 +3934,18 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_28 = T(0.1) * omega_dot_thetadot1_4_3;
   const T t4_29 = T(0.05) * omega_dot_thetadot1_4_1 - t4_28;
   const T t4_30 = t3_23 + T(0.2) * omega_dot_thetadot1_4_1;
-  const T minus_B7_1_1 = R4_11 * t4_21 + R3_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_27 + R3_21 * t4_29 - R4_31 * t4_30
-      + minus_P_dot_thetadot1_4_1;
-  const T minus_B7_1_2 = R4_12 * t4_21 + R3_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_27 + R3_22 * t4_29 - R4_32 * t4_30
-      + minus_P_dot_thetadot1_4_2;
-  const T minus_B7_1_3 = R3_23 * t4_24 - minus_R4_13 * t4_21 + R4_33 * t4_25 + R3_23 * t4_29 - minus_R4_13 * t4_27 -
-      R4_33 * t4_30 + minus_P_dot_thetadot1_4_3;
+  const T minus_B7_1_1 = minus_P_dot_thetadot1_4_1 + R4_11 * t4_21 + R3_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_27 +
+      R3_21 * t4_29 - R4_31 * t4_30;
+  const T minus_B7_1_2 = minus_P_dot_thetadot1_4_2 + R4_12 * t4_21 + R3_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_27 +
+      R3_22 * t4_29 - R4_32 * t4_30;
+  const T minus_B7_1_3 = minus_P_dot_thetadot1_4_3 + R3_23 * t4_24 - minus_R4_13 * t4_21 + R4_33 * t4_25 + R3_23 *
+      t4_29 - minus_R4_13 * t4_27 - R4_33 * t4_30;
   v_y_dot[63] = -minus_B7_1_1;
   v_y_dot[70] = -minus_B7_1_2;
   v_y_dot[77] = -minus_B7_1_3;
   // B8_2 = -R4^T omega4~ r4~ omega_thetadot2_4 - R4^T r4~ omega_dot_thetadot2_4 + P_dot_thetadot2_4
   const T t4_31 = T(0.1) * omega_thetadot2_4_3;
-  const T t4_32 = T(0.05) * minus_omega_thetadot2_4_1 + t4_31;
+  const T t4_32 = t4_31 + T(0.05) * minus_omega_thetadot2_4_1;
   const T t4_33 = t3_26 + T(0.2) * minus_omega_thetadot2_4_1;
   const T t4_34 = omega4_3 * t4_32 + omega4_2 * t4_33;
   const T t4_35 = T(0.2) * omega_thetadot2_4_3;
@@ -3912,16 +3953,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_37 = omega4_3 * t4_36 - omega4_1 * t4_33;
   const T t4_38 = omega4_1 * t4_32 + omega4_2 * t4_36;
   const T t4_39 = T(0.1) * minus_omega_dot_thetadot2_4_3;
-  const T t4_40 = T(0.05) * omega_dot_thetadot2_4_1 + t4_39;
+  const T t4_40 = t4_39 + T(0.05) * omega_dot_thetadot2_4_1;
   const T t4_41 = T(0.2) * minus_omega_dot_thetadot2_4_3;
   const T t4_42 = t3_34 + t4_41;
   const T t4_43 = t3_37 - T(0.2) * omega_dot_thetadot2_4_1;
-  const T minus_B8_2_1 = R4_11 * t4_34 + R3_21 * t4_37 - R4_31 * t4_38 + R3_21 * t4_40 - R4_11 * t4_42 + R4_31 * t4_43
-      + minus_P_dot_thetadot2_4_1;
-  const T minus_B8_2_2 = R4_12 * t4_34 + R3_22 * t4_37 - R4_32 * t4_38 + R3_22 * t4_40 - R4_12 * t4_42 + R4_32 * t4_43
-      + minus_P_dot_thetadot2_4_2;
-  const T minus_B8_2_3 = R3_23 * t4_37 - minus_R4_13 * t4_34 - R4_33 * t4_38 + minus_R4_13 * t4_42 + R3_23 * t4_40 +
-      R4_33 * t4_43 + minus_P_dot_thetadot2_4_3;
+  const T minus_B8_2_1 = minus_P_dot_thetadot2_4_1 + R4_11 * t4_34 + R3_21 * t4_37 - R4_31 * t4_38 + R3_21 * t4_40 -
+      R4_11 * t4_42 + R4_31 * t4_43;
+  const T minus_B8_2_2 = minus_P_dot_thetadot2_4_2 + R4_12 * t4_34 + R3_22 * t4_37 - R4_32 * t4_38 + R3_22 * t4_40 -
+      R4_12 * t4_42 + R4_32 * t4_43;
+  const T minus_B8_2_3 = minus_P_dot_thetadot2_4_3 + R3_23 * t4_37 - minus_R4_13 * t4_34 - R4_33 * t4_38 + minus_R4_13
+      * t4_42 + R3_23 * t4_40 + R4_33 * t4_43;
   v_y_dot[64] = -minus_B8_2_1;
   v_y_dot[71] = -minus_B8_2_2;
   v_y_dot[78] = -minus_B8_2_3;
@@ -3935,14 +3976,14 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_50 = omega4_1 * t4_48 - omega4_2 * t4_44;
   const T t4_51 = T(0.2) * omega_dot_thetadot3_4_3;
   const T t4_52 = T(0.1) * omega_dot_thetadot3_4_3;
-  const T t4_53 = T(0.05) * minus_omega_dot_thetadot3_4_1 + t4_52;
+  const T t4_53 = t4_52 + T(0.05) * minus_omega_dot_thetadot3_4_1;
   const T t4_54 = T(0.2) * minus_omega_dot_thetadot3_4_1;
-  const T minus_B9_3_1 = R3_21 * t4_46 - R4_11 * t4_49 + R4_31 * t4_50 + R4_11 * t4_51 - R3_21 * t4_53 + R4_31 * t4_54
-      + minus_P_dot_thetadot3_4_1;
-  const T minus_B9_3_2 = R3_22 * t4_46 - R4_12 * t4_49 + R4_32 * t4_50 + R4_12 * t4_51 - R3_22 * t4_53 + R4_32 * t4_54
-      + minus_P_dot_thetadot3_4_2;
-  const T minus_B9_3_3 = minus_R4_13 * t4_49 + R3_23 * t4_46 + R4_33 * t4_50 - minus_R4_13 * t4_51 - R3_23 * t4_53 +
-      R4_33 * t4_54 + minus_P_dot_thetadot3_4_3;
+  const T minus_B9_3_1 = minus_P_dot_thetadot3_4_1 + R3_21 * t4_46 - R4_11 * t4_49 + R4_31 * t4_50 + R4_11 * t4_51 -
+      R3_21 * t4_53 + R4_31 * t4_54;
+  const T minus_B9_3_2 = minus_P_dot_thetadot3_4_2 + R3_22 * t4_46 - R4_12 * t4_49 + R4_32 * t4_50 + R4_12 * t4_51 -
+      R3_22 * t4_53 + R4_32 * t4_54;
+  const T minus_B9_3_3 = minus_P_dot_thetadot3_4_3 + minus_R4_13 * t4_49 + R3_23 * t4_46 + R4_33 * t4_50 - minus_R4_13
+      * t4_51 - R3_23 * t4_53 + R4_33 * t4_54;
   v_y_dot[65] = -minus_B9_3_1;
   v_y_dot[72] = -minus_B9_3_2;
   v_y_dot[79] = -minus_B9_3_3;
@@ -3958,11 +3999,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[80] = -minus_B10_4_3;
 
   // ---- body 5 (body_5) on body 4
-  const T theta5 = x[4];
   const T thetadot5 = y[4];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[4];
+  const T E5_12 = sines[4];
   // R5^T = R4^T E5^T: R takes inertial components to body components
   const T R5_11 = R4_11 * E5_11 + R3_21 * E5_12;
   const T R5_12 = R4_12 * E5_11 + R3_22 * E5_12;
@@ -4002,27 +4042,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_1 = t4_1 - T(0.25) * R4_12;
   const T t5_2 = T(0.3) * R4_32;
   const T t5_3 = R4_12 * T(0.1) - t5_2;
-  const T t5_4 = omega4_2 * t5_1 - omega4_3 * t5_3 + t3_23 + T(0.25) * omega_dot_thetadot1_4_3;
+  const T t5_4 = t3_23 + omega4_2 * t5_1 - omega4_3 * t5_3 + T(0.25) * omega_dot_thetadot1_4_3;
   const T t5_5 = T(0.25) * R4_32 - t3_10;
   const T t5_6 = T(0.3) * omega_dot_thetadot1_4_3;
-  const T t5_7 = omega4_3 * t5_5 - omega4_1 * t5_1 + T(0.1) * omega_dot_thetadot1_4_1 - t5_6;
-  const T t5_8 = omega4_1 * t5_3 - omega4_2 * t5_5 - t4_7 - T(0.25) * omega_dot_thetadot1_4_1;
-  const T minus_P_dot_thetadot1_5_1 = R4_11 * t5_4 + R3_21 * t5_7 + R4_31 * t5_8 + minus_P_dot_thetadot1_4_1;
-  const T minus_P_dot_thetadot1_5_2 = R4_12 * t5_4 + R3_22 * t5_7 + R4_32 * t5_8 + minus_P_dot_thetadot1_4_2;
-  const T minus_P_dot_thetadot1_5_3 = R3_23 * t5_7 - minus_R4_13 * t5_4 + R4_33 * t5_8 + minus_P_dot_thetadot1_4_3;
+  const T t5_7 = omega4_3 * t5_5 - t5_6 - omega4_1 * t5_1 + T(0.1) * omega_dot_thetadot1_4_1;
+  const T t5_8 = omega4_1 * t5_3 - t4_7 - omega4_2 * t5_5 - T(0.25) * omega_dot_thetadot1_4_1;
+  const T minus_P_dot_thetadot1_5_1 = minus_P_dot_thetadot1_4_1 + R4_11 * t5_4 + R3_21 * t5_7 + R4_31 * t5_8;
+  const T minus_P_dot_thetadot1_5_2 = minus_P_dot_thetadot1_4_2 + R4_12 * t5_4 + R3_22 * t5_7 + R4_32 * t5_8;
+  const T minus_P_dot_thetadot1_5_3 = minus_P_dot_thetadot1_4_3 + R3_23 * t5_7 - minus_R4_13 * t5_4 + R4_33 * t5_8;
   // P_dot_thetadot2_5 = R4^T (-omega4~ q5~ omega_thetadot2_4 - q5~ omega_dot_thetadot2_4) + P_dot_thetadot2_4: its
   //   rate
   const T t5_9 = T(0.3) * omega_thetadot2_4_3;
-  const T t5_10 = T(0.1) * minus_omega_thetadot2_4_1 + t5_9;
+  const T t5_10 = t5_9 + T(0.1) * minus_omega_thetadot2_4_1;
   const T t5_11 = t4_10 + T(0.25) * minus_omega_thetadot2_4_1;
-  const T t5_12 = omega4_3 * t5_10 + omega4_2 * t5_11 - t3_37 - T(0.25) * minus_omega_dot_thetadot2_4_3;
-  const T t5_13 = T(0.25) * omega_thetadot2_4_3 - t3_26;
-  const T t5_14 = T(0.3) * minus_omega_dot_thetadot2_4_3;
-  const T t5_15 = omega4_3 * t5_13 - omega4_1 * t5_11 + T(0.1) * omega_dot_thetadot2_4_1 + t5_14;
-  const T t5_16 = t4_14 - (omega4_1 * t5_10 + omega4_2 * t5_13) - T(0.25) * omega_dot_thetadot2_4_1;
-  const T minus_P_dot_thetadot2_5_1 = R4_11 * t5_12 + R3_21 * t5_15 + R4_31 * t5_16 + minus_P_dot_thetadot2_4_1;
-  const T minus_P_dot_thetadot2_5_2 = R4_12 * t5_12 + R3_22 * t5_15 + R4_32 * t5_16 + minus_P_dot_thetadot2_4_2;
-  const T minus_P_dot_thetadot2_5_3 = R3_23 * t5_15 - minus_R4_13 * t5_12 + R4_33 * t5_16 + minus_P_dot_thetadot2_4_3;
+  const T t5_12 = omega4_3 * t5_10 - t3_37 + omega4_2 * t5_11 - T(0.25) * minus_omega_dot_thetadot2_4_3;
+  const T t5_13 = T(0.3) * minus_omega_dot_thetadot2_4_3;
+  const T t5_14 = T(0.25) * omega_thetadot2_4_3 - t3_26;
+  const T t5_15 = t5_13 + omega4_3 * t5_14 - omega4_1 * t5_11 + T(0.1) * omega_dot_thetadot2_4_1;
+  const T t5_16 = t4_14 - omega4_1 * t5_10 - omega4_2 * t5_14 - T(0.25) * omega_dot_thetadot2_4_1;
+  const T minus_P_dot_thetadot2_5_1 = minus_P_dot_thetadot2_4_1 + R4_11 * t5_12 + R3_21 * t5_15 + R4_31 * t5_16;
+  const T minus_P_dot_thetadot2_5_2 = minus_P_dot_thetadot2_4_2 + R4_12 * t5_12 + R3_22 * t5_15 + R4_32 * t5_16;
+  const T minus_P_dot_thetadot2_5_3 = minus_P_dot_thetadot2_4_3 + R3_23 * t5_15 - minus_R4_13 * t5_12 + R4_33 * t5_16;
   // P_dot_thetadot3_5 = R4^T (-omega4~ q5~ omega_thetadot3_4 - q5~ omega_dot_thetadot3_4) + P_dot_thetadot3_4: its
   //   rate
   const T t5_17 = T(0.3) * minus_E4_13;
@@ -4031,11 +4071,11 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_20 = T(0.25) * omega_dot_thetadot3_4_3 - (omega4_3 * t5_18 + omega4_2 * t5_19);
   const T t5_21 = T(0.25) * minus_E4_13;
   const T t5_22 = T(0.3) * omega_dot_thetadot3_4_3;
-  const T t5_23 = omega4_3 * t5_21 + omega4_1 * t5_19 - T(0.1) * minus_omega_dot_thetadot3_4_1 - t5_22;
+  const T t5_23 = omega4_3 * t5_21 - t5_22 + omega4_1 * t5_19 - T(0.1) * minus_omega_dot_thetadot3_4_1;
   const T t5_24 = omega4_1 * t5_18 - omega4_2 * t5_21 + T(0.25) * minus_omega_dot_thetadot3_4_1;
-  const T minus_P_dot_thetadot3_5_1 = R4_11 * t5_20 + R3_21 * t5_23 + R4_31 * t5_24 + minus_P_dot_thetadot3_4_1;
-  const T minus_P_dot_thetadot3_5_2 = R4_12 * t5_20 + R3_22 * t5_23 + R4_32 * t5_24 + minus_P_dot_thetadot3_4_2;
-  const T minus_P_dot_thetadot3_5_3 = R3_23 * t5_23 - minus_R4_13 * t5_20 + R4_33 * t5_24 + minus_P_dot_thetadot3_4_3;
+  const T minus_P_dot_thetadot3_5_1 = minus_P_dot_thetadot3_4_1 + R4_11 * t5_20 + R3_21 * t5_23 + R4_31 * t5_24;
+  const T minus_P_dot_thetadot3_5_2 = minus_P_dot_thetadot3_4_2 + R4_12 * t5_20 + R3_22 * t5_23 + R4_32 * t5_24;
+  const T minus_P_dot_thetadot3_5_3 = minus_P_dot_thetadot3_4_3 + R3_23 * t5_23 - minus_R4_13 * t5_20 + R4_33 * t5_24;
   // P_dot_thetadot4_5 = -R4^T omega4~ q5~ b4: its rate
   const T t5_25 = omega4_2 * T(0.3);
   const T t5_26 = omega4_3 * T(0.1) + omega4_1 * T(0.3);
@@ -4052,18 +4092,18 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_33 = t4_22 - T(0.05) * R5_22;
   const T t5_34 = omega5_3 * t5_33 - omega5_1 * t5_29;
   const T t5_35 = omega5_1 * t5_31 - omega5_2 * t5_33;
-  const T t5_36 = T(0.05) * minus_omega_dot_thetadot1_5_2 + t4_26;
+  const T t5_36 = t4_26 + T(0.05) * minus_omega_dot_thetadot1_5_2;
   const T t5_37 = T(0.05) * omega_dot_thetadot1_5_1;
   const T t5_38 = t5_37 - t4_28;
   const T t5_39 = T(0.1) * minus_omega_dot_thetadot1_5_2;
   const T t5_40 = T(0.2) * omega_dot_thetadot1_5_1;
   const T t5_41 = t5_39 + t5_40;
-  const T minus_B11_1_1 = R5_11 * t5_32 + R5_21 * t5_34 + R4_31 * t5_35 + R5_11 * t5_36 + R5_21 * t5_38 - R4_31 *
-      t5_41 + minus_P_dot_thetadot1_5_1;
-  const T minus_B11_1_2 = R5_12 * t5_32 + R5_22 * t5_34 + R4_32 * t5_35 + R5_12 * t5_36 + R5_22 * t5_38 - R4_32 *
-      t5_41 + minus_P_dot_thetadot1_5_2;
-  const T minus_B11_1_3 = R5_13 * t5_32 + R5_23 * t5_34 + R4_33 * t5_35 + R5_13 * t5_36 + R5_23 * t5_38 - R4_33 *
-      t5_41 + minus_P_dot_thetadot1_5_3;
+  const T minus_B11_1_1 = minus_P_dot_thetadot1_5_1 + R5_11 * t5_32 + R5_21 * t5_34 + R4_31 * t5_35 + R5_11 * t5_36 +
+      R5_21 * t5_38 - R4_31 * t5_41;
+  const T minus_B11_1_2 = minus_P_dot_thetadot1_5_2 + R5_12 * t5_32 + R5_22 * t5_34 + R4_32 * t5_35 + R5_12 * t5_36 +
+      R5_22 * t5_38 - R4_32 * t5_41;
+  const T minus_B11_1_3 = minus_P_dot_thetadot1_5_3 + R5_13 * t5_32 + R5_23 * t5_34 + R4_33 * t5_35 + R5_13 * t5_36 +
+      R5_23 * t5_38 - R4_33 * t5_41;
   v_y_dot[84] = -minus_B11_1_1;
   v_y_dot[91] = -minus_B11_1_2;
   v_y_dot[98] = -minus_B11_1_3;
@@ -4079,21 +4119,21 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_50 = omega5_1 * t5_46 - omega5_2 * t5_48;
   const T t5_51 = T(0.05) * omega_dot_thetadot2_5_1;
   const T t5_52 = t5_51 + t4_39;
-  const T t5_53 = T(0.05) * omega_dot_thetadot2_5_2 + t4_41;
+  const T t5_53 = t4_41 + T(0.05) * omega_dot_thetadot2_5_2;
   const T t5_54 = T(0.1) * omega_dot_thetadot2_5_2;
   const T t5_55 = T(0.2) * omega_dot_thetadot2_5_1;
   const T t5_56 = t5_54 - t5_55;
-  const T minus_B12_2_1 = R5_11 * t5_47 + R5_21 * t5_49 + R4_31 * t5_50 + R5_21 * t5_52 - R5_11 * t5_53 + R4_31 *
-      t5_56 + minus_P_dot_thetadot2_5_1;
-  const T minus_B12_2_2 = R5_12 * t5_47 + R5_22 * t5_49 + R4_32 * t5_50 + R5_22 * t5_52 - R5_12 * t5_53 + R4_32 *
-      t5_56 + minus_P_dot_thetadot2_5_2;
-  const T minus_B12_2_3 = R5_13 * t5_47 + R5_23 * t5_49 + R4_33 * t5_50 + R5_23 * t5_52 - R5_13 * t5_53 + R4_33 *
-      t5_56 + minus_P_dot_thetadot2_5_3;
+  const T minus_B12_2_1 = minus_P_dot_thetadot2_5_1 + R5_11 * t5_47 + R5_21 * t5_49 + R4_31 * t5_50 + R5_21 * t5_52 -
+      R5_11 * t5_53 + R4_31 * t5_56;
+  const T minus_B12_2_2 = minus_P_dot_thetadot2_5_2 + R5_12 * t5_47 + R5_22 * t5_49 + R4_32 * t5_50 + R5_22 * t5_52 -
+      R5_12 * t5_53 + R4_32 * t5_56;
+  const T minus_B12_2_3 = minus_P_dot_thetadot2_5_3 + R5_13 * t5_47 + R5_23 * t5_49 + R4_33 * t5_50 + R5_23 * t5_52 -
+      R5_13 * t5_53 + R4_33 * t5_56;
   v_y_dot[85] = -minus_B12_2_1;
   v_y_dot[92] = -minus_B12_2_2;
   v_y_dot[99] = -minus_B12_2_3;
   // B13_3 = -R5^T omega5~ r5~ omega_thetadot3_5 - R5^T r5~ omega_dot_thetadot3_5 + P_dot_thetadot3_5
-  const T t5_57 = T(0.05) * minus_omega_thetadot3_5_2 + t4_44;
+  const T t5_57 = t4_44 + T(0.05) * minus_omega_thetadot3_5_2;
   const T t5_58 = T(0.1) * minus_omega_thetadot3_5_2;
   const T t5_59 = T(0.2) * omega_thetadot3_5_1;
   const T t5_60 = t5_58 + t5_59;
@@ -4108,12 +4148,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_69 = T(0.1) * omega_dot_thetadot3_5_2;
   const T t5_70 = T(0.2) * minus_omega_dot_thetadot3_5_1;
   const T t5_71 = t5_69 + t5_70;
-  const T minus_B13_3_1 = R5_21 * t5_61 - R5_11 * t5_64 + R4_31 * t5_65 + R5_11 * t5_66 - R5_21 * t5_68 + R4_31 *
-      t5_71 + minus_P_dot_thetadot3_5_1;
-  const T minus_B13_3_2 = R5_22 * t5_61 - R5_12 * t5_64 + R4_32 * t5_65 + R5_12 * t5_66 - R5_22 * t5_68 + R4_32 *
-      t5_71 + minus_P_dot_thetadot3_5_2;
-  const T minus_B13_3_3 = R5_23 * t5_61 - R5_13 * t5_64 + R4_33 * t5_65 + R5_13 * t5_66 - R5_23 * t5_68 + R4_33 *
-      t5_71 + minus_P_dot_thetadot3_5_3;
+  const T minus_B13_3_1 = minus_P_dot_thetadot3_5_1 + R5_21 * t5_61 - R5_11 * t5_64 + R4_31 * t5_65 + R5_11 * t5_66 -
+      R5_21 * t5_68 + R4_31 * t5_71;
+  const T minus_B13_3_2 = minus_P_dot_thetadot3_5_2 + R5_22 * t5_61 - R5_12 * t5_64 + R4_32 * t5_65 + R5_12 * t5_66 -
+      R5_22 * t5_68 + R4_32 * t5_71;
+  const T minus_B13_3_3 = minus_P_dot_thetadot3_5_3 + R5_23 * t5_61 - R5_13 * t5_64 + R4_33 * t5_65 + R5_13 * t5_66 -
+      R5_23 * t5_68 + R4_33 * t5_71;
   v_y_dot[86] = -minus_B13_3_1;
   v_y_dot[93] = -minus_B13_3_2;
   v_y_dot[100] = -minus_B13_3_3;
@@ -4131,12 +4171,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_82 = T(0.1) * minus_omega_dot_thetadot4_5_2;
   const T t5_83 = T(0.2) * omega_dot_thetadot4_5_1;
   const T t5_84 = t5_82 + t5_83;
-  const T minus_B14_4_1 = R5_11 * t5_76 - R5_21 * t5_78 + R4_31 * t5_79 + R5_11 * t5_80 + R5_21 * t5_81 - R4_31 *
-      t5_84 + minus_P_dot_thetadot4_5_1;
-  const T minus_B14_4_2 = R5_12 * t5_76 - R5_22 * t5_78 + R4_32 * t5_79 + R5_12 * t5_80 + R5_22 * t5_81 - R4_32 *
-      t5_84 + minus_P_dot_thetadot4_5_2;
-  const T minus_B14_4_3 = R5_13 * t5_76 - R5_23 * t5_78 + R4_33 * t5_79 + R5_13 * t5_80 + R5_23 * t5_81 - R4_33 *
-      t5_84 + minus_P_dot_thetadot4_5_3;
+  const T minus_B14_4_1 = minus_P_dot_thetadot4_5_1 + R5_11 * t5_76 - R5_21 * t5_78 + R4_31 * t5_79 + R5_11 * t5_80 +
+      R5_21 * t5_81 - R4_31 * t5_84;
+  const T minus_B14_4_2 = minus_P_dot_thetadot4_5_2 + R5_12 * t5_76 - R5_22 * t5_78 + R4_32 * t5_79 + R5_12 * t5_80 +
+      R5_22 * t5_81 - R4_32 * t5_84;
+  const T minus_B14_4_3 = minus_P_dot_thetadot4_5_3 + R5_13 * t5_76 - R5_23 * t5_78 + R4_33 * t5_79 + R5_13 * t5_80 +
+      R5_23 * t5_81 - R4_33 * t5_84;
   v_y_dot[87] = -minus_B14_4_1;
   v_y_dot[94] = -minus_B14_4_2;
   v_y_dot[101] = -minus_B14_4_3;
@@ -4152,11 +4192,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[102] = -minus_B15_5_3;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[5];
   const T thetadot6 = y[5];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[5];
+  const T E6_23 = sines[5];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R4_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R4_32 * E6_23;
@@ -4204,55 +4243,55 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_1 = R5_22 * T(0.3) - R5_12 * T(0.3);
   const T t6_2 = R5_12 * T(0.1);
   const T t6_3 = t6_2 - t5_2;
-  const T t6_4 = omega5_2 * t6_1 - omega5_3 * t6_3 + t5_39 + t5_6;
-  const T t6_5 = t5_2 - t5_27;
-  const T t6_6 = T(0.1) * omega_dot_thetadot1_5_1;
-  const T t6_7 = omega5_3 * t6_5 - omega5_1 * t6_1 + t6_6 - t5_6;
-  const T t6_8 = omega5_1 * t6_3 - omega5_2 * t6_5 - T(0.3) * minus_omega_dot_thetadot1_5_2 - T(0.3) *
+  const T t6_4 = t5_39 + t5_6 + omega5_2 * t6_1 - omega5_3 * t6_3;
+  const T t6_5 = T(0.1) * omega_dot_thetadot1_5_1;
+  const T t6_6 = t5_2 - t5_27;
+  const T t6_7 = t6_5 - t5_6 + omega5_3 * t6_6 - omega5_1 * t6_1;
+  const T t6_8 = omega5_1 * t6_3 - omega5_2 * t6_6 - T(0.3) * minus_omega_dot_thetadot1_5_2 - T(0.3) *
       omega_dot_thetadot1_5_1;
-  const T minus_P_dot_thetadot1_6_1 = R5_11 * t6_4 + R5_21 * t6_7 + R4_31 * t6_8 + minus_P_dot_thetadot1_5_1;
-  const T minus_P_dot_thetadot1_6_2 = R5_12 * t6_4 + R5_22 * t6_7 + R4_32 * t6_8 + minus_P_dot_thetadot1_5_2;
-  const T minus_P_dot_thetadot1_6_3 = R5_13 * t6_4 + R5_23 * t6_7 + R4_33 * t6_8 + minus_P_dot_thetadot1_5_3;
+  const T minus_P_dot_thetadot1_6_1 = minus_P_dot_thetadot1_5_1 + R5_11 * t6_4 + R5_21 * t6_7 + R4_31 * t6_8;
+  const T minus_P_dot_thetadot1_6_2 = minus_P_dot_thetadot1_5_2 + R5_12 * t6_4 + R5_22 * t6_7 + R4_32 * t6_8;
+  const T minus_P_dot_thetadot1_6_3 = minus_P_dot_thetadot1_5_3 + R5_13 * t6_4 + R5_23 * t6_7 + R4_33 * t6_8;
   // P_dot_thetadot2_6 = R5^T (-omega5~ q6~ omega_thetadot2_5 - q6~ omega_dot_thetadot2_5) + P_dot_thetadot2_5: its
   //   rate
   const T t6_9 = T(0.3) * omega_thetadot2_5_2 - T(0.3) * omega_thetadot2_5_1;
   const T t6_10 = T(0.1) * omega_thetadot2_5_1;
   const T t6_11 = t6_10 - t5_9;
-  const T t6_12 = omega5_2 * t6_9 - omega5_3 * t6_11 - t5_54 - t5_14;
-  const T t6_13 = t5_9 - t5_42;
-  const T t6_14 = T(0.1) * omega_dot_thetadot2_5_1;
-  const T t6_15 = omega5_3 * t6_13 - omega5_1 * t6_9 + t6_14 + t5_14;
-  const T t6_16 = omega5_1 * t6_11 - omega5_2 * t6_13 + T(0.3) * omega_dot_thetadot2_5_2 - T(0.3) *
+  const T t6_12 = omega5_2 * t6_9 - (t5_54 + t5_13) - omega5_3 * t6_11;
+  const T t6_13 = T(0.1) * omega_dot_thetadot2_5_1;
+  const T t6_14 = t5_9 - t5_42;
+  const T t6_15 = t6_13 + t5_13 + omega5_3 * t6_14 - omega5_1 * t6_9;
+  const T t6_16 = omega5_1 * t6_11 - omega5_2 * t6_14 + T(0.3) * omega_dot_thetadot2_5_2 - T(0.3) *
       omega_dot_thetadot2_5_1;
-  const T minus_P_dot_thetadot2_6_1 = R5_11 * t6_12 + R5_21 * t6_15 + R4_31 * t6_16 + minus_P_dot_thetadot2_5_1;
-  const T minus_P_dot_thetadot2_6_2 = R5_12 * t6_12 + R5_22 * t6_15 + R4_32 * t6_16 + minus_P_dot_thetadot2_5_2;
-  const T minus_P_dot_thetadot2_6_3 = R5_13 * t6_12 + R5_23 * t6_15 + R4_33 * t6_16 + minus_P_dot_thetadot2_5_3;
+  const T minus_P_dot_thetadot2_6_1 = minus_P_dot_thetadot2_5_1 + R5_11 * t6_12 + R5_21 * t6_15 + R4_31 * t6_16;
+  const T minus_P_dot_thetadot2_6_2 = minus_P_dot_thetadot2_5_2 + R5_12 * t6_12 + R5_22 * t6_15 + R4_32 * t6_16;
+  const T minus_P_dot_thetadot2_6_3 = minus_P_dot_thetadot2_5_3 + R5_13 * t6_12 + R5_23 * t6_15 + R4_33 * t6_16;
   // P_dot_thetadot3_6 = R5^T (-omega5~ q6~ omega_thetadot3_5 - q6~ omega_dot_thetadot3_5) + P_dot_thetadot3_5: its
   //   rate
   const T t6_17 = T(0.1) * omega_thetadot3_5_1;
   const T t6_18 = t6_17 - t5_17;
   const T t6_19 = T(0.3) * minus_omega_thetadot3_5_2 + T(0.3) * omega_thetadot3_5_1;
-  const T t6_20 = t5_22 - (omega5_3 * t6_18 + omega5_2 * t6_19) - t5_69;
+  const T t6_20 = t5_22 - t5_69 - omega5_3 * t6_18 - omega5_2 * t6_19;
   const T t6_21 = t5_58 + t5_17;
   const T t6_22 = T(0.1) * minus_omega_dot_thetadot3_5_1;
-  const T t6_23 = omega5_3 * t6_21 + omega5_1 * t6_19 - t6_22 - t5_22;
+  const T t6_23 = omega5_3 * t6_21 - (t6_22 + t5_22) + omega5_1 * t6_19;
   const T t6_24 = omega5_1 * t6_18 - omega5_2 * t6_21 + T(0.3) * omega_dot_thetadot3_5_2 + T(0.3) *
       minus_omega_dot_thetadot3_5_1;
-  const T minus_P_dot_thetadot3_6_1 = R5_11 * t6_20 + R5_21 * t6_23 + R4_31 * t6_24 + minus_P_dot_thetadot3_5_1;
-  const T minus_P_dot_thetadot3_6_2 = R5_12 * t6_20 + R5_22 * t6_23 + R4_32 * t6_24 + minus_P_dot_thetadot3_5_2;
-  const T minus_P_dot_thetadot3_6_3 = R5_13 * t6_20 + R5_23 * t6_23 + R4_33 * t6_24 + minus_P_dot_thetadot3_5_3;
+  const T minus_P_dot_thetadot3_6_1 = minus_P_dot_thetadot3_5_1 + R5_11 * t6_20 + R5_21 * t6_23 + R4_31 * t6_24;
+  const T minus_P_dot_thetadot3_6_2 = minus_P_dot_thetadot3_5_2 + R5_12 * t6_20 + R5_22 * t6_23 + R4_32 * t6_24;
+  const T minus_P_dot_thetadot3_6_3 = minus_P_dot_thetadot3_5_3 + R5_13 * t6_20 + R5_23 * t6_23 + R4_33 * t6_24;
   // P_dot_thetadot4_6 = R5^T (-omega5~ q6~ omega_thetadot4_5 - q6~ omega_dot_thetadot4_5) + P_dot_thetadot4_5: its
   //   rate
   const T t6_25 = T(0.3) * E5_11 - T(0.3) * E5_12;
   const T t6_26 = T(0.1) * E5_12;
-  const T t6_27 = omega5_2 * t6_25 - omega5_3 * t6_26 + t5_82;
+  const T t6_27 = t5_82 + omega5_2 * t6_25 - omega5_3 * t6_26;
   const T t6_28 = T(0.1) * omega_dot_thetadot4_5_1;
-  const T t6_29 = t6_28 - (omega5_3 * t5_72 + omega5_1 * t6_25);
+  const T t6_29 = t6_28 - omega5_3 * t5_72 - omega5_1 * t6_25;
   const T t6_30 = omega5_1 * t6_26 + omega5_2 * t5_72 - T(0.3) * minus_omega_dot_thetadot4_5_2 - T(0.3) *
       omega_dot_thetadot4_5_1;
-  const T minus_P_dot_thetadot4_6_1 = R5_11 * t6_27 + R5_21 * t6_29 + R4_31 * t6_30 + minus_P_dot_thetadot4_5_1;
-  const T minus_P_dot_thetadot4_6_2 = R5_12 * t6_27 + R5_22 * t6_29 + R4_32 * t6_30 + minus_P_dot_thetadot4_5_2;
-  const T minus_P_dot_thetadot4_6_3 = R5_13 * t6_27 + R5_23 * t6_29 + R4_33 * t6_30 + minus_P_dot_thetadot4_5_3;
+  const T minus_P_dot_thetadot4_6_1 = minus_P_dot_thetadot4_5_1 + R5_11 * t6_27 + R5_21 * t6_29 + R4_31 * t6_30;
+  const T minus_P_dot_thetadot4_6_2 = minus_P_dot_thetadot4_5_2 + R5_12 * t6_27 + R5_22 * t6_29 + R4_32 * t6_30;
+  const T minus_P_dot_thetadot4_6_3 = minus_P_dot_thetadot4_5_3 + R5_13 * t6_27 + R5_23 * t6_29 + R4_33 * t6_30;
   // P_dot_thetadot5_6 = -R5^T omega5~ q6~ b5: its rate
   const T t6_31 = omega5_3 * T(0.3);
   const T t6_32 = omega5_1 * T(0.3) + omega5_2 * T(0.3);
@@ -4273,12 +4312,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_43 = t5_37 - T(0.1) * omega_dot_thetadot1_6_3;
   const T t6_44 = T(0.1) * omega_dot_thetadot1_6_2;
   const T t6_45 = t6_44 - t5_40;
-  const T minus_B16_1_1 = R5_11 * t6_36 + R6_21 * t6_39 + R6_31 * t6_40 + R5_11 * t6_42 + R6_21 * t6_43 + R6_31 *
-      t6_45 + minus_P_dot_thetadot1_6_1;
-  const T minus_B16_1_2 = R5_12 * t6_36 + R6_22 * t6_39 + R6_32 * t6_40 + R5_12 * t6_42 + R6_22 * t6_43 + R6_32 *
-      t6_45 + minus_P_dot_thetadot1_6_2;
-  const T minus_B16_1_3 = R5_13 * t6_36 + R6_23 * t6_39 + R6_33 * t6_40 + R5_13 * t6_42 + R6_23 * t6_43 + R6_33 *
-      t6_45 + minus_P_dot_thetadot1_6_3;
+  const T minus_B16_1_1 = minus_P_dot_thetadot1_6_1 + R5_11 * t6_36 + R6_21 * t6_39 + R6_31 * t6_40 + R5_11 * t6_42 +
+      R6_21 * t6_43 + R6_31 * t6_45;
+  const T minus_B16_1_2 = minus_P_dot_thetadot1_6_2 + R5_12 * t6_36 + R6_22 * t6_39 + R6_32 * t6_40 + R5_12 * t6_42 +
+      R6_22 * t6_43 + R6_32 * t6_45;
+  const T minus_B16_1_3 = minus_P_dot_thetadot1_6_3 + R5_13 * t6_36 + R6_23 * t6_39 + R6_33 * t6_40 + R5_13 * t6_42 +
+      R6_23 * t6_43 + R6_33 * t6_45;
   v_y_dot[105] = -minus_B16_1_1;
   v_y_dot[112] = -minus_B16_1_2;
   v_y_dot[119] = -minus_B16_1_3;
@@ -4296,12 +4335,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_56 = t6_55 + T(0.2) * minus_omega_dot_thetadot2_6_3;
   const T t6_57 = T(0.1) * omega_dot_thetadot2_6_2;
   const T t6_58 = t6_57 - t5_55;
-  const T minus_B17_2_1 = R5_11 * t6_49 + R6_21 * t6_52 + R6_31 * t6_53 + R6_21 * t6_54 - R5_11 * t6_56 + R6_31 *
-      t6_58 + minus_P_dot_thetadot2_6_1;
-  const T minus_B17_2_2 = R5_12 * t6_49 + R6_22 * t6_52 + R6_32 * t6_53 + R6_22 * t6_54 - R5_12 * t6_56 + R6_32 *
-      t6_58 + minus_P_dot_thetadot2_6_2;
-  const T minus_B17_2_3 = R5_13 * t6_49 + R6_23 * t6_52 + R6_33 * t6_53 + R6_23 * t6_54 - R5_13 * t6_56 + R6_33 *
-      t6_58 + minus_P_dot_thetadot2_6_3;
+  const T minus_B17_2_1 = minus_P_dot_thetadot2_6_1 + R5_11 * t6_49 + R6_21 * t6_52 + R6_31 * t6_53 + R6_21 * t6_54 -
+      R5_11 * t6_56 + R6_31 * t6_58;
+  const T minus_B17_2_2 = minus_P_dot_thetadot2_6_2 + R5_12 * t6_49 + R6_22 * t6_52 + R6_32 * t6_53 + R6_22 * t6_54 -
+      R5_12 * t6_56 + R6_32 * t6_58;
+  const T minus_B17_2_3 = minus_P_dot_thetadot2_6_3 + R5_13 * t6_49 + R6_23 * t6_52 + R6_33 * t6_53 + R6_23 * t6_54 -
+      R5_13 * t6_56 + R6_33 * t6_58;
   v_y_dot[106] = -minus_B17_2_1;
   v_y_dot[113] = -minus_B17_2_2;
   v_y_dot[120] = -minus_B17_2_3;
@@ -4319,12 +4358,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_69 = t5_67 + T(0.1) * omega_dot_thetadot3_6_3;
   const T t6_70 = T(0.1) * omega_dot_thetadot3_6_2;
   const T t6_71 = t6_70 + t5_70;
-  const T minus_B18_3_1 = R5_11 * t6_62 + R6_21 * t6_65 + R6_31 * t6_66 + R5_11 * t6_68 - R6_21 * t6_69 + R6_31 *
-      t6_71 + minus_P_dot_thetadot3_6_1;
-  const T minus_B18_3_2 = R5_12 * t6_62 + R6_22 * t6_65 + R6_32 * t6_66 + R5_12 * t6_68 - R6_22 * t6_69 + R6_32 *
-      t6_71 + minus_P_dot_thetadot3_6_2;
-  const T minus_B18_3_3 = R5_13 * t6_62 + R6_23 * t6_65 + R6_33 * t6_66 + R5_13 * t6_68 - R6_23 * t6_69 + R6_33 *
-      t6_71 + minus_P_dot_thetadot3_6_3;
+  const T minus_B18_3_1 = minus_P_dot_thetadot3_6_1 + R5_11 * t6_62 + R6_21 * t6_65 + R6_31 * t6_66 + R5_11 * t6_68 -
+      R6_21 * t6_69 + R6_31 * t6_71;
+  const T minus_B18_3_2 = minus_P_dot_thetadot3_6_2 + R5_12 * t6_62 + R6_22 * t6_65 + R6_32 * t6_66 + R5_12 * t6_68 -
+      R6_22 * t6_69 + R6_32 * t6_71;
+  const T minus_B18_3_3 = minus_P_dot_thetadot3_6_3 + R5_13 * t6_62 + R6_23 * t6_65 + R6_33 * t6_66 + R5_13 * t6_68 -
+      R6_23 * t6_69 + R6_33 * t6_71;
   v_y_dot[107] = -minus_B18_3_1;
   v_y_dot[114] = -minus_B18_3_2;
   v_y_dot[121] = -minus_B18_3_3;
@@ -4342,12 +4381,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_82 = t5_81 - T(0.1) * omega_dot_thetadot4_6_3;
   const T t6_83 = T(0.1) * minus_omega_dot_thetadot4_6_2;
   const T t6_84 = t6_83 + t5_83;
-  const T minus_B19_4_1 = R5_11 * t6_75 - R6_21 * t6_78 + R6_31 * t6_79 + R5_11 * t6_81 + R6_21 * t6_82 - R6_31 *
-      t6_84 + minus_P_dot_thetadot4_6_1;
-  const T minus_B19_4_2 = R5_12 * t6_75 - R6_22 * t6_78 + R6_32 * t6_79 + R5_12 * t6_81 + R6_22 * t6_82 - R6_32 *
-      t6_84 + minus_P_dot_thetadot4_6_2;
-  const T minus_B19_4_3 = R5_13 * t6_75 - R6_23 * t6_78 + R6_33 * t6_79 + R5_13 * t6_81 + R6_23 * t6_82 - R6_33 *
-      t6_84 + minus_P_dot_thetadot4_6_3;
+  const T minus_B19_4_1 = minus_P_dot_thetadot4_6_1 + R5_11 * t6_75 - R6_21 * t6_78 + R6_31 * t6_79 + R5_11 * t6_81 +
+      R6_21 * t6_82 - R6_31 * t6_84;
+  const T minus_B19_4_2 = minus_P_dot_thetadot4_6_2 + R5_12 * t6_75 - R6_22 * t6_78 + R6_32 * t6_79 + R5_12 * t6_81 +
+      R6_22 * t6_82 - R6_32 * t6_84;
+  const T minus_B19_4_3 = minus_P_dot_thetadot4_6_3 + R5_13 * t6_75 - R6_23 * t6_78 + R6_33 * t6_79 + R5_13 * t6_81 +
+      R6_23 * t6_82 - R6_33 * t6_84;
   v_y_dot[108] = -minus_B19_4_1;
   v_y_dot[115] = -minus_B19_4_2;
   v_y_dot[122] = -minus_B19_4_3;
@@ -4363,12 +4402,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_93 = T(0.05) * omega_dot_thetadot5_6_2;
   const T t6_94 = t6_93 + T(0.2) * minus_omega_dot_thetadot5_6_3;
   const T t6_95 = T(0.1) * omega_dot_thetadot5_6_2;
-  const T minus_B20_5_1 = R5_11 * t6_87 + R6_21 * t6_90 - R6_31 * t6_91 + R6_21 * t6_92 - R5_11 * t6_94 + R6_31 *
-      t6_95 + minus_P_dot_thetadot5_6_1;
-  const T minus_B20_5_2 = R5_12 * t6_87 + R6_22 * t6_90 - R6_32 * t6_91 + R6_22 * t6_92 - R5_12 * t6_94 + R6_32 *
-      t6_95 + minus_P_dot_thetadot5_6_2;
-  const T minus_B20_5_3 = R5_13 * t6_87 + R6_23 * t6_90 - R6_33 * t6_91 + R6_23 * t6_92 - R5_13 * t6_94 + R6_33 *
-      t6_95 + minus_P_dot_thetadot5_6_3;
+  const T minus_B20_5_1 = minus_P_dot_thetadot5_6_1 + R5_11 * t6_87 + R6_21 * t6_90 - R6_31 * t6_91 + R6_21 * t6_92 -
+      R5_11 * t6_94 + R6_31 * t6_95;
+  const T minus_B20_5_2 = minus_P_dot_thetadot5_6_2 + R5_12 * t6_87 + R6_22 * t6_90 - R6_32 * t6_91 + R6_22 * t6_92 -
+      R5_12 * t6_94 + R6_32 * t6_95;
+  const T minus_B20_5_3 = minus_P_dot_thetadot5_6_3 + R5_13 * t6_87 + R6_23 * t6_90 - R6_33 * t6_91 + R6_23 * t6_92 -
+      R5_13 * t6_94 + R6_33 * t6_95;
   v_y_dot[109] = -minus_B20_5_1;
   v_y_dot[116] = -minus_B20_5_2;
   v_y_dot[123] = -minus_B20_5_3;
@@ -4384,11 +4423,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[124] = -minus_B21_6_3;
 
   // ---- body 7 (body_7) on body 6
-  const T theta7 = x[6];
   const T thetadot7 = y[6];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[6];
+  const T minus_E7_13 = sines[6];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R5_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R5_12 * E7_11 - R6_32 * minus_E7_13;
@@ -4443,61 +4481,61 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   //   rate
   const T t7_1 = T(0.3) * R6_22 - T(0.35) * R5_12;
   const T t7_2 = t6_2 - T(0.3) * R6_32;
-  const T t7_3 = omega6_2 * t7_1 - omega6_3 * t7_2 + T(0.35) * omega_dot_thetadot1_6_3 - t6_44;
+  const T t7_3 = omega6_2 * t7_1 - t6_44 - omega6_3 * t7_2 + T(0.35) * omega_dot_thetadot1_6_3;
   const T t7_4 = T(0.35) * R6_32 - t6_33;
-  const T t7_5 = omega6_3 * t7_4 - omega6_1 * t7_1 + t6_6 - T(0.3) * omega_dot_thetadot1_6_3;
+  const T t7_5 = t6_5 + omega6_3 * t7_4 - omega6_1 * t7_1 - T(0.3) * omega_dot_thetadot1_6_3;
   const T t7_6 = omega6_1 * t7_2 - omega6_2 * t7_4 + T(0.3) * omega_dot_thetadot1_6_2 - T(0.35) *
       omega_dot_thetadot1_5_1;
-  const T minus_P_dot_thetadot1_7_1 = R5_11 * t7_3 + R6_21 * t7_5 + R6_31 * t7_6 + minus_P_dot_thetadot1_6_1;
-  const T minus_P_dot_thetadot1_7_2 = R5_12 * t7_3 + R6_22 * t7_5 + R6_32 * t7_6 + minus_P_dot_thetadot1_6_2;
-  const T minus_P_dot_thetadot1_7_3 = R5_13 * t7_3 + R6_23 * t7_5 + R6_33 * t7_6 + minus_P_dot_thetadot1_6_3;
+  const T minus_P_dot_thetadot1_7_1 = minus_P_dot_thetadot1_6_1 + R5_11 * t7_3 + R6_21 * t7_5 + R6_31 * t7_6;
+  const T minus_P_dot_thetadot1_7_2 = minus_P_dot_thetadot1_6_2 + R5_12 * t7_3 + R6_22 * t7_5 + R6_32 * t7_6;
+  const T minus_P_dot_thetadot1_7_3 = minus_P_dot_thetadot1_6_3 + R5_13 * t7_3 + R6_23 * t7_5 + R6_33 * t7_6;
   // P_dot_thetadot2_7 = R6^T (-omega6~ q7~ omega_thetadot2_6 - q7~ omega_dot_thetadot2_6) + P_dot_thetadot2_6: its
   //   rate
   const T t7_7 = T(0.3) * omega_thetadot2_6_2 - T(0.35) * omega_thetadot2_5_1;
   const T t7_8 = t6_10 - T(0.3) * omega_thetadot2_6_3;
-  const T t7_9 = omega6_2 * t7_7 - omega6_3 * t7_8 - t6_57 - T(0.35) * minus_omega_dot_thetadot2_6_3;
+  const T t7_9 = omega6_2 * t7_7 - t6_57 - omega6_3 * t7_8 - T(0.35) * minus_omega_dot_thetadot2_6_3;
   const T t7_10 = T(0.35) * omega_thetadot2_6_3 - t6_46;
-  const T t7_11 = omega6_3 * t7_10 - omega6_1 * t7_7 + t6_14 + T(0.3) * minus_omega_dot_thetadot2_6_3;
+  const T t7_11 = t6_13 + omega6_3 * t7_10 - omega6_1 * t7_7 + T(0.3) * minus_omega_dot_thetadot2_6_3;
   const T t7_12 = omega6_1 * t7_8 - omega6_2 * t7_10 + T(0.3) * omega_dot_thetadot2_6_2 - T(0.35) *
       omega_dot_thetadot2_5_1;
-  const T minus_P_dot_thetadot2_7_1 = R5_11 * t7_9 + R6_21 * t7_11 + R6_31 * t7_12 + minus_P_dot_thetadot2_6_1;
-  const T minus_P_dot_thetadot2_7_2 = R5_12 * t7_9 + R6_22 * t7_11 + R6_32 * t7_12 + minus_P_dot_thetadot2_6_2;
-  const T minus_P_dot_thetadot2_7_3 = R5_13 * t7_9 + R6_23 * t7_11 + R6_33 * t7_12 + minus_P_dot_thetadot2_6_3;
+  const T minus_P_dot_thetadot2_7_1 = minus_P_dot_thetadot2_6_1 + R5_11 * t7_9 + R6_21 * t7_11 + R6_31 * t7_12;
+  const T minus_P_dot_thetadot2_7_2 = minus_P_dot_thetadot2_6_2 + R5_12 * t7_9 + R6_22 * t7_11 + R6_32 * t7_12;
+  const T minus_P_dot_thetadot2_7_3 = minus_P_dot_thetadot2_6_3 + R5_13 * t7_9 + R6_23 * t7_11 + R6_33 * t7_12;
   // P_dot_thetadot3_7 = R6^T (-omega6~ q7~ omega_thetadot3_6 - q7~ omega_dot_thetadot3_6) + P_dot_thetadot3_6: its
   //   rate
   const T t7_13 = T(0.3) * omega_thetadot3_6_2 - T(0.35) * omega_thetadot3_5_1;
   const T t7_14 = t6_17 - T(0.3) * omega_thetadot3_6_3;
-  const T t7_15 = omega6_2 * t7_13 - omega6_3 * t7_14 + T(0.35) * omega_dot_thetadot3_6_3 - t6_70;
+  const T t7_15 = omega6_2 * t7_13 - t6_70 - omega6_3 * t7_14 + T(0.35) * omega_dot_thetadot3_6_3;
   const T t7_16 = T(0.35) * omega_thetadot3_6_3 - t6_59;
-  const T t7_17 = omega6_3 * t7_16 - omega6_1 * t7_13 - t6_22 - T(0.3) * omega_dot_thetadot3_6_3;
+  const T t7_17 = omega6_3 * t7_16 - t6_22 - omega6_1 * t7_13 - T(0.3) * omega_dot_thetadot3_6_3;
   const T t7_18 = omega6_1 * t7_14 - omega6_2 * t7_16 + T(0.3) * omega_dot_thetadot3_6_2 + T(0.35) *
       minus_omega_dot_thetadot3_5_1;
-  const T minus_P_dot_thetadot3_7_1 = R5_11 * t7_15 + R6_21 * t7_17 + R6_31 * t7_18 + minus_P_dot_thetadot3_6_1;
-  const T minus_P_dot_thetadot3_7_2 = R5_12 * t7_15 + R6_22 * t7_17 + R6_32 * t7_18 + minus_P_dot_thetadot3_6_2;
-  const T minus_P_dot_thetadot3_7_3 = R5_13 * t7_15 + R6_23 * t7_17 + R6_33 * t7_18 + minus_P_dot_thetadot3_6_3;
+  const T minus_P_dot_thetadot3_7_1 = minus_P_dot_thetadot3_6_1 + R5_11 * t7_15 + R6_21 * t7_17 + R6_31 * t7_18;
+  const T minus_P_dot_thetadot3_7_2 = minus_P_dot_thetadot3_6_2 + R5_12 * t7_15 + R6_22 * t7_17 + R6_32 * t7_18;
+  const T minus_P_dot_thetadot3_7_3 = minus_P_dot_thetadot3_6_3 + R5_13 * t7_15 + R6_23 * t7_17 + R6_33 * t7_18;
   // P_dot_thetadot4_7 = R6^T (-omega6~ q7~ omega_thetadot4_6 - q7~ omega_dot_thetadot4_6) + P_dot_thetadot4_6: its
   //   rate
   const T t7_19 = T(0.3) * omega_thetadot4_6_2 - T(0.35) * E5_12;
   const T t7_20 = t6_26 + T(0.3) * minus_omega_thetadot4_6_3;
-  const T t7_21 = omega6_2 * t7_19 - omega6_3 * t7_20 + t6_83 + T(0.35) * omega_dot_thetadot4_6_3;
+  const T t7_21 = t6_83 + omega6_2 * t7_19 - omega6_3 * t7_20 + T(0.35) * omega_dot_thetadot4_6_3;
   const T t7_22 = t6_72 + T(0.35) * minus_omega_thetadot4_6_3;
-  const T t7_23 = t6_28 - (omega6_3 * t7_22 + omega6_1 * t7_19) - T(0.3) * omega_dot_thetadot4_6_3;
+  const T t7_23 = t6_28 - omega6_3 * t7_22 - omega6_1 * t7_19 - T(0.3) * omega_dot_thetadot4_6_3;
   const T t7_24 = omega6_1 * t7_20 + omega6_2 * t7_22 - T(0.3) * minus_omega_dot_thetadot4_6_2 - T(0.35) *
       omega_dot_thetadot4_5_1;
-  const T minus_P_dot_thetadot4_7_1 = R5_11 * t7_21 + R6_21 * t7_23 + R6_31 * t7_24 + minus_P_dot_thetadot4_6_1;
-  const T minus_P_dot_thetadot4_7_2 = R5_12 * t7_21 + R6_22 * t7_23 + R6_32 * t7_24 + minus_P_dot_thetadot4_6_2;
-  const T minus_P_dot_thetadot4_7_3 = R5_13 * t7_21 + R6_23 * t7_23 + R6_33 * t7_24 + minus_P_dot_thetadot4_6_3;
+  const T minus_P_dot_thetadot4_7_1 = minus_P_dot_thetadot4_6_1 + R5_11 * t7_21 + R6_21 * t7_23 + R6_31 * t7_24;
+  const T minus_P_dot_thetadot4_7_2 = minus_P_dot_thetadot4_6_2 + R5_12 * t7_21 + R6_22 * t7_23 + R6_32 * t7_24;
+  const T minus_P_dot_thetadot4_7_3 = minus_P_dot_thetadot4_6_3 + R5_13 * t7_21 + R6_23 * t7_23 + R6_33 * t7_24;
   // P_dot_thetadot5_7 = R6^T (-omega6~ q7~ omega_thetadot5_6 - q7~ omega_dot_thetadot5_6) + P_dot_thetadot5_6: its
   //   rate
   const T t7_25 = T(0.3) * E6_22;
   const T t7_26 = T(0.3) * E6_23;
-  const T t7_27 = omega6_3 * t7_25 + omega6_2 * t7_26 - t6_95 - T(0.35) * minus_omega_dot_thetadot5_6_3;
+  const T t7_27 = omega6_3 * t7_25 - t6_95 + omega6_2 * t7_26 - T(0.35) * minus_omega_dot_thetadot5_6_3;
   const T t7_28 = T(0.35) * E6_22 - t6_86;
   const T t7_29 = omega6_3 * t7_28 - omega6_1 * t7_26 + T(0.3) * minus_omega_dot_thetadot5_6_3;
   const T t7_30 = T(0.3) * omega_dot_thetadot5_6_2 - (omega6_1 * t7_25 + omega6_2 * t7_28);
-  const T minus_P_dot_thetadot5_7_1 = R5_11 * t7_27 + R6_21 * t7_29 + R6_31 * t7_30 + minus_P_dot_thetadot5_6_1;
-  const T minus_P_dot_thetadot5_7_2 = R5_12 * t7_27 + R6_22 * t7_29 + R6_32 * t7_30 + minus_P_dot_thetadot5_6_2;
-  const T minus_P_dot_thetadot5_7_3 = R5_13 * t7_27 + R6_23 * t7_29 + R6_33 * t7_30 + minus_P_dot_thetadot5_6_3;
+  const T minus_P_dot_thetadot5_7_1 = minus_P_dot_thetadot5_6_1 + R5_11 * t7_27 + R6_21 * t7_29 + R6_31 * t7_30;
+  const T minus_P_dot_thetadot5_7_2 = minus_P_dot_thetadot5_6_2 + R5_12 * t7_27 + R6_22 * t7_29 + R6_32 * t7_30;
+  const T minus_P_dot_thetadot5_7_3 = minus_P_dot_thetadot5_6_3 + R5_13 * t7_27 + R6_23 * t7_29 + R6_33 * t7_30;
   // P_dot_thetadot6_7 = -R6^T omega6~ q7~ b6: its rate
   const T t7_31 = omega6_1 * T(0.35);
   const T t7_32 = omega6_3 * T(0.1) + omega6_2 * T(0.35);
@@ -4515,12 +4553,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_40 = T(0.2) * omega_dot_thetadot1_7_3 - t6_41;
   const T t7_41 = T(0.05) * omega_dot_thetadot1_7_1 - T(0.1) * omega_dot_thetadot1_7_3;
   const T t7_42 = t6_44 - T(0.2) * omega_dot_thetadot1_7_1;
-  const T minus_B22_1_1 = R7_11 * t7_36 + R6_21 * t7_38 + R7_31 * t7_39 + R7_11 * t7_40 + R6_21 * t7_41 + R7_31 *
-      t7_42 + minus_P_dot_thetadot1_7_1;
-  const T minus_B22_1_2 = R7_12 * t7_36 + R6_22 * t7_38 + R7_32 * t7_39 + R7_12 * t7_40 + R6_22 * t7_41 + R7_32 *
-      t7_42 + minus_P_dot_thetadot1_7_2;
-  const T minus_B22_1_3 = R7_13 * t7_36 + R6_23 * t7_38 + R7_33 * t7_39 + R7_13 * t7_40 + R6_23 * t7_41 + R7_33 *
-      t7_42 + minus_P_dot_thetadot1_7_3;
+  const T minus_B22_1_1 = minus_P_dot_thetadot1_7_1 + R7_11 * t7_36 + R6_21 * t7_38 + R7_31 * t7_39 + R7_11 * t7_40 +
+      R6_21 * t7_41 + R7_31 * t7_42;
+  const T minus_B22_1_2 = minus_P_dot_thetadot1_7_2 + R7_12 * t7_36 + R6_22 * t7_38 + R7_32 * t7_39 + R7_12 * t7_40 +
+      R6_22 * t7_41 + R7_32 * t7_42;
+  const T minus_B22_1_3 = minus_P_dot_thetadot1_7_3 + R7_13 * t7_36 + R6_23 * t7_38 + R7_33 * t7_39 + R7_13 * t7_40 +
+      R6_23 * t7_41 + R7_33 * t7_42;
   v_y_dot[126] = -minus_B22_1_1;
   v_y_dot[133] = -minus_B22_1_2;
   v_y_dot[140] = -minus_B22_1_3;
@@ -4534,12 +4572,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_49 = T(0.2) * omega_dot_thetadot2_7_3 - t6_55;
   const T t7_50 = T(0.05) * omega_dot_thetadot2_7_1 - T(0.1) * omega_dot_thetadot2_7_3;
   const T t7_51 = t6_57 - T(0.2) * omega_dot_thetadot2_7_1;
-  const T minus_B23_2_1 = R7_11 * t7_45 + R6_21 * t7_47 + R7_31 * t7_48 + R7_11 * t7_49 + R6_21 * t7_50 + R7_31 *
-      t7_51 + minus_P_dot_thetadot2_7_1;
-  const T minus_B23_2_2 = R7_12 * t7_45 + R6_22 * t7_47 + R7_32 * t7_48 + R7_12 * t7_49 + R6_22 * t7_50 + R7_32 *
-      t7_51 + minus_P_dot_thetadot2_7_2;
-  const T minus_B23_2_3 = R7_13 * t7_45 + R6_23 * t7_47 + R7_33 * t7_48 + R7_13 * t7_49 + R6_23 * t7_50 + R7_33 *
-      t7_51 + minus_P_dot_thetadot2_7_3;
+  const T minus_B23_2_1 = minus_P_dot_thetadot2_7_1 + R7_11 * t7_45 + R6_21 * t7_47 + R7_31 * t7_48 + R7_11 * t7_49 +
+      R6_21 * t7_50 + R7_31 * t7_51;
+  const T minus_B23_2_2 = minus_P_dot_thetadot2_7_2 + R7_12 * t7_45 + R6_22 * t7_47 + R7_32 * t7_48 + R7_12 * t7_49 +
+      R6_22 * t7_50 + R7_32 * t7_51;
+  const T minus_B23_2_3 = minus_P_dot_thetadot2_7_3 + R7_13 * t7_45 + R6_23 * t7_47 + R7_33 * t7_48 + R7_13 * t7_49 +
+      R6_23 * t7_50 + R7_33 * t7_51;
   v_y_dot[127] = -minus_B23_2_1;
   v_y_dot[134] = -minus_B23_2_2;
   v_y_dot[141] = -minus_B23_2_3;
@@ -4553,12 +4591,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_58 = T(0.2) * omega_dot_thetadot3_7_3 - t6_67;
   const T t7_59 = T(0.05) * minus_omega_dot_thetadot3_7_1 + T(0.1) * omega_dot_thetadot3_7_3;
   const T t7_60 = t6_70 + T(0.2) * minus_omega_dot_thetadot3_7_1;
-  const T minus_B24_3_1 = R7_11 * t7_54 + R6_21 * t7_56 + R7_31 * t7_57 + R7_11 * t7_58 - R6_21 * t7_59 + R7_31 *
-      t7_60 + minus_P_dot_thetadot3_7_1;
-  const T minus_B24_3_2 = R7_12 * t7_54 + R6_22 * t7_56 + R7_32 * t7_57 + R7_12 * t7_58 - R6_22 * t7_59 + R7_32 *
-      t7_60 + minus_P_dot_thetadot3_7_2;
-  const T minus_B24_3_3 = R7_13 * t7_54 + R6_23 * t7_56 + R7_33 * t7_57 + R7_13 * t7_58 - R6_23 * t7_59 + R7_33 *
-      t7_60 + minus_P_dot_thetadot3_7_3;
+  const T minus_B24_3_1 = minus_P_dot_thetadot3_7_1 + R7_11 * t7_54 + R6_21 * t7_56 + R7_31 * t7_57 + R7_11 * t7_58 -
+      R6_21 * t7_59 + R7_31 * t7_60;
+  const T minus_B24_3_2 = minus_P_dot_thetadot3_7_2 + R7_12 * t7_54 + R6_22 * t7_56 + R7_32 * t7_57 + R7_12 * t7_58 -
+      R6_22 * t7_59 + R7_32 * t7_60;
+  const T minus_B24_3_3 = minus_P_dot_thetadot3_7_3 + R7_13 * t7_54 + R6_23 * t7_56 + R7_33 * t7_57 + R7_13 * t7_58 -
+      R6_23 * t7_59 + R7_33 * t7_60;
   v_y_dot[128] = -minus_B24_3_1;
   v_y_dot[135] = -minus_B24_3_2;
   v_y_dot[142] = -minus_B24_3_3;
@@ -4572,12 +4610,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_67 = t6_80 + T(0.2) * omega_dot_thetadot4_7_3;
   const T t7_68 = T(0.05) * omega_dot_thetadot4_7_1 - T(0.1) * omega_dot_thetadot4_7_3;
   const T t7_69 = t6_83 + T(0.2) * omega_dot_thetadot4_7_1;
-  const T minus_B25_4_1 = R7_11 * t7_63 + R6_21 * t7_65 + R7_31 * t7_66 + R7_11 * t7_67 + R6_21 * t7_68 - R7_31 *
-      t7_69 + minus_P_dot_thetadot4_7_1;
-  const T minus_B25_4_2 = R7_12 * t7_63 + R6_22 * t7_65 + R7_32 * t7_66 + R7_12 * t7_67 + R6_22 * t7_68 - R7_32 *
-      t7_69 + minus_P_dot_thetadot4_7_2;
-  const T minus_B25_4_3 = R7_13 * t7_63 + R6_23 * t7_65 + R7_33 * t7_66 + R7_13 * t7_67 + R6_23 * t7_68 - R7_33 *
-      t7_69 + minus_P_dot_thetadot4_7_3;
+  const T minus_B25_4_1 = minus_P_dot_thetadot4_7_1 + R7_11 * t7_63 + R6_21 * t7_65 + R7_31 * t7_66 + R7_11 * t7_67 +
+      R6_21 * t7_68 - R7_31 * t7_69;
+  const T minus_B25_4_2 = minus_P_dot_thetadot4_7_2 + R7_12 * t7_63 + R6_22 * t7_65 + R7_32 * t7_66 + R7_12 * t7_67 +
+      R6_22 * t7_68 - R7_32 * t7_69;
+  const T minus_B25_4_3 = minus_P_dot_thetadot4_7_3 + R7_13 * t7_63 + R6_23 * t7_65 + R7_33 * t7_66 + R7_13 * t7_67 +
+      R6_23 * t7_68 - R7_33 * t7_69;
   v_y_dot[129] = -minus_B25_4_1;
   v_y_dot[136] = -minus_B25_4_2;
   v_y_dot[143] = -minus_B25_4_3;
@@ -4591,12 +4629,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_76 = T(0.05) * omega_dot_thetadot5_7_1 + T(0.1) * minus_omega_dot_thetadot5_7_3;
   const T t7_77 = t6_93 + T(0.2) * minus_omega_dot_thetadot5_7_3;
   const T t7_78 = t6_95 - T(0.2) * omega_dot_thetadot5_7_1;
-  const T minus_B26_5_1 = R7_11 * t7_72 + R6_21 * t7_74 - R7_31 * t7_75 + R6_21 * t7_76 - R7_11 * t7_77 + R7_31 *
-      t7_78 + minus_P_dot_thetadot5_7_1;
-  const T minus_B26_5_2 = R7_12 * t7_72 + R6_22 * t7_74 - R7_32 * t7_75 + R6_22 * t7_76 - R7_12 * t7_77 + R7_32 *
-      t7_78 + minus_P_dot_thetadot5_7_2;
-  const T minus_B26_5_3 = R7_13 * t7_72 + R6_23 * t7_74 - R7_33 * t7_75 + R6_23 * t7_76 - R7_13 * t7_77 + R7_33 *
-      t7_78 + minus_P_dot_thetadot5_7_3;
+  const T minus_B26_5_1 = minus_P_dot_thetadot5_7_1 + R7_11 * t7_72 + R6_21 * t7_74 - R7_31 * t7_75 + R6_21 * t7_76 -
+      R7_11 * t7_77 + R7_31 * t7_78;
+  const T minus_B26_5_2 = minus_P_dot_thetadot5_7_2 + R7_12 * t7_72 + R6_22 * t7_74 - R7_32 * t7_75 + R6_22 * t7_76 -
+      R7_12 * t7_77 + R7_32 * t7_78;
+  const T minus_B26_5_3 = minus_P_dot_thetadot5_7_3 + R7_13 * t7_72 + R6_23 * t7_74 - R7_33 * t7_75 + R6_23 * t7_76 -
+      R7_13 * t7_77 + R7_33 * t7_78;
   v_y_dot[130] = -minus_B26_5_1;
   v_y_dot[137] = -minus_B26_5_2;
   v_y_dot[144] = -minus_B26_5_3;
@@ -4610,12 +4648,12 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_85 = T(0.2) * omega_dot_thetadot6_7_3;
   const T t7_86 = T(0.05) * minus_omega_dot_thetadot6_7_1 + T(0.1) * omega_dot_thetadot6_7_3;
   const T t7_87 = T(0.2) * minus_omega_dot_thetadot6_7_1;
-  const T minus_B27_6_1 = R6_21 * t7_81 - R7_11 * t7_83 + R7_31 * t7_84 + R7_11 * t7_85 - R6_21 * t7_86 + R7_31 *
-      t7_87 + minus_P_dot_thetadot6_7_1;
-  const T minus_B27_6_2 = R6_22 * t7_81 - R7_12 * t7_83 + R7_32 * t7_84 + R7_12 * t7_85 - R6_22 * t7_86 + R7_32 *
-      t7_87 + minus_P_dot_thetadot6_7_2;
-  const T minus_B27_6_3 = R6_23 * t7_81 - R7_13 * t7_83 + R7_33 * t7_84 + R7_13 * t7_85 - R6_23 * t7_86 + R7_33 *
-      t7_87 + minus_P_dot_thetadot6_7_3;
+  const T minus_B27_6_1 = minus_P_dot_thetadot6_7_1 + R6_21 * t7_81 - R7_11 * t7_83 + R7_31 * t7_84 + R7_11 * t7_85 -
+      R6_21 * t7_86 + R7_31 * t7_87;
+  const T minus_B27_6_2 = minus_P_dot_thetadot6_7_2 + R6_22 * t7_81 - R7_12 * t7_83 + R7_32 * t7_84 + R7_12 * t7_85 -
+      R6_22 * t7_86 + R7_32 * t7_87;
+  const T minus_B27_6_3 = minus_P_dot_thetadot6_7_3 + R6_23 * t7_81 - R7_13 * t7_83 + R7_33 * t7_84 + R7_13 * t7_85 -
+      R6_23 * t7_86 + R7_33 * t7_87;
   v_y_dot[131] = -minus_B27_6_1;
   v_y_dot[138] = -minus_B27_6_2;
   v_y_dot[145] = -minus_B27_6_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6b: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 77f757deb767a8b3 of bench_s6b/scene.toml; the usual functions
+// model cf3a0f98a446ed80 of bench_s6b/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: ball
@@ -44,7 +44,7 @@ inline constexpr int nx = 27;
 inline constexpr int ny = 21;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 21;
-inline constexpr char model_hash[] = "77f757deb767a8b3";
+inline constexpr char model_hash[] = "cf3a0f98a446ed80";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -329,18 +329,18 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[19] = R2_32;
   pose[20] = R2_33;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
-  const T t2_13 = s1_1 + R1_11 * T(0.3) + R1_31 * T(0.1);
+  const T t2_13 = s1_1 + R1_31 * T(0.1) + R1_11 * T(0.3);
   const T P2_1 = t2_13 + R1_21 * T(0.1);
-  const T t2_14 = s1_2 + R1_12 * T(0.3) + R1_32 * T(0.1);
+  const T t2_14 = s1_2 + R1_32 * T(0.1) + R1_12 * T(0.3);
   const T P2_2 = t2_14 + R1_22 * T(0.1);
-  const T t2_15 = s1_3 + R1_13 * T(0.3) + R1_33 * T(0.1);
+  const T t2_15 = s1_3 + R1_33 * T(0.1) + R1_13 * T(0.3);
   const T P2_3 = t2_15 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T t2_16 = R2_21 * T(0.2) + P2_1;
+  const T t2_16 = P2_1 + R2_21 * T(0.2);
   const T p2_1 = R2_11 * T(0.1) + t2_16 + R2_31 * T(0.05);
-  const T t2_17 = R2_22 * T(0.2) + P2_2;
+  const T t2_17 = P2_2 + R2_22 * T(0.2);
   const T p2_2 = R2_12 * T(0.1) + t2_17 + R2_32 * T(0.05);
-  const T t2_18 = R2_23 * T(0.2) + P2_3;
+  const T t2_18 = P2_3 + R2_23 * T(0.2);
   const T p2_3 = R2_13 * T(0.1) + t2_18 + R2_33 * T(0.05);
   pose[21] = p2_1;
   pose[22] = p2_2;
@@ -381,15 +381,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[32] = R3_33;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_13 = R2_11 * T(0.3) + R2_31 * T(0.1);
-  const T P3_1 = t3_13 + R2_21 * T(0.15) + P2_1;
+  const T P3_1 = t3_13 + P2_1 + R2_21 * T(0.15);
   const T t3_14 = R2_12 * T(0.3) + R2_32 * T(0.1);
-  const T P3_2 = t3_14 + R2_22 * T(0.15) + P2_2;
+  const T P3_2 = t3_14 + P2_2 + R2_22 * T(0.15);
   const T t3_15 = R2_13 * T(0.3) + R2_33 * T(0.1);
-  const T P3_3 = t3_15 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_15 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
@@ -432,9 +432,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P4_2 = t3_14 + t2_17;
   const T P4_3 = t3_15 + t2_18;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
@@ -477,9 +477,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P5_2 = t2_14 + R1_22 * T(0.25);
   const T P5_3 = t2_15 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -518,13 +518,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[67] = R6_32;
   pose[68] = R6_33;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1) + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1) + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_1 = P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1);
+  const T P6_2 = P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1);
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -605,10 +605,10 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R2_32 = t2_11 - t2_12;
   const T R2_33 = t2_10 - t2_2;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
-  const T t2_13 = s1_3 + R1_13 * T(0.3) + R1_33 * T(0.1);
+  const T t2_13 = s1_3 + R1_33 * T(0.1) + R1_13 * T(0.3);
   const T P2_3 = t2_13 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T t2_14 = R2_23 * T(0.2) + P2_3;
+  const T t2_14 = P2_3 + R2_23 * T(0.2);
   const T p2_3 = R2_13 * T(0.1) + t2_14 + R2_33 * T(0.05);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_15 = omega1_1 * T(0.1);
@@ -629,9 +629,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_26 = omega2_1 * T(0.2);
   const T t2_27 = omega2_2 * T(0.1);
   const T t2_28 = t2_26 - t2_27;
-  const T v2_1 = R2_11 * t2_24 + R2_21 * t2_25 + R2_31 * t2_28 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_24 + R2_22 * t2_25 + R2_32 * t2_28 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_24 + R2_23 * t2_25 + R2_33 * t2_28 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_24 + R2_21 * t2_25 + R2_31 * t2_28;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_24 + R2_22 * t2_25 + R2_32 * t2_28;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_24 + R2_23 * t2_25 + R2_33 * t2_28;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * omega2_3) + omega2_2 *
       (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * omega2_3) + omega2_3 * (T(0.0036) * omega2_1 -
@@ -664,9 +664,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R3_33 = t3_10 - t3_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_13 = R2_13 * T(0.3) + R2_33 * T(0.1);
-  const T P3_3 = t3_13 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_13 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_14 = t2_27 - omega2_3 * T(0.15);
   const T t3_15 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
@@ -682,9 +682,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_21 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_22 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_23 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R3_11 * t3_21 + R3_21 * t3_22 + R3_31 * t3_23 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_21 + R3_22 * t3_22 + R3_32 * t3_23 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_21 + R3_23 * t3_22 + R3_33 * t3_23 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_21 + R3_21 * t3_22 + R3_31 * t3_23;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_21 + R3_22 * t3_22 + R3_32 * t3_23;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_21 + R3_23 * t3_22 + R3_33 * t3_23;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
       (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
@@ -718,7 +718,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P4 = R2^T q4 + P2: position of the body origin, inertial axes [m]
   const T P4_3 = t3_13 + t2_14;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R2^T omega2~ q4 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t4_13 = t2_27 - t2_23;
   const T t4_14 = t2_26 - t3_17;
@@ -729,9 +729,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t4_15 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_16 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_17 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_15 + R4_21 * t4_16 + R4_31 * t4_17 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_15 + R4_22 * t4_16 + R4_32 * t4_17 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_15 + R4_23 * t4_16 + R4_33 * t4_17 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_15 + R4_21 * t4_16 + R4_31 * t4_17;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_15 + R4_22 * t4_16 + R4_32 * t4_17;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_15 + R4_23 * t4_16 + R4_33 * t4_17;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
       (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
@@ -765,7 +765,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P5 = s1 + R1^T q5: position of the body origin, inertial axes [m]
   const T P5_3 = t2_13 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = sdot1 + R1^T omega1~ q5: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = t1_16 - omega1_3 * T(0.25);
   const T t5_14 = omega1_1 * T(0.25) - t2_19;
@@ -777,9 +777,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t5_16 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_17 = omega5_2 * T(0.1);
   const T t5_18 = omega5_1 * T(0.2) - t5_17;
-  const T v5_1 = R5_11 * t5_15 + R5_21 * t5_16 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_15 + R5_22 * t5_16 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_15 + R5_23 * t5_16 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_15 + R5_21 * t5_16 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_15 + R5_22 * t5_16 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_15 + R5_23 * t5_16 + R5_33 * t5_18;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
       (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
@@ -811,24 +811,24 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_13 = omega5_3 * T(0.3);
   const T t6_14 = t5_17 - t6_13;
   const T t6_15 = t6_13 - omega5_1 * T(0.1);
   const T t6_16 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_17 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_18 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_19 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
       (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
@@ -929,18 +929,18 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R2_32 = t2_11 - t2_12;
   const T R2_33 = t2_10 - t2_2;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
-  const T t2_13 = s1_1 + R1_11 * T(0.3) + R1_31 * T(0.1);
+  const T t2_13 = s1_1 + R1_31 * T(0.1) + R1_11 * T(0.3);
   const T P2_1 = t2_13 + R1_21 * T(0.1);
-  const T t2_14 = s1_2 + R1_12 * T(0.3) + R1_32 * T(0.1);
+  const T t2_14 = s1_2 + R1_32 * T(0.1) + R1_12 * T(0.3);
   const T P2_2 = t2_14 + R1_22 * T(0.1);
-  const T t2_15 = s1_3 + R1_13 * T(0.3) + R1_33 * T(0.1);
+  const T t2_15 = s1_3 + R1_33 * T(0.1) + R1_13 * T(0.3);
   const T P2_3 = t2_15 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T t2_16 = R2_21 * T(0.2) + P2_1;
+  const T t2_16 = P2_1 + R2_21 * T(0.2);
   const T p2_1 = R2_11 * T(0.1) + t2_16 + R2_31 * T(0.05);
-  const T t2_17 = R2_22 * T(0.2) + P2_2;
+  const T t2_17 = P2_2 + R2_22 * T(0.2);
   const T p2_2 = R2_12 * T(0.1) + t2_17 + R2_32 * T(0.05);
-  const T t2_18 = R2_23 * T(0.2) + P2_3;
+  const T t2_18 = P2_3 + R2_23 * T(0.2);
   const T p2_3 = R2_13 * T(0.1) + t2_18 + R2_33 * T(0.05);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_19 = omega1_1 * T(0.1);
@@ -961,9 +961,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_30 = omega2_1 * T(0.2);
   const T t2_31 = omega2_2 * T(0.1);
   const T t2_32 = t2_30 - t2_31;
-  const T v2_1 = R2_11 * t2_28 + R2_21 * t2_29 + R2_31 * t2_32 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_28 + R2_22 * t2_29 + R2_32 * t2_32 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_28 + R2_23 * t2_29 + R2_33 * t2_32 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_28 + R2_21 * t2_29 + R2_31 * t2_32;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_28 + R2_22 * t2_29 + R2_32 * t2_32;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_28 + R2_23 * t2_29 + R2_33 * t2_32;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(1.2) * v2_1;
   const T l2_2 = T(1.2) * v2_2;
@@ -1003,15 +1003,15 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R3_33 = t3_10 - t3_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_13 = R2_11 * T(0.3) + R2_31 * T(0.1);
-  const T P3_1 = t3_13 + R2_21 * T(0.15) + P2_1;
+  const T P3_1 = t3_13 + P2_1 + R2_21 * T(0.15);
   const T t3_14 = R2_12 * T(0.3) + R2_32 * T(0.1);
-  const T P3_2 = t3_14 + R2_22 * T(0.15) + P2_2;
+  const T P3_2 = t3_14 + P2_2 + R2_22 * T(0.15);
   const T t3_15 = R2_13 * T(0.3) + R2_33 * T(0.1);
-  const T P3_3 = t3_15 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_15 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_16 = t2_31 - omega2_3 * T(0.15);
   const T t3_17 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
@@ -1027,9 +1027,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_23 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_24 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_25 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R3_11 * t3_23 + R3_21 * t3_24 + R3_31 * t3_25 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_23 + R3_22 * t3_24 + R3_32 * t3_25 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_23 + R3_23 * t3_24 + R3_33 * t3_25 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_23 + R3_21 * t3_24 + R3_31 * t3_25;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_23 + R3_22 * t3_24 + R3_32 * t3_25;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_23 + R3_23 * t3_24 + R3_33 * t3_25;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.3) * v3_1;
   const T l3_2 = T(1.3) * v3_2;
@@ -1072,9 +1072,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P4_2 = t3_14 + t2_17;
   const T P4_3 = t3_15 + t2_18;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R2^T omega2~ q4 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t4_13 = t2_31 - t2_27;
   const T t4_14 = t2_30 - t3_19;
@@ -1085,9 +1085,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t4_15 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_16 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_17 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_15 + R4_21 * t4_16 + R4_31 * t4_17 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_15 + R4_22 * t4_16 + R4_32 * t4_17 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_15 + R4_23 * t4_16 + R4_33 * t4_17 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_15 + R4_21 * t4_16 + R4_31 * t4_17;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_15 + R4_22 * t4_16 + R4_32 * t4_17;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_15 + R4_23 * t4_16 + R4_33 * t4_17;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.4) * v4_1;
   const T l4_2 = T(1.4) * v4_2;
@@ -1130,9 +1130,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_2 = t2_14 + R1_22 * T(0.25);
   const T P5_3 = t2_15 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = sdot1 + R1^T omega1~ q5: velocity of the body origin, inertial axes [m/s]
   const T t5_13 = t1_16 - omega1_3 * T(0.25);
   const T t5_14 = omega1_1 * T(0.25) - t2_23;
@@ -1144,9 +1144,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t5_16 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_17 = omega5_2 * T(0.1);
   const T t5_18 = omega5_1 * T(0.2) - t5_17;
-  const T v5_1 = R5_11 * t5_15 + R5_21 * t5_16 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_15 + R5_22 * t5_16 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_15 + R5_23 * t5_16 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_15 + R5_21 * t5_16 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_15 + R5_22 * t5_16 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_15 + R5_23 * t5_16 + R5_33 * t5_18;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.5) * v5_1;
   const T l5_2 = T(1.5) * v5_2;
@@ -1185,28 +1185,28 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R6_32 = t6_11 - t6_12;
   const T R6_33 = t6_10 - t6_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1) + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1) + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1) + P5_3;
+  const T P6_1 = P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3) + R5_31 * T(0.1);
+  const T P6_2 = P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3) + R5_32 * T(0.1);
+  const T P6_3 = P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3) + R5_33 * T(0.1);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_13 = omega5_3 * T(0.3);
   const T t6_14 = t5_17 - t6_13;
   const T t6_15 = t6_13 - omega5_1 * T(0.1);
   const T t6_16 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_14 + R5_21 * t6_15 + R5_31 * t6_16;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_14 + R5_22 * t6_15 + R5_32 * t6_16;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_14 + R5_23 * t6_15 + R5_33 * t6_16;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_17 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_18 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_19 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_17 + R6_21 * t6_18 + R6_31 * t6_19;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_17 + R6_22 * t6_18 + R6_32 * t6_19;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_17 + R6_23 * t6_18 + R6_33 * t6_19;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.6) * v6_1;
   const T l6_2 = T(1.6) * v6_2;
@@ -1484,11 +1484,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U1_33 = t1_14 + t1_15;
   // G1 = R1 F1 - U1 h_all_1: applied less inertia force, body axes [N]
   const T t1_16 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
-  const T G1_1 = minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(0.755) + t1_16;
+  const T G1_1 = t1_16 + minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(0.755);
   const T t1_17 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
-  const T G1_2 = minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(0.755) + t1_17;
+  const T G1_2 = t1_17 + minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(0.755);
   const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
-  const T G1_3 = minus_U1_33 * T(0.755) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18;
+  const T G1_3 = t1_18 - U1_13 * T(2.21) - U1_23 * T(1.385) + minus_U1_33 * T(0.755);
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -1535,7 +1535,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_16 = minus_U1_11 * T(0.3) - U1_13 * T(0.1);
   const T t2_17 = U1_12 * T(0.1) - t2_16;
   const T t2_18 = U1_23 * T(0.1);
-  const T t2_19 = U1_12 * T(0.3) + t2_18;
+  const T t2_19 = t2_18 + U1_12 * T(0.3);
   const T t2_20 = t2_19 - minus_U1_22 * T(0.1);
   const T t2_21 = U1_13 * T(0.3) - minus_U1_33 * T(0.1);
   const T t2_22 = t2_21 + t2_18;
@@ -1589,11 +1589,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_23 = omega3_3 * omega3_2;
   const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_16 = Pddot2_1 - (minus_U2_11 * T(0.3) - U2_13 * T(0.1));
-  const T t3_17 = U2_12 * T(0.15) + t3_16;
-  const T t3_18 = U2_12 * T(0.3) + U2_23 * T(0.1) + Pddot2_2;
+  const T t3_16 = Pddot2_1 - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_17 = t3_16 + U2_12 * T(0.15);
+  const T t3_18 = Pddot2_2 + U2_12 * T(0.3) + U2_23 * T(0.1);
   const T t3_19 = t3_18 - minus_U2_22 * T(0.15);
-  const T t3_20 = U2_13 * T(0.3) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T t3_20 = Pddot2_3 + U2_13 * T(0.3) - minus_U2_33 * T(0.1);
   const T t3_21 = t3_20 + U2_23 * T(0.15);
   const T Pddot3_1 = C3_11 * t3_17 + C3_12 * t3_19 + C3_13 * t3_21;
   const T Pddot3_2 = C3_21 * t3_17 + C3_22 * t3_19 + C3_23 * t3_21;
@@ -1604,12 +1604,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G3_3 = U3_13 * T(0.13) + U3_23 * T(0.26) - minus_U3_33 * T(0.065);
   // N3 = -h_all_3~ Pddot3 - omega3~ J_all_3 omega3 + M_torque_3_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N3_1 = T(0.065) * Pddot3_2 - T(0.26) * Pddot3_3 + T(0.0032499999999999977) * U3_23 + T(0.0182) * (t3_14 -
-      t3_13) + T(0.002600000000000001) * U3_12 - T(0.019500000000000003) * U3_13 + u.tau_3_1;
-  const T N3_2 = T(0.13) * Pddot3_3 - T(0.065) * Pddot3_1 - T(0.016250000000000007) * U3_13 + T(0.002600000000000001)
-      * (t3_13 - t3_15) + T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12 + u.tau_3_2;
-  const T N3_3 = T(0.26) * Pddot3_1 - T(0.13) * Pddot3_2 + T(0.01300000000000001) * U3_12 + T(0.019500000000000003) *
-      (t3_15 - t3_14) + T(0.0182) * U3_13 - T(0.002600000000000001) * U3_23 + u.tau_3_3;
+  const T N3_1 = u.tau_3_1 + T(0.065) * Pddot3_2 - T(0.26) * Pddot3_3 + T(0.0032499999999999977) * U3_23 + T(0.0182) *
+      (t3_14 - t3_13) + T(0.002600000000000001) * U3_12 - T(0.019500000000000003) * U3_13;
+  const T N3_2 = u.tau_3_2 + T(0.13) * Pddot3_3 - T(0.065) * Pddot3_1 - T(0.016250000000000007) * U3_13 +
+      T(0.002600000000000001) * (t3_13 - t3_15) + T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12;
+  const T N3_3 = u.tau_3_3 + T(0.26) * Pddot3_1 - T(0.13) * Pddot3_2 + T(0.01300000000000001) * U3_12 +
+      T(0.019500000000000003) * (t3_15 - t3_14) + T(0.0182) * U3_13 - T(0.002600000000000001) * U3_23;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -1653,7 +1653,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U4_23 = omega4_3 * omega4_2;
   const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = C4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_16 = U2_12 * T(0.2) + t3_16;
+  const T t4_16 = t3_16 + U2_12 * T(0.2);
   const T t4_17 = t3_18 - minus_U2_22 * T(0.2);
   const T t4_18 = t3_20 + U2_23 * T(0.2);
   const T Pddot4_1 = C4_11 * t4_16 + C4_12 * t4_17 + C4_13 * t4_18;
@@ -1661,15 +1661,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot4_3 = C4_31 * t4_16 + C4_32 * t4_17 + C4_33 * t4_18;
   // N2 = -C3^T M_torque_3_ - C4^T M_torque_4_ - h_all_2~ Pddot2 - omega2~ J_all_2 omega2 + M_torque_2_: applied less
   //   inertia moment about the body origin, body axes [N m]
-  const T N2_1 = T(0.33) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + C4_11 * u.tau_4_1 +
-      C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.715) * Pddot2_3) - T(0.055250000000000014) * U2_23 + T(0.0643) *
-      (t2_14 - t2_13) + T(0.0834) * U2_12 - T(0.1605) * U2_13 + u.tau_2_1;
-  const T N2_2 = T(0.9299999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + C4_12
-      * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.33) * Pddot2_1) + T(0.20099999999999998) * U2_13 +
-      T(0.0834) * (t2_13 - t2_15) + T(0.1605) * U2_23 - T(0.0643) * U2_12 + u.tau_2_2;
-  const T N2_3 = T(0.715) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + C4_13 * u.tau_4_1
-      + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.9299999999999999) * Pddot2_2) - T(0.14574999999999996) * U2_12 +
-      T(0.1605) * (t2_15 - t2_14) + T(0.0643) * U2_13 - T(0.0834) * U2_23 + u.tau_2_3;
+  const T N2_1 = u.tau_2_1 - C3_11 * u.tau_3_1 - C3_21 * u.tau_3_2 - C3_31 * u.tau_3_3 - C4_11 * u.tau_4_1 - C4_21 *
+      u.tau_4_2 - C4_31 * u.tau_4_3 - T(0.715) * Pddot2_3 + T(0.33) * Pddot2_2 - T(0.055250000000000014) * U2_23 +
+      T(0.0643) * (t2_14 - t2_13) + T(0.0834) * U2_12 - T(0.1605) * U2_13;
+  const T N2_2 = u.tau_2_2 - C3_12 * u.tau_3_1 - C3_22 * u.tau_3_2 - C3_32 * u.tau_3_3 - C4_12 * u.tau_4_1 - C4_22 *
+      u.tau_4_2 - C4_32 * u.tau_4_3 - T(0.33) * Pddot2_1 + T(0.9299999999999999) * Pddot2_3 + T(0.20099999999999998) *
+      U2_13 + T(0.0834) * (t2_13 - t2_15) + T(0.1605) * U2_23 - T(0.0643) * U2_12;
+  const T N2_3 = u.tau_2_3 - C3_13 * u.tau_3_1 - C3_23 * u.tau_3_2 - C3_33 * u.tau_3_3 - C4_13 * u.tau_4_1 - C4_23 *
+      u.tau_4_2 - C4_33 * u.tau_4_3 - T(0.9299999999999999) * Pddot2_2 + T(0.715) * Pddot2_1 - T(0.14574999999999996)
+      * U2_12 + T(0.1605) * (t2_15 - t2_14) + T(0.0643) * U2_13 - T(0.0834) * U2_23;
   // G4 = -U4 h_all_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_12 * T(0.27999999999999997) - minus_U4_11 * T(0.13999999999999999) + U4_13 *
       T(0.06999999999999999);
@@ -1679,12 +1679,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.06999999999999999);
   // N4 = -h_all_4~ Pddot4 - omega4~ J_all_4 omega4 + M_torque_4_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N4_1 = T(0.06999999999999999) * Pddot4_2 - T(0.27999999999999997) * Pddot4_3 + T(0.0035000000000000057) *
-      U4_23 + T(0.0196) * (t4_14 - t4_13) + T(0.0028000000000000004) * U4_12 - T(0.021) * U4_13 + u.tau_4_1;
-  const T N4_2 = T(0.13999999999999999) * Pddot4_3 - T(0.06999999999999999) * Pddot4_1 - T(0.017500000000000012) *
-      U4_13 + T(0.0028000000000000004) * (t4_13 - t4_15) + T(0.021) * U4_23 - T(0.0196) * U4_12 + u.tau_4_2;
-  const T N4_3 = T(0.27999999999999997) * Pddot4_1 - T(0.13999999999999999) * Pddot4_2 + T(0.014000000000000005) *
-      U4_12 + T(0.021) * (t4_15 - t4_14) + T(0.0196) * U4_13 - T(0.0028000000000000004) * U4_23 + u.tau_4_3;
+  const T N4_1 = u.tau_4_1 + T(0.06999999999999999) * Pddot4_2 - T(0.27999999999999997) * Pddot4_3 +
+      T(0.0035000000000000057) * U4_23 + T(0.0196) * (t4_14 - t4_13) + T(0.0028000000000000004) * U4_12 - T(0.021) *
+      U4_13;
+  const T N4_2 = u.tau_4_2 + T(0.13999999999999999) * Pddot4_3 - T(0.06999999999999999) * Pddot4_1 -
+      T(0.017500000000000012) * U4_13 + T(0.0028000000000000004) * (t4_13 - t4_15) + T(0.021) * U4_23 - T(0.0196) *
+      U4_12;
+  const T N4_3 = u.tau_4_3 + T(0.27999999999999997) * Pddot4_1 - T(0.13999999999999999) * Pddot4_2 +
+      T(0.014000000000000005) * U4_12 + T(0.021) * (t4_15 - t4_14) + T(0.0196) * U4_13 - T(0.0028000000000000004) *
+      U4_23;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -1736,15 +1739,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot5_3 = C5_31 * t5_16 + C5_32 * t5_17 + C5_33 * t5_18;
   // N1 = -C2^T M_torque_2_ - C5^T M_torque_5_ + r1~ R1 F1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N1_1 = T(0.2) * t1_18 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + C5_11 * u.tau_5_1 +
-      C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3) - T(0.05) * t1_17 - T(0.16) * U1_23 + T(0.13190000000000002) * (t1_14 -
-      t1_13) + T(0.2122) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(0.05) * t1_16 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + C5_12 * u.tau_5_1 +
-      C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3) - T(0.1) * t1_18 + T(0.5462499999999999) * U1_13 + T(0.2122) * (t1_13 -
-      t1_15) + T(0.366) * U1_23 - T(0.13190000000000002) * U1_12 + u.M_1_2;
-  const T N1_3 = T(0.1) * t1_17 - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + C5_13 * u.tau_5_1 +
-      C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3) - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 -
-      t1_14) + T(0.13190000000000002) * U1_13 - T(0.2122) * U1_23 + u.M_1_3;
+  const T N1_1 = u.M_1_1 - C2_11 * u.tau_2_1 - C2_21 * u.tau_2_2 - C2_31 * u.tau_2_3 - C5_11 * u.tau_5_1 - C5_21 *
+      u.tau_5_2 - C5_31 * u.tau_5_3 + T(0.2) * t1_18 - T(0.05) * t1_17 - T(0.16) * U1_23 + T(0.13190000000000002) *
+      (t1_14 - t1_13) + T(0.2122) * U1_12 - T(0.366) * U1_13;
+  const T N1_2 = u.M_1_2 - C2_12 * u.tau_2_1 - C2_22 * u.tau_2_2 - C2_32 * u.tau_2_3 - C5_12 * u.tau_5_1 - C5_22 *
+      u.tau_5_2 - C5_32 * u.tau_5_3 + T(0.05) * t1_16 - T(0.1) * t1_18 + T(0.5462499999999999) * U1_13 + T(0.2122) *
+      (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.13190000000000002) * U1_12;
+  const T N1_3 = u.M_1_3 - C2_13 * u.tau_2_1 - C2_23 * u.tau_2_2 - C2_33 * u.tau_2_3 - C5_13 * u.tau_5_1 - C5_23 *
+      u.tau_5_2 - C5_33 * u.tau_5_3 + T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) *
+      (t1_15 - t1_14) + T(0.13190000000000002) * U1_13 - T(0.2122) * U1_23;
   // G5 = -U5 h_all_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T minus_G5_2 = U5_12 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -1793,23 +1796,23 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t6_16 = U5_12 * T(0.3);
-  const T t6_17 = t6_16 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_18 = t6_16 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_19 = U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_17 = t6_16 + Pddot5_1 - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_18 = t6_16 + Pddot5_2 - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_19 = Pddot5_3 + U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_17 + C6_12 * t6_18 + C6_13 * t6_19;
   const T Pddot6_2 = C6_21 * t6_17 + C6_22 * t6_18 + C6_23 * t6_19;
   const T Pddot6_3 = C6_31 * t6_17 + C6_32 * t6_18 + C6_33 * t6_19;
   // N5 = -C6^T M_torque_6_ - h_all_5~ Pddot5 - omega5~ J_all_5 omega5 + M_torque_5_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 +
-      T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) * U5_12 -
-      T(0.1665) * U5_13 + u.tau_5_1;
-  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
-      T(0.23500000000000001) * Pddot5_1) + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665)
-      * U5_23 - T(0.069) * U5_12 + u.tau_5_2;
-  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2)
-      + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 - T(0.051000000000000004) *
-      U5_23 + u.tau_5_3;
+  const T N5_1 = u.tau_5_1 - C6_11 * u.tau_6_1 - C6_21 * u.tau_6_2 - C6_31 * u.tau_6_3 - T(0.78) * Pddot5_3 +
+      T(0.23500000000000001) * Pddot5_2 - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) *
+      U5_12 - T(0.1665) * U5_13;
+  const T N5_2 = u.tau_5_2 - C6_12 * u.tau_6_1 - C6_22 * u.tau_6_2 - C6_32 * u.tau_6_3 - T(0.23500000000000001) *
+      Pddot5_1 + T(0.63) * Pddot5_3 + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665) *
+      U5_23 - T(0.069) * U5_12;
+  const T N5_3 = u.tau_5_3 - C6_13 * u.tau_6_1 - C6_23 * u.tau_6_2 - C6_33 * u.tau_6_3 - T(0.63) * Pddot5_2 + T(0.78)
+      * Pddot5_1 + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 -
+      T(0.051000000000000004) * U5_23;
   // G6 = -U6 h_all_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -1819,15 +1822,15 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.08000000000000002);
   // N6 = -h_all_6~ Pddot6 - omega6~ J_all_6 omega6 + M_torque_6_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 + T(0.003999999999999991) *
-      U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 - T(0.024000000000000004) *
-      U6_13 + u.tau_6_1;
-  const T N6_2 = T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 - T(0.019999999999999997) *
-      U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 - T(0.022400000000000003) *
-      U6_12 + u.tau_6_2;
-  const T N6_3 = T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 + T(0.016000000000000007) *
-      U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 - T(0.003200000000000002) *
-      U6_23 + u.tau_6_3;
+  const T N6_1 = u.tau_6_1 + T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 +
+      T(0.003999999999999991) * U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 -
+      T(0.024000000000000004) * U6_13;
+  const T N6_2 = u.tau_6_2 + T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 -
+      T(0.019999999999999997) * U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 -
+      T(0.022400000000000003) * U6_12;
+  const T N6_3 = u.tau_6_3 + T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 +
+      T(0.016000000000000007) * U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 -
+      T(0.003200000000000002) * U6_23;
 
   // ---- body 6 (body_6) and what it carries
   // w_6 = D(LD6)^-1 L(LD6)^-1 N6: D^-1 L^-1 n
@@ -1861,10 +1864,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b6_10 = T(0.3) * minus_Mb6_23;
   const T Hb6_12 = T(0.1) * minus_Mb6_22 - b6_10;
   const T b6_11 = T(0.3) * Mb6_33;
-  const T Hb6_13 = T(0.1) * minus_Mb6_23 + b6_11;
+  const T Hb6_13 = b6_11 + T(0.1) * minus_Mb6_23;
   const T Hb6_21 = b6_9 - T(0.1) * minus_Mb6_11;
   const T Hb6_22 = b6_10 - b6_8;
-  const T minus_Hb6_23 = T(0.1) * minus_Mb6_13 + b6_11;
+  const T minus_Hb6_23 = b6_11 + T(0.1) * minus_Mb6_13;
   const T b6_12 = T(0.3) * minus_Mb6_12;
   const T Hb6_31 = T(0.3) * minus_Mb6_11 - b6_12;
   const T Hb6_32 = b6_12 - T(0.3) * minus_Mb6_22;
@@ -1880,12 +1883,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA5_32 = T(0.63) + Hb6_32;
   // JA5 = J_all_5 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T b5_1 = Hb6_13 * T(0.3);
-  const T JA5_11 = b5_1 - Hb6_12 * T(0.1) + T(0.37375);
+  const T JA5_11 = b5_1 + T(0.37375) - Hb6_12 * T(0.1);
   const T minus_JA5_12 = T(0.1665) + b5_1 - Hb6_11 * T(0.1);
   const T minus_JA5_13 = T(0.051000000000000004) + Hb6_11 * T(0.3) - Hb6_12 * T(0.3);
   const T JA5_22 = T(0.35875) + Hb6_21 * T(0.1) + minus_Hb6_23 * T(0.3);
   const T minus_JA5_23 = T(0.069) + Hb6_21 * T(0.3) - Hb6_22 * T(0.3);
-  const T JA5_33 = Hb6_32 * T(0.3) - Hb6_31 * T(0.3) + T(0.483);
+  const T JA5_33 = T(0.483) + Hb6_32 * T(0.3) - Hb6_31 * T(0.3);
   // g5 = C6^T gb6 + G5: force that drives it, home axes [N]
   const T b5_2 = C6_11 * minus_gb6_1 + C6_21 * minus_gb6_2 + C6_31 * minus_gb6_3;
   const T minus_g5_1 = b5_2 + minus_G5_1;
@@ -1895,9 +1898,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_g5_3 = b5_4 + minus_G5_3;
   // n5 = q6~ C6^T gb6 + N5: moment that drives it, body axes [N m]
   const T b5_5 = T(0.3) * b5_4;
-  const T n5_1 = T(0.1) * b5_3 - b5_5 + N5_1;
-  const T n5_2 = b5_5 - T(0.1) * b5_2 + N5_2;
-  const T n5_3 = T(0.3) * b5_2 - T(0.3) * b5_3 + N5_3;
+  const T n5_1 = N5_1 - b5_5 + T(0.1) * b5_3;
+  const T n5_2 = b5_5 + N5_2 - T(0.1) * b5_2;
+  const T n5_3 = N5_3 + T(0.3) * b5_2 - T(0.3) * b5_3;
   // LD5 = L D L^T of JA5: L D L^T = JA: L, and 1/D on the diagonal
   const T LD5_11 = T(1) / JA5_11;
   const T minus_LD5_21 = LD5_11 * minus_JA5_12;
@@ -1934,7 +1937,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_M5_13 = minus_Mb6_13 + Hb6_11 * W5_13 - Y5_21 * minus_W5_23 + Y5_31 * W5_33;
   const T minus_M5_22 = minus_Mb6_22 + HA5_12 * W5_12 + Y5_22 * W5_22 + Y5_32 * W5_32;
   const T minus_M5_23 = minus_Mb6_23 + HA5_12 * W5_13 - Y5_22 * minus_W5_23 + Y5_32 * W5_33;
-  const T M5_33 = Mb6_33 - (HA5_13 * W5_13 + minus_Y5_23 * minus_W5_23 + Y5_33 * W5_33);
+  const T M5_33 = Mb6_33 - HA5_13 * W5_13 - minus_Y5_23 * minus_W5_23 - Y5_33 * W5_33;
   // gb5 = g5 - Y5^T w_5: force with the ball solved [N]
   const T minus_gb5_1 = minus_g5_1 + Hb6_11 * w_5_1 + Y5_21 * w_5_2 + Y5_31 * w_5_3;
   const T minus_gb5_2 = minus_g5_2 + HA5_12 * w_5_1 + Y5_22 * w_5_2 + Y5_32 * w_5_3;
@@ -2063,12 +2066,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA2_32 = T(0.9299999999999999) + Hb3_32 + Hb4_32;
   const T HA2_33 = Hb3_33 + Hb4_33;
   // JA2 = J_all_2 - Hb3 q3~ - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA2_11 = Hb3_13 * T(0.15) - Hb3_12 * T(0.1) + T(0.28325) - Hb4_12 * T(0.1) + Hb4_13 * T(0.2);
+  const T JA2_11 = T(0.28325) + Hb3_13 * T(0.15) - Hb3_12 * T(0.1) - Hb4_12 * T(0.1) + Hb4_13 * T(0.2);
   const T minus_JA2_12 = T(0.1605) + Hb3_13 * T(0.3) - Hb3_11 * T(0.1) + Hb4_13 * T(0.3) - Hb4_11 * T(0.1);
   const T minus_JA2_13 = T(0.0834) + Hb3_11 * T(0.15) - Hb3_12 * T(0.3) + Hb4_11 * T(0.2) - Hb4_12 * T(0.3);
   const T JA2_22 = T(0.429) + Hb3_21 * T(0.1) + minus_Hb3_23 * T(0.3) + Hb4_21 * T(0.1) + minus_Hb4_23 * T(0.3);
   const T minus_JA2_23 = T(0.0643) + Hb3_21 * T(0.15) - Hb3_22 * T(0.3) + Hb4_21 * T(0.2) - Hb4_22 * T(0.3);
-  const T JA2_33 = Hb3_32 * T(0.3) - Hb3_31 * T(0.15) + T(0.48424999999999996) - Hb4_31 * T(0.2) + Hb4_32 * T(0.3);
+  const T JA2_33 = T(0.48424999999999996) + Hb3_32 * T(0.3) - Hb3_31 * T(0.15) - Hb4_31 * T(0.2) + Hb4_32 * T(0.3);
   // g2 = C3^T gb3 + C4^T gb4 + G2: force that drives it, home axes [N]
   const T b2_1 = C3_11 * minus_gb3_1 + C3_21 * minus_gb3_2 + C3_31 * minus_gb3_3;
   const T b2_2 = C4_11 * minus_gb4_1 + C4_21 * minus_gb4_2 + C4_31 * minus_gb4_3;
@@ -2080,9 +2083,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b2_6 = C4_13 * minus_gb4_1 + C4_23 * minus_gb4_2 + C4_33 * minus_gb4_3;
   const T minus_g2_3 = b2_5 + b2_6 + minus_G2_3;
   // n2 = q3~ C3^T gb3 + q4~ C4^T gb4 + N2: moment that drives it, body axes [N m]
-  const T n2_1 = T(0.1) * b2_3 - T(0.15) * b2_5 + T(0.1) * b2_4 - T(0.2) * b2_6 + N2_1;
-  const T n2_2 = T(0.3) * b2_5 - T(0.1) * b2_1 + T(0.3) * b2_6 - T(0.1) * b2_2 + N2_2;
-  const T n2_3 = T(0.15) * b2_1 - T(0.3) * b2_3 + T(0.2) * b2_2 - T(0.3) * b2_4 + N2_3;
+  const T n2_1 = N2_1 + T(0.1) * b2_3 - T(0.15) * b2_5 + T(0.1) * b2_4 - T(0.2) * b2_6;
+  const T n2_2 = N2_2 + T(0.3) * b2_5 - T(0.1) * b2_1 + T(0.3) * b2_6 - T(0.1) * b2_2;
+  const T n2_3 = N2_3 + T(0.15) * b2_1 - T(0.3) * b2_3 + T(0.2) * b2_2 - T(0.3) * b2_4;
   // LD2 = L D L^T of JA2: L D L^T = JA: L, and 1/D on the diagonal
   const T LD2_11 = T(1) / JA2_11;
   const T minus_LD2_21 = LD2_11 * minus_JA2_12;
@@ -2119,7 +2122,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_M2_13 = minus_MA2_13 + HA2_11 * W2_13 - Y2_21 * minus_W2_23 + Y2_31 * W2_33;
   const T minus_M2_22 = minus_MA2_22 + HA2_12 * W2_12 + Y2_22 * W2_22 + Y2_32 * W2_32;
   const T minus_M2_23 = minus_MA2_23 + HA2_12 * W2_13 - Y2_22 * minus_W2_23 + Y2_32 * W2_33;
-  const T M2_33 = MA2_33 - (HA2_13 * W2_13 + minus_Y2_23 * minus_W2_23 + Y2_33 * W2_33);
+  const T M2_33 = MA2_33 - HA2_13 * W2_13 - minus_Y2_23 * minus_W2_23 - Y2_33 * W2_33;
   // gb2 = g2 - Y2^T w_2: force with the ball solved [N]
   const T minus_gb2_1 = minus_g2_1 + HA2_11 * w_2_1 + Y2_21 * w_2_2 + Y2_31 * w_2_3;
   const T minus_gb2_2 = minus_g2_2 + HA2_12 * w_2_1 + Y2_22 * w_2_2 + Y2_32 * w_2_3;
@@ -2172,14 +2175,14 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA1_32 = T(2.21) + Hb2_32 + Hb5_32;
   const T HA1_33 = Hb2_33 + Hb5_33;
   // JA1 = J_all_1 - Hb2 q2~ - Hb5 q5~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA1_11 = Hb2_13 * T(0.1) - Hb2_12 * T(0.1) + T(0.4595) - Hb5_12 * T(0.1) + Hb5_13 * T(0.25);
+  const T JA1_11 = T(0.4595) + Hb2_13 * T(0.1) - Hb2_12 * T(0.1) - Hb5_12 * T(0.1) + Hb5_13 * T(0.25);
   const T b1_1 = Hb2_11 * T(0.1);
-  const T minus_JA1_12 = T(0.366) + Hb2_13 * T(0.3) - b1_1 + Hb5_13 * T(0.3) - Hb5_11 * T(0.1);
+  const T minus_JA1_12 = T(0.366) - b1_1 + Hb2_13 * T(0.3) + Hb5_13 * T(0.3) - Hb5_11 * T(0.1);
   const T minus_JA1_13 = T(0.2122) + b1_1 - Hb2_12 * T(0.3) + Hb5_11 * T(0.25) - Hb5_12 * T(0.3);
   const T b1_2 = Hb2_21 * T(0.1);
-  const T JA1_22 = b1_2 - Hb2_23 * T(0.3) + T(0.84575) - Hb5_23 * T(0.3) + Hb5_21 * T(0.1);
+  const T JA1_22 = b1_2 + T(0.84575) - Hb2_23 * T(0.3) - Hb5_23 * T(0.3) + Hb5_21 * T(0.1);
   const T minus_JA1_23 = T(0.13190000000000002) + b1_2 - Hb2_22 * T(0.3) + Hb5_21 * T(0.25) - Hb5_22 * T(0.3);
-  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(1.00575) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
+  const T JA1_33 = T(1.00575) + Hb2_32 * T(0.3) - Hb2_31 * T(0.1) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
   // g1 = C2^T gb2 + C5^T gb5 + G1: force that drives it, home axes [N]
   const T b1_3 = C2_11 * minus_gb2_1 + C2_21 * minus_gb2_2 + C2_31 * minus_gb2_3;
   const T b1_4 = C5_11 * minus_gb5_1 + C5_21 * minus_gb5_2 + C5_31 * minus_gb5_3;
@@ -2191,10 +2194,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b1_8 = C5_13 * minus_gb5_1 + C5_23 * minus_gb5_2 + C5_33 * minus_gb5_3;
   const T g1_3 = G1_3 - (b1_7 + b1_8);
   // n1 = q2~ C2^T gb2 + q5~ C5^T gb5 + N1: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.1) * b1_5 - T(0.1) * b1_7 + T(0.1) * b1_6 - T(0.25) * b1_8 + N1_1;
+  const T n1_1 = N1_1 + T(0.1) * b1_5 - T(0.1) * b1_7 + T(0.1) * b1_6 - T(0.25) * b1_8;
   const T b1_9 = T(0.1) * b1_3;
-  const T n1_2 = T(0.3) * b1_7 - b1_9 + T(0.3) * b1_8 - T(0.1) * b1_4 + N1_2;
-  const T n1_3 = b1_9 - T(0.3) * b1_5 + T(0.25) * b1_4 - T(0.3) * b1_6 + N1_3;
+  const T n1_2 = N1_2 - b1_9 + T(0.3) * b1_7 + T(0.3) * b1_8 - T(0.1) * b1_4;
+  const T n1_3 = b1_9 + N1_3 - T(0.3) * b1_5 + T(0.25) * b1_4 - T(0.3) * b1_6;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T minus_LD1_21 = LD1_11 * minus_JA1_12;
@@ -2226,16 +2229,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_1_2 = LD1_22 * b1_11;
   const T w_1_3 = LD1_33 * (n1_3 + minus_LD1_31 * n1_1 + minus_LD1_32 * b1_11);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
-  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
-  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  const T M1_11 = MA1_11 - HA1_11 * W1_11 - Y1_21 * W1_21 - Y1_31 * W1_31;
+  const T M1_12 = MA1_12 - HA1_11 * W1_12 - Y1_21 * W1_22 - Y1_31 * W1_32;
+  const T M1_13 = MA1_13 - HA1_11 * W1_13 - Y1_21 * W1_23 - Y1_31 * W1_33;
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - Y1_22 * W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - Y1_22 * W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - Y1_23 * W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 - HA1_11 * w_1_1 - Y1_21 * w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - Y1_22 * w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - Y1_23 * w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T LDs1_21 = LDs1_11 * M1_12;
@@ -2255,17 +2258,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) + minus_LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) + minus_LD1_21 * z1_3 + minus_LD1_31
-      * z1_2;
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
+  const T z1_3 = w_1_2 - W1_21 * Pddot1_1 - W1_22 * z1_1 - W1_23 * ws1_3 + minus_LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_11 * Pddot1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + minus_LD1_21 * z1_3 + minus_LD1_31 *
+      z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
   const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  const T sddot1_3 = R1_13 * Pddot1_1 - T(9.81) + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[18] = sddot1_1;
   ydot[19] = sddot1_2;
   ydot[20] = sddot1_3;
@@ -2282,9 +2285,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T beta2_2 = C2_21 * Pddot1_1 - (C2_21 * z2_2 + C2_22 * z2_4 + C2_23 * z2_6) + C2_22 * z1_1 + C2_23 * ws1_3;
   const T beta2_3 = C2_31 * Pddot1_1 - (C2_31 * z2_2 + C2_32 * z2_4 + C2_33 * z2_6) + C2_32 * z1_1 + C2_33 * ws1_3;
   // omegadot2 = L(LD2)^-T (-W2 beta2 + w_2)
-  const T z2_7 = w_2_3 - (W2_31 * beta2_1 + W2_32 * beta2_2 + W2_33 * beta2_3);
-  const T z2_8 = minus_W2_23 * beta2_3 - (W2_21 * beta2_1 + W2_22 * beta2_2) + w_2_2 + minus_LD2_32 * z2_7;
-  const T omegadot2_1 = w_2_1 - (W2_11 * beta2_1 + W2_12 * beta2_2 + W2_13 * beta2_3) + minus_LD2_21 * z2_8 +
+  const T z2_7 = w_2_3 - W2_31 * beta2_1 - W2_32 * beta2_2 - W2_33 * beta2_3;
+  const T z2_8 = w_2_2 - W2_21 * beta2_1 - W2_22 * beta2_2 + minus_W2_23 * beta2_3 + minus_LD2_32 * z2_7;
+  const T omegadot2_1 = w_2_1 - W2_11 * beta2_1 - W2_12 * beta2_2 - W2_13 * beta2_3 + minus_LD2_21 * z2_8 +
       minus_LD2_31 * z2_7;
   ydot[3] = omegadot2_1;
   ydot[4] = z2_8;
@@ -2304,11 +2307,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T beta3_3 = C3_31 * beta2_1 - (C3_31 * z3_2 + C3_32 * z3_3 + C3_33 * z3_5) + C3_32 * beta2_2 + C3_33 *
       beta2_3;
   // omegadot3 = L(LD3)^-T (-W3 beta3 + w_3)
-  const T z3_6 = T(1.5150171378488217) * beta3_1 - T(0.7687251214257022) * beta3_2 + T(0.04486621000516483) * beta3_3
-      + w_3_3;
-  const T z3_7 = T(0.040201005025125636) * beta3_2 - T(0.3819095477386935) * beta3_1 + T(0.6030150753768845) * beta3_3
-      + w_3_2 + T(0.1085427135678392) * z3_6;
-  const T omegadot3_1 = T(0.3508771929824561) * beta3_2 - T(1.4035087719298245) * beta3_3 + w_3_1 +
+  const T z3_6 = w_3_3 + T(1.5150171378488217) * beta3_1 - T(0.7687251214257022) * beta3_2 + T(0.04486621000516483) *
+      beta3_3;
+  const T z3_7 = w_3_2 + T(0.040201005025125636) * beta3_2 - T(0.3819095477386935) * beta3_1 + T(0.6030150753768845) *
+      beta3_3 + T(0.1085427135678392) * z3_6;
+  const T omegadot3_1 = w_3_1 + T(0.3508771929824561) * beta3_2 - T(1.4035087719298245) * beta3_3 +
       T(0.10526315789473685) * z3_7 + T(0.014035087719298251) * z3_6;
   ydot[6] = omegadot3_1;
   ydot[7] = z3_7;
@@ -2325,11 +2328,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T beta4_3 = C4_31 * beta2_1 - (C4_31 * z4_1 + C4_32 * z3_3 + C4_33 * z4_2) + C4_32 * beta2_2 + C4_33 *
       beta2_3;
   // omegadot4 = L(LD4)^-T (-W4 beta4 + w_4)
-  const T z4_3 = T(1.5150171378488217) * beta4_1 - T(0.768725121425702) * beta4_2 + T(0.044866210005164824) * beta4_3
-      + w_4_3;
-  const T z4_4 = T(0.04020100502512562) * beta4_2 - T(0.38190954773869346) * beta4_1 + T(0.6030150753768844) * beta4_3
-      + w_4_2 + T(0.10854271356783919) * z4_3;
-  const T omegadot4_1 = T(0.3508771929824561) * beta4_2 - T(1.4035087719298245) * beta4_3 + w_4_1 +
+  const T z4_3 = w_4_3 + T(1.5150171378488217) * beta4_1 - T(0.768725121425702) * beta4_2 + T(0.044866210005164824) *
+      beta4_3;
+  const T z4_4 = w_4_2 + T(0.04020100502512562) * beta4_2 - T(0.38190954773869346) * beta4_1 + T(0.6030150753768844) *
+      beta4_3 + T(0.10854271356783919) * z4_3;
+  const T omegadot4_1 = w_4_1 + T(0.3508771929824561) * beta4_2 - T(1.4035087719298245) * beta4_3 +
       T(0.10526315789473684) * z4_4 + T(0.014035087719298248) * z4_3;
   ydot[9] = omegadot4_1;
   ydot[10] = z4_4;
@@ -2343,9 +2346,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T beta5_2 = C5_21 * Pddot1_1 - (C5_21 * z5_1 + C5_22 * z2_4 + C5_23 * z5_2) + C5_22 * z1_1 + C5_23 * ws1_3;
   const T beta5_3 = C5_31 * Pddot1_1 - (C5_31 * z5_1 + C5_32 * z2_4 + C5_33 * z5_2) + C5_32 * z1_1 + C5_33 * ws1_3;
   // omegadot5 = L(LD5)^-T (-W5 beta5 + w_5)
-  const T z5_3 = w_5_3 - (W5_31 * beta5_1 + W5_32 * beta5_2 + W5_33 * beta5_3);
-  const T z5_4 = minus_W5_23 * beta5_3 - (W5_21 * beta5_1 + W5_22 * beta5_2) + w_5_2 + minus_LD5_32 * z5_3;
-  const T omegadot5_1 = w_5_1 - (W5_11 * beta5_1 + W5_12 * beta5_2 + W5_13 * beta5_3) + minus_LD5_21 * z5_4 +
+  const T z5_3 = w_5_3 - W5_31 * beta5_1 - W5_32 * beta5_2 - W5_33 * beta5_3;
+  const T z5_4 = w_5_2 - W5_21 * beta5_1 - W5_22 * beta5_2 + minus_W5_23 * beta5_3 + minus_LD5_32 * z5_3;
+  const T omegadot5_1 = w_5_1 - W5_11 * beta5_1 - W5_12 * beta5_2 - W5_13 * beta5_3 + minus_LD5_21 * z5_4 +
       minus_LD5_31 * z5_3;
   ydot[12] = omegadot5_1;
   ydot[13] = z5_4;
@@ -2364,11 +2367,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T beta6_3 = C6_31 * beta5_1 - (C6_31 * z6_2 + C6_32 * z6_3 + C6_33 * z6_4) + C6_32 * beta5_2 + C6_33 *
       beta5_3;
   // omegadot6 = L(LD6)^-T (-W6 beta6 + w_6)
-  const T z6_5 = T(1.5150171378488217) * beta6_1 - T(0.7687251214257022) * beta6_2 + T(0.044866210005164824) * beta6_3
-      + w_6_3;
-  const T z6_6 = T(0.040201005025125636) * beta6_2 - T(0.3819095477386935) * beta6_1 + T(0.6030150753768845) * beta6_3
-      + w_6_2 + T(0.1085427135678392) * z6_5;
-  const T omegadot6_1 = T(0.3508771929824562) * beta6_2 - T(1.4035087719298247) * beta6_3 + w_6_1 +
+  const T z6_5 = w_6_3 + T(1.5150171378488217) * beta6_1 - T(0.7687251214257022) * beta6_2 + T(0.044866210005164824) *
+      beta6_3;
+  const T z6_6 = w_6_2 + T(0.040201005025125636) * beta6_2 - T(0.3819095477386935) * beta6_1 + T(0.6030150753768845) *
+      beta6_3 + T(0.1085427135678392) * z6_5;
+  const T omegadot6_1 = w_6_1 + T(0.3508771929824562) * beta6_2 - T(1.4035087719298247) * beta6_3 +
       T(0.10526315789473686) * z6_6 + T(0.014035087719298253) * z6_5;
   ydot[15] = omegadot6_1;
   ydot[16] = z6_6;
@@ -2489,11 +2492,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U2_32 = t2_18 + omegadot2_1;
   const T minus_U2_33 = t2_14 + t2_17;
   // Pddot2 = C2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_19 = Pddot1_1 - (minus_U1_11 * T(0.3) - U1_13 * T(0.1));
-  const T t2_20 = U1_12 * T(0.1) + t2_19;
-  const T t2_21 = U1_21 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
+  const T t2_19 = Pddot1_1 - minus_U1_11 * T(0.3) + U1_13 * T(0.1);
+  const T t2_20 = t2_19 + U1_12 * T(0.1);
+  const T t2_21 = Pddot1_2 + U1_21 * T(0.3) + U1_23 * T(0.1);
   const T t2_22 = t2_21 - minus_U1_22 * T(0.1);
-  const T t2_23 = U1_31 * T(0.3) - minus_U1_33 * T(0.1) + Pddot1_3;
+  const T t2_23 = Pddot1_3 + U1_31 * T(0.3) - minus_U1_33 * T(0.1);
   const T t2_24 = t2_23 + U1_32 * T(0.1);
   const T Pddot2_1 = C2_11 * t2_20 + C2_12 * t2_22 + C2_13 * t2_24;
   const T Pddot2_2 = C2_21 * t2_20 + C2_22 * t2_22 + C2_23 * t2_24;
@@ -2553,11 +2556,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_18 + omegadot3_1;
   const T minus_U3_33 = t3_14 + t3_17;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_19 = Pddot2_1 - (minus_U2_11 * T(0.3) - U2_13 * T(0.1));
-  const T t3_20 = U2_12 * T(0.15) + t3_19;
-  const T t3_21 = U2_21 * T(0.3) + U2_23 * T(0.1) + Pddot2_2;
+  const T t3_19 = Pddot2_1 - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_20 = t3_19 + U2_12 * T(0.15);
+  const T t3_21 = Pddot2_2 + U2_21 * T(0.3) + U2_23 * T(0.1);
   const T t3_22 = t3_21 - minus_U2_22 * T(0.15);
-  const T t3_23 = U2_31 * T(0.3) - minus_U2_33 * T(0.1) + Pddot2_3;
+  const T t3_23 = Pddot2_3 + U2_31 * T(0.3) - minus_U2_33 * T(0.1);
   const T t3_24 = t3_23 + U2_32 * T(0.15);
   const T Pddot3_1 = C3_11 * t3_20 + C3_12 * t3_22 + C3_13 * t3_24;
   const T Pddot3_2 = C3_21 * t3_20 + C3_22 * t3_22 + C3_23 * t3_24;
@@ -2568,15 +2571,14 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G3_3 = U3_31 * T(0.13) + U3_32 * T(0.26) - minus_U3_33 * T(0.065);
   // N3 = h_all_3~ Pddot3 + axial(U3 (tr(J_all_3)/2 - J_all_3)) - M_torque_3_: inertia less applied moment about the
   //   body origin, body axes [N m]
-  const T N3_1 = T(0.26) * Pddot3_3 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) * U3_23 +
-      T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.019500000000000003) * U3_31 - T(0.002600000000000001) * U3_21 -
-      u.tau_3_1;
-  const T N3_2 = T(0.065) * Pddot3_1 - T(0.13) * Pddot3_3 + T(0.09425) * U3_13 - T(0.078) * U3_31 +
-      T(0.002600000000000001) * (minus_U3_33 - minus_U3_11) + T(0.0182) * U3_12 - T(0.019500000000000003) * U3_32 -
-      u.tau_3_2;
-  const T N3_3 = T(0.13) * Pddot3_2 - T(0.26) * Pddot3_1 + T(0.078) * U3_21 - T(0.09100000000000001) * U3_12 +
-      T(0.019500000000000003) * (minus_U3_11 - minus_U3_22) + T(0.002600000000000001) * U3_23 - T(0.0182) * U3_13 -
-      u.tau_3_3;
+  const T N3_1 = T(0.26) * Pddot3_3 - u.tau_3_1 - T(0.065) * Pddot3_2 + T(0.09100000000000001) * U3_32 - T(0.09425) *
+      U3_23 + T(0.0182) * (minus_U3_22 - minus_U3_33) + T(0.019500000000000003) * U3_31 - T(0.002600000000000001) *
+      U3_21;
+  const T N3_2 = T(0.065) * Pddot3_1 - u.tau_3_2 - T(0.13) * Pddot3_3 + T(0.09425) * U3_13 - T(0.078) * U3_31 +
+      T(0.002600000000000001) * (minus_U3_33 - minus_U3_11) + T(0.0182) * U3_12 - T(0.019500000000000003) * U3_32;
+  const T N3_3 = T(0.13) * Pddot3_2 - u.tau_3_3 - T(0.26) * Pddot3_1 + T(0.078) * U3_21 - T(0.09100000000000001) *
+      U3_12 + T(0.019500000000000003) * (minus_U3_11 - minus_U3_22) + T(0.002600000000000001) * U3_23 - T(0.0182) *
+      U3_13;
   r[6] = N3_1;
   r[7] = N3_2;
   r[8] = N3_3;
@@ -2631,7 +2633,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U4_32 = t4_18 + omegadot4_1;
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = C4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_19 = U2_12 * T(0.2) + t3_19;
+  const T t4_19 = t3_19 + U2_12 * T(0.2);
   const T t4_20 = t3_21 - minus_U2_22 * T(0.2);
   const T t4_21 = t3_23 + U2_32 * T(0.2);
   const T Pddot4_1 = C4_11 * t4_19 + C4_12 * t4_20 + C4_13 * t4_21;
@@ -2639,15 +2641,16 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot4_3 = C4_31 * t4_19 + C4_32 * t4_20 + C4_33 * t4_21;
   // N2 = C3^T M_torque_3_ + C4^T M_torque_4_ + h_all_2~ Pddot2 + axial(U2 (tr(J_all_2)/2 - J_all_2)) - M_torque_2_:
   //   inertia less applied moment about the body origin, body axes [N m]
-  const T N2_1 = C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + C4_11 * u.tau_4_1 + C4_21 * u.tau_4_2 +
-      C4_31 * u.tau_4_3 + T(0.715) * Pddot2_3 - T(0.33) * Pddot2_2 + T(0.16925) * U2_32 - T(0.11399999999999999) *
-      U2_23 + T(0.0643) * (minus_U2_22 - minus_U2_33) + T(0.1605) * U2_31 - T(0.0834) * U2_21 - u.tau_2_1;
-  const T N2_2 = C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 +
-      C4_32 * u.tau_4_3 + T(0.33) * Pddot2_1 - T(0.9299999999999999) * Pddot2_3 + T(0.11399999999999999) * U2_13 -
-      T(0.315) * U2_31 + T(0.0834) * (minus_U2_33 - minus_U2_11) + T(0.0643) * U2_12 - T(0.1605) * U2_32 - u.tau_2_2;
-  const T N2_3 = C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + C4_13 * u.tau_4_1 + C4_23 * u.tau_4_2 +
-      C4_33 * u.tau_4_3 + T(0.9299999999999999) * Pddot2_2 - T(0.715) * Pddot2_1 + T(0.315) * U2_21 - T(0.16925) *
-      U2_12 + T(0.1605) * (minus_U2_11 - minus_U2_22) + T(0.0834) * U2_23 - T(0.0643) * U2_13 - u.tau_2_3;
+  const T N2_1 = C3_11 * u.tau_3_1 - u.tau_2_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + C4_11 * u.tau_4_1 + C4_21 *
+      u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.715) * Pddot2_3 - T(0.33) * Pddot2_2 + T(0.16925) * U2_32 -
+      T(0.11399999999999999) * U2_23 + T(0.0643) * (minus_U2_22 - minus_U2_33) + T(0.1605) * U2_31 - T(0.0834) *
+      U2_21;
+  const T N2_2 = C3_12 * u.tau_3_1 - u.tau_2_2 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + C4_12 * u.tau_4_1 + C4_22 *
+      u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.33) * Pddot2_1 - T(0.9299999999999999) * Pddot2_3 + T(0.11399999999999999) *
+      U2_13 - T(0.315) * U2_31 + T(0.0834) * (minus_U2_33 - minus_U2_11) + T(0.0643) * U2_12 - T(0.1605) * U2_32;
+  const T N2_3 = C3_13 * u.tau_3_1 - u.tau_2_3 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + C4_13 * u.tau_4_1 + C4_23 *
+      u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.9299999999999999) * Pddot2_2 - T(0.715) * Pddot2_1 + T(0.315) * U2_21 -
+      T(0.16925) * U2_12 + T(0.1605) * (minus_U2_11 - minus_U2_22) + T(0.0834) * U2_23 - T(0.0643) * U2_13;
   // G4 = U4 h_all_4: inertia less applied force, body axes [N]
   const T G4_1 = U4_12 * T(0.27999999999999997) - minus_U4_11 * T(0.13999999999999999) + U4_13 *
       T(0.06999999999999999);
@@ -2657,15 +2660,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.06999999999999999);
   // N4 = h_all_4~ Pddot4 + axial(U4 (tr(J_all_4)/2 - J_all_4)) - M_torque_4_: inertia less applied moment about the
   //   body origin, body axes [N m]
-  const T N4_1 = T(0.27999999999999997) * Pddot4_3 - T(0.06999999999999999) * Pddot4_2 + T(0.098) * U4_32 - T(0.1015)
-      * U4_23 + T(0.0196) * (minus_U4_22 - minus_U4_33) + T(0.021) * U4_31 - T(0.0028000000000000004) * U4_21 -
-      u.tau_4_1;
-  const T N4_2 = T(0.06999999999999999) * Pddot4_1 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13 - T(0.084)
-      * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0196) * U4_12 - T(0.021) * U4_32 -
-      u.tau_4_2;
-  const T N4_3 = T(0.13999999999999999) * Pddot4_2 - T(0.27999999999999997) * Pddot4_1 + T(0.084) * U4_21 - T(0.098) *
-      U4_12 + T(0.021) * (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0196) * U4_13 -
-      u.tau_4_3;
+  const T N4_1 = T(0.27999999999999997) * Pddot4_3 - u.tau_4_1 - T(0.06999999999999999) * Pddot4_2 + T(0.098) * U4_32
+      - T(0.1015) * U4_23 + T(0.0196) * (minus_U4_22 - minus_U4_33) + T(0.021) * U4_31 - T(0.0028000000000000004) *
+      U4_21;
+  const T N4_2 = T(0.06999999999999999) * Pddot4_1 - u.tau_4_2 - T(0.13999999999999999) * Pddot4_3 + T(0.1015) * U4_13
+      - T(0.084) * U4_31 + T(0.0028000000000000004) * (minus_U4_33 - minus_U4_11) + T(0.0196) * U4_12 - T(0.021) *
+      U4_32;
+  const T N4_3 = T(0.13999999999999999) * Pddot4_2 - u.tau_4_3 - T(0.27999999999999997) * Pddot4_1 + T(0.084) * U4_21
+      - T(0.098) * U4_12 + T(0.021) * (minus_U4_11 - minus_U4_22) + T(0.0028000000000000004) * U4_23 - T(0.0196) *
+      U4_13;
   r[9] = N4_1;
   r[10] = N4_2;
   r[11] = N4_3;
@@ -2720,7 +2723,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U5_32 = t5_18 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = C5 (U1 q5 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_19 = U1_12 * T(0.25) + t2_19;
+  const T t5_19 = t2_19 + U1_12 * T(0.25);
   const T t5_20 = t2_21 - minus_U1_22 * T(0.25);
   const T t5_21 = t2_23 + U1_32 * T(0.25);
   const T Pddot5_1 = C5_11 * t5_19 + C5_12 * t5_20 + C5_13 * t5_21;
@@ -2728,18 +2731,18 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot5_3 = C5_31 * t5_19 + C5_32 * t5_20 + C5_33 * t5_21;
   // N1 = C2^T M_torque_2_ + C5^T M_torque_5_ - r1~ R1 F1 + h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) -
   //   M1: inertia less applied moment about the body origin, body axes [N m]
-  const T N1_1 = C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + C5_11 * u.tau_5_1 + C5_21 * u.tau_5_2 +
-      C5_31 * u.tau_5_3 - T(0.2) * t1_22 + T(0.05) * t1_21 + T(1.385) * Pddot1_3 - T(0.755) * Pddot1_2 + T(0.30975) *
-      U1_32 - T(0.14975000000000002) * U1_23 + T(0.13190000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31
-      - T(0.2122) * U1_21 - u.M_1_1;
-  const T N1_2 = C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + C5_12 * u.tau_5_1 + C5_22 * u.tau_5_2 +
-      C5_32 * u.tau_5_3 - T(0.05) * t1_20 + T(0.1) * t1_22 + T(0.755) * Pddot1_1 - T(2.21) * Pddot1_3 +
+  const T N1_1 = C2_11 * u.tau_2_1 - u.M_1_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + C5_11 * u.tau_5_1 + C5_21 *
+      u.tau_5_2 + C5_31 * u.tau_5_3 - T(0.2) * t1_22 + T(0.05) * t1_21 + T(1.385) * Pddot1_3 - T(0.755) * Pddot1_2 +
+      T(0.30975) * U1_32 - T(0.14975000000000002) * U1_23 + T(0.13190000000000002) * (minus_U1_22 - minus_U1_33) +
+      T(0.366) * U1_31 - T(0.2122) * U1_21;
+  const T N1_2 = C2_12 * u.tau_2_1 - u.M_1_2 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + C5_12 * u.tau_5_1 + C5_22 *
+      u.tau_5_2 + C5_32 * u.tau_5_3 - T(0.05) * t1_20 + T(0.1) * t1_22 + T(0.755) * Pddot1_1 - T(2.21) * Pddot1_3 +
       T(0.14975000000000002) * U1_13 - T(0.696) * U1_31 + T(0.2122) * (minus_U1_33 - minus_U1_11) +
-      T(0.13190000000000002) * U1_12 - T(0.366) * U1_32 - u.M_1_2;
-  const T N1_3 = C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + C5_13 * u.tau_5_1 + C5_23 * u.tau_5_2 +
-      C5_33 * u.tau_5_3 - T(0.1) * t1_21 + T(0.2) * t1_20 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 + T(0.696) *
-      U1_21 - T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.2122) * U1_23 - T(0.13190000000000002)
-      * U1_13 - u.M_1_3;
+      T(0.13190000000000002) * U1_12 - T(0.366) * U1_32;
+  const T N1_3 = C2_13 * u.tau_2_1 - u.M_1_3 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + C5_13 * u.tau_5_1 + C5_23 *
+      u.tau_5_2 + C5_33 * u.tau_5_3 - T(0.1) * t1_21 + T(0.2) * t1_20 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 +
+      T(0.696) * U1_21 - T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.2122) * U1_23 -
+      T(0.13190000000000002) * U1_13;
   // G5 = U5 h_all_5: inertia less applied force, body axes [N]
   const T G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T G5_2 = U5_21 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -2795,23 +2798,23 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_18 + omegadot6_1;
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t6_19 = U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_20 = U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_21 = U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_19 = Pddot5_1 + U5_12 * T(0.3) - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_20 = Pddot5_2 + U5_21 * T(0.3) - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_21 = Pddot5_3 + U5_31 * T(0.3) + U5_32 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_19 + C6_12 * t6_20 + C6_13 * t6_21;
   const T Pddot6_2 = C6_21 * t6_19 + C6_22 * t6_20 + C6_23 * t6_21;
   const T Pddot6_3 = C6_31 * t6_19 + C6_32 * t6_20 + C6_33 * t6_21;
   // N5 = C6^T M_torque_6_ + h_all_5~ Pddot5 + axial(U5 (tr(J_all_5)/2 - J_all_5)) - M_torque_5_: inertia less applied
   //   moment about the body origin, body axes [N m]
-  const T N5_1 = C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 + T(0.78) * Pddot5_3 -
+  const T N5_1 = C6_11 * u.tau_6_1 - u.tau_5_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 + T(0.78) * Pddot5_3 -
       T(0.23500000000000001) * Pddot5_2 + T(0.249) * U5_32 - T(0.12475) * U5_23 + T(0.069) * (minus_U5_22 -
-      minus_U5_33) + T(0.1665) * U5_31 - T(0.051000000000000004) * U5_21 - u.tau_5_1;
-  const T N5_2 = C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 + T(0.23500000000000001) * Pddot5_1 -
-      T(0.63) * Pddot5_3 + T(0.12475) * U5_13 - T(0.23399999999999999) * U5_31 + T(0.051000000000000004) *
-      (minus_U5_33 - minus_U5_11) + T(0.069) * U5_12 - T(0.1665) * U5_32 - u.tau_5_2;
-  const T N5_3 = C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2 - T(0.78) * Pddot5_1 +
-      T(0.23399999999999999) * U5_21 - T(0.249) * U5_12 + T(0.1665) * (minus_U5_11 - minus_U5_22) +
-      T(0.051000000000000004) * U5_23 - T(0.069) * U5_13 - u.tau_5_3;
+      minus_U5_33) + T(0.1665) * U5_31 - T(0.051000000000000004) * U5_21;
+  const T N5_2 = C6_12 * u.tau_6_1 - u.tau_5_2 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 + T(0.23500000000000001) *
+      Pddot5_1 - T(0.63) * Pddot5_3 + T(0.12475) * U5_13 - T(0.23399999999999999) * U5_31 + T(0.051000000000000004) *
+      (minus_U5_33 - minus_U5_11) + T(0.069) * U5_12 - T(0.1665) * U5_32;
+  const T N5_3 = C6_13 * u.tau_6_1 - u.tau_5_3 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2 - T(0.78)
+      * Pddot5_1 + T(0.23399999999999999) * U5_21 - T(0.249) * U5_12 + T(0.1665) * (minus_U5_11 - minus_U5_22) +
+      T(0.051000000000000004) * U5_23 - T(0.069) * U5_13;
   // G6 = U6 h_all_6: inertia less applied force, body axes [N]
   const T G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -2821,15 +2824,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.08000000000000002);
   // N6 = h_all_6~ Pddot6 + axial(U6 (tr(J_all_6)/2 - J_all_6)) - M_torque_6_: inertia less applied moment about the
   //   body origin, body axes [N m]
-  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - T(0.08000000000000002) * Pddot6_2 + T(0.11200000000000002) *
-      U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) + T(0.024000000000000004) *
-      U6_31 - T(0.003200000000000002) * U6_21 - u.tau_6_1;
-  const T N6_2 = T(0.08000000000000002) * Pddot6_1 - T(0.16000000000000003) * Pddot6_3 + T(0.116) * U6_13 - T(0.096) *
-      U6_31 + T(0.003200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 -
-      T(0.024000000000000004) * U6_32 - u.tau_6_2;
-  const T N6_3 = T(0.16000000000000003) * Pddot6_2 - T(0.32000000000000006) * Pddot6_1 + T(0.096) * U6_21 -
-      T(0.11200000000000002) * U6_12 + T(0.024000000000000004) * (minus_U6_11 - minus_U6_22) + T(0.003200000000000002)
-      * U6_23 - T(0.022400000000000003) * U6_13 - u.tau_6_3;
+  const T N6_1 = T(0.32000000000000006) * Pddot6_3 - u.tau_6_1 - T(0.08000000000000002) * Pddot6_2 +
+      T(0.11200000000000002) * U6_32 - T(0.116) * U6_23 + T(0.022400000000000003) * (minus_U6_22 - minus_U6_33) +
+      T(0.024000000000000004) * U6_31 - T(0.003200000000000002) * U6_21;
+  const T N6_2 = T(0.08000000000000002) * Pddot6_1 - u.tau_6_2 - T(0.16000000000000003) * Pddot6_3 + T(0.116) * U6_13
+      - T(0.096) * U6_31 + T(0.003200000000000002) * (minus_U6_33 - minus_U6_11) + T(0.022400000000000003) * U6_12 -
+      T(0.024000000000000004) * U6_32;
+  const T N6_3 = T(0.16000000000000003) * Pddot6_2 - u.tau_6_3 - T(0.32000000000000006) * Pddot6_1 + T(0.096) * U6_21
+      - T(0.11200000000000002) * U6_12 + T(0.024000000000000004) * (minus_U6_11 - minus_U6_22) +
+      T(0.003200000000000002) * U6_23 - T(0.022400000000000003) * U6_13;
   r[15] = N6_1;
   r[16] = N6_2;
   r[17] = N6_3;
@@ -2844,9 +2847,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_3 = b5_3 + G5_3;
   // r_omega5 = q6~ C6^T G6 + N5: Kane's equation of omega [N m]
   const T b5_4 = T(0.3) * b5_3;
-  const T r_omega5_1 = b5_4 - T(0.1) * b5_2 + N5_1;
-  const T r_omega5_2 = T(0.1) * b5_1 - b5_4 + N5_2;
-  const T r_omega5_3 = T(0.3) * b5_2 - T(0.3) * b5_1 + N5_3;
+  const T r_omega5_1 = b5_4 + N5_1 - T(0.1) * b5_2;
+  const T r_omega5_2 = N5_2 - b5_4 + T(0.1) * b5_1;
+  const T r_omega5_3 = N5_3 + T(0.3) * b5_2 - T(0.3) * b5_1;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
@@ -2863,9 +2866,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b2_6 = C4_13 * G4_1 + C4_23 * G4_2 + C4_33 * G4_3;
   const T S2_3 = b2_5 + b2_6 + G2_3;
   // r_omega2 = q3~ C3^T G3 + q4~ C4^T G4 + N2: Kane's equation of omega [N m]
-  const T r_omega2_1 = T(0.15) * b2_5 - T(0.1) * b2_3 + T(0.2) * b2_6 - T(0.1) * b2_4 + N2_1;
-  const T r_omega2_2 = T(0.1) * b2_1 - T(0.3) * b2_5 + T(0.1) * b2_2 - T(0.3) * b2_6 + N2_2;
-  const T r_omega2_3 = T(0.3) * b2_3 - T(0.15) * b2_1 + T(0.3) * b2_4 - T(0.2) * b2_2 + N2_3;
+  const T r_omega2_1 = N2_1 + T(0.15) * b2_5 - T(0.1) * b2_3 + T(0.2) * b2_6 - T(0.1) * b2_4;
+  const T r_omega2_2 = N2_2 + T(0.1) * b2_1 - T(0.3) * b2_5 + T(0.1) * b2_2 - T(0.3) * b2_6;
+  const T r_omega2_3 = N2_3 + T(0.3) * b2_3 - T(0.15) * b2_1 + T(0.3) * b2_4 - T(0.2) * b2_2;
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
@@ -2882,10 +2885,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T b1_6 = C5_13 * S5_1 + C5_23 * S5_2 + C5_33 * S5_3;
   const T S1_3 = b1_5 + b1_6 + G1_3;
   // r_omega1 = q2~ C2^T S2 + q5~ C5^T S5 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = T(0.1) * b1_5 - T(0.1) * b1_3 + T(0.25) * b1_6 - T(0.1) * b1_4 + N1_1;
+  const T r_omega1_1 = N1_1 + T(0.1) * b1_5 - T(0.1) * b1_3 + T(0.25) * b1_6 - T(0.1) * b1_4;
   const T b1_7 = T(0.1) * b1_1;
-  const T r_omega1_2 = b1_7 - T(0.3) * b1_5 + T(0.1) * b1_2 - T(0.3) * b1_6 + N1_2;
-  const T r_omega1_3 = T(0.3) * b1_3 - b1_7 + T(0.3) * b1_4 - T(0.25) * b1_2 + N1_3;
+  const T r_omega1_2 = b1_7 + N1_2 - T(0.3) * b1_5 + T(0.1) * b1_2 - T(0.3) * b1_6;
+  const T r_omega1_3 = N1_3 - b1_7 + T(0.3) * b1_3 + T(0.3) * b1_4 - T(0.25) * b1_2;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2993,12 +2996,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U2_23 = omega2_3 * omega2_2;
   const T minus_U2_33 = t2_14 + t2_15;
   // Pddot2 = C2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_16 = Pddot1_1 - (minus_U1_11 * T(0.3) - U1_13 * T(0.1));
-  const T t2_17 = U1_12 * T(0.1) + t2_16;
+  const T t2_16 = Pddot1_1 - minus_U1_11 * T(0.3) + U1_13 * T(0.1);
+  const T t2_17 = t2_16 + U1_12 * T(0.1);
   const T t2_18 = U1_23 * T(0.1);
-  const T t2_19 = U1_12 * T(0.3) + t2_18 + Pddot1_2;
+  const T t2_19 = Pddot1_2 + t2_18 + U1_12 * T(0.3);
   const T t2_20 = t2_19 - minus_U1_22 * T(0.1);
-  const T t2_21 = Pddot1_3 - (minus_U1_33 * T(0.1) - U1_13 * T(0.3));
+  const T t2_21 = Pddot1_3 - minus_U1_33 * T(0.1) + U1_13 * T(0.3);
   const T t2_22 = t2_21 + t2_18;
   const T Pddot2_1 = C2_11 * t2_17 + C2_12 * t2_20 + C2_13 * t2_22;
   const T Pddot2_2 = C2_21 * t2_17 + C2_22 * t2_20 + C2_23 * t2_22;
@@ -3050,11 +3053,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U3_23 = omega3_3 * omega3_2;
   const T minus_U3_33 = t3_14 + t3_15;
   // Pddot3 = C3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_16 = Pddot2_1 - (minus_U2_11 * T(0.3) - U2_13 * T(0.1));
-  const T t3_17 = U2_12 * T(0.15) + t3_16;
-  const T t3_18 = U2_12 * T(0.3) + U2_23 * T(0.1) + Pddot2_2;
+  const T t3_16 = Pddot2_1 - minus_U2_11 * T(0.3) + U2_13 * T(0.1);
+  const T t3_17 = t3_16 + U2_12 * T(0.15);
+  const T t3_18 = Pddot2_2 + U2_12 * T(0.3) + U2_23 * T(0.1);
   const T t3_19 = t3_18 - minus_U2_22 * T(0.15);
-  const T t3_20 = Pddot2_3 - (minus_U2_33 * T(0.1) - U2_13 * T(0.3));
+  const T t3_20 = Pddot2_3 - minus_U2_33 * T(0.1) + U2_13 * T(0.3);
   const T t3_21 = t3_20 + U2_23 * T(0.15);
   const T Pddot3_1 = C3_11 * t3_17 + C3_12 * t3_19 + C3_13 * t3_21;
   const T Pddot3_2 = C3_21 * t3_17 + C3_22 * t3_19 + C3_23 * t3_21;
@@ -3065,12 +3068,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_G3_3 = U3_13 * T(0.13) + U3_23 * T(0.26) - minus_U3_33 * T(0.065);
   // N3 = -h_all_3~ Pddot3 - omega3~ J_all_3 omega3 + M_torque_3_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N3_1 = T(0.065) * Pddot3_2 - T(0.26) * Pddot3_3 + T(0.0032499999999999977) * U3_23 + T(0.0182) * (t3_14 -
-      t3_13) + T(0.002600000000000001) * U3_12 - T(0.019500000000000003) * U3_13 + u.tau_3_1;
-  const T N3_2 = T(0.13) * Pddot3_3 - T(0.065) * Pddot3_1 - T(0.016250000000000007) * U3_13 + T(0.002600000000000001)
-      * (t3_13 - t3_15) + T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12 + u.tau_3_2;
-  const T N3_3 = T(0.26) * Pddot3_1 - T(0.13) * Pddot3_2 + T(0.01300000000000001) * U3_12 + T(0.019500000000000003) *
-      (t3_15 - t3_14) + T(0.0182) * U3_13 - T(0.002600000000000001) * U3_23 + u.tau_3_3;
+  const T N3_1 = u.tau_3_1 + T(0.065) * Pddot3_2 - T(0.26) * Pddot3_3 + T(0.0032499999999999977) * U3_23 + T(0.0182) *
+      (t3_14 - t3_13) + T(0.002600000000000001) * U3_12 - T(0.019500000000000003) * U3_13;
+  const T N3_2 = u.tau_3_2 + T(0.13) * Pddot3_3 - T(0.065) * Pddot3_1 - T(0.016250000000000007) * U3_13 +
+      T(0.002600000000000001) * (t3_13 - t3_15) + T(0.019500000000000003) * U3_23 - T(0.0182) * U3_12;
+  const T N3_3 = u.tau_3_3 + T(0.26) * Pddot3_1 - T(0.13) * Pddot3_2 + T(0.01300000000000001) * U3_12 +
+      T(0.019500000000000003) * (t3_15 - t3_14) + T(0.0182) * U3_13 - T(0.002600000000000001) * U3_23;
   f[6] = N3_1;
   f[7] = N3_2;
   f[8] = N3_3;
@@ -3117,7 +3120,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U4_23 = omega4_3 * omega4_2;
   const T minus_U4_33 = t4_14 + t4_15;
   // Pddot4 = C4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_16 = U2_12 * T(0.2) + t3_16;
+  const T t4_16 = t3_16 + U2_12 * T(0.2);
   const T t4_17 = t3_18 - minus_U2_22 * T(0.2);
   const T t4_18 = t3_20 + U2_23 * T(0.2);
   const T Pddot4_1 = C4_11 * t4_16 + C4_12 * t4_17 + C4_13 * t4_18;
@@ -3125,15 +3128,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot4_3 = C4_31 * t4_16 + C4_32 * t4_17 + C4_33 * t4_18;
   // N2 = -C3^T M_torque_3_ - C4^T M_torque_4_ - h_all_2~ Pddot2 - omega2~ J_all_2 omega2 + M_torque_2_: applied less
   //   inertia moment about the body origin, body axes [N m]
-  const T N2_1 = T(0.33) * Pddot2_2 - (C3_11 * u.tau_3_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + C4_11 * u.tau_4_1 +
-      C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.715) * Pddot2_3) - T(0.055250000000000014) * U2_23 + T(0.0643) *
-      (t2_14 - t2_13) + T(0.0834) * U2_12 - T(0.1605) * U2_13 + u.tau_2_1;
-  const T N2_2 = T(0.9299999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 + C3_22 * u.tau_3_2 + C3_32 * u.tau_3_3 + C4_12
-      * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.33) * Pddot2_1) + T(0.20099999999999998) * U2_13 +
-      T(0.0834) * (t2_13 - t2_15) + T(0.1605) * U2_23 - T(0.0643) * U2_12 + u.tau_2_2;
-  const T N2_3 = T(0.715) * Pddot2_1 - (C3_13 * u.tau_3_1 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + C4_13 * u.tau_4_1
-      + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.9299999999999999) * Pddot2_2) - T(0.14574999999999996) * U2_12 +
-      T(0.1605) * (t2_15 - t2_14) + T(0.0643) * U2_13 - T(0.0834) * U2_23 + u.tau_2_3;
+  const T N2_1 = T(0.33) * Pddot2_2 - (C3_11 * u.tau_3_1 - u.tau_2_1 + C3_21 * u.tau_3_2 + C3_31 * u.tau_3_3 + C4_11 *
+      u.tau_4_1 + C4_21 * u.tau_4_2 + C4_31 * u.tau_4_3 + T(0.715) * Pddot2_3) - T(0.055250000000000014) * U2_23 +
+      T(0.0643) * (t2_14 - t2_13) + T(0.0834) * U2_12 - T(0.1605) * U2_13;
+  const T N2_2 = T(0.9299999999999999) * Pddot2_3 - (C3_12 * u.tau_3_1 - u.tau_2_2 + C3_22 * u.tau_3_2 + C3_32 *
+      u.tau_3_3 + C4_12 * u.tau_4_1 + C4_22 * u.tau_4_2 + C4_32 * u.tau_4_3 + T(0.33) * Pddot2_1) +
+      T(0.20099999999999998) * U2_13 + T(0.0834) * (t2_13 - t2_15) + T(0.1605) * U2_23 - T(0.0643) * U2_12;
+  const T N2_3 = T(0.715) * Pddot2_1 - (C3_13 * u.tau_3_1 - u.tau_2_3 + C3_23 * u.tau_3_2 + C3_33 * u.tau_3_3 + C4_13
+      * u.tau_4_1 + C4_23 * u.tau_4_2 + C4_33 * u.tau_4_3 + T(0.9299999999999999) * Pddot2_2) - T(0.14574999999999996)
+      * U2_12 + T(0.1605) * (t2_15 - t2_14) + T(0.0643) * U2_13 - T(0.0834) * U2_23;
   // G4 = -U4 h_all_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_12 * T(0.27999999999999997) - minus_U4_11 * T(0.13999999999999999) + U4_13 *
       T(0.06999999999999999);
@@ -3143,12 +3146,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.06999999999999999);
   // N4 = -h_all_4~ Pddot4 - omega4~ J_all_4 omega4 + M_torque_4_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N4_1 = T(0.06999999999999999) * Pddot4_2 - T(0.27999999999999997) * Pddot4_3 + T(0.0035000000000000057) *
-      U4_23 + T(0.0196) * (t4_14 - t4_13) + T(0.0028000000000000004) * U4_12 - T(0.021) * U4_13 + u.tau_4_1;
-  const T N4_2 = T(0.13999999999999999) * Pddot4_3 - T(0.06999999999999999) * Pddot4_1 - T(0.017500000000000012) *
-      U4_13 + T(0.0028000000000000004) * (t4_13 - t4_15) + T(0.021) * U4_23 - T(0.0196) * U4_12 + u.tau_4_2;
-  const T N4_3 = T(0.27999999999999997) * Pddot4_1 - T(0.13999999999999999) * Pddot4_2 + T(0.014000000000000005) *
-      U4_12 + T(0.021) * (t4_15 - t4_14) + T(0.0196) * U4_13 - T(0.0028000000000000004) * U4_23 + u.tau_4_3;
+  const T N4_1 = u.tau_4_1 + T(0.06999999999999999) * Pddot4_2 - T(0.27999999999999997) * Pddot4_3 +
+      T(0.0035000000000000057) * U4_23 + T(0.0196) * (t4_14 - t4_13) + T(0.0028000000000000004) * U4_12 - T(0.021) *
+      U4_13;
+  const T N4_2 = u.tau_4_2 + T(0.13999999999999999) * Pddot4_3 - T(0.06999999999999999) * Pddot4_1 -
+      T(0.017500000000000012) * U4_13 + T(0.0028000000000000004) * (t4_13 - t4_15) + T(0.021) * U4_23 - T(0.0196) *
+      U4_12;
+  const T N4_3 = u.tau_4_3 + T(0.27999999999999997) * Pddot4_1 - T(0.13999999999999999) * Pddot4_2 +
+      T(0.014000000000000005) * U4_12 + T(0.021) * (t4_15 - t4_14) + T(0.0196) * U4_13 - T(0.0028000000000000004) *
+      U4_23;
   f[9] = N4_1;
   f[10] = N4_2;
   f[11] = N4_3;
@@ -3195,7 +3201,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U5_23 = omega5_3 * omega5_2;
   const T minus_U5_33 = t5_14 + t5_15;
   // Pddot5 = C5 (U1 q5 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_16 = U1_12 * T(0.25) + t2_16;
+  const T t5_16 = t2_16 + U1_12 * T(0.25);
   const T t5_17 = t2_19 - minus_U1_22 * T(0.25);
   const T t5_18 = t2_21 + U1_23 * T(0.25);
   const T Pddot5_1 = C5_11 * t5_16 + C5_12 * t5_17 + C5_13 * t5_18;
@@ -3203,17 +3209,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot5_3 = C5_31 * t5_16 + C5_32 * t5_17 + C5_33 * t5_18;
   // N1 = -C2^T M_torque_2_ - C5^T M_torque_5_ + r1~ R1 F1 - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M1: applied
   //   less inertia moment about the body origin, body axes [N m]
-  const T N1_1 = T(0.755) * Pddot1_2 - (C2_11 * u.tau_2_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + C5_11 * u.tau_5_1
-      + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 - T(0.2) * t1_18 + T(0.05) * t1_17 + T(1.385) * Pddot1_3) - T(0.16) *
-      U1_23 + T(0.13190000000000002) * (t1_14 - t1_13) + T(0.2122) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(2.21) * Pddot1_3 - (C2_12 * u.tau_2_1 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + C5_12 * u.tau_5_1 +
-      C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 - T(0.05) * t1_16 + T(0.1) * t1_18 + T(0.755) * Pddot1_1) +
-      T(0.5462499999999999) * U1_13 + T(0.2122) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.13190000000000002) * U1_12
-      + u.M_1_2;
-  const T N1_3 = T(1.385) * Pddot1_1 - (C2_13 * u.tau_2_1 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + C5_13 * u.tau_5_1
-      + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 - T(0.1) * t1_17 + T(0.2) * t1_16 + T(2.21) * Pddot1_2) -
-      T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.13190000000000002) * U1_13 - T(0.2122) * U1_23
-      + u.M_1_3;
+  const T N1_1 = T(0.755) * Pddot1_2 - (C2_11 * u.tau_2_1 - u.M_1_1 + C2_21 * u.tau_2_2 + C2_31 * u.tau_2_3 + C5_11 *
+      u.tau_5_1 + C5_21 * u.tau_5_2 + C5_31 * u.tau_5_3 - T(0.2) * t1_18 + T(0.05) * t1_17 + T(1.385) * Pddot1_3) -
+      T(0.16) * U1_23 + T(0.13190000000000002) * (t1_14 - t1_13) + T(0.2122) * U1_12 - T(0.366) * U1_13;
+  const T N1_2 = T(2.21) * Pddot1_3 - (C2_12 * u.tau_2_1 - u.M_1_2 + C2_22 * u.tau_2_2 + C2_32 * u.tau_2_3 + C5_12 *
+      u.tau_5_1 + C5_22 * u.tau_5_2 + C5_32 * u.tau_5_3 - T(0.05) * t1_16 + T(0.1) * t1_18 + T(0.755) * Pddot1_1) +
+      T(0.5462499999999999) * U1_13 + T(0.2122) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.13190000000000002) * U1_12;
+  const T N1_3 = T(1.385) * Pddot1_1 - (C2_13 * u.tau_2_1 - u.M_1_3 + C2_23 * u.tau_2_2 + C2_33 * u.tau_2_3 + C5_13 *
+      u.tau_5_1 + C5_23 * u.tau_5_2 + C5_33 * u.tau_5_3 - T(0.1) * t1_17 + T(0.2) * t1_16 + T(2.21) * Pddot1_2) -
+      T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.13190000000000002) * U1_13 - T(0.2122) * U1_23;
   // G5 = -U5 h_all_5: applied less inertia force, body axes [N]
   const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.63) + U5_13 * T(0.23500000000000001);
   const T minus_G5_2 = U5_12 * T(0.63) - minus_U5_22 * T(0.78) + U5_23 * T(0.23500000000000001);
@@ -3262,23 +3266,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_U6_33 = t6_14 + t6_15;
   // Pddot6 = C6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t6_16 = U5_12 * T(0.3);
-  const T t6_17 = t6_16 - minus_U5_11 * T(0.3) + U5_13 * T(0.1) + Pddot5_1;
-  const T t6_18 = t6_16 - minus_U5_22 * T(0.3) + U5_23 * T(0.1) + Pddot5_2;
-  const T t6_19 = U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1) + Pddot5_3;
+  const T t6_17 = t6_16 + Pddot5_1 - minus_U5_11 * T(0.3) + U5_13 * T(0.1);
+  const T t6_18 = t6_16 + Pddot5_2 - minus_U5_22 * T(0.3) + U5_23 * T(0.1);
+  const T t6_19 = Pddot5_3 + U5_13 * T(0.3) + U5_23 * T(0.3) - minus_U5_33 * T(0.1);
   const T Pddot6_1 = C6_11 * t6_17 + C6_12 * t6_18 + C6_13 * t6_19;
   const T Pddot6_2 = C6_21 * t6_17 + C6_22 * t6_18 + C6_23 * t6_19;
   const T Pddot6_3 = C6_31 * t6_17 + C6_32 * t6_18 + C6_33 * t6_19;
   // N5 = -C6^T M_torque_6_ - h_all_5~ Pddot5 - omega5~ J_all_5 omega5 + M_torque_5_: applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 + C6_21 * u.tau_6_2 + C6_31 * u.tau_6_3 +
-      T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) * U5_12 -
-      T(0.1665) * U5_13 + u.tau_5_1;
-  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
+  const T N5_1 = T(0.23500000000000001) * Pddot5_2 - (C6_11 * u.tau_6_1 - u.tau_5_1 + C6_21 * u.tau_6_2 + C6_31 *
+      u.tau_6_3 + T(0.78) * Pddot5_3) - T(0.12425) * U5_23 + T(0.069) * (t5_14 - t5_13) + T(0.051000000000000004) *
+      U5_12 - T(0.1665) * U5_13;
+  const T N5_2 = T(0.63) * Pddot5_3 - (C6_12 * u.tau_6_1 - u.tau_5_2 + C6_22 * u.tau_6_2 + C6_32 * u.tau_6_3 +
       T(0.23500000000000001) * Pddot5_1) + T(0.10925) * U5_13 + T(0.051000000000000004) * (t5_13 - t5_15) + T(0.1665)
-      * U5_23 - T(0.069) * U5_12 + u.tau_5_2;
-  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63) * Pddot5_2)
-      + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 - T(0.051000000000000004) *
-      U5_23 + u.tau_5_3;
+      * U5_23 - T(0.069) * U5_12;
+  const T N5_3 = T(0.78) * Pddot5_1 - (C6_13 * u.tau_6_1 - u.tau_5_3 + C6_23 * u.tau_6_2 + C6_33 * u.tau_6_3 + T(0.63)
+      * Pddot5_2) + T(0.015000000000000006) * U5_12 + T(0.1665) * (t5_15 - t5_14) + T(0.069) * U5_13 -
+      T(0.051000000000000004) * U5_23;
   // G6 = -U6 h_all_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.32000000000000006) - minus_U6_11 * T(0.16000000000000003) + U6_13 *
       T(0.08000000000000002);
@@ -3288,15 +3292,15 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.08000000000000002);
   // N6 = -h_all_6~ Pddot6 - omega6~ J_all_6 omega6 + M_torque_6_: applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 + T(0.003999999999999991) *
-      U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 - T(0.024000000000000004) *
-      U6_13 + u.tau_6_1;
-  const T N6_2 = T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 - T(0.019999999999999997) *
-      U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 - T(0.022400000000000003) *
-      U6_12 + u.tau_6_2;
-  const T N6_3 = T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 + T(0.016000000000000007) *
-      U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 - T(0.003200000000000002) *
-      U6_23 + u.tau_6_3;
+  const T N6_1 = u.tau_6_1 + T(0.08000000000000002) * Pddot6_2 - T(0.32000000000000006) * Pddot6_3 +
+      T(0.003999999999999991) * U6_23 + T(0.022400000000000003) * (t6_14 - t6_13) + T(0.003200000000000002) * U6_12 -
+      T(0.024000000000000004) * U6_13;
+  const T N6_2 = u.tau_6_2 + T(0.16000000000000003) * Pddot6_3 - T(0.08000000000000002) * Pddot6_1 -
+      T(0.019999999999999997) * U6_13 + T(0.003200000000000002) * (t6_13 - t6_15) + T(0.024000000000000004) * U6_23 -
+      T(0.022400000000000003) * U6_12;
+  const T N6_3 = u.tau_6_3 + T(0.32000000000000006) * Pddot6_1 - T(0.16000000000000003) * Pddot6_2 +
+      T(0.016000000000000007) * U6_12 + T(0.024000000000000004) * (t6_15 - t6_14) + T(0.022400000000000003) * U6_13 -
+      T(0.003200000000000002) * U6_23;
   f[15] = N6_1;
   f[16] = N6_2;
   f[17] = N6_3;
@@ -3311,9 +3315,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S5_3 = b5_3 + minus_G5_3;
   // f_omega5 = q6~ C6^T G6 + N5: Kane's equation of omega [N m]
   const T b5_4 = T(0.3) * b5_3;
-  const T f_omega5_1 = T(0.1) * b5_2 - b5_4 + N5_1;
-  const T f_omega5_2 = b5_4 - T(0.1) * b5_1 + N5_2;
-  const T f_omega5_3 = T(0.3) * b5_1 - T(0.3) * b5_2 + N5_3;
+  const T f_omega5_1 = N5_1 - b5_4 + T(0.1) * b5_2;
+  const T f_omega5_2 = b5_4 + N5_2 - T(0.1) * b5_1;
+  const T f_omega5_3 = N5_3 + T(0.3) * b5_1 - T(0.3) * b5_2;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
@@ -3330,9 +3334,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b2_6 = C4_13 * minus_G4_1 + C4_23 * minus_G4_2 + C4_33 * minus_G4_3;
   const T minus_S2_3 = b2_5 + b2_6 + minus_G2_3;
   // f_omega2 = q3~ C3^T G3 + q4~ C4^T G4 + N2: Kane's equation of omega [N m]
-  const T f_omega2_1 = T(0.1) * b2_3 - T(0.15) * b2_5 + T(0.1) * b2_4 - T(0.2) * b2_6 + N2_1;
-  const T f_omega2_2 = T(0.3) * b2_5 - T(0.1) * b2_1 + T(0.3) * b2_6 - T(0.1) * b2_2 + N2_2;
-  const T f_omega2_3 = T(0.15) * b2_1 - T(0.3) * b2_3 + T(0.2) * b2_2 - T(0.3) * b2_4 + N2_3;
+  const T f_omega2_1 = N2_1 + T(0.1) * b2_3 - T(0.15) * b2_5 + T(0.1) * b2_4 - T(0.2) * b2_6;
+  const T f_omega2_2 = N2_2 + T(0.3) * b2_5 - T(0.1) * b2_1 + T(0.3) * b2_6 - T(0.1) * b2_2;
+  const T f_omega2_3 = N2_3 + T(0.15) * b2_1 - T(0.3) * b2_3 + T(0.2) * b2_2 - T(0.3) * b2_4;
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
@@ -3349,10 +3353,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T b1_6 = C5_13 * minus_S5_1 + C5_23 * minus_S5_2 + C5_33 * minus_S5_3;
   const T S1_3 = G1_3 - (b1_5 + b1_6);
   // f_omega1 = q2~ C2^T S2 + q5~ C5^T S5 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.1) * b1_3 - T(0.1) * b1_5 + T(0.1) * b1_4 - T(0.25) * b1_6 + N1_1;
+  const T f_omega1_1 = N1_1 + T(0.1) * b1_3 - T(0.1) * b1_5 + T(0.1) * b1_4 - T(0.25) * b1_6;
   const T b1_7 = T(0.1) * b1_1;
-  const T f_omega1_2 = T(0.3) * b1_5 - b1_7 + T(0.3) * b1_6 - T(0.1) * b1_2 + N1_2;
-  const T f_omega1_3 = b1_7 - T(0.3) * b1_3 + T(0.25) * b1_2 - T(0.3) * b1_4 + N1_3;
+  const T f_omega1_2 = N1_2 - b1_7 + T(0.3) * b1_5 + T(0.3) * b1_6 - T(0.1) * b1_2;
+  const T f_omega1_3 = b1_7 + N1_3 - T(0.3) * b1_3 + T(0.25) * b1_2 - T(0.3) * b1_4;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6f: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 53420b327157b7e4 of bench_s6f/scene.toml; the usual functions
+// model cf24de75edc91e6e of bench_s6f/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 36;
-inline constexpr char model_hash[] = "53420b327157b7e4";
+inline constexpr char model_hash[] = "cf24de75edc91e6e";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -407,9 +407,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05) + P2_1;
-  const T p2_2 = R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05) + P2_2;
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05);
+  const T p2_2 = P2_2 + R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05);
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
@@ -453,13 +453,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
@@ -503,13 +503,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
   // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
-  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
-  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
-  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  const T P4_1 = P2_1 + R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3;
+  const T P4_2 = P2_2 + R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3;
+  const T P4_3 = P2_3 + R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
@@ -557,9 +557,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
   const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -603,13 +603,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
   // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
-  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
-  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  const T P6_1 = P5_1 + R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3;
+  const T P6_2 = P5_2 + R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3;
+  const T P6_3 = P5_3 + R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -696,11 +696,11 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P2 = s1 + R1^T d2: position of the body origin, inertial axes [m]
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -708,9 +708,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_16 = omega2_2 * T(0.05) - omega2_3 * T(0.2);
   const T t2_17 = omega2_3 * T(0.1) - omega2_1 * T(0.05);
   const T t2_18 = omega2_1 * T(0.2) - omega2_2 * T(0.1);
-  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_17 + R2_31 * t2_18 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_17 + R2_32 * t2_18 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_17 + R2_33 * t2_18 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_16 + R2_21 * t2_17 + R2_31 * t2_18;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_16 + R2_22 * t2_17 + R2_32 * t2_18;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_16 + R2_23 * t2_17 + R2_33 * t2_18;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * omega2_3) + omega2_2 *
       (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * omega2_3) + omega2_3 * (T(0.0036) * omega2_1 -
@@ -748,23 +748,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_17 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_18 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
       (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
@@ -802,23 +802,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
   // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
-  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  const T P4_3 = P2_3 + R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
-  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
-  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  const T t4_13 = sdot4_1 + omega2_2 * d4_3 - omega2_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega2_3 * d4_1 - omega2_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega2_1 * d4_2 - omega2_2 * d4_1;
+  const T Pdot4_1 = Pdot2_1 + R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15;
+  const T Pdot4_2 = Pdot2_2 + R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15;
+  const T Pdot4_3 = Pdot2_3 + R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_17 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_18 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
       (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
@@ -858,11 +858,11 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P5 = s1 + R1^T d5: position of the body origin, inertial axes [m]
   const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T t5_13 = sdot5_1 + omega1_2 * d5_3 - omega1_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega1_3 * d5_1 - omega1_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega1_1 * d5_2 - omega1_2 * d5_1;
   const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
   const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
   const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
@@ -870,9 +870,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t5_16 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_17 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_18 = omega5_1 * T(0.2) - omega5_2 * T(0.1);
-  const T v5_1 = R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_18;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
       (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
@@ -910,23 +910,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
   // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
-  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  const T P6_3 = P5_3 + R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  const T t6_13 = sdot6_1 + omega5_2 * d6_3 - omega5_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega5_3 * d6_1 - omega5_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega5_1 * d6_2 - omega5_2 * d6_1;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_17 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_18 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_18;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
       (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
@@ -1035,13 +1035,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05) + P2_1;
-  const T p2_2 = R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05) + P2_2;
-  const T p2_3 = R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.1) + R2_21 * T(0.2) + R2_31 * T(0.05);
+  const T p2_2 = P2_2 + R2_12 * T(0.1) + R2_22 * T(0.2) + R2_32 * T(0.05);
+  const T p2_3 = P2_3 + R2_13 * T(0.1) + R2_23 * T(0.2) + R2_33 * T(0.05);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -1049,9 +1049,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_16 = omega2_2 * T(0.05) - omega2_3 * T(0.2);
   const T t2_17 = omega2_3 * T(0.1) - omega2_1 * T(0.05);
   const T t2_18 = omega2_1 * T(0.2) - omega2_2 * T(0.1);
-  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_17 + R2_31 * t2_18 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_17 + R2_32 * t2_18 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_17 + R2_33 * t2_18 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_16 + R2_21 * t2_17 + R2_31 * t2_18;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_16 + R2_22 * t2_17 + R2_32 * t2_18;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_16 + R2_23 * t2_17 + R2_33 * t2_18;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(1.2) * v2_1;
   const T l2_2 = T(1.2) * v2_2;
@@ -1096,27 +1096,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_17 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_18 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.3) * v3_1;
   const T l3_2 = T(1.3) * v3_2;
@@ -1161,27 +1161,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
   // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
-  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
-  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
-  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  const T P4_1 = P2_1 + R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3;
+  const T P4_2 = P2_2 + R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3;
+  const T P4_3 = P2_3 + R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.1) + R4_21 * T(0.2) + R4_31 * T(0.05);
+  const T p4_2 = P4_2 + R4_12 * T(0.1) + R4_22 * T(0.2) + R4_32 * T(0.05);
+  const T p4_3 = P4_3 + R4_13 * T(0.1) + R4_23 * T(0.2) + R4_33 * T(0.05);
   // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
-  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
-  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  const T t4_13 = sdot4_1 + omega2_2 * d4_3 - omega2_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega2_3 * d4_1 - omega2_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega2_1 * d4_2 - omega2_2 * d4_1;
+  const T Pdot4_1 = Pdot2_1 + R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15;
+  const T Pdot4_2 = Pdot2_2 + R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15;
+  const T Pdot4_3 = Pdot2_3 + R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_17 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_18 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.4) * v4_1;
   const T l4_2 = T(1.4) * v4_2;
@@ -1230,13 +1230,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
   const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05) + P5_1;
-  const T p5_2 = R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05) + P5_2;
-  const T p5_3 = R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.1) + R5_21 * T(0.2) + R5_31 * T(0.05);
+  const T p5_2 = P5_2 + R5_12 * T(0.1) + R5_22 * T(0.2) + R5_32 * T(0.05);
+  const T p5_3 = P5_3 + R5_13 * T(0.1) + R5_23 * T(0.2) + R5_33 * T(0.05);
   // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T t5_13 = sdot5_1 + omega1_2 * d5_3 - omega1_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega1_3 * d5_1 - omega1_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega1_1 * d5_2 - omega1_2 * d5_1;
   const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
   const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
   const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
@@ -1244,9 +1244,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t5_16 = omega5_2 * T(0.05) - omega5_3 * T(0.2);
   const T t5_17 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_18 = omega5_1 * T(0.2) - omega5_2 * T(0.1);
-  const T v5_1 = R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 + R5_21 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 + R5_22 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 + R5_23 * t5_17 + R5_33 * t5_18;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.5) * v5_1;
   const T l5_2 = T(1.5) * v5_2;
@@ -1291,27 +1291,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
   // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
-  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
-  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  const T P6_1 = P5_1 + R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3;
+  const T P6_2 = P5_2 + R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3;
+  const T P6_3 = P5_3 + R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.1) + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = P6_2 + R6_12 * T(0.1) + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = P6_3 + R6_13 * T(0.1) + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  const T t6_13 = sdot6_1 + omega5_2 * d6_3 - omega5_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega5_3 * d6_1 - omega5_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega5_1 * d6_2 - omega5_2 * d6_1;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_17 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_18 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 + R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 + R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 + R6_33 * t6_18;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.6) * v6_1;
   const T l6_2 = T(1.6) * v6_2;
@@ -1405,9 +1405,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.1) + s2_3;
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -1444,12 +1444,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T d3_2 = T(0.15) + s3_2;
   const T d3_3 = T(0.1) + s3_3;
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -1482,12 +1482,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T d4_2 = T(0.2) + s4_2;
   const T d4_3 = T(0.1) + s4_3;
   // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
-  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
-  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  const T t4_13 = sdot4_1 + omega2_2 * d4_3 - omega2_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega2_3 * d4_1 - omega2_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega2_1 * d4_2 - omega2_2 * d4_1;
+  const T Pdot4_1 = Pdot2_1 + R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15;
+  const T Pdot4_2 = Pdot2_2 + R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15;
+  const T Pdot4_3 = Pdot2_3 + R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -1520,9 +1520,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T d5_2 = T(0.25) + s5_2;
   const T d5_3 = T(0.1) + s5_3;
   // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T t5_13 = sdot5_1 + omega1_2 * d5_3 - omega1_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega1_3 * d5_1 - omega1_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega1_1 * d5_2 - omega1_2 * d5_1;
   const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
   const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
   const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
@@ -1559,12 +1559,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T d6_2 = T(0.3) + s6_2;
   const T d6_3 = T(0.1) + s6_3;
   // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  const T t6_13 = sdot6_1 + omega5_2 * d6_3 - omega5_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega5_3 * d6_1 - omega5_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega5_1 * d6_2 - omega5_2 * d6_1;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15;
 
   // ---- whole system
   const T omega3_1 = y[6], omega3_2 = y[7], omega3_3 = y[8];
@@ -1593,19 +1593,19 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
   const T b0_18 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
   const T power = u.F_1_1 * (sdot1_1 + R1_11 * b0_1 + R1_21 * b0_2 + R1_31 * b0_3) + u.F_1_2 * (sdot1_2 + R1_12 * b0_1
       + R1_22 * b0_2 + R1_32 * b0_3) + u.F_1_3 * (sdot1_3 + R1_13 * b0_1 + R1_23 * b0_2 + R1_33 * b0_3) + u.M_1_1 *
-      omega1_1 + u.M_1_2 * omega1_2 + u.M_1_3 * omega1_3 + u.F_2_1 * (R2_11 * b0_4 + R2_21 * b0_5 + R2_31 * b0_6 +
-      Pdot2_1) + u.F_2_2 * (R2_12 * b0_4 + R2_22 * b0_5 + R2_32 * b0_6 + Pdot2_2) + u.F_2_3 * (R2_13 * b0_4 + R2_23 *
-      b0_5 + R2_33 * b0_6 + Pdot2_3) + u.M_2_1 * omega2_1 + u.M_2_2 * omega2_2 + u.M_2_3 * omega2_3 + u.F_3_1 * (R3_11
-      * b0_7 + R3_21 * b0_8 + R3_31 * b0_9 + Pdot3_1) + u.F_3_2 * (R3_12 * b0_7 + R3_22 * b0_8 + R3_32 * b0_9 +
-      Pdot3_2) + u.F_3_3 * (R3_13 * b0_7 + R3_23 * b0_8 + R3_33 * b0_9 + Pdot3_3) + u.M_3_1 * omega3_1 + u.M_3_2 *
-      omega3_2 + u.M_3_3 * omega3_3 + u.F_4_1 * (R4_11 * b0_10 + R4_21 * b0_11 + R4_31 * b0_12 + Pdot4_1) + u.F_4_2 *
-      (R4_12 * b0_10 + R4_22 * b0_11 + R4_32 * b0_12 + Pdot4_2) + u.F_4_3 * (R4_13 * b0_10 + R4_23 * b0_11 + R4_33 *
-      b0_12 + Pdot4_3) + u.M_4_1 * omega4_1 + u.M_4_2 * omega4_2 + u.M_4_3 * omega4_3 + u.F_5_1 * (R5_11 * b0_13 +
-      R5_21 * b0_14 + R5_31 * b0_15 + Pdot5_1) + u.F_5_2 * (R5_12 * b0_13 + R5_22 * b0_14 + R5_32 * b0_15 + Pdot5_2) +
-      u.F_5_3 * (R5_13 * b0_13 + R5_23 * b0_14 + R5_33 * b0_15 + Pdot5_3) + u.M_5_1 * omega5_1 + u.M_5_2 * omega5_2 +
-      u.M_5_3 * omega5_3 + u.F_6_1 * (R6_11 * b0_16 + R6_21 * b0_17 + R6_31 * b0_18 + Pdot6_1) + u.F_6_2 * (R6_12 *
-      b0_16 + R6_22 * b0_17 + R6_32 * b0_18 + Pdot6_2) + u.F_6_3 * (R6_13 * b0_16 + R6_23 * b0_17 + R6_33 * b0_18 +
-      Pdot6_3) + u.M_6_1 * omega6_1 + u.M_6_2 * omega6_2 + u.M_6_3 * omega6_3;
+      omega1_1 + u.M_1_2 * omega1_2 + u.M_1_3 * omega1_3 + u.F_2_1 * (Pdot2_1 + R2_11 * b0_4 + R2_21 * b0_5 + R2_31 *
+      b0_6) + u.F_2_2 * (Pdot2_2 + R2_12 * b0_4 + R2_22 * b0_5 + R2_32 * b0_6) + u.F_2_3 * (Pdot2_3 + R2_13 * b0_4 +
+      R2_23 * b0_5 + R2_33 * b0_6) + u.M_2_1 * omega2_1 + u.M_2_2 * omega2_2 + u.M_2_3 * omega2_3 + u.F_3_1 * (Pdot3_1
+      + R3_11 * b0_7 + R3_21 * b0_8 + R3_31 * b0_9) + u.F_3_2 * (Pdot3_2 + R3_12 * b0_7 + R3_22 * b0_8 + R3_32 * b0_9)
+      + u.F_3_3 * (Pdot3_3 + R3_13 * b0_7 + R3_23 * b0_8 + R3_33 * b0_9) + u.M_3_1 * omega3_1 + u.M_3_2 * omega3_2 +
+      u.M_3_3 * omega3_3 + u.F_4_1 * (Pdot4_1 + R4_11 * b0_10 + R4_21 * b0_11 + R4_31 * b0_12) + u.F_4_2 * (Pdot4_2 +
+      R4_12 * b0_10 + R4_22 * b0_11 + R4_32 * b0_12) + u.F_4_3 * (Pdot4_3 + R4_13 * b0_10 + R4_23 * b0_11 + R4_33 *
+      b0_12) + u.M_4_1 * omega4_1 + u.M_4_2 * omega4_2 + u.M_4_3 * omega4_3 + u.F_5_1 * (Pdot5_1 + R5_11 * b0_13 +
+      R5_21 * b0_14 + R5_31 * b0_15) + u.F_5_2 * (Pdot5_2 + R5_12 * b0_13 + R5_22 * b0_14 + R5_32 * b0_15) + u.F_5_3 *
+      (Pdot5_3 + R5_13 * b0_13 + R5_23 * b0_14 + R5_33 * b0_15) + u.M_5_1 * omega5_1 + u.M_5_2 * omega5_2 + u.M_5_3 *
+      omega5_3 + u.F_6_1 * (Pdot6_1 + R6_11 * b0_16 + R6_21 * b0_17 + R6_31 * b0_18) + u.F_6_2 * (Pdot6_2 + R6_12 *
+      b0_16 + R6_22 * b0_17 + R6_32 * b0_18) + u.F_6_3 * (Pdot6_3 + R6_13 * b0_16 + R6_23 * b0_17 + R6_33 * b0_18) +
+      u.M_6_1 * omega6_1 + u.M_6_2 * omega6_2 + u.M_6_3 * omega6_3;
   out[0] = power;
 }
 
@@ -1647,13 +1647,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_15 = omega1_3 * omega1_3;
   const T t1_16 = omega1_1 * omega1_2;
   const T t1_17 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.04400000000000001) * t1_13 + T(0.0044) * (t1_14 - t1_15) - T(0.0033) * t1_16 + T(0.0055) * t1_17
-      + u.M_1_1;
+  const T N1_1 = u.M_1_1 + T(0.04400000000000001) * t1_13 + T(0.0044) * (t1_14 - t1_15) - T(0.0033) * t1_16 +
+      T(0.0055) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * t1_17 + T(0.0033) * (t1_15 - t1_18) + T(0.0055) * t1_13 +
-      T(0.0044) * t1_16);
-  const T N1_3 = T(0.0044) * t1_17 - (T(0.022000000000000006) * t1_16 + T(0.0055) * (t1_18 - t1_14)) + T(0.0033) *
-      t1_13 + u.M_1_3;
+  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * t1_17 - T(0.0033) * (t1_15 - t1_18) - T(0.0055) * t1_13 -
+      T(0.0044) * t1_16;
+  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * t1_16 - T(0.0055) * (t1_18 - t1_14) + T(0.0044) * t1_17 +
+      T(0.0033) * t1_13;
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
   const T omegadot1_1 = T(9.121364397746307) * N1_1 - T(0.39211207552916094) * N1_2 - T(0.3616567686919446) * N1_3;
   const T omegadot1_2 = T(7.605261154256128) * N1_2 - T(0.39211207552916094) * N1_1 + T(0.39496726054515) * N1_3;
@@ -1726,13 +1726,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_15 = omega2_3 * omega2_3;
   const T t2_16 = omega2_1 * omega2_2;
   const T t2_17 = omega2_1 * omega2_3;
-  const T N2_1 = T(0.04799999999999999) * t2_13 + T(0.0048) * (t2_14 - t2_15) - T(0.0036) * t2_16 + T(0.006) * t2_17 +
-      u.M_2_1;
+  const T N2_1 = u.M_2_1 + T(0.04799999999999999) * t2_13 + T(0.0048) * (t2_14 - t2_15) - T(0.0036) * t2_16 + T(0.006)
+      * t2_17;
   const T t2_18 = omega2_1 * omega2_1;
-  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * t2_17 + T(0.0036) * (t2_15 - t2_18) + T(0.006) * t2_13 +
-      T(0.0048) * t2_16);
-  const T N2_3 = T(0.0048) * t2_17 - (T(0.023999999999999994) * t2_16 + T(0.006) * (t2_18 - t2_14)) + T(0.0036) *
-      t2_13 + u.M_2_3;
+  const T N2_2 = u.M_2_2 - T(0.023999999999999994) * t2_17 - T(0.0036) * (t2_15 - t2_18) - T(0.006) * t2_13 -
+      T(0.0048) * t2_16;
+  const T N2_3 = u.M_2_3 - T(0.023999999999999994) * t2_16 - T(0.006) * (t2_18 - t2_14) + T(0.0048) * t2_17 +
+      T(0.0036) * t2_13;
   // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
   const T omegadot2_1 = T(8.361250697934116) * N2_1 - T(0.35943606923506427) * N2_2 - T(0.3315187046342825) * N2_3;
   const T omegadot2_2 = T(6.971489391401453) * N2_2 - T(0.35943606923506427) * N2_1 + T(0.36205332216638747) * N2_3;
@@ -1816,13 +1816,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t3_15 = omega3_3 * omega3_3;
   const T t3_16 = omega3_1 * omega3_2;
   const T t3_17 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.052000000000000005) * t3_13 + T(0.0052) * (t3_14 - t3_15) - T(0.0039) * t3_16 + T(0.0065) * t3_17
-      + u.M_3_1;
+  const T N3_1 = u.M_3_1 + T(0.052000000000000005) * t3_13 + T(0.0052) * (t3_14 - t3_15) - T(0.0039) * t3_16 +
+      T(0.0065) * t3_17;
   const T t3_18 = omega3_1 * omega3_1;
-  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * t3_17 + T(0.0039) * (t3_15 - t3_18) + T(0.0065) * t3_13 +
-      T(0.0052) * t3_16);
-  const T N3_3 = T(0.0052) * t3_17 - (T(0.025999999999999995) * t3_16 + T(0.0065) * (t3_18 - t3_14)) + T(0.0039) *
-      t3_13 + u.M_3_3;
+  const T N3_2 = u.M_3_2 - T(0.02600000000000001) * t3_17 - T(0.0039) * (t3_15 - t3_18) - T(0.0065) * t3_13 -
+      T(0.0052) * t3_16;
+  const T N3_3 = u.M_3_3 - T(0.025999999999999995) * t3_16 - T(0.0065) * (t3_18 - t3_14) + T(0.0052) * t3_17 +
+      T(0.0039) * t3_13;
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T omegadot3_1 = T(7.718077567323798) * N3_1 - T(0.33178714083236693) * N3_2 - T(0.30601726581626076) * N3_3;
   const T omegadot3_2 = T(6.435220976678263) * N3_2 - T(0.33178714083236693) * N3_1 + T(0.33420306661512694) * N3_3;
@@ -1906,13 +1906,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t4_15 = omega4_3 * omega4_3;
   const T t4_16 = omega4_1 * omega4_2;
   const T t4_17 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.05600000000000001) * t4_13 + T(0.0056) * (t4_14 - t4_15) - T(0.0042) * t4_16 + T(0.007) * t4_17 +
-      u.M_4_1;
+  const T N4_1 = u.M_4_1 + T(0.05600000000000001) * t4_13 + T(0.0056) * (t4_14 - t4_15) - T(0.0042) * t4_16 + T(0.007)
+      * t4_17;
   const T t4_18 = omega4_1 * omega4_1;
-  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * t4_17 + T(0.0042) * (t4_15 - t4_18) + T(0.007) * t4_13 +
-      T(0.0056) * t4_16);
-  const T N4_3 = T(0.0056) * t4_17 - (T(0.027999999999999997) * t4_16 + T(0.007) * (t4_18 - t4_14)) + T(0.0042) *
-      t4_13 + u.M_4_3;
+  const T N4_2 = u.M_4_2 - T(0.02800000000000001) * t4_17 - T(0.0042) * (t4_15 - t4_18) - T(0.007) * t4_13 - T(0.0056)
+      * t4_16;
+  const T N4_3 = u.M_4_3 - T(0.027999999999999997) * t4_16 - T(0.007) * (t4_18 - t4_14) + T(0.0056) * t4_17 +
+      T(0.0042) * t4_13;
   // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
   const T omegadot4_1 = T(7.166786312514955) * N4_1 - T(0.3080880593443407) * N4_2 - T(0.2841588896865278) * N4_3;
   const T omegadot4_2 = T(5.975562335486958) * N4_2 - T(0.3080880593443407) * N4_1 + T(0.3103314189997607) * N4_3;
@@ -1993,10 +1993,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t5_15 = omega5_3 * omega5_3;
   const T t5_16 = omega5_1 * omega5_2;
   const T t5_17 = omega5_1 * omega5_3;
-  const T N5_1 = T(0.06) * t5_13 + T(0.006) * (t5_14 - t5_15) - T(0.0045) * t5_16 + T(0.0075) * t5_17 + u.M_5_1;
+  const T N5_1 = u.M_5_1 + T(0.06) * t5_13 + T(0.006) * (t5_14 - t5_15) - T(0.0045) * t5_16 + T(0.0075) * t5_17;
   const T t5_18 = omega5_1 * omega5_1;
-  const T N5_2 = u.M_5_2 - (T(0.03) * t5_17 + T(0.0045) * (t5_15 - t5_18) + T(0.0075) * t5_13 + T(0.006) * t5_16);
-  const T N5_3 = T(0.006) * t5_17 - (T(0.03) * t5_16 + T(0.0075) * (t5_18 - t5_14)) + T(0.0045) * t5_13 + u.M_5_3;
+  const T N5_2 = u.M_5_2 - T(0.03) * t5_17 - T(0.0045) * (t5_15 - t5_18) - T(0.0075) * t5_13 - T(0.006) * t5_16;
+  const T N5_3 = u.M_5_3 - T(0.03) * t5_16 - T(0.0075) * (t5_18 - t5_14) + T(0.006) * t5_17 + T(0.0045) * t5_13;
   // omegadot5 = Iinv5 N5: I omegadot + omega~ I omega = M
   const T omegadot5_1 = T(6.689000558347292) * N5_1 - T(0.28754885538805136) * N5_2 - T(0.26521496370742603) * N5_3;
   const T omegadot5_2 = T(5.577191513121162) * N5_2 - T(0.28754885538805136) * N5_1 + T(0.28964265773311004) * N5_3;
@@ -2077,10 +2077,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t6_15 = omega6_3 * omega6_3;
   const T t6_16 = omega6_1 * omega6_2;
   const T t6_17 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.064) * t6_13 + T(0.0064) * (t6_14 - t6_15) - T(0.0048) * t6_16 + T(0.008) * t6_17 + u.M_6_1;
+  const T N6_1 = u.M_6_1 + T(0.064) * t6_13 + T(0.0064) * (t6_14 - t6_15) - T(0.0048) * t6_16 + T(0.008) * t6_17;
   const T t6_18 = omega6_1 * omega6_1;
-  const T N6_2 = u.M_6_2 - (T(0.032) * t6_17 + T(0.0048) * (t6_15 - t6_18) + T(0.008) * t6_13 + T(0.0064) * t6_16);
-  const T N6_3 = T(0.0064) * t6_17 - (T(0.032) * t6_16 + T(0.008) * (t6_18 - t6_14)) + T(0.0048) * t6_13 + u.M_6_3;
+  const T N6_2 = u.M_6_2 - T(0.032) * t6_17 - T(0.0048) * (t6_15 - t6_18) - T(0.008) * t6_13 - T(0.0064) * t6_16;
+  const T N6_3 = u.M_6_3 - T(0.032) * t6_16 - T(0.008) * (t6_18 - t6_14) + T(0.0064) * t6_17 + T(0.0048) * t6_13;
   // omegadot6 = Iinv6 N6: I omegadot + omega~ I omega = M
   const T omegadot6_1 = T(6.2709380234505865) * N6_1 - T(0.26957705192629816) * N6_2 - T(0.24863902847571187) * N6_3;
   const T omegadot6_2 = T(5.228617043551089) * N6_2 - T(0.26957705192629816) * N6_1 + T(0.27153999162479064) * N6_3;
@@ -2185,20 +2185,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_19 = U1_12 * T(0.2) - minus_U1_11 * T(0.1) + U1_13 * T(0.05);
   const T t1_20 = U1_21 * T(0.1) - minus_U1_22 * T(0.2) + U1_23 * T(0.05);
   const T t1_21 = U1_31 * T(0.1) + U1_32 * T(0.2) - minus_U1_33 * T(0.05);
-  const T a1_1 = R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21 + sddot1_1;
-  const T a1_2 = R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21 + sddot1_2;
-  const T a1_3 = R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21 + Pddot1_3;
+  const T a1_1 = sddot1_1 + R1_11 * t1_19 + R1_21 * t1_20 + R1_31 * t1_21;
+  const T a1_2 = sddot1_2 + R1_12 * t1_19 + R1_22 * t1_20 + R1_32 * t1_21;
+  const T a1_3 = Pddot1_3 + R1_13 * t1_19 + R1_23 * t1_20 + R1_33 * t1_21;
   // G1 = m1 a1 - F1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(1.1) * a1_1 - u.F_1_1;
   const T G1_2 = T(1.1) * a1_2 - u.F_1_2;
   const T G1_3 = T(1.1) * a1_3 - u.F_1_3;
   // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
-  const T N1_1 = T(0.032999999999999995) * U1_32 - T(0.07700000000000001) * U1_23 + T(0.0044) * (minus_U1_22 -
-      minus_U1_33) - T(0.0055) * U1_31 + T(0.0033) * U1_21 - u.M_1_1;
-  const T N1_2 = T(0.07700000000000001) * U1_13 - T(0.055) * U1_31 - T(0.0033) * (minus_U1_33 - minus_U1_11) +
-      T(0.0044) * U1_12 + T(0.0055) * U1_32 - u.M_1_2;
-  const T N1_3 = T(0.055) * U1_21 - T(0.032999999999999995) * U1_12 - T(0.0055) * (minus_U1_11 - minus_U1_22) -
-      T(0.0033) * U1_23 - T(0.0044) * U1_13 - u.M_1_3;
+  const T N1_1 = T(0.032999999999999995) * U1_32 - u.M_1_1 - T(0.07700000000000001) * U1_23 + T(0.0044) * (minus_U1_22
+      - minus_U1_33) - T(0.0055) * U1_31 + T(0.0033) * U1_21;
+  const T N1_2 = T(0.07700000000000001) * U1_13 - u.M_1_2 - T(0.055) * U1_31 - T(0.0033) * (minus_U1_33 - minus_U1_11)
+      + T(0.0044) * U1_12 + T(0.0055) * U1_32;
+  const T N1_3 = T(0.055) * U1_21 - u.M_1_3 - T(0.032999999999999995) * U1_12 - T(0.0055) * (minus_U1_11 -
+      minus_U1_22) - T(0.0033) * U1_23 - T(0.0044) * U1_13;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2254,31 +2254,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t2_19 = T(2) * omega1_2;
   const T t2_20 = T(2) * omega1_3;
-  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_21 = sddot2_1 + t2_19 * sdot2_3 - t2_20 * sdot2_2 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
-  const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
-  const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
-  const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
+  const T t2_23 = sddot2_2 + t2_20 * sdot2_1 - t2_22 * sdot2_3 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = sddot2_3 + t2_22 * sdot2_2 - t2_19 * sdot2_1 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T Pddot2_1 = sddot1_1 + R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24;
+  const T Pddot2_2 = sddot1_2 + R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24;
+  const T Pddot2_3 = Pddot1_3 + R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24;
   // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t2_25 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
   const T t2_26 = U2_21 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
   const T t2_27 = U2_31 * T(0.1) + U2_32 * T(0.2) - minus_U2_33 * T(0.05);
-  const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27;
   // G2 = m2 a2 - F2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(1.2) * a2_1 - u.F_2_1;
   const T G2_2 = T(1.2) * a2_2 - u.F_2_2;
   const T G2_3 = T(1.2) * a2_3 - u.F_2_3;
   // N2 = axial(U2 (tr(I2)/2 - I2)) - M2: inertia less applied moment about the mass centre, body axes [N m]
-  const T N2_1 = T(0.036000000000000004) * U2_32 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22 -
-      minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21 - u.M_2_1;
-  const T N2_2 = T(0.08399999999999999) * U2_13 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11) +
-      T(0.0048) * U2_12 + T(0.006) * U2_32 - u.M_2_2;
-  const T N2_3 = T(0.06) * U2_21 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22) -
-      T(0.0036) * U2_23 - T(0.0048) * U2_13 - u.M_2_3;
+  const T N2_1 = T(0.036000000000000004) * U2_32 - u.M_2_1 - T(0.08399999999999999) * U2_23 + T(0.0048) * (minus_U2_22
+      - minus_U2_33) - T(0.006) * U2_31 + T(0.0036) * U2_21;
+  const T N2_2 = T(0.08399999999999999) * U2_13 - u.M_2_2 - T(0.06) * U2_31 - T(0.0036) * (minus_U2_33 - minus_U2_11)
+      + T(0.0048) * U2_12 + T(0.006) * U2_32;
+  const T N2_3 = T(0.06) * U2_21 - u.M_2_3 - T(0.036000000000000004) * U2_12 - T(0.006) * (minus_U2_11 - minus_U2_22)
+      - T(0.0036) * U2_23 - T(0.0048) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2334,31 +2334,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t3_19 = T(2) * omega2_2;
   const T t3_20 = T(2) * omega2_3;
-  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_21 = sddot3_1 + t3_19 * sdot3_3 - t3_20 * sdot3_2 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
-  const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
+  const T t3_23 = sddot3_2 + t3_20 * sdot3_1 - t3_22 * sdot3_3 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = sddot3_3 + t3_22 * sdot3_2 - t3_19 * sdot3_1 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_25 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
   const T t3_26 = U3_21 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
   const T t3_27 = U3_31 * T(0.1) + U3_32 * T(0.2) - minus_U3_33 * T(0.05);
-  const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27;
   // G3 = m3 a3 - F3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(1.3) * a3_1 - u.F_3_1;
   const T G3_2 = T(1.3) * a3_2 - u.F_3_2;
   const T G3_3 = T(1.3) * a3_3 - u.F_3_3;
   // N3 = axial(U3 (tr(I3)/2 - I3)) - M3: inertia less applied moment about the mass centre, body axes [N m]
-  const T N3_1 = T(0.039) * U3_32 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) * U3_31 +
-      T(0.0039) * U3_21 - u.M_3_1;
-  const T N3_2 = T(0.091) * U3_13 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) * U3_12 +
-      T(0.0065) * U3_32 - u.M_3_2;
-  const T N3_3 = T(0.065) * U3_21 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) * U3_23 -
-      T(0.0052) * U3_13 - u.M_3_3;
+  const T N3_1 = T(0.039) * U3_32 - u.M_3_1 - T(0.091) * U3_23 + T(0.0052) * (minus_U3_22 - minus_U3_33) - T(0.0065) *
+      U3_31 + T(0.0039) * U3_21;
+  const T N3_2 = T(0.091) * U3_13 - u.M_3_2 - T(0.065) * U3_31 - T(0.0039) * (minus_U3_33 - minus_U3_11) + T(0.0052) *
+      U3_12 + T(0.0065) * U3_32;
+  const T N3_3 = T(0.065) * U3_21 - u.M_3_3 - T(0.039) * U3_12 - T(0.0065) * (minus_U3_11 - minus_U3_22) - T(0.0039) *
+      U3_23 - T(0.0052) * U3_13;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2412,30 +2412,30 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = t3_19 * sdot4_3 - t3_20 * sdot4_2 + sddot4_1 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
-  const T t4_20 = t3_20 * sdot4_1 - t3_22 * sdot4_3 + sddot4_2 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
-  const T t4_21 = t3_22 * sdot4_2 - t3_19 * sdot4_1 + sddot4_3 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
-  const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  const T t4_19 = sddot4_1 + t3_19 * sdot4_3 - t3_20 * sdot4_2 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = sddot4_2 + t3_20 * sdot4_1 - t3_22 * sdot4_3 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = sddot4_3 + t3_22 * sdot4_2 - t3_19 * sdot4_1 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T Pddot4_1 = Pddot2_1 + R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21;
+  const T Pddot4_2 = Pddot2_2 + R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21;
+  const T Pddot4_3 = Pddot2_3 + R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
   const T t4_23 = U4_21 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
   const T t4_24 = U4_31 * T(0.1) + U4_32 * T(0.2) - minus_U4_33 * T(0.05);
-  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24;
   // G4 = m4 a4 - F4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(1.4) * a4_1 - u.F_4_1;
   const T G4_2 = T(1.4) * a4_2 - u.F_4_2;
   const T G4_3 = T(1.4) * a4_3 - u.F_4_3;
   // N4 = axial(U4 (tr(I4)/2 - I4)) - M4: inertia less applied moment about the mass centre, body axes [N m]
-  const T N4_1 = T(0.042) * U4_32 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) * U4_31 +
-      T(0.0042) * U4_21 - u.M_4_1;
-  const T N4_2 = T(0.098) * U4_13 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) * U4_12 +
-      T(0.007) * U4_32 - u.M_4_2;
-  const T N4_3 = T(0.07) * U4_21 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) * U4_23 -
-      T(0.0056) * U4_13 - u.M_4_3;
+  const T N4_1 = T(0.042) * U4_32 - u.M_4_1 - T(0.098) * U4_23 + T(0.0056) * (minus_U4_22 - minus_U4_33) - T(0.007) *
+      U4_31 + T(0.0042) * U4_21;
+  const T N4_2 = T(0.098) * U4_13 - u.M_4_2 - T(0.07) * U4_31 - T(0.0042) * (minus_U4_33 - minus_U4_11) + T(0.0056) *
+      U4_12 + T(0.007) * U4_32;
+  const T N4_3 = T(0.07) * U4_21 - u.M_4_3 - T(0.042) * U4_12 - T(0.007) * (minus_U4_11 - minus_U4_22) - T(0.0042) *
+      U4_23 - T(0.0056) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -2489,30 +2489,30 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = R1^T (2 omega1~ sdot5 + sddot5 + U1 d5) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = t2_19 * sdot5_3 - t2_20 * sdot5_2 + sddot5_1 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
-  const T t5_20 = t2_20 * sdot5_1 - t2_22 * sdot5_3 + sddot5_2 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
-  const T t5_21 = t2_22 * sdot5_2 - t2_19 * sdot5_1 + sddot5_3 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
-  const T Pddot5_1 = R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21 + sddot1_1;
-  const T Pddot5_2 = R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21 + sddot1_2;
-  const T Pddot5_3 = R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21 + Pddot1_3;
+  const T t5_19 = sddot5_1 + t2_19 * sdot5_3 - t2_20 * sdot5_2 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = sddot5_2 + t2_20 * sdot5_1 - t2_22 * sdot5_3 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = sddot5_3 + t2_22 * sdot5_2 - t2_19 * sdot5_1 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T Pddot5_1 = sddot1_1 + R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21;
+  const T Pddot5_2 = sddot1_2 + R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21;
+  const T Pddot5_3 = Pddot1_3 + R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21;
   // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_22 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
   const T t5_23 = U5_21 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
   const T t5_24 = U5_31 * T(0.1) + U5_32 * T(0.2) - minus_U5_33 * T(0.05);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24;
   // G5 = m5 a5 - F5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(1.5) * a5_1 - u.F_5_1;
   const T G5_2 = T(1.5) * a5_2 - u.F_5_2;
   const T G5_3 = T(1.5) * a5_3 - u.F_5_3;
   // N5 = axial(U5 (tr(I5)/2 - I5)) - M5: inertia less applied moment about the mass centre, body axes [N m]
-  const T N5_1 = T(0.045) * U5_32 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) * U5_31 +
-      T(0.0045) * U5_21 - u.M_5_1;
-  const T N5_2 = T(0.105) * U5_13 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) * U5_12 +
-      T(0.0075) * U5_32 - u.M_5_2;
-  const T N5_3 = T(0.075) * U5_21 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) * U5_23 -
-      T(0.006) * U5_13 - u.M_5_3;
+  const T N5_1 = T(0.045) * U5_32 - u.M_5_1 - T(0.105) * U5_23 + T(0.006) * (minus_U5_22 - minus_U5_33) - T(0.0075) *
+      U5_31 + T(0.0045) * U5_21;
+  const T N5_2 = T(0.105) * U5_13 - u.M_5_2 - T(0.075) * U5_31 - T(0.0045) * (minus_U5_33 - minus_U5_11) + T(0.006) *
+      U5_12 + T(0.0075) * U5_32;
+  const T N5_3 = T(0.075) * U5_21 - u.M_5_3 - T(0.045) * U5_12 - T(0.0075) * (minus_U5_11 - minus_U5_22) - T(0.0045) *
+      U5_23 - T(0.006) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -2568,40 +2568,40 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t6_19 = T(2) * omega5_2;
   const T t6_20 = T(2) * omega5_3;
-  const T t6_21 = t6_19 * sdot6_3 - t6_20 * sdot6_2 + sddot6_1 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_21 = sddot6_1 + t6_19 * sdot6_3 - t6_20 * sdot6_2 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
   const T t6_22 = T(2) * omega5_1;
-  const T t6_23 = t6_20 * sdot6_1 - t6_22 * sdot6_3 + sddot6_2 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
-  const T t6_24 = t6_22 * sdot6_2 - t6_19 * sdot6_1 + sddot6_3 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
-  const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
+  const T t6_23 = sddot6_2 + t6_20 * sdot6_1 - t6_22 * sdot6_3 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = sddot6_3 + t6_22 * sdot6_2 - t6_19 * sdot6_1 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T Pddot6_1 = Pddot5_1 + R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24;
+  const T Pddot6_2 = Pddot5_2 + R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24;
+  const T Pddot6_3 = Pddot5_3 + R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_25 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
   const T t6_26 = U6_21 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);
   const T t6_27 = U6_31 * T(0.1) + U6_32 * T(0.2) - minus_U6_33 * T(0.05);
-  const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
-  const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
-  const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27;
+  const T a6_2 = Pddot6_2 + R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27;
+  const T a6_3 = Pddot6_3 + R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27;
   // G6 = m6 a6 - F6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(1.6) * a6_1 - u.F_6_1;
   const T G6_2 = T(1.6) * a6_2 - u.F_6_2;
   const T G6_3 = T(1.6) * a6_3 - u.F_6_3;
   // N6 = axial(U6 (tr(I6)/2 - I6)) - M6: inertia less applied moment about the mass centre, body axes [N m]
-  const T N6_1 = T(0.048) * U6_32 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) * U6_31 +
-      T(0.0048) * U6_21 - u.M_6_1;
-  const T N6_2 = T(0.112) * U6_13 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) * U6_12 +
-      T(0.008) * U6_32 - u.M_6_2;
-  const T N6_3 = T(0.08) * U6_21 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) * U6_23 -
-      T(0.0064) * U6_13 - u.M_6_3;
+  const T N6_1 = T(0.048) * U6_32 - u.M_6_1 - T(0.112) * U6_23 + T(0.0064) * (minus_U6_22 - minus_U6_33) - T(0.008) *
+      U6_31 + T(0.0048) * U6_21;
+  const T N6_2 = T(0.112) * U6_13 - u.M_6_2 - T(0.08) * U6_31 - T(0.0048) * (minus_U6_33 - minus_U6_11) + T(0.0064) *
+      U6_12 + T(0.008) * U6_32;
+  const T N6_3 = T(0.08) * U6_21 - u.M_6_3 - T(0.048) * U6_12 - T(0.008) * (minus_U6_11 - minus_U6_22) - T(0.0048) *
+      U6_23 - T(0.0064) * U6_13;
 
   // ---- body 6 (body_6) and what it carries
   // r_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
   const T b6_2 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
-  const T r_omega6_1 = T(0.2) * b6_1 - T(0.05) * b6_2 + N6_1;
+  const T r_omega6_1 = N6_1 + T(0.2) * b6_1 - T(0.05) * b6_2;
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
-  const T r_omega6_2 = T(0.05) * b6_3 - T(0.1) * b6_1 + N6_2;
-  const T r_omega6_3 = T(0.1) * b6_2 - T(0.2) * b6_3 + N6_3;
+  const T r_omega6_2 = N6_2 + T(0.05) * b6_3 - T(0.1) * b6_1;
+  const T r_omega6_3 = N6_3 + T(0.1) * b6_2 - T(0.2) * b6_3;
   r[15] = r_omega6_1;
   r[16] = r_omega6_2;
   r[17] = r_omega6_3;
@@ -2621,10 +2621,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
   const T b5_2 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
-  const T r_omega5_1 = T(0.2) * b5_1 - T(0.05) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 + N5_1;
+  const T r_omega5_1 = N5_1 + T(0.2) * b5_1 - T(0.05) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T r_omega5_2 = T(0.05) * b5_3 - T(0.1) * b5_1 + d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3 + N5_2;
-  const T r_omega5_3 = T(0.1) * b5_2 - T(0.2) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N5_3;
+  const T r_omega5_2 = N5_2 + T(0.05) * b5_3 - T(0.1) * b5_1 + d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3;
+  const T r_omega5_3 = N5_3 + T(0.1) * b5_2 - T(0.2) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
@@ -2640,10 +2640,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_31 * G4_1 + R4_32 * G4_2 + R4_33 * G4_3;
   const T b4_2 = R4_21 * G4_1 + R4_22 * G4_2 + R4_23 * G4_3;
-  const T r_omega4_1 = T(0.2) * b4_1 - T(0.05) * b4_2 + N4_1;
+  const T r_omega4_1 = N4_1 + T(0.2) * b4_1 - T(0.05) * b4_2;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
-  const T r_omega4_2 = T(0.05) * b4_3 - T(0.1) * b4_1 + N4_2;
-  const T r_omega4_3 = T(0.1) * b4_2 - T(0.2) * b4_3 + N4_3;
+  const T r_omega4_2 = N4_2 + T(0.05) * b4_3 - T(0.1) * b4_1;
+  const T r_omega4_3 = N4_3 + T(0.1) * b4_2 - T(0.2) * b4_3;
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -2659,10 +2659,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
   const T b3_2 = R3_21 * G3_1 + R3_22 * G3_2 + R3_23 * G3_3;
-  const T r_omega3_1 = T(0.2) * b3_1 - T(0.05) * b3_2 + N3_1;
+  const T r_omega3_1 = N3_1 + T(0.2) * b3_1 - T(0.05) * b3_2;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T r_omega3_2 = T(0.05) * b3_3 - T(0.1) * b3_1 + N3_2;
-  const T r_omega3_3 = T(0.1) * b3_2 - T(0.2) * b3_3 + N3_3;
+  const T r_omega3_2 = N3_2 + T(0.05) * b3_3 - T(0.1) * b3_1;
+  const T r_omega3_3 = N3_3 + T(0.1) * b3_2 - T(0.2) * b3_3;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
   r[8] = r_omega3_3;
@@ -2682,13 +2682,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
   const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
-  const T r_omega2_1 = T(0.2) * b2_1 - T(0.05) * b2_2 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d4_2 * r_sdot4_3 - d4_3
-      * r_sdot4_2 + N2_1;
+  const T r_omega2_1 = N2_1 + T(0.2) * b2_1 - T(0.05) * b2_2 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d4_2 * r_sdot4_3
+      - d4_3 * r_sdot4_2;
   const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
-  const T r_omega2_2 = T(0.05) * b2_3 - T(0.1) * b2_1 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 + d4_3 * r_sdot4_1 - d4_1
-      * r_sdot4_3 + N2_2;
-  const T r_omega2_3 = T(0.1) * b2_2 - T(0.2) * b2_3 + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d4_1 * r_sdot4_2 - d4_2 *
-      r_sdot4_1 + N2_3;
+  const T r_omega2_2 = N2_2 + T(0.05) * b2_3 - T(0.1) * b2_1 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 + d4_3 * r_sdot4_1
+      - d4_1 * r_sdot4_3;
+  const T r_omega2_3 = N2_3 + T(0.1) * b2_2 - T(0.2) * b2_3 + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d4_1 * r_sdot4_2 -
+      d4_2 * r_sdot4_1;
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
@@ -2711,13 +2711,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
   const T b1_2 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
-  const T r_omega1_1 = T(0.2) * b1_1 - T(0.05) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3 - d5_3
-      * r_sdot5_2 + N1_1;
+  const T r_omega1_1 = N1_1 + T(0.2) * b1_1 - T(0.05) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3
+      - d5_3 * r_sdot5_2;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
-  const T r_omega1_2 = T(0.05) * b1_3 - T(0.1) * b1_1 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1 - d5_1
-      * r_sdot5_3 + N1_2;
-  const T r_omega1_3 = T(0.1) * b1_2 - T(0.2) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d5_1 * r_sdot5_2 - d5_2 *
-      r_sdot5_1 + N1_3;
+  const T r_omega1_2 = N1_2 + T(0.05) * b1_3 - T(0.1) * b1_1 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1
+      - d5_1 * r_sdot5_3;
+  const T r_omega1_3 = N1_3 + T(0.1) * b1_2 - T(0.2) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d5_1 * r_sdot5_2 -
+      d5_2 * r_sdot5_1;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2770,18 +2770,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t1_18 = U1_13 * T(0.1) + U1_23 * T(0.2) - minus_U1_33 * T(0.05);
   const T a1_1 = R1_11 * t1_16 + R1_21 * t1_17 + R1_31 * t1_18;
   const T a1_2 = R1_12 * t1_16 + R1_22 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18 + T(9.81);
+  const T a1_3 = T(9.81) + R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18;
   // G1 = -m1 a1 + F1: applied less inertia force, inertial axes [N]
   const T G1_1 = u.F_1_1 - T(1.1) * a1_1;
   const T G1_2 = u.F_1_2 - T(1.1) * a1_2;
   const T G1_3 = u.F_1_3 - T(1.1) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
-  const T N1_1 = T(0.04400000000000001) * U1_23 + T(0.0044) * (t1_14 - t1_13) - T(0.0033) * U1_12 + T(0.0055) * U1_13
-      + u.M_1_1;
-  const T N1_2 = u.M_1_2 - (T(0.022000000000000006) * U1_13 + T(0.0033) * (t1_13 - t1_15) + T(0.0055) * U1_23 +
-      T(0.0044) * U1_12);
-  const T N1_3 = T(0.0044) * U1_13 - (T(0.022000000000000006) * U1_12 + T(0.0055) * (t1_15 - t1_14)) + T(0.0033) *
-      U1_23 + u.M_1_3;
+  const T N1_1 = u.M_1_1 + T(0.04400000000000001) * U1_23 + T(0.0044) * (t1_14 - t1_13) - T(0.0033) * U1_12 +
+      T(0.0055) * U1_13;
+  const T N1_2 = u.M_1_2 - T(0.022000000000000006) * U1_13 - T(0.0033) * (t1_13 - t1_15) - T(0.0055) * U1_23 -
+      T(0.0044) * U1_12;
+  const T N1_3 = u.M_1_3 - T(0.022000000000000006) * U1_12 - T(0.0055) * (t1_15 - t1_14) + T(0.0044) * U1_13 +
+      T(0.0033) * U1_23;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2834,25 +2834,25 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
   const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
   const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
-  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21 + T(9.81);
+  const T Pddot2_3 = T(9.81) + R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21;
   // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t2_22 = U2_12 * T(0.2) - minus_U2_11 * T(0.1) + U2_13 * T(0.05);
   const T t2_23 = U2_12 * T(0.1) - minus_U2_22 * T(0.2) + U2_23 * T(0.05);
   const T t2_24 = U2_13 * T(0.1) + U2_23 * T(0.2) - minus_U2_33 * T(0.05);
-  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24;
   // G2 = -m2 a2 + F2: applied less inertia force, inertial axes [N]
   const T G2_1 = u.F_2_1 - T(1.2) * a2_1;
   const T G2_2 = u.F_2_2 - T(1.2) * a2_2;
   const T G2_3 = u.F_2_3 - T(1.2) * a2_3;
   // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment about the mass centre, body axes [N m]
-  const T N2_1 = T(0.04799999999999999) * U2_23 + T(0.0048) * (t2_14 - t2_13) - T(0.0036) * U2_12 + T(0.006) * U2_13 +
-      u.M_2_1;
-  const T N2_2 = u.M_2_2 - (T(0.023999999999999994) * U2_13 + T(0.0036) * (t2_13 - t2_15) + T(0.006) * U2_23 +
-      T(0.0048) * U2_12);
-  const T N2_3 = T(0.0048) * U2_13 - (T(0.023999999999999994) * U2_12 + T(0.006) * (t2_15 - t2_14)) + T(0.0036) *
-      U2_23 + u.M_2_3;
+  const T N2_1 = u.M_2_1 + T(0.04799999999999999) * U2_23 + T(0.0048) * (t2_14 - t2_13) - T(0.0036) * U2_12 + T(0.006)
+      * U2_13;
+  const T N2_2 = u.M_2_2 - T(0.023999999999999994) * U2_13 - T(0.0036) * (t2_13 - t2_15) - T(0.006) * U2_23 -
+      T(0.0048) * U2_12;
+  const T N2_3 = u.M_2_3 - T(0.023999999999999994) * U2_12 - T(0.006) * (t2_15 - t2_14) + T(0.0048) * U2_13 +
+      T(0.0036) * U2_23;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2903,27 +2903,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
   const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
   const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
-  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_22 = U3_12 * T(0.2) - minus_U3_11 * T(0.1) + U3_13 * T(0.05);
   const T t3_23 = U3_12 * T(0.1) - minus_U3_22 * T(0.2) + U3_23 * T(0.05);
   const T t3_24 = U3_13 * T(0.1) + U3_23 * T(0.2) - minus_U3_33 * T(0.05);
-  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24;
   // G3 = -m3 a3 + F3: applied less inertia force, inertial axes [N]
   const T G3_1 = u.F_3_1 - T(1.3) * a3_1;
   const T G3_2 = u.F_3_2 - T(1.3) * a3_2;
   const T G3_3 = u.F_3_3 - T(1.3) * a3_3;
   // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment about the mass centre, body axes [N m]
-  const T N3_1 = T(0.052000000000000005) * U3_23 + T(0.0052) * (t3_14 - t3_13) - T(0.0039) * U3_12 + T(0.0065) * U3_13
-      + u.M_3_1;
-  const T N3_2 = u.M_3_2 - (T(0.02600000000000001) * U3_13 + T(0.0039) * (t3_13 - t3_15) + T(0.0065) * U3_23 +
-      T(0.0052) * U3_12);
-  const T N3_3 = T(0.0052) * U3_13 - (T(0.025999999999999995) * U3_12 + T(0.0065) * (t3_15 - t3_14)) + T(0.0039) *
-      U3_23 + u.M_3_3;
+  const T N3_1 = u.M_3_1 + T(0.052000000000000005) * U3_23 + T(0.0052) * (t3_14 - t3_13) - T(0.0039) * U3_12 +
+      T(0.0065) * U3_13;
+  const T N3_2 = u.M_3_2 - T(0.02600000000000001) * U3_13 - T(0.0039) * (t3_13 - t3_15) - T(0.0065) * U3_23 -
+      T(0.0052) * U3_12;
+  const T N3_3 = u.M_3_3 - T(0.025999999999999995) * U3_12 - T(0.0065) * (t3_15 - t3_14) + T(0.0052) * U3_13 +
+      T(0.0039) * U3_23;
 
   // ---- body 4 (body_4) on body 2
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2974,27 +2974,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t4_19 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
   const T t4_20 = omega2_3 * t4_19 - omega2_1 * t4_16;
   const T t4_21 = omega2_1 * t4_17 - omega2_2 * t4_19;
-  const T Pddot4_1 = R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  const T Pddot4_1 = Pddot2_1 + R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21;
+  const T Pddot4_2 = Pddot2_2 + R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21;
+  const T Pddot4_3 = Pddot2_3 + R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = U4_12 * T(0.2) - minus_U4_11 * T(0.1) + U4_13 * T(0.05);
   const T t4_23 = U4_12 * T(0.1) - minus_U4_22 * T(0.2) + U4_23 * T(0.05);
   const T t4_24 = U4_13 * T(0.1) + U4_23 * T(0.2) - minus_U4_33 * T(0.05);
-  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24;
   // G4 = -m4 a4 + F4: applied less inertia force, inertial axes [N]
   const T G4_1 = u.F_4_1 - T(1.4) * a4_1;
   const T G4_2 = u.F_4_2 - T(1.4) * a4_2;
   const T G4_3 = u.F_4_3 - T(1.4) * a4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment about the mass centre, body axes [N m]
-  const T N4_1 = T(0.05600000000000001) * U4_23 + T(0.0056) * (t4_14 - t4_13) - T(0.0042) * U4_12 + T(0.007) * U4_13 +
-      u.M_4_1;
-  const T N4_2 = u.M_4_2 - (T(0.02800000000000001) * U4_13 + T(0.0042) * (t4_13 - t4_15) + T(0.007) * U4_23 +
-      T(0.0056) * U4_12);
-  const T N4_3 = T(0.0056) * U4_13 - (T(0.027999999999999997) * U4_12 + T(0.007) * (t4_15 - t4_14)) + T(0.0042) *
-      U4_23 + u.M_4_3;
+  const T N4_1 = u.M_4_1 + T(0.05600000000000001) * U4_23 + T(0.0056) * (t4_14 - t4_13) - T(0.0042) * U4_12 + T(0.007)
+      * U4_13;
+  const T N4_2 = u.M_4_2 - T(0.02800000000000001) * U4_13 - T(0.0042) * (t4_13 - t4_15) - T(0.007) * U4_23 - T(0.0056)
+      * U4_12;
+  const T N4_3 = u.M_4_3 - T(0.027999999999999997) * U4_12 - T(0.007) * (t4_15 - t4_14) + T(0.0056) * U4_13 +
+      T(0.0042) * U4_23;
 
   // ---- body 5 (body_5) on body 1
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -3047,22 +3047,22 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t5_21 = omega1_1 * t5_17 - omega1_2 * t5_19;
   const T Pddot5_1 = R1_11 * t5_18 + R1_21 * t5_20 + R1_31 * t5_21;
   const T Pddot5_2 = R1_12 * t5_18 + R1_22 * t5_20 + R1_32 * t5_21;
-  const T Pddot5_3 = R1_13 * t5_18 + R1_23 * t5_20 + R1_33 * t5_21 + T(9.81);
+  const T Pddot5_3 = T(9.81) + R1_13 * t5_18 + R1_23 * t5_20 + R1_33 * t5_21;
   // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_22 = U5_12 * T(0.2) - minus_U5_11 * T(0.1) + U5_13 * T(0.05);
   const T t5_23 = U5_12 * T(0.1) - minus_U5_22 * T(0.2) + U5_23 * T(0.05);
   const T t5_24 = U5_13 * T(0.1) + U5_23 * T(0.2) - minus_U5_33 * T(0.05);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24;
   // G5 = -m5 a5 + F5: applied less inertia force, inertial axes [N]
   const T G5_1 = u.F_5_1 - T(1.5) * a5_1;
   const T G5_2 = u.F_5_2 - T(1.5) * a5_2;
   const T G5_3 = u.F_5_3 - T(1.5) * a5_3;
   // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment about the mass centre, body axes [N m]
-  const T N5_1 = T(0.06) * U5_23 + T(0.006) * (t5_14 - t5_13) - T(0.0045) * U5_12 + T(0.0075) * U5_13 + u.M_5_1;
-  const T N5_2 = u.M_5_2 - (T(0.03) * U5_13 + T(0.0045) * (t5_13 - t5_15) + T(0.0075) * U5_23 + T(0.006) * U5_12);
-  const T N5_3 = T(0.006) * U5_13 - (T(0.03) * U5_12 + T(0.0075) * (t5_15 - t5_14)) + T(0.0045) * U5_23 + u.M_5_3;
+  const T N5_1 = u.M_5_1 + T(0.06) * U5_23 + T(0.006) * (t5_14 - t5_13) - T(0.0045) * U5_12 + T(0.0075) * U5_13;
+  const T N5_2 = u.M_5_2 - T(0.03) * U5_13 - T(0.0045) * (t5_13 - t5_15) - T(0.0075) * U5_23 - T(0.006) * U5_12;
+  const T N5_3 = u.M_5_3 - T(0.03) * U5_12 - T(0.0075) * (t5_15 - t5_14) + T(0.006) * U5_13 + T(0.0045) * U5_23;
 
   // ---- body 6 (body_6) on body 5
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -3113,33 +3113,33 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t6_19 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
   const T t6_20 = omega5_3 * t6_19 - omega5_1 * t6_16;
   const T t6_21 = omega5_1 * t6_17 - omega5_2 * t6_19;
-  const T Pddot6_1 = R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21 + Pddot5_3;
+  const T Pddot6_1 = Pddot5_1 + R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21;
+  const T Pddot6_2 = Pddot5_2 + R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21;
+  const T Pddot6_3 = Pddot5_3 + R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_22 = U6_12 * T(0.2) - minus_U6_11 * T(0.1) + U6_13 * T(0.05);
   const T t6_23 = U6_12 * T(0.1) - minus_U6_22 * T(0.2) + U6_23 * T(0.05);
   const T t6_24 = U6_13 * T(0.1) + U6_23 * T(0.2) - minus_U6_33 * T(0.05);
-  const T a6_1 = R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24;
+  const T a6_2 = Pddot6_2 + R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24;
+  const T a6_3 = Pddot6_3 + R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24;
   // G6 = -m6 a6 + F6: applied less inertia force, inertial axes [N]
   const T G6_1 = u.F_6_1 - T(1.6) * a6_1;
   const T G6_2 = u.F_6_2 - T(1.6) * a6_2;
   const T G6_3 = u.F_6_3 - T(1.6) * a6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment about the mass centre, body axes [N m]
-  const T N6_1 = T(0.064) * U6_23 + T(0.0064) * (t6_14 - t6_13) - T(0.0048) * U6_12 + T(0.008) * U6_13 + u.M_6_1;
-  const T N6_2 = u.M_6_2 - (T(0.032) * U6_13 + T(0.0048) * (t6_13 - t6_15) + T(0.008) * U6_23 + T(0.0064) * U6_12);
-  const T N6_3 = T(0.0064) * U6_13 - (T(0.032) * U6_12 + T(0.008) * (t6_15 - t6_14)) + T(0.0048) * U6_23 + u.M_6_3;
+  const T N6_1 = u.M_6_1 + T(0.064) * U6_23 + T(0.0064) * (t6_14 - t6_13) - T(0.0048) * U6_12 + T(0.008) * U6_13;
+  const T N6_2 = u.M_6_2 - T(0.032) * U6_13 - T(0.0048) * (t6_13 - t6_15) - T(0.008) * U6_23 - T(0.0064) * U6_12;
+  const T N6_3 = u.M_6_3 - T(0.032) * U6_12 - T(0.008) * (t6_15 - t6_14) + T(0.0064) * U6_13 + T(0.0048) * U6_23;
 
   // ---- body 6 (body_6) and what it carries
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
   const T b6_2 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
-  const T f_omega6_1 = T(0.2) * b6_1 - T(0.05) * b6_2 + N6_1;
+  const T f_omega6_1 = N6_1 + T(0.2) * b6_1 - T(0.05) * b6_2;
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
-  const T f_omega6_2 = T(0.05) * b6_3 - T(0.1) * b6_1 + N6_2;
-  const T f_omega6_3 = T(0.1) * b6_2 - T(0.2) * b6_3 + N6_3;
+  const T f_omega6_2 = N6_2 + T(0.05) * b6_3 - T(0.1) * b6_1;
+  const T f_omega6_3 = N6_3 + T(0.1) * b6_2 - T(0.2) * b6_3;
   f[15] = f_omega6_1;
   f[16] = f_omega6_2;
   f[17] = f_omega6_3;
@@ -3159,10 +3159,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
   const T b5_2 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
-  const T f_omega5_1 = T(0.2) * b5_1 - T(0.05) * b5_2 + d6_2 * f_sdot6_3 - d6_3 * f_sdot6_2 + N5_1;
+  const T f_omega5_1 = N5_1 + T(0.2) * b5_1 - T(0.05) * b5_2 + d6_2 * f_sdot6_3 - d6_3 * f_sdot6_2;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T f_omega5_2 = T(0.05) * b5_3 - T(0.1) * b5_1 + d6_3 * f_sdot6_1 - d6_1 * f_sdot6_3 + N5_2;
-  const T f_omega5_3 = T(0.1) * b5_2 - T(0.2) * b5_3 + d6_1 * f_sdot6_2 - d6_2 * f_sdot6_1 + N5_3;
+  const T f_omega5_2 = N5_2 + T(0.05) * b5_3 - T(0.1) * b5_1 + d6_3 * f_sdot6_1 - d6_1 * f_sdot6_3;
+  const T f_omega5_3 = N5_3 + T(0.1) * b5_2 - T(0.2) * b5_3 + d6_1 * f_sdot6_2 - d6_2 * f_sdot6_1;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
@@ -3178,10 +3178,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_31 * G4_1 + R4_32 * G4_2 + R4_33 * G4_3;
   const T b4_2 = R4_21 * G4_1 + R4_22 * G4_2 + R4_23 * G4_3;
-  const T f_omega4_1 = T(0.2) * b4_1 - T(0.05) * b4_2 + N4_1;
+  const T f_omega4_1 = N4_1 + T(0.2) * b4_1 - T(0.05) * b4_2;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
-  const T f_omega4_2 = T(0.05) * b4_3 - T(0.1) * b4_1 + N4_2;
-  const T f_omega4_3 = T(0.1) * b4_2 - T(0.2) * b4_3 + N4_3;
+  const T f_omega4_2 = N4_2 + T(0.05) * b4_3 - T(0.1) * b4_1;
+  const T f_omega4_3 = N4_3 + T(0.1) * b4_2 - T(0.2) * b4_3;
   f[9] = f_omega4_1;
   f[10] = f_omega4_2;
   f[11] = f_omega4_3;
@@ -3197,10 +3197,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
   const T b3_2 = R3_21 * G3_1 + R3_22 * G3_2 + R3_23 * G3_3;
-  const T f_omega3_1 = T(0.2) * b3_1 - T(0.05) * b3_2 + N3_1;
+  const T f_omega3_1 = N3_1 + T(0.2) * b3_1 - T(0.05) * b3_2;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T f_omega3_2 = T(0.05) * b3_3 - T(0.1) * b3_1 + N3_2;
-  const T f_omega3_3 = T(0.1) * b3_2 - T(0.2) * b3_3 + N3_3;
+  const T f_omega3_2 = N3_2 + T(0.05) * b3_3 - T(0.1) * b3_1;
+  const T f_omega3_3 = N3_3 + T(0.1) * b3_2 - T(0.2) * b3_3;
   f[6] = f_omega3_1;
   f[7] = f_omega3_2;
   f[8] = f_omega3_3;
@@ -3220,13 +3220,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
   const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
-  const T f_omega2_1 = T(0.2) * b2_1 - T(0.05) * b2_2 + d3_2 * f_sdot3_3 - d3_3 * f_sdot3_2 + d4_2 * f_sdot4_3 - d4_3
-      * f_sdot4_2 + N2_1;
+  const T f_omega2_1 = N2_1 + T(0.2) * b2_1 - T(0.05) * b2_2 + d3_2 * f_sdot3_3 - d3_3 * f_sdot3_2 + d4_2 * f_sdot4_3
+      - d4_3 * f_sdot4_2;
   const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
-  const T f_omega2_2 = T(0.05) * b2_3 - T(0.1) * b2_1 + d3_3 * f_sdot3_1 - d3_1 * f_sdot3_3 + d4_3 * f_sdot4_1 - d4_1
-      * f_sdot4_3 + N2_2;
-  const T f_omega2_3 = T(0.1) * b2_2 - T(0.2) * b2_3 + d3_1 * f_sdot3_2 - d3_2 * f_sdot3_1 + d4_1 * f_sdot4_2 - d4_2 *
-      f_sdot4_1 + N2_3;
+  const T f_omega2_2 = N2_2 + T(0.05) * b2_3 - T(0.1) * b2_1 + d3_3 * f_sdot3_1 - d3_1 * f_sdot3_3 + d4_3 * f_sdot4_1
+      - d4_1 * f_sdot4_3;
+  const T f_omega2_3 = N2_3 + T(0.1) * b2_2 - T(0.2) * b2_3 + d3_1 * f_sdot3_2 - d3_2 * f_sdot3_1 + d4_1 * f_sdot4_2 -
+      d4_2 * f_sdot4_1;
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
@@ -3249,13 +3249,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
   const T b1_2 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
-  const T f_omega1_1 = T(0.2) * b1_1 - T(0.05) * b1_2 + d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 + d5_2 * f_sdot5_3 - d5_3
-      * f_sdot5_2 + N1_1;
+  const T f_omega1_1 = N1_1 + T(0.2) * b1_1 - T(0.05) * b1_2 + d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 + d5_2 * f_sdot5_3
+      - d5_3 * f_sdot5_2;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
-  const T f_omega1_2 = T(0.05) * b1_3 - T(0.1) * b1_1 + d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 + d5_3 * f_sdot5_1 - d5_1
-      * f_sdot5_3 + N1_2;
-  const T f_omega1_3 = T(0.1) * b1_2 - T(0.2) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d5_1 * f_sdot5_2 - d5_2 *
-      f_sdot5_1 + N1_3;
+  const T f_omega1_2 = N1_2 + T(0.05) * b1_3 - T(0.1) * b1_1 + d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 + d5_3 * f_sdot5_1
+      - d5_1 * f_sdot5_3;
+  const T f_omega1_3 = N1_3 + T(0.1) * b1_2 - T(0.2) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d5_1 * f_sdot5_2 -
+      d5_2 * f_sdot5_1;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 854b3153ab485e63 of bench_s6r/scene.toml; the usual functions
+// model 2f54409fd52cdc84 of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -22,7 +22,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              23 (8 add, 15 multiply)
@@ -39,6 +40,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::bench_s6r {
 
@@ -47,7 +129,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "854b3153ab485e63";
+inline constexpr char model_hash[] = "2f54409fd52cdc84";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -149,7 +231,9 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T
 // 128 add, 135 multiply, 10 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -193,20 +277,19 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[56] = R1_33;
   // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
   const T t1_13 = R1_31 * T(0.05);
-  const T p1_1 = s1_1 + R1_11 * T(0.1) + R1_21 * T(0.2) + t1_13;
+  const T p1_1 = s1_1 + t1_13 + R1_11 * T(0.1) + R1_21 * T(0.2);
   const T t1_14 = R1_32 * T(0.05);
-  const T p1_2 = s1_2 + R1_12 * T(0.1) + R1_22 * T(0.2) + t1_14;
+  const T p1_2 = s1_2 + t1_14 + R1_12 * T(0.1) + R1_22 * T(0.2);
   const T t1_15 = R1_33 * T(0.05);
-  const T p1_3 = s1_3 + R1_13 * T(0.1) + R1_23 * T(0.2) + t1_15;
+  const T p1_3 = s1_3 + t1_15 + R1_13 * T(0.1) + R1_23 * T(0.2);
   pose[9] = p1_1;
   pose[10] = p1_2;
   pose[11] = p1_3;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_11 = R1_11 * E2_11 + R1_21 * E2_12;
   const T R2_12 = R1_12 * E2_11 + R1_22 * E2_12;
@@ -228,13 +311,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[41] = R2_23;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
   const T t2_1 = R1_31 * T(0.1);
-  const T t2_2 = s1_1 + R1_11 * T(0.3) + t2_1;
+  const T t2_2 = t2_1 + s1_1 + R1_11 * T(0.3);
   const T P2_1 = t2_2 + R1_21 * T(0.1);
   const T t2_3 = R1_32 * T(0.1);
-  const T t2_4 = s1_2 + R1_12 * T(0.3) + t2_3;
+  const T t2_4 = t2_3 + s1_2 + R1_12 * T(0.3);
   const T P2_2 = t2_4 + R1_22 * T(0.1);
   const T t2_5 = R1_33 * T(0.1);
-  const T t2_6 = s1_3 + R1_13 * T(0.3) + t2_5;
+  const T t2_6 = t2_5 + s1_3 + R1_13 * T(0.3);
   const T P2_3 = t2_6 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_7 = R2_11 * T(0.1);
@@ -254,10 +337,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[23] = p2_3;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = R2_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R2_22 * E3_22 + R1_32 * E3_23;
@@ -273,24 +355,23 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[32] = R3_33;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = t2_1 + R2_11 * T(0.3);
-  const T P3_1 = t3_1 + R2_21 * T(0.15) + P2_1;
+  const T P3_1 = t3_1 + P2_1 + R2_21 * T(0.15);
   const T t3_2 = t2_3 + R2_12 * T(0.3);
-  const T P3_2 = t3_2 + R2_22 * T(0.15) + P2_2;
+  const T P3_2 = t3_2 + P2_2 + R2_22 * T(0.15);
   const T t3_3 = t2_5 + R2_13 * T(0.3);
-  const T P3_3 = t3_3 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_3 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = t2_7 + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = t2_10 + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = t2_13 + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = t2_7 + P3_1 + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = t2_10 + P3_2 + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = t2_13 + P3_3 + R3_23 * T(0.2) + R3_33 * T(0.05);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R2^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R1_31 * minus_E4_13;
   const T R4_12 = R2_12 * E4_11 - R1_32 * minus_E4_13;
@@ -309,18 +390,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P4_2 = t3_2 + t2_12;
   const T P4_3 = t3_3 + t2_15;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + t2_8 + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + t2_11 + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + t2_14 + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = t2_8 + P4_1 + R4_11 * T(0.1) + R4_31 * T(0.05);
+  const T p4_2 = t2_11 + P4_2 + R4_12 * T(0.1) + R4_32 * T(0.05);
+  const T p4_3 = t2_14 + P4_3 + R4_13 * T(0.1) + R4_33 * T(0.05);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // R5^T = R1^T E5^T: R takes inertial components to body components
   const T R5_11 = R1_11 * E5_11 + R1_21 * E5_12;
   const T R5_12 = R1_12 * E5_11 + R1_22 * E5_12;
@@ -343,20 +423,19 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P5_3 = t2_6 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_1 = R5_11 * T(0.1);
-  const T p5_1 = t5_1 + R5_21 * T(0.2) + t1_13 + P5_1;
+  const T p5_1 = t5_1 + t1_13 + P5_1 + R5_21 * T(0.2);
   const T t5_2 = R5_12 * T(0.1);
-  const T p5_2 = t5_2 + R5_22 * T(0.2) + t1_14 + P5_2;
+  const T p5_2 = t5_2 + t1_14 + P5_2 + R5_22 * T(0.2);
   const T t5_3 = R5_13 * T(0.1);
-  const T p5_3 = t5_3 + R5_23 * T(0.2) + t1_15 + P5_3;
+  const T p5_3 = t5_3 + t1_15 + P5_3 + R5_23 * T(0.2);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R1_32 * E6_23;
@@ -371,13 +450,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[67] = R6_32;
   pose[68] = R6_33;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + t2_1 + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + t2_3 + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + t2_5 + P5_3;
+  const T P6_1 = t2_1 + P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3);
+  const T P6_2 = t2_3 + P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3);
+  const T P6_3 = t2_5 + P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = t5_1 + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = t5_2 + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = t5_3 + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = t5_1 + P6_1 + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = t5_2 + P6_2 + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = t5_3 + P6_3 + R6_23 * T(0.2) + R6_33 * T(0.05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -388,7 +467,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 285 add, 365 multiply, 10 sine or cosine
 template <class T>
 void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -419,7 +500,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T R1_33 = t1_10 - t1_2;
   // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
   const T t1_13 = R1_33 * T(0.05);
-  const T p1_3 = s1_3 + R1_13 * T(0.1) + R1_23 * T(0.2) + t1_13;
+  const T p1_3 = s1_3 + t1_13 + R1_13 * T(0.1) + R1_23 * T(0.2);
   // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
   const T t1_14 = omega1_2 * T(0.05) - omega1_3 * T(0.2);
   const T t1_15 = omega1_3 * T(0.1);
@@ -435,11 +516,10 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
       T(0.0044) * omega1_2 + T(0.088) * omega1_3)) + T(0.55) * (v1_1 * v1_1 + v1_2 * v1_2 + v1_3 * v1_3);
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_11 = R1_11 * E2_11 + R1_21 * E2_12;
   const T R2_12 = R1_12 * E2_11 + R1_22 * E2_12;
@@ -453,7 +533,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega2_3 = thetadot2 + omega1_3;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
   const T t2_1 = R1_33 * T(0.1);
-  const T t2_2 = s1_3 + R1_13 * T(0.3) + t2_1;
+  const T t2_2 = t2_1 + s1_3 + R1_13 * T(0.3);
   const T P2_3 = t2_2 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_3 = R2_13 * T(0.1);
@@ -479,20 +559,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_17 = omega2_1 * T(0.2);
   const T t2_18 = omega2_2 * T(0.1);
   const T t2_19 = t2_17 - t2_18;
-  const T v2_1 = R2_11 * t2_15 + R2_21 * t2_16 + R1_31 * t2_19 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_15 + R2_22 * t2_16 + R1_32 * t2_19 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_15 + R2_23 * t2_16 + R1_33 * t2_19 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_15 + R2_21 * t2_16 + R1_31 * t2_19;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_15 + R2_22 * t2_16 + R1_32 * t2_19;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_15 + R2_23 * t2_16 + R1_33 * t2_19;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.12) * omega2_1 + T(0.006) * omega2_2 + T(0.0036) * omega2_3) + omega2_2 *
       (T(0.006) * omega2_1 + T(0.144) * omega2_2 - T(0.0048) * omega2_3) + omega2_3 * (T(0.0036) * omega2_1 -
       T(0.0048) * omega2_2 + T(0.096) * omega2_3)) + T(0.6) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = R2_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R2_22 * E3_22 + R1_32 * E3_23;
@@ -506,9 +585,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega3_3 = E3_22 * omega2_3 - E3_23 * omega2_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = t2_1 + R2_13 * T(0.3);
-  const T P3_3 = t3_1 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_1 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = t2_3 + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_3 = t2_3 + P3_3 + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_2 = t2_18 - omega2_3 * T(0.15);
   const T t3_3 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
@@ -524,20 +603,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t3_9 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_10 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_11 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R2_11 * t3_9 + R3_21 * t3_10 + R3_31 * t3_11 + Pdot3_1;
-  const T v3_2 = R2_12 * t3_9 + R3_22 * t3_10 + R3_32 * t3_11 + Pdot3_2;
-  const T v3_3 = R2_13 * t3_9 + R3_23 * t3_10 + R3_33 * t3_11 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_11 * t3_9 + R3_21 * t3_10 + R3_31 * t3_11;
+  const T v3_2 = Pdot3_2 + R2_12 * t3_9 + R3_22 * t3_10 + R3_32 * t3_11;
+  const T v3_3 = Pdot3_3 + R2_13 * t3_9 + R3_23 * t3_10 + R3_33 * t3_11;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.13) * omega3_1 + T(0.0065) * omega3_2 + T(0.0039) * omega3_3) + omega3_2 *
       (T(0.0065) * omega3_1 + T(0.156) * omega3_2 - T(0.0052) * omega3_3) + omega3_3 * (T(0.0039) * omega3_1 -
       T(0.0052) * omega3_2 + T(0.104) * omega3_3)) + T(0.65) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R2^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R1_31 * minus_E4_13;
   const T R4_12 = R2_12 * E4_11 - R1_32 * minus_E4_13;
@@ -552,7 +630,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P4 = R2^T q4 + P2: position of the body origin, inertial axes [m]
   const T P4_3 = t3_1 + t2_5;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.1) + t2_4 + R4_33 * T(0.05) + P4_3;
+  const T p4_3 = t2_4 + P4_3 + R4_13 * T(0.1) + R4_33 * T(0.05);
   // Pdot4 = R2^T omega2~ q4 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = t2_18 - t2_14;
   const T t4_2 = t2_17 - t3_5;
@@ -563,20 +641,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t4_3 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_4 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_5 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_3 + R2_21 * t4_4 + R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_3 + R2_22 * t4_4 + R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_3 + R2_23 * t4_4 + R4_33 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_3 + R2_21 * t4_4 + R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_3 + R2_22 * t4_4 + R4_32 * t4_5;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_3 + R2_23 * t4_4 + R4_33 * t4_5;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.14) * omega4_1 + T(0.007) * omega4_2 + T(0.0042) * omega4_3) + omega4_2 *
       (T(0.007) * omega4_1 + T(0.168) * omega4_2 - T(0.0056) * omega4_3) + omega4_3 * (T(0.0042) * omega4_1 -
       T(0.0056) * omega4_2 + T(0.112) * omega4_3)) + T(0.7) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // R5^T = R1^T E5^T: R takes inertial components to body components
   const T R5_11 = R1_11 * E5_11 + R1_21 * E5_12;
   const T R5_12 = R1_12 * E5_11 + R1_22 * E5_12;
@@ -592,7 +669,7 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T P5_3 = t2_2 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_1 = R5_13 * T(0.1);
-  const T p5_3 = t5_1 + R5_23 * T(0.2) + t1_13 + P5_3;
+  const T p5_3 = t5_1 + t1_13 + P5_3 + R5_23 * T(0.2);
   // Pdot5 = sdot1 + R1^T omega1~ q5: velocity of the body origin, inertial axes [m/s]
   const T t5_2 = t1_17 - omega1_3 * T(0.25);
   const T t5_3 = omega1_1 * T(0.25) - t2_10;
@@ -604,20 +681,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t5_5 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_6 = omega5_2 * T(0.1);
   const T t5_7 = omega5_1 * T(0.2) - t5_6;
-  const T v5_1 = R5_11 * t5_4 + R5_21 * t5_5 + R1_31 * t5_7 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_4 + R5_22 * t5_5 + R1_32 * t5_7 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_4 + R5_23 * t5_5 + R1_33 * t5_7 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_4 + R5_21 * t5_5 + R1_31 * t5_7;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_4 + R5_22 * t5_5 + R1_32 * t5_7;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_4 + R5_23 * t5_5 + R1_33 * t5_7;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.15) * omega5_1 + T(0.0075) * omega5_2 + T(0.0045) * omega5_3) + omega5_2 *
       (T(0.0075) * omega5_1 + T(0.18) * omega5_2 - T(0.006) * omega5_3) + omega5_3 * (T(0.0045) * omega5_1 - T(0.006)
       * omega5_2 + T(0.12) * omega5_3)) + T(0.75) * (v5_1 * v5_1 + v5_2 * v5_2 + v5_3 * v5_3);
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R1_32 * E6_23;
@@ -630,24 +706,24 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
   const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + t2_1 + P5_3;
+  const T P6_3 = t2_1 + P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = t5_1 + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_3 = t5_1 + P6_3 + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega5_3 * T(0.3);
   const T t6_2 = t5_6 - t6_1;
   const T t6_3 = t6_1 - omega5_1 * T(0.1);
   const T t6_4 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_2 + R5_21 * t6_3 + R1_31 * t6_4 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_2 + R5_22 * t6_3 + R1_32 * t6_4 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_2 + R5_23 * t6_3 + R1_33 * t6_4 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_2 + R5_21 * t6_3 + R1_31 * t6_4;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_2 + R5_22 * t6_3 + R1_32 * t6_4;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_2 + R5_23 * t6_3 + R1_33 * t6_4;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_5 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_6 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_7 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R5_11 * t6_5 + R6_21 * t6_6 + R6_31 * t6_7 + Pdot6_1;
-  const T v6_2 = R5_12 * t6_5 + R6_22 * t6_6 + R6_32 * t6_7 + Pdot6_2;
-  const T v6_3 = R5_13 * t6_5 + R6_23 * t6_6 + R6_33 * t6_7 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R5_11 * t6_5 + R6_21 * t6_6 + R6_31 * t6_7;
+  const T v6_2 = Pdot6_2 + R5_12 * t6_5 + R6_22 * t6_6 + R6_32 * t6_7;
+  const T v6_3 = Pdot6_3 + R5_13 * t6_5 + R6_23 * t6_6 + R6_33 * t6_7;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.16) * omega6_1 + T(0.008) * omega6_2 + T(0.0048) * omega6_3) + omega6_2 *
       (T(0.008) * omega6_1 + T(0.192) * omega6_2 - T(0.0064) * omega6_3) + omega6_3 * (T(0.0048) * omega6_1 -
@@ -669,7 +745,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 // 405 add, 460 multiply, 10 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -700,11 +778,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T R1_33 = t1_10 - t1_2;
   // p1 = s1 + R1^T r1: position of the mass centre, inertial axes [m]
   const T t1_13 = R1_31 * T(0.05);
-  const T p1_1 = s1_1 + R1_11 * T(0.1) + R1_21 * T(0.2) + t1_13;
+  const T p1_1 = s1_1 + t1_13 + R1_11 * T(0.1) + R1_21 * T(0.2);
   const T t1_14 = R1_32 * T(0.05);
-  const T p1_2 = s1_2 + R1_12 * T(0.1) + R1_22 * T(0.2) + t1_14;
+  const T p1_2 = s1_2 + t1_14 + R1_12 * T(0.1) + R1_22 * T(0.2);
   const T t1_15 = R1_33 * T(0.05);
-  const T p1_3 = s1_3 + R1_13 * T(0.1) + R1_23 * T(0.2) + t1_15;
+  const T p1_3 = s1_3 + t1_15 + R1_13 * T(0.1) + R1_23 * T(0.2);
   // v1 = sdot1 + R1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
   const T t1_16 = omega1_2 * T(0.05) - omega1_3 * T(0.2);
   const T t1_17 = omega1_3 * T(0.1);
@@ -727,11 +805,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H1_3 = R1_13 * t1_21 + R1_23 * t1_22 + R1_33 * t1_23 + p1_1 * l1_2 - p1_2 * l1_1;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_11 = R1_11 * E2_11 + R1_21 * E2_12;
   const T R2_12 = R1_12 * E2_11 + R1_22 * E2_12;
@@ -745,13 +822,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega2_3 = thetadot2 + omega1_3;
   // P2 = s1 + R1^T q2: position of the body origin, inertial axes [m]
   const T t2_1 = R1_31 * T(0.1);
-  const T t2_2 = s1_1 + R1_11 * T(0.3) + t2_1;
+  const T t2_2 = t2_1 + s1_1 + R1_11 * T(0.3);
   const T P2_1 = t2_2 + R1_21 * T(0.1);
   const T t2_3 = R1_32 * T(0.1);
-  const T t2_4 = s1_2 + R1_12 * T(0.3) + t2_3;
+  const T t2_4 = t2_3 + s1_2 + R1_12 * T(0.3);
   const T P2_2 = t2_4 + R1_22 * T(0.1);
   const T t2_5 = R1_33 * T(0.1);
-  const T t2_6 = s1_3 + R1_13 * T(0.3) + t2_5;
+  const T t2_6 = t2_5 + s1_3 + R1_13 * T(0.3);
   const T P2_3 = t2_6 + R1_23 * T(0.1);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_7 = R2_11 * T(0.1);
@@ -785,9 +862,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_27 = omega2_1 * T(0.2);
   const T t2_28 = omega2_2 * T(0.1);
   const T t2_29 = t2_27 - t2_28;
-  const T v2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R1_31 * t2_29 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R1_32 * t2_29 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R1_33 * t2_29 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_25 + R2_21 * t2_26 + R1_31 * t2_29;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_25 + R2_22 * t2_26 + R1_32 * t2_29;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_25 + R2_23 * t2_26 + R1_33 * t2_29;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(1.2) * v2_1;
   const T l2_2 = T(1.2) * v2_2;
@@ -801,11 +878,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H2_3 = R2_13 * t2_30 + R2_23 * t2_31 + R1_33 * t2_32 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = R2_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R2_22 * E3_22 + R1_32 * E3_23;
@@ -819,15 +895,15 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega3_3 = E3_22 * omega2_3 - E3_23 * omega2_2;
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T t3_1 = t2_1 + R2_11 * T(0.3);
-  const T P3_1 = t3_1 + R2_21 * T(0.15) + P2_1;
+  const T P3_1 = t3_1 + P2_1 + R2_21 * T(0.15);
   const T t3_2 = t2_3 + R2_12 * T(0.3);
-  const T P3_2 = t3_2 + R2_22 * T(0.15) + P2_2;
+  const T P3_2 = t3_2 + P2_2 + R2_22 * T(0.15);
   const T t3_3 = t2_5 + R2_13 * T(0.3);
-  const T P3_3 = t3_3 + R2_23 * T(0.15) + P2_3;
+  const T P3_3 = t3_3 + P2_3 + R2_23 * T(0.15);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = t2_7 + R3_21 * T(0.2) + R3_31 * T(0.05) + P3_1;
-  const T p3_2 = t2_10 + R3_22 * T(0.2) + R3_32 * T(0.05) + P3_2;
-  const T p3_3 = t2_13 + R3_23 * T(0.2) + R3_33 * T(0.05) + P3_3;
+  const T p3_1 = t2_7 + P3_1 + R3_21 * T(0.2) + R3_31 * T(0.05);
+  const T p3_2 = t2_10 + P3_2 + R3_22 * T(0.2) + R3_32 * T(0.05);
+  const T p3_3 = t2_13 + P3_3 + R3_23 * T(0.2) + R3_33 * T(0.05);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_4 = t2_28 - omega2_3 * T(0.15);
   const T t3_5 = omega2_3 * T(0.3) - omega2_1 * T(0.1);
@@ -843,9 +919,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t3_11 = omega3_2 * T(0.05) - omega3_3 * T(0.2);
   const T t3_12 = omega3_3 * T(0.1) - omega3_1 * T(0.05);
   const T t3_13 = omega3_1 * T(0.2) - omega3_2 * T(0.1);
-  const T v3_1 = R2_11 * t3_11 + R3_21 * t3_12 + R3_31 * t3_13 + Pdot3_1;
-  const T v3_2 = R2_12 * t3_11 + R3_22 * t3_12 + R3_32 * t3_13 + Pdot3_2;
-  const T v3_3 = R2_13 * t3_11 + R3_23 * t3_12 + R3_33 * t3_13 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_11 * t3_11 + R3_21 * t3_12 + R3_31 * t3_13;
+  const T v3_2 = Pdot3_2 + R2_12 * t3_11 + R3_22 * t3_12 + R3_32 * t3_13;
+  const T v3_3 = Pdot3_3 + R2_13 * t3_11 + R3_23 * t3_12 + R3_33 * t3_13;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.3) * v3_1;
   const T l3_2 = T(1.3) * v3_2;
@@ -859,11 +935,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H3_3 = R2_13 * t3_14 + R3_23 * t3_15 + R3_33 * t3_16 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R2^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R1_31 * minus_E4_13;
   const T R4_12 = R2_12 * E4_11 - R1_32 * minus_E4_13;
@@ -880,9 +955,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P4_2 = t3_2 + t2_12;
   const T P4_3 = t3_3 + t2_15;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.1) + t2_8 + R4_31 * T(0.05) + P4_1;
-  const T p4_2 = R4_12 * T(0.1) + t2_11 + R4_32 * T(0.05) + P4_2;
-  const T p4_3 = R4_13 * T(0.1) + t2_14 + R4_33 * T(0.05) + P4_3;
+  const T p4_1 = t2_8 + P4_1 + R4_11 * T(0.1) + R4_31 * T(0.05);
+  const T p4_2 = t2_11 + P4_2 + R4_12 * T(0.1) + R4_32 * T(0.05);
+  const T p4_3 = t2_14 + P4_3 + R4_13 * T(0.1) + R4_33 * T(0.05);
   // Pdot4 = R2^T omega2~ q4 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = t2_28 - t2_24;
   const T t4_2 = t2_27 - t3_7;
@@ -893,9 +968,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t4_3 = omega4_2 * T(0.05) - omega4_3 * T(0.2);
   const T t4_4 = omega4_3 * T(0.1) - omega4_1 * T(0.05);
   const T t4_5 = omega4_1 * T(0.2) - omega4_2 * T(0.1);
-  const T v4_1 = R4_11 * t4_3 + R2_21 * t4_4 + R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_3 + R2_22 * t4_4 + R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_3 + R2_23 * t4_4 + R4_33 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_3 + R2_21 * t4_4 + R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_3 + R2_22 * t4_4 + R4_32 * t4_5;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_3 + R2_23 * t4_4 + R4_33 * t4_5;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.4) * v4_1;
   const T l4_2 = T(1.4) * v4_2;
@@ -909,11 +984,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H4_3 = R4_13 * t4_6 + R2_23 * t4_7 + R4_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // R5^T = R1^T E5^T: R takes inertial components to body components
   const T R5_11 = R1_11 * E5_11 + R1_21 * E5_12;
   const T R5_12 = R1_12 * E5_11 + R1_22 * E5_12;
@@ -931,11 +1005,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_3 = t2_6 + R1_23 * T(0.25);
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
   const T t5_1 = R5_11 * T(0.1);
-  const T p5_1 = t5_1 + R5_21 * T(0.2) + t1_13 + P5_1;
+  const T p5_1 = t5_1 + t1_13 + P5_1 + R5_21 * T(0.2);
   const T t5_2 = R5_12 * T(0.1);
-  const T p5_2 = t5_2 + R5_22 * T(0.2) + t1_14 + P5_2;
+  const T p5_2 = t5_2 + t1_14 + P5_2 + R5_22 * T(0.2);
   const T t5_3 = R5_13 * T(0.1);
-  const T p5_3 = t5_3 + R5_23 * T(0.2) + t1_15 + P5_3;
+  const T p5_3 = t5_3 + t1_15 + P5_3 + R5_23 * T(0.2);
   // Pdot5 = sdot1 + R1^T omega1~ q5: velocity of the body origin, inertial axes [m/s]
   const T t5_4 = t1_19 - omega1_3 * T(0.25);
   const T t5_5 = omega1_1 * T(0.25) - t2_20;
@@ -947,9 +1021,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t5_7 = omega5_3 * T(0.1) - omega5_1 * T(0.05);
   const T t5_8 = omega5_2 * T(0.1);
   const T t5_9 = omega5_1 * T(0.2) - t5_8;
-  const T v5_1 = R5_11 * t5_6 + R5_21 * t5_7 + R1_31 * t5_9 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_6 + R5_22 * t5_7 + R1_32 * t5_9 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_6 + R5_23 * t5_7 + R1_33 * t5_9 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_6 + R5_21 * t5_7 + R1_31 * t5_9;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_6 + R5_22 * t5_7 + R1_32 * t5_9;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_6 + R5_23 * t5_7 + R1_33 * t5_9;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.5) * v5_1;
   const T l5_2 = T(1.5) * v5_2;
@@ -963,11 +1037,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H5_3 = R5_13 * t5_10 + R5_23 * t5_11 + R1_33 * t5_12 + p5_1 * l5_2 - p5_2 * l5_1;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R1_32 * E6_23;
@@ -980,28 +1053,28 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T omega6_2 = E6_22 * omega5_2 + E6_23 * omega5_3;
   const T omega6_3 = E6_22 * omega5_3 - E6_23 * omega5_2;
   // P6 = R5^T q6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * T(0.3) + R5_21 * T(0.3) + t2_1 + P5_1;
-  const T P6_2 = R5_12 * T(0.3) + R5_22 * T(0.3) + t2_3 + P5_2;
-  const T P6_3 = R5_13 * T(0.3) + R5_23 * T(0.3) + t2_5 + P5_3;
+  const T P6_1 = t2_1 + P5_1 + R5_11 * T(0.3) + R5_21 * T(0.3);
+  const T P6_2 = t2_3 + P5_2 + R5_12 * T(0.3) + R5_22 * T(0.3);
+  const T P6_3 = t2_5 + P5_3 + R5_13 * T(0.3) + R5_23 * T(0.3);
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = t5_1 + R6_21 * T(0.2) + R6_31 * T(0.05) + P6_1;
-  const T p6_2 = t5_2 + R6_22 * T(0.2) + R6_32 * T(0.05) + P6_2;
-  const T p6_3 = t5_3 + R6_23 * T(0.2) + R6_33 * T(0.05) + P6_3;
+  const T p6_1 = t5_1 + P6_1 + R6_21 * T(0.2) + R6_31 * T(0.05);
+  const T p6_2 = t5_2 + P6_2 + R6_22 * T(0.2) + R6_32 * T(0.05);
+  const T p6_3 = t5_3 + P6_3 + R6_23 * T(0.2) + R6_33 * T(0.05);
   // Pdot6 = R5^T omega5~ q6 + Pdot5: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega5_3 * T(0.3);
   const T t6_2 = t5_8 - t6_1;
   const T t6_3 = t6_1 - omega5_1 * T(0.1);
   const T t6_4 = omega5_1 * T(0.3) - omega5_2 * T(0.3);
-  const T Pdot6_1 = R5_11 * t6_2 + R5_21 * t6_3 + R1_31 * t6_4 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_2 + R5_22 * t6_3 + R1_32 * t6_4 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_2 + R5_23 * t6_3 + R1_33 * t6_4 + Pdot5_3;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_2 + R5_21 * t6_3 + R1_31 * t6_4;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_2 + R5_22 * t6_3 + R1_32 * t6_4;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_2 + R5_23 * t6_3 + R1_33 * t6_4;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_5 = omega6_2 * T(0.05) - omega6_3 * T(0.2);
   const T t6_6 = omega6_3 * T(0.1) - omega6_1 * T(0.05);
   const T t6_7 = omega6_1 * T(0.2) - omega6_2 * T(0.1);
-  const T v6_1 = R5_11 * t6_5 + R6_21 * t6_6 + R6_31 * t6_7 + Pdot6_1;
-  const T v6_2 = R5_12 * t6_5 + R6_22 * t6_6 + R6_32 * t6_7 + Pdot6_2;
-  const T v6_3 = R5_13 * t6_5 + R6_23 * t6_6 + R6_33 * t6_7 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R5_11 * t6_5 + R6_21 * t6_6 + R6_31 * t6_7;
+  const T v6_2 = Pdot6_2 + R5_12 * t6_5 + R6_22 * t6_6 + R6_32 * t6_7;
+  const T v6_3 = Pdot6_3 + R5_13 * t6_5 + R6_23 * t6_6 + R6_33 * t6_7;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(1.6) * v6_1;
   const T l6_2 = T(1.6) * v6_2;
@@ -1089,7 +1162,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const 
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1128,25 +1203,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U1_33 = t1_14 + t1_15;
   // G1 = R1 F1 - U1 h_all_1: applied less inertia force, body axes [N]
   const T t1_16 = R1_11 * u.F_1_1 + R1_12 * u.F_1_2 + R1_13 * u.F_1_3;
-  const T G1_1 = minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(1.32) + t1_16;
+  const T G1_1 = t1_16 + minus_U1_11 * T(2.21) - U1_12 * T(1.385) - U1_13 * T(1.32);
   const T t1_17 = R1_21 * u.F_1_1 + R1_22 * u.F_1_2 + R1_23 * u.F_1_3;
-  const T G1_2 = minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(1.32) + t1_17;
+  const T G1_2 = t1_17 + minus_U1_22 * T(1.385) - U1_12 * T(2.21) - U1_23 * T(1.32);
   const T t1_18 = R1_31 * u.F_1_1 + R1_32 * u.F_1_2 + R1_33 * u.F_1_3;
-  const T G1_3 = minus_U1_33 * T(1.32) - (U1_13 * T(2.21) + U1_23 * T(1.385)) + t1_18;
+  const T G1_3 = t1_18 - U1_13 * T(2.21) - U1_23 * T(1.385) + minus_U1_33 * T(1.32);
   // N1 = r1~ R1 F1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body origin, body axes [N m]
-  const T N1_1 = T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.91576) * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) +
-      T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 - t1_15) +
-      T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
-  const T N1_3 = T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) +
-      T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
+  const T N1_1 = u.M_1_1 + T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.91576) * U1_23 + T(0.22365000000000002) * (t1_14 -
+      t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13;
+  const T N1_2 = u.M_1_2 + T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 -
+      t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
+  const T N1_3 = u.M_1_3 + T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 -
+      t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_11 * omega1_1 + E2_12 * omega1_2;
   const T omega2_2 = E2_11 * omega1_2 - E2_12 * omega1_1;
@@ -1192,11 +1266,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = sin(theta3);
+  const T t3_1 = cosines[5];
+  const T t3_2 = sines[5];
   const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
   const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
@@ -1224,10 +1297,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U3_32 = t3_8 + omegadot2_1;
   const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
+  const T t3_9 = Pddot2_1 + U2_13 * T(0.2);
+  const T Pddot3_1 = t3_9 + U2_12 * T(0.15);
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_11 = Pddot2_2 + U2_23 * T(0.2);
   const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = U3_12 * T(0.26800186566514794);
@@ -1245,11 +1318,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T t4_2 = sin(theta4);
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
   const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
   const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
@@ -1278,7 +1350,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
-  const T Pddot4_2 = U2_12 * T(0.3) + t3_11;
+  const T Pddot4_2 = t3_11 + U2_12 * T(0.3);
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_13 * T(0.15652475842498528);
   const T minus_G4_2 = U4_23 * T(0.15652475842498528);
@@ -1295,11 +1367,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // omega5 = thetadot5 b5 + E5 omega1: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega1_1 + E5_12 * omega1_2;
   const T omega5_2 = E5_11 * omega1_2 - E5_12 * omega1_1;
@@ -1342,11 +1413,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
       (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T t6_1 = cos(theta6);
-  const T t6_2 = sin(theta6);
+  const T t6_1 = cosines[8];
+  const T t6_2 = sines[8];
   const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
   const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
@@ -1374,9 +1444,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U6_32 = t6_8 + omegadot5_1;
   const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
-      minus_U5_22 * T(0.3) + Pddot5_2);
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3));
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.3298484500494129);
   const T G6_2 = minus_U6_22 * T(0.3298484500494129);
@@ -1401,7 +1471,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_gt6_3 = v6 * T(0.3298484500494129) + minus_G6_3;
   // nt6 = -tau_body_6_ b6 + P_b6 (N6 - v6 K6): moment with the turn solved [N m]
   const T nt6_2 = v6 * T(0.1230140690184281) - minus_N6_2;
-  const T minus_nt6_3 = v6 * T(0.002716399000406929) + minus_N6_3;
+  const T minus_nt6_3 = minus_N6_3 + v6 * T(0.002716399000406929);
   // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
   const T b6_1 = E6_23 * T(0.4771929824561404);
   const T minus_Mp6_22 = E6_23 * b6_1;
@@ -1439,19 +1509,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA5_32 = T(0.79) + Hp6_32;
   // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
-  const T JA5_12 = T(0.2) * minus_Hp6_22 + T(0.3) * Hp6_23 - T(0.2145);
-  const T JA5_13 = T(0.3) * Hp6_33 - T(0.2) * Hp6_32 - T(0.14600000000000002);
-  const T JA5_22 = T(0.4) * Hp6_21 + T(0.2822235294117647) + Jp6_22;
-  const T JA5_23 = Jp6_23 - (T(0.2) * minus_Hp6_31 + T(0.14700000000000002)) - T(0.3) * Hp6_21;
-  const T JA5_33 = T(0.6) * minus_Hp6_31 + T(0.7802235294117648) + Jp6_33;
+  const T JA5_12 = T(0.2) * minus_Hp6_22 - T(0.2145) + T(0.3) * Hp6_23;
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.14600000000000002) - T(0.2) * Hp6_32;
+  const T JA5_22 = T(0.2822235294117647) + Jp6_22 + T(0.4) * Hp6_21;
+  const T JA5_23 = Jp6_23 - T(0.14700000000000002) - T(0.2) * minus_Hp6_31 - T(0.3) * Hp6_21;
+  const T JA5_33 = T(0.7802235294117648) + Jp6_33 + T(0.6) * minus_Hp6_31;
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T minus_g5_1 = minus_G6_1 + minus_G5_1;
   const T g5_2 = gp6_2 - minus_G5_2;
   const T g5_3 = gp6_3 - minus_G5_3;
   // n5 = q6~ gp6 + N5 + np6: moment that drives it, body axes [N m]
-  const T n5_1 = T(0.3) * gp6_3 - T(0.2) * gp6_2 - minus_N5_1 - u.tau_6;
-  const T n5_2 = np6_2 - (T(0.2) * minus_G6_1 + minus_N5_2);
-  const T n5_3 = T(0.3) * minus_G6_1 - minus_N5_3 + np6_3;
+  const T n5_1 = T(0.3) * gp6_3 - (minus_N5_1 + u.tau_6) - T(0.2) * gp6_2;
+  const T n5_2 = np6_2 - minus_N5_2 - T(0.2) * minus_G6_1;
+  const T n5_3 = np6_3 - minus_N5_3 + T(0.3) * minus_G6_1;
   // invD5 = D5^-1: 1/D
   const T invD5 = T(1) / JA5_33;
   // kB5 = invD5 B5: B/D
@@ -1524,9 +1594,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Hb5 = q5~ Mp5 + Hp5: H of the joint at the lower body's origin, its axes
   const T b5_9 = T(0.25) * minus_Mp5_13;
   const T Hb5_11 = Hp5_11 - b5_9;
-  const T Hb5_12 = T(0.25) * Mp5_23 + Hp5_12;
-  const T Hb5_13 = T(0.25) * M5_33 + Hp5_13;
-  const T Hb5_21 = T(0.3) * minus_Mp5_13 + Hp5_21;
+  const T Hb5_12 = Hp5_12 + T(0.25) * Mp5_23;
+  const T Hb5_13 = Hp5_13 + T(0.25) * M5_33;
+  const T Hb5_21 = Hp5_21 + T(0.3) * minus_Mp5_13;
   const T b5_10 = T(0.3) * Mp5_23;
   const T Hb5_22 = Hp5_22 - b5_10;
   const T Hb5_23 = Hp5_23 - T(0.3) * M5_33;
@@ -1542,7 +1612,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // gt4 = G4 - v4 B4: force with the turn solved [N]
   const T minus_gt4_1 = v4 * T(0.15652475842498528) + minus_G4_1;
   // nt4 = -tau_body_4_ b4 + P_b4 (N4 - v4 K4): moment with the turn solved [N m]
-  const T minus_nt4_1 = v4 * T(0.008139287438099234) + minus_N4_1;
+  const T minus_nt4_1 = minus_N4_1 + v4 * T(0.008139287438099234);
   const T nt4_3 = v4 * T(0.05885330916779447) - minus_N4_3;
   // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
   const T b4_1 = minus_E4_13 * T(0.1320754716981132);
@@ -1582,7 +1652,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_gt3_3 = v3 * T(0.26800186566514794) + minus_G3_3;
   // nt3 = -tau_body_3_ b3 + P_b3 (N3 - v3 K3): moment with the turn solved [N m]
   const T nt3_2 = v3 * T(0.09994893107747282) - minus_N3_2;
-  const T minus_nt3_3 = v3 * T(0.00220707418783063) + minus_N3_3;
+  const T minus_nt3_3 = minus_N3_3 + v3 * T(0.00220707418783063);
   // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
   const T b3_1 = E3_23 * T(0.3877192982456141);
   const T minus_Mp3_22 = E3_23 * b3_1;
@@ -1626,19 +1696,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // JA2 = q3~ Hp3^T + q4~ Hp4^T + J_own_2 + Jp4 + Jp3 - Hb3 q3~ - Hb4 q4~: moment for an angular acceleration, body
   //   axes [kg m^2]
   const T JA2_11 = T(0.4) * minus_Hp4_12 + Jp4_11 - Hb3_12 * T(0.2) + Hb3_13 * T(0.15);
-  const T JA2_12 = T(0.2) * minus_Hp3_22 + T(0.15) * Hp3_23 - T(0.264) + T(0.2) * Hp4_11 - T(0.3) * Hp4_13;
-  const T JA2_13 = T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.2024) + Jp4_13 - T(0.3) * minus_Hp4_12;
-  const T JA2_22 = T(0.4) * Hp3_21 + T(0.08148411764705878) + Jp3_22 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
-  const T JA2_23 = T(0.2) * b4_5 + T(0.3) * b4_4 - T(0.2) * minus_Hp3_31 - T(0.1918) + Jp3_23 - T(0.15) * Hp3_21;
-  const T JA2_33 = T(0.3) * minus_Hp3_31 + T(0.6) * Hp4_32 + T(1.0315041176470587) - minus_Jp4_33 + Jp3_33;
+  const T JA2_12 = T(0.2) * minus_Hp3_22 - T(0.264) + T(0.15) * Hp3_23 + T(0.2) * Hp4_11 - T(0.3) * Hp4_13;
+  const T JA2_13 = Jp4_13 - T(0.2024) + T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.3) * minus_Hp4_12;
+  const T JA2_22 = T(0.08148411764705878) + Jp3_22 + T(0.4) * Hp3_21 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
+  const T JA2_23 = Jp3_23 - T(0.1918) + T(0.2) * b4_5 + T(0.3) * b4_4 - T(0.2) * minus_Hp3_31 - T(0.15) * Hp3_21;
+  const T JA2_33 = T(1.0315041176470587) - minus_Jp4_33 + Jp3_33 + T(0.3) * minus_Hp3_31 + T(0.6) * Hp4_32;
   // g2 = G2 + gp4 + gp3: force that drives it, home axes [N]
   const T g2_1 = gp4_1 - minus_G2_1 - minus_G3_1;
   const T g2_2 = gp3_2 - (minus_G4_2 + minus_G2_2);
   const T g2_3 = gp4_3 - minus_G2_3 + gp3_3;
   // n2 = q3~ gp3 + q4~ gp4 + N2 + np4 + np3: moment that drives it, body axes [N m]
-  const T n2_1 = T(0.15) * gp3_3 - T(0.2) * gp3_2 + T(0.2) * minus_G4_2 - minus_N2_1 + np4_1 - u.tau_3;
-  const T n2_2 = T(0.2) * gp4_1 - T(0.3) * gp4_3 - T(0.2) * minus_G3_1 - minus_N2_2 - u.tau_4 + np3_2;
-  const T n2_3 = T(0.15) * minus_G3_1 - T(0.3) * minus_G4_2 - minus_N2_3 + np4_3 + np3_3;
+  const T n2_1 = np4_1 - minus_N2_1 - u.tau_3 + T(0.15) * gp3_3 - T(0.2) * gp3_2 + T(0.2) * minus_G4_2;
+  const T n2_2 = np3_2 - (minus_N2_2 + u.tau_4) + T(0.2) * gp4_1 - T(0.3) * gp4_3 - T(0.2) * minus_G3_1;
+  const T n2_3 = np4_3 - minus_N2_3 + np3_3 + T(0.15) * minus_G3_1 - T(0.3) * minus_G4_2;
   // invD2 = D2^-1: 1/D
   const T invD2 = T(1) / JA2_33;
   // kB2 = invD2 B2: B/D
@@ -1682,7 +1752,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T b2_2 = E2_12 * (M2_11 + minus_M2_22) - b2_1 * minus_M2_12;
   const T b2_3 = E2_12 * b2_2;
   const T Mp2_11 = M2_11 - b2_3;
-  const T Mp2_12 = E2_11 * b2_2 + minus_M2_12;
+  const T Mp2_12 = minus_M2_12 + E2_11 * b2_2;
   const T Mp2_13 = E2_11 * M2_13 - E2_12 * M2_23;
   const T Mp2_22 = b2_3 - minus_M2_22;
   const T Mp2_23 = E2_12 * M2_13 + E2_11 * M2_23;
@@ -1711,8 +1781,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // Hb2 = q2~ Mp2 + Hp2: H of the joint at the lower body's origin, its axes
   const T b2_9 = T(0.1) * Mp2_13;
   const T Hb2_11 = b2_9 + Hp2_11;
-  const T Hb2_12 = T(0.1) * Mp2_23 + Hp2_12;
-  const T Hb2_13 = T(0.1) * M2_33 + Hp2_13;
+  const T Hb2_12 = Hp2_12 + T(0.1) * Mp2_23;
+  const T Hb2_13 = Hp2_13 + T(0.1) * M2_33;
   const T Hb2_21 = Hp2_21 - T(0.3) * Mp2_13;
   const T b2_10 = T(0.3) * Mp2_23;
   const T Hb2_22 = Hp2_22 - b2_10;
@@ -1741,24 +1811,24 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA1_33 = Hb2_33 + Hb5_33;
   // JA1 = q2~ Hp2^T + q5~ Hp5^T + J_all_1 + Jp5 + Jp2 - Hb2 q2~ - Hb5 q5~: moment for an angular acceleration, body
   //   axes [kg m^2]
-  const T JA1_11 = T(0.1) * Hp2_13 + T(0.25) * Hp5_13 + T(1.53526) - minus_Jp5_11 + Jp2_11 + Hb2_13 * T(0.1) + Hb5_13
+  const T JA1_11 = T(1.53526) - minus_Jp5_11 + Jp2_11 + T(0.1) * Hp2_13 + T(0.25) * Hp5_13 + Hb2_13 * T(0.1) + Hb5_13
       * T(0.25);
-  const T JA1_12 = T(0.1) * Hp2_23 + T(0.25) * Hp5_23 - T(0.366) + Jp5_12 + Jp2_12 - Hb2_13 * T(0.3) - Hb5_13 *
+  const T JA1_12 = Jp5_12 - T(0.366) + Jp2_12 + T(0.1) * Hp2_23 + T(0.25) * Hp5_23 - Hb2_13 * T(0.3) - Hb5_13 *
       T(0.3);
   const T minus_JA1_13 = T(0.3817) + Hb2_11 * T(0.1) - Hb2_12 * T(0.3) + Hb5_11 * T(0.25) - Hb5_12 * T(0.3);
-  const T JA1_22 = T(1.92151) - (T(0.3) * Hp2_23 + T(0.3) * Hp5_23) + Jp5_22 + Jp2_22 - Hb2_23 * T(0.3) - Hb5_23 *
+  const T JA1_22 = T(1.92151) + Jp5_22 + Jp2_22 - T(0.3) * Hp2_23 - T(0.3) * Hp5_23 - Hb2_23 * T(0.3) - Hb5_23 *
       T(0.3);
   const T minus_JA1_23 = T(0.22365000000000002) + Hb2_21 * T(0.1) - Hb2_22 * T(0.3) + Hb5_21 * T(0.25) - Hb5_22 *
       T(0.3);
-  const T JA1_33 = Hb2_32 * T(0.3) - Hb2_31 * T(0.1) + T(1.00575) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
+  const T JA1_33 = T(1.00575) + Hb2_32 * T(0.3) - Hb2_31 * T(0.1) - Hb5_31 * T(0.25) + Hb5_32 * T(0.3);
   // g1 = G1 + gp5 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + gp5_1 + gp2_1;
   const T g1_2 = G1_2 + gp5_2 + gp2_2;
   const T g1_3 = G1_3 + gt5_3 + gt2_3;
   // n1 = q2~ gp2 + q5~ gp5 + N1 + np5 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.1) * gt2_3 + T(0.25) * gt5_3 + N1_1 + np5_1 + np2_1;
-  const T n1_2 = N1_2 - (T(0.3) * gt2_3 + T(0.3) * gt5_3) + np5_2 + np2_2;
-  const T n1_3 = T(0.3) * gp2_2 - T(0.1) * gp2_1 + T(0.3) * gp5_2 - T(0.25) * gp5_1 + N1_3 - u.tau_5 - u.tau_2;
+  const T n1_1 = N1_1 + np5_1 + np2_1 + T(0.1) * gt2_3 + T(0.25) * gt5_3;
+  const T n1_2 = N1_2 + np5_2 + np2_2 - T(0.3) * gt2_3 - T(0.3) * gt5_3;
+  const T n1_3 = N1_3 - u.tau_5 - u.tau_2 + T(0.3) * gp2_2 - T(0.1) * gp2_1 + T(0.3) * gp5_2 - T(0.25) * gp5_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -1790,16 +1860,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 + minus_LD1_31 * n1_1 - LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
-  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
-  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  const T M1_11 = MA1_11 - HA1_11 * W1_11 - Y1_21 * W1_21 - Y1_31 * W1_31;
+  const T M1_12 = MA1_12 - HA1_11 * W1_12 - Y1_21 * W1_22 - Y1_31 * W1_32;
+  const T M1_13 = MA1_13 - HA1_11 * W1_13 - Y1_21 * W1_23 - Y1_31 * W1_33;
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - Y1_22 * W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - Y1_22 * W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - Y1_23 * W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 - HA1_11 * w_1_1 - Y1_21 * w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - Y1_22 * w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - Y1_23 * w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T LDs1_21 = LDs1_11 * M1_12;
@@ -1819,17 +1889,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 + minus_LD1_31 *
-      z1_2;
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
+  const T z1_3 = w_1_2 - W1_21 * Pddot1_1 - W1_22 * z1_1 - W1_23 * ws1_3 - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_11 * Pddot1_1 - W1_12 * z1_1 - W1_13 * ws1_3 - LD1_21 * z1_3 + minus_LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
   const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  const T sddot1_3 = R1_13 * Pddot1_1 - T(9.81) + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[8] = sddot1_1;
   ydot[9] = sddot1_2;
   ydot[10] = sddot1_3;
@@ -1846,7 +1915,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL2_1 = E2_11 * omegadot1_1 + E2_12 * z1_3;
   const T alphaL2_2 = E2_11 * z1_3 - E2_12 * omegadot1_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T phi2 = v2 - (kB2_1 * beta2_1 + kB2_2 * beta2_2 + kB2_3 * beta2_3) - kK2_1 * alphaL2_1 - kK2_2 * alphaL2_2;
+  const T phi2 = v2 - kB2_1 * beta2_1 - kB2_2 * beta2_2 - kB2_3 * beta2_3 - kK2_1 * alphaL2_1 - kK2_2 * alphaL2_2;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T thetaddot2 = phi2 - z1_2;
   ydot[3] = thetaddot2;
@@ -1888,7 +1957,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL5_1 = E5_11 * omegadot1_1 + E5_12 * z1_3;
   const T alphaL5_2 = E5_11 * z1_3 - E5_12 * omegadot1_1;
   // phi5 = -kB5 . beta5 + v5 - (P_b5 kK5) . alphaL5
-  const T phi5 = minus_kB5_1 * beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 + v5 - kK5_1 * alphaL5_1 - kK5_2 *
+  const T phi5 = v5 + minus_kB5_1 * beta5_1 - kB5_2 * beta5_2 - kB5_3 * beta5_3 - kK5_1 * alphaL5_1 - kK5_2 *
       alphaL5_2;
   // thetaddot5 = -b5 . alphaL5 + phi5
   const T thetaddot5 = phi5 - z1_2;
@@ -1914,7 +1983,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1974,23 +2045,22 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G1_3 = T(8.1) * Pddot1_3 - t1_22 + U1_31 * T(2.21) + U1_32 * T(1.385) - minus_U1_33 * T(1.32);
   // N1 = -r1~ R1 F1 + h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - M1: inertia less applied moment about
   //   the body origin, body axes [N m]
-  const T N1_1 = T(0.05) * t1_21 - T(0.2) * t1_22 + T(1.385) * Pddot1_3 - T(1.32) * Pddot1_2 + T(0.30975) * U1_32 -
-      T(1.22551) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 - T(0.3817) * U1_21
-      - u.M_1_1;
-  const T N1_2 = T(0.1) * t1_22 - T(0.05) * t1_20 + T(1.32) * Pddot1_1 - T(2.21) * Pddot1_3 + T(1.22551) * U1_13 -
-      T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) * U1_32 -
-      u.M_1_2;
-  const T N1_3 = T(0.2) * t1_20 - T(0.1) * t1_21 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 + T(0.696) * U1_21 -
-      T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.3817) * U1_23 - T(0.22365000000000002) * U1_13
-      - u.M_1_3;
+  const T N1_1 = T(0.05) * t1_21 - u.M_1_1 - T(0.2) * t1_22 + T(1.385) * Pddot1_3 - T(1.32) * Pddot1_2 + T(0.30975) *
+      U1_32 - T(1.22551) * U1_23 + T(0.22365000000000002) * (minus_U1_22 - minus_U1_33) + T(0.366) * U1_31 - T(0.3817)
+      * U1_21;
+  const T N1_2 = T(0.1) * t1_22 - u.M_1_2 - T(0.05) * t1_20 + T(1.32) * Pddot1_1 - T(2.21) * Pddot1_3 + T(1.22551) *
+      U1_13 - T(0.696) * U1_31 + T(0.3817) * (minus_U1_33 - minus_U1_11) + T(0.22365000000000002) * U1_12 - T(0.366) *
+      U1_32;
+  const T N1_3 = T(0.2) * t1_20 - u.M_1_3 - T(0.1) * t1_21 + T(2.21) * Pddot1_2 - T(1.385) * Pddot1_1 + T(0.696) *
+      U1_21 - T(0.30975) * U1_12 + T(0.366) * (minus_U1_11 - minus_U1_22) + T(0.3817) * U1_23 - T(0.22365000000000002)
+      * U1_13;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   const T thetaddot2 = ydot[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_11 * omega1_1 + E2_12 * omega1_2;
   const T omega2_2 = E2_11 * omega1_2 - E2_12 * omega1_1;
@@ -2019,11 +2089,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_7 = minus_U1_11 * T(0.3) - Pddot1_1;
   const T t2_8 = U1_12 * T(0.1) - t2_7;
-  const T t2_9 = U1_21 * T(0.3) + Pddot1_2;
+  const T t2_9 = Pddot1_2 + U1_21 * T(0.3);
   const T t2_10 = t2_9 - minus_U1_22 * T(0.1);
   const T Pddot2_1 = E2_11 * t2_8 + E2_12 * t2_10;
   const T Pddot2_2 = E2_11 * t2_10 - E2_12 * t2_8;
-  const T t2_11 = U1_31 * T(0.3) + Pddot1_3;
+  const T t2_11 = Pddot1_3 + U1_31 * T(0.3);
   const T Pddot2_3 = t2_11 + U1_32 * T(0.1);
   // G2 = U2 h_own_2: inertia less applied force, body axes [N]
   const T G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
@@ -2039,12 +2109,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       U2_12 + T(0.264) * (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   const T thetaddot3 = ydot[4];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = sin(theta3);
+  const T t3_1 = cosines[5];
+  const T t3_2 = sines[5];
   const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
   const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
@@ -2073,10 +2142,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U3_32 = t3_8 + omegadot3_1;
   const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
+  const T t3_9 = Pddot2_1 + U2_13 * T(0.2);
+  const T Pddot3_1 = t3_9 + U2_12 * T(0.15);
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_11 = Pddot2_2 + U2_23 * T(0.2);
   const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = U3 h_own_3: inertia less applied force, body axes [N]
   const T G3_1 = U3_12 * T(0.26800186566514794);
@@ -2094,12 +2163,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
   // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T t4_2 = sin(theta4);
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
   const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
   const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
@@ -2129,7 +2197,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
-  const T Pddot4_2 = U2_21 * T(0.3) + t3_11;
+  const T Pddot4_2 = t3_11 + U2_21 * T(0.3);
   // G4 = U4 h_own_4: inertia less applied force, body axes [N]
   const T G4_1 = U4_13 * T(0.15652475842498528);
   const T G4_2 = U4_23 * T(0.15652475842498528);
@@ -2145,12 +2213,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   const T thetaddot5 = ydot[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // omega5 = thetadot5 b5 + E5 omega1: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega1_1 + E5_12 * omega1_2;
   const T omega5_2 = E5_11 * omega1_2 - E5_12 * omega1_1;
@@ -2196,12 +2263,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
       T(0.2145) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   const T thetaddot6 = ydot[7];
   // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T t6_1 = cos(theta6);
-  const T t6_2 = sin(theta6);
+  const T t6_1 = cosines[8];
+  const T t6_2 = sines[8];
   const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
   const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
@@ -2230,9 +2296,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T U6_32 = t6_8 + omegadot6_1;
   const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
-      minus_U5_22 * T(0.3) + Pddot5_2);
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3));
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
   const T G6_1 = U6_12 * T(0.3298484500494129);
   const T minus_G6_2 = minus_U6_22 * T(0.3298484500494129);
@@ -2262,9 +2328,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S5_3 = b5_2 + G5_3;
   // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + N6_1 + N5_1;
-  const T rho5_2 = T(0.2) * G6_1 + E6_22 * N6_2 - E6_23 * N6_3 + N5_2;
-  const T rho5_3 = E6_23 * N6_2 + E6_22 * N6_3 - T(0.3) * G6_1 + N5_3;
+  const T rho5_1 = N6_1 + N5_1 + T(0.2) * b5_1 + T(0.3) * b5_2;
+  const T rho5_2 = N5_2 + T(0.2) * G6_1 + E6_22 * N6_2 - E6_23 * N6_3;
+  const T rho5_3 = N5_3 + E6_23 * N6_2 + E6_22 * N6_3 - T(0.3) * G6_1;
   // r_theta5 = b5 . rho5 - tau_body_5_: Kane's equation of the angle [N m]
   const T r_theta5 = rho5_3 - u.tau_5;
   r[6] = r_theta5;
@@ -2290,10 +2356,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S2_3 = b2_3 - b2_4 + G2_3;
   // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
   //   body origin, body axes [N m]
-  const T rho2_1 = T(0.2) * b2_2 + T(0.15) * b2_3 + N3_1 - T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N2_1;
-  const T rho2_2 = T(0.2) * G3_1 + E3_22 * N3_2 - E3_23 * N3_3 + T(0.2) * b2_1 + T(0.3) * b2_4 + N4_2 + N2_2;
-  const T rho2_3 = E3_23 * N3_2 + E3_22 * N3_3 - T(0.15) * G3_1 + T(0.3) * G4_2 + E4_11 * N4_3 - minus_E4_13 * N4_1 +
-      N2_3;
+  const T rho2_1 = N3_1 + N2_1 + T(0.2) * b2_2 + T(0.15) * b2_3 - T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3;
+  const T rho2_2 = N4_2 + N2_2 + T(0.2) * G3_1 + E3_22 * N3_2 - E3_23 * N3_3 + T(0.2) * b2_1 + T(0.3) * b2_4;
+  const T rho2_3 = N2_3 + E3_23 * N3_2 + E3_22 * N3_3 - T(0.15) * G3_1 + T(0.3) * G4_2 + E4_11 * N4_3 - minus_E4_13 *
+      N4_1;
   // r_theta2 = b2 . rho2 - tau_body_2_: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_3 - u.tau_2;
   r[3] = r_theta2;
@@ -2308,11 +2374,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S1_2 = b1_3 + b1_4 + G1_2;
   const T S1_3 = S2_3 + S5_3 + G1_3;
   // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 + T(0.25) * S5_3 + E5_11 * rho5_1 - E5_12 *
-      rho5_2 + N1_1;
-  const T r_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11 *
-      rho5_2 + N1_2;
-  const T r_omega1_3 = T(0.3) * b1_3 - T(0.1) * b1_1 + rho2_3 + T(0.3) * b1_4 - T(0.25) * b1_2 + rho5_3 + N1_3;
+  const T r_omega1_1 = N1_1 + T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 + T(0.25) * S5_3 + E5_11 * rho5_1 -
+      E5_12 * rho5_2;
+  const T r_omega1_2 = N1_2 + E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 - T(0.3) * S5_3 + E5_12 * rho5_1 + E5_11
+      * rho5_2;
+  const T r_omega1_3 = rho2_3 + rho5_3 + N1_3 + T(0.3) * b1_3 - T(0.1) * b1_1 + T(0.3) * b1_4 - T(0.25) * b1_2;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2330,7 +2396,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 // 332 add, 359 multiply, 10 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2380,19 +2448,18 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G1_3 = t1_18 - T(8.1) * Pddot1_3 - U1_13 * T(2.21) - U1_23 * T(1.385) + minus_U1_33 * T(1.32);
   // N1 = r1~ R1 F1 - h_all_1~ Pddot1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.91576) * U1_23 +
-      T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13 + u.M_1_1;
-  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) - T(0.5295100000000001)
-      * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12 + u.M_1_2;
-  const T N1_3 = T(1.385) * Pddot1_1 - (T(0.2) * t1_16 - T(0.1) * t1_17 + T(2.21) * Pddot1_2) - T(0.3862499999999999)
-      * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23 + u.M_1_3;
+  const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - u.M_1_1 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.91576)
+      * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13;
+  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - u.M_1_2 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) -
+      T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
+  const T N1_3 = T(1.385) * Pddot1_1 - (T(0.2) * t1_16 - u.M_1_3 - T(0.1) * t1_17 + T(2.21) * Pddot1_2) -
+      T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = E2_11 * omega1_1 + E2_12 * omega1_2;
   const T omega2_2 = E2_11 * omega1_2 - E2_12 * omega1_1;
@@ -2418,11 +2485,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_6 = minus_U1_11 * T(0.3) - Pddot1_1;
   const T t2_7 = U1_12 * T(0.1) - t2_6;
-  const T t2_8 = U1_12 * T(0.3) + Pddot1_2;
+  const T t2_8 = Pddot1_2 + U1_12 * T(0.3);
   const T t2_9 = t2_8 - minus_U1_22 * T(0.1);
   const T Pddot2_1 = E2_11 * t2_7 + E2_12 * t2_9;
   const T Pddot2_2 = E2_11 * t2_9 - E2_12 * t2_7;
-  const T t2_10 = U1_13 * T(0.3) + Pddot1_3;
+  const T t2_10 = Pddot1_3 + U1_13 * T(0.3);
   const T Pddot2_3 = t2_10 + U1_23 * T(0.1);
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
   const T minus_G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
@@ -2438,11 +2505,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = sin(theta3);
+  const T t3_1 = cosines[5];
+  const T t3_2 = sines[5];
   const T E3_22 = T(0.9701425001453319) * t3_1 - T(0.24253562503633297) * t3_2;
   const T E3_23 = T(0.24253562503633297) * t3_1 + T(0.9701425001453319) * t3_2;
   // omega3 = thetadot3 b3 + E3 omega2: absolute angular velocity, body axes [rad/s]
@@ -2470,10 +2536,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U3_32 = t3_8 + omegadot2_1;
   const T minus_U3_33 = t3_4 + t3_7;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_9 = U2_13 * T(0.2) + Pddot2_1;
-  const T Pddot3_1 = U2_12 * T(0.15) + t3_9;
+  const T t3_9 = Pddot2_1 + U2_13 * T(0.2);
+  const T Pddot3_1 = t3_9 + U2_12 * T(0.15);
   const T t3_10 = minus_U2_33 * T(0.2) - Pddot2_3;
-  const T t3_11 = U2_23 * T(0.2) + Pddot2_2;
+  const T t3_11 = Pddot2_2 + U2_23 * T(0.2);
   const T Pddot3_3 = E3_22 * (U2_32 * T(0.15) - t3_10) - E3_23 * (t3_11 - minus_U2_22 * T(0.15));
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = U3_12 * T(0.26800186566514794);
@@ -2491,11 +2557,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       T(0.26800186566514794) * Pddot3_1;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T t4_2 = sin(theta4);
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
   const T E4_11 = T(0.44721359549995804) * t4_1 - T(0.8944271909999159) * t4_2;
   const T minus_E4_13 = T(0.8944271909999159) * t4_1 + T(0.44721359549995804) * t4_2;
   // omega4 = thetadot4 b4 + E4 omega2: absolute angular velocity, body axes [rad/s]
@@ -2524,7 +2589,7 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U2 q4 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
-  const T Pddot4_2 = U2_12 * T(0.3) + t3_11;
+  const T Pddot4_2 = t3_11 + U2_12 * T(0.3);
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
   const T minus_G4_1 = U4_13 * T(0.15652475842498528);
   const T minus_G4_2 = U4_23 * T(0.15652475842498528);
@@ -2541,11 +2606,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // omega5 = thetadot5 b5 + E5 omega1: absolute angular velocity, body axes [rad/s]
   const T omega5_1 = E5_11 * omega1_1 + E5_12 * omega1_2;
   const T omega5_2 = E5_11 * omega1_2 - E5_12 * omega1_1;
@@ -2588,11 +2652,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
       (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   // E6^T = Z6^T Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T t6_1 = cos(theta6);
-  const T t6_2 = sin(theta6);
+  const T t6_1 = cosines[8];
+  const T t6_2 = sines[8];
   const T E6_22 = T(0.9701425001453319) * t6_1 - T(0.24253562503633297) * t6_2;
   const T E6_23 = T(0.24253562503633297) * t6_1 + T(0.9701425001453319) * t6_2;
   // omega6 = thetadot6 b6 + E6 omega5: absolute angular velocity, body axes [rad/s]
@@ -2620,9 +2683,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T U6_32 = t6_8 + omegadot5_1;
   const T minus_U6_33 = t6_4 + t6_7;
   // Pddot6 = E6 (U5 q6 + Pddot5): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot6_1 = U5_12 * T(0.3) + U5_13 * T(0.2) + Pddot5_1;
-  const T Pddot6_3 = E6_22 * (U5_32 * T(0.3) - minus_U5_33 * T(0.2) + Pddot5_3) - E6_23 * (U5_23 * T(0.2) -
-      minus_U5_22 * T(0.3) + Pddot5_2);
+  const T Pddot6_1 = Pddot5_1 + U5_12 * T(0.3) + U5_13 * T(0.2);
+  const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
+      minus_U5_22 * T(0.3));
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.3298484500494129);
   const T G6_2 = minus_U6_22 * T(0.3298484500494129);
@@ -2652,9 +2715,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T minus_S5_3 = b5_2 + minus_G5_3;
   // rho5 = q6~ E6^T G6 + E6^T N6 + N5: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T minus_rho5_1 = T(0.2) * b5_1 + T(0.3) * b5_2 + minus_N6_1 + minus_N5_1;
-  const T rho5_2 = E6_23 * minus_N6_3 - E6_22 * minus_N6_2 - T(0.2) * minus_G6_1 - minus_N5_2;
-  const T rho5_3 = T(0.3) * minus_G6_1 - (E6_23 * minus_N6_2 + E6_22 * minus_N6_3) - minus_N5_3;
+  const T minus_rho5_1 = minus_N6_1 + minus_N5_1 + T(0.2) * b5_1 + T(0.3) * b5_2;
+  const T rho5_2 = E6_23 * minus_N6_3 - minus_N5_2 - E6_22 * minus_N6_2 - T(0.2) * minus_G6_1;
+  const T rho5_3 = T(0.3) * minus_G6_1 - (minus_N5_3 + E6_23 * minus_N6_2 + E6_22 * minus_N6_3);
   // f_theta5 = b5 . rho5 + tau_body_5_: Kane's equation of the angle [N m]
   const T f_theta5 = rho5_3 + u.tau_5;
   f[6] = f_theta5;
@@ -2680,12 +2743,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S2_3 = b2_3 - b2_4 - minus_G2_3;
   // rho2 = q3~ E3^T G3 + E3^T N3 + q4~ E4^T G4 + E4^T N4 + N2: sum of the moment balances of the subtree about the
   //   body origin, body axes [N m]
-  const T rho2_1 = T(0.2) * minus_G4_2 - (T(0.2) * b2_2 + T(0.15) * b2_4 + minus_N3_1) - E4_11 * minus_N4_1 -
-      minus_E4_13 * minus_N4_3 - minus_N2_1;
-  const T rho2_2 = E3_23 * minus_N3_3 - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 - T(0.2) * b2_1 - T(0.3) * b2_3 -
-      minus_N4_2 - minus_N2_2;
-  const T rho2_3 = T(0.15) * minus_G3_1 - (E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2 +
-      minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3 - minus_N2_3;
+  const T rho2_1 = T(0.2) * minus_G4_2 - (minus_N3_1 + minus_N2_1 + T(0.2) * b2_2 + T(0.15) * b2_4) - E4_11 *
+      minus_N4_1 - minus_E4_13 * minus_N4_3;
+  const T rho2_2 = E3_23 * minus_N3_3 - (minus_N4_2 + minus_N2_2) - E3_22 * minus_N3_2 - T(0.2) * minus_G3_1 - T(0.2)
+      * b2_1 - T(0.3) * b2_3;
+  const T rho2_3 = T(0.15) * minus_G3_1 - (minus_N2_3 + E3_23 * minus_N3_2 + E3_22 * minus_N3_3) - T(0.3) * minus_G4_2
+      + minus_E4_13 * minus_N4_1 - E4_11 * minus_N4_3;
   // f_theta2 = b2 . rho2 + tau_body_2_: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_3 + u.tau_2;
   f[3] = f_theta2;
@@ -2700,11 +2763,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T S1_2 = b1_3 + b1_4 + G1_2;
   const T S1_3 = S2_3 - minus_S5_3 + G1_3;
   // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q5~ E5^T S5 + E5^T rho5 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.25) * minus_S5_3 - E5_11 * minus_rho5_1 -
-      E5_12 * rho5_2 + N1_1;
-  const T f_omega1_2 = E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 + E5_11 * rho5_2 - E5_12
-      * minus_rho5_1 + N1_2;
-  const T f_omega1_3 = T(0.3) * b1_3 + T(0.1) * b1_1 + rho2_3 + T(0.25) * b1_2 + T(0.3) * b1_4 + rho5_3 + N1_3;
+  const T f_omega1_1 = N1_1 + T(0.1) * S2_3 + E2_11 * rho2_1 - E2_12 * rho2_2 - T(0.25) * minus_S5_3 - E5_11 *
+      minus_rho5_1 - E5_12 * rho5_2;
+  const T f_omega1_2 = N1_2 + E2_12 * rho2_1 + E2_11 * rho2_2 - T(0.3) * S2_3 + T(0.3) * minus_S5_3 + E5_11 * rho5_2 -
+      E5_12 * minus_rho5_1;
+  const T f_omega1_3 = rho2_3 + rho5_3 + N1_3 + T(0.3) * b1_3 + T(0.1) * b1_1 + T(0.25) * b1_2 + T(0.3) * b1_4;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -2722,8 +2785,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
 // 172 add, 194 multiply, 10 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 121; ++i) A[i] = T(0);
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2751,34 +2816,29 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
 
   // ---- body 6 (body_6) and what it carries
   // hc6 = E6^T h_own_6: first moment carried, about the body origin, lower body's axes [kg m]
@@ -2790,7 +2850,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T h5_2 = T(0.78) + hc6_2;
   // J5 = -q6~ hc6~ + E6^T J_own_6 E6 + J_own_5 - hc6~ q6~: inertia carried, about the body origin, body axes [kg m^2]
   const T b5_1 = T(0.3) * hc6_2;
-  const T b5_2 = T(0.2) * hc6_3 + b5_1;
+  const T b5_2 = b5_1 + T(0.2) * hc6_3;
   const T b5_3 = b5_2 + T(0.228);
   const T J5_11 = b5_3 + b5_2;
   const T b5_4 = E6_23 * T(0.027200000000000002) - E6_22 * T(0.12000000000000001);
@@ -2799,9 +2859,9 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_J5_13 = b5_5 + T(0.14600000000000002);
   const T b5_6 = E6_23 * T(0.003999999999999991) - T(2) * E6_22 * T(0.022400000000000003);
   const T b5_7 = E6_23 * b5_6;
-  const T J5_22 = T(0.4) * hc6_3 - b5_7 + T(0.293);
+  const T J5_22 = T(0.293) - b5_7 + T(0.4) * hc6_3;
   const T b5_8 = T(0.3) * hc6_3;
-  const T J5_23 = E6_22 * b5_6 - T(0.1246) - T(0.2) * hc6_2 - b5_8;
+  const T J5_23 = E6_22 * b5_6 - (T(0.1246) + b5_8) - T(0.2) * hc6_2;
   const T J5_33 = b5_7 + T(0.787) + T(0.6) * hc6_2;
   A[72] = J5_33;
   // hc5 = E5^T h5: first moment carried, about the body origin, lower body's axes [kg m]
@@ -2831,27 +2891,27 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b2_2 = b2_1 + T(0.18525000000000003);
   const T b2_3 = minus_E4_13 * T(0.017500000000000012) + T(2) * E4_11 * T(0.0028000000000000004);
   const T b2_4 = minus_E4_13 * b2_3;
-  const T J2_11 = b2_2 + T(0.4) * hc4_3 + T(0.017500000000000012) - b2_4 + b2_1;
+  const T J2_11 = b2_2 + T(0.017500000000000012) - b2_4 + b2_1 + T(0.4) * hc4_3;
   const T b2_5 = E3_23 * T(0.0221) - E3_22 * T(0.0975);
   const T b2_6 = E4_11 * T(0.049) + minus_E4_13 * T(0.0336);
   const T J2_12 = b2_5 - b2_6 - T(0.264);
   const T b2_7 = E3_23 * T(0.0975) + E3_22 * T(0.0221);
-  const T minus_J2_13 = T(0.1996) + E4_11 * b2_3 + b2_7 + T(0.2) * hc4_1 + T(0.3) * hc4_3;
-  const T b2_8 = E3_23 * T(0.0032499999999999977) - T(2) * E3_22 * T(0.0182);
-  const T b2_9 = E3_23 * b2_8;
-  const T b2_10 = T(0.3) * hc4_1;
-  const T b2_11 = T(0.2) * hc4_3 + b2_10;
-  const T J2_22 = T(0.4) * hc3_3 - b2_9 + b2_11 + T(0.2875) + b2_11;
+  const T minus_J2_13 = T(0.1996) + b2_7 + E4_11 * b2_3 + T(0.2) * hc4_1 + T(0.3) * hc4_3;
+  const T b2_8 = T(0.3) * hc4_1;
+  const T b2_9 = b2_8 + T(0.2) * hc4_3;
+  const T b2_10 = E3_23 * T(0.0032499999999999977) - T(2) * E3_22 * T(0.0182);
+  const T b2_11 = E3_23 * b2_10;
+  const T J2_22 = b2_9 - b2_11 + T(0.2875) + b2_9 + T(0.4) * hc3_3;
   const T b2_12 = minus_E4_13 * T(0.049) - E4_11 * T(0.0336);
-  const T J2_23 = E3_22 * b2_8 - T(0.1736) - T(0.2) * hc3_2 + b2_12 - T(0.15) * hc3_3;
+  const T J2_23 = b2_12 - T(0.1736) + E3_22 * b2_10 - T(0.2) * hc3_2 - T(0.15) * hc3_3;
   const T b2_13 = T(0.3) * hc3_2;
-  const T J2_33 = b2_9 + T(1.02525) + b2_13 + T(0.6) * hc4_1 + b2_4;
+  const T J2_33 = b2_11 + T(1.02525) + b2_13 + b2_4 + T(0.6) * hc4_1;
   A[36] = J2_33;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc2_1 = E2_11 * h2_1 - E2_12 * h2_2;
   const T hc2_2 = E2_11 * h2_2 + E2_12 * h2_1;
   // K_thetadot4_2 = q4~ E4^T B_thetadot4_4 + E4^T K_thetadot4_4
-  const T K_thetadot4_2_2 = b2_11 + T(0.1855);
+  const T K_thetadot4_2_2 = b2_9 + T(0.1855);
   A[38] = b2_12;
   A[58] = b2_12;
   A[37] = -b2_7;
@@ -2867,13 +2927,13 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_1 = E2_12 * (J2_11 - J2_22) + T(2) * E2_11 * J2_12;
   const T b1_2 = E5_12 * (J5_11 - J5_22) + T(2) * E5_11 * J5_12;
   const T b1_3 = E2_12 * b1_1 + E5_12 * b1_2;
-  const T J1_11 = J2_11 - b1_3 + T(0.2) * hc2_2 + T(0.5) * hc5_2 + J5_11 + T(1.5235);
-  const T J1_12 = E2_11 * b1_1 - J2_12 - T(0.1) * hc2_1 - T(0.25) * hc5_1 + E5_11 * b1_2 - J5_12 - T(0.366) - T(0.3) *
-      hc2_2 - T(0.3) * hc5_2;
+  const T J1_11 = J2_11 - b1_3 + J5_11 + T(1.5235) + T(0.2) * hc2_2 + T(0.5) * hc5_2;
+  const T J1_12 = E2_11 * b1_1 - (J2_12 + J5_12 + T(0.366)) - T(0.1) * hc2_1 - T(0.25) * hc5_1 + E5_11 * b1_2 - T(0.3)
+      * hc2_2 - T(0.3) * hc5_2;
   const T b1_4 = E2_11 * minus_J2_13 + E2_12 * J2_23;
   const T b1_5 = E5_11 * minus_J5_13 + E5_12 * J5_23;
-  const T minus_J1_13 = b1_4 + b1_5 + T(0.3817) + T(0.3) * h2_3 + b5_8;
-  const T J1_22 = J2_22 + b1_3 + T(0.6) * hc2_1 + T(0.6) * hc5_1 + J5_22 + T(1.90975);
+  const T minus_J1_13 = b1_4 + b1_5 + T(0.3817) + b5_8 + T(0.3) * h2_3;
+  const T J1_22 = J2_22 + b1_3 + J5_22 + T(1.90975) + T(0.6) * hc2_1 + T(0.6) * hc5_1;
   const T b1_6 = E2_11 * J2_23 - E2_12 * minus_J2_13;
   const T b1_7 = E5_11 * J5_23 - E5_12 * minus_J5_13;
   const T J1_23 = b1_6 + b1_7 - T(0.22365000000000002) - T(0.1) * h2_3 - T(0.25) * hc6_3;
@@ -2896,8 +2956,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot6_1_2 = E5_11 * hc6_3;
   // K_thetadot6_1 = q5~ E5^T B_thetadot6_5 + E5^T K_thetadot6_5
   const T K_thetadot6_1_1 = T(0.25) * hc6_2 + E5_11 * b5_3 - E5_12 * b5_4;
-  const T K_thetadot6_1_2 = E5_12 * b5_3 + E5_11 * b5_4 - b5_1;
-  const T minus_K_thetadot6_1_3 = T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1 + b5_5;
+  const T K_thetadot6_1_2 = E5_12 * b5_3 - b5_1 + E5_11 * b5_4;
+  const T minus_K_thetadot6_1_3 = b5_5 + T(0.3) * minus_B_thetadot6_1_2 + T(0.25) * B_thetadot6_1_1;
   A[7] = K_thetadot6_1_1;
   A[77] = K_thetadot6_1_1;
   A[18] = K_thetadot6_1_2;
@@ -2915,8 +2975,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T B_thetadot4_1_2 = E2_12 * hc4_3;
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
   const T minus_K_thetadot4_1_1 = T(0.1) * hc4_1 + E2_11 * b2_6 + E2_12 * K_thetadot4_2_2;
-  const T K_thetadot4_1_2 = b2_10 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_6;
-  const T K_thetadot4_1_3 = T(0.3) * B_thetadot4_1_2 - T(0.1) * B_thetadot4_1_1 + b2_12;
+  const T K_thetadot4_1_2 = b2_8 + E2_11 * K_thetadot4_2_2 - E2_12 * b2_6;
+  const T K_thetadot4_1_3 = b2_12 + T(0.3) * B_thetadot4_1_2 - T(0.1) * B_thetadot4_1_1;
   A[5] = -minus_K_thetadot4_1_1;
   A[55] = -minus_K_thetadot4_1_1;
   A[16] = K_thetadot4_1_2;
@@ -2928,8 +2988,8 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T minus_B_thetadot3_1_2 = E2_11 * hc3_3;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
   const T K_thetadot3_1_1 = T(0.1) * hc3_2 + E2_11 * b2_2 - E2_12 * b2_5;
-  const T K_thetadot3_1_2 = E2_12 * b2_2 + E2_11 * b2_5 - b2_13;
-  const T minus_K_thetadot3_1_3 = T(0.3) * minus_B_thetadot3_1_2 + T(0.1) * B_thetadot3_1_1 + b2_7;
+  const T K_thetadot3_1_2 = E2_12 * b2_2 - b2_13 + E2_11 * b2_5;
+  const T minus_K_thetadot3_1_3 = b2_7 + T(0.3) * minus_B_thetadot3_1_2 + T(0.1) * B_thetadot3_1_1;
   A[4] = K_thetadot3_1_1;
   A[44] = K_thetadot3_1_1;
   A[15] = K_thetadot3_1_2;
@@ -3029,8 +3089,10 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 // 303 add, 372 multiply, 10 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 198; ++i) v_y[i] = T(0);
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -3083,10 +3145,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[24] = -minus_B1_1_33;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_11 = R1_11 * E2_11 + R1_21 * E2_12;
   const T R2_12 = R1_12 * E2_11 + R1_22 * E2_12;
@@ -3116,21 +3177,21 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t2_9 = T(0.2) * E2_11;
   const T t2_10 = T(0.1) * E2_12;
   const T t2_11 = t2_9 + t2_10;
-  const T minus_B3_1_11 = R2_11 * t2_7 + R2_21 * t2_8 - R1_31 * t2_11 + minus_P_omega1_2_11;
+  const T minus_B3_1_11 = minus_P_omega1_2_11 + R2_11 * t2_7 + R2_21 * t2_8 - R1_31 * t2_11;
   const T t2_12 = T(0.1) * E2_11;
   const T t2_13 = T(0.2) * E2_12;
   const T t2_14 = t2_12 - t2_13;
-  const T minus_B3_1_12 = R2_21 * t2_7 - R2_11 * t2_8 + R1_31 * t2_14 + minus_P_omega1_2_12;
+  const T minus_B3_1_12 = minus_P_omega1_2_12 + R2_21 * t2_7 - R2_11 * t2_8 + R1_31 * t2_14;
   const T t2_15 = R2_11 * T(0.2);
   const T t2_16 = t2_15 - R2_21 * T(0.1);
   const T minus_B3_1_13 = t2_16 + minus_P_omega1_2_13;
-  const T minus_B3_1_21 = R2_12 * t2_7 + R2_22 * t2_8 - R1_32 * t2_11 + minus_P_omega1_2_21;
-  const T minus_B3_1_22 = R2_22 * t2_7 - R2_12 * t2_8 + R1_32 * t2_14 + minus_P_omega1_2_22;
+  const T minus_B3_1_21 = minus_P_omega1_2_21 + R2_12 * t2_7 + R2_22 * t2_8 - R1_32 * t2_11;
+  const T minus_B3_1_22 = minus_P_omega1_2_22 + R2_22 * t2_7 - R2_12 * t2_8 + R1_32 * t2_14;
   const T t2_17 = R2_12 * T(0.2);
   const T t2_18 = t2_17 - R2_22 * T(0.1);
   const T minus_B3_1_23 = t2_18 + minus_P_omega1_2_23;
-  const T minus_B3_1_31 = R2_13 * t2_7 + R2_23 * t2_8 - R1_33 * t2_11 + minus_P_omega1_2_31;
-  const T minus_B3_1_32 = R2_23 * t2_7 - R2_13 * t2_8 + R1_33 * t2_14 + minus_P_omega1_2_32;
+  const T minus_B3_1_31 = minus_P_omega1_2_31 + R2_13 * t2_7 + R2_23 * t2_8 - R1_33 * t2_11;
+  const T minus_B3_1_32 = minus_P_omega1_2_32 + R2_23 * t2_7 - R2_13 * t2_8 + R1_33 * t2_14;
   const T t2_19 = R2_13 * T(0.2);
   const T t2_20 = t2_19 - R2_23 * T(0.1);
   const T minus_B3_1_33 = t2_20 + minus_P_omega1_2_33;
@@ -3148,10 +3209,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[58] = -t2_20;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = R2_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R2_22 * E3_22 + R1_32 * E3_23;
@@ -3165,27 +3225,27 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T omega_omega1_3_31 = E3_23 * E2_12;
   const T minus_omega_omega1_3_32 = E3_23 * E2_11;
   // P_omega1_3 = -R2^T q3~ E2 + P_omega1_2: partial velocity of the body origin, inertial axes
-  const T t3_1 = R2_11 * t2_10 + R2_21 * t2_12 + minus_P_omega1_2_11;
+  const T t3_1 = minus_P_omega1_2_11 + R2_11 * t2_10 + R2_21 * t2_12;
   const T t3_2 = T(0.3) * E2_12;
-  const T t3_3 = T(0.15) * E2_11 + t3_2;
+  const T t3_3 = t3_2 + T(0.15) * E2_11;
   const T minus_P_omega1_3_11 = t3_1 - R1_31 * t3_3;
-  const T t3_4 = R2_21 * t2_10 - R2_11 * t2_12 + minus_P_omega1_2_12;
+  const T t3_4 = minus_P_omega1_2_12 + R2_21 * t2_10 - R2_11 * t2_12;
   const T t3_5 = T(0.3) * E2_11;
   const T t3_6 = t3_5 - T(0.15) * E2_12;
   const T minus_P_omega1_3_12 = t3_4 + R1_31 * t3_6;
   const T t3_7 = R2_21 * T(0.3);
   const T t3_8 = R2_11 * T(0.15) - t3_7;
   const T minus_P_omega1_3_13 = t3_8 + minus_P_omega1_2_13;
-  const T t3_9 = R2_12 * t2_10 + R2_22 * t2_12 + minus_P_omega1_2_21;
+  const T t3_9 = minus_P_omega1_2_21 + R2_12 * t2_10 + R2_22 * t2_12;
   const T minus_P_omega1_3_21 = t3_9 - R1_32 * t3_3;
-  const T t3_10 = R2_22 * t2_10 - R2_12 * t2_12 + minus_P_omega1_2_22;
+  const T t3_10 = minus_P_omega1_2_22 + R2_22 * t2_10 - R2_12 * t2_12;
   const T minus_P_omega1_3_22 = t3_10 + R1_32 * t3_6;
   const T t3_11 = R2_22 * T(0.3);
   const T t3_12 = R2_12 * T(0.15) - t3_11;
   const T minus_P_omega1_3_23 = t3_12 + minus_P_omega1_2_23;
-  const T t3_13 = R2_13 * t2_10 + R2_23 * t2_12 + minus_P_omega1_2_31;
+  const T t3_13 = minus_P_omega1_2_31 + R2_13 * t2_10 + R2_23 * t2_12;
   const T minus_P_omega1_3_31 = t3_13 - R1_33 * t3_3;
-  const T t3_14 = R2_23 * t2_10 - R2_13 * t2_12 + minus_P_omega1_2_32;
+  const T t3_14 = minus_P_omega1_2_32 + R2_23 * t2_10 - R2_13 * t2_12;
   const T minus_P_omega1_3_32 = t3_14 + R1_33 * t3_6;
   const T t3_15 = R2_23 * T(0.3);
   const T t3_16 = R2_13 * T(0.15) - t3_15;
@@ -3193,23 +3253,23 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   // B5_1 = -R3^T r3~ omega_omega1_3 + P_omega1_3
   const T t3_17 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
   const T t3_18 = t2_8 - T(0.1) * omega_omega1_3_31;
-  const T t3_19 = T(0.1) * minus_omega_omega1_3_21 + t2_9;
-  const T minus_B5_1_11 = R2_11 * t3_17 + R3_21 * t3_18 - R3_31 * t3_19 + minus_P_omega1_3_11;
+  const T t3_19 = t2_9 + T(0.1) * minus_omega_omega1_3_21;
+  const T minus_B5_1_11 = minus_P_omega1_3_11 + R2_11 * t3_17 + R3_21 * t3_18 - R3_31 * t3_19;
   const T t3_20 = t2_7 + T(0.1) * minus_omega_omega1_3_32;
   const T t3_21 = T(0.05) * omega_omega1_3_22 + T(0.2) * minus_omega_omega1_3_32;
   const T t3_22 = T(0.1) * omega_omega1_3_22 - t2_13;
-  const T minus_B5_1_12 = R3_21 * t3_20 - R2_11 * t3_21 + R3_31 * t3_22 + minus_P_omega1_3_12;
+  const T minus_B5_1_12 = minus_P_omega1_3_12 + R3_21 * t3_20 - R2_11 * t3_21 + R3_31 * t3_22;
   const T t3_23 = T(0.2) * E3_22 - T(0.05) * E3_23;
   const T t3_24 = T(0.1) * E3_22;
   const T t3_25 = T(0.1) * E3_23;
   const T t3_26 = R2_11 * t3_23 - R3_21 * t3_24 + R3_31 * t3_25;
   const T minus_B5_1_13 = t3_26 + minus_P_omega1_3_13;
-  const T minus_B5_1_21 = R2_12 * t3_17 + R3_22 * t3_18 - R3_32 * t3_19 + minus_P_omega1_3_21;
-  const T minus_B5_1_22 = R3_22 * t3_20 - R2_12 * t3_21 + R3_32 * t3_22 + minus_P_omega1_3_22;
+  const T minus_B5_1_21 = minus_P_omega1_3_21 + R2_12 * t3_17 + R3_22 * t3_18 - R3_32 * t3_19;
+  const T minus_B5_1_22 = minus_P_omega1_3_22 + R3_22 * t3_20 - R2_12 * t3_21 + R3_32 * t3_22;
   const T t3_27 = R2_12 * t3_23 - R3_22 * t3_24 + R3_32 * t3_25;
   const T minus_B5_1_23 = t3_27 + minus_P_omega1_3_23;
-  const T minus_B5_1_31 = R2_13 * t3_17 + R3_23 * t3_18 - R3_33 * t3_19 + minus_P_omega1_3_31;
-  const T minus_B5_1_32 = R3_23 * t3_20 - R2_13 * t3_21 + R3_33 * t3_22 + minus_P_omega1_3_32;
+  const T minus_B5_1_31 = minus_P_omega1_3_31 + R2_13 * t3_17 + R3_23 * t3_18 - R3_33 * t3_19;
+  const T minus_B5_1_32 = minus_P_omega1_3_32 + R3_23 * t3_20 - R2_13 * t3_21 + R3_33 * t3_22;
   const T t3_28 = R2_13 * t3_23 - R3_23 * t3_24 + R3_33 * t3_25;
   const T minus_B5_1_33 = t3_28 + minus_P_omega1_3_33;
   v_y[66] = -minus_B5_1_11;
@@ -3237,10 +3297,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[92] = -minus_B7_3_3;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R2^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R1_31 * minus_E4_13;
   const T R4_12 = R2_12 * E4_11 - R1_32 * minus_E4_13;
@@ -3272,22 +3331,22 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_6 = t2_7 + T(0.2) * omega_omega1_4_31;
   const T t4_7 = T(0.05) * omega_omega1_4_11 - T(0.1) * omega_omega1_4_31;
   const T t4_8 = t2_10 + T(0.2) * omega_omega1_4_11;
-  const T minus_B8_1_11 = R4_11 * t4_6 + R2_21 * t4_7 - R4_31 * t4_8 + minus_P_omega1_4_11;
+  const T minus_B8_1_11 = minus_P_omega1_4_11 + R4_11 * t4_6 + R2_21 * t4_7 - R4_31 * t4_8;
   const T t4_9 = T(0.2) * omega_omega1_4_32 - t2_8;
   const T t4_10 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
   const T t4_11 = t2_12 - T(0.2) * omega_omega1_4_12;
-  const T minus_B8_1_12 = R4_11 * t4_9 + R2_21 * t4_10 + R4_31 * t4_11 + minus_P_omega1_4_12;
+  const T minus_B8_1_12 = minus_P_omega1_4_12 + R4_11 * t4_9 + R2_21 * t4_10 + R4_31 * t4_11;
   const T t4_12 = T(0.2) * E4_11;
   const T t4_13 = T(0.05) * minus_E4_13 + T(0.1) * E4_11;
   const T t4_14 = T(0.2) * minus_E4_13;
   const T t4_15 = R4_11 * t4_12 - R2_21 * t4_13 + R4_31 * t4_14;
   const T minus_B8_1_13 = t4_15 + minus_P_omega1_4_13;
-  const T minus_B8_1_21 = R4_12 * t4_6 + R2_22 * t4_7 - R4_32 * t4_8 + minus_P_omega1_4_21;
-  const T minus_B8_1_22 = R4_12 * t4_9 + R2_22 * t4_10 + R4_32 * t4_11 + minus_P_omega1_4_22;
+  const T minus_B8_1_21 = minus_P_omega1_4_21 + R4_12 * t4_6 + R2_22 * t4_7 - R4_32 * t4_8;
+  const T minus_B8_1_22 = minus_P_omega1_4_22 + R4_12 * t4_9 + R2_22 * t4_10 + R4_32 * t4_11;
   const T t4_16 = R4_12 * t4_12 - R2_22 * t4_13 + R4_32 * t4_14;
   const T minus_B8_1_23 = t4_16 + minus_P_omega1_4_23;
-  const T minus_B8_1_31 = R4_13 * t4_6 + R2_23 * t4_7 - R4_33 * t4_8 + minus_P_omega1_4_31;
-  const T minus_B8_1_32 = R4_13 * t4_9 + R2_23 * t4_10 + R4_33 * t4_11 + minus_P_omega1_4_32;
+  const T minus_B8_1_31 = minus_P_omega1_4_31 + R4_13 * t4_6 + R2_23 * t4_7 - R4_33 * t4_8;
+  const T minus_B8_1_32 = minus_P_omega1_4_32 + R4_13 * t4_9 + R2_23 * t4_10 + R4_33 * t4_11;
   const T t4_17 = R4_13 * t4_12 - R2_23 * t4_13 + R4_33 * t4_14;
   const T minus_B8_1_33 = t4_17 + minus_P_omega1_4_33;
   v_y[99] = -minus_B8_1_11;
@@ -3315,10 +3374,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[126] = -minus_B10_4_3;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // R5^T = R1^T E5^T: R takes inertial components to body components
   const T R5_11 = R1_11 * E5_11 + R1_21 * E5_12;
   const T R5_12 = R1_12 * E5_11 + R1_22 * E5_12;
@@ -3339,19 +3397,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t5_3 = T(0.2) * E5_11;
   const T t5_4 = T(0.1) * E5_12;
   const T t5_5 = t5_3 + t5_4;
-  const T minus_B11_1_11 = R5_11 * t5_1 + R5_21 * t5_2 - R1_31 * t5_5 + minus_P_omega1_5_11;
+  const T minus_B11_1_11 = minus_P_omega1_5_11 + R5_11 * t5_1 + R5_21 * t5_2 - R1_31 * t5_5;
   const T t5_6 = T(0.1) * E5_11;
   const T t5_7 = T(0.2) * E5_12;
   const T t5_8 = t5_6 - t5_7;
-  const T minus_B11_1_12 = R5_21 * t5_1 - R5_11 * t5_2 + R1_31 * t5_8 + minus_P_omega1_2_12;
+  const T minus_B11_1_12 = minus_P_omega1_2_12 + R5_21 * t5_1 - R5_11 * t5_2 + R1_31 * t5_8;
   const T t5_9 = R5_11 * T(0.2) - R5_21 * T(0.1);
   const T minus_B11_1_13 = t5_9 + minus_P_omega1_5_13;
-  const T minus_B11_1_21 = R5_12 * t5_1 + R5_22 * t5_2 - R1_32 * t5_5 + minus_P_omega1_5_21;
-  const T minus_B11_1_22 = R5_22 * t5_1 - R5_12 * t5_2 + R1_32 * t5_8 + minus_P_omega1_2_22;
+  const T minus_B11_1_21 = minus_P_omega1_5_21 + R5_12 * t5_1 + R5_22 * t5_2 - R1_32 * t5_5;
+  const T minus_B11_1_22 = minus_P_omega1_2_22 + R5_22 * t5_1 - R5_12 * t5_2 + R1_32 * t5_8;
   const T t5_10 = R5_12 * T(0.2) - R5_22 * T(0.1);
   const T minus_B11_1_23 = t5_10 + minus_P_omega1_5_23;
-  const T minus_B11_1_31 = R5_13 * t5_1 + R5_23 * t5_2 - R1_33 * t5_5 + minus_P_omega1_5_31;
-  const T minus_B11_1_32 = R5_23 * t5_1 - R5_13 * t5_2 + R1_33 * t5_8 + minus_P_omega1_2_32;
+  const T minus_B11_1_31 = minus_P_omega1_5_31 + R5_13 * t5_1 + R5_23 * t5_2 - R1_33 * t5_5;
+  const T minus_B11_1_32 = minus_P_omega1_2_32 + R5_23 * t5_1 - R5_13 * t5_2 + R1_33 * t5_8;
   const T t5_11 = R5_13 * T(0.2) - R5_23 * T(0.1);
   const T minus_B11_1_33 = t5_11 + minus_P_omega1_5_33;
   v_y[132] = -minus_B11_1_11;
@@ -3368,10 +3426,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[160] = -t5_11;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R1_32 * E6_23;
@@ -3388,39 +3445,39 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_1 = T(0.3) * E5_11;
   const T t6_2 = T(0.3) * E5_12;
   const T t6_3 = t6_1 + t6_2;
-  const T minus_P_omega1_6_11 = R5_11 * t5_4 + R5_21 * t5_6 - R1_31 * t6_3 + minus_P_omega1_5_11;
+  const T minus_P_omega1_6_11 = minus_P_omega1_5_11 + R5_11 * t5_4 + R5_21 * t5_6 - R1_31 * t6_3;
   const T t6_4 = t6_1 - t6_2;
-  const T minus_P_omega1_6_12 = R5_21 * t5_4 - R5_11 * t5_6 + R1_31 * t6_4 + minus_P_omega1_2_12;
+  const T minus_P_omega1_6_12 = minus_P_omega1_2_12 + R5_21 * t5_4 - R5_11 * t5_6 + R1_31 * t6_4;
   const T t6_5 = R5_11 * T(0.3) - R5_21 * T(0.3);
   const T minus_P_omega1_6_13 = t6_5 + minus_P_omega1_5_13;
-  const T minus_P_omega1_6_21 = R5_12 * t5_4 + R5_22 * t5_6 - R1_32 * t6_3 + minus_P_omega1_5_21;
-  const T minus_P_omega1_6_22 = R5_22 * t5_4 - R5_12 * t5_6 + R1_32 * t6_4 + minus_P_omega1_2_22;
+  const T minus_P_omega1_6_21 = minus_P_omega1_5_21 + R5_12 * t5_4 + R5_22 * t5_6 - R1_32 * t6_3;
+  const T minus_P_omega1_6_22 = minus_P_omega1_2_22 + R5_22 * t5_4 - R5_12 * t5_6 + R1_32 * t6_4;
   const T t6_6 = R5_12 * T(0.3) - R5_22 * T(0.3);
   const T minus_P_omega1_6_23 = t6_6 + minus_P_omega1_5_23;
-  const T minus_P_omega1_6_31 = R5_13 * t5_4 + R5_23 * t5_6 - R1_33 * t6_3 + minus_P_omega1_5_31;
-  const T minus_P_omega1_6_32 = R5_23 * t5_4 - R5_13 * t5_6 + R1_33 * t6_4 + minus_P_omega1_2_32;
+  const T minus_P_omega1_6_31 = minus_P_omega1_5_31 + R5_13 * t5_4 + R5_23 * t5_6 - R1_33 * t6_3;
+  const T minus_P_omega1_6_32 = minus_P_omega1_2_32 + R5_23 * t5_4 - R5_13 * t5_6 + R1_33 * t6_4;
   const T t6_7 = R5_13 * T(0.3) - R5_23 * T(0.3);
   const T minus_P_omega1_6_33 = t6_7 + minus_P_omega1_5_33;
   // B13_1 = -R6^T r6~ omega_omega1_6 + P_omega1_6
   const T t6_8 = T(0.05) * minus_omega_omega1_6_21 + T(0.2) * omega_omega1_6_31;
   const T t6_9 = t5_2 - T(0.1) * omega_omega1_6_31;
-  const T t6_10 = T(0.1) * minus_omega_omega1_6_21 + t5_3;
-  const T minus_B13_1_11 = R5_11 * t6_8 + R6_21 * t6_9 - R6_31 * t6_10 + minus_P_omega1_6_11;
+  const T t6_10 = t5_3 + T(0.1) * minus_omega_omega1_6_21;
+  const T minus_B13_1_11 = minus_P_omega1_6_11 + R5_11 * t6_8 + R6_21 * t6_9 - R6_31 * t6_10;
   const T t6_11 = t5_1 + T(0.1) * minus_omega_omega1_6_32;
   const T t6_12 = T(0.05) * omega_omega1_6_22 + T(0.2) * minus_omega_omega1_6_32;
   const T t6_13 = T(0.1) * omega_omega1_6_22 - t5_7;
-  const T minus_B13_1_12 = R6_21 * t6_11 - R5_11 * t6_12 + R6_31 * t6_13 + minus_P_omega1_6_12;
+  const T minus_B13_1_12 = minus_P_omega1_6_12 + R6_21 * t6_11 - R5_11 * t6_12 + R6_31 * t6_13;
   const T t6_14 = T(0.2) * E6_22 - T(0.05) * E6_23;
   const T t6_15 = T(0.1) * E6_22;
   const T t6_16 = T(0.1) * E6_23;
   const T t6_17 = R5_11 * t6_14 - R6_21 * t6_15 + R6_31 * t6_16;
   const T minus_B13_1_13 = t6_17 + minus_P_omega1_6_13;
-  const T minus_B13_1_21 = R5_12 * t6_8 + R6_22 * t6_9 - R6_32 * t6_10 + minus_P_omega1_6_21;
-  const T minus_B13_1_22 = R6_22 * t6_11 - R5_12 * t6_12 + R6_32 * t6_13 + minus_P_omega1_6_22;
+  const T minus_B13_1_21 = minus_P_omega1_6_21 + R5_12 * t6_8 + R6_22 * t6_9 - R6_32 * t6_10;
+  const T minus_B13_1_22 = minus_P_omega1_6_22 + R6_22 * t6_11 - R5_12 * t6_12 + R6_32 * t6_13;
   const T t6_18 = R5_12 * t6_14 - R6_22 * t6_15 + R6_32 * t6_16;
   const T minus_B13_1_23 = t6_18 + minus_P_omega1_6_23;
-  const T minus_B13_1_31 = R5_13 * t6_8 + R6_23 * t6_9 - R6_33 * t6_10 + minus_P_omega1_6_31;
-  const T minus_B13_1_32 = R6_23 * t6_11 - R5_13 * t6_12 + R6_33 * t6_13 + minus_P_omega1_6_32;
+  const T minus_B13_1_31 = minus_P_omega1_6_31 + R5_13 * t6_8 + R6_23 * t6_9 - R6_33 * t6_10;
+  const T minus_B13_1_32 = minus_P_omega1_6_32 + R6_23 * t6_11 - R5_13 * t6_12 + R6_33 * t6_13;
   const T t6_19 = R5_13 * t6_14 - R6_23 * t6_15 + R6_33 * t6_16;
   const T minus_B13_1_33 = t6_19 + minus_P_omega1_6_33;
   v_y[165] = -minus_B13_1_11;
@@ -3473,8 +3530,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 584 add, 797 multiply, 10 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 198; ++i) v_y_dot[i] = T(0);
+  T cosines[9], sines[9];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 5, cosines + 4, sines + 4);
 
   // ---- body 1 (body_1) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -3537,11 +3596,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[24] = -minus_B1_1_33;
 
   // ---- body 2 (body_2) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T E2_12 = sin(theta2);
+  const T E2_11 = cosines[4];
+  const T E2_12 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_11 = R1_11 * E2_11 + R1_21 * E2_12;
   const T R2_12 = R1_12 * E2_11 + R1_22 * E2_12;
@@ -3583,13 +3641,13 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_17 = T(0.1) * E2_11;
   const T t2_18 = T(0.2) * E2_12;
   const T t2_19 = t2_17 - t2_18;
-  const T B2_1_11 = R2_11 * t2_12 - R2_21 * t2_15 - R1_31 * t2_16 + thetadot2 * (R2_21 * t2_13 - R2_11 * t2_7 + R1_31
-      * t2_19) - minus_P_dot_omega1_2_11;
+  const T B2_1_11 = R2_11 * t2_12 - minus_P_dot_omega1_2_11 - R2_21 * t2_15 - R1_31 * t2_16 + thetadot2 * (R2_21 *
+      t2_13 - R2_11 * t2_7 + R1_31 * t2_19);
   const T t2_20 = omega2_2 * t2_19 - t2_14;
   const T t2_21 = t2_8 + omega2_1 * t2_19;
   const T t2_22 = omega2_1 * t2_13 + omega2_2 * t2_7;
-  const T minus_B2_1_12 = thetadot2 * (R2_11 * t2_13 + R2_21 * t2_7 - R1_31 * t2_11) + R2_11 * t2_20 - R2_21 * t2_21 +
-      R1_31 * t2_22 + minus_P_dot_omega1_2_12;
+  const T minus_B2_1_12 = minus_P_dot_omega1_2_12 + thetadot2 * (R2_11 * t2_13 + R2_21 * t2_7 - R1_31 * t2_11) + R2_11
+      * t2_20 - R2_21 * t2_21 + R1_31 * t2_22;
   const T t2_23 = omega2_3 * T(0.1);
   const T t2_24 = omega2_3 * T(0.2);
   const T t2_25 = R2_21 * t2_24;
@@ -3598,17 +3656,17 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_28 = t2_26 + t2_27;
   const T t2_29 = R2_11 * t2_23 + t2_25 - R1_31 * t2_28;
   const T minus_B2_1_13 = t2_29 + minus_P_dot_omega1_2_13;
-  const T B2_1_21 = R2_12 * t2_12 - R2_22 * t2_15 - R1_32 * t2_16 + thetadot2 * (R2_22 * t2_13 - R2_12 * t2_7 + R1_32
-      * t2_19) - minus_P_dot_omega1_2_21;
-  const T minus_B2_1_22 = thetadot2 * (R2_12 * t2_13 + R2_22 * t2_7 - R1_32 * t2_11) + R2_12 * t2_20 - R2_22 * t2_21 +
-      R1_32 * t2_22 + minus_P_dot_omega1_2_22;
+  const T B2_1_21 = R2_12 * t2_12 - minus_P_dot_omega1_2_21 - R2_22 * t2_15 - R1_32 * t2_16 + thetadot2 * (R2_22 *
+      t2_13 - R2_12 * t2_7 + R1_32 * t2_19);
+  const T minus_B2_1_22 = minus_P_dot_omega1_2_22 + thetadot2 * (R2_12 * t2_13 + R2_22 * t2_7 - R1_32 * t2_11) + R2_12
+      * t2_20 - R2_22 * t2_21 + R1_32 * t2_22;
   const T t2_30 = R2_22 * t2_24;
   const T t2_31 = R2_12 * t2_23 + t2_30 - R1_32 * t2_28;
   const T minus_B2_1_23 = t2_31 + minus_P_dot_omega1_2_23;
-  const T B2_1_31 = R2_13 * t2_12 - R2_23 * t2_15 - R1_33 * t2_16 + thetadot2 * (R2_23 * t2_13 - R2_13 * t2_7 + R1_33
-      * t2_19) - minus_P_dot_omega1_2_31;
-  const T minus_B2_1_32 = thetadot2 * (R2_13 * t2_13 + R2_23 * t2_7 - R1_33 * t2_11) + R2_13 * t2_20 - R2_23 * t2_21 +
-      R1_33 * t2_22 + minus_P_dot_omega1_2_32;
+  const T B2_1_31 = R2_13 * t2_12 - minus_P_dot_omega1_2_31 - R2_23 * t2_15 - R1_33 * t2_16 + thetadot2 * (R2_23 *
+      t2_13 - R2_13 * t2_7 + R1_33 * t2_19);
+  const T minus_B2_1_32 = minus_P_dot_omega1_2_32 + thetadot2 * (R2_13 * t2_13 + R2_23 * t2_7 - R1_33 * t2_11) + R2_13
+      * t2_20 - R2_23 * t2_21 + R1_33 * t2_22;
   const T t2_32 = R2_23 * t2_24;
   const T t2_33 = R2_13 * t2_23 + t2_32 - R1_33 * t2_28;
   const T minus_B2_1_33 = t2_33 + minus_P_dot_omega1_2_33;
@@ -3626,11 +3684,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[58] = -t2_33;
 
   // ---- body 3 (body_3) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_21 = R2_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R2_22 * E3_22 + R1_32 * E3_23;
@@ -3659,59 +3716,59 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T omega_dot_omega1_3_31 = t3_3 * E2_11 + omega_dot_omega1_3_23 * E2_12;
   const T minus_omega_dot_omega1_3_32 = omega_dot_omega1_3_23 * E2_11 - t3_3 * E2_12;
   // P_dot_omega1_3 = R2^T (thetadot2 q3~ b2~ - omega2~ q3~) E2 + P_dot_omega1_2: its rate
-  const T t3_4 = t2_23 - thetadot2 * T(0.1);
-  const T t3_5 = omega2_2 * T(0.15);
-  const T t3_6 = t3_4 + t3_5;
-  const T t3_7 = omega2_2 * T(0.3);
-  const T t3_8 = t3_7 * E2_12;
-  const T t3_9 = t3_6 * E2_11 + t3_8;
-  const T t3_10 = omega2_1 * T(0.15);
-  const T t3_11 = omega2_1 * T(0.3);
-  const T t3_12 = t3_4 + t3_11;
-  const T t3_13 = t3_12 * E2_12;
-  const T t3_14 = t3_10 * E2_11 + t3_13;
+  const T t3_4 = omega2_2 * T(0.3);
+  const T t3_5 = t3_4 * E2_12;
+  const T t3_6 = t2_23 - thetadot2 * T(0.1);
+  const T t3_7 = omega2_2 * T(0.15);
+  const T t3_8 = t3_6 + t3_7;
+  const T t3_9 = t3_5 + t3_8 * E2_11;
+  const T t3_10 = omega2_1 * T(0.3);
+  const T t3_11 = t3_6 + t3_10;
+  const T t3_12 = t3_11 * E2_12;
+  const T t3_13 = omega2_1 * T(0.15);
+  const T t3_14 = t3_12 + t3_13 * E2_11;
   const T t3_15 = thetadot2 * T(0.3) - t2_26;
   const T t3_16 = t3_15 * E2_11;
   const T t3_17 = omega2_2 * T(0.1);
   const T t3_18 = thetadot2 * T(0.15) - t3_17;
   const T t3_19 = t3_16 - t3_18 * E2_12;
-  const T P_dot_omega1_3_11 = R2_11 * t3_9 - R2_21 * t3_14 + R1_31 * t3_19 - minus_P_dot_omega1_2_11;
-  const T t3_20 = t3_7 * E2_11;
-  const T t3_21 = t3_6 * E2_12 - t3_20;
-  const T t3_22 = t3_12 * E2_11;
-  const T t3_23 = t3_22 - t3_10 * E2_12;
+  const T P_dot_omega1_3_11 = R2_11 * t3_9 - minus_P_dot_omega1_2_11 - R2_21 * t3_14 + R1_31 * t3_19;
+  const T t3_20 = t3_4 * E2_11;
+  const T t3_21 = t3_8 * E2_12 - t3_20;
+  const T t3_22 = t3_11 * E2_11;
+  const T t3_23 = t3_22 - t3_13 * E2_12;
   const T t3_24 = t3_15 * E2_12;
   const T t3_25 = t3_24 + t3_18 * E2_11;
-  const T P_dot_omega1_3_12 = R2_11 * t3_21 + R2_21 * t3_23 + R1_31 * t3_25 - minus_P_dot_omega1_2_12;
-  const T t3_26 = t3_5 + t3_11;
+  const T P_dot_omega1_3_12 = R2_11 * t3_21 - minus_P_dot_omega1_2_12 + R2_21 * t3_23 + R1_31 * t3_25;
+  const T t3_26 = t3_7 + t3_10;
   const T t3_27 = omega2_3 * T(0.3);
   const T t3_28 = R2_11 * t3_27;
   const T t3_29 = omega2_3 * T(0.15);
   const T t3_30 = R1_31 * t3_26 - (t3_28 + R2_21 * t3_29);
   const T P_dot_omega1_3_13 = t3_30 - minus_P_dot_omega1_2_13;
-  const T P_dot_omega1_3_21 = R2_12 * t3_9 - R2_22 * t3_14 + R1_32 * t3_19 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_3_22 = R2_12 * t3_21 + R2_22 * t3_23 + R1_32 * t3_25 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_3_21 = R2_12 * t3_9 - minus_P_dot_omega1_2_21 - R2_22 * t3_14 + R1_32 * t3_19;
+  const T P_dot_omega1_3_22 = R2_12 * t3_21 - minus_P_dot_omega1_2_22 + R2_22 * t3_23 + R1_32 * t3_25;
   const T t3_31 = R2_12 * t3_27;
   const T t3_32 = R1_32 * t3_26 - (t3_31 + R2_22 * t3_29);
   const T P_dot_omega1_3_23 = t3_32 - minus_P_dot_omega1_2_23;
-  const T P_dot_omega1_3_31 = R2_13 * t3_9 - R2_23 * t3_14 + R1_33 * t3_19 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_3_32 = R2_13 * t3_21 + R2_23 * t3_23 + R1_33 * t3_25 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_3_31 = R2_13 * t3_9 - minus_P_dot_omega1_2_31 - R2_23 * t3_14 + R1_33 * t3_19;
+  const T P_dot_omega1_3_32 = R2_13 * t3_21 - minus_P_dot_omega1_2_32 + R2_23 * t3_23 + R1_33 * t3_25;
   const T t3_33 = R2_13 * t3_27;
   const T t3_34 = R1_33 * t3_26 - (t3_33 + R2_23 * t3_29);
   const T P_dot_omega1_3_33 = t3_34 - minus_P_dot_omega1_2_33;
   // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
   const T t3_35 = t2_7 - T(0.1) * omega_omega1_3_31;
-  const T t3_36 = T(0.1) * minus_omega_omega1_3_21 + t2_9;
+  const T t3_36 = t2_9 + T(0.1) * minus_omega_omega1_3_21;
   const T t3_37 = omega3_3 * t3_35 + omega3_2 * t3_36;
   const T t3_38 = T(0.05) * minus_omega_omega1_3_21 + T(0.2) * omega_omega1_3_31;
   const T t3_39 = omega3_3 * t3_38 + omega3_1 * t3_36;
   const T t3_40 = omega3_1 * t3_35 - omega3_2 * t3_38;
   const T t3_41 = T(0.05) * minus_omega_dot_omega1_3_21 + T(0.2) * omega_dot_omega1_3_31;
   const T t3_42 = T(0.05) * minus_omega_dot_omega1_3_11;
-  const T t3_43 = T(0.1) * omega_dot_omega1_3_31 + t3_42;
+  const T t3_43 = t3_42 + T(0.1) * omega_dot_omega1_3_31;
   const T t3_44 = T(0.2) * minus_omega_dot_omega1_3_11 - T(0.1) * minus_omega_dot_omega1_3_21;
-  const T B4_1_11 = R2_11 * t3_37 - R3_21 * t3_39 - R3_31 * t3_40 - R2_11 * t3_41 + R3_21 * t3_43 - R3_31 * t3_44 +
-      P_dot_omega1_3_11;
+  const T B4_1_11 = P_dot_omega1_3_11 + R2_11 * t3_37 - R3_21 * t3_39 - R3_31 * t3_40 - R2_11 * t3_41 + R3_21 * t3_43
+      - R3_31 * t3_44;
   const T t3_45 = T(0.05) * omega_omega1_3_22 + T(0.2) * minus_omega_omega1_3_32;
   const T t3_46 = T(0.1) * omega_omega1_3_22 - t2_18;
   const T t3_47 = omega3_3 * t3_45 + omega3_1 * t3_46;
@@ -3720,10 +3777,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_50 = omega3_1 * t3_48 + omega3_2 * t3_45;
   const T t3_51 = T(0.05) * minus_omega_dot_omega1_3_22 - T(0.2) * minus_omega_dot_omega1_3_32;
   const T t3_52 = T(0.05) * omega_dot_omega1_3_12;
-  const T t3_53 = T(0.1) * minus_omega_dot_omega1_3_32 + t3_52;
+  const T t3_53 = t3_52 + T(0.1) * minus_omega_dot_omega1_3_32;
   const T t3_54 = T(0.2) * omega_dot_omega1_3_12 + T(0.1) * minus_omega_dot_omega1_3_22;
-  const T B4_1_12 = R3_21 * t3_47 - R2_11 * t3_49 - R3_31 * t3_50 - R2_11 * t3_51 - R3_21 * t3_53 + R3_31 * t3_54 +
-      P_dot_omega1_3_12;
+  const T B4_1_12 = P_dot_omega1_3_12 + R3_21 * t3_47 - R2_11 * t3_49 - R3_31 * t3_50 - R2_11 * t3_51 - R3_21 * t3_53
+      + R3_31 * t3_54;
   const T t3_55 = T(0.1) * E3_22;
   const T t3_56 = T(0.1) * E3_23;
   const T t3_57 = omega3_3 * t3_55 + omega3_2 * t3_56;
@@ -3735,16 +3792,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_63 = T(0.1) * omega_dot_omega1_3_23;
   const T t3_64 = R2_11 * t3_57 + R3_21 * t3_59 - R3_31 * t3_60 + R3_21 * t3_61 - R2_11 * t3_62 + R3_31 * t3_63;
   const T B4_1_13 = P_dot_omega1_3_13 - t3_64;
-  const T B4_1_21 = R2_12 * t3_37 - R3_22 * t3_39 - R3_32 * t3_40 - R2_12 * t3_41 + R3_22 * t3_43 - R3_32 * t3_44 +
-      P_dot_omega1_3_21;
-  const T B4_1_22 = R3_22 * t3_47 - R2_12 * t3_49 - R3_32 * t3_50 - R2_12 * t3_51 - R3_22 * t3_53 + R3_32 * t3_54 +
-      P_dot_omega1_3_22;
+  const T B4_1_21 = P_dot_omega1_3_21 + R2_12 * t3_37 - R3_22 * t3_39 - R3_32 * t3_40 - R2_12 * t3_41 + R3_22 * t3_43
+      - R3_32 * t3_44;
+  const T B4_1_22 = P_dot_omega1_3_22 + R3_22 * t3_47 - R2_12 * t3_49 - R3_32 * t3_50 - R2_12 * t3_51 - R3_22 * t3_53
+      + R3_32 * t3_54;
   const T t3_65 = R2_12 * t3_57 + R3_22 * t3_59 - R3_32 * t3_60 + R3_22 * t3_61 - R2_12 * t3_62 + R3_32 * t3_63;
   const T B4_1_23 = P_dot_omega1_3_23 - t3_65;
-  const T B4_1_31 = R2_13 * t3_37 - R3_23 * t3_39 - R3_33 * t3_40 - R2_13 * t3_41 + R3_23 * t3_43 - R3_33 * t3_44 +
-      P_dot_omega1_3_31;
-  const T B4_1_32 = R3_23 * t3_47 - R2_13 * t3_49 - R3_33 * t3_50 - R2_13 * t3_51 - R3_23 * t3_53 + R3_33 * t3_54 +
-      P_dot_omega1_3_32;
+  const T B4_1_31 = P_dot_omega1_3_31 + R2_13 * t3_37 - R3_23 * t3_39 - R3_33 * t3_40 - R2_13 * t3_41 + R3_23 * t3_43
+      - R3_33 * t3_44;
+  const T B4_1_32 = P_dot_omega1_3_32 + R3_23 * t3_47 - R2_13 * t3_49 - R3_33 * t3_50 - R2_13 * t3_51 - R3_23 * t3_53
+      + R3_33 * t3_54;
   const T t3_66 = R2_13 * t3_57 + R3_23 * t3_59 - R3_33 * t3_60 + R3_23 * t3_61 - R2_13 * t3_62 + R3_33 * t3_63;
   const T B4_1_33 = P_dot_omega1_3_33 - t3_66;
   v_y_dot[66] = B4_1_11;
@@ -3775,11 +3832,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[92] = -minus_B6_3_3;
 
   // ---- body 4 (body_4) on body 2
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R2^T E4^T: R takes inertial components to body components
   const T R4_11 = R2_11 * E4_11 - R1_31 * minus_E4_13;
   const T R4_12 = R2_12 * E4_11 - R1_32 * minus_E4_13;
@@ -3806,26 +3862,26 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T minus_omega_dot_omega1_4_31 = t4_3 * E2_12 - minus_omega_dot_omega1_4_13 * E2_11;
   const T omega_dot_omega1_4_32 = minus_omega_dot_omega1_4_13 * E2_12 + t4_3 * E2_11;
   // P_dot_omega1_4 = R2^T (thetadot2 q4~ b2~ - omega2~ q4~) E2 + P_dot_omega1_2: its rate
-  const T t4_4 = t3_4 + t2_27;
-  const T t4_5 = t4_4 * E2_11 + t3_8;
+  const T t4_4 = t3_6 + t2_27;
+  const T t4_5 = t3_5 + t4_4 * E2_11;
   const T t4_6 = omega2_1 * T(0.2);
-  const T t4_7 = t4_6 * E2_11 + t3_13;
+  const T t4_7 = t3_12 + t4_6 * E2_11;
   const T t4_8 = thetadot2 * T(0.2) - t3_17;
   const T t4_9 = t3_16 - t4_8 * E2_12;
-  const T P_dot_omega1_4_11 = R2_11 * t4_5 - R2_21 * t4_7 + R1_31 * t4_9 - minus_P_dot_omega1_2_11;
+  const T P_dot_omega1_4_11 = R2_11 * t4_5 - minus_P_dot_omega1_2_11 - R2_21 * t4_7 + R1_31 * t4_9;
   const T t4_10 = t4_4 * E2_12 - t3_20;
   const T t4_11 = t3_22 - t4_6 * E2_12;
   const T t4_12 = t3_24 + t4_8 * E2_11;
-  const T P_dot_omega1_4_12 = R2_11 * t4_10 + R2_21 * t4_11 + R1_31 * t4_12 - minus_P_dot_omega1_2_12;
-  const T t4_13 = t2_27 + t3_11;
+  const T P_dot_omega1_4_12 = R2_11 * t4_10 - minus_P_dot_omega1_2_12 + R2_21 * t4_11 + R1_31 * t4_12;
+  const T t4_13 = t2_27 + t3_10;
   const T t4_14 = R1_31 * t4_13 - (t3_28 + t2_25);
   const T P_dot_omega1_4_13 = t4_14 - minus_P_dot_omega1_2_13;
-  const T P_dot_omega1_4_21 = R2_12 * t4_5 - R2_22 * t4_7 + R1_32 * t4_9 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_4_22 = R2_12 * t4_10 + R2_22 * t4_11 + R1_32 * t4_12 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_4_21 = R2_12 * t4_5 - minus_P_dot_omega1_2_21 - R2_22 * t4_7 + R1_32 * t4_9;
+  const T P_dot_omega1_4_22 = R2_12 * t4_10 - minus_P_dot_omega1_2_22 + R2_22 * t4_11 + R1_32 * t4_12;
   const T t4_15 = R1_32 * t4_13 - (t3_31 + t2_30);
   const T P_dot_omega1_4_23 = t4_15 - minus_P_dot_omega1_2_23;
-  const T P_dot_omega1_4_31 = R2_13 * t4_5 - R2_23 * t4_7 + R1_33 * t4_9 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_4_32 = R2_13 * t4_10 + R2_23 * t4_11 + R1_33 * t4_12 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_4_31 = R2_13 * t4_5 - minus_P_dot_omega1_2_31 - R2_23 * t4_7 + R1_33 * t4_9;
+  const T P_dot_omega1_4_32 = R2_13 * t4_10 - minus_P_dot_omega1_2_32 + R2_23 * t4_11 + R1_33 * t4_12;
   const T t4_16 = R1_33 * t4_13 - (t3_33 + t2_32);
   const T P_dot_omega1_4_33 = t4_16 - minus_P_dot_omega1_2_33;
   // B7_1 = -R4^T omega4~ r4~ omega_omega1_4 - R4^T r4~ omega_dot_omega1_4 + P_dot_omega1_4
@@ -3838,19 +3894,19 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_23 = t3_52 - T(0.2) * minus_omega_dot_omega1_4_31;
   const T t4_24 = T(0.1) * minus_omega_dot_omega1_4_31 - T(0.05) * minus_omega_dot_omega1_4_11;
   const T t4_25 = T(0.2) * minus_omega_dot_omega1_4_11 - T(0.1) * omega_dot_omega1_3_12;
-  const T B7_1_11 = R4_11 * t4_19 - R2_21 * t4_21 - R4_31 * t4_22 - R4_11 * t4_23 - R2_21 * t4_24 - R4_31 * t4_25 +
-      P_dot_omega1_4_11;
-  const T t4_26 = T(0.1) * omega_dot_omega1_4_32 + T(0.05) * minus_omega_dot_omega1_4_12;
-  const T t4_27 = t2_17 - T(0.2) * omega_omega1_4_12;
-  const T t4_28 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
-  const T t4_29 = omega4_2 * t4_27 - omega4_3 * t4_28;
-  const T t4_30 = T(0.2) * omega_omega1_4_32 - t2_7;
-  const T t4_31 = omega4_3 * t4_30 - omega4_1 * t4_27;
-  const T t4_32 = omega4_1 * t4_28 - omega4_2 * t4_30;
-  const T t4_33 = t3_42 + T(0.2) * omega_dot_omega1_4_32;
+  const T B7_1_11 = P_dot_omega1_4_11 + R4_11 * t4_19 - R2_21 * t4_21 - R4_31 * t4_22 - R4_11 * t4_23 - R2_21 * t4_24
+      - R4_31 * t4_25;
+  const T t4_26 = t2_17 - T(0.2) * omega_omega1_4_12;
+  const T t4_27 = T(0.05) * omega_omega1_4_12 - T(0.1) * omega_omega1_4_32;
+  const T t4_28 = omega4_2 * t4_26 - omega4_3 * t4_27;
+  const T t4_29 = T(0.2) * omega_omega1_4_32 - t2_7;
+  const T t4_30 = omega4_3 * t4_29 - omega4_1 * t4_26;
+  const T t4_31 = omega4_1 * t4_27 - omega4_2 * t4_29;
+  const T t4_32 = t3_42 + T(0.2) * omega_dot_omega1_4_32;
+  const T t4_33 = T(0.1) * omega_dot_omega1_4_32 + T(0.05) * minus_omega_dot_omega1_4_12;
   const T t4_34 = T(0.2) * minus_omega_dot_omega1_4_12 - T(0.1) * minus_omega_dot_omega1_3_11;
-  const T B7_1_12 = R2_21 * t4_26 - (R4_11 * t4_29 + R2_21 * t4_31 + R4_31 * t4_32 + R4_11 * t4_33) - R4_31 * t4_34 +
-      P_dot_omega1_4_12;
+  const T B7_1_12 = P_dot_omega1_4_12 - R4_11 * t4_28 - R2_21 * t4_30 - R4_31 * t4_31 - R4_11 * t4_32 + R2_21 * t4_33
+      - R4_31 * t4_34;
   const T t4_35 = T(0.05) * minus_E4_13 + T(0.1) * E4_11;
   const T t4_36 = T(0.2) * minus_E4_13;
   const T t4_37 = omega4_3 * t4_35 + omega4_2 * t4_36;
@@ -3862,16 +3918,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_43 = T(0.2) * minus_omega_dot_omega1_4_13;
   const T t4_44 = R4_11 * t4_37 + R2_21 * t4_39 - R4_31 * t4_40 + R2_21 * t4_41 - R4_11 * t4_42 + R4_31 * t4_43;
   const T B7_1_13 = P_dot_omega1_4_13 - t4_44;
-  const T B7_1_21 = R4_12 * t4_19 - R2_22 * t4_21 - R4_32 * t4_22 - R4_12 * t4_23 - R2_22 * t4_24 - R4_32 * t4_25 +
-      P_dot_omega1_4_21;
-  const T B7_1_22 = R2_22 * t4_26 - (R4_12 * t4_29 + R2_22 * t4_31 + R4_32 * t4_32 + R4_12 * t4_33) - R4_32 * t4_34 +
-      P_dot_omega1_4_22;
+  const T B7_1_21 = P_dot_omega1_4_21 + R4_12 * t4_19 - R2_22 * t4_21 - R4_32 * t4_22 - R4_12 * t4_23 - R2_22 * t4_24
+      - R4_32 * t4_25;
+  const T B7_1_22 = P_dot_omega1_4_22 - R4_12 * t4_28 - R2_22 * t4_30 - R4_32 * t4_31 - R4_12 * t4_32 + R2_22 * t4_33
+      - R4_32 * t4_34;
   const T t4_45 = R4_12 * t4_37 + R2_22 * t4_39 - R4_32 * t4_40 + R2_22 * t4_41 - R4_12 * t4_42 + R4_32 * t4_43;
   const T B7_1_23 = P_dot_omega1_4_23 - t4_45;
-  const T B7_1_31 = R4_13 * t4_19 - R2_23 * t4_21 - R4_33 * t4_22 - R4_13 * t4_23 - R2_23 * t4_24 - R4_33 * t4_25 +
-      P_dot_omega1_4_31;
-  const T B7_1_32 = R2_23 * t4_26 - (R4_13 * t4_29 + R2_23 * t4_31 + R4_33 * t4_32 + R4_13 * t4_33) - R4_33 * t4_34 +
-      P_dot_omega1_4_32;
+  const T B7_1_31 = P_dot_omega1_4_31 + R4_13 * t4_19 - R2_23 * t4_21 - R4_33 * t4_22 - R4_13 * t4_23 - R2_23 * t4_24
+      - R4_33 * t4_25;
+  const T B7_1_32 = P_dot_omega1_4_32 - R4_13 * t4_28 - R2_23 * t4_30 - R4_33 * t4_31 - R4_13 * t4_32 + R2_23 * t4_33
+      - R4_33 * t4_34;
   const T t4_46 = R4_13 * t4_37 + R2_23 * t4_39 - R4_33 * t4_40 + R2_23 * t4_41 - R4_13 * t4_42 + R4_33 * t4_43;
   const T B7_1_33 = P_dot_omega1_4_33 - t4_46;
   v_y_dot[99] = B7_1_11;
@@ -3902,11 +3958,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[126] = -minus_B9_4_3;
 
   // ---- body 5 (body_5) on body 1
-  const T theta5 = x[7];
   const T thetadot5 = y[6];
   // E5^T = Rot(b5, theta5): E takes components in the lower body to those in the body
-  const T E5_11 = cos(theta5);
-  const T E5_12 = sin(theta5);
+  const T E5_11 = cosines[7];
+  const T E5_12 = sines[7];
   // R5^T = R1^T E5^T: R takes inertial components to body components
   const T R5_11 = R1_11 * E5_11 + R1_21 * E5_12;
   const T R5_12 = R1_12 * E5_11 + R1_22 * E5_12;
@@ -3937,29 +3992,29 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t5_9 = omega5_1 * t5_1 - omega5_2 * t5_6;
   const T t5_10 = T(0.2) * E5_12;
   const T t5_11 = T(0.1) * E5_11 - t5_10;
-  const T B10_1_11 = R5_11 * t5_5 - R5_21 * t5_8 - R1_31 * t5_9 + thetadot5 * (R5_21 * t5_6 - R5_11 * t5_1 + R1_31 *
-      t5_11) - minus_P_dot_omega1_5_11;
+  const T B10_1_11 = R5_11 * t5_5 - minus_P_dot_omega1_5_11 - R5_21 * t5_8 - R1_31 * t5_9 + thetadot5 * (R5_21 * t5_6
+      - R5_11 * t5_1 + R1_31 * t5_11);
   const T t5_12 = omega5_2 * t5_11 - t5_7;
   const T t5_13 = t5_2 + omega5_1 * t5_11;
   const T t5_14 = omega5_1 * t5_6 + omega5_2 * t5_1;
-  const T minus_B10_1_12 = thetadot5 * (R5_11 * t5_6 + R5_21 * t5_1 - R1_31 * t5_4) + R5_11 * t5_12 - R5_21 * t5_13 +
-      R1_31 * t5_14 + minus_P_dot_omega1_2_12;
+  const T minus_B10_1_12 = minus_P_dot_omega1_2_12 + thetadot5 * (R5_11 * t5_6 + R5_21 * t5_1 - R1_31 * t5_4) + R5_11
+      * t5_12 - R5_21 * t5_13 + R1_31 * t5_14;
   const T t5_15 = omega5_3 * T(0.1);
   const T t5_16 = omega5_3 * T(0.2);
   const T t5_17 = omega5_1 * T(0.1);
   const T t5_18 = t5_17 + omega5_2 * T(0.2);
   const T t5_19 = R5_11 * t5_15 + R5_21 * t5_16 - R1_31 * t5_18;
   const T minus_B10_1_13 = t5_19 + minus_P_dot_omega1_5_13;
-  const T B10_1_21 = R5_12 * t5_5 - R5_22 * t5_8 - R1_32 * t5_9 + thetadot5 * (R5_22 * t5_6 - R5_12 * t5_1 + R1_32 *
-      t5_11) - minus_P_dot_omega1_5_21;
-  const T minus_B10_1_22 = thetadot5 * (R5_12 * t5_6 + R5_22 * t5_1 - R1_32 * t5_4) + R5_12 * t5_12 - R5_22 * t5_13 +
-      R1_32 * t5_14 + minus_P_dot_omega1_2_22;
+  const T B10_1_21 = R5_12 * t5_5 - minus_P_dot_omega1_5_21 - R5_22 * t5_8 - R1_32 * t5_9 + thetadot5 * (R5_22 * t5_6
+      - R5_12 * t5_1 + R1_32 * t5_11);
+  const T minus_B10_1_22 = minus_P_dot_omega1_2_22 + thetadot5 * (R5_12 * t5_6 + R5_22 * t5_1 - R1_32 * t5_4) + R5_12
+      * t5_12 - R5_22 * t5_13 + R1_32 * t5_14;
   const T t5_20 = R5_12 * t5_15 + R5_22 * t5_16 - R1_32 * t5_18;
   const T minus_B10_1_23 = t5_20 + minus_P_dot_omega1_5_23;
-  const T B10_1_31 = R5_13 * t5_5 - R5_23 * t5_8 - R1_33 * t5_9 + thetadot5 * (R5_23 * t5_6 - R5_13 * t5_1 + R1_33 *
-      t5_11) - minus_P_dot_omega1_5_31;
-  const T minus_B10_1_32 = thetadot5 * (R5_13 * t5_6 + R5_23 * t5_1 - R1_33 * t5_4) + R5_13 * t5_12 - R5_23 * t5_13 +
-      R1_33 * t5_14 + minus_P_dot_omega1_2_32;
+  const T B10_1_31 = R5_13 * t5_5 - minus_P_dot_omega1_5_31 - R5_23 * t5_8 - R1_33 * t5_9 + thetadot5 * (R5_23 * t5_6
+      - R5_13 * t5_1 + R1_33 * t5_11);
+  const T minus_B10_1_32 = minus_P_dot_omega1_2_32 + thetadot5 * (R5_13 * t5_6 + R5_23 * t5_1 - R1_33 * t5_4) + R5_13
+      * t5_12 - R5_23 * t5_13 + R1_33 * t5_14;
   const T t5_21 = R5_13 * t5_15 + R5_23 * t5_16 - R1_33 * t5_18;
   const T minus_B10_1_33 = t5_21 + minus_P_dot_omega1_5_33;
   v_y_dot[132] = B10_1_11;
@@ -3976,11 +4031,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[160] = -t5_21;
 
   // ---- body 6 (body_6) on body 5
-  const T theta6 = x[8];
   const T thetadot6 = y[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[8];
+  const T E6_23 = sines[8];
   // R6^T = R5^T E6^T: R takes inertial components to body components
   const T R6_21 = R5_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R5_22 * E6_22 + R1_32 * E6_23;
@@ -4020,26 +4074,26 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_12 = t6_11 - t5_17;
   const T t6_13 = t6_11 - omega5_2 * T(0.1);
   const T t6_14 = t6_12 * E5_11 - t6_13 * E5_12;
-  const T P_dot_omega1_6_11 = R5_11 * t6_7 - R5_21 * t6_10 + R1_31 * t6_14 - minus_P_dot_omega1_5_11;
+  const T P_dot_omega1_6_11 = R5_11 * t6_7 - minus_P_dot_omega1_5_11 - R5_21 * t6_10 + R1_31 * t6_14;
   const T t6_15 = t6_6 * E5_12 - t6_5 * E5_11;
   const T t6_16 = t6_9 * E5_11 - t6_8 * E5_12;
   const T t6_17 = t6_12 * E5_12 + t6_13 * E5_11;
-  const T P_dot_omega1_6_12 = R5_11 * t6_15 + R5_21 * t6_16 + R1_31 * t6_17 - minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_6_12 = R5_11 * t6_15 - minus_P_dot_omega1_2_12 + R5_21 * t6_16 + R1_31 * t6_17;
   const T t6_18 = t6_5 + t6_8;
   const T t6_19 = omega5_3 * T(0.3);
   const T t6_20 = R1_31 * t6_18 - (R5_11 * t6_19 + R5_21 * t6_19);
   const T P_dot_omega1_6_13 = t6_20 - minus_P_dot_omega1_5_13;
-  const T P_dot_omega1_6_21 = R5_12 * t6_7 - R5_22 * t6_10 + R1_32 * t6_14 - minus_P_dot_omega1_5_21;
-  const T P_dot_omega1_6_22 = R5_12 * t6_15 + R5_22 * t6_16 + R1_32 * t6_17 - minus_P_dot_omega1_2_22;
+  const T P_dot_omega1_6_21 = R5_12 * t6_7 - minus_P_dot_omega1_5_21 - R5_22 * t6_10 + R1_32 * t6_14;
+  const T P_dot_omega1_6_22 = R5_12 * t6_15 - minus_P_dot_omega1_2_22 + R5_22 * t6_16 + R1_32 * t6_17;
   const T t6_21 = R1_32 * t6_18 - (R5_12 * t6_19 + R5_22 * t6_19);
   const T P_dot_omega1_6_23 = t6_21 - minus_P_dot_omega1_5_23;
-  const T P_dot_omega1_6_31 = R5_13 * t6_7 - R5_23 * t6_10 + R1_33 * t6_14 - minus_P_dot_omega1_5_31;
-  const T P_dot_omega1_6_32 = R5_13 * t6_15 + R5_23 * t6_16 + R1_33 * t6_17 - minus_P_dot_omega1_2_32;
+  const T P_dot_omega1_6_31 = R5_13 * t6_7 - minus_P_dot_omega1_5_31 - R5_23 * t6_10 + R1_33 * t6_14;
+  const T P_dot_omega1_6_32 = R5_13 * t6_15 - minus_P_dot_omega1_2_32 + R5_23 * t6_16 + R1_33 * t6_17;
   const T t6_22 = R1_33 * t6_18 - (R5_13 * t6_19 + R5_23 * t6_19);
   const T P_dot_omega1_6_33 = t6_22 - minus_P_dot_omega1_5_33;
   // B12_1 = -R6^T omega6~ r6~ omega_omega1_6 - R6^T r6~ omega_dot_omega1_6 + P_dot_omega1_6
   const T t6_23 = t5_1 - T(0.1) * omega_omega1_6_31;
-  const T t6_24 = T(0.1) * minus_omega_omega1_6_21 + t5_3;
+  const T t6_24 = t5_3 + T(0.1) * minus_omega_omega1_6_21;
   const T t6_25 = omega6_3 * t6_23 + omega6_2 * t6_24;
   const T t6_26 = T(0.05) * minus_omega_omega1_6_21 + T(0.2) * omega_omega1_6_31;
   const T t6_27 = omega6_3 * t6_26 + omega6_1 * t6_24;
@@ -4047,8 +4101,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_29 = T(0.05) * minus_omega_dot_omega1_6_21 + T(0.2) * omega_dot_omega1_6_31;
   const T t6_30 = T(0.1) * omega_dot_omega1_6_31 + T(0.05) * minus_omega_dot_omega1_6_11;
   const T t6_31 = T(0.2) * minus_omega_dot_omega1_6_11 - T(0.1) * minus_omega_dot_omega1_6_21;
-  const T B12_1_11 = R5_11 * t6_25 - R6_21 * t6_27 - R6_31 * t6_28 - R5_11 * t6_29 + R6_21 * t6_30 - R6_31 * t6_31 +
-      P_dot_omega1_6_11;
+  const T B12_1_11 = P_dot_omega1_6_11 + R5_11 * t6_25 - R6_21 * t6_27 - R6_31 * t6_28 - R5_11 * t6_29 + R6_21 * t6_30
+      - R6_31 * t6_31;
   const T t6_32 = T(0.05) * omega_omega1_6_22 + T(0.2) * minus_omega_omega1_6_32;
   const T t6_33 = T(0.1) * omega_omega1_6_22 - t5_10;
   const T t6_34 = omega6_3 * t6_32 + omega6_1 * t6_33;
@@ -4058,8 +4112,8 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_38 = T(0.05) * minus_omega_dot_omega1_6_22 - T(0.2) * minus_omega_dot_omega1_6_32;
   const T t6_39 = T(0.1) * minus_omega_dot_omega1_6_32 + T(0.05) * omega_dot_omega1_6_12;
   const T t6_40 = T(0.2) * omega_dot_omega1_6_12 + T(0.1) * minus_omega_dot_omega1_6_22;
-  const T B12_1_12 = R6_21 * t6_34 - R5_11 * t6_36 - R6_31 * t6_37 - R5_11 * t6_38 - R6_21 * t6_39 + R6_31 * t6_40 +
-      P_dot_omega1_6_12;
+  const T B12_1_12 = P_dot_omega1_6_12 + R6_21 * t6_34 - R5_11 * t6_36 - R6_31 * t6_37 - R5_11 * t6_38 - R6_21 * t6_39
+      + R6_31 * t6_40;
   const T t6_41 = T(0.1) * E6_22;
   const T t6_42 = T(0.1) * E6_23;
   const T t6_43 = omega6_3 * t6_41 + omega6_2 * t6_42;
@@ -4071,16 +4125,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_49 = T(0.1) * omega_dot_omega1_6_23;
   const T t6_50 = R5_11 * t6_43 + R6_21 * t6_45 - R6_31 * t6_46 + R6_21 * t6_47 - R5_11 * t6_48 + R6_31 * t6_49;
   const T B12_1_13 = P_dot_omega1_6_13 - t6_50;
-  const T B12_1_21 = R5_12 * t6_25 - R6_22 * t6_27 - R6_32 * t6_28 - R5_12 * t6_29 + R6_22 * t6_30 - R6_32 * t6_31 +
-      P_dot_omega1_6_21;
-  const T B12_1_22 = R6_22 * t6_34 - R5_12 * t6_36 - R6_32 * t6_37 - R5_12 * t6_38 - R6_22 * t6_39 + R6_32 * t6_40 +
-      P_dot_omega1_6_22;
+  const T B12_1_21 = P_dot_omega1_6_21 + R5_12 * t6_25 - R6_22 * t6_27 - R6_32 * t6_28 - R5_12 * t6_29 + R6_22 * t6_30
+      - R6_32 * t6_31;
+  const T B12_1_22 = P_dot_omega1_6_22 + R6_22 * t6_34 - R5_12 * t6_36 - R6_32 * t6_37 - R5_12 * t6_38 - R6_22 * t6_39
+      + R6_32 * t6_40;
   const T t6_51 = R5_12 * t6_43 + R6_22 * t6_45 - R6_32 * t6_46 + R6_22 * t6_47 - R5_12 * t6_48 + R6_32 * t6_49;
   const T B12_1_23 = P_dot_omega1_6_23 - t6_51;
-  const T B12_1_31 = R5_13 * t6_25 - R6_23 * t6_27 - R6_33 * t6_28 - R5_13 * t6_29 + R6_23 * t6_30 - R6_33 * t6_31 +
-      P_dot_omega1_6_31;
-  const T B12_1_32 = R6_23 * t6_34 - R5_13 * t6_36 - R6_33 * t6_37 - R5_13 * t6_38 - R6_23 * t6_39 + R6_33 * t6_40 +
-      P_dot_omega1_6_32;
+  const T B12_1_31 = P_dot_omega1_6_31 + R5_13 * t6_25 - R6_23 * t6_27 - R6_33 * t6_28 - R5_13 * t6_29 + R6_23 * t6_30
+      - R6_33 * t6_31;
+  const T B12_1_32 = P_dot_omega1_6_32 + R6_23 * t6_34 - R5_13 * t6_36 - R6_33 * t6_37 - R5_13 * t6_38 - R6_23 * t6_39
+      + R6_33 * t6_40;
   const T t6_52 = R5_13 * t6_43 + R6_23 * t6_45 - R6_33 * t6_46 + R6_23 * t6_47 - R5_13 * t6_48 + R6_33 * t6_49;
   const T B12_1_33 = P_dot_omega1_6_33 - t6_52;
   v_y_dot[165] = B12_1_11;

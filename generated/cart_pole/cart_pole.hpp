@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 484812b7221aa967 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 986ddd0236404e5a of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "484812b7221aa967";
+inline constexpr char model_hash[] = "986ddd0236404e5a";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -129,7 +129,7 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[14] = -minus_E2_13;
   pose[18] = minus_E2_13;
   // p2 = E2^T r2 + d1: position of the mass centre, inertial axes [m]
-  const T p2_1 = minus_E2_13 * T(0.5) + s1;
+  const T p2_1 = s1 + minus_E2_13 * T(0.5);
   const T p2_3 = E2_11 * T(0.5);
   pose[21] = p2_1;
   pose[23] = p2_3;
@@ -164,7 +164,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T p2_3 = E2_11 * T(0.5);
   // v2 = E2^T omega2~ r2 + Pdot1: velocity of the mass centre, inertial axes [m/s]
   const T t2_1 = thetadot2 * T(0.5);
-  const T v2_1 = E2_11 * t2_1 + sdot1;
+  const T v2_1 = sdot1 + E2_11 * t2_1;
   const T minus_v2_3 = minus_E2_13 * t2_1;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.008333333333333333) * thetadot2 * thetadot2 * T(0.5) + T(0.05) * (v2_1 * v2_1 + minus_v2_3 *
@@ -172,7 +172,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
 
   // ---- whole system
   // kinetic = T1 + T2: kinetic energy of the system [J]
-  const T kinetic = T1 + T2;
+  const T kinetic = T2 + T1;
   energy[0] = kinetic;
   // mp = m1 d1 + m2 p2: first moment of mass, inertial axes [kg m]
   const T mp_3 = T(0.1) * p2_3;
@@ -276,7 +276,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // S1 = E2^T G2 + G1: sum of the force balances of the subtree, inertial axes [N]
   const T S1_1 = E2_11 * G2_1 - minus_E2_13 * minus_G2_3 + G1_1;
   // r_sdot1 = u1 . S1 - tau_cart_: Kane's equation of sdot [N]
-  const T r_sdot1 = S1_1 - (u.push - c.p.mu * tanh(sdot1 * T(100)));
+  const T r_sdot1 = S1_1 - u.push + c.p.mu * tanh(sdot1 * T(100));
   r[1] = r_sdot1;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2ec850c11d02c0f7 of double_pendulum/scene.toml; the usual functions
+// model 143d8c82cc1bea60 of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -14,7 +14,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              0 (0 add, 0 multiply)
@@ -30,6 +31,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::double_pendulum {
 
@@ -38,7 +120,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "2ec850c11d02c0f7";
+inline constexpr char model_hash[] = "143d8c82cc1bea60";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -88,14 +170,15 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, [[maybe_unused]] const T*
 // 4 add, 8 multiply, 4 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 24; ++i) pose[i] = T(0);
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   pose[0] = E1_11;
   pose[8] = E1_11;
   pose[2] = -minus_E1_13;
@@ -107,10 +190,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[11] = -minus_p1_3;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
   const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
@@ -119,8 +201,8 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[14] = -minus_R2_13;
   pose[18] = minus_R2_13;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T minus_p2_1 = minus_R2_13 * T(0.3) + minus_E1_13;
-  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  const T minus_p2_1 = minus_E1_13 + minus_R2_13 * T(0.3);
+  const T minus_p2_3 = E1_11 + R2_11 * T(0.3);
   pose[21] = -minus_p2_1;
   pose[23] = -minus_p2_3;
 
@@ -134,14 +216,15 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 12 add, 29 multiply, 4 sine or cosine
 template <class T>
 void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // p1 = E1^T r1: position of the mass centre, inertial axes [m]
   const T minus_p1_3 = E1_11 * T(0.5);
   // v1 = E1^T omega1~ r1: velocity of the mass centre, inertial axes [m/s]
@@ -152,18 +235,17 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T T1 = T(0.1) * thetadot1 * thetadot1 * T(0.5) + T(0.6) * (minus_v1_1 * minus_v1_1 + v1_3 * v1_3);
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
   const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  const T minus_p2_3 = E1_11 + R2_11 * T(0.3);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T minus_Pdot2_1 = E1_11 * thetadot1;
   const T Pdot2_3 = minus_E1_13 * thetadot1;
@@ -190,14 +272,15 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
 // 14 add, 26 multiply, 4 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // p1 = E1^T r1: position of the mass centre, inertial axes [m]
   const T minus_p1_1 = minus_E1_13 * T(0.5);
   const T minus_p1_3 = E1_11 * T(0.5);
@@ -212,19 +295,18 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H1_2 = T(0.1) * thetadot1 + minus_p1_3 * minus_l1_1 + minus_p1_1 * l1_3;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
   const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T minus_p2_1 = minus_R2_13 * T(0.3) + minus_E1_13;
-  const T minus_p2_3 = R2_11 * T(0.3) + E1_11;
+  const T minus_p2_1 = minus_E1_13 + minus_R2_13 * T(0.3);
+  const T minus_p2_3 = E1_11 + R2_11 * T(0.3);
   // Pdot2 = E1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T minus_Pdot2_1 = E1_11 * thetadot1;
   const T Pdot2_3 = minus_E1_13 * thetadot1;
@@ -260,14 +342,15 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
 // by: articulated; composite would take 11 add, 17 multiply, 1 divide, 4 sine or cosine
 template <class T>
 void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
@@ -278,11 +361,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N1_2 = T(1.2) * minus_Pddot1_1;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
@@ -333,15 +415,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
 // 10 add, 14 multiply, 4 sine or cosine
 template <class T>
 void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, const T* ydot, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   const T thetaddot1 = ydot[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
@@ -353,12 +436,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T N1_2 = T(1.2) * minus_Pddot1_1 + T(1) * thetaddot1;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   const T thetaddot2 = ydot[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
@@ -379,7 +461,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // ---- body 1 (upper) and what it carries
   // rho1 = q2~ E2^T G2 + E2^T N2 + N1: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho1_2 = E2_11 * minus_G2_1 - minus_E2_13 * G2_3 + N2_2 + N1_2;
+  const T rho1_2 = N2_2 + N1_2 + E2_11 * minus_G2_1 - minus_E2_13 * G2_3;
   r[0] = rho1_2;
 }
 
@@ -388,14 +470,15 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
 // 5 add, 10 multiply, 4 sine or cosine
 template <class T>
 void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U1_11 = thetadot1 * thetadot1;
   // Pddot1 = -E1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
@@ -406,11 +489,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_N1_2 = T(1.2) * minus_Pddot1_1;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_2 = thetadot2 + thetadot1;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
@@ -465,13 +547,14 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 // 4 add, 8 multiply, 4 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // B1_1 = -E1^T r1~ b1
   const T minus_B1_1_1 = E1_11 * T(0.5);
   const T B1_1_3 = minus_E1_13 * T(0.5);
@@ -479,18 +562,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[4] = B1_1_3;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
   const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;
   // B2_1 = -R2^T r2~ omega_thetadot1_2 + P_thetadot1_2
   const T t2_1 = R2_11 * T(0.3);
-  const T minus_B2_1_1 = t2_1 + E1_11;
+  const T minus_B2_1_1 = E1_11 + t2_1;
   const T t2_2 = minus_R2_13 * T(0.3);
-  const T B2_1_3 = t2_2 + minus_E1_13;
+  const T B2_1_3 = minus_E1_13 + t2_2;
   v_y[6] = -minus_B2_1_1;
   v_y[10] = B2_1_3;
   v_y[7] = -t2_1;
@@ -510,14 +592,15 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 5 add, 12 multiply, 4 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
+  T cosines[2], sines[2];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x, 2, cosines, sines);
 
   // ---- body 1 (upper) on the inertial frame
-  const T theta1 = x[0];
   const T thetadot1 = y[0];
   // E1^T = Rot(b1, theta1): E takes components in the lower body to those in the body
-  const T E1_11 = cos(theta1);
-  const T minus_E1_13 = sin(theta1);
+  const T E1_11 = cosines[0];
+  const T minus_E1_13 = sines[0];
   // B1_1 = -E1^T omega1~ r1~ b1
   const T t1_1 = thetadot1 * T(0.5);
   const T B1_1_1 = minus_E1_13 * t1_1;
@@ -526,11 +609,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[4] = B1_1_3;
 
   // ---- body 2 (lower) on body 1
-  const T theta2 = x[1];
   const T thetadot2 = y[1];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_11 = cos(theta2);
-  const T minus_E2_13 = sin(theta2);
+  const T E2_11 = cosines[1];
+  const T minus_E2_13 = sines[1];
   // R2^T = E1^T E2^T: R takes inertial components to body components
   const T R2_11 = E1_11 * E2_11 - minus_E1_13 * minus_E2_13;
   const T minus_R2_13 = minus_E1_13 * E2_11 + E1_11 * minus_E2_13;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 284aa8f55c1fce8d of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 643cd3e761d3d0e3 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -37,7 +37,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion abs, cos, exp, sin, sqrt, tanh.
+// its own or by conversion abs, cos, exp, sin, sqrt, tanh. Cosines and sines of angles in double are those of
+// cos_sin() below, with KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics                      69 (24 add, 45 multiply)
@@ -64,6 +65,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::every_joint {
 
@@ -72,7 +154,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "284aa8f55c1fce8d";
+inline constexpr char model_hash[] = "643cd3e761d3d0e3";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -364,6 +446,10 @@ template <class T>
 void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 156; ++i) pose[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -460,19 +546,18 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T t2_21 = R1_13 * T(0.2);
   const T P2_3 = t2_20 + t2_21 - R1_33 * T(0.2);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_21 * T(0.02) - R2_31 * T(0.2) + P2_1;
-  const T p2_2 = R2_22 * T(0.02) - R2_32 * T(0.2) + P2_2;
-  const T p2_3 = R2_23 * T(0.02) - R2_33 * T(0.2) + P2_3;
+  const T p2_1 = P2_1 + R2_21 * T(0.02) - R2_31 * T(0.2);
+  const T p2_2 = P2_2 + R2_22 * T(0.02) - R2_32 * T(0.2);
+  const T p2_3 = P2_3 + R2_23 * T(0.02) - R2_33 * T(0.2);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -482,7 +567,7 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -492,7 +577,7 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -532,24 +617,23 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T t3_20 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_20 + R1_13 * T(0.3);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.2) + R3_21 * T(0.02) + P3_1;
-  const T p3_2 = R3_12 * T(0.2) + R3_22 * T(0.02) + P3_2;
-  const T p3_3 = R3_13 * T(0.2) + R3_23 * T(0.02) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.2) + R3_21 * T(0.02);
+  const T p3_2 = P3_2 + R3_12 * T(0.2) + R3_22 * T(0.02);
+  const T p3_3 = P3_3 + R3_13 * T(0.2) + R3_23 * T(0.02);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // R4a^T = R1^T E4a^T: R takes inertial components to body components
   const T R4a_11 = R1_11 * E4a_11 - R1_21 * minus_E4a_12 - R1_31 * minus_E4a_13;
   const T R4a_12 = R1_12 * E4a_11 - R1_22 * minus_E4a_12 - R1_32 * minus_E4a_13;
@@ -561,8 +645,8 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T R4a_32 = R1_12 * minus_E4a_13 + R1_22 * E4a_23 + R1_32 * E4a_33;
   const T R4a_33 = R1_13 * minus_E4a_13 + R1_23 * E4a_23 + R1_33 * E4a_33;
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -591,18 +675,17 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T P4a_2 = t2_17 - t2_18;
   const T P4a_3 = t2_20 - t2_21;
   // p4 = R4^T r4 + P4a: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.03) + R4_31 * T(0.1) + P4a_1;
-  const T p4_2 = R4_12 * T(0.03) + R4_32 * T(0.1) + P4a_2;
-  const T p4_3 = R4_13 * T(0.03) + R4_33 * T(0.1) + P4a_3;
+  const T p4_1 = P4a_1 + R4_11 * T(0.03) + R4_31 * T(0.1);
+  const T p4_2 = P4a_2 + R4_12 * T(0.03) + R4_32 * T(0.1);
+  const T p4_3 = P4a_3 + R4_13 * T(0.03) + R4_33 * T(0.1);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -638,13 +721,13 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // p6 = R3^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R3_11 * T(0.1) + R3_31 * T(0.01) + P6_1;
-  const T p6_2 = R3_12 * T(0.1) + R3_32 * T(0.01) + P6_2;
-  const T p6_3 = R3_13 * T(0.1) + R3_33 * T(0.01) + P6_3;
+  const T p6_1 = P6_1 + R3_11 * T(0.1) + R3_31 * T(0.01);
+  const T p6_2 = P6_2 + R3_12 * T(0.1) + R3_32 * T(0.01);
+  const T p6_3 = P6_3 + R3_13 * T(0.1) + R3_33 * T(0.01);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -659,11 +742,10 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   pose[82] = p7_2;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // R8^T = R1^T E8^T: R takes inertial components to body components
   const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
   const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
@@ -685,11 +767,10 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T P8_3 = s1_3 + R1_23 * d8_2;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   pose[96] = E9_11;
   pose[100] = E9_11;
   pose[97] = E9_12;
@@ -697,8 +778,8 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // p9 = E9^T r9 + d9: position of the mass centre, inertial axes [m]
-  const T p9_1 = E9_11 * T(0.1) + s9_1;
-  const T p9_2 = E9_12 * T(0.1) + d9_2;
+  const T p9_1 = s9_1 + E9_11 * T(0.1);
+  const T p9_2 = d9_2 + E9_12 * T(0.1);
   pose[105] = p9_1;
   pose[106] = p9_2;
 
@@ -741,9 +822,9 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   const T P10_2 = s1_2 + R1_12 * T(0.1) + R1_22 * s10 + R1_32 * T(0.3);
   const T P10_3 = s1_3 + R1_13 * T(0.1) + R1_23 * s10 + R1_33 * T(0.3);
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = R10_11 * T(0.02) + R10_21 * T(0.01) - R10_31 * T(0.03) + P10_1;
-  const T p10_2 = R10_12 * T(0.02) + R10_22 * T(0.01) - R10_32 * T(0.03) + P10_2;
-  const T p10_3 = R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03) + P10_3;
+  const T p10_1 = P10_1 + R10_11 * T(0.02) + R10_21 * T(0.01) - R10_31 * T(0.03);
+  const T p10_2 = P10_2 + R10_12 * T(0.02) + R10_22 * T(0.01) - R10_32 * T(0.03);
+  const T p10_3 = P10_3 + R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03);
   pose[117] = p10_1;
   pose[118] = p10_2;
   pose[119] = p10_3;
@@ -751,8 +832,8 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // R11^T = R8^T E11^T: R takes inertial components to body components
   const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
   const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
@@ -787,30 +868,30 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
   pose[54] = T(0.09983341664682815) * R5a_11 + T(0.9950041652780258) * R5_31;
   pose[55] = T(0.09983341664682815) * R5a_12 + T(0.9950041652780258) * R5_32;
   pose[56] = T(0.09983341664682815) * R5a_13 + T(0.9950041652780258) * R5_33;
-  pose[57] = R5a_11 * T(0.049750208263901294) - R5_31 * T(0.004991670832341408) + P5a_1;
-  pose[58] = R5a_12 * T(0.049750208263901294) - R5_32 * T(0.004991670832341408) + P5a_2;
-  pose[59] = R5a_13 * T(0.049750208263901294) - R5_33 * T(0.004991670832341408) + P5a_3;
+  pose[57] = P5a_1 + R5a_11 * T(0.049750208263901294) - R5_31 * T(0.004991670832341408);
+  pose[58] = P5a_2 + R5a_12 * T(0.049750208263901294) - R5_32 * T(0.004991670832341408);
+  pose[59] = P5a_3 + R5a_13 * T(0.049750208263901294) - R5_33 * T(0.004991670832341408);
   pose[72] = T(1);
   pose[76] = T(1);
   pose[80] = T(1);
   pose[104] = T(1);
   pose[148] = T(1);
   pose[83] = T(0.9);
-  pose[93] = R8_31 * T(0.02) - (R8_11 * T(0.01) + t2_13) + P8_1;
-  pose[94] = R8_32 * T(0.02) - (R8_12 * T(0.01) + t2_16) + P8_2;
-  pose[95] = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_19) + P8_3;
-  pose[129] = R11_31 * T(0.01) + P11_1;
-  pose[130] = R11_32 * T(0.01) + P11_2;
-  pose[131] = R11_33 * T(0.01) + P11_3;
+  pose[93] = P8_1 - t2_13 - R8_11 * T(0.01) + R8_31 * T(0.02);
+  pose[94] = P8_2 - t2_16 - R8_12 * T(0.01) + R8_32 * T(0.02);
+  pose[95] = P8_3 - t2_19 - R8_13 * T(0.01) + R8_33 * T(0.02);
+  pose[129] = P11_1 + R11_31 * T(0.01);
+  pose[130] = P11_2 + R11_32 * T(0.01);
+  pose[131] = P11_3 + R11_33 * T(0.01);
   pose[135] = T(0.7741670784769465) * R5_31 - T(0.6329813066769583) * R5a_11;
   pose[136] = T(0.7741670784769465) * R5_32 - T(0.6329813066769583) * R5a_12;
   pose[137] = T(0.7741670784769465) * R5_33 - T(0.6329813066769583) * R5a_13;
   pose[138] = T(0.7741670784769465) * R5a_11 + T(0.6329813066769583) * R5_31;
   pose[139] = T(0.7741670784769465) * R5a_12 + T(0.6329813066769583) * R5_32;
   pose[140] = T(0.7741670784769465) * R5a_13 + T(0.6329813066769583) * R5_33;
-  pose[141] = T(0.028725012259164514) * R5_31 + T(0.06785135119395468) * R5a_11 + P5a_1;
-  pose[142] = T(0.028725012259164514) * R5_32 + T(0.06785135119395468) * R5a_12 + P5a_2;
-  pose[143] = T(0.028725012259164514) * R5_33 + T(0.06785135119395468) * R5a_13 + P5a_3;
+  pose[141] = P5a_1 + T(0.028725012259164514) * R5_31 + T(0.06785135119395468) * R5a_11;
+  pose[142] = P5a_2 + T(0.028725012259164514) * R5_32 + T(0.06785135119395468) * R5a_12;
+  pose[143] = P5a_3 + T(0.028725012259164514) * R5_33 + T(0.06785135119395468) * R5a_13;
   pose[144] = T(0.28);
   pose[152] = T(0.28);
   pose[146] = -T(0.96);
@@ -825,6 +906,10 @@ void poses(const Prepared<T>& c, T t, const T* x, T* pose) noexcept {
 template <class T>
 void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexcept {
   using std::cos, std::sin, std::sqrt;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -867,7 +952,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T v1_2 = sdot1_2 + R1_12 * t1_15 + R1_22 * t1_16 - R1_32 * t1_19;
   const T v1_3 = sdot1_3 + R1_13 * t1_15 + R1_23 * t1_16 - R1_33 * t1_19;
   // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
-  const T T1 = T(0.5) * (omega1_1 * (T(0.6) * omega1_1 + t1_18 - t1_13) + omega1_2 * (T(0.02) * omega1_1 + T(0.5) *
+  const T T1 = T(0.5) * (omega1_1 * (t1_18 - t1_13 + T(0.6) * omega1_1) + omega1_2 * (T(0.02) * omega1_1 + T(0.5) *
       omega1_2 + T(0.03) * omega1_3) + omega1_3 * (t1_14 - t1_17 + T(0.7) * omega1_3)) + T(4) * (v1_1 * v1_1 + v1_2 *
       v1_2 + v1_3 * v1_3);
 
@@ -902,7 +987,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t2_15 = R1_13 * T(0.2);
   const T P2_3 = t2_14 + t2_15 - R1_33 * T(0.2);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_3 = R2_23 * T(0.02) - R2_33 * T(0.2) + P2_3;
+  const T p2_3 = P2_3 + R2_23 * T(0.02) - R2_33 * T(0.2);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_16 = omega1_3 * T(0.2);
   const T t2_17 = t2_16 + omega1_1 * T(0.2);
@@ -918,9 +1003,9 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t2_23 = omega2_1 * T(0.2);
   const T t2_24 = omega2_3 * T(0.02) + omega2_2 * T(0.2);
   const T t2_25 = omega2_1 * T(0.02);
-  const T v2_1 = R2_21 * t2_23 - R2_11 * t2_24 + R2_31 * t2_25 + Pdot2_1;
-  const T v2_2 = R2_22 * t2_23 - R2_12 * t2_24 + R2_32 * t2_25 + Pdot2_2;
-  const T v2_3 = R2_23 * t2_23 - R2_13 * t2_24 + R2_33 * t2_25 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_21 * t2_23 - R2_11 * t2_24 + R2_31 * t2_25;
+  const T v2_2 = Pdot2_2 + R2_22 * t2_23 - R2_12 * t2_24 + R2_32 * t2_25;
+  const T v2_3 = Pdot2_3 + R2_23 * t2_23 - R2_13 * t2_24 + R2_33 * t2_25;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (T(0.01) * omega2_1 * omega2_1 + T(0.011) * omega2_2 * omega2_2 + T(0.004) * omega2_3 *
       omega2_3) + T(0.4) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
@@ -929,9 +1014,9 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -941,7 +1026,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -951,7 +1036,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -973,7 +1058,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t3_18 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_18 + R1_13 * T(0.3);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R3_13 * T(0.2) + R3_23 * T(0.02) + P3_3;
+  const T p3_3 = P3_3 + R3_13 * T(0.2) + R3_23 * T(0.02);
   // Pdot3 = sdot1 + R1^T omega1~ q3: velocity of the body origin, inertial axes [m/s]
   const T t3_19 = omega1_2 * T(0.1);
   const T t3_20 = omega1_3 * T(0.3);
@@ -986,29 +1071,28 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t3_23 = omega3_3 * T(0.2);
   const T t3_24 = T(0.02) * omega3_3;
   const T t3_25 = omega3_1 * T(0.02) - omega3_2 * T(0.2);
-  const T v3_1 = R3_21 * t3_23 - R3_11 * t3_24 + R3_31 * t3_25 + Pdot3_1;
-  const T v3_2 = R3_22 * t3_23 - R3_12 * t3_24 + R3_32 * t3_25 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_23 - R3_13 * t3_24 + R3_33 * t3_25 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_21 * t3_23 - R3_11 * t3_24 + R3_31 * t3_25;
+  const T v3_2 = Pdot3_2 + R3_22 * t3_23 - R3_12 * t3_24 + R3_32 * t3_25;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_23 - R3_13 * t3_24 + R3_33 * t3_25;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T t3_26 = T(0.001) * omega3_1;
   const T T3 = T(0.5) * (omega3_1 * (T(0.04) * omega3_1 + T(0.002) * omega3_2 + T(0.001) * omega3_3) + omega3_2 *
-      (T(0.002) * omega3_1 + T(0.05) * omega3_2 - T(0.003) * omega3_3) + omega3_3 * (t3_26 - T(0.003) * omega3_2 +
-      t3_24)) + T(0.75) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
+      (T(0.002) * omega3_1 + T(0.05) * omega3_2 - T(0.003) * omega3_3) + omega3_3 * (t3_26 + t3_24 - T(0.003) *
+      omega3_2)) + T(0.75) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
   // stretch_boom_3 = theta3 - l_boom_: stretch of the spring
   const T stretch_boom_3 = theta3 - T(0.2);
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // R4a^T = R1^T E4a^T: R takes inertial components to body components
   const T R4a_11 = R1_11 * E4a_11 - R1_21 * minus_E4a_12 - R1_31 * minus_E4a_13;
   const T R4a_12 = R1_12 * E4a_11 - R1_22 * minus_E4a_12 - R1_32 * minus_E4a_13;
@@ -1024,8 +1108,8 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T omega4a_2 = thetadot4_1 * T(0.28) + minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
   const T omega4a_3 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -1047,7 +1131,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // P4a = s1 + R1^T q4a: position of the body origin, inertial axes [m]
   const T P4a_3 = t2_14 - t2_15;
   // p4 = R4^T r4 + P4a: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.03) + R4_33 * T(0.1) + P4a_3;
+  const T p4_3 = P4a_3 + R4_13 * T(0.03) + R4_33 * T(0.1);
   // Pdot4a = sdot1 + R1^T omega1~ q4a: velocity of the body origin, inertial axes [m/s]
   const T t4_4 = t2_21 + t2_19;
   const T Pdot4a_1 = sdot1_1 - R1_11 * t2_18 - R1_21 * t2_16 + R1_31 * t4_4;
@@ -1057,20 +1141,19 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t4_5 = omega4_2 * T(0.1);
   const T t4_6 = omega4_3 * T(0.03) - omega4_1 * T(0.1);
   const T t4_7 = omega4_2 * T(0.03);
-  const T v4_1 = R4_11 * t4_5 + R4_21 * t4_6 - R4_31 * t4_7 + Pdot4a_1;
-  const T v4_2 = R4_12 * t4_5 + R4_22 * t4_6 - R4_32 * t4_7 + Pdot4a_2;
-  const T v4_3 = R4_13 * t4_5 + R4_23 * t4_6 - R4_33 * t4_7 + Pdot4a_3;
+  const T v4_1 = Pdot4a_1 + R4_11 * t4_5 + R4_21 * t4_6 - R4_31 * t4_7;
+  const T v4_2 = Pdot4a_2 + R4_12 * t4_5 + R4_22 * t4_6 - R4_32 * t4_7;
+  const T v4_3 = Pdot4a_3 + R4_13 * t4_5 + R4_23 * t4_6 - R4_33 * t4_7;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (T(0.008) * omega4_1 * omega4_1 + T(0.007) * omega4_2 * omega4_2 + T(0.012) * omega4_3 *
       omega4_3) + T(0.45) * (v4_1 * v4_1 + v4_2 * v4_2 + v4_3 * v4_3);
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T s1_1 = x[19], s1_2 = x[20];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -1098,7 +1181,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -1106,7 +1189,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T P5a_2 = s1_2 + R1_32 * T(0.1) - R1_22 * T(0.3);
   const T P5a_3 = t3_18 - R1_23 * T(0.3);
   // p5 = R5^T r_link5 + P5a: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
+  const T p5_3 = P5a_3 + R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
   const T t5_2 = t3_20 + t3_19;
   const T t5_3 = omega1_1 * T(0.3);
@@ -1117,9 +1200,9 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t5_4 = omega5_2 * c.r_link5_3;
   const T t5_5 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
   const T t5_6 = omega5_2 * c.r_link5_1;
-  const T v5_1 = R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6 + Pdot5a_1;
-  const T v5_2 = R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6 + Pdot5a_2;
-  const T v5_3 = R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6 + Pdot5a_3;
+  const T v5_1 = Pdot5a_1 + R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6;
+  const T v5_2 = Pdot5a_2 + R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6;
+  const T v5_3 = Pdot5a_3 + R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6;
   // T5 = 1/2 omega5 . (I_link5 omega5) + 1/2 m_link5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (c.I_link5_11 * omega5_1 + c.I_link5_13 * omega5_3) + c.I_link5_22 * omega5_2 *
       omega5_2 + omega5_3 * (c.I_link5_13 * omega5_1 + c.I_link5_33 * omega5_3)) + c.c5_1 * (v5_1 * v5_1 + v5_2 * v5_2
@@ -1131,22 +1214,22 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // p6 = R3^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R3_13 * T(0.1) + R3_33 * T(0.01) + P6_3;
+  const T p6_3 = P6_3 + R3_13 * T(0.1) + R3_33 * T(0.01);
   // Pdot6 = R3^T (omega3~ d6 + sdot6 u6) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega3_3 * d6_1;
   const T t6_2 = omega3_2 * d6_1;
-  const T Pdot6_1 = R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2 + Pdot3_1;
-  const T Pdot6_2 = R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2 + Pdot3_2;
-  const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
+  const T Pdot6_1 = Pdot3_1 + R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2;
+  const T Pdot6_2 = Pdot3_2 + R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2;
+  const T Pdot6_3 = Pdot3_3 + R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2;
   // v6 = R3^T omega3~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_3 = omega3_2 * T(0.01);
   const T t6_4 = omega3_3 * T(0.1) - omega3_1 * T(0.01);
   const T t6_5 = omega3_2 * T(0.1);
-  const T v6_1 = R3_11 * t6_3 + R3_21 * t6_4 - R3_31 * t6_5 + Pdot6_1;
-  const T v6_2 = R3_12 * t6_3 + R3_22 * t6_4 - R3_32 * t6_5 + Pdot6_2;
-  const T v6_3 = R3_13 * t6_3 + R3_23 * t6_4 - R3_33 * t6_5 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R3_11 * t6_3 + R3_21 * t6_4 - R3_31 * t6_5;
+  const T v6_2 = Pdot6_2 + R3_12 * t6_3 + R3_22 * t6_4 - R3_32 * t6_5;
+  const T v6_3 = Pdot6_3 + R3_13 * t6_3 + R3_23 * t6_4 - R3_33 * t6_5;
   // T6 = 1/2 omega3 . (I6 omega3) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega3_1 * t3_26 + T(0.006) * omega3_2 * omega3_2 + T(0.006) * omega3_3 * omega3_3) + T(0.25)
       * (v6_1 * v6_1 + v6_2 * v6_2 + v6_3 * v6_3);
@@ -1157,13 +1240,12 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T T7 = T(1.5) * (sdot7_1 * sdot7_1 + sdot7_2 * sdot7_2);
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // R8^T = R1^T E8^T: R takes inertial components to body components
   const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
   const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
@@ -1180,7 +1262,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_3 = s1_3 + R1_23 * d8_2;
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_13) + P8_3;
+  const T p8_3 = P8_3 - t2_13 - R8_13 * T(0.01) + R8_33 * T(0.02);
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega1_3 * d8_2;
   const T t8_2 = omega1_1 * d8_2;
@@ -1191,37 +1273,36 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
   const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
   const T t8_5 = omega8_2 * T(0.01) - omega8_1 * T(0.1);
-  const T v8_1 = R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5 + Pdot8_1;
-  const T v8_2 = R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5 + Pdot8_2;
-  const T v8_3 = R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5;
+  const T v8_2 = Pdot8_2 + R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5;
+  const T v8_3 = Pdot8_3 + R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5;
   // T8 = 1/2 omega8 . (I_link8 omega8) + 1/2 m8 v8 . v8: kinetic energy [J]
   const T T8 = T(0.5) * (T(0.003) * omega8_1 * omega8_1 + T(0.002) * omega8_2 * omega8_2 + T(0.004) * omega8_3 *
       omega8_3) + T(0.35) * (v8_1 * v8_1 + v8_2 * v8_2 + v8_3 * v8_3);
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // v9 = E9^T omega9~ r9 + Pdot9: velocity of the mass centre, inertial axes [m/s]
   const T t9_1 = thetadot9 * T(0.1);
   const T v9_1 = sdot9_1 - E9_12 * t9_1;
-  const T v9_2 = E9_11 * t9_1 + sdot9_2;
+  const T v9_2 = sdot9_2 + E9_11 * t9_1;
   // T9 = 1/2 omega9 . (I9 omega9) + 1/2 m9 v9 . v9: kinetic energy [J]
   const T T9 = T(0.08) * thetadot9 * thetadot9 * T(0.5) + v9_1 * v9_1 + v9_2 * v9_2;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -1260,7 +1341,7 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // P10 = s1 + R1^T d10: position of the body origin, inertial axes [m]
   const T P10_3 = s1_3 + R1_13 * T(0.1) + R1_23 * s10 + R1_33 * T(0.3);
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_3 = R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03) + P10_3;
+  const T p10_3 = P10_3 + R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03);
   // Pdot10 = sdot1 + R1^T (omega1~ d10 + sdot10 u10): velocity of the body origin, inertial axes [m/s]
   const T t10_13 = t3_22 - omega1_3 * s10;
   const T t10_14 = t2_18 - t5_3 + sdot10;
@@ -1272,9 +1353,9 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T t10_16 = omega10_3 * T(0.02) + omega10_1 * T(0.03);
   const T t10_17 = omega10_3 * T(0.01) + omega10_2 * T(0.03);
   const T t10_18 = omega10_1 * T(0.01) - omega10_2 * T(0.02);
-  const T v10_1 = R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18 + Pdot10_1;
-  const T v10_2 = R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18 + Pdot10_2;
-  const T v10_3 = R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18;
+  const T v10_2 = Pdot10_2 + R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18;
+  const T v10_3 = Pdot10_3 + R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18;
   // T10 = 1/2 omega10 . (I10 omega10) + 1/2 m10 v10 . v10: kinetic energy [J]
   const T T10 = T(0.5) * (T(0.002) * omega10_1 * omega10_1 + T(0.003) * omega10_2 * omega10_2 + T(0.0025) * omega10_3
       * omega10_3) + T(0.2) * (v10_1 * v10_1 + v10_2 * v10_2 + v10_3 * v10_3);
@@ -1283,8 +1364,8 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // R11^T = R8^T E11^T: R takes inertial components to body components
   const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
   const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
@@ -1299,20 +1380,20 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // P11 = R8^T d11 + P8: position of the body origin, inertial axes [m]
   const T P11_3 = P8_3 - R1_23 * minus_d11_2;
   // p11 = R11^T r_link11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_3 = R11_33 * T(0.01) + P11_3;
+  const T p11_3 = P11_3 + R11_33 * T(0.01);
   // Pdot11 = R8^T (omega8~ d11 + thetadot11 pitch11 u11) + Pdot8: velocity of the body origin, inertial axes [m/s]
   const T t11_1 = omega8_3 * minus_d11_2;
   const T t11_2 = thetadot11 * T(0.01);
   const T t11_3 = omega8_1 * minus_d11_2;
-  const T Pdot11_1 = R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3 + Pdot8_1;
-  const T Pdot11_2 = R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3 + Pdot8_2;
-  const T Pdot11_3 = R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3 + Pdot8_3;
+  const T Pdot11_1 = Pdot8_1 + R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3;
+  const T Pdot11_2 = Pdot8_2 + R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3;
+  const T Pdot11_3 = Pdot8_3 + R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3;
   // v11 = R11^T omega11~ r_link11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_4 = omega11_2 * T(0.01);
   const T t11_5 = omega11_1 * T(0.01);
-  const T v11_1 = R11_11 * t11_4 - R1_21 * t11_5 + Pdot11_1;
-  const T v11_2 = R11_12 * t11_4 - R1_22 * t11_5 + Pdot11_2;
-  const T v11_3 = R11_13 * t11_4 - R1_23 * t11_5 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R11_11 * t11_4 - R1_21 * t11_5;
+  const T v11_2 = Pdot11_2 + R11_12 * t11_4 - R1_22 * t11_5;
+  const T v11_3 = Pdot11_3 + R11_13 * t11_4 - R1_23 * t11_5;
   // T11 = 1/2 omega11 . (I_link11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
   const T T11 = T(0.5) * (T(4e-04) * omega11_1 * omega11_1 + T(6e-04) * omega11_2 * omega11_2 + T(4e-04) * omega11_3 *
       omega11_3) + T(0.15) * (v11_1 * v11_1 + v11_2 * v11_2 + v11_3 * v11_3);
@@ -1325,16 +1406,16 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // ---- whole system
   const T s13_3 = x[31];
   // kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T7 + T8 + T9 + T10 + T11 + T13: kinetic energy of the system [J]
-  const T kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T7 + T8 + T9 + T10 + T11 + T13;
+  const T kinetic = T1 + T2 + T3 + T4 + T5 + T6 + T8 + T9 + T10 + T11 + T7 + T13;
   energy[0] = kinetic;
   // mp = m1 p1 + m2 p2 + m3 p3 + m4 p4 + m6 p6 + m7 p7 + m8 p8 + m9 p9 + m10 p10 + m11 p11 + m13 d13 + m_link5 p5:
   //   first moment of mass, inertial axes [kg m]
-  const T mp_3 = T(8) * p1_3 + T(0.8) * p2_3 + T(1.5) * p3_3 + T(0.9) * p4_3 + T(0.5) * p6_3 + T(2.7) + T(0.7) * p8_3
+  const T mp_3 = T(2.7) + T(8) * p1_3 + T(0.8) * p2_3 + T(1.5) * p3_3 + T(0.9) * p4_3 + T(0.5) * p6_3 + T(0.7) * p8_3
       + T(0.4) * p10_3 + T(0.3) * p11_3 + T(5) * s13_3 + c.m_link5 * p5_3;
   // potential = -g . mp + 1/2 k_boom_ stretch_boom_3^2 + 1/2 k_tether_ stretch_tether_9^2 + 1/2 k_soft_mount_
   //   stretch_soft_mount_7^2: potential energy of gravity and springs [J]
-  const T potential = T(9.81) * mp_3 + stretch_boom_3 * stretch_boom_3 * c.c0_1 + stretch_tether_9 * stretch_tether_9
-      * c.c0_1 + T(0.5000000000000003);
+  const T potential = T(0.5000000000000003) + T(9.81) * mp_3 + stretch_boom_3 * stretch_boom_3 * c.c0_1 +
+      stretch_tether_9 * stretch_tether_9 * c.c0_1;
   energy[1] = potential;
 }
 
@@ -1344,6 +1425,10 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
 template <class T>
 void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) noexcept {
   using std::cos, std::sin;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1392,7 +1477,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T l1_2 = T(8) * v1_2;
   const T l1_3 = T(8) * v1_3;
   // H1 = R1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
-  const T t1_20 = T(0.6) * omega1_1 + t1_18 - t1_13;
+  const T t1_20 = t1_18 - t1_13 + T(0.6) * omega1_1;
   const T t1_21 = T(0.02) * omega1_1 + T(0.5) * omega1_2 + T(0.03) * omega1_3;
   const T t1_22 = t1_14 - t1_17 + T(0.7) * omega1_3;
   const T H1_1 = R1_11 * t1_20 + R1_21 * t1_21 + R1_31 * t1_22 + p1_2 * l1_3 - p1_3 * l1_2;
@@ -1438,9 +1523,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t2_21 = R1_13 * T(0.2);
   const T P2_3 = t2_20 + t2_21 - R1_33 * T(0.2);
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_21 * T(0.02) - R2_31 * T(0.2) + P2_1;
-  const T p2_2 = R2_22 * T(0.02) - R2_32 * T(0.2) + P2_2;
-  const T p2_3 = R2_23 * T(0.02) - R2_33 * T(0.2) + P2_3;
+  const T p2_1 = P2_1 + R2_21 * T(0.02) - R2_31 * T(0.2);
+  const T p2_2 = P2_2 + R2_22 * T(0.02) - R2_32 * T(0.2);
+  const T p2_3 = P2_3 + R2_23 * T(0.02) - R2_33 * T(0.2);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_22 = omega1_3 * T(0.2);
   const T t2_23 = t2_22 + omega1_1 * T(0.2);
@@ -1456,9 +1541,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t2_29 = omega2_1 * T(0.2);
   const T t2_30 = omega2_3 * T(0.02) + omega2_2 * T(0.2);
   const T t2_31 = omega2_1 * T(0.02);
-  const T v2_1 = R2_21 * t2_29 - R2_11 * t2_30 + R2_31 * t2_31 + Pdot2_1;
-  const T v2_2 = R2_22 * t2_29 - R2_12 * t2_30 + R2_32 * t2_31 + Pdot2_2;
-  const T v2_3 = R2_23 * t2_29 - R2_13 * t2_30 + R2_33 * t2_31 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_21 * t2_29 - R2_11 * t2_30 + R2_31 * t2_31;
+  const T v2_2 = Pdot2_2 + R2_22 * t2_29 - R2_12 * t2_30 + R2_32 * t2_31;
+  const T v2_3 = Pdot2_3 + R2_23 * t2_29 - R2_13 * t2_30 + R2_33 * t2_31;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(0.8) * v2_1;
   const T l2_2 = T(0.8) * v2_2;
@@ -1472,12 +1557,11 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T H2_3 = R2_13 * t2_32 + R2_23 * t2_33 + R2_33 * t2_34 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -1487,7 +1571,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -1497,7 +1581,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -1523,9 +1607,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t3_20 = s1_3 + R1_33 * T(0.1);
   const T P3_3 = t3_20 + R1_13 * T(0.3);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.2) + R3_21 * T(0.02) + P3_1;
-  const T p3_2 = R3_12 * T(0.2) + R3_22 * T(0.02) + P3_2;
-  const T p3_3 = R3_13 * T(0.2) + R3_23 * T(0.02) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.2) + R3_21 * T(0.02);
+  const T p3_2 = P3_2 + R3_12 * T(0.2) + R3_22 * T(0.02);
+  const T p3_3 = P3_3 + R3_13 * T(0.2) + R3_23 * T(0.02);
   // Pdot3 = sdot1 + R1^T omega1~ q3: velocity of the body origin, inertial axes [m/s]
   const T t3_21 = omega1_2 * T(0.1);
   const T t3_22 = omega1_3 * T(0.3);
@@ -1538,9 +1622,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t3_25 = omega3_3 * T(0.2);
   const T t3_26 = T(0.02) * omega3_3;
   const T t3_27 = omega3_1 * T(0.02) - omega3_2 * T(0.2);
-  const T v3_1 = R3_21 * t3_25 - R3_11 * t3_26 + R3_31 * t3_27 + Pdot3_1;
-  const T v3_2 = R3_22 * t3_25 - R3_12 * t3_26 + R3_32 * t3_27 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_25 - R3_13 * t3_26 + R3_33 * t3_27 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_21 * t3_25 - R3_11 * t3_26 + R3_31 * t3_27;
+  const T v3_2 = Pdot3_2 + R3_22 * t3_25 - R3_12 * t3_26 + R3_32 * t3_27;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_25 - R3_13 * t3_26 + R3_33 * t3_27;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.5) * v3_1;
   const T l3_2 = T(1.5) * v3_2;
@@ -1549,23 +1633,22 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t3_28 = T(0.04) * omega3_1 + T(0.002) * omega3_2 + T(0.001) * omega3_3;
   const T t3_29 = T(0.002) * omega3_1 + T(0.05) * omega3_2 - T(0.003) * omega3_3;
   const T t3_30 = T(0.001) * omega3_1;
-  const T t3_31 = t3_30 - T(0.003) * omega3_2 + t3_26;
+  const T t3_31 = t3_30 + t3_26 - T(0.003) * omega3_2;
   const T H3_1 = R3_11 * t3_28 + R3_21 * t3_29 + R3_31 * t3_31 + p3_2 * l3_3 - p3_3 * l3_2;
   const T H3_2 = R3_12 * t3_28 + R3_22 * t3_29 + R3_32 * t3_31 + p3_3 * l3_1 - p3_1 * l3_3;
   const T H3_3 = R3_13 * t3_28 + R3_23 * t3_29 + R3_33 * t3_31 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // R4a^T = R1^T E4a^T: R takes inertial components to body components
   const T R4a_11 = R1_11 * E4a_11 - R1_21 * minus_E4a_12 - R1_31 * minus_E4a_13;
   const T R4a_12 = R1_12 * E4a_11 - R1_22 * minus_E4a_12 - R1_32 * minus_E4a_13;
@@ -1581,8 +1664,8 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T omega4a_2 = thetadot4_1 * T(0.28) + minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
   const T omega4a_3 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -1606,9 +1689,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P4a_2 = t2_17 - t2_18;
   const T P4a_3 = t2_20 - t2_21;
   // p4 = R4^T r4 + P4a: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.03) + R4_31 * T(0.1) + P4a_1;
-  const T p4_2 = R4_12 * T(0.03) + R4_32 * T(0.1) + P4a_2;
-  const T p4_3 = R4_13 * T(0.03) + R4_33 * T(0.1) + P4a_3;
+  const T p4_1 = P4a_1 + R4_11 * T(0.03) + R4_31 * T(0.1);
+  const T p4_2 = P4a_2 + R4_12 * T(0.03) + R4_32 * T(0.1);
+  const T p4_3 = P4a_3 + R4_13 * T(0.03) + R4_33 * T(0.1);
   // Pdot4a = sdot1 + R1^T omega1~ q4a: velocity of the body origin, inertial axes [m/s]
   const T t4_4 = t2_27 + t2_25;
   const T Pdot4a_1 = sdot1_1 - R1_11 * t2_24 - R1_21 * t2_22 + R1_31 * t4_4;
@@ -1618,9 +1701,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t4_5 = omega4_2 * T(0.1);
   const T t4_6 = omega4_3 * T(0.03) - omega4_1 * T(0.1);
   const T t4_7 = omega4_2 * T(0.03);
-  const T v4_1 = R4_11 * t4_5 + R4_21 * t4_6 - R4_31 * t4_7 + Pdot4a_1;
-  const T v4_2 = R4_12 * t4_5 + R4_22 * t4_6 - R4_32 * t4_7 + Pdot4a_2;
-  const T v4_3 = R4_13 * t4_5 + R4_23 * t4_6 - R4_33 * t4_7 + Pdot4a_3;
+  const T v4_1 = Pdot4a_1 + R4_11 * t4_5 + R4_21 * t4_6 - R4_31 * t4_7;
+  const T v4_2 = Pdot4a_2 + R4_12 * t4_5 + R4_22 * t4_6 - R4_32 * t4_7;
+  const T v4_3 = Pdot4a_3 + R4_13 * t4_5 + R4_23 * t4_6 - R4_33 * t4_7;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(0.9) * v4_1;
   const T l4_2 = T(0.9) * v4_2;
@@ -1634,11 +1717,10 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T H4_3 = R4_13 * t4_8 + R4_23 * t4_9 + R4_33 * t4_10 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -1666,7 +1748,7 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -1674,9 +1756,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P5a_2 = t3_19 - R1_22 * T(0.3);
   const T P5a_3 = t3_20 - R1_23 * T(0.3);
   // p5 = R5^T r_link5 + P5a: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5a_11 * c.r_link5_1 + R5_31 * c.r_link5_3 + P5a_1;
-  const T p5_2 = R5a_12 * c.r_link5_1 + R5_32 * c.r_link5_3 + P5a_2;
-  const T p5_3 = R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3 + P5a_3;
+  const T p5_1 = P5a_1 + R5a_11 * c.r_link5_1 + R5_31 * c.r_link5_3;
+  const T p5_2 = P5a_2 + R5a_12 * c.r_link5_1 + R5_32 * c.r_link5_3;
+  const T p5_3 = P5a_3 + R5a_13 * c.r_link5_1 + R5_33 * c.r_link5_3;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
   const T t5_2 = t3_22 + t3_21;
   const T t5_3 = omega1_1 * T(0.3);
@@ -1687,9 +1769,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t5_4 = omega5_2 * c.r_link5_3;
   const T t5_5 = omega5_3 * c.r_link5_1 - omega5_1 * c.r_link5_3;
   const T t5_6 = omega5_2 * c.r_link5_1;
-  const T v5_1 = R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6 + Pdot5a_1;
-  const T v5_2 = R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6 + Pdot5a_2;
-  const T v5_3 = R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6 + Pdot5a_3;
+  const T v5_1 = Pdot5a_1 + R5a_11 * t5_4 + R5_21 * t5_5 - R5_31 * t5_6;
+  const T v5_2 = Pdot5a_2 + R5a_12 * t5_4 + R5_22 * t5_5 - R5_32 * t5_6;
+  const T v5_3 = Pdot5a_3 + R5a_13 * t5_4 + R5_23 * t5_5 - R5_33 * t5_6;
   // l5 = m_link5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = c.m_link5 * v5_1;
   const T l5_2 = c.m_link5 * v5_2;
@@ -1708,26 +1790,26 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // p6 = R3^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R3_11 * T(0.1) + R3_31 * T(0.01) + P6_1;
-  const T p6_2 = R3_12 * T(0.1) + R3_32 * T(0.01) + P6_2;
-  const T p6_3 = R3_13 * T(0.1) + R3_33 * T(0.01) + P6_3;
+  const T p6_1 = P6_1 + R3_11 * T(0.1) + R3_31 * T(0.01);
+  const T p6_2 = P6_2 + R3_12 * T(0.1) + R3_32 * T(0.01);
+  const T p6_3 = P6_3 + R3_13 * T(0.1) + R3_33 * T(0.01);
   // Pdot6 = R3^T (omega3~ d6 + sdot6 u6) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega3_3 * d6_1;
   const T t6_2 = omega3_2 * d6_1;
-  const T Pdot6_1 = R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2 + Pdot3_1;
-  const T Pdot6_2 = R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2 + Pdot3_2;
-  const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
+  const T Pdot6_1 = Pdot3_1 + R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2;
+  const T Pdot6_2 = Pdot3_2 + R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2;
+  const T Pdot6_3 = Pdot3_3 + R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2;
   // v6 = R3^T omega3~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_3 = omega3_2 * T(0.01);
   const T t6_4 = omega3_3 * T(0.1) - omega3_1 * T(0.01);
   const T t6_5 = omega3_2 * T(0.1);
-  const T v6_1 = R3_11 * t6_3 + R3_21 * t6_4 - R3_31 * t6_5 + Pdot6_1;
-  const T v6_2 = R3_12 * t6_3 + R3_22 * t6_4 - R3_32 * t6_5 + Pdot6_2;
-  const T v6_3 = R3_13 * t6_3 + R3_23 * t6_4 - R3_33 * t6_5 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R3_11 * t6_3 + R3_21 * t6_4 - R3_31 * t6_5;
+  const T v6_2 = Pdot6_2 + R3_12 * t6_3 + R3_22 * t6_4 - R3_32 * t6_5;
+  const T v6_3 = Pdot6_3 + R3_13 * t6_3 + R3_23 * t6_4 - R3_33 * t6_5;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(0.5) * v6_1;
   const T l6_2 = T(0.5) * v6_2;
@@ -1755,13 +1837,12 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T H7_3 = d7_1 * l7_2 - p7_2 * l7_1;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // R8^T = R1^T E8^T: R takes inertial components to body components
   const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
   const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
@@ -1780,9 +1861,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P8_2 = s1_2 + R1_22 * d8_2;
   const T P8_3 = s1_3 + R1_23 * d8_2;
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = R8_31 * T(0.02) - (R8_11 * T(0.01) + t2_13) + P8_1;
-  const T p8_2 = R8_32 * T(0.02) - (R8_12 * T(0.01) + t2_16) + P8_2;
-  const T p8_3 = R8_33 * T(0.02) - (R8_13 * T(0.01) + t2_19) + P8_3;
+  const T p8_1 = P8_1 - t2_13 - R8_11 * T(0.01) + R8_31 * T(0.02);
+  const T p8_2 = P8_2 - t2_16 - R8_12 * T(0.01) + R8_32 * T(0.02);
+  const T p8_3 = P8_3 - t2_19 - R8_13 * T(0.01) + R8_33 * T(0.02);
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8 u8): velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega1_3 * d8_2;
   const T t8_2 = omega1_1 * d8_2;
@@ -1793,9 +1874,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t8_3 = omega8_3 * T(0.1) + omega8_2 * T(0.02);
   const T t8_4 = omega8_3 * T(0.01) + omega8_1 * T(0.02);
   const T t8_5 = omega8_2 * T(0.01) - omega8_1 * T(0.1);
-  const T v8_1 = R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5 + Pdot8_1;
-  const T v8_2 = R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5 + Pdot8_2;
-  const T v8_3 = R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R8_11 * t8_3 - R1_21 * t8_4 + R8_31 * t8_5;
+  const T v8_2 = Pdot8_2 + R8_12 * t8_3 - R1_22 * t8_4 + R8_32 * t8_5;
+  const T v8_3 = Pdot8_3 + R8_13 * t8_3 - R1_23 * t8_4 + R8_33 * t8_5;
   // l8 = m8 v8: linear momentum, inertial axes [kg m/s]
   const T l8_1 = T(0.7) * v8_1;
   const T l8_2 = T(0.7) * v8_2;
@@ -1809,22 +1890,21 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T H8_3 = R8_13 * t8_6 + R1_23 * t8_7 + R8_33 * t8_8 + p8_1 * l8_2 - p8_2 * l8_1;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // p9 = E9^T r9 + d9: position of the mass centre, inertial axes [m]
-  const T p9_1 = E9_11 * T(0.1) + s9_1;
-  const T p9_2 = E9_12 * T(0.1) + d9_2;
+  const T p9_1 = s9_1 + E9_11 * T(0.1);
+  const T p9_2 = d9_2 + E9_12 * T(0.1);
   // v9 = E9^T omega9~ r9 + Pdot9: velocity of the mass centre, inertial axes [m/s]
   const T t9_1 = thetadot9 * T(0.1);
   const T v9_1 = sdot9_1 - E9_12 * t9_1;
-  const T v9_2 = E9_11 * t9_1 + sdot9_2;
+  const T v9_2 = sdot9_2 + E9_11 * t9_1;
   // l9 = m9 v9: linear momentum, inertial axes [kg m/s]
   const T l9_1 = T(2) * v9_1;
   const T l9_2 = T(2) * v9_2;
@@ -1863,9 +1943,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P10_2 = s1_2 + R1_12 * T(0.1) + R1_22 * s10 + R1_32 * T(0.3);
   const T P10_3 = s1_3 + R1_13 * T(0.1) + R1_23 * s10 + R1_33 * T(0.3);
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = R10_11 * T(0.02) + R10_21 * T(0.01) - R10_31 * T(0.03) + P10_1;
-  const T p10_2 = R10_12 * T(0.02) + R10_22 * T(0.01) - R10_32 * T(0.03) + P10_2;
-  const T p10_3 = R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03) + P10_3;
+  const T p10_1 = P10_1 + R10_11 * T(0.02) + R10_21 * T(0.01) - R10_31 * T(0.03);
+  const T p10_2 = P10_2 + R10_12 * T(0.02) + R10_22 * T(0.01) - R10_32 * T(0.03);
+  const T p10_3 = P10_3 + R10_13 * T(0.02) + R10_23 * T(0.01) - R10_33 * T(0.03);
   // Pdot10 = sdot1 + R1^T (omega1~ d10 + sdot10 u10): velocity of the body origin, inertial axes [m/s]
   const T t10_13 = t3_24 - omega1_3 * s10;
   const T t10_14 = t2_24 - t5_3 + sdot10;
@@ -1877,9 +1957,9 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T t10_16 = omega10_3 * T(0.02) + omega10_1 * T(0.03);
   const T t10_17 = omega10_3 * T(0.01) + omega10_2 * T(0.03);
   const T t10_18 = omega10_1 * T(0.01) - omega10_2 * T(0.02);
-  const T v10_1 = R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18 + Pdot10_1;
-  const T v10_2 = R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18 + Pdot10_2;
-  const T v10_3 = R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18;
+  const T v10_2 = Pdot10_2 + R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18;
+  const T v10_3 = Pdot10_3 + R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18;
   // l10 = m10 v10: linear momentum, inertial axes [kg m/s]
   const T l10_1 = T(0.4) * v10_1;
   const T l10_2 = T(0.4) * v10_2;
@@ -1896,8 +1976,8 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // R11^T = R8^T E11^T: R takes inertial components to body components
   const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
   const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
@@ -1916,22 +1996,22 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   const T P11_2 = P8_2 - R1_22 * minus_d11_2;
   const T P11_3 = P8_3 - R1_23 * minus_d11_2;
   // p11 = R11^T r_link11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R11_31 * T(0.01) + P11_1;
-  const T p11_2 = R11_32 * T(0.01) + P11_2;
-  const T p11_3 = R11_33 * T(0.01) + P11_3;
+  const T p11_1 = P11_1 + R11_31 * T(0.01);
+  const T p11_2 = P11_2 + R11_32 * T(0.01);
+  const T p11_3 = P11_3 + R11_33 * T(0.01);
   // Pdot11 = R8^T (omega8~ d11 + thetadot11 pitch11 u11) + Pdot8: velocity of the body origin, inertial axes [m/s]
   const T t11_1 = omega8_3 * minus_d11_2;
   const T t11_2 = thetadot11 * T(0.01);
   const T t11_3 = omega8_1 * minus_d11_2;
-  const T Pdot11_1 = R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3 + Pdot8_1;
-  const T Pdot11_2 = R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3 + Pdot8_2;
-  const T Pdot11_3 = R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3 + Pdot8_3;
+  const T Pdot11_1 = Pdot8_1 + R8_11 * t11_1 - R1_21 * t11_2 - R8_31 * t11_3;
+  const T Pdot11_2 = Pdot8_2 + R8_12 * t11_1 - R1_22 * t11_2 - R8_32 * t11_3;
+  const T Pdot11_3 = Pdot8_3 + R8_13 * t11_1 - R1_23 * t11_2 - R8_33 * t11_3;
   // v11 = R11^T omega11~ r_link11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_4 = omega11_2 * T(0.01);
   const T t11_5 = omega11_1 * T(0.01);
-  const T v11_1 = R11_11 * t11_4 - R1_21 * t11_5 + Pdot11_1;
-  const T v11_2 = R11_12 * t11_4 - R1_22 * t11_5 + Pdot11_2;
-  const T v11_3 = R11_13 * t11_4 - R1_23 * t11_5 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R11_11 * t11_4 - R1_21 * t11_5;
+  const T v11_2 = Pdot11_2 + R11_12 * t11_4 - R1_22 * t11_5;
+  const T v11_3 = Pdot11_3 + R11_13 * t11_4 - R1_23 * t11_5;
   // l11 = m11 v11: linear momentum, inertial axes [kg m/s]
   const T l11_1 = T(0.3) * v11_1;
   const T l11_2 = T(0.3) * v11_2;
@@ -1968,8 +2048,8 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
   momentum[2] = linear_3;
   // angular = H1 + H2 + H3 + H4 + H5 + H6 + H7 + H8 + H9 + H10 + H11 + H13: angular momentum of the system about the
   //   inertial origin [kg m^2/s]
-  const T angular_1 = H1_1 + H2_1 + H3_1 + H4_1 + H5_1 + H6_1 - minus_H7_1 + H8_1 + H10_1 + H11_1 + H13_1;
-  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H5_2 + H6_2 + H7_2 + H8_2 + H10_2 + H11_2 + H13_2;
+  const T angular_1 = H1_1 + H2_1 + H3_1 + H4_1 + H5_1 + H6_1 + H8_1 + H10_1 + H11_1 + H13_1 - minus_H7_1;
+  const T angular_2 = H1_2 + H2_2 + H3_2 + H4_2 + H5_2 + H6_2 + H8_2 + H10_2 + H11_2 + H13_2 + H7_2;
   const T angular_3 = H1_3 + H2_3 + H3_3 + H4_3 + H5_3 + H6_3 + H7_3 + H8_3 + H9_3 + H10_3 + H11_3 + H13_3;
   momentum[3] = angular_1;
   momentum[4] = angular_2;
@@ -1982,6 +2062,11 @@ void momentum(const Prepared<T>& c, T t, const T* x, const T* y, T* momentum) no
 template <class T>
 void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* out) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::tanh;
+  T cosines[14], sines[14];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 1, cosines + 8, sines + 8);
+  cos_sin(x + 11, 1, cosines + 11, sines + 11);
+  cos_sin(x + 13, 1, cosines + 13, sines + 13);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2050,12 +2135,11 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T Pdot2_3 = sdot1_3 + R1_23 * t2_13 - R1_13 * t2_15 + R1_33 * t2_17;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -2065,7 +2149,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -2075,7 +2159,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -2111,11 +2195,10 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T damping_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5);
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -2143,7 +2226,7 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -2163,15 +2246,15 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pdot6 = R3^T (omega3~ d6 + sdot6 u6) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega3_3 * d6_1;
   const T t6_2 = omega3_2 * d6_1;
-  const T Pdot6_1 = R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2 + Pdot3_1;
-  const T Pdot6_2 = R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2 + Pdot3_2;
-  const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
+  const T Pdot6_1 = Pdot3_1 + R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2;
+  const T Pdot6_2 = Pdot3_2 + R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2;
+  const T Pdot6_3 = Pdot3_3 + R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
@@ -2191,41 +2274,40 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T omega8_2 = omega1_2 - thetadot8;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_damping_tether_9 = line_tether_9 . line_rate_tether_9 ll_tether_9^-1 c_tether_: attraction by the length [N/m]
   const T t9_8 = line_tether_9_1 * line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 *
       minus_line_rate_tether_9_3;
@@ -2253,13 +2335,13 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
   const T b0_7 = R3_13 * T(0.1) + R3_23 * b0_1;
   const T b0_8 = omega3_3 * T(0.2);
   const T b0_9 = omega3_2 * T(0.2);
-  const T power = thetadot3 * damping_boom_3 - (b0_2 * (R2_11 * b0_3 + R2_21 * b0_4 + R2_31 * b0_5 + Pdot2_1) + b0_6 *
-      (R2_12 * b0_3 + R2_22 * b0_4 + R2_32 * b0_5 + Pdot2_2) + b0_7 * (R2_13 * b0_3 + R2_23 * b0_4 + R2_33 * b0_5 +
-      Pdot2_3)) + b0_2 * (R3_21 * b0_8 - R3_31 * b0_9 + Pdot6_1) + b0_6 * (R3_22 * b0_8 - R3_32 * b0_9 + Pdot6_2) +
-      b0_7 * (R3_23 * b0_8 - R3_33 * b0_9 + Pdot6_3) - sdot6 * minus_effort_telescope_6 - thetadot11 *
+  const T power = t2_16 - b0_2 * (Pdot2_1 + R2_11 * b0_3 + R2_21 * b0_4 + R2_31 * b0_5) - b0_6 * (Pdot2_2 + R2_12 *
+      b0_3 + R2_22 * b0_4 + R2_32 * b0_5) - b0_7 * (Pdot2_3 + R2_13 * b0_3 + R2_23 * b0_4 + R2_33 * b0_5) + thetadot3
+      * damping_boom_3 + b0_2 * (Pdot6_1 + R3_21 * b0_8 - R3_31 * b0_9) + b0_6 * (Pdot6_2 + R3_22 * b0_8 - R3_32 *
+      b0_9) + b0_7 * (Pdot6_3 + R3_23 * b0_8 - R3_33 * b0_9) - sdot6 * minus_effort_telescope_6 - thetadot11 *
       minus_effort_nut_11 - T(0.02) * u.motor * omega11_2 - t9_8 * f_damping_tether_9 + u.thrust * (sdot1_3 + R1_13 *
       (T(0.01) * omega1_3 + T(0.03) * omega1_2) + R1_23 * (omega1_3 * T(0.02) - omega1_1 * T(0.03)) - R1_33 * (T(0.01)
-      * omega1_1 + T(0.02) * omega1_2)) + t2_16 + T(0.2) * cos(T(2) * t) * omega1_2;
+      * omega1_1 + T(0.02) * omega1_2)) + T(0.2) * cos(T(2) * t) * omega1_2;
   out[0] = power;
 }
 
@@ -2271,6 +2353,10 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u
 template <class T>
 void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2304,13 +2390,13 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T U1_12 = omega1_2 * omega1_1;
   const T U1_13 = omega1_3 * omega1_1;
   const T t1_15 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_15;
+  const T minus_U1_22 = t1_15 + t1_13;
   const T U1_23 = omega1_3 * omega1_2;
-  const T minus_U1_33 = t1_14 + t1_15;
+  const T minus_U1_33 = t1_15 + t1_14;
   // a1 = U1 r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_16 = U1_13 * T(0.03);
   const T t1_17 = U1_12 * T(0.01);
-  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17);
+  const T a1_1 = t1_16 - t1_17 - minus_U1_11 * T(0.02);
   const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
   const T t1_18 = U1_13 * T(0.02);
   const T t1_19 = U1_23 * T(0.01);
@@ -2320,10 +2406,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
-  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_1 = t1_17 + t1_18 + T(0.1) - T(0.19999999999999996) * U1_23 - T(0.03) * (t1_14 - t1_13);
   const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
+  const T minus_N1_3 = t1_16 + t1_19 + T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2387,9 +2473,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T U2_12 = omega2_2 * omega2_1;
   const T U2_13 = omega2_3 * omega2_1;
   const T t2_25 = omega2_1 * omega2_1;
-  const T minus_U2_22 = omega2_3 * omega2_3 + t2_25;
+  const T minus_U2_22 = t2_25 + omega2_3 * omega2_3;
   const T U2_23 = omega2_3 * omega2_2;
-  const T minus_U2_33 = omega2_2 * omega2_2 + t2_25;
+  const T minus_U2_33 = t2_25 + omega2_2 * omega2_2;
   // Pddot2 = C2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_26 = U1_12 * T(0.1);
   const T t2_27 = minus_U1_11 * T(0.2);
@@ -2404,17 +2490,17 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pddot2_2 = C2_21 * t2_29 + C2_22 * t2_32 + C2_23 * t2_34;
   const T Pddot2_3 = C2_31 * t2_29 + C2_32 * t2_32 + C2_33 * t2_34;
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.02) - U2_13 * T(0.2) + Pddot2_1;
-  const T a2_2 = Pddot2_2 - (minus_U2_22 * T(0.02) + U2_23 * T(0.2));
-  const T a2_3 = U2_23 * T(0.02) + minus_U2_33 * T(0.2) + Pddot2_3;
+  const T a2_1 = Pddot2_1 + U2_12 * T(0.02) - U2_13 * T(0.2);
+  const T a2_2 = Pddot2_2 - minus_U2_22 * T(0.02) - U2_23 * T(0.2);
+  const T a2_3 = Pddot2_3 + U2_23 * T(0.02) + minus_U2_33 * T(0.2);
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -2424,7 +2510,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -2434,7 +2520,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -2449,9 +2535,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T t3_18 = E3_11 * omega1_1 + E3_12 * omega1_2 - minus_E3_13 * omega1_3;
   const T omega3_1 = t3_18 - thetadot3 * T(0.3152711589176631);
   const T t3_19 = E3_21 * omega1_1 + E3_22 * omega1_2 + E3_23 * omega1_3;
-  const T omega3_2 = thetadot3 * T(0.44378789320576517) + t3_19;
+  const T omega3_2 = t3_19 + thetadot3 * T(0.44378789320576517);
   const T t3_20 = E3_31 * omega1_1 + E3_32 * omega1_2 + E3_33 * omega1_3;
-  const T omega3_3 = thetadot3 * T(0.8388422987658062) + t3_20;
+  const T omega3_3 = t3_20 + thetadot3 * T(0.8388422987658062);
   // P3 = s1 + R1^T q3: position of the body origin, inertial axes [m]
   const T t3_21 = s1_1 + R1_31 * T(0.1);
   const T P3_1 = t3_21 + R1_11 * T(0.3);
@@ -2500,15 +2586,15 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T t3_38 = R3_12 * T(0.1) + R3_22 * t3_36;
   const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
   const T t3_40 = R2_11 * t3_37 + R2_12 * t3_38 + R2_13 * t3_39;
-  const T minus_G2_1 = T(0.8) * a2_1 + t3_40;
+  const T minus_G2_1 = t3_40 + T(0.8) * a2_1;
   const T t3_41 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
-  const T minus_G2_2 = T(0.8) * a2_2 + t3_41;
+  const T minus_G2_2 = t3_41 + T(0.8) * a2_2;
   const T t3_42 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
-  const T minus_G2_3 = T(0.8) * a2_3 + t3_42;
+  const T minus_G2_3 = t3_42 + T(0.8) * a2_3;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
+  const T a3_1 = Pddot3_1 + U3_12 * T(0.02) - minus_U3_11 * T(0.2);
+  const T a3_2 = Pddot3_2 + U3_21 * T(0.2) - minus_U3_22 * T(0.02);
+  const T a3_3 = Pddot3_3 + U3_31 * T(0.2) + U3_32 * T(0.02);
   // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
@@ -2522,26 +2608,25 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
       minus_U3_22) - T(0.001) * U3_23 - T(0.003) * U3_13;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // omega4a = thetadot4_1 b4_1 + E4a omega1: absolute angular velocity, body axes [rad/s]
   const T omega4a_1 = E4a_11 * omega1_1 - minus_E4a_12 * omega1_2 - minus_E4a_13 * omega1_3;
   const T t4_3 = minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
-  const T omega4a_2 = thetadot4_1 * T(0.28) + t4_3;
+  const T omega4a_2 = t4_3 + thetadot4_1 * T(0.28);
   const T t4_4 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3;
   const T omega4a_3 = t4_4 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_5 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_5 = cosines[10];
   const T E4_12 = T(0.28) * t4_5;
   const T minus_E4_13 = T(0.96) * t4_5;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -2570,7 +2655,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_9 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T minus_U4_11 = t4_9 + omega4_3 * omega4_3;
   const T t4_10 = omega4_2 * omega4_1;
   const T U4_12 = t4_10 - omegadot4_3;
   const T t4_11 = omega4_3 * omega4_1;
@@ -2586,9 +2671,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
   const T Pddot4_3 = t4_5 * Pddot4a_1 + E4_32 * Pddot4a_2 - minus_E4_33 * Pddot4a_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T a4_1 = Pddot4_1 + U4_13 * T(0.1) - minus_U4_11 * T(0.03);
+  const T a4_2 = Pddot4_2 + U4_21 * T(0.03) + U4_23 * T(0.1);
+  const T a4_3 = Pddot4_3 + U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
@@ -2599,12 +2684,11 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -2635,7 +2719,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -2655,10 +2739,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a U1 q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t5_7 = t3_30 - t3_32;
-  const T t5_8 = minus_U1_22 * T(0.3) + t2_33;
+  const T t5_8 = t2_33 + minus_U1_22 * T(0.3);
   const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
   const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
-  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_34;
+  const T minus_Pddot5a_3 = t3_34 + U1_23 * T(0.3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -2682,9 +2766,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
-  const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
+  const T a5_1 = Pddot5a_1 + U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1;
+  const T a5_2 = Pddot5_2 + U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_Pddot5_3 - minus_U5_33 * c.r_link5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -2692,14 +2776,14 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pddot6 = 2 sdot6 omega3~ u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
-  const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
-  const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  const T Pddot6_2 = Pddot3_2 + t6_1 * omega3_3 + U3_21 * d6_1;
+  const T Pddot6_3 = Pddot3_3 + U3_31 * d6_1 - t6_1 * omega3_2;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
@@ -2721,9 +2805,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t3_40 - arm2_1 * t3_42;
   const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t3_41 - lever2_2 * t3_40;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
-  const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
-  const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
+  const T a6_1 = Pddot6_1 + U3_13 * T(0.01) - minus_U3_11 * T(0.1);
+  const T a6_2 = Pddot6_2 + U3_21 * T(0.1) + U3_23 * T(0.01);
+  const T a6_3 = Pddot6_3 + U3_31 * T(0.1) - minus_U3_33 * T(0.01);
   // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
   const T G6_2 = t3_36 - T(0.5) * a6_2;
@@ -2735,13 +2819,12 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_36;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
   const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
   const T omega8_2 = omega1_2 - thetadot8;
@@ -2776,9 +2859,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
-  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
-  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
+  const T a8_1 = Pddot8_1 + minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02);
+  const T a8_2 = minus_U8_22 * T(0.1) - minus_Pddot8_2 - U8_21 * T(0.01) + U8_23 * T(0.02);
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -2789,25 +2872,24 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U9_11 = thetadot9 * thetadot9;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -2815,19 +2897,19 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1: attraction by the length [N/m]
   const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
@@ -2913,9 +2995,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pddot10_2 = C10_21 * t10_18 + C10_22 * t10_20 + C10_23 * t10_21;
   const T Pddot10_3 = C10_31 * t10_18 + C10_32 * t10_20 + C10_33 * t10_21;
   // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03) + Pddot10_1;
-  const T a10_2 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03) + Pddot10_2;
-  const T a10_3 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03) + Pddot10_3;
+  const T a10_1 = Pddot10_1 + U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
+  const T a10_2 = Pddot10_2 + U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
+  const T a10_3 = Pddot10_3 + U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03);
   // G10 = -m10 a10: applied less inertia force, body axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
@@ -2929,8 +3011,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
   const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
   const T omega11_2 = omega8_2 - thetadot11;
@@ -2953,16 +3035,16 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
+  const T t11_4 = Pddot8_1 + t11_3 * omega8_3 - U8_12 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
-  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_1 = Pddot11_1 + U11_13 * T(0.01);
+  const T a11_2 = Pddot11_2 + U11_23 * T(0.01);
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
@@ -3026,7 +3108,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Hb11_11 = b11_9 + Hp11_11;
   const T Hb11_12 = minus_d11_2 * minus_Mp11_23 - minus_Hp11_12;
   const T Hb11_13 = Hp11_13 - minus_d11_2 * Mp11_33;
-  const T Hb11_31 = minus_d11_2 * Mp11_11 + Hp11_13;
+  const T Hb11_31 = Hp11_13 + minus_d11_2 * Mp11_11;
   const T minus_Hb11_32 = minus_d11_2 * minus_Mp11_12 + minus_Hp11_32;
   const T Hb11_33 = b11_6 - b11_9;
 
@@ -3041,7 +3123,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T w_10_2 = T(284.30629264594387) * b10_1;
   const T w_10_3 = T(374.3436923513552) * (n10_3 - T(0.1) * n10_1 - T(0.03639120545868082) * b10_1);
   // gb10 = G10 - Y10^T w_10: force with the ball solved [N]
-  const T gb10_1 = T(0.012) * w_10_2 + T(0.0035633055344958305) * w_10_3 - minus_G10_1;
+  const T gb10_1 = T(0.012) * w_10_2 - minus_G10_1 + T(0.0035633055344958305) * w_10_3;
   const T minus_gb10_2 = minus_G10_2 + T(4e-04) * w_10_2 + T(0.012) * w_10_1 + T(0.006785443517816528) * w_10_3;
   const T minus_gb10_3 = minus_G10_3 + T(0.004) * w_10_1 - T(0.007866666666666668) * w_10_2 -
       T(0.00011372251705837757) * w_10_3;
@@ -3143,9 +3225,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T g8_2 = gt11_2 - minus_G8_2;
   const T g8_3 = gp11_3 - minus_G8_3;
   // n8 = r_link8~ G8 + d11~ gp11 + N8 + np11: moment that drives it, body axes [N m]
-  const T n8_1 = T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3 - minus_N8_1 + np11_1;
-  const T n8_2 = N8_2 - (T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3) + nt11_2;
-  const T n8_3 = T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1 - minus_N8_3 + np11_3;
+  const T n8_1 = np11_1 - minus_N8_1 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3;
+  const T n8_2 = nt11_2 - T(0.02) * minus_G8_1 - T(0.01) * minus_G8_3 + N8_2;
+  const T n8_3 = np11_3 - minus_N8_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1;
   // kB1_8 = invD1_8 B1_8: B/D
   const T minus_kB1_8_1 = T(420.4089432447927) * HA8_21;
   const T minus_kB1_8_3 = T(420.4089432447927) * HA8_23;
@@ -3239,15 +3321,15 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Hb8 = d8~ Ms2_8 + Hs2_8: H of the joint at the lower body's origin, its axes
   const T b8_10 = d8_2 * Ms2_8_13;
   const T Hb8_11 = b8_10 + Hs2_8_11;
-  const T Hb8_13 = d8_2 * Ms2_8_33 + Hs2_8_13;
+  const T Hb8_13 = Hs2_8_13 + d8_2 * Ms2_8_33;
   const T Hb8_31 = Hs2_8_31 - d8_2 * Ms2_8_11;
   const T Hb8_33 = Hs2_8_33 - b8_10;
 
   // ---- body 6 (telescope) and what it carries
   // n6 = r6~ G6 + N6: moment that drives it, body axes [N m]
   const T n6_1 = N6_1 - T(0.01) * G6_2;
-  const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
-  const T n6_3 = T(0.1) * G6_2 + N6_3;
+  const T n6_2 = T(0.01) * G6_1 - minus_N6_2 + T(0.1) * minus_G6_3;
+  const T n6_3 = N6_3 + T(0.1) * G6_2;
   // u_6 = u6 . G6 + effort_telescope_6: drives it [N m], [N]
   const T u_6 = G6_1 - minus_effort_telescope_6;
   // v6 = invD6 u_6: u/D
@@ -3255,13 +3337,13 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // ns6 = n6 - v6 K6: moment with the slide solved [N m]
   const T ns6_2 = n6_2 - v6 * T(0.005);
   // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
-  const T minus_Hb6_23 = d6_1 * T(0.5) + T(0.05);
+  const T minus_Hb6_23 = T(0.05) + d6_1 * T(0.5);
 
   // ---- body 5 (camera) and what it carries
   // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
   const T n5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T n5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T n5_3 = c.r_link5_1 * G5_2 + N5_3;
+  const T n5_2 = N5_2 + c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3;
+  const T n5_3 = N5_3 + c.r_link5_1 * G5_2;
   // gp5 = E5^T G5: force passed on, lower body's axes [N]
   const T gp5_2 = E5_22 * G5_2 - E5_23 * G5_3;
   const T gp5_3 = E5_23 * G5_2 + E5_22 * G5_3;
@@ -3313,7 +3395,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
   const T b5_5 = E5a_12 * b5_4;
   const T Mp5a_11 = M5a_11 - b5_5;
-  const T Mp5a_12 = E5a_11 * b5_4 + minus_M5a_12;
+  const T Mp5a_12 = minus_M5a_12 + E5a_11 * b5_4;
   const T Mp5a_22 = M5a_22 + b5_5;
   // gp5a = E5a^T gt5a: force passed on, lower body's axes [N]
   const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
@@ -3332,7 +3414,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
   const T b5_10 = E5a_12 * b5_9;
   const T Jp5a_11 = J5a_11 - b5_10;
-  const T Jp5a_12 = E5a_11 * b5_9 + minus_J5a_12;
+  const T Jp5a_12 = minus_J5a_12 + E5a_11 * b5_9;
   const T Jp5a_22 = J5a_22 + b5_10;
   // np5a = E5a^T nt5a: moment passed on, lower body's axes [N m]
   const T np5a_1 = E5a_11 * nt5a_1 - E5a_12 * nt5a_2;
@@ -3342,7 +3424,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
   const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
   const T minus_Hb5a_13 = c.c5_3 + minus_Hp5a_13;
-  const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
+  const T Hb5a_21 = Hp5a_21 + T(0.1) * Mp5a_11;
   const T Hb5a_22 = b5_11 + Hp5a_22;
   const T Hb5a_31 = T(0.3) * Mp5a_11;
   const T Hb5a_32 = T(0.3) * Mp5a_12;
@@ -3350,8 +3432,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // ---- body 4 (cross) and what it carries
   // n4 = r4~ G4 + N4: moment that drives it, body axes [N m]
   const T n4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
-  const T n4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
-  const T minus_n4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
+  const T n4_2 = T(0.03) * minus_G4_3 - minus_N4_2 - T(0.1) * minus_G4_1;
+  const T minus_n4_3 = minus_N4_3 + T(0.03) * minus_G4_2;
   // v4 = invD4 u_4: u/D
   const T v4 = T(59.4883997620464) * n4_2;
   // gt4 = G4 - v4 B4: force with the turn solved [N]
@@ -3499,14 +3581,14 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // Hb4a = q4a~ Mp4a + Hp4a: H of the joint at the lower body's origin, its axes
   const T b4_32 = T(0.1) * Mp4a_13;
   const T Hb4a_11 = b4_32 + Hp4a_11;
-  const T Hb4a_12 = T(0.1) * Mp4a_23 + Hp4a_12;
-  const T Hb4a_13 = T(0.1) * Mp4a_33 + Hp4a_13;
-  const T Hb4a_21 = T(0.2) * Mp4a_13 + Hp4a_21;
+  const T Hb4a_12 = Hp4a_12 + T(0.1) * Mp4a_23;
+  const T Hb4a_13 = Hp4a_13 + T(0.1) * Mp4a_33;
+  const T Hb4a_21 = Hp4a_21 + T(0.2) * Mp4a_13;
   const T b4_33 = T(0.2) * Mp4a_23;
   const T Hb4a_22 = b4_33 + Hp4a_22;
-  const T Hb4a_23 = T(0.2) * Mp4a_33 + Hp4a_23;
-  const T Hb4a_31 = Hp4a_31 - (T(0.2) * Mp4a_12 + T(0.1) * Mp4a_11);
-  const T Hb4a_32 = Hp4a_32 - (T(0.2) * Mp4a_22 + T(0.1) * Mp4a_12);
+  const T Hb4a_23 = Hp4a_23 + T(0.2) * Mp4a_33;
+  const T Hb4a_31 = Hp4a_31 - T(0.2) * Mp4a_12 - T(0.1) * Mp4a_11;
+  const T Hb4a_32 = Hp4a_32 - T(0.2) * Mp4a_22 - T(0.1) * Mp4a_12;
   const T Hb4a_33 = Hp4a_33 - (b4_33 + b4_32);
 
   // ---- body 3 (boom) and what it carries
@@ -3522,9 +3604,9 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T g3_2 = G6_2 - minus_G3_2;
   const T minus_g3_3 = minus_G3_3 + minus_G6_3;
   // n3 = r3~ G3 + d6~ gs6 + N3 + ns6: moment that drives it, body axes [N m]
-  const T n3_1 = n6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
-  const T n3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + ns6_2;
-  const T n3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + n6_3;
+  const T n3_1 = n6_1 - minus_N3_1 - T(0.02) * minus_G3_3;
+  const T n3_2 = ns6_2 - minus_N3_2 + T(0.2) * minus_G3_3 + d6_1 * minus_G6_3;
+  const T n3_3 = n6_3 - minus_N3_3 + T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2;
   // B3 = HA3^T b3: force of a unit of the angle's acceleration [kg m]
   const T B3_2 = T(0.0015763557945883155) + minus_HA3_23 * T(0.8388422987658062);
   const T minus_B3_3 = T(0.009458134767529894) + minus_HA3_23 * T(0.44378789320576517);
@@ -3545,8 +3627,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T kK3_2 = invD3 * K3_2;
   const T kK3_3 = invD3 * K3_3;
   // u_3 = b3 . n3 + effort_boom_3: drives it [N m], [N]
-  const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
-      effort_boom_3;
+  const T u_3 = effort_boom_3 + T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) *
+      n3_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
   // M3 = MA3 - kB3 B3^T: MA less what the turn takes up [kg]
@@ -3639,17 +3721,17 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Hb3_11 = Hp3_11 - b3_23;
   const T Hb3_12 = Hp3_12 - T(0.1) * Mp3_22;
   const T Hb3_13 = Hp3_13 - T(0.1) * Mp3_23;
-  const T Hb3_21 = T(0.1) * Mp3_11 - T(0.3) * Mp3_13 + Hp3_21;
+  const T Hb3_21 = Hp3_21 + T(0.1) * Mp3_11 - T(0.3) * Mp3_13;
   const T b3_24 = T(0.3) * Mp3_23;
   const T Hb3_22 = b3_23 - b3_24 + Hp3_22;
-  const T Hb3_23 = T(0.1) * Mp3_13 - T(0.3) * Mp3_33 + Hp3_23;
-  const T Hb3_31 = T(0.3) * Mp3_12 + Hp3_31;
-  const T Hb3_32 = T(0.3) * Mp3_22 + Hp3_32;
+  const T Hb3_23 = Hp3_23 + T(0.1) * Mp3_13 - T(0.3) * Mp3_33;
+  const T Hb3_31 = Hp3_31 + T(0.3) * Mp3_12;
+  const T Hb3_32 = Hp3_32 + T(0.3) * Mp3_22;
   const T Hb3_33 = b3_24 + Hp3_33;
 
   // ---- body 2 (clapper) and what it carries
   // n2 = r2~ G2 + N2: moment that drives it, body axes [N m]
-  const T minus_n2_1 = T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3 + minus_N2_1;
+  const T minus_n2_1 = minus_N2_1 + T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3;
   const T n2_2 = T(0.2) * minus_G2_1 - minus_N2_2;
   const T n2_3 = T(0.02) * minus_G2_1 - minus_N2_3;
   // w_2 = D(LD2)^-1 L(LD2)^-1 n2: D^-1 L^-1 n
@@ -3657,7 +3739,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T w_2_2 = T(23.25581395348837) * n2_2;
   const T w_2_3 = T(244.9863263445761) * (n2_3 - T(0.07441860465116279) * n2_2);
   // gb2 = G2 - Y2^T w_2: force with the ball solved [N]
-  const T gb2_1 = T(0.16000000000000003) * w_2_2 + T(0.004093023255813953) * w_2_3 - minus_G2_1;
+  const T gb2_1 = T(0.16000000000000003) * w_2_2 - minus_G2_1 + T(0.004093023255813953) * w_2_3;
   const T gb2_2 = T(0.16000000000000003) * minus_w_2_1 - minus_G2_2;
   const T gb2_3 = T(0.016) * minus_w_2_1 - minus_G2_3;
   // Mb2 = C2^T M2 C2: M of the joint, lower body's axes
@@ -3682,7 +3764,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T b2_10 = T(0.2) * Mb2_23;
   const T Hb2_13 = b2_10 + T(0.1) * Mb2_33;
   const T b2_11 = T(0.2) * Mb2_13;
-  const T minus_Hb2_21 = T(0.2) * Mb2_11 + b2_11;
+  const T minus_Hb2_21 = b2_11 + T(0.2) * Mb2_11;
   const T minus_Hb2_22 = b2_7 + b2_10;
   const T minus_Hb2_23 = b2_11 + T(0.2) * Mb2_33;
   const T Hb2_31 = b2_7 - T(0.1) * Mb2_11;
@@ -3710,23 +3792,23 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // JA1 = q3~ Hp3^T + q4a~ Hp4a^T + q5a~ Hp5a^T - m1 r1~ r1~ + I1 + d8~ Hs2_8^T + Js2_8 + Jp5a + Jp4a + Jp3 - Hb2 q2~
   //   - Hb3 q3~ - Hb4a q4a~ - Hb5a q5a~ - Hb8 d8~ - Hb10 d10~: moment for an angular acceleration, body axes [kg m^2]
   const T b1_1 = Hb2_12 * T(0.2);
-  const T JA1_11 = T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 + T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + T(0.608) + d8_2 *
-      Hs2_8_13 + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 * T(0.1) -
-      Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
-  const T JA1_12 = T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 + T(0.3) * minus_Hp5a_23 + T(0.0216) +
-      Jp5a_12 + Jp4a_12 + Jp3_12 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
+  const T JA1_11 = T(0.608) + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 +
+      T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + d8_2 * Hs2_8_13 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 *
+      T(0.1) - Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
+  const T JA1_12 = T(0.0216) + Jp5a_12 + Jp4a_12 + Jp3_12 + T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 +
+      T(0.3) * minus_Hp5a_23 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
       T(0.2) - minus_Hb5a_11 * T(0.1) - Hb10_13 * T(0.1) + Hb10_11 * T(0.3);
-  const T JA1_13 = T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 - T(0.0148) + d8_2 * Hs2_8_33 + Js2_8_13 + Jp4a_13 + Jp3_13 -
-      Hb2_11 * T(0.1) + b1_1 + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) - Hb8_11
-      * d8_2 - Hb10_11 * s10;
-  const T JA1_22 = T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 + T(0.1) * Hp5a_21 + T(0.5104) + Jp5a_22 +
-      Jp4a_22 + Jp3_22 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
+  const T JA1_13 = Js2_8_13 - T(0.0148) + Jp4a_13 + Jp3_13 + b1_1 + T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 + d8_2 *
+      Hs2_8_33 - Hb2_11 * T(0.1) + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) -
+      Hb8_11 * d8_2 - Hb10_11 * s10;
+  const T JA1_22 = T(0.5104) + Jp5a_22 + Jp4a_22 + Jp3_22 + T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 +
+      T(0.1) * Hp5a_21 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
       T(0.2) + Hb5a_21 * T(0.1) - Hb10_23 * T(0.1) + Hb10_21 * T(0.3);
-  const T JA1_23 = T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 + T(0.0324) + Jp4a_23 + Jp3_23 - minus_Hb2_22
+  const T JA1_23 = T(0.0324) + Jp4a_23 + Jp3_23 + T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 - minus_Hb2_22
       * T(0.2) + minus_Hb2_21 * T(0.1) + Hb3_22 * T(0.3) - Hb4a_21 * T(0.1) - Hb4a_22 * T(0.2) + Hb5a_21 * T(0.3) -
       Hb10_21 * s10;
-  const T JA1_33 = T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 + T(0.704) - d8_2 * Hs2_8_31 + Js2_8_33 +
-      Jp4a_33 + Jp3_33 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
+  const T JA1_33 = T(0.704) + Js2_8_33 + Jp4a_33 + Jp3_33 + T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 -
+      d8_2 * Hs2_8_31 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
       Hb5a_31 * T(0.3) - Hb8_31 * d8_2 + minus_Hb10_31 * s10;
   // g1 = C2^T gb2 + G1 + gs2_10 + gs2_8 + gp5a + gp4a + gp3: force that drives it, home axes [N]
   const T b1_2 = C2_11 * gb2_1 + C2_21 * gb2_2 + C2_31 * gb2_3;
@@ -3738,12 +3820,12 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // n1 = q2~ C2^T gb2 + q3~ gp3 + q4a~ gp4a + q5a~ gp5a + r1~ G1 + d8~ gs2_8 + d10~ gs2_10 + N1 + ns2_8 + np5a + np4a
   //   + np3: moment that drives it, body axes [N m]
   const T b1_5 = T(0.2) * b1_3;
-  const T n1_1 = b1_5 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 - T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03)
-      * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1;
-  const T n1_2 = T(0.1) * gp3_1 - (T(0.2) * b1_2 + T(0.2) * b1_4) - T(0.3) * gp3_3 + T(0.2) * gp4a_3 + T(0.1) * gp5a_1
-      + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3 + N1_2 + np5a_2 + np4a_2 + np3_2;
-  const T n1_3 = b1_5 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 - T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02)
-      * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3;
+  const T n1_1 = b1_5 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 -
+      T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03) * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3;
+  const T n1_2 = N1_2 + np5a_2 + np4a_2 + np3_2 - T(0.2) * b1_2 - T(0.2) * b1_4 + T(0.1) * gp3_1 - T(0.3) * gp3_3 +
+      T(0.2) * gp4a_3 + T(0.1) * gp5a_1 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3;
+  const T n1_3 = b1_5 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 -
+      T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -3775,16 +3857,16 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T w_1_2 = LD1_22 * b1_7;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_7);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
-  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
-  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  const T M1_11 = MA1_11 - HA1_11 * W1_11 - Y1_21 * W1_21 - Y1_31 * W1_31;
+  const T M1_12 = MA1_12 - HA1_11 * W1_12 - Y1_21 * W1_22 - Y1_31 * W1_32;
+  const T M1_13 = MA1_13 - HA1_11 * W1_13 - Y1_21 * W1_23 - Y1_31 * W1_33;
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - Y1_22 * W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - Y1_22 * W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - Y1_23 * W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 - HA1_11 * w_1_1 - Y1_21 * w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - Y1_22 * w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - Y1_23 * w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T LDs1_21 = LDs1_11 * M1_12;
@@ -3804,16 +3886,16 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
+  const T z1_3 = w_1_2 - W1_21 * Pddot1_1 - W1_22 * z1_1 - W1_23 * ws1_3 - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_11 * Pddot1_1 - W1_12 * z1_1 - W1_13 * ws1_3 - LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
   const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  const T sddot1_3 = R1_13 * Pddot1_1 - T(9.81) + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
@@ -3821,7 +3903,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // ---- body 2 (clapper), solved
   // beta2 = -C2 q2~ omegadot1 + C2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.2) * z1_2;
-  const T z2_2 = T(0.2) * omegadot1_1 + z2_1;
+  const T z2_2 = z2_1 + T(0.2) * omegadot1_1;
   const T z2_3 = T(0.2) * z1_3;
   const T z2_4 = T(0.1) * z1_2;
   const T z2_5 = z2_3 + z2_4;
@@ -3853,8 +3935,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL3_2 = E3_21 * omegadot1_1 + E3_22 * z1_3 + E3_23 * z1_2;
   const T alphaL3_3 = E3_31 * omegadot1_1 + E3_32 * z1_3 + E3_33 * z1_2;
   // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
-  const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
-      alphaL3_2 - kK3_3 * alphaL3_3 + v3;
+  const T phi3 = v3 + minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
+      alphaL3_2 - kK3_3 * alphaL3_3;
   ydot[6] = phi3;
   // alpha3 = alphaL3 + phi3 b3: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
   const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
@@ -3873,8 +3955,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL4a_2 = minus_E4a_12 * omegadot1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
   const T alphaL4a_3 = minus_E4a_13 * omegadot1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
   // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
-  const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
-      alphaL4a_2) + v4a;
+  const T phi4a = v4a - kB4a_2 * beta4a_2 - kB4a_3 * beta4a_3 - kK4a_1 * alphaL4a_1 - kK4a_2 * alphaL4a_2 +
+      minus_kK4a_3 * alphaL4a_3;
   ydot[7] = phi4a;
   // alpha4a = alphaL4a + phi4a b4_1: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
   const T alpha4a_2 = alphaL4a_2 + phi4a * T(0.28);
@@ -3885,7 +3967,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // alphaL4 = E4 alpha4a: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
-  const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
+  const T phi4 = v4 + T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1;
   // thetaddot4_2 = -b4_2 . alphaL4 + phi4
   const T thetaddot4_2 = phi4 - alphaL4_2;
   ydot[8] = thetaddot4_2;
@@ -3899,7 +3981,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
   const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
-  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
+  const T phi5a = v5a - kB5a_1 * beta5a_1 - kB5a_2 * beta5a_2 - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
   // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
   const T thetaddot5_1 = phi5a - z1_2;
   ydot[9] = thetaddot5_1;
@@ -3916,7 +3998,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T Pj2_8_1 = Pddot1_1 - d8_2 * z1_2;
   const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1;
   // phi2_8 = -kK2_8 . omegadot1 + v2_8 - (P_u8 kB2_8) . Pj2_8
-  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 - minus_v2_8 + minus_kK2_8_3 * z1_2 + minus_kB2_8_1 * Pj2_8_1 +
       minus_kB2_8_3 * Pj2_8_3;
   // sddot8 = -u8 . Pj2_8 + phi2_8
   const T sddot8 = z1_1 + phi2_8;
@@ -3928,7 +4010,7 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T alphaL8_1 = E8_11 * omegadot1_1 + E8_13 * z1_2;
   const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1;
   // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
-  const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
+  const T phi8 = minus_kB1_8_1 * beta8_1 - minus_v1_8 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 +
       minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
   // thetaddot8 = -b8 . alphaL8 + phi8
   const T thetaddot8 = z1_3 + phi8;
@@ -3941,16 +4023,16 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // beta9 = E9 P_u9_1 Pj2_9 + phi2_9 E9 u9_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta9_2 = E9_11 * v3_9 - phi2_9 * E9_12;
   // phi9 = -kB1_9 . beta9 + v1_9
-  const T minus_phi9 = T(2) * beta9_2 + minus_v1_9;
+  const T minus_phi9 = minus_v1_9 + T(2) * beta9_2;
   ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
   // Pj2_10 = -d10~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot1_1;
-  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1 + z1_1;
-  const T Pj2_10_3 = s10 * omegadot1_1 - z3_1 + ws1_3;
+  const T Pj2_10_1 = z3_4 + Pddot1_1 - s10 * z1_2;
+  const T Pj2_10_2 = z2_4 + z1_1 - T(0.3) * omegadot1_1;
+  const T Pj2_10_3 = ws1_3 - z3_1 + s10 * omegadot1_1;
   // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
-  const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
+  const T phi2_10 = v2_10 - kB2_10_1 * Pj2_10_1 - kB2_10_3 * Pj2_10_3;
   // sddot10 = -u10 . Pj2_10 + phi2_10
   const T sddot10 = phi2_10 - Pj2_10_2;
   ydot[25] = sddot10;
@@ -3959,12 +4041,12 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
   const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
   // omegadot10 = L(LD10)^-T (-W10 beta10 + w_10)
-  const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
-      beta10_3 + w_10_3;
-  const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
-      beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
-  const T omegadot10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
-      z10_2 - T(0.1) * z10_1;
+  const T z10_1 = w_10_3 + T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 +
+      T(0.04257130693912303) * beta10_3;
+  const T z10_2 = w_10_2 + T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254)
+      * beta10_3 - T(0.03639120545868082) * z10_1;
+  const T omegadot10_1 = w_10_1 - T(5) * beta10_2 - T(1.6666666666666667) * beta10_3 + T(0.03333333333333333) * z10_2
+      - T(0.1) * z10_1;
   ydot[12] = omegadot10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
@@ -3976,8 +4058,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
   // alphaL11 = E11 alpha8: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL11_1 = E11_11 * alphaL8_1 + E11_13 * alphaL8_3;
   // phi11 = -kB11 . beta11 - kK11 . alphaL11 + v11
-  const T phi11 = T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
-      alphaL11_1 - T(0.9545454545454546) * phi8 + v11;
+  const T phi11 = v11 + T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
+      alphaL11_1 - T(0.9545454545454546) * phi8;
   ydot[15] = phi11;
 
   // ---- results
@@ -3994,6 +4076,10 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inpu
 template <class T>
 void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -4030,15 +4116,15 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
   const T t1_16 = omega1_3 * omega1_1;
-  const T U1_13 = t1_16 + omegadot1_2;
+  const T U1_13 = omegadot1_2 + t1_16;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_17;
+  const T minus_U1_22 = t1_17 + t1_13;
   const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
-  const T minus_U1_33 = t1_14 + t1_17;
+  const T minus_U1_33 = t1_17 + t1_14;
   // Pddot1 = R1 (-g + sddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t1_19 = sddot1_3 + T(9.81);
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_19;
@@ -4046,25 +4132,25 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_20 = U1_13 * T(0.03);
-  const T a1_1 = t1_20 - (minus_U1_11 * T(0.02) + U1_12 * T(0.01)) + Pddot1_1;
-  const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
+  const T a1_1 = t1_20 + Pddot1_1 - minus_U1_11 * T(0.02) - U1_12 * T(0.01);
+  const T a1_2 = Pddot1_2 + U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
   const T t1_21 = U1_31 * T(0.02);
-  const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
+  const T a1_3 = t1_21 + Pddot1_3 - U1_32 * T(0.01) - minus_U1_33 * T(0.03);
   // G1 = -R1 F1 + m1 a1: inertia less applied force, body axes [N]
   const T G1_1 = T(8) * a1_1 - R1_13 * u.thrust;
   const T G1_2 = T(8) * a1_2 - R1_23 * u.thrust;
   const T G1_3 = T(8) * a1_3 - R1_33 * u.thrust;
   // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
   const T t1_22 = U1_23 * T(0.2);
-  const T N1_1 = T(0.39999999999999997) * U1_32 - t1_22 - T(0.03) * (minus_U1_22 - minus_U1_33) - t1_21 - T(0.01) *
-      U1_21 - T(0.1);
+  const T N1_1 = T(0.39999999999999997) * U1_32 - (t1_22 + t1_21 + T(0.1)) - T(0.03) * (minus_U1_22 - minus_U1_33) -
+      T(0.01) * U1_21;
   const T t1_23 = U1_13 * T(0.2);
   const T t1_24 = U1_31 * T(0.3);
   const T N1_2 = t1_23 - t1_24 + T(0.01) * (minus_U1_33 - minus_U1_11) - T(0.03) * U1_12 + T(0.02) * U1_32 - T(0.2) *
       cos(T(2) * t);
   const T t1_25 = U1_21 * T(0.3);
-  const T N1_3 = t1_25 - T(0.39999999999999997) * U1_12 - T(0.02) * (minus_U1_11 - minus_U1_22) + T(0.01) * U1_23 +
-      t1_20;
+  const T N1_3 = t1_25 + t1_20 - T(0.39999999999999997) * U1_12 - T(0.02) * (minus_U1_11 - minus_U1_22) + T(0.01) *
+      U1_23;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -4105,12 +4191,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T U2_13 = t2_14 + omegadot2_2;
   const T U2_21 = t2_13 + omegadot2_3;
   const T t2_15 = omega2_1 * omega2_1;
-  const T minus_U2_22 = omega2_3 * omega2_3 + t2_15;
+  const T minus_U2_22 = t2_15 + omega2_3 * omega2_3;
   const T t2_16 = omega2_3 * omega2_2;
   const T U2_23 = t2_16 - omegadot2_1;
   const T U2_31 = t2_14 - omegadot2_2;
   const T U2_32 = t2_16 + omegadot2_1;
-  const T minus_U2_33 = omega2_2 * omega2_2 + t2_15;
+  const T minus_U2_33 = t2_15 + omega2_2 * omega2_2;
   // Pddot2 = R1^T (U1 q2 + Pddot1): acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_17 = Pddot1_1 + U1_12 * T(0.1);
   const T t2_18 = minus_U1_11 * T(0.2);
@@ -4128,18 +4214,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t2_26 = U2_12 * T(0.02) - U2_13 * T(0.2);
   const T t2_27 = minus_U2_22 * T(0.02) + U2_23 * T(0.2);
   const T t2_28 = U2_32 * T(0.02) + minus_U2_33 * T(0.2);
-  const T a2_1 = R2_11 * t2_26 - R2_21 * t2_27 + R2_31 * t2_28 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_26 - R2_22 * t2_27 + R2_32 * t2_28 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_26 - R2_23 * t2_27 + R2_33 * t2_28 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_26 - R2_21 * t2_27 + R2_31 * t2_28;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_26 - R2_22 * t2_27 + R2_32 * t2_28;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_26 - R2_23 * t2_27 + R2_33 * t2_28;
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   const T thetaddot3 = ydot[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -4149,7 +4235,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -4159,7 +4245,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -4174,9 +4260,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t3_18 = E3_11 * omega1_1 + E3_12 * omega1_2 - minus_E3_13 * omega1_3;
   const T omega3_1 = t3_18 - thetadot3 * T(0.3152711589176631);
   const T t3_19 = E3_21 * omega1_1 + E3_22 * omega1_2 + E3_23 * omega1_3;
-  const T omega3_2 = thetadot3 * T(0.44378789320576517) + t3_19;
+  const T omega3_2 = t3_19 + thetadot3 * T(0.44378789320576517);
   const T t3_20 = E3_31 * omega1_1 + E3_32 * omega1_2 + E3_33 * omega1_3;
-  const T omega3_3 = thetadot3 * T(0.8388422987658062) + t3_20;
+  const T omega3_3 = t3_20 + thetadot3 * T(0.8388422987658062);
   // P3 = s1 + R1^T q3: position of the body origin, inertial axes [m]
   const T t3_21 = s1_1 + R1_31 * T(0.1);
   const T P3_1 = t3_21 + R1_11 * T(0.3);
@@ -4209,9 +4295,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T U3_32 = t3_29 + omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = U1_13 * T(0.1) + Pddot1_1;
+  const T t3_30 = Pddot1_1 + U1_13 * T(0.1);
   const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
-  const T t3_32 = U1_23 * T(0.1) + Pddot1_2;
+  const T t3_32 = Pddot1_2 + U1_23 * T(0.1);
   const T t3_33 = t1_25 + t3_32;
   const T t3_34 = minus_U1_33 * T(0.1) - Pddot1_3;
   const T t3_35 = t1_24 - t3_34;
@@ -4231,9 +4317,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
   const T G2_3 = t3_39 + T(0.8) * a2_3;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
+  const T a3_1 = Pddot3_1 + U3_12 * T(0.02) - minus_U3_11 * T(0.2);
+  const T a3_2 = Pddot3_2 + U3_21 * T(0.2) - minus_U3_22 * T(0.02);
+  const T a3_3 = Pddot3_3 + U3_31 * T(0.2) + U3_32 * T(0.02);
   // G3 = m3 a3: inertia less applied force, body axes [N]
   const T G3_1 = T(1.5) * a3_1;
   const T G3_2 = T(1.5) * a3_2;
@@ -4247,27 +4333,26 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
       minus_U3_22) - T(0.001) * U3_23 - T(0.003) * U3_13;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   const T thetaddot4_1 = ydot[7], thetaddot4_2 = ydot[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // omega4a = thetadot4_1 b4_1 + E4a omega1: absolute angular velocity, body axes [rad/s]
   const T omega4a_1 = E4a_11 * omega1_1 - minus_E4a_12 * omega1_2 - minus_E4a_13 * omega1_3;
   const T t4_3 = minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
-  const T omega4a_2 = thetadot4_1 * T(0.28) + t4_3;
+  const T omega4a_2 = t4_3 + thetadot4_1 * T(0.28);
   const T t4_4 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3;
   const T omega4a_3 = t4_4 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_5 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_5 = cosines[10];
   const T E4_12 = T(0.28) * t4_5;
   const T minus_E4_13 = T(0.96) * t4_5;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -4301,7 +4386,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_9 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T minus_U4_11 = t4_9 + omega4_3 * omega4_3;
   const T t4_10 = omega4_2 * omega4_1;
   const T U4_12 = t4_10 - omegadot4_3;
   const T t4_11 = omega4_3 * omega4_1;
@@ -4317,9 +4402,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
   const T Pddot4_3 = t4_5 * Pddot4a_1 + E4_32 * Pddot4a_2 - minus_E4_33 * Pddot4a_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T a4_1 = Pddot4_1 + U4_13 * T(0.1) - minus_U4_11 * T(0.03);
+  const T a4_2 = Pddot4_2 + U4_21 * T(0.03) + U4_23 * T(0.1);
+  const T a4_3 = Pddot4_3 + U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   // G4 = m4 a4: inertia less applied force, body axes [N]
   const T G4_1 = T(0.9) * a4_1;
   const T G4_2 = T(0.9) * a4_2;
@@ -4330,13 +4415,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   const T thetaddot5_1 = ydot[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -4367,7 +4451,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -4388,10 +4472,10 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t5_6 = t3_30 - U1_12 * T(0.3);
-  const T t5_7 = minus_U1_22 * T(0.3) + t3_32;
+  const T t5_7 = t3_32 + minus_U1_22 * T(0.3);
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T minus_Pddot5a_3 = U1_32 * T(0.3) + t3_34;
+  const T minus_Pddot5a_3 = t3_34 + U1_32 * T(0.3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -4415,9 +4499,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_22 * minus_Pddot5a_3 + E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
-  const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
+  const T a5_1 = Pddot5a_1 + U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1;
+  const T a5_2 = Pddot5_2 + U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_Pddot5_3 - minus_U5_33 * c.r_link5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -4426,15 +4510,15 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pddot6 = 2 sdot6 omega3~ u6 + sddot6 u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body
   //   axes [m/s^2]
-  const T Pddot6_1 = sddot6 - minus_U3_11 * d6_1 + Pddot3_1;
+  const T Pddot6_1 = sddot6 + Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
-  const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
-  const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  const T Pddot6_2 = Pddot3_2 + t6_1 * omega3_3 + U3_21 * d6_1;
+  const T Pddot6_3 = Pddot3_3 + U3_31 * d6_1 - t6_1 * omega3_2;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
@@ -4460,9 +4544,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T N2_3 = T(0.0024999999999999996) * U2_21 - T(0.0015000000000000005) * U2_12 + arm2_1 * t6_6 - lever2_2 *
       t6_7;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
-  const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
-  const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
+  const T a6_1 = Pddot6_1 + U3_13 * T(0.01) - minus_U3_11 * T(0.1);
+  const T a6_2 = Pddot6_2 + U3_21 * T(0.1) + U3_23 * T(0.01);
+  const T a6_3 = Pddot6_3 + U3_31 * T(0.1) - minus_U3_33 * T(0.01);
   // G6 = m6 a6 - F_jet_: inertia less applied force, body axes [N]
   const T G6_1 = T(0.5) * a6_1 - T(0.1);
   const T G6_2 = T(0.5) * a6_2 - t3_36;
@@ -4470,7 +4554,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: inertia less applied moment about the mass centre, body axes [N
   //   m]
   const T N6_1 = T(5e-04) * U3_32 - T(5e-04) * U3_23 - T(0.01) * t3_36;
-  const T N6_2 = T(5e-04) * U3_13 - T(0.0055) * U3_31 + T(0.001);
+  const T N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
   const T N6_3 = T(0.0055) * U3_21 - T(5e-04) * U3_12 - T(0.1) * t3_36;
 
   // ---- body 7 (gantry) on the inertial frame
@@ -4482,15 +4566,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   r[21] = G7_2;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   const T thetaddot8 = ydot[10];
   const T sddot8 = ydot[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
   const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
   const T omega8_2 = omega1_2 - thetadot8;
@@ -4521,15 +4604,15 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = t8_7 * omega1_3 + U1_12 * d8_2 + Pddot1_1;
-  const T t8_9 = U1_32 * d8_2 - t8_7 * omega1_1 + Pddot1_3;
+  const T t8_8 = Pddot1_1 + t8_7 * omega1_3 + U1_12 * d8_2;
+  const T t8_9 = Pddot1_3 + U1_32 * d8_2 - t8_7 * omega1_1;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
-  const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
+  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
-  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
+  const T a8_1 = Pddot8_1 + minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02);
+  const T a8_2 = Pddot8_2 + minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02);
+  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = m8 a8: inertia less applied force, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
@@ -4540,15 +4623,14 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   const T thetaddot9 = ydot[11];
   const T sddot9_1 = ydot[23], sddot9_2 = ydot[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
@@ -4560,12 +4642,12 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T Pddot9_2 = E9_11 * sddot9_2 - E9_12 * sddot9_1;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -4573,19 +4655,19 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1: attraction by the length [N/m]
   const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
@@ -4609,7 +4691,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T N5_3 = c.c9_2 * U5_21 - c.c9_3 * U5_12 - c.I_link5_13 * U5_23 - c.lever5_1 * t9_9 + T(0.02) * t9_8;
   // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a9_1 = Pddot9_1 - minus_U9_11 * T(0.1);
-  const T a9_2 = thetaddot9 * T(0.1) + Pddot9_2;
+  const T a9_2 = Pddot9_2 + thetaddot9 * T(0.1);
   // G9 = E9 F_tether_9 + m9 a9: inertia less applied force, body axes [N]
   const T G9_1 = E9_11 * F_tether_9_1 + E9_12 * F_tether_9_2 + T(2) * a9_1;
   const T G9_2 = E9_11 * F_tether_9_2 - E9_12 * F_tether_9_1 + T(2) * a9_2;
@@ -4666,9 +4748,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // Pddot10 = R1^T (2 sdot10 omega1~ u10 + sddot10 u10 + U1 d10 + Pddot1): acceleration of the body origin, less
   //   gravity, inertial axes [m/s^2]
   const T t10_19 = T(2) * sdot10;
-  const T t10_20 = U1_12 * s10 - minus_U1_11 * T(0.1) + U1_13 * T(0.3) - t10_19 * omega1_3 + Pddot1_1;
-  const T t10_21 = sddot10 + U1_21 * T(0.1) - minus_U1_22 * s10 + U1_23 * T(0.3) + Pddot1_2;
-  const T t10_22 = t10_19 * omega1_1 + U1_31 * T(0.1) + U1_32 * s10 - minus_U1_33 * T(0.3) + Pddot1_3;
+  const T t10_20 = Pddot1_1 + U1_12 * s10 - minus_U1_11 * T(0.1) + U1_13 * T(0.3) - t10_19 * omega1_3;
+  const T t10_21 = sddot10 + Pddot1_2 + U1_21 * T(0.1) - minus_U1_22 * s10 + U1_23 * T(0.3);
+  const T t10_22 = Pddot1_3 + t10_19 * omega1_1 + U1_31 * T(0.1) + U1_32 * s10 - minus_U1_33 * T(0.3);
   const T Pddot10_1 = R1_11 * t10_20 + R1_21 * t10_21 + R1_31 * t10_22;
   const T Pddot10_2 = R1_12 * t10_20 + R1_22 * t10_21 + R1_32 * t10_22;
   const T Pddot10_3 = R1_13 * t10_20 + R1_23 * t10_21 + R1_33 * t10_22;
@@ -4676,9 +4758,9 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T t10_23 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
   const T t10_24 = U10_21 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
   const T t10_25 = U10_31 * T(0.02) + U10_32 * T(0.01) + minus_U10_33 * T(0.03);
-  const T a10_1 = R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25 + Pddot10_3;
+  const T a10_1 = Pddot10_1 + R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25;
+  const T a10_2 = Pddot10_2 + R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25;
+  const T a10_3 = Pddot10_3 + R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25;
   // G10 = m10 a10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(0.4) * a10_1;
   const T G10_2 = T(0.4) * a10_2;
@@ -4693,8 +4775,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T thetadot11 = y[15];
   const T thetaddot11 = ydot[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
   const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
   const T omega11_2 = omega8_2 - thetadot11;
@@ -4721,16 +4803,16 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + thetaddot11 pitch11 u11 + U8 d11 + Pddot8): acceleration of the
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
-  const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_6 = Pddot8_3 - (t11_4 * omega8_1 + U8_32 * minus_d11_2);
+  const T t11_5 = Pddot8_1 + t11_4 * omega8_3 - U8_12 * minus_d11_2;
+  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
   const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
-  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
+  const T Pddot11_2 = Pddot8_2 + minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01);
   const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
-  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_1 = Pddot11_1 + U11_13 * T(0.01);
+  const T a11_2 = Pddot11_2 + U11_23 * T(0.01);
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = m11 a11: inertia less applied force, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
@@ -4758,7 +4840,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T b11_1 = T(0.01) * G11_2;
   const T rho11_1 = N11_1 - b11_1;
-  const T rho11_2 = T(0.01) * G11_1 + N11_2;
+  const T rho11_2 = N11_2 + T(0.01) * G11_1;
   // r_theta11 = b11 . G11 pitch11 + b11 . rho11 - effort_nut_11: Kane's equation of the angle [N m]
   const T r_theta11 = minus_effort_nut_11 - (b11_1 + rho11_2);
   r[15] = r_theta11;
@@ -4767,10 +4849,10 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // r_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * G10_1 + R10_22 * G10_2 + R10_23 * G10_3;
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
-  const T r_omega10_1 = T(0.03) * b10_1 + T(0.01) * b10_2 + N10_1;
+  const T r_omega10_1 = N10_1 + T(0.03) * b10_1 + T(0.01) * b10_2;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - (T(0.03) * b10_3 + T(0.02) * b10_2);
-  const T r_omega10_3 = T(0.02) * b10_1 - T(0.01) * b10_3 + N10_3;
+  const T r_omega10_2 = N10_2 - T(0.03) * b10_3 - T(0.02) * b10_2;
+  const T r_omega10_3 = N10_3 + T(0.02) * b10_1 - T(0.01) * b10_3;
   r[12] = r_omega10_1;
   r[13] = r_omega10_2;
   r[14] = r_omega10_3;
@@ -4799,16 +4881,16 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   r[22] = -S8_2;
   // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2 + N8_1;
-  const T rho8_2 = rho11_2 + T(0.02) * G8_1 + T(0.01) * G8_3 + N8_2;
-  const T rho8_3 = E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1 + N8_3;
+  const T rho8_1 = N8_1 + E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2;
+  const T rho8_2 = rho11_2 + N8_2 + T(0.02) * G8_1 + T(0.01) * G8_3;
+  const T rho8_3 = N8_3 + E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1;
   r[10] = -rho8_2;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho6_1 = N6_1 - T(0.01) * G6_2;
-  const T rho6_2 = T(0.01) * G6_1 - T(0.1) * G6_3 + N6_2;
-  const T rho6_3 = T(0.1) * G6_2 + N6_3;
+  const T rho6_2 = N6_2 + T(0.01) * G6_1 - T(0.1) * G6_3;
+  const T rho6_3 = N6_3 + T(0.1) * G6_2;
   // r_sdot6 = u6 . G6 - effort_telescope_6: Kane's equation of sdot [N]
   const T r_sdot6 = G6_1 + minus_effort_telescope_6;
   r[19] = r_sdot6;
@@ -4816,8 +4898,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // ---- body 5 (camera) and what it carries
   // rho5 = r_link5~ G5 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
+  const T rho5_2 = N5_2 + c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3;
+  const T rho5_3 = N5_3 + c.r_link5_1 * G5_2;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
   const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
   const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
@@ -4829,8 +4911,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // ---- body 4 (cross) and what it carries
   // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = N4_1 - T(0.1) * G4_2;
-  const T rho4_2 = T(0.1) * G4_1 - T(0.03) * G4_3 + N4_2;
-  const T rho4_3 = T(0.03) * G4_2 + N4_3;
+  const T rho4_2 = N4_2 + T(0.1) * G4_1 - T(0.03) * G4_3;
+  const T rho4_3 = N4_3 + T(0.03) * G4_2;
   r[8] = rho4_2;
   // S4a = E4^T G4: sum of the force balances of the subtree, body axes [N]
   const T S4a_1 = t4_5 * G4_3 - minus_E4_11 * G4_1;
@@ -4851,18 +4933,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T S3_3 = G3_3 + G6_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = T(0.02) * G3_3 + N3_1 + rho6_1;
-  const T rho3_2 = N3_2 - (T(0.2) * G3_3 + d6_1 * G6_3) + rho6_2;
-  const T rho3_3 = T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2 + N3_3 + rho6_3;
+  const T rho3_1 = N3_1 + rho6_1 + T(0.02) * G3_3;
+  const T rho3_2 = N3_2 + rho6_2 - T(0.2) * G3_3 - d6_1 * G6_3;
+  const T rho3_3 = N3_3 + rho6_3 + T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2;
   // r_theta3 = b3 . rho3 - effort_boom_3: Kane's equation of the angle [N m]
-  const T r_theta3 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3
-      - effort_boom_3;
+  const T r_theta3 = T(0.44378789320576517) * rho3_2 - effort_boom_3 - T(0.3152711589176631) * rho3_1 +
+      T(0.8388422987658062) * rho3_3;
   r[6] = r_theta3;
 
   // ---- body 2 (clapper) and what it carries
   // r_omega2 = r2~ R2 G2 + N2: Kane's equation of omega [N m]
-  const T r_omega2_1 = T(0.2) * (R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3) + T(0.02) * (R2_31 * G2_1 + R2_32 * G2_2
-      + R2_33 * G2_3) + N2_1;
+  const T r_omega2_1 = N2_1 + T(0.2) * (R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3) + T(0.02) * (R2_31 * G2_1 + R2_32
+      * G2_2 + R2_33 * G2_3);
   const T b2_1 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
   const T r_omega2_2 = N2_2 - T(0.2) * b2_1;
   const T r_omega2_3 = N2_3 - T(0.02) * b2_1;
@@ -4894,18 +4976,18 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   // r_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_16 = T(0.2) * b1_7;
-  const T r_omega1_1 = b1_16 + T(0.1) * b1_11 - T(0.1) * b1_8 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_14 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 - T(0.3) *
-      S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3 +
-      d8_2 * b1_15 + s10 * b1_12 - T(0.3) * r_sdot1_10 + N1_1;
-  const T r_omega1_2 = T(0.1) * b1_3 - (T(0.2) * b1_1 + T(0.2) * b1_11) - T(0.3) * b1_13 + E3_12 * rho3_1 + E3_22 *
-      rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
-      * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
-      * b1_12 + N1_2;
-  const T r_omega1_3 = b1_16 - T(0.1) * b1_1 + T(0.3) * b1_8 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
-      - T(0.2) * b1_9 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3 + T(0.3) * b1_5 +
-      rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) * r_sdot1_10
-      - s10 * b1_2 + N1_3;
+  const T r_omega1_1 = b1_16 + N1_1 + T(0.1) * b1_11 - T(0.1) * b1_8 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 *
+      rho3_3 + T(0.1) * b1_14 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 -
+      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
+      * G1_3 + d8_2 * b1_15 + s10 * b1_12 - T(0.3) * r_sdot1_10;
+  const T r_omega1_2 = rho8_2 + N1_2 - T(0.2) * b1_1 - T(0.2) * b1_11 + T(0.1) * b1_3 - T(0.3) * b1_13 + E3_12 *
+      rho3_1 + E3_22 * rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 *
+      rho4a_3 + T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 -
+      T(0.1) * b1_12;
+  const T r_omega1_3 = b1_16 + rho5a_3 + N1_3 - T(0.1) * b1_1 + T(0.3) * b1_8 + E3_23 * rho3_2 - minus_E3_13 * rho3_1
+      + E3_33 * rho3_3 - T(0.2) * b1_9 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3
+      + T(0.3) * b1_5 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) *
+      r_sdot1_10 - s10 * b1_2;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -4924,6 +5006,10 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
 template <class T>
 void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -4957,9 +5043,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T U1_12 = omega1_2 * omega1_1;
   const T U1_13 = omega1_3 * omega1_1;
   const T t1_15 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_15;
+  const T minus_U1_22 = t1_15 + t1_13;
   const T U1_23 = omega1_3 * omega1_2;
-  const T minus_U1_33 = t1_14 + t1_15;
+  const T minus_U1_33 = t1_15 + t1_14;
   // Pddot1 = -R1 g: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_13 * T(9.81);
   const T Pddot1_2 = R1_23 * T(9.81);
@@ -4967,20 +5053,20 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_16 = U1_13 * T(0.03);
   const T t1_17 = U1_12 * T(0.01);
-  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17) + Pddot1_1;
-  const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
+  const T a1_1 = t1_16 - t1_17 + Pddot1_1 - minus_U1_11 * T(0.02);
+  const T a1_2 = Pddot1_2 + U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
   const T t1_18 = U1_13 * T(0.02);
   const T t1_19 = U1_23 * T(0.01);
-  const T a1_3 = t1_18 - t1_19 - minus_U1_33 * T(0.03) + Pddot1_3;
+  const T a1_3 = t1_18 - t1_19 + Pddot1_3 - minus_U1_33 * T(0.03);
   // G1 = R1 F1 - m1 a1: applied less inertia force, body axes [N]
   const T G1_1 = R1_13 * u.thrust - T(8) * a1_1;
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
-  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_1 = t1_17 + t1_18 + T(0.1) - T(0.19999999999999996) * U1_23 - T(0.03) * (t1_14 - t1_13);
   const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
+  const T minus_N1_3 = t1_16 + t1_19 + T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -5016,9 +5102,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T U2_12 = omega2_2 * omega2_1;
   const T U2_13 = omega2_3 * omega2_1;
   const T t2_13 = omega2_1 * omega2_1;
-  const T minus_U2_22 = omega2_3 * omega2_3 + t2_13;
+  const T minus_U2_22 = t2_13 + omega2_3 * omega2_3;
   const T U2_23 = omega2_3 * omega2_2;
-  const T minus_U2_33 = omega2_2 * omega2_2 + t2_13;
+  const T minus_U2_33 = t2_13 + omega2_2 * omega2_2;
   // Pddot2 = R1^T (U1 q2 + Pddot1): acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_14 = Pddot1_1 + U1_12 * T(0.1);
   const T t2_15 = minus_U1_11 * T(0.2);
@@ -5037,17 +5123,17 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t2_24 = U2_12 * T(0.02) - U2_13 * T(0.2);
   const T t2_25 = minus_U2_22 * T(0.02) + U2_23 * T(0.2);
   const T t2_26 = U2_23 * T(0.02) + minus_U2_33 * T(0.2);
-  const T a2_1 = R2_11 * t2_24 - R2_21 * t2_25 + R2_31 * t2_26 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_24 - R2_22 * t2_25 + R2_32 * t2_26 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_24 - R2_23 * t2_25 + R2_33 * t2_26 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_24 - R2_21 * t2_25 + R2_31 * t2_26;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_24 - R2_22 * t2_25 + R2_32 * t2_26;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_24 - R2_23 * t2_25 + R2_33 * t2_26;
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -5057,7 +5143,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -5067,7 +5153,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -5082,9 +5168,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t3_18 = E3_11 * omega1_1 + E3_12 * omega1_2 - minus_E3_13 * omega1_3;
   const T omega3_1 = t3_18 - thetadot3 * T(0.3152711589176631);
   const T t3_19 = E3_21 * omega1_1 + E3_22 * omega1_2 + E3_23 * omega1_3;
-  const T omega3_2 = thetadot3 * T(0.44378789320576517) + t3_19;
+  const T omega3_2 = t3_19 + thetadot3 * T(0.44378789320576517);
   const T t3_20 = E3_31 * omega1_1 + E3_32 * omega1_2 + E3_33 * omega1_3;
-  const T omega3_3 = thetadot3 * T(0.8388422987658062) + t3_20;
+  const T omega3_3 = t3_20 + thetadot3 * T(0.8388422987658062);
   // P3 = s1 + R1^T q3: position of the body origin, inertial axes [m]
   const T t3_21 = s1_1 + R1_31 * T(0.1);
   const T P3_1 = t3_21 + R1_11 * T(0.3);
@@ -5131,15 +5217,15 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // G2 = -R3^T F_jet_ - m2 a2: applied less inertia force, inertial axes [N]
   const T t3_37 = T(0.5) * u.thrust * exp(T(0) - t);
   const T t3_38 = R3_11 * T(0.1) + R3_21 * t3_37;
-  const T minus_G2_1 = T(0.8) * a2_1 + t3_38;
+  const T minus_G2_1 = t3_38 + T(0.8) * a2_1;
   const T t3_39 = R3_12 * T(0.1) + R3_22 * t3_37;
-  const T minus_G2_2 = T(0.8) * a2_2 + t3_39;
+  const T minus_G2_2 = t3_39 + T(0.8) * a2_2;
   const T t3_40 = R3_13 * T(0.1) + R3_23 * t3_37;
-  const T minus_G2_3 = T(0.8) * a2_3 + t3_40;
+  const T minus_G2_3 = t3_40 + T(0.8) * a2_3;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
+  const T a3_1 = Pddot3_1 + U3_12 * T(0.02) - minus_U3_11 * T(0.2);
+  const T a3_2 = Pddot3_2 + U3_21 * T(0.2) - minus_U3_22 * T(0.02);
+  const T a3_3 = Pddot3_3 + U3_31 * T(0.2) + U3_32 * T(0.02);
   // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
@@ -5153,26 +5239,25 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
       minus_U3_22) - T(0.001) * U3_23 - T(0.003) * U3_13;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // omega4a = thetadot4_1 b4_1 + E4a omega1: absolute angular velocity, body axes [rad/s]
   const T omega4a_1 = E4a_11 * omega1_1 - minus_E4a_12 * omega1_2 - minus_E4a_13 * omega1_3;
   const T t4_3 = minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
-  const T omega4a_2 = thetadot4_1 * T(0.28) + t4_3;
+  const T omega4a_2 = t4_3 + thetadot4_1 * T(0.28);
   const T t4_4 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3;
   const T omega4a_3 = t4_4 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_5 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_5 = cosines[10];
   const T E4_12 = T(0.28) * t4_5;
   const T minus_E4_13 = T(0.96) * t4_5;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -5201,7 +5286,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_9 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T minus_U4_11 = t4_9 + omega4_3 * omega4_3;
   const T t4_10 = omega4_2 * omega4_1;
   const T U4_12 = t4_10 - omegadot4_3;
   const T t4_11 = omega4_3 * omega4_1;
@@ -5217,9 +5302,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
   const T Pddot4_3 = t4_5 * Pddot4a_1 + E4_32 * Pddot4a_2 - minus_E4_33 * Pddot4a_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T a4_1 = Pddot4_1 + U4_13 * T(0.1) - minus_U4_11 * T(0.03);
+  const T a4_2 = Pddot4_2 + U4_21 * T(0.03) + U4_23 * T(0.1);
+  const T a4_3 = Pddot4_3 + U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
@@ -5230,12 +5315,11 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -5266,7 +5350,7 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -5286,10 +5370,10 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t5_7 = t3_30 - t3_32;
-  const T t5_8 = minus_U1_22 * T(0.3) + t3_33;
+  const T t5_8 = t3_33 + minus_U1_22 * T(0.3);
   const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
   const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
-  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_35;
+  const T minus_Pddot5a_3 = t3_35 + U1_23 * T(0.3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -5313,9 +5397,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_22 * minus_Pddot5a_3 + E5_23 * Pddot5a_2;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
-  const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
+  const T a5_1 = Pddot5a_1 + U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1;
+  const T a5_2 = Pddot5_2 + U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_Pddot5_3 - minus_U5_33 * c.r_link5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -5323,16 +5407,16 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // Pddot6 = 2 sdot6 omega3~ u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
-  const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
-  const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  const T Pddot6_2 = Pddot3_2 + t6_1 * omega3_3 + U3_21 * d6_1;
+  const T Pddot6_3 = Pddot3_3 + U3_31 * d6_1 - t6_1 * omega3_2;
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
@@ -5355,9 +5439,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t6_7 - arm2_1 * t6_5;
   const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t6_6 - lever2_2 * t6_7;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
-  const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
-  const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
+  const T a6_1 = Pddot6_1 + U3_13 * T(0.01) - minus_U3_11 * T(0.1);
+  const T a6_2 = Pddot6_2 + U3_21 * T(0.1) + U3_23 * T(0.01);
+  const T a6_3 = Pddot6_3 + U3_31 * T(0.1) - minus_U3_33 * T(0.01);
   // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
   const T G6_2 = t3_37 - T(0.5) * a6_2;
@@ -5369,13 +5453,12 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_37;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
   const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
   const T omega8_2 = omega1_2 - thetadot8;
@@ -5404,16 +5487,16 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   //   axes [m/s^2]
   const T t8_6 = T(2) * sdot8;
   const T t8_7 = omega1_1 * d8_2;
-  const T t8_8 = t8_6 * omega1_3 + omega1_2 * t8_7 + Pddot1_1;
+  const T t8_8 = Pddot1_1 + t8_6 * omega1_3 + omega1_2 * t8_7;
   const T t8_9 = omega1_3 * d8_2;
-  const T t8_10 = omega1_2 * t8_9 - t8_6 * omega1_1 + Pddot1_3;
+  const T t8_10 = Pddot1_3 + omega1_2 * t8_9 - t8_6 * omega1_1;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_10;
-  const T Pddot8_2 = Pddot1_2 - (omega1_3 * t8_9 + omega1_1 * t8_7);
+  const T Pddot8_2 = Pddot1_2 - omega1_3 * t8_9 - omega1_1 * t8_7;
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
-  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
+  const T a8_1 = Pddot8_1 + minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02);
+  const T a8_2 = Pddot8_2 + minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02);
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -5424,23 +5507,22 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -5448,19 +5530,19 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1: attraction by the length [N/m]
   const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
@@ -5535,10 +5617,10 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   //   inertial axes [m/s^2]
   const T t10_16 = omega1_1 * s10 - t5_3;
   const T t10_17 = omega1_3 * T(0.1) - t5_6 + T(2) * sdot10;
-  const T t10_18 = omega1_2 * t10_16 - omega1_3 * t10_17 + Pddot1_1;
+  const T t10_18 = Pddot1_1 + omega1_2 * t10_16 - omega1_3 * t10_17;
   const T t10_19 = omega1_2 * T(0.3) - omega1_3 * s10;
-  const T t10_20 = omega1_3 * t10_19 - omega1_1 * t10_16 + Pddot1_2;
-  const T t10_21 = omega1_1 * t10_17 - omega1_2 * t10_19 + Pddot1_3;
+  const T t10_20 = Pddot1_2 + omega1_3 * t10_19 - omega1_1 * t10_16;
+  const T t10_21 = Pddot1_3 + omega1_1 * t10_17 - omega1_2 * t10_19;
   const T Pddot10_1 = R1_11 * t10_18 + R1_21 * t10_20 + R1_31 * t10_21;
   const T Pddot10_2 = R1_12 * t10_18 + R1_22 * t10_20 + R1_32 * t10_21;
   const T Pddot10_3 = R1_13 * t10_18 + R1_23 * t10_20 + R1_33 * t10_21;
@@ -5546,9 +5628,9 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T t10_22 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
   const T t10_23 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
   const T t10_24 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03);
-  const T a10_1 = R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
+  const T a10_1 = Pddot10_1 + R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24;
+  const T a10_2 = Pddot10_2 + R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24;
+  const T a10_3 = Pddot10_3 + R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24;
   // G10 = -m10 a10: applied less inertia force, inertial axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
@@ -5562,8 +5644,8 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
   const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
   const T omega11_2 = omega8_2 - thetadot11;
@@ -5588,14 +5670,14 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
+  const T t11_4 = Pddot8_1 + t11_3 * omega8_3 - U8_12 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
-  const T Pddot11_2 = minus_U8_22 * minus_d11_2 + Pddot8_2;
+  const T Pddot11_2 = Pddot8_2 + minus_U8_22 * minus_d11_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
-  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_1 = Pddot11_1 + U11_13 * T(0.01);
+  const T a11_2 = Pddot11_2 + U11_23 * T(0.01);
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
@@ -5649,18 +5731,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   f[22] = minus_S8_2;
   // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * rho11_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 + minus_d11_2
-      * b8_2 - minus_N8_1;
+  const T rho8_1 = E11_11 * rho11_1 - minus_N8_1 + E11_13 * minus_N11_3 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 +
+      minus_d11_2 * b8_2;
   const T minus_rho8_2 = minus_rho11_2 + T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3 - N8_2;
-  const T rho8_3 = E11_13 * rho11_1 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2
-      * b8_1 - minus_N8_3;
+  const T rho8_3 = E11_13 * rho11_1 - minus_N8_3 - E11_11 * minus_N11_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 +
+      minus_d11_2 * b8_1;
   f[10] = minus_rho8_2;
 
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho6_1 = N6_1 - T(0.01) * G6_2;
-  const T rho6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
-  const T rho6_3 = T(0.1) * G6_2 + N6_3;
+  const T rho6_2 = T(0.01) * G6_1 - minus_N6_2 + T(0.1) * minus_G6_3;
+  const T rho6_3 = N6_3 + T(0.1) * G6_2;
   // f_sdot6 = u6 . G6 + effort_telescope_6: Kane's equation of sdot [N]
   const T f_sdot6 = G6_1 - minus_effort_telescope_6;
   f[19] = f_sdot6;
@@ -5668,8 +5750,8 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // ---- body 5 (camera) and what it carries
   // rho5 = r_link5~ G5 + N5: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T rho5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T rho5_3 = c.r_link5_1 * G5_2 + N5_3;
+  const T rho5_2 = N5_2 + c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3;
+  const T rho5_3 = N5_3 + c.r_link5_1 * G5_2;
   // S5a = E5^T G5: sum of the force balances of the subtree, body axes [N]
   const T S5a_2 = E5_22 * G5_2 - E5_23 * G5_3;
   const T S5a_3 = E5_23 * G5_2 + E5_22 * G5_3;
@@ -5681,8 +5763,8 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // ---- body 4 (cross) and what it carries
   // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
-  const T rho4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
-  const T minus_rho4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
+  const T rho4_2 = T(0.03) * minus_G4_3 - minus_N4_2 - T(0.1) * minus_G4_1;
+  const T minus_rho4_3 = minus_N4_3 + T(0.03) * minus_G4_2;
   f[8] = rho4_2;
   // S4a = E4^T G4: sum of the force balances of the subtree, body axes [N]
   const T S4a_1 = minus_E4_11 * minus_G4_1 - t4_5 * minus_G4_3;
@@ -5703,18 +5785,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   const T minus_S3_3 = minus_G3_3 + minus_G6_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = rho6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
-  const T rho3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + rho6_2;
-  const T rho3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + rho6_3;
+  const T rho3_1 = rho6_1 - minus_N3_1 - T(0.02) * minus_G3_3;
+  const T rho3_2 = rho6_2 - minus_N3_2 + T(0.2) * minus_G3_3 + d6_1 * minus_G6_3;
+  const T rho3_3 = rho6_3 - minus_N3_3 + T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2;
   // f_theta3 = b3 . rho3 + effort_boom_3: Kane's equation of the angle [N m]
-  const T f_theta3 = T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 + T(0.8388422987658062) * rho3_3
-      + effort_boom_3;
+  const T f_theta3 = effort_boom_3 + T(0.44378789320576517) * rho3_2 - T(0.3152711589176631) * rho3_1 +
+      T(0.8388422987658062) * rho3_3;
   f[6] = f_theta3;
 
   // ---- body 2 (clapper) and what it carries
   // f_omega2 = r2~ R2 G2 + N2: Kane's equation of omega [N m]
-  const T minus_f_omega2_1 = T(0.2) * (R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3) + T(0.02) *
-      (R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3) + minus_N2_1;
+  const T minus_f_omega2_1 = minus_N2_1 + T(0.2) * (R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3) +
+      T(0.02) * (R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3);
   const T b2_1 = R2_11 * minus_G2_1 + R2_12 * minus_G2_2 + R2_13 * minus_G2_3;
   const T f_omega2_2 = T(0.2) * b2_1 - minus_N2_2;
   const T f_omega2_3 = T(0.02) * b2_1 - minus_N2_3;
@@ -5746,18 +5828,18 @@ void forcing(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>&
   // f_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_16 = T(0.2) * b1_8;
-  const T f_omega1_1 = E3_11 * rho3_1 - (b1_16 + T(0.1) * b1_12 + T(0.1) * b1_7) + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_14 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_10 -
-      T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01)
-      * G1_3 + d8_2 * b1_15 + T(0.3) * minus_f_sdot1_10 - s10 * b1_13 + N1_1;
-  const T f_omega1_2 = T(0.2) * b1_2 + T(0.2) * b1_12 + T(0.1) * b1_1 - T(0.3) * b1_11 + E3_12 * rho3_1 + E3_22 *
-      rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 + E4a_23 * rho4a_3 +
-      T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 - minus_rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1) *
-      b1_13 - T(0.3) * b1_3 + N1_2;
-  const T f_omega1_3 = T(0.1) * b1_2 - b1_16 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
-      - T(0.2) * b1_9 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 + E4a_33 * rho4a_3 + T(0.3) *
-      b1_5 + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + s10 * b1_3 -
-      T(0.1) * minus_f_sdot1_10 - minus_N1_3;
+  const T f_omega1_1 = N1_1 - b1_16 - T(0.1) * b1_12 - T(0.1) * b1_7 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 *
+      rho3_3 + T(0.1) * b1_14 + minus_E4a_12 * rho4a_2 - E4a_11 * minus_rho4a_1 + minus_E4a_13 * rho4a_3 - T(0.1) *
+      b1_10 - T(0.3) * S5a_3 + E5a_11 * rho5_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 -
+      T(0.01) * G1_3 + d8_2 * b1_15 + T(0.3) * minus_f_sdot1_10 - s10 * b1_13;
+  const T f_omega1_2 = N1_2 - minus_rho8_2 + T(0.2) * b1_2 + T(0.2) * b1_12 + T(0.1) * b1_1 - T(0.3) * b1_11 + E3_12 *
+      rho3_1 + E3_22 * rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_14 + minus_E4a_12 * minus_rho4a_1 + E4a_22 * rho4a_2 +
+      E4a_23 * rho4a_3 + T(0.1) * b1_5 + E5a_12 * rho5_1 + E5a_11 * rho5a_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.1)
+      * b1_13 - T(0.3) * b1_3;
+  const T f_omega1_3 = rho5a_3 - b1_16 - minus_N1_3 + T(0.1) * b1_2 + T(0.3) * b1_7 + E3_23 * rho3_2 - minus_E3_13 *
+      rho3_1 + E3_33 * rho3_3 - T(0.2) * b1_9 - T(0.1) * b1_4 + minus_E4a_13 * minus_rho4a_1 + E4a_23 * rho4a_2 +
+      E4a_33 * rho4a_3 + T(0.3) * b1_5 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 *
+      b1_6 + s10 * b1_3 - T(0.1) * minus_f_sdot1_10;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -5784,6 +5866,10 @@ template <class T>
 void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 841; ++i) A[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -5849,11 +5935,10 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T C1_2_33 = R1_31 * R2_31 + R1_32 * R2_32 + R1_33 * R2_33;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -5863,7 +5948,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -5873,35 +5958,33 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
   const T minus_E4_33 = T(0.96) * minus_E4_11;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
   // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
@@ -5914,19 +5997,17 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T d6_1 = T(0.4) + s6;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // d8 = q8 + s8 u8: joint offset q + s, axes of the lower body [m]
   const T d8_2 = T(0.25) - s8;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
 
   // ---- body 10 (runner) on body 1
   const T eps10_1 = x[14], eps10_2 = x[15], eps10_3 = x[16], eps10_4 = x[17];
@@ -5966,8 +6047,8 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // d11 = q11 + theta11 pitch11 u11: joint offset q + s, axes of the lower body [m]
   const T minus_d11_2 = T(0.1) + theta11 * T(0.01);
 
@@ -5990,7 +6071,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T J8_11 = T(0.01071) - b8_3 + b8_4;
   const T b8_5 = minus_d11_2 * minus_hc11_1;
   const T minus_J8_12 = T(7e-04) + b8_5;
-  const T J8_13 = E11_11 * b8_2 + T(0.00014);
+  const T J8_13 = T(0.00014) + E11_11 * b8_2;
   const T b8_6 = minus_d11_2 * hc11_3;
   const T J8_23 = T(0.0014) + b8_6;
   const T J8_33 = T(0.011470000000000001) + b8_3 + b8_4;
@@ -6002,7 +6083,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   A[22] = -minus_hc8_3;
   A[638] = -minus_hc8_3;
   // K_thetadot11_8 = E11^T K_thetadot11_11 + d11~ E11^T B_thetadot11_11
-  const T K_thetadot11_8_1 = E11_11 * T(3e-05) + b8_5;
+  const T K_thetadot11_8_1 = b8_5 + E11_11 * T(3e-05);
   const T K_thetadot11_8_3 = E11_13 * T(3e-05) - b8_6;
 
   // ---- body 5 (camera) and what it carries
@@ -6063,7 +6144,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T h3_1 = b3_1 + T(0.35000000000000003);
   // J3 = (-m6 d6~ - h6~) d6~ + J_all_3 - d6~ h6~ + J6: inertia carried, about the body origin, body axes [kg m^2]
   const T J3_13 = T(5e-04) - d6_1 * T(0.005);
-  const T b3_2 = d6_1 * T(0.05) + (b3_1 + T(0.05)) * d6_1;
+  const T b3_2 = d6_1 * T(0.05) + (T(0.05) + b3_1) * d6_1;
   const T J3_22 = b3_2 + T(0.12105);
   const T J3_33 = T(0.0916) + b3_2;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
@@ -6071,7 +6152,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T hc3_2 = E3_12 * h3_1 + E3_22 * T(0.03) + E3_32 * T(0.005);
   const T hc3_3 = E3_23 * T(0.03) - minus_E3_13 * h3_1 + E3_33 * T(0.005);
   // B_thetadot3_3 = b3~ h3: force of a unit of the rate of the speed
-  const T B_thetadot3_3_2 = T(0.8388422987658062) * h3_1 + T(0.0015763557945883155);
+  const T B_thetadot3_3_2 = T(0.0015763557945883155) + T(0.8388422987658062) * h3_1;
   const T minus_B_thetadot3_3_3 = T(0.009458134767529894) + T(0.44378789320576517) * h3_1;
   // K_thetadot3_3 = J3 b3: its moment about the body origin, body axes
   const T K_thetadot3_3_1 = J3_13 * T(0.8388422987658062) - T(0.01490619534174373);
@@ -6085,7 +6166,7 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   //   body origin, body axes [kg m]
   const T h1_1 = T(0.78) + hc3_1 + hc4a_1 + hc5a_1 - minus_hc8_1;
   const T b1_1 = minus_h8_2 - T(1) * d8_2;
-  const T h1_2 = T(0.4) * s10 + c.h_all_1_2 - b1_1 + hc3_2 + hc4a_2 - minus_hc5a_2;
+  const T h1_2 = c.h_all_1_2 - b1_1 + hc3_2 + hc4a_2 - minus_hc5a_2 + T(0.4) * s10;
   const T h1_3 = c.c1_1 + hc3_3 + hc4a_3 + hc5_3 - minus_hc8_3;
   // J1 = -q3~ hc3~ + E3^T J3 E3 - q4a~ hc4a~ + E4a^T J4a E4a - q5a~ hc5a~ + E5a^T J5a E5a + E8^T J8 E8 + (-m6 q3~ -
   //   hc3~) q3~ - m10 d10~ d10~ + J_all_1 - d8~ hc8~ + (-m_sub8 d8~ - hc8~) d8~ - hc4a~ q4a~ - hc5a~ q5a~: inertia
@@ -6100,44 +6181,44 @@ void mass_matrix(const Prepared<T>& c, T t, const T* x, T* A) noexcept {
   const T b1_9 = E4a_11 * J4a_11 + b1_8 + minus_E4a_13 * J4a_13;
   const T b1_10 = E4a_11 * J4a_12 + minus_E4a_12 * J4a_22 + minus_E4a_13 * J4a_23;
   const T b1_11 = E4a_11 * J4a_13 + minus_E4a_12 * J4a_23 + minus_E4a_13 * J4a_33;
-  const T b1_12 = E8_13 * b1_4 - (b1_5 * E3_11 + b1_6 * E3_21 + b1_7 * E3_31 + (b1_9 * E4a_11 + b1_10 * minus_E4a_12 +
-      b1_11 * minus_E4a_13));
+  const T b1_12 = E8_13 * b1_4 - (b1_5 * E3_11 + b1_6 * E3_21 + b1_7 * E3_31 + b1_9 * E4a_11 + b1_10 * minus_E4a_12 +
+      b1_11 * minus_E4a_13);
   const T b1_13 = T(0.2) * hc4a_2;
   const T b1_14 = T(0.3) * minus_hc5a_2;
   const T b1_15 = b1_14 + T(0.1) * hc5_3;
   const T b1_16 = E5a_12 * (c.JA5_11 - J5a_22) - T(2) * E5a_11 * minus_J5a_12;
   const T b1_17 = E5a_12 * b1_16;
-  const T b1_18 = s10 * s10;
-  const T b1_19 = d8_2 * minus_h8_2 + b1_1 * d8_2;
-  const T J1_11 = b1_3 - b1_12 + b1_13 + b1_15 + c.JA5_11 - b1_17 + J8_11 + T(0.4) * (T(0.09) + b1_18) + c.J_all_1_11
-      - b1_19 + b1_15;
+  const T b1_18 = d8_2 * minus_h8_2 + b1_1 * d8_2;
+  const T b1_19 = s10 * s10;
+  const T J1_11 = b1_3 - b1_12 + b1_13 + b1_15 + c.JA5_11 - b1_17 + J8_11 + c.J_all_1_11 - b1_18 + b1_15 + T(0.4) *
+      (T(0.09) + b1_19);
   const T b1_20 = E8_11 * minus_J8_12 + E8_13 * J8_23 - d8_2 * minus_hc8_1;
-  const T J1_12 = b1_5 * E3_12 + b1_6 * E3_22 + b1_7 * E3_32 - T(0.1) * hc4a_1 + b1_10 * E4a_22 - b1_9 * minus_E4a_12
-      + b1_11 * E4a_23 + T(0.3) * hc5a_1 + E5a_11 * b1_16 + minus_J5a_12 - b1_20 - T(0.3) * hc3_2 - s10 * T(0.1) *
-      T(0.4) + T(0.0236) + b1_13;
+  const T J1_12 = minus_J5a_12 - b1_20 + T(0.0236) + b1_13 + b1_5 * E3_12 + b1_6 * E3_22 + b1_7 * E3_32 - T(0.1) *
+      hc4a_1 + b1_10 * E4a_22 - b1_9 * minus_E4a_12 + b1_11 * E4a_23 + T(0.3) * hc5a_1 + E5a_11 * b1_16 - T(0.3) *
+      hc3_2 - s10 * T(0.1) * T(0.4);
   const T b1_21 = T(0.1) * hc5a_1 - (E5a_11 * J5a_13 - E5a_12 * J5a_23);
-  const T J1_13 = b1_6 * E3_23 - b1_5 * minus_E3_13 + b1_7 * E3_33 - T(0.1) * hc3_1 + b1_10 * E4a_23 - b1_9 *
-      minus_E4a_13 + b1_11 * E4a_33 - b1_21 + E8_11 * b1_4 - J8_13 - b1_2 * T(0.3) - T(0.039799999999999995) + T(0.2)
-      * hc4a_3;
+  const T J1_13 = b1_6 * E3_23 - (b1_21 + J8_13 + T(0.039799999999999995)) - b1_5 * minus_E3_13 + b1_7 * E3_33 -
+      T(0.1) * hc3_1 + b1_10 * E4a_23 - b1_9 * minus_E4a_13 + b1_11 * E4a_33 + E8_11 * b1_4 - b1_2 * T(0.3) + T(0.2) *
+      hc4a_3;
   const T b1_22 = E3_12 * T(0.04165) - E3_22 * T(0.004) + E3_32 * J3_13;
   const T b1_23 = E3_22 * J3_22 - E3_12 * T(0.004) - E3_32 * T(0.003);
   const T b1_24 = E3_12 * J3_13 - E3_22 * T(0.003) + E3_32 * J3_33;
   const T b1_25 = E4a_22 * J4a_22 - b1_8 + E4a_23 * J4a_23;
   const T b1_26 = E4a_22 * J4a_12 - minus_E4a_12 * J4a_11 + E4a_23 * J4a_13;
   const T b1_27 = E4a_22 * J4a_23 - minus_E4a_12 * J4a_13 + E4a_23 * J4a_33;
-  const T b1_28 = b1_22 * E3_12 + b1_23 * E3_22 + b1_24 * E3_32 + (b1_25 * E4a_22 - b1_26 * minus_E4a_12 + b1_27 *
-      E4a_23);
+  const T b1_28 = b1_22 * E3_12 + b1_23 * E3_22 + b1_24 * E3_32 + b1_25 * E4a_22 - b1_26 * minus_E4a_12 + b1_27 *
+      E4a_23;
   const T b1_29 = T(0.3) * hc3_1 + (hc3_1 + T(0.15)) * T(0.3);
-  const T J1_22 = b1_28 + b1_3 + b1_29 - T(0.4) * hc4a_1 + T(0.2) * hc5_3 + J5a_22 + b1_17 + T(0.04298) +
-      c.J_all_1_22;
-  const T b1_30 = E5a_12 * J5a_13 + E5a_11 * J5a_23 + T(0.1) * minus_hc5a_2;
+  const T J1_22 = b1_28 + b1_3 + b1_29 + J5a_22 + b1_17 + T(0.04298) + c.J_all_1_22 - T(0.4) * hc4a_1 + T(0.2) *
+      hc5_3;
+  const T b1_30 = T(0.1) * minus_hc5a_2 + E5a_12 * J5a_13 + E5a_11 * J5a_23;
   const T b1_31 = E8_13 * minus_J8_12 - E8_11 * J8_23 - d8_2 * minus_hc8_3;
-  const T J1_23 = b1_23 * E3_23 - b1_22 * minus_E3_13 + b1_24 * E3_33 - T(0.1) * hc3_2 + b1_25 * E4a_23 - b1_26 *
-      minus_E4a_13 + b1_27 * E4a_33 + b1_30 - b1_31 - T(0.3) * s10 * T(0.4) + c.J_all_1_23 - T(0.1) * hc4a_3 + T(0.3)
-      * hc5_3;
+  const T J1_23 = b1_30 - b1_31 + c.J_all_1_23 + b1_23 * E3_23 - b1_22 * minus_E3_13 + b1_24 * E3_33 - T(0.1) * hc3_2
+      + b1_25 * E4a_23 - b1_26 * minus_E4a_13 + b1_27 * E4a_33 - T(0.3) * s10 * T(0.4) - T(0.1) * hc4a_3 + T(0.3) *
+      hc5_3;
   const T b1_32 = T(0.1) * hc4a_2 - T(0.2) * hc4a_1;
-  const T J1_33 = T(0.04165) + J3_22 + J3_33 + b1_12 - b1_28 + b1_29 + b1_32 + J4a_11 + J4a_22 + J4a_33 + T(0.6) *
-      minus_hc5a_2 + J5a_33 + J8_33 + T(0.4) * (b1_18 + T(0.010000000000000002)) + c.J_all_1_33 - b1_19 + b1_32;
+  const T J1_33 = T(0.04165) + J3_22 + J3_33 + b1_12 - b1_28 + b1_29 + b1_32 + J4a_11 + J4a_22 + J4a_33 + J5a_33 +
+      J8_33 + c.J_all_1_33 - b1_18 + b1_32 + T(0.6) * minus_hc5a_2 + T(0.4) * (b1_19 + T(0.010000000000000002));
   A[0] = J1_11;
   A[1] = J1_12;
   A[29] = J1_12;
@@ -6543,6 +6624,10 @@ template <class T>
 void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 1131; ++i) v_y[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -6626,21 +6711,21 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t2_14 = R1_31 * T(0.1);
   const T P_omega1_2_11 = t2_13 + t2_14;
   const T t2_15 = R1_31 * T(0.2);
-  const T minus_P_omega1_2_12 = R1_11 * T(0.2) + t2_15;
+  const T minus_P_omega1_2_12 = t2_15 + R1_11 * T(0.2);
   const T t2_16 = R1_11 * T(0.1);
   const T minus_P_omega1_2_13 = t2_16 - t2_13;
   const T t2_17 = R1_22 * T(0.2);
   const T t2_18 = R1_32 * T(0.1);
   const T P_omega1_2_21 = t2_17 + t2_18;
   const T t2_19 = R1_32 * T(0.2);
-  const T minus_P_omega1_2_22 = R1_12 * T(0.2) + t2_19;
+  const T minus_P_omega1_2_22 = t2_19 + R1_12 * T(0.2);
   const T t2_20 = R1_12 * T(0.1);
   const T minus_P_omega1_2_23 = t2_20 - t2_17;
   const T t2_21 = R1_23 * T(0.2);
   const T t2_22 = R1_33 * T(0.1);
   const T P_omega1_2_31 = t2_21 + t2_22;
   const T t2_23 = R1_33 * T(0.2);
-  const T minus_P_omega1_2_32 = R1_13 * T(0.2) + t2_23;
+  const T minus_P_omega1_2_32 = t2_23 + R1_13 * T(0.2);
   const T t2_24 = R1_13 * T(0.1);
   const T minus_P_omega1_2_33 = t2_24 - t2_21;
   v_y[87] = P_omega1_2_11;
@@ -6673,11 +6758,10 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[150] = -minus_B4_2_33;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -6687,7 +6771,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -6697,7 +6781,7 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -6731,21 +6815,21 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t3_21 = T(0.02) * E3_31;
   const T t3_22 = T(0.2) * E3_31;
   const T t3_23 = T(0.2) * E3_21 - T(0.02) * E3_11;
-  const T minus_B5_1_11 = R3_11 * t3_21 - R3_21 * t3_22 + R3_31 * t3_23 + minus_P_omega1_3_11;
+  const T minus_B5_1_11 = minus_P_omega1_3_11 + R3_11 * t3_21 - R3_21 * t3_22 + R3_31 * t3_23;
   const T t3_24 = T(0.02) * E3_32;
   const T t3_25 = T(0.2) * E3_32;
   const T t3_26 = T(0.2) * E3_22 - T(0.02) * E3_12;
-  const T minus_B5_1_12 = R3_11 * t3_24 - R3_21 * t3_25 + R3_31 * t3_26 + minus_P_omega1_3_12;
+  const T minus_B5_1_12 = minus_P_omega1_3_12 + R3_11 * t3_24 - R3_21 * t3_25 + R3_31 * t3_26;
   const T t3_27 = T(0.02) * E3_33;
   const T t3_28 = T(0.2) * E3_33;
   const T t3_29 = T(0.2) * E3_23 + T(0.02) * minus_E3_13;
-  const T minus_B5_1_13 = R3_11 * t3_27 - R3_21 * t3_28 + R3_31 * t3_29 - P_omega1_3_13;
-  const T minus_B5_1_21 = R3_12 * t3_21 - R3_22 * t3_22 + R3_32 * t3_23 + minus_P_omega1_3_21;
-  const T minus_B5_1_22 = R3_12 * t3_24 - R3_22 * t3_25 + R3_32 * t3_26 + minus_P_omega1_3_22;
-  const T minus_B5_1_23 = R3_12 * t3_27 - R3_22 * t3_28 + R3_32 * t3_29 - P_omega1_3_23;
-  const T minus_B5_1_31 = R3_13 * t3_21 - R3_23 * t3_22 + R3_33 * t3_23 + minus_P_omega1_3_31;
-  const T minus_B5_1_32 = R3_13 * t3_24 - R3_23 * t3_25 + R3_33 * t3_26 + minus_P_omega1_3_32;
-  const T minus_B5_1_33 = R3_13 * t3_27 - R3_23 * t3_28 + R3_33 * t3_29 - P_omega1_3_33;
+  const T minus_B5_1_13 = R3_11 * t3_27 - P_omega1_3_13 - R3_21 * t3_28 + R3_31 * t3_29;
+  const T minus_B5_1_21 = minus_P_omega1_3_21 + R3_12 * t3_21 - R3_22 * t3_22 + R3_32 * t3_23;
+  const T minus_B5_1_22 = minus_P_omega1_3_22 + R3_12 * t3_24 - R3_22 * t3_25 + R3_32 * t3_26;
+  const T minus_B5_1_23 = R3_12 * t3_27 - P_omega1_3_23 - R3_22 * t3_28 + R3_32 * t3_29;
+  const T minus_B5_1_31 = minus_P_omega1_3_31 + R3_13 * t3_21 - R3_23 * t3_22 + R3_33 * t3_23;
+  const T minus_B5_1_32 = minus_P_omega1_3_32 + R3_13 * t3_24 - R3_23 * t3_25 + R3_33 * t3_26;
+  const T minus_B5_1_33 = R3_13 * t3_27 - P_omega1_3_33 - R3_23 * t3_28 + R3_33 * t3_29;
   v_y[174] = -minus_B5_1_11;
   v_y[175] = -minus_B5_1_12;
   v_y[176] = -minus_B5_1_13;
@@ -6767,16 +6851,15 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[238] = -minus_B6_3_3;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // R4a^T = R1^T E4a^T: R takes inertial components to body components
   const T R4a_11 = R1_11 * E4a_11 - R1_21 * minus_E4a_12 - R1_31 * minus_E4a_13;
   const T R4a_12 = R1_12 * E4a_11 - R1_22 * minus_E4a_12 - R1_32 * minus_E4a_13;
@@ -6788,8 +6871,8 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T R4a_32 = R1_12 * minus_E4a_13 + R1_22 * E4a_23 + R1_32 * E4a_33;
   const T R4a_33 = R1_13 * minus_E4a_13 + R1_23 * E4a_23 + R1_33 * E4a_33;
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -6825,21 +6908,21 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t4_4 = T(0.1) * omega_omega1_4_11 - T(0.03) * omega_omega1_4_31;
   const T t4_5 = T(0.1) * omega_omega1_4_21;
   const T t4_6 = T(0.03) * omega_omega1_4_21;
-  const T minus_B7_1_11 = R4_21 * t4_4 - R4_11 * t4_5 + R4_31 * t4_6 - t2_14;
+  const T minus_B7_1_11 = R4_21 * t4_4 - t2_14 - R4_11 * t4_5 + R4_31 * t4_6;
   const T t4_7 = T(0.1) * omega_omega1_4_12 - T(0.03) * omega_omega1_4_32;
   const T t4_8 = T(0.1) * omega_omega1_4_22;
   const T t4_9 = T(0.03) * omega_omega1_4_22;
-  const T minus_B7_1_12 = R4_21 * t4_7 - R4_11 * t4_8 + R4_31 * t4_9 - t2_15;
+  const T minus_B7_1_12 = R4_21 * t4_7 - t2_15 - R4_11 * t4_8 + R4_31 * t4_9;
   const T t4_10 = T(0.1) * omega_omega1_4_13 - T(0.03) * omega_omega1_4_33;
   const T t4_11 = T(0.1) * omega_omega1_4_23;
   const T t4_12 = T(0.03) * omega_omega1_4_23;
-  const T minus_B7_1_13 = R4_21 * t4_10 - R4_11 * t4_11 + R4_31 * t4_12 + minus_P_omega1_4a_13;
-  const T minus_B7_1_21 = R4_22 * t4_4 - R4_12 * t4_5 + R4_32 * t4_6 - t2_18;
-  const T minus_B7_1_22 = R4_22 * t4_7 - R4_12 * t4_8 + R4_32 * t4_9 - t2_19;
-  const T minus_B7_1_23 = R4_22 * t4_10 - R4_12 * t4_11 + R4_32 * t4_12 + minus_P_omega1_4a_23;
-  const T minus_B7_1_31 = R4_23 * t4_4 - R4_13 * t4_5 + R4_33 * t4_6 - t2_22;
-  const T minus_B7_1_32 = R4_23 * t4_7 - R4_13 * t4_8 + R4_33 * t4_9 - t2_23;
-  const T minus_B7_1_33 = R4_23 * t4_10 - R4_13 * t4_11 + R4_33 * t4_12 + minus_P_omega1_4a_33;
+  const T minus_B7_1_13 = minus_P_omega1_4a_13 + R4_21 * t4_10 - R4_11 * t4_11 + R4_31 * t4_12;
+  const T minus_B7_1_21 = R4_22 * t4_4 - t2_18 - R4_12 * t4_5 + R4_32 * t4_6;
+  const T minus_B7_1_22 = R4_22 * t4_7 - t2_19 - R4_12 * t4_8 + R4_32 * t4_9;
+  const T minus_B7_1_23 = minus_P_omega1_4a_23 + R4_22 * t4_10 - R4_12 * t4_11 + R4_32 * t4_12;
+  const T minus_B7_1_31 = R4_23 * t4_4 - t2_22 - R4_13 * t4_5 + R4_33 * t4_6;
+  const T minus_B7_1_32 = R4_23 * t4_7 - t2_23 - R4_13 * t4_8 + R4_33 * t4_9;
+  const T minus_B7_1_33 = minus_P_omega1_4a_33 + R4_23 * t4_10 - R4_13 * t4_11 + R4_33 * t4_12;
   v_y[261] = -minus_B7_1_11;
   v_y[262] = -minus_B7_1_12;
   v_y[263] = -minus_B7_1_13;
@@ -6866,10 +6949,9 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[327] = -minus_B9_4_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -6905,22 +6987,22 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t5_1 = T(0.004991670832341408) * minus_omega_omega1_5_21;
   const T t5_2 = T(0.004991670832341408) * E5a_11 + T(0.049750208263901294) * omega_omega1_5_31;
   const T t5_3 = T(0.049750208263901294) * minus_omega_omega1_5_21;
-  const T minus_B10_1_11 = minus_P_omega1_5a_11 - (R5a_11 * t5_1 + R5_21 * t5_2 + R5_31 * t5_3);
+  const T minus_B10_1_11 = minus_P_omega1_5a_11 - R5a_11 * t5_1 - R5_21 * t5_2 - R5_31 * t5_3;
   const T t5_4 = T(0.004991670832341408) * omega_omega1_5_22;
   const T t5_5 = T(0.049750208263901294) * minus_omega_omega1_5_32 - T(0.004991670832341408) * E5a_12;
   const T t5_6 = T(0.049750208263901294) * omega_omega1_5_22;
-  const T minus_B10_1_12 = R5a_11 * t5_4 + R5_21 * t5_5 + R5_31 * t5_6 - t2_16;
+  const T minus_B10_1_12 = R5a_11 * t5_4 - t2_16 + R5_21 * t5_5 + R5_31 * t5_6;
   const T t5_7 = T(0.004991670832341408) * E5_23;
   const T t5_8 = T(0.049750208263901294) * E5_22;
   const T t5_9 = T(0.049750208263901294) * E5_23;
   const T t5_10 = R5a_11 * t5_7 - R5_21 * t5_8 + R5_31 * t5_9;
   const T minus_B10_1_13 = t5_10 - P_omega1_5a_13;
-  const T minus_B10_1_21 = minus_P_omega1_5a_21 - (R5a_12 * t5_1 + R5_22 * t5_2 + R5_32 * t5_3);
-  const T minus_B10_1_22 = R5a_12 * t5_4 + R5_22 * t5_5 + R5_32 * t5_6 - t2_20;
+  const T minus_B10_1_21 = minus_P_omega1_5a_21 - R5a_12 * t5_1 - R5_22 * t5_2 - R5_32 * t5_3;
+  const T minus_B10_1_22 = R5a_12 * t5_4 - t2_20 + R5_22 * t5_5 + R5_32 * t5_6;
   const T t5_11 = R5a_12 * t5_7 - R5_22 * t5_8 + R5_32 * t5_9;
   const T minus_B10_1_23 = t5_11 - P_omega1_5a_23;
-  const T minus_B10_1_31 = minus_P_omega1_5a_31 - (R5a_13 * t5_1 + R5_23 * t5_2 + R5_33 * t5_3);
-  const T minus_B10_1_32 = R5a_13 * t5_4 + R5_23 * t5_5 + R5_33 * t5_6 - t2_24;
+  const T minus_B10_1_31 = minus_P_omega1_5a_31 - R5a_13 * t5_1 - R5_23 * t5_2 - R5_33 * t5_3;
+  const T minus_B10_1_32 = R5a_13 * t5_4 - t2_24 + R5_23 * t5_5 + R5_33 * t5_6;
   const T t5_12 = R5a_13 * t5_7 - R5_23 * t5_8 + R5_33 * t5_9;
   const T minus_B10_1_33 = t5_12 - P_omega1_5a_33;
   v_y[348] = -minus_B10_1_11;
@@ -6942,16 +7024,16 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t5_16 = T(0.009983341664682815) * minus_omega_omega1_5_21;
   const T t5_17 = T(0.009983341664682815) * E5a_11 + T(0.09950041652780259) * omega_omega1_5_31;
   const T t5_18 = T(0.09950041652780259) * minus_omega_omega1_5_21;
-  const T minus_B30_1_11 = R5a_11 * t5_13 + R5_21 * t5_14 + R5_31 * t5_15 - R5a_11 * t5_16 - R5_21 * t5_17 - R5_31 *
-      t5_18 + minus_P_omega1_5a_11;
+  const T minus_B30_1_11 = minus_P_omega1_5a_11 + R5a_11 * t5_13 + R5_21 * t5_14 + R5_31 * t5_15 - R5a_11 * t5_16 -
+      R5_21 * t5_17 - R5_31 * t5_18;
   const T t5_19 = T(0.03870835392384733) * E5a_12 - T(0.03164906533384792) * minus_omega_omega1_5_32;
   const T t5_20 = T(0.03870835392384733) * omega_omega1_5_22;
   const T t5_21 = T(0.03164906533384792) * omega_omega1_5_22;
   const T t5_22 = T(0.009983341664682815) * omega_omega1_5_22;
   const T t5_23 = T(0.09950041652780259) * minus_omega_omega1_5_32 - T(0.009983341664682815) * E5a_12;
   const T t5_24 = T(0.09950041652780259) * omega_omega1_5_22;
-  const T minus_B30_1_12 = R5_21 * t5_19 - R5a_11 * t5_20 - R5_31 * t5_21 + R5a_11 * t5_22 + R5_21 * t5_23 + R5_31 *
-      t5_24 - t2_16;
+  const T minus_B30_1_12 = R5_21 * t5_19 - t2_16 - R5a_11 * t5_20 - R5_31 * t5_21 + R5a_11 * t5_22 + R5_21 * t5_23 +
+      R5_31 * t5_24;
   const T t5_25 = T(0.03164906533384792) * E5_22;
   const T t5_26 = T(0.03870835392384733) * E5_23;
   const T t5_27 = T(0.03164906533384792) * E5_23;
@@ -6960,16 +7042,16 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t5_30 = T(0.09950041652780259) * E5_23;
   const T t5_31 = R5_21 * t5_25 - R5a_11 * t5_26 - R5_31 * t5_27 + R5a_11 * t5_28 - R5_21 * t5_29 + R5_31 * t5_30;
   const T minus_B30_1_13 = t5_31 - P_omega1_5a_13;
-  const T minus_B30_1_21 = R5a_12 * t5_13 + R5_22 * t5_14 + R5_32 * t5_15 - R5a_12 * t5_16 - R5_22 * t5_17 - R5_32 *
-      t5_18 + minus_P_omega1_5a_21;
-  const T minus_B30_1_22 = R5_22 * t5_19 - R5a_12 * t5_20 - R5_32 * t5_21 + R5a_12 * t5_22 + R5_22 * t5_23 + R5_32 *
-      t5_24 - t2_20;
+  const T minus_B30_1_21 = minus_P_omega1_5a_21 + R5a_12 * t5_13 + R5_22 * t5_14 + R5_32 * t5_15 - R5a_12 * t5_16 -
+      R5_22 * t5_17 - R5_32 * t5_18;
+  const T minus_B30_1_22 = R5_22 * t5_19 - t2_20 - R5a_12 * t5_20 - R5_32 * t5_21 + R5a_12 * t5_22 + R5_22 * t5_23 +
+      R5_32 * t5_24;
   const T t5_32 = R5_22 * t5_25 - R5a_12 * t5_26 - R5_32 * t5_27 + R5a_12 * t5_28 - R5_22 * t5_29 + R5_32 * t5_30;
   const T minus_B30_1_23 = t5_32 - P_omega1_5a_23;
-  const T minus_B30_1_31 = R5a_13 * t5_13 + R5_23 * t5_14 + R5_33 * t5_15 - R5a_13 * t5_16 - R5_23 * t5_17 - R5_33 *
-      t5_18 + minus_P_omega1_5a_31;
-  const T minus_B30_1_32 = R5_23 * t5_19 - R5a_13 * t5_20 - R5_33 * t5_21 + R5a_13 * t5_22 + R5_23 * t5_23 + R5_33 *
-      t5_24 - t2_24;
+  const T minus_B30_1_31 = minus_P_omega1_5a_31 + R5a_13 * t5_13 + R5_23 * t5_14 + R5_33 * t5_15 - R5a_13 * t5_16 -
+      R5_23 * t5_17 - R5_33 * t5_18;
+  const T minus_B30_1_32 = R5_23 * t5_19 - t2_24 - R5a_13 * t5_20 - R5_33 * t5_21 + R5a_13 * t5_22 + R5_23 * t5_23 +
+      R5_33 * t5_24;
   const T t5_33 = R5_23 * t5_25 - R5a_13 * t5_26 - R5_33 * t5_27 + R5a_13 * t5_28 - R5_23 * t5_29 + R5_33 * t5_30;
   const T minus_B30_1_33 = t5_33 - P_omega1_5a_33;
   v_y[957] = -minus_B30_1_11;
@@ -6992,19 +7074,19 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   // P_omega1_6 = -R3^T d6~ E3 + P_omega1_3: partial velocity of the body origin, inertial axes
   const T t6_1 = d6_1 * E3_21;
   const T t6_2 = d6_1 * E3_31;
-  const T minus_P_omega1_6_11 = R3_31 * t6_1 - R3_21 * t6_2 + minus_P_omega1_3_11;
+  const T minus_P_omega1_6_11 = minus_P_omega1_3_11 + R3_31 * t6_1 - R3_21 * t6_2;
   const T t6_3 = d6_1 * E3_22;
   const T t6_4 = d6_1 * E3_32;
-  const T minus_P_omega1_6_12 = R3_31 * t6_3 - R3_21 * t6_4 + minus_P_omega1_3_12;
+  const T minus_P_omega1_6_12 = minus_P_omega1_3_12 + R3_31 * t6_3 - R3_21 * t6_4;
   const T t6_5 = d6_1 * E3_23;
   const T t6_6 = d6_1 * E3_33;
-  const T minus_P_omega1_6_13 = R3_31 * t6_5 - R3_21 * t6_6 - P_omega1_3_13;
-  const T minus_P_omega1_6_21 = R3_32 * t6_1 - R3_22 * t6_2 + minus_P_omega1_3_21;
-  const T minus_P_omega1_6_22 = R3_32 * t6_3 - R3_22 * t6_4 + minus_P_omega1_3_22;
-  const T minus_P_omega1_6_23 = R3_32 * t6_5 - R3_22 * t6_6 - P_omega1_3_23;
-  const T minus_P_omega1_6_31 = R3_33 * t6_1 - R3_23 * t6_2 + minus_P_omega1_3_31;
-  const T minus_P_omega1_6_32 = R3_33 * t6_3 - R3_23 * t6_4 + minus_P_omega1_3_32;
-  const T minus_P_omega1_6_33 = R3_33 * t6_5 - R3_23 * t6_6 - P_omega1_3_33;
+  const T minus_P_omega1_6_13 = R3_31 * t6_5 - P_omega1_3_13 - R3_21 * t6_6;
+  const T minus_P_omega1_6_21 = minus_P_omega1_3_21 + R3_32 * t6_1 - R3_22 * t6_2;
+  const T minus_P_omega1_6_22 = minus_P_omega1_3_22 + R3_32 * t6_3 - R3_22 * t6_4;
+  const T minus_P_omega1_6_23 = R3_32 * t6_5 - P_omega1_3_23 - R3_22 * t6_6;
+  const T minus_P_omega1_6_31 = minus_P_omega1_3_31 + R3_33 * t6_1 - R3_23 * t6_2;
+  const T minus_P_omega1_6_32 = minus_P_omega1_3_32 + R3_33 * t6_3 - R3_23 * t6_4;
+  const T minus_P_omega1_6_33 = R3_33 * t6_5 - P_omega1_3_33 - R3_23 * t6_6;
   // P_thetadot3_6 = -R3^T d6~ b3: partial velocity of the body origin, inertial axes
   const T t6_7 = d6_1 * T(0.44378789320576517);
   const T t6_8 = d6_1 * T(0.8388422987658062);
@@ -7015,21 +7097,21 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t6_9 = T(0.01) * E3_11 - T(0.1) * E3_31;
   const T t6_10 = T(0.01) * E3_21;
   const T t6_11 = T(0.1) * E3_21;
-  const T minus_B12_1_11 = R3_21 * t6_9 - R3_11 * t6_10 + R3_31 * t6_11 + minus_P_omega1_6_11;
+  const T minus_B12_1_11 = minus_P_omega1_6_11 + R3_21 * t6_9 - R3_11 * t6_10 + R3_31 * t6_11;
   const T t6_12 = T(0.01) * E3_12 - T(0.1) * E3_32;
   const T t6_13 = T(0.01) * E3_22;
   const T t6_14 = T(0.1) * E3_22;
-  const T minus_B12_1_12 = R3_21 * t6_12 - R3_11 * t6_13 + R3_31 * t6_14 + minus_P_omega1_6_12;
-  const T t6_15 = T(0.1) * E3_23;
-  const T t6_16 = T(0.01) * E3_23;
-  const T t6_17 = T(0.01) * minus_E3_13 + T(0.1) * E3_33;
-  const T minus_B12_1_13 = R3_31 * t6_15 - (R3_11 * t6_16 + R3_21 * t6_17) + minus_P_omega1_6_13;
-  const T minus_B12_1_21 = R3_22 * t6_9 - R3_12 * t6_10 + R3_32 * t6_11 + minus_P_omega1_6_21;
-  const T minus_B12_1_22 = R3_22 * t6_12 - R3_12 * t6_13 + R3_32 * t6_14 + minus_P_omega1_6_22;
-  const T minus_B12_1_23 = R3_32 * t6_15 - (R3_12 * t6_16 + R3_22 * t6_17) + minus_P_omega1_6_23;
-  const T minus_B12_1_31 = R3_23 * t6_9 - R3_13 * t6_10 + R3_33 * t6_11 + minus_P_omega1_6_31;
-  const T minus_B12_1_32 = R3_23 * t6_12 - R3_13 * t6_13 + R3_33 * t6_14 + minus_P_omega1_6_32;
-  const T minus_B12_1_33 = R3_33 * t6_15 - (R3_13 * t6_16 + R3_23 * t6_17) + minus_P_omega1_6_33;
+  const T minus_B12_1_12 = minus_P_omega1_6_12 + R3_21 * t6_12 - R3_11 * t6_13 + R3_31 * t6_14;
+  const T t6_15 = T(0.01) * E3_23;
+  const T t6_16 = T(0.01) * minus_E3_13 + T(0.1) * E3_33;
+  const T t6_17 = T(0.1) * E3_23;
+  const T minus_B12_1_13 = minus_P_omega1_6_13 - R3_11 * t6_15 - R3_21 * t6_16 + R3_31 * t6_17;
+  const T minus_B12_1_21 = minus_P_omega1_6_21 + R3_22 * t6_9 - R3_12 * t6_10 + R3_32 * t6_11;
+  const T minus_B12_1_22 = minus_P_omega1_6_22 + R3_22 * t6_12 - R3_12 * t6_13 + R3_32 * t6_14;
+  const T minus_B12_1_23 = minus_P_omega1_6_23 - R3_12 * t6_15 - R3_22 * t6_16 + R3_32 * t6_17;
+  const T minus_B12_1_31 = minus_P_omega1_6_31 + R3_23 * t6_9 - R3_13 * t6_10 + R3_33 * t6_11;
+  const T minus_B12_1_32 = minus_P_omega1_6_32 + R3_23 * t6_12 - R3_13 * t6_13 + R3_33 * t6_14;
+  const T minus_B12_1_33 = minus_P_omega1_6_33 - R3_13 * t6_15 - R3_23 * t6_16 + R3_33 * t6_17;
   v_y[435] = -minus_B12_1_11;
   v_y[436] = -minus_B12_1_12;
   v_y[437] = -minus_B12_1_13;
@@ -7040,22 +7122,21 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[494] = -minus_B12_1_32;
   v_y[495] = -minus_B12_1_33;
   // B13_3 = -R3^T r6~ b3 + P_thetadot3_6
-  const T minus_B13_3_1 = R3_31 * T(0.04437878932057652) - (R3_11 * T(0.004437878932057652) + R3_21 *
-      T(0.08703694146575726)) + minus_P_thetadot3_6_1;
-  const T minus_B13_3_2 = R3_32 * T(0.04437878932057652) - (R3_12 * T(0.004437878932057652) + R3_22 *
-      T(0.08703694146575726)) + minus_P_thetadot3_6_2;
-  const T minus_B13_3_3 = R3_33 * T(0.04437878932057652) - (R3_13 * T(0.004437878932057652) + R3_23 *
-      T(0.08703694146575726)) + minus_P_thetadot3_6_3;
+  const T minus_B13_3_1 = minus_P_thetadot3_6_1 - R3_11 * T(0.004437878932057652) - R3_21 * T(0.08703694146575726) +
+      R3_31 * T(0.04437878932057652);
+  const T minus_B13_3_2 = minus_P_thetadot3_6_2 - R3_12 * T(0.004437878932057652) - R3_22 * T(0.08703694146575726) +
+      R3_32 * T(0.04437878932057652);
+  const T minus_B13_3_3 = minus_P_thetadot3_6_3 - R3_13 * T(0.004437878932057652) - R3_23 * T(0.08703694146575726) +
+      R3_33 * T(0.04437878932057652);
   v_y[441] = -minus_B13_3_1;
   v_y[470] = -minus_B13_3_2;
   v_y[499] = -minus_B13_3_3;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // R8^T = R1^T E8^T: R takes inertial components to body components
   const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
   const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
@@ -7076,16 +7157,16 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   const T t8_1 = T(0.1) * E8_13;
   const T t8_2 = T(0.02) * E8_11 - T(0.01) * E8_13;
   const T t8_3 = T(0.1) * E8_11;
-  const T minus_B17_1_11 = R8_11 * t8_1 + R1_21 * t8_2 + R8_31 * t8_3 - P_omega1_8_11;
+  const T minus_B17_1_11 = R8_11 * t8_1 - P_omega1_8_11 + R1_21 * t8_2 + R8_31 * t8_3;
   const T B17_1_12 = R8_11 * T(0.02) + R8_31 * T(0.01);
   const T t8_4 = T(0.02) * E8_13 + T(0.01) * E8_11;
-  const T minus_B17_1_13 = R1_21 * t8_4 - R8_11 * t8_3 + R8_31 * t8_1 + minus_P_omega1_8_13;
-  const T minus_B17_1_21 = R8_12 * t8_1 + R1_22 * t8_2 + R8_32 * t8_3 - P_omega1_8_21;
+  const T minus_B17_1_13 = minus_P_omega1_8_13 + R1_21 * t8_4 - R8_11 * t8_3 + R8_31 * t8_1;
+  const T minus_B17_1_21 = R8_12 * t8_1 - P_omega1_8_21 + R1_22 * t8_2 + R8_32 * t8_3;
   const T B17_1_22 = R8_12 * T(0.02) + R8_32 * T(0.01);
-  const T minus_B17_1_23 = R1_22 * t8_4 - R8_12 * t8_3 + R8_32 * t8_1 + minus_P_omega1_8_23;
-  const T minus_B17_1_31 = R8_13 * t8_1 + R1_23 * t8_2 + R8_33 * t8_3 - P_omega1_8_31;
+  const T minus_B17_1_23 = minus_P_omega1_8_23 + R1_22 * t8_4 - R8_12 * t8_3 + R8_32 * t8_1;
+  const T minus_B17_1_31 = R8_13 * t8_1 - P_omega1_8_31 + R1_23 * t8_2 + R8_33 * t8_3;
   const T B17_1_32 = R8_13 * T(0.02) + R8_33 * T(0.01);
-  const T minus_B17_1_33 = R1_23 * t8_4 - R8_13 * t8_3 + R8_33 * t8_1 + minus_P_omega1_8_33;
+  const T minus_B17_1_33 = minus_P_omega1_8_33 + R1_23 * t8_4 - R8_13 * t8_3 + R8_33 * t8_1;
   v_y[609] = -minus_B17_1_11;
   v_y[610] = B17_1_12;
   v_y[619] = -B17_1_12;
@@ -7100,10 +7181,9 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[669] = -minus_B17_1_33;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // B20_9 = -E9^T r9~ b9
   const T minus_B20_9_1 = E9_12 * T(0.1);
   const T B20_9_2 = E9_11 * T(0.1);
@@ -7177,8 +7257,8 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   // ---- body 11 (nut) on body 8
   const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // R11^T = R8^T E11^T: R takes inertial components to body components
   const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
   const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
@@ -7191,24 +7271,24 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   // P_omega1_11 = -R8^T d11~ E8 + P_omega1_8: partial velocity of the body origin, inertial axes
   const T t11_1 = minus_d11_2 * E8_13;
   const T t11_2 = minus_d11_2 * E8_11;
-  const T minus_P_omega1_11_11 = R8_11 * t11_1 + R8_31 * t11_2 - P_omega1_8_11;
-  const T minus_P_omega1_11_13 = R8_31 * t11_1 - R8_11 * t11_2 + minus_P_omega1_8_13;
-  const T minus_P_omega1_11_21 = R8_12 * t11_1 + R8_32 * t11_2 - P_omega1_8_21;
-  const T minus_P_omega1_11_23 = R8_32 * t11_1 - R8_12 * t11_2 + minus_P_omega1_8_23;
-  const T minus_P_omega1_11_31 = R8_13 * t11_1 + R8_33 * t11_2 - P_omega1_8_31;
-  const T minus_P_omega1_11_33 = R8_33 * t11_1 - R8_13 * t11_2 + minus_P_omega1_8_33;
+  const T minus_P_omega1_11_11 = R8_11 * t11_1 - P_omega1_8_11 + R8_31 * t11_2;
+  const T minus_P_omega1_11_13 = minus_P_omega1_8_13 + R8_31 * t11_1 - R8_11 * t11_2;
+  const T minus_P_omega1_11_21 = R8_12 * t11_1 - P_omega1_8_21 + R8_32 * t11_2;
+  const T minus_P_omega1_11_23 = minus_P_omega1_8_23 + R8_32 * t11_1 - R8_12 * t11_2;
+  const T minus_P_omega1_11_31 = R8_13 * t11_1 - P_omega1_8_31 + R8_33 * t11_2;
+  const T minus_P_omega1_11_33 = minus_P_omega1_8_33 + R8_33 * t11_1 - R8_13 * t11_2;
   // B26_1 = -R11^T (C11^T r11)~ omega_omega1_11 + P_omega1_11
   const T t11_3 = T(0.01) * omega_omega1_11_11;
-  const T minus_B26_1_11 = R1_21 * t11_3 + minus_P_omega1_11_11;
+  const T minus_B26_1_11 = minus_P_omega1_11_11 + R1_21 * t11_3;
   const T B26_1_12 = R11_11 * T(0.01);
   const T t11_4 = T(0.01) * omega_omega1_11_13;
-  const T minus_B26_1_13 = R1_21 * t11_4 + minus_P_omega1_11_13;
-  const T minus_B26_1_21 = R1_22 * t11_3 + minus_P_omega1_11_21;
+  const T minus_B26_1_13 = minus_P_omega1_11_13 + R1_21 * t11_4;
+  const T minus_B26_1_21 = minus_P_omega1_11_21 + R1_22 * t11_3;
   const T B26_1_22 = R11_12 * T(0.01);
-  const T minus_B26_1_23 = R1_22 * t11_4 + minus_P_omega1_11_23;
-  const T minus_B26_1_31 = R1_23 * t11_3 + minus_P_omega1_11_31;
+  const T minus_B26_1_23 = minus_P_omega1_11_23 + R1_22 * t11_4;
+  const T minus_B26_1_31 = minus_P_omega1_11_31 + R1_23 * t11_3;
   const T B26_1_32 = R11_13 * T(0.01);
-  const T minus_B26_1_33 = R1_23 * t11_4 + minus_P_omega1_11_33;
+  const T minus_B26_1_33 = minus_P_omega1_11_33 + R1_23 * t11_4;
   v_y[870] = -minus_B26_1_11;
   v_y[871] = B26_1_12;
   v_y[880] = -B26_1_12;
@@ -7222,9 +7302,9 @@ void partial_velocities(const Prepared<T>& c, T t, const T* x, T* v_y) noexcept 
   v_y[938] = -B26_1_32;
   v_y[930] = -minus_B26_1_33;
   // B28_11 = -R11^T (C11^T r11)~ b11 + pitch11 R8^T u11
-  const T minus_B28_11_1 = R1_21 * T(0.01) + B26_1_12;
-  const T minus_B28_11_2 = R1_22 * T(0.01) + B26_1_22;
-  const T minus_B28_11_3 = R1_23 * T(0.01) + B26_1_32;
+  const T minus_B28_11_1 = B26_1_12 + R1_21 * T(0.01);
+  const T minus_B28_11_2 = B26_1_22 + R1_22 * T(0.01);
+  const T minus_B28_11_3 = B26_1_32 + R1_23 * T(0.01);
   v_y[885] = -minus_B28_11_1;
   v_y[914] = -minus_B28_11_2;
   v_y[943] = -minus_B28_11_3;
@@ -7276,6 +7356,10 @@ template <class T>
 void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T* v_y_dot) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 1131; ++i) v_y_dot[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -7370,21 +7454,21 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t2_14 = t1_14 * T(0.1);
   const T P_dot_omega1_2_11 = t2_13 + t2_14;
   const T t2_15 = t1_14 * T(0.2);
-  const T minus_P_dot_omega1_2_12 = t1_15 * T(0.2) + t2_15;
+  const T minus_P_dot_omega1_2_12 = t2_15 + t1_15 * T(0.2);
   const T t2_16 = t1_15 * T(0.1);
   const T minus_P_dot_omega1_2_13 = t2_16 - t2_13;
   const T t2_17 = t1_16 * T(0.2);
   const T t2_18 = t1_17 * T(0.1);
   const T P_dot_omega1_2_21 = t2_17 + t2_18;
   const T t2_19 = t1_17 * T(0.2);
-  const T minus_P_dot_omega1_2_22 = t1_18 * T(0.2) + t2_19;
+  const T minus_P_dot_omega1_2_22 = t2_19 + t1_18 * T(0.2);
   const T t2_20 = t1_18 * T(0.1);
   const T minus_P_dot_omega1_2_23 = t2_20 - t2_17;
   const T t2_21 = t1_19 * T(0.2);
   const T t2_22 = t1_20 * T(0.1);
   const T P_dot_omega1_2_31 = t2_21 + t2_22;
   const T t2_23 = t1_20 * T(0.2);
-  const T minus_P_dot_omega1_2_32 = t1_21 * T(0.2) + t2_23;
+  const T minus_P_dot_omega1_2_32 = t2_23 + t1_21 * T(0.2);
   const T t2_24 = t1_21 * T(0.1);
   const T minus_P_dot_omega1_2_33 = t2_24 - t2_21;
   v_y_dot[87] = P_dot_omega1_2_11;
@@ -7420,12 +7504,11 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[150] = -minus_B3_2_33;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -7435,7 +7518,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -7445,7 +7528,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -7489,8 +7572,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t3_30 = T(0.8388422987658062) * E3_11 + T(0.3152711589176631) * E3_31;
   const T t3_31 = T(0.44378789320576517) * E3_31 - T(0.8388422987658062) * E3_21;
   const T t3_32 = T(0.2) * t3_30 - T(0.02) * t3_31;
-  const T B4_1_11 = R3_31 * t3_23 - (R3_11 * t3_25 + R3_21 * t3_26) + thetadot3 * (R3_21 * t3_28 - R3_11 * t3_29 +
-      R3_31 * t3_32) - minus_P_dot_omega1_3_11;
+  const T B4_1_11 = R3_31 * t3_23 - (minus_P_dot_omega1_3_11 + R3_11 * t3_25 + R3_21 * t3_26) + thetadot3 * (R3_21 *
+      t3_28 - R3_11 * t3_29 + R3_31 * t3_32);
   const T t3_33 = T(0.2) * E3_32;
   const T t3_34 = T(0.02) * E3_32;
   const T t3_35 = omega3_1 * t3_33 + omega3_2 * t3_34;
@@ -7503,34 +7586,34 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t3_42 = T(0.8388422987658062) * E3_12 + T(0.3152711589176631) * E3_32;
   const T t3_43 = T(0.44378789320576517) * E3_32 - T(0.8388422987658062) * E3_22;
   const T t3_44 = T(0.2) * t3_42 - T(0.02) * t3_43;
-  const T B4_1_12 = R3_31 * t3_35 - (R3_11 * t3_37 + R3_21 * t3_38) + thetadot3 * (R3_21 * t3_40 - R3_11 * t3_41 +
-      R3_31 * t3_44) - minus_P_dot_omega1_3_12;
+  const T B4_1_12 = R3_31 * t3_35 - (minus_P_dot_omega1_3_12 + R3_11 * t3_37 + R3_21 * t3_38) + thetadot3 * (R3_21 *
+      t3_40 - R3_11 * t3_41 + R3_31 * t3_44);
   const T t3_45 = T(0.2) * E3_33;
-  const T t3_46 = T(0.02) * E3_33;
-  const T t3_47 = omega3_1 * t3_45 + omega3_2 * t3_46;
-  const T t3_48 = T(0.2) * E3_23 + T(0.02) * minus_E3_13;
-  const T t3_49 = omega3_3 * t3_45 + omega3_2 * t3_48;
-  const T t3_50 = omega3_3 * t3_46 - omega3_1 * t3_48;
+  const T t3_46 = T(0.2) * E3_23 + T(0.02) * minus_E3_13;
+  const T t3_47 = omega3_3 * t3_45 + omega3_2 * t3_46;
+  const T t3_48 = T(0.02) * E3_33;
+  const T t3_49 = omega3_3 * t3_48 - omega3_1 * t3_46;
+  const T t3_50 = omega3_1 * t3_45 + omega3_2 * t3_48;
   const T t3_51 = T(0.44378789320576517) * minus_E3_13 - T(0.3152711589176631) * E3_23;
   const T t3_52 = T(0.02) * t3_51;
   const T t3_53 = T(0.2) * t3_51;
   const T t3_54 = T(0.3152711589176631) * E3_33 - T(0.8388422987658062) * minus_E3_13;
   const T t3_55 = T(0.44378789320576517) * E3_33 - T(0.8388422987658062) * E3_23;
   const T t3_56 = T(0.2) * t3_54 - T(0.02) * t3_55;
-  const T B4_1_13 = R3_31 * t3_47 - (R3_11 * t3_49 + R3_21 * t3_50) + thetadot3 * (R3_11 * t3_52 - R3_21 * t3_53 +
-      R3_31 * t3_56) + P_dot_omega1_3_13;
-  const T B4_1_21 = R3_32 * t3_23 - (R3_12 * t3_25 + R3_22 * t3_26) + thetadot3 * (R3_22 * t3_28 - R3_12 * t3_29 +
-      R3_32 * t3_32) - minus_P_dot_omega1_3_21;
-  const T B4_1_22 = R3_32 * t3_35 - (R3_12 * t3_37 + R3_22 * t3_38) + thetadot3 * (R3_22 * t3_40 - R3_12 * t3_41 +
-      R3_32 * t3_44) - minus_P_dot_omega1_3_22;
-  const T B4_1_23 = R3_32 * t3_47 - (R3_12 * t3_49 + R3_22 * t3_50) + thetadot3 * (R3_12 * t3_52 - R3_22 * t3_53 +
-      R3_32 * t3_56) + P_dot_omega1_3_23;
-  const T B4_1_31 = R3_33 * t3_23 - (R3_13 * t3_25 + R3_23 * t3_26) + thetadot3 * (R3_23 * t3_28 - R3_13 * t3_29 +
-      R3_33 * t3_32) - minus_P_dot_omega1_3_31;
-  const T B4_1_32 = R3_33 * t3_35 - (R3_13 * t3_37 + R3_23 * t3_38) + thetadot3 * (R3_23 * t3_40 - R3_13 * t3_41 +
-      R3_33 * t3_44) - minus_P_dot_omega1_3_32;
-  const T B4_1_33 = R3_33 * t3_47 - (R3_13 * t3_49 + R3_23 * t3_50) + thetadot3 * (R3_13 * t3_52 - R3_23 * t3_53 +
-      R3_33 * t3_56) + P_dot_omega1_3_33;
+  const T B4_1_13 = P_dot_omega1_3_13 - R3_11 * t3_47 - R3_21 * t3_49 + R3_31 * t3_50 + thetadot3 * (R3_11 * t3_52 -
+      R3_21 * t3_53 + R3_31 * t3_56);
+  const T B4_1_21 = R3_32 * t3_23 - (minus_P_dot_omega1_3_21 + R3_12 * t3_25 + R3_22 * t3_26) + thetadot3 * (R3_22 *
+      t3_28 - R3_12 * t3_29 + R3_32 * t3_32);
+  const T B4_1_22 = R3_32 * t3_35 - (minus_P_dot_omega1_3_22 + R3_12 * t3_37 + R3_22 * t3_38) + thetadot3 * (R3_22 *
+      t3_40 - R3_12 * t3_41 + R3_32 * t3_44);
+  const T B4_1_23 = P_dot_omega1_3_23 - R3_12 * t3_47 - R3_22 * t3_49 + R3_32 * t3_50 + thetadot3 * (R3_12 * t3_52 -
+      R3_22 * t3_53 + R3_32 * t3_56);
+  const T B4_1_31 = R3_33 * t3_23 - (minus_P_dot_omega1_3_31 + R3_13 * t3_25 + R3_23 * t3_26) + thetadot3 * (R3_23 *
+      t3_28 - R3_13 * t3_29 + R3_33 * t3_32);
+  const T B4_1_32 = R3_33 * t3_35 - (minus_P_dot_omega1_3_32 + R3_13 * t3_37 + R3_23 * t3_38) + thetadot3 * (R3_23 *
+      t3_40 - R3_13 * t3_41 + R3_33 * t3_44);
+  const T B4_1_33 = P_dot_omega1_3_33 - R3_13 * t3_47 - R3_23 * t3_49 + R3_33 * t3_50 + thetadot3 * (R3_13 * t3_52 -
+      R3_23 * t3_53 + R3_33 * t3_56);
   v_y_dot[174] = B4_1_11;
   v_y_dot[175] = B4_1_12;
   v_y_dot[176] = B4_1_13;
@@ -7559,17 +7642,16 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[512] = B13_3_3;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // R4a^T = R1^T E4a^T: R takes inertial components to body components
   const T R4a_11 = R1_11 * E4a_11 - R1_21 * minus_E4a_12 - R1_31 * minus_E4a_13;
   const T R4a_12 = R1_12 * E4a_11 - R1_22 * minus_E4a_12 - R1_32 * minus_E4a_13;
@@ -7585,8 +7667,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T omega4a_2 = thetadot4_1 * T(0.28) + minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
   const T omega4a_3 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -7652,8 +7734,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t4_17 = T(0.03) * minus_omega_dot_omega1_4_31 - T(0.1) * minus_omega_dot_omega1_4_11;
   const T t4_18 = T(0.1) * omega_dot_omega1_4_21;
   const T t4_19 = T(0.03) * omega_dot_omega1_4_21;
-  const T minus_B6_1_11 = R4_11 * t4_13 - R4_21 * t4_15 + R4_31 * t4_16 + R4_21 * t4_17 - R4_11 * t4_18 + R4_31 *
-      t4_19 - t2_14;
+  const T minus_B6_1_11 = R4_11 * t4_13 - t2_14 - R4_21 * t4_15 + R4_31 * t4_16 + R4_21 * t4_17 - R4_11 * t4_18 +
+      R4_31 * t4_19;
   const T t4_20 = T(0.03) * omega_omega1_4_22;
   const T t4_21 = T(0.1) * omega_omega1_4_12 - T(0.03) * omega_omega1_4_32;
   const T t4_22 = omega4_2 * t4_20 - omega4_3 * t4_21;
@@ -7663,8 +7745,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t4_26 = T(0.1) * minus_omega_dot_omega1_4_22;
   const T t4_27 = T(0.03) * minus_omega_dot_omega1_4_32 - T(0.1) * minus_omega_dot_omega1_4_12;
   const T t4_28 = T(0.03) * minus_omega_dot_omega1_4_22;
-  const T minus_B6_1_12 = R4_11 * t4_22 - R4_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_26 + R4_21 * t4_27 - R4_31 *
-      t4_28 - t2_15;
+  const T minus_B6_1_12 = R4_11 * t4_22 - t2_15 - R4_21 * t4_24 + R4_31 * t4_25 + R4_11 * t4_26 + R4_21 * t4_27 -
+      R4_31 * t4_28;
   const T t4_29 = T(0.03) * omega_omega1_4_23;
   const T t4_30 = T(0.1) * omega_omega1_4_13 - T(0.03) * omega_omega1_4_33;
   const T t4_31 = omega4_2 * t4_29 - omega4_3 * t4_30;
@@ -7674,20 +7756,20 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t4_35 = T(0.1) * minus_omega_dot_omega1_4_23;
   const T t4_36 = T(0.03) * minus_omega_dot_omega1_4_33 - T(0.1) * minus_omega_dot_omega1_4_13;
   const T t4_37 = T(0.03) * minus_omega_dot_omega1_4_23;
-  const T minus_B6_1_13 = R4_11 * t4_31 - R4_21 * t4_33 + R4_31 * t4_34 + R4_11 * t4_35 + R4_21 * t4_36 - R4_31 *
-      t4_37 + minus_P_dot_omega1_4a_13;
-  const T minus_B6_1_21 = R4_12 * t4_13 - R4_22 * t4_15 + R4_32 * t4_16 + R4_22 * t4_17 - R4_12 * t4_18 + R4_32 *
-      t4_19 - t2_18;
-  const T minus_B6_1_22 = R4_12 * t4_22 - R4_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_26 + R4_22 * t4_27 - R4_32 *
-      t4_28 - t2_19;
-  const T minus_B6_1_23 = R4_12 * t4_31 - R4_22 * t4_33 + R4_32 * t4_34 + R4_12 * t4_35 + R4_22 * t4_36 - R4_32 *
-      t4_37 + minus_P_dot_omega1_4a_23;
-  const T minus_B6_1_31 = R4_13 * t4_13 - R4_23 * t4_15 + R4_33 * t4_16 + R4_23 * t4_17 - R4_13 * t4_18 + R4_33 *
-      t4_19 - t2_22;
-  const T minus_B6_1_32 = R4_13 * t4_22 - R4_23 * t4_24 + R4_33 * t4_25 + R4_13 * t4_26 + R4_23 * t4_27 - R4_33 *
-      t4_28 - t2_23;
-  const T minus_B6_1_33 = R4_13 * t4_31 - R4_23 * t4_33 + R4_33 * t4_34 + R4_13 * t4_35 + R4_23 * t4_36 - R4_33 *
-      t4_37 + minus_P_dot_omega1_4a_33;
+  const T minus_B6_1_13 = minus_P_dot_omega1_4a_13 + R4_11 * t4_31 - R4_21 * t4_33 + R4_31 * t4_34 + R4_11 * t4_35 +
+      R4_21 * t4_36 - R4_31 * t4_37;
+  const T minus_B6_1_21 = R4_12 * t4_13 - t2_18 - R4_22 * t4_15 + R4_32 * t4_16 + R4_22 * t4_17 - R4_12 * t4_18 +
+      R4_32 * t4_19;
+  const T minus_B6_1_22 = R4_12 * t4_22 - t2_19 - R4_22 * t4_24 + R4_32 * t4_25 + R4_12 * t4_26 + R4_22 * t4_27 -
+      R4_32 * t4_28;
+  const T minus_B6_1_23 = minus_P_dot_omega1_4a_23 + R4_12 * t4_31 - R4_22 * t4_33 + R4_32 * t4_34 + R4_12 * t4_35 +
+      R4_22 * t4_36 - R4_32 * t4_37;
+  const T minus_B6_1_31 = R4_13 * t4_13 - t2_22 - R4_23 * t4_15 + R4_33 * t4_16 + R4_23 * t4_17 - R4_13 * t4_18 +
+      R4_33 * t4_19;
+  const T minus_B6_1_32 = R4_13 * t4_22 - t2_23 - R4_23 * t4_24 + R4_33 * t4_25 + R4_13 * t4_26 + R4_23 * t4_27 -
+      R4_33 * t4_28;
+  const T minus_B6_1_33 = minus_P_dot_omega1_4a_33 + R4_13 * t4_31 - R4_23 * t4_33 + R4_33 * t4_34 + R4_13 * t4_35 +
+      R4_23 * t4_36 - R4_33 * t4_37;
   v_y_dot[261] = -minus_B6_1_11;
   v_y_dot[262] = -minus_B6_1_12;
   v_y_dot[263] = -minus_B6_1_13;
@@ -7720,11 +7802,10 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[327] = -minus_B8_4_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -7752,7 +7833,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P_dot_omega1_5a = -R1^T omega1~ q5a~: its rate
@@ -7789,8 +7870,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
       omega_dot_omega1_5_31;
   const T t5_12 = T(0.004991670832341408) * minus_omega_dot_omega1_5_21;
   const T t5_13 = T(0.049750208263901294) * minus_omega_dot_omega1_5_21;
-  const T minus_B9_1_11 = R5a_11 * t5_7 + R5_21 * t5_9 + R5_31 * t5_10 + R5_21 * t5_11 - R5a_11 * t5_12 - R5_31 *
-      t5_13 + minus_P_dot_omega1_5a_11;
+  const T minus_B9_1_11 = minus_P_dot_omega1_5a_11 + R5a_11 * t5_7 + R5_21 * t5_9 + R5_31 * t5_10 + R5_21 * t5_11 -
+      R5a_11 * t5_12 - R5_31 * t5_13;
   const T t5_14 = T(0.049750208263901294) * omega_omega1_5_22;
   const T t5_15 = T(0.049750208263901294) * minus_omega_omega1_5_32 - T(0.004991670832341408) * E5a_12;
   const T t5_16 = omega5_2 * t5_14 - omega5_3 * t5_15;
@@ -7801,8 +7882,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
       omega_dot_omega1_5_12;
   const T t5_21 = T(0.004991670832341408) * minus_omega_dot_omega1_5_22;
   const T t5_22 = T(0.049750208263901294) * minus_omega_dot_omega1_5_22;
-  const T minus_B9_1_12 = R5a_11 * t5_16 + R5_21 * t5_18 + R5_31 * t5_19 + R5_21 * t5_20 - R5a_11 * t5_21 - R5_31 *
-      t5_22 - t2_16;
+  const T minus_B9_1_12 = R5a_11 * t5_16 - t2_16 + R5_21 * t5_18 + R5_31 * t5_19 + R5_21 * t5_20 - R5a_11 * t5_21 -
+      R5_31 * t5_22;
   const T t5_23 = T(0.049750208263901294) * E5_22;
   const T t5_24 = T(0.049750208263901294) * E5_23;
   const T t5_25 = omega5_3 * t5_23 + omega5_2 * t5_24;
@@ -7814,16 +7895,16 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t5_31 = T(0.049750208263901294) * omega_dot_omega1_5_23;
   const T t5_32 = R5a_11 * t5_25 + R5_21 * t5_27 - R5_31 * t5_28 + R5a_11 * t5_29 + R5_21 * t5_30 + R5_31 * t5_31;
   const T minus_B9_1_13 = t5_32 - P_dot_omega1_5a_13;
-  const T minus_B9_1_21 = R5a_12 * t5_7 + R5_22 * t5_9 + R5_32 * t5_10 + R5_22 * t5_11 - R5a_12 * t5_12 - R5_32 *
-      t5_13 + minus_P_dot_omega1_5a_21;
-  const T minus_B9_1_22 = R5a_12 * t5_16 + R5_22 * t5_18 + R5_32 * t5_19 + R5_22 * t5_20 - R5a_12 * t5_21 - R5_32 *
-      t5_22 - t2_20;
+  const T minus_B9_1_21 = minus_P_dot_omega1_5a_21 + R5a_12 * t5_7 + R5_22 * t5_9 + R5_32 * t5_10 + R5_22 * t5_11 -
+      R5a_12 * t5_12 - R5_32 * t5_13;
+  const T minus_B9_1_22 = R5a_12 * t5_16 - t2_20 + R5_22 * t5_18 + R5_32 * t5_19 + R5_22 * t5_20 - R5a_12 * t5_21 -
+      R5_32 * t5_22;
   const T t5_33 = R5a_12 * t5_25 + R5_22 * t5_27 - R5_32 * t5_28 + R5a_12 * t5_29 + R5_22 * t5_30 + R5_32 * t5_31;
   const T minus_B9_1_23 = t5_33 - P_dot_omega1_5a_23;
-  const T minus_B9_1_31 = R5a_13 * t5_7 + R5_23 * t5_9 + R5_33 * t5_10 + R5_23 * t5_11 - R5a_13 * t5_12 - R5_33 *
-      t5_13 + minus_P_dot_omega1_5a_31;
-  const T minus_B9_1_32 = R5a_13 * t5_16 + R5_23 * t5_18 + R5_33 * t5_19 + R5_23 * t5_20 - R5a_13 * t5_21 - R5_33 *
-      t5_22 - t2_24;
+  const T minus_B9_1_31 = minus_P_dot_omega1_5a_31 + R5a_13 * t5_7 + R5_23 * t5_9 + R5_33 * t5_10 + R5_23 * t5_11 -
+      R5a_13 * t5_12 - R5_33 * t5_13;
+  const T minus_B9_1_32 = R5a_13 * t5_16 - t2_24 + R5_23 * t5_18 + R5_33 * t5_19 + R5_23 * t5_20 - R5a_13 * t5_21 -
+      R5_33 * t5_22;
   const T t5_34 = R5a_13 * t5_25 + R5_23 * t5_27 - R5_33 * t5_28 + R5a_13 * t5_29 + R5_23 * t5_30 + R5_33 * t5_31;
   const T minus_B9_1_33 = t5_34 - P_dot_omega1_5a_33;
   v_y_dot[348] = -minus_B9_1_11;
@@ -7860,9 +7941,9 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
       omega_dot_omega1_5_31;
   const T t5_51 = T(0.009983341664682815) * minus_omega_dot_omega1_5_21;
   const T t5_52 = T(0.09950041652780259) * minus_omega_dot_omega1_5_21;
-  const T minus_B25_1_11 = R5a_11 * t5_37 + R5_21 * t5_39 + R5_31 * t5_40 + R5a_11 * t5_43 + R5_21 * t5_45 + R5_31 *
-      t5_46 + R5a_11 * t5_47 + R5_21 * t5_48 + R5_31 * t5_49 + R5_21 * t5_50 - R5a_11 * t5_51 - R5_31 * t5_52 +
-      minus_P_dot_omega1_5a_11;
+  const T minus_B25_1_11 = minus_P_dot_omega1_5a_11 + R5a_11 * t5_37 + R5_21 * t5_39 + R5_31 * t5_40 + R5a_11 * t5_43
+      + R5_21 * t5_45 + R5_31 * t5_46 + R5a_11 * t5_47 + R5_21 * t5_48 + R5_31 * t5_49 + R5_21 * t5_50 - R5a_11 *
+      t5_51 - R5_31 * t5_52;
   const T t5_53 = T(0.03164906533384792) * omega_omega1_5_22;
   const T t5_54 = T(0.03870835392384733) * omega_omega1_5_22;
   const T t5_55 = omega5_1 * t5_53 - omega5_3 * t5_54;
@@ -7883,8 +7964,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
       omega_dot_omega1_5_12;
   const T t5_69 = T(0.009983341664682815) * minus_omega_dot_omega1_5_22;
   const T t5_70 = T(0.09950041652780259) * minus_omega_dot_omega1_5_22;
-  const T minus_B25_1_12 = R5_21 * t5_55 - R5a_11 * t5_57 + R5_31 * t5_58 + R5a_11 * t5_61 + R5_21 * t5_63 + R5_31 *
-      t5_64 + R5a_11 * t5_65 + R5_21 * t5_66 + R5_31 * t5_67 + R5_21 * t5_68 - R5a_11 * t5_69 - R5_31 * t5_70 - t2_16;
+  const T minus_B25_1_12 = R5_21 * t5_55 - t2_16 - R5a_11 * t5_57 + R5_31 * t5_58 + R5a_11 * t5_61 + R5_21 * t5_63 +
+      R5_31 * t5_64 + R5a_11 * t5_65 + R5_21 * t5_66 + R5_31 * t5_67 + R5_21 * t5_68 - R5a_11 * t5_69 - R5_31 * t5_70;
   const T t5_71 = T(0.03164906533384792) * E5_23;
   const T t5_72 = T(0.03870835392384733) * E5_23;
   const T t5_73 = omega5_1 * t5_71 - omega5_3 * t5_72;
@@ -7906,19 +7987,19 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t5_89 = R5_21 * t5_73 - R5a_11 * t5_75 + R5_31 * t5_76 + R5a_11 * t5_79 + R5_21 * t5_81 - R5_31 * t5_82 -
       R5a_11 * t5_83 - R5_21 * t5_84 - R5_31 * t5_85 + R5a_11 * t5_86 + R5_21 * t5_87 + R5_31 * t5_88;
   const T minus_B25_1_13 = t5_89 - P_dot_omega1_5a_13;
-  const T minus_B25_1_21 = R5a_12 * t5_37 + R5_22 * t5_39 + R5_32 * t5_40 + R5a_12 * t5_43 + R5_22 * t5_45 + R5_32 *
-      t5_46 + R5a_12 * t5_47 + R5_22 * t5_48 + R5_32 * t5_49 + R5_22 * t5_50 - R5a_12 * t5_51 - R5_32 * t5_52 +
-      minus_P_dot_omega1_5a_21;
-  const T minus_B25_1_22 = R5_22 * t5_55 - R5a_12 * t5_57 + R5_32 * t5_58 + R5a_12 * t5_61 + R5_22 * t5_63 + R5_32 *
-      t5_64 + R5a_12 * t5_65 + R5_22 * t5_66 + R5_32 * t5_67 + R5_22 * t5_68 - R5a_12 * t5_69 - R5_32 * t5_70 - t2_20;
+  const T minus_B25_1_21 = minus_P_dot_omega1_5a_21 + R5a_12 * t5_37 + R5_22 * t5_39 + R5_32 * t5_40 + R5a_12 * t5_43
+      + R5_22 * t5_45 + R5_32 * t5_46 + R5a_12 * t5_47 + R5_22 * t5_48 + R5_32 * t5_49 + R5_22 * t5_50 - R5a_12 *
+      t5_51 - R5_32 * t5_52;
+  const T minus_B25_1_22 = R5_22 * t5_55 - t2_20 - R5a_12 * t5_57 + R5_32 * t5_58 + R5a_12 * t5_61 + R5_22 * t5_63 +
+      R5_32 * t5_64 + R5a_12 * t5_65 + R5_22 * t5_66 + R5_32 * t5_67 + R5_22 * t5_68 - R5a_12 * t5_69 - R5_32 * t5_70;
   const T t5_90 = R5_22 * t5_73 - R5a_12 * t5_75 + R5_32 * t5_76 + R5a_12 * t5_79 + R5_22 * t5_81 - R5_32 * t5_82 -
       R5a_12 * t5_83 - R5_22 * t5_84 - R5_32 * t5_85 + R5a_12 * t5_86 + R5_22 * t5_87 + R5_32 * t5_88;
   const T minus_B25_1_23 = t5_90 - P_dot_omega1_5a_23;
-  const T minus_B25_1_31 = R5a_13 * t5_37 + R5_23 * t5_39 + R5_33 * t5_40 + R5a_13 * t5_43 + R5_23 * t5_45 + R5_33 *
-      t5_46 + R5a_13 * t5_47 + R5_23 * t5_48 + R5_33 * t5_49 + R5_23 * t5_50 - R5a_13 * t5_51 - R5_33 * t5_52 +
-      minus_P_dot_omega1_5a_31;
-  const T minus_B25_1_32 = R5_23 * t5_55 - R5a_13 * t5_57 + R5_33 * t5_58 + R5a_13 * t5_61 + R5_23 * t5_63 + R5_33 *
-      t5_64 + R5a_13 * t5_65 + R5_23 * t5_66 + R5_33 * t5_67 + R5_23 * t5_68 - R5a_13 * t5_69 - R5_33 * t5_70 - t2_24;
+  const T minus_B25_1_31 = minus_P_dot_omega1_5a_31 + R5a_13 * t5_37 + R5_23 * t5_39 + R5_33 * t5_40 + R5a_13 * t5_43
+      + R5_23 * t5_45 + R5_33 * t5_46 + R5a_13 * t5_47 + R5_23 * t5_48 + R5_33 * t5_49 + R5_23 * t5_50 - R5a_13 *
+      t5_51 - R5_33 * t5_52;
+  const T minus_B25_1_32 = R5_23 * t5_55 - t2_24 - R5a_13 * t5_57 + R5_33 * t5_58 + R5a_13 * t5_61 + R5_23 * t5_63 +
+      R5_33 * t5_64 + R5a_13 * t5_65 + R5_23 * t5_66 + R5_33 * t5_67 + R5_23 * t5_68 - R5a_13 * t5_69 - R5_33 * t5_70;
   const T t5_91 = R5_23 * t5_73 - R5a_13 * t5_75 + R5_33 * t5_76 + R5a_13 * t5_79 + R5_23 * t5_81 - R5_33 * t5_82 -
       R5a_13 * t5_83 - R5_23 * t5_84 - R5_33 * t5_85 + R5a_13 * t5_86 + R5_23 * t5_87 + R5_33 * t5_88;
   const T minus_B25_1_33 = t5_91 - P_dot_omega1_5a_33;
@@ -7943,28 +8024,28 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   // P_dot_omega1_6 = R3^T (thetadot3 d6~ b3~ - omega3~ d6~ - sdot6 u6~) E3 + P_dot_omega1_3: its rate
   const T t6_1 = d6_1 * T(0.44378789320576517) * thetadot3;
   const T t6_2 = omega3_1 * d6_1;
-  const T t6_3 = d6_1 * T(0.3152711589176631) * thetadot3 + t6_2;
+  const T t6_3 = t6_2 + d6_1 * T(0.3152711589176631) * thetadot3;
   const T t6_4 = t6_1 * E3_11 + t6_3 * E3_21 + sdot6 * E3_31;
   const T t6_5 = omega3_2 * d6_1;
   const T t6_6 = omega3_3 * d6_1;
   const T t6_7 = t6_5 * E3_21 + t6_6 * E3_31;
   const T t6_8 = d6_1 * T(0.8388422987658062) * thetadot3;
   const T t6_9 = t6_8 * E3_11 - sdot6 * E3_21 + t6_3 * E3_31;
-  const T P_dot_omega1_6_11 = R3_21 * t6_4 - R3_11 * t6_7 + R3_31 * t6_9 - minus_P_dot_omega1_3_11;
+  const T P_dot_omega1_6_11 = R3_21 * t6_4 - minus_P_dot_omega1_3_11 - R3_11 * t6_7 + R3_31 * t6_9;
   const T t6_10 = t6_1 * E3_12 + t6_3 * E3_22 + sdot6 * E3_32;
   const T t6_11 = t6_5 * E3_22 + t6_6 * E3_32;
   const T t6_12 = t6_8 * E3_12 - sdot6 * E3_22 + t6_3 * E3_32;
-  const T P_dot_omega1_6_12 = R3_21 * t6_10 - R3_11 * t6_11 + R3_31 * t6_12 - minus_P_dot_omega1_3_12;
+  const T P_dot_omega1_6_12 = R3_21 * t6_10 - minus_P_dot_omega1_3_12 - R3_11 * t6_11 + R3_31 * t6_12;
   const T t6_13 = t6_3 * E3_23 - t6_1 * minus_E3_13 + sdot6 * E3_33;
   const T t6_14 = t6_5 * E3_23 + t6_6 * E3_33;
   const T t6_15 = t6_3 * E3_33 - (t6_8 * minus_E3_13 + sdot6 * E3_23);
-  const T P_dot_omega1_6_13 = R3_21 * t6_13 - R3_11 * t6_14 + R3_31 * t6_15 + P_dot_omega1_3_13;
-  const T P_dot_omega1_6_21 = R3_22 * t6_4 - R3_12 * t6_7 + R3_32 * t6_9 - minus_P_dot_omega1_3_21;
-  const T P_dot_omega1_6_22 = R3_22 * t6_10 - R3_12 * t6_11 + R3_32 * t6_12 - minus_P_dot_omega1_3_22;
-  const T P_dot_omega1_6_23 = R3_22 * t6_13 - R3_12 * t6_14 + R3_32 * t6_15 + P_dot_omega1_3_23;
-  const T P_dot_omega1_6_31 = R3_23 * t6_4 - R3_13 * t6_7 + R3_33 * t6_9 - minus_P_dot_omega1_3_31;
-  const T P_dot_omega1_6_32 = R3_23 * t6_10 - R3_13 * t6_11 + R3_33 * t6_12 - minus_P_dot_omega1_3_32;
-  const T P_dot_omega1_6_33 = R3_23 * t6_13 - R3_13 * t6_14 + R3_33 * t6_15 + P_dot_omega1_3_33;
+  const T P_dot_omega1_6_13 = P_dot_omega1_3_13 + R3_21 * t6_13 - R3_11 * t6_14 + R3_31 * t6_15;
+  const T P_dot_omega1_6_21 = R3_22 * t6_4 - minus_P_dot_omega1_3_21 - R3_12 * t6_7 + R3_32 * t6_9;
+  const T P_dot_omega1_6_22 = R3_22 * t6_10 - minus_P_dot_omega1_3_22 - R3_12 * t6_11 + R3_32 * t6_12;
+  const T P_dot_omega1_6_23 = P_dot_omega1_3_23 + R3_22 * t6_13 - R3_12 * t6_14 + R3_32 * t6_15;
+  const T P_dot_omega1_6_31 = R3_23 * t6_4 - minus_P_dot_omega1_3_31 - R3_13 * t6_7 + R3_33 * t6_9;
+  const T P_dot_omega1_6_32 = R3_23 * t6_10 - minus_P_dot_omega1_3_32 - R3_13 * t6_11 + R3_33 * t6_12;
+  const T P_dot_omega1_6_33 = P_dot_omega1_3_33 + R3_23 * t6_13 - R3_13 * t6_14 + R3_33 * t6_15;
   // P_dot_thetadot3_6 = -R3^T (omega3~ d6~ + sdot6 u6~) b3: its rate
   const T t6_16 = t6_5 * T(0.44378789320576517) + t6_6 * T(0.8388422987658062);
   const T t6_17 = t6_2 * T(0.44378789320576517) + sdot6 * T(0.8388422987658062);
@@ -7982,8 +8063,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t6_25 = T(0.01) * t3_31 + T(0.1) * t3_27;
   const T t6_26 = T(0.01) * t3_30;
   const T t6_27 = T(0.1) * t3_30;
-  const T B11_1_11 = R3_21 * t6_21 - R3_11 * t6_23 - R3_31 * t6_24 + thetadot3 * (R3_21 * t6_25 - R3_11 * t6_26 +
-      R3_31 * t6_27) + P_dot_omega1_6_11;
+  const T B11_1_11 = P_dot_omega1_6_11 + R3_21 * t6_21 - R3_11 * t6_23 - R3_31 * t6_24 + thetadot3 * (R3_21 * t6_25 -
+      R3_11 * t6_26 + R3_31 * t6_27);
   const T t6_28 = T(0.01) * E3_22;
   const T t6_29 = T(0.1) * E3_22;
   const T t6_30 = omega3_3 * t6_28 + omega3_1 * t6_29;
@@ -7993,8 +8074,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t6_34 = T(0.01) * t3_43 + T(0.1) * t3_39;
   const T t6_35 = T(0.01) * t3_42;
   const T t6_36 = T(0.1) * t3_42;
-  const T B11_1_12 = R3_21 * t6_30 - R3_11 * t6_32 - R3_31 * t6_33 + thetadot3 * (R3_21 * t6_34 - R3_11 * t6_35 +
-      R3_31 * t6_36) + P_dot_omega1_6_12;
+  const T B11_1_12 = P_dot_omega1_6_12 + R3_21 * t6_30 - R3_11 * t6_32 - R3_31 * t6_33 + thetadot3 * (R3_21 * t6_34 -
+      R3_11 * t6_35 + R3_31 * t6_36);
   const T t6_37 = T(0.01) * E3_23;
   const T t6_38 = T(0.1) * E3_23;
   const T t6_39 = omega3_3 * t6_37 + omega3_1 * t6_38;
@@ -8004,20 +8085,20 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t6_43 = T(0.01) * t3_55 - T(0.1) * t3_51;
   const T t6_44 = T(0.01) * t3_54;
   const T t6_45 = T(0.1) * t3_54;
-  const T B11_1_13 = R3_21 * t6_39 - R3_11 * t6_41 - R3_31 * t6_42 + thetadot3 * (R3_21 * t6_43 - R3_11 * t6_44 +
-      R3_31 * t6_45) + P_dot_omega1_6_13;
-  const T B11_1_21 = R3_22 * t6_21 - R3_12 * t6_23 - R3_32 * t6_24 + thetadot3 * (R3_22 * t6_25 - R3_12 * t6_26 +
-      R3_32 * t6_27) + P_dot_omega1_6_21;
-  const T B11_1_22 = R3_22 * t6_30 - R3_12 * t6_32 - R3_32 * t6_33 + thetadot3 * (R3_22 * t6_34 - R3_12 * t6_35 +
-      R3_32 * t6_36) + P_dot_omega1_6_22;
-  const T B11_1_23 = R3_22 * t6_39 - R3_12 * t6_41 - R3_32 * t6_42 + thetadot3 * (R3_22 * t6_43 - R3_12 * t6_44 +
-      R3_32 * t6_45) + P_dot_omega1_6_23;
-  const T B11_1_31 = R3_23 * t6_21 - R3_13 * t6_23 - R3_33 * t6_24 + thetadot3 * (R3_23 * t6_25 - R3_13 * t6_26 +
-      R3_33 * t6_27) + P_dot_omega1_6_31;
-  const T B11_1_32 = R3_23 * t6_30 - R3_13 * t6_32 - R3_33 * t6_33 + thetadot3 * (R3_23 * t6_34 - R3_13 * t6_35 +
-      R3_33 * t6_36) + P_dot_omega1_6_32;
-  const T B11_1_33 = R3_23 * t6_39 - R3_13 * t6_41 - R3_33 * t6_42 + thetadot3 * (R3_23 * t6_43 - R3_13 * t6_44 +
-      R3_33 * t6_45) + P_dot_omega1_6_33;
+  const T B11_1_13 = P_dot_omega1_6_13 + R3_21 * t6_39 - R3_11 * t6_41 - R3_31 * t6_42 + thetadot3 * (R3_21 * t6_43 -
+      R3_11 * t6_44 + R3_31 * t6_45);
+  const T B11_1_21 = P_dot_omega1_6_21 + R3_22 * t6_21 - R3_12 * t6_23 - R3_32 * t6_24 + thetadot3 * (R3_22 * t6_25 -
+      R3_12 * t6_26 + R3_32 * t6_27);
+  const T B11_1_22 = P_dot_omega1_6_22 + R3_22 * t6_30 - R3_12 * t6_32 - R3_32 * t6_33 + thetadot3 * (R3_22 * t6_34 -
+      R3_12 * t6_35 + R3_32 * t6_36);
+  const T B11_1_23 = P_dot_omega1_6_23 + R3_22 * t6_39 - R3_12 * t6_41 - R3_32 * t6_42 + thetadot3 * (R3_22 * t6_43 -
+      R3_12 * t6_44 + R3_32 * t6_45);
+  const T B11_1_31 = P_dot_omega1_6_31 + R3_23 * t6_21 - R3_13 * t6_23 - R3_33 * t6_24 + thetadot3 * (R3_23 * t6_25 -
+      R3_13 * t6_26 + R3_33 * t6_27);
+  const T B11_1_32 = P_dot_omega1_6_32 + R3_23 * t6_30 - R3_13 * t6_32 - R3_33 * t6_33 + thetadot3 * (R3_23 * t6_34 -
+      R3_13 * t6_35 + R3_33 * t6_36);
+  const T B11_1_33 = P_dot_omega1_6_33 + R3_23 * t6_39 - R3_13 * t6_41 - R3_33 * t6_42 + thetadot3 * (R3_23 * t6_43 -
+      R3_13 * t6_44 + R3_33 * t6_45);
   v_y_dot[435] = B11_1_11;
   v_y_dot[436] = B11_1_12;
   v_y_dot[437] = B11_1_13;
@@ -8031,21 +8112,20 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t6_46 = omega3_3 * T(0.08703694146575726) + omega3_2 * T(0.04437878932057652);
   const T t6_47 = omega3_3 * T(0.004437878932057652) + omega3_1 * T(0.04437878932057652);
   const T t6_48 = omega3_2 * T(0.004437878932057652) - omega3_1 * T(0.08703694146575726);
-  const T minus_B12_3_1 = R3_11 * t6_46 - R3_21 * t6_47 + R3_31 * t6_48 + minus_P_dot_thetadot3_6_1;
-  const T minus_B12_3_2 = R3_12 * t6_46 - R3_22 * t6_47 + R3_32 * t6_48 + minus_P_dot_thetadot3_6_2;
-  const T minus_B12_3_3 = R3_13 * t6_46 - R3_23 * t6_47 + R3_33 * t6_48 + minus_P_dot_thetadot3_6_3;
+  const T minus_B12_3_1 = minus_P_dot_thetadot3_6_1 + R3_11 * t6_46 - R3_21 * t6_47 + R3_31 * t6_48;
+  const T minus_B12_3_2 = minus_P_dot_thetadot3_6_2 + R3_12 * t6_46 - R3_22 * t6_47 + R3_32 * t6_48;
+  const T minus_B12_3_3 = minus_P_dot_thetadot3_6_3 + R3_13 * t6_46 - R3_23 * t6_47 + R3_33 * t6_48;
   v_y_dot[441] = -minus_B12_3_1;
   v_y_dot[470] = -minus_B12_3_2;
   v_y_dot[499] = -minus_B12_3_3;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // R8^T = R1^T E8^T: R takes inertial components to body components
   const T R8_11 = R1_11 * E8_11 + R1_31 * E8_13;
   const T R8_12 = R1_12 * E8_11 + R1_32 * E8_13;
@@ -8079,27 +8159,27 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t8_10 = omega8_3 * t8_6 - omega8_1 * t8_5;
   const T t8_11 = omega8_2 * t8_6;
   const T t8_12 = omega8_1 * t8_8 - t8_11;
-  const T B14_1_11 = thetadot8 * (R1_21 * t8_4 - R8_11 * t8_5 + R8_31 * t8_6) - (R8_11 * t8_9 + R1_21 * t8_10 + R8_31
-      * t8_12) - minus_P_dot_omega1_8_11;
+  const T B14_1_11 = thetadot8 * (R1_21 * t8_4 - R8_11 * t8_5 + R8_31 * t8_6) - (minus_P_dot_omega1_8_11 + R8_11 *
+      t8_9 + R1_21 * t8_10 + R8_31 * t8_12);
   const T t8_13 = omega8_1 * T(0.01) - omega8_3 * T(0.02);
   const T t8_14 = omega8_2 * T(0.01);
   const T t8_15 = omega8_2 * T(0.02);
   const T minus_B14_1_12 = R1_21 * t8_13 - R8_11 * t8_14 + R8_31 * t8_15;
   const T t8_16 = t8_11 - omega8_3 * t8_4;
   const T t8_17 = omega8_3 * t8_5 + omega8_1 * t8_6;
-  const T t8_18 = omega8_1 * t8_4 + t8_7;
-  const T minus_B14_1_13 = thetadot8 * (R8_11 * t8_6 + R1_21 * t8_8 + R8_31 * t8_5) + R8_11 * t8_16 - R1_21 * t8_17 +
-      R8_31 * t8_18 + minus_P_dot_omega1_8_13;
-  const T B14_1_21 = thetadot8 * (R1_22 * t8_4 - R8_12 * t8_5 + R8_32 * t8_6) - (R8_12 * t8_9 + R1_22 * t8_10 + R8_32
-      * t8_12) - minus_P_dot_omega1_8_21;
+  const T t8_18 = t8_7 + omega8_1 * t8_4;
+  const T minus_B14_1_13 = minus_P_dot_omega1_8_13 + thetadot8 * (R8_11 * t8_6 + R1_21 * t8_8 + R8_31 * t8_5) + R8_11
+      * t8_16 - R1_21 * t8_17 + R8_31 * t8_18;
+  const T B14_1_21 = thetadot8 * (R1_22 * t8_4 - R8_12 * t8_5 + R8_32 * t8_6) - (minus_P_dot_omega1_8_21 + R8_12 *
+      t8_9 + R1_22 * t8_10 + R8_32 * t8_12);
   const T minus_B14_1_22 = R1_22 * t8_13 - R8_12 * t8_14 + R8_32 * t8_15;
-  const T minus_B14_1_23 = thetadot8 * (R8_12 * t8_6 + R1_22 * t8_8 + R8_32 * t8_5) + R8_12 * t8_16 - R1_22 * t8_17 +
-      R8_32 * t8_18 + minus_P_dot_omega1_8_23;
-  const T B14_1_31 = thetadot8 * (R1_23 * t8_4 - R8_13 * t8_5 + R8_33 * t8_6) - (R8_13 * t8_9 + R1_23 * t8_10 + R8_33
-      * t8_12) - minus_P_dot_omega1_8_31;
+  const T minus_B14_1_23 = minus_P_dot_omega1_8_23 + thetadot8 * (R8_12 * t8_6 + R1_22 * t8_8 + R8_32 * t8_5) + R8_12
+      * t8_16 - R1_22 * t8_17 + R8_32 * t8_18;
+  const T B14_1_31 = thetadot8 * (R1_23 * t8_4 - R8_13 * t8_5 + R8_33 * t8_6) - (minus_P_dot_omega1_8_31 + R8_13 *
+      t8_9 + R1_23 * t8_10 + R8_33 * t8_12);
   const T minus_B14_1_32 = R1_23 * t8_13 - R8_13 * t8_14 + R8_33 * t8_15;
-  const T minus_B14_1_33 = thetadot8 * (R8_13 * t8_6 + R1_23 * t8_8 + R8_33 * t8_5) + R8_13 * t8_16 - R1_23 * t8_17 +
-      R8_33 * t8_18 + minus_P_dot_omega1_8_33;
+  const T minus_B14_1_33 = minus_P_dot_omega1_8_33 + thetadot8 * (R8_13 * t8_6 + R1_23 * t8_8 + R8_33 * t8_5) + R8_13
+      * t8_16 - R1_23 * t8_17 + R8_33 * t8_18;
   v_y_dot[609] = B14_1_11;
   v_y_dot[610] = -minus_B14_1_12;
   v_y_dot[619] = minus_B14_1_12;
@@ -8114,11 +8194,10 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[669] = -minus_B14_1_33;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T thetadot9 = y[11];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // B17_9 = -E9^T omega9~ r9~ b9
   const T t9_1 = thetadot9 * T(0.1);
   const T minus_B17_9_1 = E9_11 * t9_1;
@@ -8165,7 +8244,7 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t10_20 = t10_14 + t10_19;
   const T t10_21 = omega1_2 * T(0.3);
   const T minus_P_dot_omega1_10_12 = R1_11 * t10_18 - R1_21 * t10_20 + R1_31 * t10_21;
-  const T t10_22 = omega1_3 * T(0.1) + sdot10;
+  const T t10_22 = sdot10 + omega1_3 * T(0.1);
   const T t10_23 = omega1_3 * s10;
   const T t10_24 = t10_15 + t10_19;
   const T minus_P_dot_omega1_10_13 = R1_11 * t10_22 + R1_21 * t10_23 - R1_31 * t10_24;
@@ -8217,8 +8296,8 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // R11^T = R8^T E11^T: R takes inertial components to body components
   const T R11_11 = R8_11 * E11_11 + R8_31 * E11_13;
   const T R11_12 = R8_12 * E11_11 + R8_32 * E11_13;
@@ -8249,19 +8328,19 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t11_7 = thetadot11 * T(0.01);
   const T t11_8 = t11_6 * E8_11 + t11_7 * E8_13;
   const T t11_9 = t11_7 * E8_11 - t11_6 * E8_13;
-  const T P_dot_omega1_11_11 = R1_21 * t11_5 - R8_11 * t11_8 - R8_31 * t11_9 - minus_P_dot_omega1_8_11;
+  const T P_dot_omega1_11_11 = R1_21 * t11_5 - minus_P_dot_omega1_8_11 - R8_11 * t11_8 - R8_31 * t11_9;
   const T t11_10 = t11_3 * E8_13 + t11_4 * E8_11;
-  const T P_dot_omega1_11_13 = R8_11 * t11_9 + R1_21 * t11_10 - R8_31 * t11_8 - minus_P_dot_omega1_8_13;
-  const T P_dot_omega1_11_21 = R1_22 * t11_5 - R8_12 * t11_8 - R8_32 * t11_9 - minus_P_dot_omega1_8_21;
-  const T P_dot_omega1_11_23 = R8_12 * t11_9 + R1_22 * t11_10 - R8_32 * t11_8 - minus_P_dot_omega1_8_23;
-  const T P_dot_omega1_11_31 = R1_23 * t11_5 - R8_13 * t11_8 - R8_33 * t11_9 - minus_P_dot_omega1_8_31;
-  const T P_dot_omega1_11_33 = R8_13 * t11_9 + R1_23 * t11_10 - R8_33 * t11_8 - minus_P_dot_omega1_8_33;
+  const T P_dot_omega1_11_13 = R8_11 * t11_9 - minus_P_dot_omega1_8_13 + R1_21 * t11_10 - R8_31 * t11_8;
+  const T P_dot_omega1_11_21 = R1_22 * t11_5 - minus_P_dot_omega1_8_21 - R8_12 * t11_8 - R8_32 * t11_9;
+  const T P_dot_omega1_11_23 = R8_12 * t11_9 - minus_P_dot_omega1_8_23 + R1_22 * t11_10 - R8_32 * t11_8;
+  const T P_dot_omega1_11_31 = R1_23 * t11_5 - minus_P_dot_omega1_8_31 - R8_13 * t11_8 - R8_33 * t11_9;
+  const T P_dot_omega1_11_33 = R8_13 * t11_9 - minus_P_dot_omega1_8_33 + R1_23 * t11_10 - R8_33 * t11_8;
   // B21_1 = -R11^T omega11~ (C11^T r11)~ omega_omega1_11 - R11^T (C11^T r11)~ omega_dot_omega1_11 + P_dot_omega1_11
   const T t11_11 = T(0.01) * omega_omega1_11_11;
   const T t11_12 = omega11_3 * t11_11;
   const T t11_13 = omega11_1 * t11_11;
   const T t11_14 = T(0.01) * minus_omega_dot_omega1_11_11;
-  const T B21_1_11 = R11_11 * t11_12 - R11_31 * t11_13 + R1_21 * t11_14 + P_dot_omega1_11_11;
+  const T B21_1_11 = P_dot_omega1_11_11 + R11_11 * t11_12 - R11_31 * t11_13 + R1_21 * t11_14;
   const T t11_15 = omega11_2 * T(0.01);
   const T t11_16 = omega11_3 * T(0.01);
   const T minus_B21_1_12 = R11_31 * t11_15 - R1_21 * t11_16;
@@ -8269,13 +8348,13 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   const T t11_18 = omega11_3 * t11_17;
   const T t11_19 = omega11_1 * t11_17;
   const T t11_20 = T(0.01) * minus_omega_dot_omega1_11_13;
-  const T B21_1_13 = R11_11 * t11_18 - R11_31 * t11_19 + R1_21 * t11_20 + P_dot_omega1_11_13;
-  const T B21_1_21 = R11_12 * t11_12 - R11_32 * t11_13 + R1_22 * t11_14 + P_dot_omega1_11_21;
+  const T B21_1_13 = P_dot_omega1_11_13 + R11_11 * t11_18 - R11_31 * t11_19 + R1_21 * t11_20;
+  const T B21_1_21 = P_dot_omega1_11_21 + R11_12 * t11_12 - R11_32 * t11_13 + R1_22 * t11_14;
   const T minus_B21_1_22 = R11_32 * t11_15 - R1_22 * t11_16;
-  const T B21_1_23 = R11_12 * t11_18 - R11_32 * t11_19 + R1_22 * t11_20 + P_dot_omega1_11_23;
-  const T B21_1_31 = R11_13 * t11_12 - R11_33 * t11_13 + R1_23 * t11_14 + P_dot_omega1_11_31;
+  const T B21_1_23 = P_dot_omega1_11_23 + R11_12 * t11_18 - R11_32 * t11_19 + R1_22 * t11_20;
+  const T B21_1_31 = P_dot_omega1_11_31 + R11_13 * t11_12 - R11_33 * t11_13 + R1_23 * t11_14;
   const T minus_B21_1_32 = R11_33 * t11_15 - R1_23 * t11_16;
-  const T B21_1_33 = R11_13 * t11_18 - R11_33 * t11_19 + R1_23 * t11_20 + P_dot_omega1_11_33;
+  const T B21_1_33 = P_dot_omega1_11_33 + R11_13 * t11_18 - R11_33 * t11_19 + R1_23 * t11_20;
   v_y_dot[870] = B21_1_11;
   v_y_dot[871] = -minus_B21_1_12;
   v_y_dot[880] = minus_B21_1_12;
@@ -8289,9 +8368,9 @@ void partial_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T
   v_y_dot[938] = minus_B21_1_32;
   v_y_dot[930] = B21_1_33;
   // B23_11 = -R11^T omega11~ (C11^T r11)~ b11 + pitch11 R8^T omega8~ u11
-  const T B23_11_1 = T(0.01) * (R8_11 * omega8_3 - R8_31 * omega8_1) + minus_B21_1_12;
-  const T B23_11_2 = T(0.01) * (R8_12 * omega8_3 - R8_32 * omega8_1) + minus_B21_1_22;
-  const T B23_11_3 = T(0.01) * (R8_13 * omega8_3 - R8_33 * omega8_1) + minus_B21_1_32;
+  const T B23_11_1 = minus_B21_1_12 + T(0.01) * (R8_11 * omega8_3 - R8_31 * omega8_1);
+  const T B23_11_2 = minus_B21_1_22 + T(0.01) * (R8_12 * omega8_3 - R8_32 * omega8_1);
+  const T B23_11_3 = minus_B21_1_32 + T(0.01) * (R8_13 * omega8_3 - R8_33 * omega8_1);
   v_y_dot[885] = B23_11_1;
   v_y_dot[914] = B23_11_2;
   v_y_dot[943] = B23_11_3;
@@ -8304,13 +8383,16 @@ template <class T>
 void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_y) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 1131; ++i) omega_y[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 5, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -8320,7 +8402,7 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -8330,7 +8412,7 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -8354,19 +8436,18 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   omega_y[495] = E3_33;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -8397,10 +8478,9 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   omega_y[326] = omega_thetadot4_1_4_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // theta5_2 = expression 1: prescribed
   const T theta5_2 = c.p.amplitude * sin(T(3) * t);
   // E5^T = Rot(b5_2, theta5_2): E takes components in the lower body to those in the body
@@ -8451,20 +8531,18 @@ void partial_angular_velocities(const Prepared<T>& c, T t, const T* x, T* omega_
   omega_y[1024] = B15_1_33;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   omega_y[611] = E8_11;
   omega_y[638] = -E8_11;
   omega_y[609] = -E8_13;
   omega_y[640] = -E8_13;
 
   // ---- body 11 (nut) on body 8
-  const T theta11 = x[18];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega_omega1_11 = E11 E8: partial angular velocity, body axes
   const T omega_omega1_11_11 = E11_11 * E8_11 - E11_13 * E8_13;
   const T omega_omega1_11_13 = E11_13 * E8_11 + E11_11 * E8_13;
@@ -8505,14 +8583,17 @@ template <class T>
 void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const T* y, T* omega_y_dot) noexcept {
   using std::cos, std::sin;
   for (int i = 0; i < 1131; ++i) omega_y_dot[i] = T(0);
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 5, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -8522,7 +8603,7 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -8532,7 +8613,7 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -8566,20 +8647,19 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   omega_y_dot[495] = -minus_B1_1_33;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_3 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_3 = cosines[10];
   const T E4_12 = T(0.28) * t4_3;
   const T minus_E4_13 = T(0.96) * t4_3;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -8617,11 +8697,10 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   omega_y_dot[326] = omega_dot_thetadot4_1_4_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // theta5_2 = expression 1: prescribed
   const T t5_1 = T(3) * t;
   const T theta5_2 = c.p.amplitude * sin(t5_1);
@@ -8689,11 +8768,10 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   omega_y_dot[1024] = -minus_B9_1_33;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T thetadot8 = y[10];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // B6_1 = -thetadot8 C8 b8~ E8
   const T minus_B6_1_11 = thetadot8 * E8_11;
   const T minus_B6_1_13 = thetadot8 * E8_13;
@@ -8703,11 +8781,10 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
   omega_y_dot[638] = minus_B6_1_13;
 
   // ---- body 11 (nut) on body 8
-  const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega_dot_omega1_11 = -(thetadot8 E11 b8~ + thetadot11 b11~ E11) E8: its rate
   const T t11_1 = thetadot8 * E11_13 + thetadot11 * E11_13;
   const T t11_2 = thetadot8 * E11_11 + thetadot11 * E11_11;
@@ -8725,6 +8802,11 @@ void partial_angular_velocity_rates(const Prepared<T>& c, T t, const T* x, const
 template <class T>
 void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* power) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
+  T cosines[14], sines[14];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 1, cosines + 8, sines + 8);
+  cos_sin(x + 11, 1, cosines + 11, sines + 11);
+  cos_sin(x + 13, 1, cosines + 13, sines + 13);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -8796,9 +8878,9 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -8808,7 +8890,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -8818,7 +8900,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -8856,11 +8938,10 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T effort_boom_3 = u.motor - T(0.1) * tanh(thetadot3 * T(100)) - thetadot3 * T(0.5) - c.p.k * stretch_boom_3;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -8888,7 +8969,7 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -8908,15 +8989,15 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pdot6 = R3^T (omega3~ d6 + sdot6 u6) + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t6_1 = omega3_3 * d6_1;
   const T t6_2 = omega3_2 * d6_1;
-  const T Pdot6_1 = R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2 + Pdot3_1;
-  const T Pdot6_2 = R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2 + Pdot3_2;
-  const T Pdot6_3 = R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2 + Pdot3_3;
+  const T Pdot6_1 = Pdot3_1 + R3_11 * sdot6 + R3_21 * t6_1 - R3_31 * t6_2;
+  const T Pdot6_2 = Pdot3_2 + R3_12 * sdot6 + R3_22 * t6_1 - R3_32 * t6_2;
+  const T Pdot6_3 = Pdot3_3 + R3_13 * sdot6 + R3_23 * t6_1 - R3_33 * t6_2;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
@@ -8936,23 +9017,22 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T omega8_2 = omega1_2 - thetadot8;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -8960,19 +9040,19 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_tether_9 = k_tether_ - k_tether_ length_tether_9^-1 l_tether_ + line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1 c_tether_: attraction by the length [N/m]
   const T t9_8 = line_tether_9_1 * line_rate_tether_9_1 + line_tether_9_2 * line_rate_tether_9_2 - line_tether_9_3 *
@@ -9015,10 +9095,10 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs
   const T b0_7 = omega2_1 * arm2_2 - omega2_2 * arm2_1;
   const T b0_8 = R3_12 * T(0.1) + R3_22 * b0_1;
   const T b0_9 = R3_13 * T(0.1) + R3_23 * b0_1;
-  const T W6 = b0_2 * (R3_21 * b0_3 - R3_31 * b0_4 + Pdot6_1) - (b0_2 * (R2_11 * b0_5 + R2_21 * b0_6 + R2_31 * b0_7 +
-      Pdot2_1) + b0_8 * (R2_12 * b0_5 + R2_22 * b0_6 + R2_32 * b0_7 + Pdot2_2) + b0_9 * (R2_13 * b0_5 + R2_23 * b0_6 +
-      R2_33 * b0_7 + Pdot2_3)) + b0_8 * (R3_22 * b0_3 - R3_32 * b0_4 + Pdot6_2) + b0_9 * (R3_23 * b0_3 - R3_33 * b0_4
-      + Pdot6_3);
+  const T W6 = b0_2 * (Pdot6_1 + R3_21 * b0_3 - R3_31 * b0_4) - (b0_2 * (Pdot2_1 + R2_11 * b0_5 + R2_21 * b0_6 + R2_31
+      * b0_7) + b0_8 * (Pdot2_2 + R2_12 * b0_5 + R2_22 * b0_6 + R2_32 * b0_7) + b0_9 * (Pdot2_3 + R2_13 * b0_5 + R2_23
+      * b0_6 + R2_33 * b0_7)) + b0_8 * (Pdot6_2 + R3_22 * b0_3 - R3_32 * b0_4) + b0_9 * (Pdot6_3 + R3_23 * b0_3 -
+      R3_33 * b0_4);
   power[5] = W6;
   // W7_ = (C11^T M_coupling_) . omega11
   const T minus_W7 = T(0.02) * u.motor * omega11_2;
@@ -9035,6 +9115,10 @@ template <class T>
 void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, [[maybe_unused]] const Inputs<T>&
     u, T* drive) noexcept {
   using std::cos, std::sin, std::sqrt;
+  T cosines[14], sines[14];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 11, 1, cosines + 11, sines + 11);
+  cos_sin(x + 13, 1, cosines + 13, sines + 13);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -9066,13 +9150,13 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
-  const T U1_13 = omega1_3 * omega1_1 + omegadot1_2;
+  const T U1_13 = omegadot1_2 + omega1_3 * omega1_1;
   const T t1_13 = omega1_1 * omega1_1;
-  const T minus_U1_22 = omega1_3 * omega1_3 + t1_13;
+  const T minus_U1_22 = t1_13 + omega1_3 * omega1_3;
   const T t1_14 = omega1_3 * omega1_2;
   const T U1_23 = t1_14 - omegadot1_1;
   const T U1_32 = t1_14 + omegadot1_1;
-  const T minus_U1_33 = omega1_2 * omega1_2 + t1_13;
+  const T minus_U1_33 = t1_13 + omega1_2 * omega1_2;
   // Pddot1 = R1 (-g + sddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t1_15 = sddot1_3 + T(9.81);
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_15;
@@ -9080,14 +9164,13 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_15;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T s1_1 = x[19], s1_2 = x[20], s1_3 = x[21];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   const T thetaddot5_1 = ydot[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -9118,7 +9201,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T R5b_32 = R1_32 * E5b_22 - R5a_22 * E5b_23;
   const T R5b_33 = R1_33 * E5b_22 - R5a_23 * E5b_23;
   // omega5b = thetadot5_2 b5_2 + E5b omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5b_1 = thetadot5_2 + omega5a_1;
+  const T omega5b_1 = omega5a_1 + thetadot5_2;
   const T omega5b_2 = E5b_22 * omega5a_2 + E5b_23 * omega5a_3;
   const T omega5b_3 = E5b_22 * omega5a_3 - E5b_23 * omega5a_2;
   // R5^T = R5b^T E5^T: R takes inertial components to body components
@@ -9148,11 +9231,11 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T omegadot5a_2 = E5a_11 * omegadot1_2 - E5a_12 * omegadot1_1 - thetadot5_1 * omega5a_1;
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_6 = U1_13 * T(0.1) - U1_12 * T(0.3) + Pddot1_1;
-  const T t5_7 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
+  const T t5_6 = Pddot1_1 + U1_13 * T(0.1) - U1_12 * T(0.3);
+  const T t5_7 = Pddot1_2 + minus_U1_22 * T(0.3) + U1_23 * T(0.1);
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T Pddot5a_3 = Pddot1_3 - (U1_32 * T(0.3) + minus_U1_33 * T(0.1));
+  const T Pddot5a_3 = Pddot1_3 - U1_32 * T(0.3) - minus_U1_33 * T(0.1);
   // omegadot5b = -thetadot5_2 b5_2~ E5b omega5a + thetaddot5_2 b5_2 + E5b omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5b_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -9167,7 +9250,7 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t5_8 = omega5b_2 * omega5b_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_8;
+  const T minus_U5_11 = t5_8 + omega5_3 * omega5_3;
   const T t5_9 = omega5b_2 * omega5_1;
   const T U5_12 = t5_9 - omegadot5_3;
   const T t5_10 = omega5_3 * omega5_1;
@@ -9182,8 +9265,8 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T Pddot5_1 = c.E5_11 * Pddot5a_1 - c.E5_31 * Pddot5b_3;
   const T Pddot5_3 = c.E5_31 * Pddot5a_1 + c.E5_11 * Pddot5b_3;
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
-  const T a5_3 = U5_31 * T(0.05) + Pddot5_3;
+  const T a5_2 = Pddot5b_2 + U5_21 * T(0.05);
+  const T a5_3 = Pddot5_3 + U5_31 * T(0.05);
   // G5 = m5 a5: inertia less applied force, body axes [N]
   const T G5_2 = T(0.6) * a5_2;
   const T G5_3 = T(0.6) * a5_3;
@@ -9193,11 +9276,10 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T N5_3 = T(0.0015) * U5_21 - T(0.0025) * U5_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_2 = x[27];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
 
@@ -9206,27 +9288,27 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // P12 = R5^T q12 + P5a: position of the body origin, inertial axes [m]
-  const T P12_1 = R5_11 * T(0.1) + P5a_1;
-  const T P12_2 = R5_12 * T(0.1) + P5a_2;
-  const T P12_3 = R5_13 * T(0.1) + P5a_3;
+  const T P12_1 = P5a_1 + R5_11 * T(0.1);
+  const T P12_2 = P5a_2 + R5_12 * T(0.1);
+  const T P12_3 = P5a_3 + R5_13 * T(0.1);
   // Pdot12 = R5^T omega5~ q12 + Pdot5a: velocity of the body origin, inertial axes [m/s]
   const T t12_1 = omega5_3 * T(0.1);
   const T t12_2 = omega5b_2 * T(0.1);
-  const T Pdot12_1 = R5b_21 * t12_1 - R5_31 * t12_2 + Pdot5a_1;
-  const T Pdot12_2 = R5b_22 * t12_1 - R5_32 * t12_2 + Pdot5a_2;
-  const T Pdot12_3 = R5b_23 * t12_1 - R5_33 * t12_2 + Pdot5a_3;
+  const T Pdot12_1 = Pdot5a_1 + R5b_21 * t12_1 - R5_31 * t12_2;
+  const T Pdot12_2 = Pdot5a_2 + R5b_22 * t12_1 - R5_32 * t12_2;
+  const T Pdot12_3 = Pdot5a_3 + R5b_23 * t12_1 - R5_33 * t12_2;
   // Pddot12 = U5 q12 + Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot12_1 = Pddot5_1 - minus_U5_11 * T(0.1);
-  const T Pddot12_2 = U5_21 * T(0.1) + Pddot5b_2;
-  const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
+  const T Pddot12_2 = Pddot5b_2 + U5_21 * T(0.1);
+  const T Pddot12_3 = Pddot5_3 + U5_31 * T(0.1);
   // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
   //   other, inertial axes [m]
-  const T line_tether_12_1 = R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 * T(0.07071067811865477) +
-      E9_11 * T(0.1) + s9_1 - P12_1;
-  const T line_tether_12_2 = R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 * T(0.07071067811865477) +
-      E9_12 * T(0.1) + d9_2 - P12_2;
-  const T line_tether_12_3 = R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 * T(0.07071067811865477) +
-      T(0.1) - P12_3;
+  const T line_tether_12_1 = s9_1 - P12_1 + R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 *
+      T(0.07071067811865477) + E9_11 * T(0.1);
+  const T line_tether_12_2 = d9_2 - P12_2 + R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 *
+      T(0.07071067811865477) + E9_12 * T(0.1);
+  const T line_tether_12_3 = T(0.1) - P12_3 + R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 *
+      T(0.07071067811865477);
   // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
   const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
       line_tether_12_3 * line_tether_12_3;
@@ -9234,15 +9316,14 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T length_tether_12 = sqrt(ll_tether_12);
   // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
   //   [m/s]
-  const T t12_3 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t12_4 = thetadot9 * T(0.1);
-  const T t12_5 = omega5b_2 * T(0.07071067811865477);
-  const T t12_6 = t12_5 - omega5_3 * T(0.02);
-  const T t12_7 = omega5_1 * T(0.02) + t12_5;
-  const T line_rate_tether_12_1 = R5b_21 * t12_3 - (E9_12 * t12_4 + R5_11 * t12_6) - R5_31 * t12_7 + sdot9_1 -
-      Pdot12_1;
-  const T line_rate_tether_12_2 = R5b_22 * t12_3 - R5_12 * t12_6 - R5_32 * t12_7 + E9_11 * t12_4 + sdot9_2 - Pdot12_2;
-  const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
+  const T t12_3 = thetadot9 * T(0.1);
+  const T t12_4 = omega5b_2 * T(0.07071067811865477);
+  const T t12_5 = t12_4 - omega5_3 * T(0.02);
+  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_7 = t12_4 + omega5_1 * T(0.02);
+  const T line_rate_tether_12_1 = sdot9_1 - Pdot12_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7;
+  const T line_rate_tether_12_2 = sdot9_2 - Pdot12_2 + R5b_22 * t12_6 - R5_12 * t12_5 - R5_32 * t12_7 + E9_11 * t12_3;
+  const T minus_line_rate_tether_12_3 = Pdot12_3 + R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
   const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c9_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
@@ -9253,9 +9334,9 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T F_tether_12_2 = f_tether_12 * line_tether_12_2;
   const T F_tether_12_3 = f_tether_12 * line_tether_12_3;
   // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
-  const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
-  const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
+  const T a12_1 = Pddot12_1 + minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738);
+  const T a12_2 = Pddot12_2 + U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738);
+  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
   // G12 = -R5 F_tether_12 + m12 a12: inertia less applied force, body axes [N]
   const T t12_8 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_8;
@@ -9266,26 +9347,26 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: inertia less applied moment about the mass
   //   centre, body axes [N m]
   const T t12_11 = T(0.03535533905932738) * t12_9;
-  const T N12_1 = T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
-      t12_10 + t12_11;
+  const T N12_1 = t12_11 + T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 -
+      T(0.02) * t12_10;
   const T N12_2 = T(0.0020000000000000005) * U5_13 - T(0.0019999999999999996) * U5_31 - T(0.0020000000000000005) *
       (minus_U5_33 - minus_U5_11) - T(0.03535533905932738) * t12_8 - T(0.03535533905932738) * t12_10;
-  const T N12_3 = T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_11 +
+  const T N12_3 = t12_11 + T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 +
       T(0.02) * t12_8;
 
   // ---- body 12 (plate) and what it carries
   // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T b12_1 = T(0.03535533905932738) * G12_2;
   const T rho12_1 = N12_1 - b12_1;
-  const T rho12_2 = T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3 + N12_2;
+  const T rho12_2 = N12_2 + T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3;
   const T rho12_3 = N12_3 - b12_1;
 
   // ---- body 5 (camera) and what it carries
   // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
   const T rho5_1 = N5_1 + rho12_1;
-  const T rho5_2 = N5_2 - (T(0.1) * G12_3 + T(0.05) * G5_3) + rho12_2;
-  const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
+  const T rho5_2 = N5_2 + rho12_2 - T(0.1) * G12_3 - T(0.05) * G5_3;
+  const T rho5_3 = N5_3 + rho12_3 + T(0.1) * G12_2 + T(0.05) * G5_2;
   drive[1] = rho5_2;
   // rho5b = E5^T rho5: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho5b_1 = c.E5_11 * rho5_1 + c.E5_31 * rho5_3;
@@ -9305,6 +9386,10 @@ template <class T>
 void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* reaction)
     noexcept {
   using std::cos, std::exp, std::sin, std::sqrt;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -9341,15 +9426,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t1_15 = omega1_2 * omega1_1;
   const T U1_12 = t1_15 - omegadot1_3;
   const T t1_16 = omega1_3 * omega1_1;
-  const T U1_13 = t1_16 + omegadot1_2;
+  const T U1_13 = omegadot1_2 + t1_16;
   const T U1_21 = t1_15 + omegadot1_3;
   const T t1_17 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_17;
+  const T minus_U1_22 = t1_17 + t1_13;
   const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
   const T U1_32 = t1_18 + omegadot1_1;
-  const T minus_U1_33 = t1_14 + t1_17;
+  const T minus_U1_33 = t1_17 + t1_14;
   // Pddot1 = R1 (-g + sddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t1_19 = sddot1_3 + T(9.81);
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_19;
@@ -9357,25 +9442,25 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * t1_19;
   // a1 = U1 r1 + Pddot1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_20 = U1_13 * T(0.03);
-  const T a1_1 = t1_20 - (minus_U1_11 * T(0.02) + U1_12 * T(0.01)) + Pddot1_1;
-  const T a1_2 = U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03) + Pddot1_2;
+  const T a1_1 = t1_20 + Pddot1_1 - minus_U1_11 * T(0.02) - U1_12 * T(0.01);
+  const T a1_2 = Pddot1_2 + U1_21 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
   const T t1_21 = U1_31 * T(0.02);
-  const T a1_3 = t1_21 - U1_32 * T(0.01) - minus_U1_33 * T(0.03) + Pddot1_3;
+  const T a1_3 = t1_21 + Pddot1_3 - U1_32 * T(0.01) - minus_U1_33 * T(0.03);
   // G1 = -R1 F1 + m1 a1: inertia less applied force, body axes [N]
   const T G1_1 = T(8) * a1_1 - R1_13 * u.thrust;
   const T G1_2 = T(8) * a1_2 - R1_23 * u.thrust;
   const T G1_3 = T(8) * a1_3 - R1_33 * u.thrust;
   // N1 = -M1 + axial(U1 (tr(I1)/2 - I1)): inertia less applied moment about the mass centre, body axes [N m]
   const T t1_22 = U1_23 * T(0.2);
-  const T N1_1 = T(0.39999999999999997) * U1_32 - t1_22 - T(0.03) * (minus_U1_22 - minus_U1_33) - t1_21 - T(0.01) *
-      U1_21 - T(0.1);
+  const T N1_1 = T(0.39999999999999997) * U1_32 - (t1_22 + t1_21 + T(0.1)) - T(0.03) * (minus_U1_22 - minus_U1_33) -
+      T(0.01) * U1_21;
   const T t1_23 = U1_13 * T(0.2);
   const T t1_24 = U1_31 * T(0.3);
   const T N1_2 = t1_23 - t1_24 + T(0.01) * (minus_U1_33 - minus_U1_11) - T(0.03) * U1_12 + T(0.02) * U1_32 - T(0.2) *
       cos(T(2) * t);
   const T t1_25 = U1_21 * T(0.3);
-  const T N1_3 = t1_25 - T(0.39999999999999997) * U1_12 - T(0.02) * (minus_U1_11 - minus_U1_22) + T(0.01) * U1_23 +
-      t1_20;
+  const T N1_3 = t1_25 + t1_20 - T(0.39999999999999997) * U1_12 - T(0.02) * (minus_U1_11 - minus_U1_22) + T(0.01) *
+      U1_23;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -9416,12 +9501,12 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T U2_13 = t2_14 + omegadot2_2;
   const T U2_21 = t2_13 + omegadot2_3;
   const T t2_15 = omega2_1 * omega2_1;
-  const T minus_U2_22 = omega2_3 * omega2_3 + t2_15;
+  const T minus_U2_22 = t2_15 + omega2_3 * omega2_3;
   const T t2_16 = omega2_3 * omega2_2;
   const T U2_23 = t2_16 - omegadot2_1;
   const T U2_31 = t2_14 - omegadot2_2;
   const T U2_32 = t2_16 + omegadot2_1;
-  const T minus_U2_33 = omega2_2 * omega2_2 + t2_15;
+  const T minus_U2_33 = t2_15 + omega2_2 * omega2_2;
   // Pddot2 = R1^T (U1 q2 + Pddot1): acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t2_17 = Pddot1_1 + U1_12 * T(0.1);
   const T t2_18 = minus_U1_11 * T(0.2);
@@ -9439,18 +9524,17 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t2_26 = U2_12 * T(0.02) - U2_13 * T(0.2);
   const T t2_27 = minus_U2_22 * T(0.02) + U2_23 * T(0.2);
   const T t2_28 = U2_32 * T(0.02) + minus_U2_33 * T(0.2);
-  const T a2_1 = R2_11 * t2_26 - R2_21 * t2_27 + R2_31 * t2_28 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_26 - R2_22 * t2_27 + R2_32 * t2_28 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_26 - R2_23 * t2_27 + R2_33 * t2_28 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_26 - R2_21 * t2_27 + R2_31 * t2_28;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_26 - R2_22 * t2_27 + R2_32 * t2_28;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_26 - R2_23 * t2_27 + R2_33 * t2_28;
 
   // ---- body 3 (boom) on body 1
-  const T theta3 = x[8];
   const T thetadot3 = y[6];
   const T thetaddot3 = ydot[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -9460,7 +9544,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -9470,7 +9554,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -9485,9 +9569,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t3_18 = E3_11 * omega1_1 + E3_12 * omega1_2 - minus_E3_13 * omega1_3;
   const T omega3_1 = t3_18 - thetadot3 * T(0.3152711589176631);
   const T t3_19 = E3_21 * omega1_1 + E3_22 * omega1_2 + E3_23 * omega1_3;
-  const T omega3_2 = thetadot3 * T(0.44378789320576517) + t3_19;
+  const T omega3_2 = t3_19 + thetadot3 * T(0.44378789320576517);
   const T t3_20 = E3_31 * omega1_1 + E3_32 * omega1_2 + E3_33 * omega1_3;
-  const T omega3_3 = thetadot3 * T(0.8388422987658062) + t3_20;
+  const T omega3_3 = t3_20 + thetadot3 * T(0.8388422987658062);
   // P3 = s1 + R1^T q3: position of the body origin, inertial axes [m]
   const T t3_21 = s1_1 + R1_31 * T(0.1);
   const T P3_1 = t3_21 + R1_11 * T(0.3);
@@ -9520,9 +9604,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T U3_32 = t3_29 + omegadot3_1;
   const T minus_U3_33 = t3_25 + t3_28;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_30 = U1_13 * T(0.1) + Pddot1_1;
+  const T t3_30 = Pddot1_1 + U1_13 * T(0.1);
   const T t3_31 = t3_30 - minus_U1_11 * T(0.3);
-  const T t3_32 = U1_23 * T(0.1) + Pddot1_2;
+  const T t3_32 = Pddot1_2 + U1_23 * T(0.1);
   const T t3_33 = t1_25 + t3_32;
   const T t3_34 = minus_U1_33 * T(0.1) - Pddot1_3;
   const T t3_35 = t1_24 - t3_34;
@@ -9538,9 +9622,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
   const T G2_3 = t3_39 + T(0.8) * a2_3;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
+  const T a3_1 = Pddot3_1 + U3_12 * T(0.02) - minus_U3_11 * T(0.2);
+  const T a3_2 = Pddot3_2 + U3_21 * T(0.2) - minus_U3_22 * T(0.02);
+  const T a3_3 = Pddot3_3 + U3_31 * T(0.2) + U3_32 * T(0.02);
   // G3 = m3 a3: inertia less applied force, body axes [N]
   const T G3_1 = T(1.5) * a3_1;
   const T G3_2 = T(1.5) * a3_2;
@@ -9554,27 +9638,26 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
       minus_U3_22) - T(0.001) * U3_23 - T(0.003) * U3_13;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   const T thetaddot4_1 = ydot[7], thetaddot4_2 = ydot[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // omega4a = thetadot4_1 b4_1 + E4a omega1: absolute angular velocity, body axes [rad/s]
   const T omega4a_1 = E4a_11 * omega1_1 - minus_E4a_12 * omega1_2 - minus_E4a_13 * omega1_3;
   const T t4_3 = minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
-  const T omega4a_2 = thetadot4_1 * T(0.28) + t4_3;
+  const T omega4a_2 = t4_3 + thetadot4_1 * T(0.28);
   const T t4_4 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3;
   const T omega4a_3 = t4_4 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_5 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_5 = cosines[10];
   const T E4_12 = T(0.28) * t4_5;
   const T minus_E4_13 = T(0.96) * t4_5;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -9608,7 +9691,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_9 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T minus_U4_11 = t4_9 + omega4_3 * omega4_3;
   const T t4_10 = omega4_2 * omega4_1;
   const T U4_12 = t4_10 - omegadot4_3;
   const T t4_11 = omega4_3 * omega4_1;
@@ -9624,9 +9707,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
   const T Pddot4_3 = t4_5 * Pddot4a_1 + E4_32 * Pddot4a_2 - minus_E4_33 * Pddot4a_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T a4_1 = Pddot4_1 + U4_13 * T(0.1) - minus_U4_11 * T(0.03);
+  const T a4_2 = Pddot4_2 + U4_21 * T(0.03) + U4_23 * T(0.1);
+  const T a4_3 = Pddot4_3 + U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   // G4 = m4 a4: inertia less applied force, body axes [N]
   const T G4_1 = T(0.9) * a4_1;
   const T G4_2 = T(0.9) * a4_2;
@@ -9640,13 +9723,12 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   const T thetaddot5_1 = ydot[9];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -9677,7 +9759,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T R5b_32 = R1_32 * E5b_22 - R5a_22 * E5b_23;
   const T R5b_33 = R1_33 * E5b_22 - R5a_23 * E5b_23;
   // omega5b = thetadot5_2 b5_2 + E5b omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5b_1 = thetadot5_2 + omega5a_1;
+  const T omega5b_1 = omega5a_1 + thetadot5_2;
   const T omega5b_2 = E5b_22 * omega5a_2 + E5b_23 * omega5a_3;
   const T omega5b_3 = E5b_22 * omega5a_3 - E5b_23 * omega5a_2;
   // R5^T = R5b^T E5^T: R takes inertial components to body components
@@ -9708,10 +9790,10 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t5_6 = t3_30 - U1_12 * T(0.3);
-  const T t5_7 = minus_U1_22 * T(0.3) + t3_32;
+  const T t5_7 = t3_32 + minus_U1_22 * T(0.3);
   const T Pddot5a_1 = E5a_11 * t5_6 + E5a_12 * t5_7;
   const T Pddot5a_2 = E5a_11 * t5_7 - E5a_12 * t5_6;
-  const T minus_Pddot5a_3 = U1_32 * T(0.3) + t3_34;
+  const T minus_Pddot5a_3 = t3_34 + U1_32 * T(0.3);
   // omegadot5b = -thetadot5_2 b5_2~ E5b omega5a + thetaddot5_2 b5_2 + E5b omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5b_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -9726,7 +9808,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // U5 = omega5~ omega5~ + omegadot5~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t5_8 = omega5b_2 * omega5b_2;
-  const T minus_U5_11 = omega5_3 * omega5_3 + t5_8;
+  const T minus_U5_11 = t5_8 + omega5_3 * omega5_3;
   const T t5_9 = omega5b_2 * omega5_1;
   const T U5_12 = t5_9 - omegadot5_3;
   const T t5_10 = omega5_3 * omega5_1;
@@ -9742,8 +9824,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot5_3 = c.E5_31 * Pddot5a_1 - c.E5_11 * minus_Pddot5b_3;
   // a5 = U5 r5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a5_1 = Pddot5_1 - minus_U5_11 * T(0.05);
-  const T a5_2 = U5_21 * T(0.05) + Pddot5b_2;
-  const T a5_3 = U5_31 * T(0.05) + Pddot5_3;
+  const T a5_2 = Pddot5b_2 + U5_21 * T(0.05);
+  const T a5_3 = Pddot5_3 + U5_31 * T(0.05);
   // G5 = m5 a5: inertia less applied force, body axes [N]
   const T G5_1 = T(0.6) * a5_1;
   const T G5_2 = T(0.6) * a5_2;
@@ -9760,15 +9842,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pddot6 = 2 sdot6 omega3~ u6 + sddot6 u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body
   //   axes [m/s^2]
-  const T Pddot6_1 = sddot6 - minus_U3_11 * d6_1 + Pddot3_1;
+  const T Pddot6_1 = sddot6 + Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
-  const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
-  const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  const T Pddot6_2 = Pddot3_2 + t6_1 * omega3_3 + U3_21 * d6_1;
+  const T Pddot6_3 = Pddot3_3 + U3_31 * d6_1 - t6_1 * omega3_2;
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
   const T t6_2 = R3_11 * T(0.2);
   const T t6_3 = R3_12 * T(0.2);
@@ -9792,9 +9874,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T N2_3 = T(0.0024999999999999996) * U2_21 - T(0.0015000000000000005) * U2_12 + arm2_1 * t6_6 - lever2_2 *
       t6_7;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
-  const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
-  const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
+  const T a6_1 = Pddot6_1 + U3_13 * T(0.01) - minus_U3_11 * T(0.1);
+  const T a6_2 = Pddot6_2 + U3_21 * T(0.1) + U3_23 * T(0.01);
+  const T a6_3 = Pddot6_3 + U3_31 * T(0.1) - minus_U3_33 * T(0.01);
   // G6 = m6 a6 - F_jet_: inertia less applied force, body axes [N]
   const T G6_1 = T(0.5) * a6_1 - T(0.1);
   const T G6_2 = T(0.5) * a6_2 - t3_36;
@@ -9805,7 +9887,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // N6 = axial(U3 (tr(I6)/2 - I6)) - lever6~ F_jet_: inertia less applied moment about the mass centre, body axes [N
   //   m]
   const T N6_1 = T(5e-04) * U3_32 - T(5e-04) * U3_23 - T(0.01) * t3_36;
-  const T N6_2 = T(5e-04) * U3_13 - T(0.0055) * U3_31 + T(0.001);
+  const T N6_2 = T(0.001) + T(5e-04) * U3_13 - T(0.0055) * U3_31;
   const T N6_3 = T(0.0055) * U3_21 - T(5e-04) * U3_12 - T(0.1) * t3_36;
 
   // ---- body 7 (gantry) on the inertial frame
@@ -9817,15 +9899,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[37] = G7_2;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   const T thetaddot8 = ydot[10];
   const T sddot8 = ydot[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
   const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
   const T omega8_2 = omega1_2 - thetadot8;
@@ -9856,15 +9937,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // Pddot8 = E8 (2 sdot8 omega1~ u8 + sddot8 u8 + U1 d8 + Pddot1): acceleration of the body origin, less gravity,
   //   body axes [m/s^2]
   const T t8_7 = T(2) * sdot8;
-  const T t8_8 = t8_7 * omega1_3 + U1_12 * d8_2 + Pddot1_1;
-  const T t8_9 = U1_32 * d8_2 - t8_7 * omega1_1 + Pddot1_3;
+  const T t8_8 = Pddot1_1 + t8_7 * omega1_3 + U1_12 * d8_2;
+  const T t8_9 = Pddot1_3 + U1_32 * d8_2 - t8_7 * omega1_1;
   const T Pddot8_1 = E8_11 * t8_8 + E8_13 * t8_9;
-  const T Pddot8_2 = Pddot1_2 - (sddot8 + minus_U1_22 * d8_2);
+  const T Pddot8_2 = Pddot1_2 - sddot8 - minus_U1_22 * d8_2;
   const T Pddot8_3 = E8_11 * t8_9 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
-  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) + Pddot8_2;
-  const T a8_3 = Pddot8_3 - (U8_31 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
+  const T a8_1 = Pddot8_1 + minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02);
+  const T a8_2 = Pddot8_2 + minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02);
+  const T a8_3 = Pddot8_3 - U8_31 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = m8 a8: inertia less applied force, body axes [N]
   const T G8_1 = T(0.7) * a8_1;
   const T G8_2 = T(0.7) * a8_2;
@@ -9875,14 +9956,13 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_2 = x[27];
   const T thetadot9 = y[11];
   const T thetaddot9 = ydot[11];
   const T sddot9_1 = ydot[23], sddot9_2 = ydot[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // U9 = omega9~ omega9~ + omegadot9~: takes a point fixed in the body to its acceleration due to rotation, body axes
@@ -9894,7 +9974,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T Pddot9_2 = E9_11 * sddot9_2 - E9_12 * sddot9_1;
   // a9 = U9 r9 + Pddot9: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T a9_1 = Pddot9_1 - minus_U9_11 * T(0.1);
-  const T a9_2 = thetaddot9 * T(0.1) + Pddot9_2;
+  const T a9_2 = Pddot9_2 + thetaddot9 * T(0.1);
 
   // ---- body 10 (runner) on body 1
   const T eps10_1 = x[14], eps10_2 = x[15], eps10_3 = x[16], eps10_4 = x[17];
@@ -9945,9 +10025,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // Pddot10 = R1^T (2 sdot10 omega1~ u10 + sddot10 u10 + U1 d10 + Pddot1): acceleration of the body origin, less
   //   gravity, inertial axes [m/s^2]
   const T t10_19 = T(2) * sdot10;
-  const T t10_20 = U1_12 * s10 - minus_U1_11 * T(0.1) + U1_13 * T(0.3) - t10_19 * omega1_3 + Pddot1_1;
-  const T t10_21 = sddot10 + U1_21 * T(0.1) - minus_U1_22 * s10 + U1_23 * T(0.3) + Pddot1_2;
-  const T t10_22 = t10_19 * omega1_1 + U1_31 * T(0.1) + U1_32 * s10 - minus_U1_33 * T(0.3) + Pddot1_3;
+  const T t10_20 = Pddot1_1 + U1_12 * s10 - minus_U1_11 * T(0.1) + U1_13 * T(0.3) - t10_19 * omega1_3;
+  const T t10_21 = sddot10 + Pddot1_2 + U1_21 * T(0.1) - minus_U1_22 * s10 + U1_23 * T(0.3);
+  const T t10_22 = Pddot1_3 + t10_19 * omega1_1 + U1_31 * T(0.1) + U1_32 * s10 - minus_U1_33 * T(0.3);
   const T Pddot10_1 = R1_11 * t10_20 + R1_21 * t10_21 + R1_31 * t10_22;
   const T Pddot10_2 = R1_12 * t10_20 + R1_22 * t10_21 + R1_32 * t10_22;
   const T Pddot10_3 = R1_13 * t10_20 + R1_23 * t10_21 + R1_33 * t10_22;
@@ -9955,9 +10035,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T t10_23 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
   const T t10_24 = U10_21 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
   const T t10_25 = U10_31 * T(0.02) + U10_32 * T(0.01) + minus_U10_33 * T(0.03);
-  const T a10_1 = R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25 + Pddot10_3;
+  const T a10_1 = Pddot10_1 + R10_11 * t10_23 + R10_21 * t10_24 + R10_31 * t10_25;
+  const T a10_2 = Pddot10_2 + R10_12 * t10_23 + R10_22 * t10_24 + R10_32 * t10_25;
+  const T a10_3 = Pddot10_3 + R10_13 * t10_23 + R10_23 * t10_24 + R10_33 * t10_25;
   // G10 = m10 a10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(0.4) * a10_1;
   const T G10_2 = T(0.4) * a10_2;
@@ -9972,8 +10052,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T thetadot11 = y[15];
   const T thetaddot11 = ydot[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
   const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
   const T omega11_2 = omega8_2 - thetadot11;
@@ -10000,14 +10080,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + thetaddot11 pitch11 u11 + U8 d11 + Pddot8): acceleration of the
   //   body origin, less gravity, body axes [m/s^2]
   const T t11_4 = T(2) * thetadot11 * T(0.01);
-  const T t11_5 = t11_4 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_6 = Pddot8_3 - (t11_4 * omega8_1 + U8_32 * minus_d11_2);
+  const T t11_5 = Pddot8_1 + t11_4 * omega8_3 - U8_12 * minus_d11_2;
+  const T t11_6 = Pddot8_3 - t11_4 * omega8_1 - U8_32 * minus_d11_2;
   const T Pddot11_1 = E11_11 * t11_5 + E11_13 * t11_6;
-  const T Pddot11_2 = minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01) + Pddot8_2;
+  const T Pddot11_2 = Pddot8_2 + minus_U8_22 * minus_d11_2 - thetaddot11 * T(0.01);
   const T Pddot11_3 = E11_11 * t11_6 - E11_13 * t11_5;
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
-  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_1 = Pddot11_1 + U11_13 * T(0.01);
+  const T a11_2 = Pddot11_2 + U11_23 * T(0.01);
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = m11 a11: inertia less applied force, body axes [N]
   const T G11_1 = T(0.3) * a11_1;
@@ -10027,23 +10107,23 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T s9_1 = x[26];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // P12 = R5^T q12 + P5a: position of the body origin, inertial axes [m]
-  const T P12_1 = R5_11 * T(0.1) + P5a_1;
-  const T P12_2 = R5_12 * T(0.1) + P5a_2;
-  const T P12_3 = R5_13 * T(0.1) + P5a_3;
+  const T P12_1 = P5a_1 + R5_11 * T(0.1);
+  const T P12_2 = P5a_2 + R5_12 * T(0.1);
+  const T P12_3 = P5a_3 + R5_13 * T(0.1);
   // Pdot12 = R5^T omega5~ q12 + Pdot5a: velocity of the body origin, inertial axes [m/s]
   const T t12_1 = omega5_3 * T(0.1);
   const T t12_2 = omega5b_2 * T(0.1);
-  const T Pdot12_1 = R5b_21 * t12_1 - R5_31 * t12_2 + Pdot5a_1;
-  const T Pdot12_2 = R5b_22 * t12_1 - R5_32 * t12_2 + Pdot5a_2;
-  const T Pdot12_3 = R5b_23 * t12_1 - R5_33 * t12_2 + Pdot5a_3;
+  const T Pdot12_1 = Pdot5a_1 + R5b_21 * t12_1 - R5_31 * t12_2;
+  const T Pdot12_2 = Pdot5a_2 + R5b_22 * t12_1 - R5_32 * t12_2;
+  const T Pdot12_3 = Pdot5a_3 + R5b_23 * t12_1 - R5_33 * t12_2;
   // line_tether_12 = -R5^T C12^T r_tether_ + E9^T r_tether_other_ + d9 - P12: from one end of the spring to the
   //   other, inertial axes [m]
-  const T line_tether_12_1 = R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 * T(0.07071067811865477) +
-      E9_11 * T(0.1) + s9_1 - P12_1;
-  const T line_tether_12_2 = R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 * T(0.07071067811865477) +
-      E9_12 * T(0.1) + d9_2 - P12_2;
-  const T line_tether_12_3 = R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 * T(0.07071067811865477) +
-      T(0.1) - P12_3;
+  const T line_tether_12_1 = s9_1 - P12_1 + R5_11 * T(0.07071067811865477) - R5b_21 * T(0.02) - R5_31 *
+      T(0.07071067811865477) + E9_11 * T(0.1);
+  const T line_tether_12_2 = d9_2 - P12_2 + R5_12 * T(0.07071067811865477) - R5b_22 * T(0.02) - R5_32 *
+      T(0.07071067811865477) + E9_12 * T(0.1);
+  const T line_tether_12_3 = T(0.1) - P12_3 + R5_13 * T(0.07071067811865477) - R5b_23 * T(0.02) - R5_33 *
+      T(0.07071067811865477);
   // ll_tether_12 = 1e-36 + line_tether_12 . line_tether_12: length squared [m^2]
   const T ll_tether_12 = T(1e-36) + line_tether_12_1 * line_tether_12_1 + line_tether_12_2 * line_tether_12_2 +
       line_tether_12_3 * line_tether_12_3;
@@ -10051,15 +10131,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T length_tether_12 = sqrt(ll_tether_12);
   // line_rate_tether_12 = -R5^T omega5~ C12^T r_tether_ + E9^T omega9~ r_tether_other_ + Pdot9 - Pdot12: its rate
   //   [m/s]
-  const T t12_3 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
-  const T t12_4 = thetadot9 * T(0.1);
-  const T t12_5 = omega5b_2 * T(0.07071067811865477);
-  const T t12_6 = t12_5 - omega5_3 * T(0.02);
-  const T t12_7 = omega5_1 * T(0.02) + t12_5;
-  const T line_rate_tether_12_1 = R5b_21 * t12_3 - (E9_12 * t12_4 + R5_11 * t12_6) - R5_31 * t12_7 + sdot9_1 -
-      Pdot12_1;
-  const T line_rate_tether_12_2 = R5b_22 * t12_3 - R5_12 * t12_6 - R5_32 * t12_7 + E9_11 * t12_4 + sdot9_2 - Pdot12_2;
-  const T minus_line_rate_tether_12_3 = R5_13 * t12_6 - R5b_23 * t12_3 + R5_33 * t12_7 + Pdot12_3;
+  const T t12_3 = thetadot9 * T(0.1);
+  const T t12_4 = omega5b_2 * T(0.07071067811865477);
+  const T t12_5 = t12_4 - omega5_3 * T(0.02);
+  const T t12_6 = omega5_3 * T(0.07071067811865477) + omega5_1 * T(0.07071067811865477);
+  const T t12_7 = t12_4 + omega5_1 * T(0.02);
+  const T line_rate_tether_12_1 = sdot9_1 - Pdot12_1 - E9_12 * t12_3 - R5_11 * t12_5 + R5b_21 * t12_6 - R5_31 * t12_7;
+  const T line_rate_tether_12_2 = sdot9_2 - Pdot12_2 + R5b_22 * t12_6 - R5_12 * t12_5 - R5_32 * t12_7 + E9_11 * t12_3;
+  const T minus_line_rate_tether_12_3 = Pdot12_3 + R5_13 * t12_5 - R5b_23 * t12_6 + R5_33 * t12_7;
   // f_tether_12 = k_tether_ - k_tether_ l_tether_ length_tether_12^-1 + c_tether_ line_tether_12 .
   //   line_rate_tether_12 ll_tether_12^-1: attraction by the length [N/m]
   const T f_tether_12 = c.p.k - T(1) / length_tether_12 * c.c9_1 + T(0.4) * (line_tether_12_1 * line_rate_tether_12_1
@@ -10071,8 +10150,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T F_tether_12_3 = f_tether_12 * line_tether_12_3;
   // Pddot12 = U5 q12 + Pddot5: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot12_1 = Pddot5_1 - minus_U5_11 * T(0.1);
-  const T Pddot12_2 = U5_21 * T(0.1) + Pddot5b_2;
-  const T Pddot12_3 = U5_31 * T(0.1) + Pddot5_3;
+  const T Pddot12_2 = Pddot5b_2 + U5_21 * T(0.1);
+  const T Pddot12_3 = Pddot5_3 + U5_31 * T(0.1);
   // G9 = E9 F_tether_12 + m9 a9: inertia less applied force, body axes [N]
   const T t12_8 = E9_11 * F_tether_12_1 + E9_12 * F_tether_12_2;
   const T G9_1 = t12_8 + T(2) * a9_1;
@@ -10089,9 +10168,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T N9_3 = T(0.08) * thetaddot9;
   reaction[51] = -minus_N9_1;
   // a12 = U5 r_link12 + Pddot12: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a12_1 = minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738) + Pddot12_1;
-  const T a12_2 = U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738) + Pddot12_2;
-  const T a12_3 = Pddot12_3 - (U5_31 * T(0.03535533905932738) + minus_U5_33 * T(0.03535533905932738));
+  const T a12_1 = Pddot12_1 + minus_U5_11 * T(0.03535533905932738) + U5_13 * T(0.03535533905932738);
+  const T a12_2 = Pddot12_2 + U5_23 * T(0.03535533905932738) - U5_21 * T(0.03535533905932738);
+  const T a12_3 = Pddot12_3 - U5_31 * T(0.03535533905932738) - minus_U5_33 * T(0.03535533905932738);
   // G12 = -R5 F_tether_12 + m12 a12: inertia less applied force, body axes [N]
   const T t12_10 = R5_11 * F_tether_12_1 + R5_12 * F_tether_12_2 + R5_13 * F_tether_12_3;
   const T G12_1 = c.p.m_plate * a12_1 - t12_10;
@@ -10103,11 +10182,11 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // N12 = axial(U5 (tr(I_link12)/2 - I_link12)) - lever12~ R5 F_tether_12: inertia less applied moment about the mass
   //   centre, body axes [N m]
   const T t12_13 = T(0.03535533905932738) * t12_11;
-  const T N12_1 = T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 - T(0.02) *
-      t12_12 + t12_13;
+  const T N12_1 = t12_13 + T(0.002) * U5_32 - T(0.0020000000000000005) * U5_23 + T(0.0020000000000000005) * U5_21 -
+      T(0.02) * t12_12;
   const T N12_2 = T(0.0020000000000000005) * U5_13 - T(0.0019999999999999996) * U5_31 - T(0.0020000000000000005) *
       (minus_U5_33 - minus_U5_11) - T(0.03535533905932738) * t12_10 - T(0.03535533905932738) * t12_12;
-  const T N12_3 = T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 + t12_13 +
+  const T N12_3 = t12_13 + T(0.0019999999999999996) * U5_21 - T(0.002) * U5_12 - T(0.0020000000000000005) * U5_23 +
       T(0.02) * t12_10;
 
   // ---- body 13 (ballast) on the inertial frame
@@ -10124,14 +10203,14 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // rho12 = r_link12~ G12 + N12: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T b12_1 = T(0.03535533905932738) * G12_2;
   const T rho12_1 = N12_1 - b12_1;
-  const T rho12_2 = T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3 + N12_2;
+  const T rho12_2 = N12_2 + T(0.03535533905932738) * G12_1 + T(0.03535533905932738) * G12_3;
   const T rho12_3 = N12_3 - b12_1;
   reaction[69] = rho12_2;
 
   // ---- body 11 (nut) and what it carries
   // rho11 = r_link11~ G11 + N11: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho11_1 = N11_1 - T(0.01) * G11_2;
-  const T rho11_2 = T(0.01) * G11_1 + N11_2;
+  const T rho11_2 = N11_2 + T(0.01) * G11_1;
   reaction[64] = -rho11_1;
   reaction[65] = -rho11_2;
 
@@ -10139,10 +10218,10 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // r_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * G10_1 + R10_22 * G10_2 + R10_23 * G10_3;
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
-  const T r_omega10_1 = T(0.03) * b10_1 + T(0.01) * b10_2 + N10_1;
+  const T r_omega10_1 = N10_1 + T(0.03) * b10_1 + T(0.01) * b10_2;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - (T(0.03) * b10_3 + T(0.02) * b10_2);
-  const T r_omega10_3 = T(0.02) * b10_1 - T(0.01) * b10_3 + N10_3;
+  const T r_omega10_2 = N10_2 - T(0.03) * b10_3 - T(0.02) * b10_2;
+  const T r_omega10_3 = N10_3 + T(0.02) * b10_1 - T(0.01) * b10_3;
   reaction[57] = r_omega10_1;
   reaction[58] = r_omega10_2;
   reaction[59] = r_omega10_3;
@@ -10166,9 +10245,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[42] = S8_3;
   // rho8 = E11^T rho11 + r_link8~ G8 + d11~ E11^T G11 + N8: sum of the moment balances of the subtree about the body
   //   origin, body axes [N m]
-  const T rho8_1 = E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2 + N8_1;
-  const T rho8_2 = rho11_2 + T(0.02) * G8_1 + T(0.01) * G8_3 + N8_2;
-  const T rho8_3 = E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1 + N8_3;
+  const T rho8_1 = N8_1 + E11_11 * rho11_1 - E11_13 * N11_3 - T(0.02) * G8_2 - T(0.1) * G8_3 - minus_d11_2 * b8_2;
+  const T rho8_2 = rho11_2 + N8_2 + T(0.02) * G8_1 + T(0.01) * G8_3;
+  const T rho8_3 = N8_3 + E11_13 * rho11_1 + E11_11 * N11_3 + T(0.1) * G8_1 - T(0.01) * G8_2 + minus_d11_2 * b8_1;
   reaction[46] = -rho8_1;
   reaction[47] = -rho8_2;
   reaction[45] = rho8_3;
@@ -10181,15 +10260,15 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // ---- body 6 (telescope) and what it carries
   // rho6 = r6~ G6 + N6: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho6_1 = N6_1 - T(0.01) * G6_2;
-  const T rho6_2 = T(0.01) * G6_1 - T(0.1) * G6_3 + N6_2;
-  const T rho6_3 = T(0.1) * G6_2 + N6_3;
+  const T rho6_2 = N6_2 + T(0.01) * G6_1 - T(0.1) * G6_3;
+  const T rho6_3 = N6_3 + T(0.1) * G6_2;
   reaction[33] = rho6_1;
   reaction[34] = rho6_2;
   reaction[35] = rho6_3;
 
   // ---- body 5 (camera) and what it carries
   // S5 = G5 + G12: sum of the force balances of the subtree, body axes [N]
-  const T S5_1 = G5_1 + G12_1;
+  const T S5_1 = G12_1 + G5_1;
   const T S5_2 = G5_2 + G12_2;
   const T S5_3 = G5_3 + G12_3;
   reaction[24] = S5_1;
@@ -10198,8 +10277,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // rho5 = q12~ G12 + r5~ G5 + N5 + rho12: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
   const T rho5_1 = N5_1 + rho12_1;
-  const T rho5_2 = N5_2 - (T(0.1) * G12_3 + T(0.05) * G5_3) + rho12_2;
-  const T rho5_3 = T(0.1) * G12_2 + T(0.05) * G5_2 + N5_3 + rho12_3;
+  const T rho5_2 = N5_2 + rho12_2 - T(0.1) * G12_3 - T(0.05) * G5_3;
+  const T rho5_3 = N5_3 + rho12_3 + T(0.1) * G12_2 + T(0.05) * G5_2;
   reaction[27] = rho5_1;
   reaction[28] = rho5_2;
   reaction[29] = rho5_3;
@@ -10219,8 +10298,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // ---- body 4 (cross) and what it carries
   // rho4 = r4~ G4 + N4: sum of the moment balances of the subtree about the body origin, body axes [N m]
   const T rho4_1 = N4_1 - T(0.1) * G4_2;
-  const T rho4_2 = T(0.1) * G4_1 - T(0.03) * G4_3 + N4_2;
-  const T rho4_3 = T(0.03) * G4_2 + N4_3;
+  const T rho4_2 = N4_2 + T(0.1) * G4_1 - T(0.03) * G4_3;
+  const T rho4_3 = N4_3 + T(0.03) * G4_2;
   reaction[21] = rho4_1;
   reaction[22] = rho4_2;
   reaction[23] = rho4_3;
@@ -10243,9 +10322,9 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   reaction[14] = S3_3;
   // rho3 = r3~ G3 + d6~ G6 + N3 + rho6: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = T(0.02) * G3_3 + N3_1 + rho6_1;
-  const T rho3_2 = N3_2 - (T(0.2) * G3_3 + d6_1 * G6_3) + rho6_2;
-  const T rho3_3 = T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2 + N3_3 + rho6_3;
+  const T rho3_1 = N3_1 + rho6_1 + T(0.02) * G3_3;
+  const T rho3_2 = N3_2 + rho6_2 - T(0.2) * G3_3 - d6_1 * G6_3;
+  const T rho3_3 = N3_3 + rho6_3 + T(0.2) * G3_2 - T(0.02) * G3_1 + d6_1 * G6_2;
   reaction[15] = rho3_1;
   reaction[16] = rho3_2;
   reaction[17] = rho3_3;
@@ -10254,7 +10333,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // r_omega2 = r2~ R2 G2 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
   const T b2_2 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
-  const T r_omega2_1 = T(0.2) * b2_1 + T(0.02) * b2_2 + N2_1;
+  const T r_omega2_1 = N2_1 + T(0.2) * b2_1 + T(0.02) * b2_2;
   const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
   const T r_omega2_2 = N2_2 - T(0.2) * b2_3;
   const T r_omega2_3 = N2_3 - T(0.02) * b2_3;
@@ -10290,18 +10369,18 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   // r_omega1 = q2~ R1 G2 + q3~ E3^T S3 + E3^T rho3 + q4a~ E4a^T S4a + E4a^T rho4a + q5a~ E5a^T S5a + E5a^T rho5a +
   //   E8^T rho8 + r1~ G1 + d8~ E8^T S8 + d10~ R1 G10 + N1: Kane's equation of omega [N m]
   const T b1_17 = T(0.2) * b1_7;
-  const T r_omega1_1 = b1_17 + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 * rho3_3 +
-      T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 - T(0.3) *
-      S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 - T(0.01) * G1_3
-      + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8 + N1_1;
-  const T r_omega1_2 = T(0.1) * b1_3 - (T(0.2) * b1_1 + T(0.2) * b1_12) - T(0.3) * b1_14 + E3_12 * rho3_1 + E3_22 *
-      rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 * rho4a_3 + T(0.1)
-      * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 + rho8_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2 - T(0.1)
-      * b1_13 + N1_2;
-  const T r_omega1_3 = b1_17 - T(0.1) * b1_1 + T(0.3) * b1_9 + E3_23 * rho3_2 - minus_E3_13 * rho3_1 + E3_33 * rho3_3
-      - T(0.2) * b1_10 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3 + T(0.3) * b1_5
-      + rho5a_3 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) * b1_8 -
-      s10 * b1_2 + N1_3;
+  const T r_omega1_1 = b1_17 + N1_1 + T(0.1) * b1_12 - T(0.1) * b1_9 + E3_11 * rho3_1 + E3_21 * rho3_2 + E3_31 *
+      rho3_3 + T(0.1) * b1_15 + E4a_11 * rho4a_1 + minus_E4a_12 * rho4a_2 + minus_E4a_13 * rho4a_3 - T(0.1) * b1_11 -
+      T(0.3) * S5a_3 + E5a_11 * rho5b_1 - E5a_12 * rho5a_2 + E8_11 * rho8_1 - E8_13 * rho8_3 - T(0.03) * G1_2 -
+      T(0.01) * G1_3 + d8_2 * b1_16 + s10 * b1_13 - T(0.3) * b1_8;
+  const T r_omega1_2 = rho8_2 + N1_2 - T(0.2) * b1_1 - T(0.2) * b1_12 + T(0.1) * b1_3 - T(0.3) * b1_14 + E3_12 *
+      rho3_1 + E3_22 * rho3_2 + E3_32 * rho3_3 + T(0.2) * b1_15 + E4a_22 * rho4a_2 - minus_E4a_12 * rho4a_1 + E4a_23 *
+      rho4a_3 + T(0.1) * b1_5 + E5a_12 * rho5b_1 + E5a_11 * rho5a_2 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * b1_2
+      - T(0.1) * b1_13;
+  const T r_omega1_3 = b1_17 + rho5a_3 + N1_3 - T(0.1) * b1_1 + T(0.3) * b1_9 + E3_23 * rho3_2 - minus_E3_13 * rho3_1
+      + E3_33 * rho3_3 - T(0.2) * b1_10 - T(0.1) * b1_4 + E4a_23 * rho4a_2 - minus_E4a_13 * rho4a_1 + E4a_33 * rho4a_3
+      + T(0.3) * b1_5 + E8_13 * rho8_1 + E8_11 * rho8_3 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * b1_6 + T(0.1) *
+      b1_8 - s10 * b1_2;
   reaction[3] = r_omega1_1;
   reaction[4] = r_omega1_2;
   reaction[5] = r_omega1_3;
@@ -10394,9 +10473,9 @@ void probe_position(const Prepared<T>& c, T t, const T* x, T* position) noexcept
   const T P5a_3 = s1_3 + R1_33 * T(0.1) - R1_23 * T(0.3);
 
   // ---- results
-  position[0] = R5_21 * T(0.02) + T(0.03620228586010676) * R5a_11 + T(0.06743336618301184) * R5_31 + P5a_1;
-  position[1] = R5_22 * T(0.02) + T(0.03620228586010676) * R5a_12 + T(0.06743336618301184) * R5_32 + P5a_2;
-  position[2] = R5_23 * T(0.02) + T(0.03620228586010676) * R5a_13 + T(0.06743336618301184) * R5_33 + P5a_3;
+  position[0] = P5a_1 + R5_21 * T(0.02) + T(0.03620228586010676) * R5a_11 + T(0.06743336618301184) * R5_31;
+  position[1] = P5a_2 + R5_22 * T(0.02) + T(0.03620228586010676) * R5a_12 + T(0.06743336618301184) * R5_32;
+  position[2] = P5a_3 + R5_23 * T(0.02) + T(0.03620228586010676) * R5a_13 + T(0.06743336618301184) * R5_33;
 }
 
 // probe_velocity: velocity of probe, inertial axes.
@@ -10466,7 +10545,7 @@ void probe_velocity(const Prepared<T>& c, T t, const T* x, const T* y, T* veloci
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // Pdot5a = sdot1 + R1^T omega1~ q5a: velocity of the body origin, inertial axes [m/s]
@@ -10484,9 +10563,9 @@ void probe_velocity(const Prepared<T>& c, T t, const T* x, const T* y, T* veloci
   const T t4 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t5 = omega5_2 * T(0.009983341664682815);
   const T t6 = omega5_2 * T(0.09950041652780259);
-  velocity[0] = R5a_11 * t1 - R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5a_11 * t5 - R5_31 * t6 + Pdot5a_1;
-  velocity[1] = Pdot5a_2 - (R5_22 * t2 - R5a_12 * t1 - R5_32 * t3 - R5_22 * t4 + R5a_12 * t5 + R5_32 * t6);
-  velocity[2] = R5a_13 * t1 - R5_23 * t2 + R5_33 * t3 + R5_23 * t4 - R5a_13 * t5 - R5_33 * t6 + Pdot5a_3;
+  velocity[0] = Pdot5a_1 + R5a_11 * t1 - R5_21 * t2 + R5_31 * t3 + R5_21 * t4 - R5a_11 * t5 - R5_31 * t6;
+  velocity[1] = Pdot5a_2 - R5_22 * t2 + R5a_12 * t1 + R5_32 * t3 + R5_22 * t4 - R5a_12 * t5 - R5_32 * t6;
+  velocity[2] = Pdot5a_3 + R5a_13 * t1 - R5_23 * t2 + R5_33 * t3 + R5_23 * t4 - R5a_13 * t5 - R5_33 * t6;
 }
 
 // probe_acceleration: acceleration of probe, inertial axes.
@@ -10526,13 +10605,13 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
-  const T U1_13 = omega1_3 * omega1_1 + omegadot1_2;
+  const T U1_13 = omegadot1_2 + omega1_3 * omega1_1;
   const T t1_13 = omega1_1 * omega1_1;
-  const T minus_U1_22 = omega1_3 * omega1_3 + t1_13;
+  const T minus_U1_22 = t1_13 + omega1_3 * omega1_3;
   const T t1_14 = omega1_3 * omega1_2;
   const T U1_23 = t1_14 - omegadot1_1;
   const T U1_32 = t1_14 + omegadot1_1;
-  const T minus_U1_33 = omega1_2 * omega1_2 + t1_13;
+  const T minus_U1_33 = t1_13 + omega1_2 * omega1_2;
   // Pddot1 = R1 (-g + sddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t1_15 = sddot1_3 + T(9.81);
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * t1_15;
@@ -10576,7 +10655,7 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // omegadot5a = -thetadot5_1 b5_1~ E5a omega1 + thetaddot5_1 b5_1 + E5a omegadot1: angular acceleration, body axes
@@ -10585,11 +10664,11 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
   const T omegadot5a_2 = E5a_11 * omegadot1_2 - E5a_12 * omegadot1_1 - thetadot5_1 * omega5a_1;
   const T omegadot5a_3 = thetaddot5_1 + omegadot1_3;
   // Pddot5a = E5a (U1 q5a + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t5_3 = U1_13 * T(0.1) - U1_12 * T(0.3) + Pddot1_1;
-  const T t5_4 = minus_U1_22 * T(0.3) + U1_23 * T(0.1) + Pddot1_2;
+  const T t5_3 = Pddot1_1 + U1_13 * T(0.1) - U1_12 * T(0.3);
+  const T t5_4 = Pddot1_2 + minus_U1_22 * T(0.3) + U1_23 * T(0.1);
   const T Pddot5a_1 = E5a_11 * t5_3 + E5a_12 * t5_4;
   const T Pddot5a_2 = E5a_11 * t5_4 - E5a_12 * t5_3;
-  const T Pddot5a_3 = Pddot1_3 - (U1_32 * T(0.3) + minus_U1_33 * T(0.1));
+  const T Pddot5a_3 = Pddot1_3 - U1_32 * T(0.3) - minus_U1_33 * T(0.1);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -10627,7 +10706,7 @@ void probe_acceleration(const Prepared<T>& c, T t, const T* x, const T* y, const
       + R5_21 * Pddot5_2 + R5_31 * Pddot5_3;
   acceleration[1] = R5a_12 * t1 + R5_22 * t2 + R5_32 * t3 + R5_22 * t4 - R5a_12 * t5 + R5_32 * t6 + R5a_12 * Pddot5a_1
       + R5_22 * Pddot5_2 + R5_32 * Pddot5_3;
-  acceleration[2] = R5a_13 * t1 + R5_23 * t2 + R5_33 * t3 - T(9.81) + R5_23 * t4 - R5a_13 * t5 + R5_33 * t6 + R5a_13 *
+  acceleration[2] = R5a_13 * t1 - T(9.81) + R5_23 * t2 + R5_33 * t3 + R5_23 * t4 - R5a_13 * t5 + R5_33 * t6 + R5a_13 *
       Pddot5a_1 + R5_23 * Pddot5_2 + R5_33 * Pddot5_3;
 }
 
@@ -10708,7 +10787,7 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
   const T t1 = T(0.06743336618301184) * minus_omega_omega1_5_21 + T(0.02) * omega_omega1_5_31;
   const T t2 = T(0.06743336618301184) * E5a_11 - T(0.03620228586010676) * omega_omega1_5_31;
   const T t3 = T(0.03620228586010676) * minus_omega_omega1_5_21 + T(0.02) * E5a_11;
-  jacobian[0] = -(R5a_11 * t1 + R5_21 * t2 - R5_31 * t3 + minus_P_omega1_5a_11);
+  jacobian[0] = -(minus_P_omega1_5a_11 + R5a_11 * t1 + R5_21 * t2 - R5_31 * t3);
   const T t4 = T(0.06743336618301184) * E5a_12 + T(0.03620228586010676) * minus_omega_omega1_5_32;
   const T t5 = T(0.06743336618301184) * omega_omega1_5_22 + T(0.02) * minus_omega_omega1_5_32;
   const T t6 = T(0.03620228586010676) * omega_omega1_5_22 - T(0.02) * E5a_12;
@@ -10722,12 +10801,12 @@ void probe_jacobian(const Prepared<T>& c, T t, const T* x, T* jacobian) noexcept
   jacobian[16] = T(1);
   jacobian[46] = T(1);
   jacobian[76] = T(1);
-  jacobian[29] = -(R5a_12 * t1 + R5_22 * t2 - R5_32 * t3 + minus_P_omega1_5a_21);
+  jacobian[29] = -(minus_P_omega1_5a_21 + R5a_12 * t1 + R5_22 * t2 - R5_32 * t3);
   jacobian[30] = -(R5_22 * t4 - R5a_12 * t5 + R5_32 * t6 - P_omega1_5a_22);
   const T t11 = R5a_12 * t7 - R5_22 * t8 + R5_32 * t9;
   jacobian[31] = -(t11 - P_omega1_5a_23);
   jacobian[38] = -t11;
-  jacobian[58] = -(R5a_13 * t1 + R5_23 * t2 - R5_33 * t3 + minus_P_omega1_5a_31);
+  jacobian[58] = -(minus_P_omega1_5a_31 + R5a_13 * t1 + R5_23 * t2 - R5_33 * t3);
   jacobian[59] = -(R5_23 * t4 - R5a_13 * t5 + R5_33 * t6 - P_omega1_5a_32);
   const T t12 = R5a_13 * t7 - R5_23 * t8 + R5_33 * t9;
   jacobian[60] = -(t12 - P_omega1_5a_33);
@@ -10744,6 +10823,10 @@ template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T* y, const Inputs<T>& u, T* xdot, T*
     ydot) noexcept {
   using std::abs, std::cos, std::exp, std::sin, std::sqrt, std::tanh;
+  T cosines[19], sines[19];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 8, 6, cosines + 8, sines + 8);
+  cos_sin(x + 18, 1, cosines + 18, sines + 18);
 
   // ---- body 1 (hull) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -10777,13 +10860,13 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T U1_12 = omega1_2 * omega1_1;
   const T U1_13 = omega1_3 * omega1_1;
   const T t1_15 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_15;
+  const T minus_U1_22 = t1_15 + t1_13;
   const T U1_23 = omega1_3 * omega1_2;
-  const T minus_U1_33 = t1_14 + t1_15;
+  const T minus_U1_33 = t1_15 + t1_14;
   // a1 = U1 r1: acceleration of the mass centre, less gravity, body axes [m/s^2]
   const T t1_16 = U1_13 * T(0.03);
   const T t1_17 = U1_12 * T(0.01);
-  const T a1_1 = t1_16 - (minus_U1_11 * T(0.02) + t1_17);
+  const T a1_1 = t1_16 - t1_17 - minus_U1_11 * T(0.02);
   const T a1_2 = U1_12 * T(0.02) + minus_U1_22 * T(0.01) + U1_23 * T(0.03);
   const T t1_18 = U1_13 * T(0.02);
   const T t1_19 = U1_23 * T(0.01);
@@ -10793,10 +10876,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T G1_2 = R1_23 * u.thrust - T(8) * a1_2;
   const T G1_3 = R1_33 * u.thrust - T(8) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
-  const T N1_1 = t1_17 - (T(0.19999999999999996) * U1_23 + T(0.03) * (t1_14 - t1_13)) + t1_18 + T(0.1);
+  const T N1_1 = t1_17 + t1_18 + T(0.1) - T(0.19999999999999996) * U1_23 - T(0.03) * (t1_14 - t1_13);
   const T N1_2 = T(0.09999999999999998) * U1_13 + T(0.01) * (t1_13 - t1_15) - T(0.02) * U1_23 + T(0.03) * U1_12 +
       T(0.2) * cos(T(2) * t);
-  const T minus_N1_3 = T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12 + t1_16 + t1_19;
+  const T minus_N1_3 = t1_16 + t1_19 + T(0.02) * (t1_15 - t1_14) - T(0.09999999999999998) * U1_12;
 
   // ---- body 2 (clapper) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -10860,9 +10943,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T U2_12 = omega2_2 * omega2_1;
   const T U2_13 = omega2_3 * omega2_1;
   const T t2_25 = omega2_1 * omega2_1;
-  const T minus_U2_22 = omega2_3 * omega2_3 + t2_25;
+  const T minus_U2_22 = t2_25 + omega2_3 * omega2_3;
   const T U2_23 = omega2_3 * omega2_2;
-  const T minus_U2_33 = omega2_2 * omega2_2 + t2_25;
+  const T minus_U2_33 = t2_25 + omega2_2 * omega2_2;
   // Pddot2 = C2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_26 = U1_12 * T(0.1);
   const T t2_27 = minus_U1_11 * T(0.2);
@@ -10877,17 +10960,17 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pddot2_2 = C2_21 * t2_29 + C2_22 * t2_32 + C2_23 * t2_34;
   const T Pddot2_3 = C2_31 * t2_29 + C2_32 * t2_32 + C2_33 * t2_34;
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a2_1 = U2_12 * T(0.02) - U2_13 * T(0.2) + Pddot2_1;
-  const T a2_2 = Pddot2_2 - (minus_U2_22 * T(0.02) + U2_23 * T(0.2));
-  const T a2_3 = U2_23 * T(0.02) + minus_U2_33 * T(0.2) + Pddot2_3;
+  const T a2_1 = Pddot2_1 + U2_12 * T(0.02) - U2_13 * T(0.2);
+  const T a2_2 = Pddot2_2 - minus_U2_22 * T(0.02) - U2_23 * T(0.2);
+  const T a2_3 = Pddot2_3 + U2_23 * T(0.02) + minus_U2_33 * T(0.2);
 
   // ---- body 3 (boom) on body 1
   const T theta3 = x[8];
   const T thetadot3 = y[6];
   // E3^T = Z3^T Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T t3_1 = cos(theta3);
-  const T t3_2 = t3_1 * T(0.9006040963547137) + T(0.09939590364528633);
-  const T t3_3 = sin(theta3);
+  const T t3_1 = cosines[8];
+  const T t3_2 = T(0.09939590364528633) + t3_1 * T(0.9006040963547137);
+  const T t3_3 = sines[8];
   const T t3_4 = t3_3 * T(0.8388422987658062);
   const T t3_5 = T(0.1399135234046097) - t3_1 * T(0.1399135234046097);
   const T t3_6 = t3_4 - t3_5;
@@ -10897,7 +10980,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T E3_11 = T(0.9362933635841992) * t3_2 + T(0.28962947762551555) * t3_6 - T(0.19866933079506122) * t3_9;
   const T E3_12 = T(0.9447024859948943) * t3_6 - T(0.31299182578546797) * t3_2 - T(0.09784339500725572) * t3_9;
   const T minus_E3_13 = T(0.1593450793079779) * t3_2 + T(0.1537919979889642) * t3_6 + T(0.9751703272018158) * t3_9;
-  const T t3_10 = t3_1 * T(0.8030523058439885) + T(0.19694769415601157);
+  const T t3_10 = T(0.19694769415601157) + t3_1 * T(0.8030523058439885);
   const T t3_11 = t3_5 + t3_4;
   const T t3_12 = T(0.37226805650115813) - t3_1 * T(0.37226805650115813);
   const T t3_13 = t3_3 * T(0.3152711589176631);
@@ -10907,7 +10990,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T E3_23 = T(0.1593450793079779) * t3_11 - T(0.1537919979889642) * t3_10 + T(0.9751703272018158) * t3_14;
   const T t3_15 = t3_8 - t3_7;
   const T t3_16 = t3_12 + t3_13;
-  const T t3_17 = t3_1 * T(0.29634359780129804) + T(0.703656402198702);
+  const T t3_17 = T(0.703656402198702) + t3_1 * T(0.29634359780129804);
   const T E3_31 = T(0.9362933635841992) * t3_15 + T(0.28962947762551555) * t3_16 + T(0.19866933079506122) * t3_17;
   const T E3_32 = T(0.9447024859948943) * t3_16 - T(0.31299182578546797) * t3_15 + T(0.09784339500725572) * t3_17;
   const T E3_33 = T(0.9751703272018158) * t3_17 - (T(0.1593450793079779) * t3_15 + T(0.1537919979889642) * t3_16);
@@ -10922,9 +11005,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T t3_18 = E3_11 * omega1_1 + E3_12 * omega1_2 - minus_E3_13 * omega1_3;
   const T omega3_1 = t3_18 - thetadot3 * T(0.3152711589176631);
   const T t3_19 = E3_21 * omega1_1 + E3_22 * omega1_2 + E3_23 * omega1_3;
-  const T omega3_2 = thetadot3 * T(0.44378789320576517) + t3_19;
+  const T omega3_2 = t3_19 + thetadot3 * T(0.44378789320576517);
   const T t3_20 = E3_31 * omega1_1 + E3_32 * omega1_2 + E3_33 * omega1_3;
-  const T omega3_3 = thetadot3 * T(0.8388422987658062) + t3_20;
+  const T omega3_3 = t3_20 + thetadot3 * T(0.8388422987658062);
   // P3 = s1 + R1^T q3: position of the body origin, inertial axes [m]
   const T t3_21 = s1_1 + R1_31 * T(0.1);
   const T P3_1 = t3_21 + R1_11 * T(0.3);
@@ -10973,15 +11056,15 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T t3_38 = R3_12 * T(0.1) + R3_22 * t3_36;
   const T t3_39 = R3_13 * T(0.1) + R3_23 * t3_36;
   const T t3_40 = R2_11 * t3_37 + R2_12 * t3_38 + R2_13 * t3_39;
-  const T minus_G2_1 = T(0.8) * a2_1 + t3_40;
+  const T minus_G2_1 = t3_40 + T(0.8) * a2_1;
   const T t3_41 = R2_21 * t3_37 + R2_22 * t3_38 + R2_23 * t3_39;
-  const T minus_G2_2 = T(0.8) * a2_2 + t3_41;
+  const T minus_G2_2 = t3_41 + T(0.8) * a2_2;
   const T t3_42 = R2_31 * t3_37 + R2_32 * t3_38 + R2_33 * t3_39;
-  const T minus_G2_3 = T(0.8) * a2_3 + t3_42;
+  const T minus_G2_3 = t3_42 + T(0.8) * a2_3;
   // a3 = U3 r3 + Pddot3: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a3_1 = U3_12 * T(0.02) - minus_U3_11 * T(0.2) + Pddot3_1;
-  const T a3_2 = U3_21 * T(0.2) - minus_U3_22 * T(0.02) + Pddot3_2;
-  const T a3_3 = U3_31 * T(0.2) + U3_32 * T(0.02) + Pddot3_3;
+  const T a3_1 = Pddot3_1 + U3_12 * T(0.02) - minus_U3_11 * T(0.2);
+  const T a3_2 = Pddot3_2 + U3_21 * T(0.2) - minus_U3_22 * T(0.02);
+  const T a3_3 = Pddot3_3 + U3_31 * T(0.2) + U3_32 * T(0.02);
   // G3 = -m3 a3: applied less inertia force, body axes [N]
   const T minus_G3_1 = T(1.5) * a3_1;
   const T minus_G3_2 = T(1.5) * a3_2;
@@ -10995,26 +11078,25 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
       minus_U3_22) - T(0.001) * U3_23 - T(0.003) * U3_13;
 
   // ---- body 4 (cross) on body 1
-  const T theta4_1 = x[9], theta4_2 = x[10];
   const T thetadot4_1 = y[7], thetadot4_2 = y[8];
   // E4a^T = Rot(b4_1, theta4_1): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4_1);
-  const T E4a_11 = t4_1 * T(1) + T(5.329070518200751e-17);
-  const T t4_2 = sin(theta4_1);
+  const T t4_1 = cosines[9];
+  const T E4a_11 = T(5.329070518200751e-17) + t4_1 * T(1);
+  const T t4_2 = sines[9];
   const T minus_E4a_12 = t4_2 * T(0.96);
   const T minus_E4a_13 = t4_2 * T(0.28);
-  const T E4a_22 = t4_1 * T(0.9216) + T(0.07840000000000007);
+  const T E4a_22 = T(0.07840000000000007) + t4_1 * T(0.9216);
   const T E4a_23 = t4_1 * T(0.26880000000000004) - T(0.26880000000000004);
-  const T E4a_33 = t4_1 * T(0.07840000000000001) + T(0.9216);
+  const T E4a_33 = T(0.9216) + t4_1 * T(0.07840000000000001);
   // omega4a = thetadot4_1 b4_1 + E4a omega1: absolute angular velocity, body axes [rad/s]
   const T omega4a_1 = E4a_11 * omega1_1 - minus_E4a_12 * omega1_2 - minus_E4a_13 * omega1_3;
   const T t4_3 = minus_E4a_12 * omega1_1 + E4a_22 * omega1_2 + E4a_23 * omega1_3;
-  const T omega4a_2 = thetadot4_1 * T(0.28) + t4_3;
+  const T omega4a_2 = t4_3 + thetadot4_1 * T(0.28);
   const T t4_4 = minus_E4a_13 * omega1_1 + E4a_23 * omega1_2 + E4a_33 * omega1_3;
   const T omega4a_3 = t4_4 - thetadot4_1 * T(0.96);
   // E4^T = Z4^T Rot(b4_2, theta4_2): E takes components in the lower body to those in the body
-  const T minus_E4_11 = sin(theta4_2);
-  const T t4_5 = cos(theta4_2);
+  const T minus_E4_11 = sines[10];
+  const T t4_5 = cosines[10];
   const T E4_12 = T(0.28) * t4_5;
   const T minus_E4_13 = T(0.96) * t4_5;
   const T E4_32 = T(0.28) * minus_E4_11;
@@ -11043,7 +11125,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_9 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_9;
+  const T minus_U4_11 = t4_9 + omega4_3 * omega4_3;
   const T t4_10 = omega4_2 * omega4_1;
   const T U4_12 = t4_10 - omegadot4_3;
   const T t4_11 = omega4_3 * omega4_1;
@@ -11059,9 +11141,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pddot4_2 = T(0.96) * Pddot4a_2 + T(0.28) * Pddot4a_3;
   const T Pddot4_3 = t4_5 * Pddot4a_1 + E4_32 * Pddot4a_2 - minus_E4_33 * Pddot4a_3;
   // a4 = U4 r4 + Pddot4: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a4_1 = U4_13 * T(0.1) - minus_U4_11 * T(0.03) + Pddot4_1;
-  const T a4_2 = U4_21 * T(0.03) + U4_23 * T(0.1) + Pddot4_2;
-  const T a4_3 = U4_31 * T(0.03) - minus_U4_33 * T(0.1) + Pddot4_3;
+  const T a4_1 = Pddot4_1 + U4_13 * T(0.1) - minus_U4_11 * T(0.03);
+  const T a4_2 = Pddot4_2 + U4_21 * T(0.03) + U4_23 * T(0.1);
+  const T a4_3 = Pddot4_3 + U4_31 * T(0.03) - minus_U4_33 * T(0.1);
   // G4 = -m4 a4: applied less inertia force, body axes [N]
   const T minus_G4_1 = T(0.9) * a4_1;
   const T minus_G4_2 = T(0.9) * a4_2;
@@ -11072,12 +11154,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_N4_3 = T(0.0055) * U4_21 - T(0.006500000000000001) * U4_12;
 
   // ---- body 5 (camera) on body 1
-  const T theta5_1 = x[11];
   const T thetadot5_1 = y[9];
   const T sdot1_1 = y[16], sdot1_2 = y[17], sdot1_3 = y[18];
   // E5a^T = Rot(b5_1, theta5_1): E takes components in the lower body to those in the body
-  const T E5a_11 = cos(theta5_1);
-  const T E5a_12 = sin(theta5_1);
+  const T E5a_11 = cosines[11];
+  const T E5a_12 = sines[11];
   // R5a^T = R1^T E5a^T: R takes inertial components to body components
   const T R5a_11 = R1_11 * E5a_11 + R1_21 * E5a_12;
   const T R5a_12 = R1_12 * E5a_11 + R1_22 * E5a_12;
@@ -11108,7 +11189,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T R5_32 = R1_32 * E5_22 - R5a_22 * E5_23;
   const T R5_33 = R1_33 * E5_22 - R5a_23 * E5_23;
   // omega5 = thetadot5_2 b5_2 + E5 omega5a: absolute angular velocity, body axes [rad/s]
-  const T omega5_1 = thetadot5_2 + omega5a_1;
+  const T omega5_1 = omega5a_1 + thetadot5_2;
   const T omega5_2 = E5_22 * omega5a_2 + E5_23 * omega5a_3;
   const T omega5_3 = E5_22 * omega5a_3 - E5_23 * omega5a_2;
   // P5a = s1 + R1^T q5a: position of the body origin, inertial axes [m]
@@ -11128,10 +11209,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_omegadot5a_2 = thetadot5_1 * omega5a_1;
   // Pddot5a = E5a U1 q5a: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t5_7 = t3_30 - t3_32;
-  const T t5_8 = minus_U1_22 * T(0.3) + t2_33;
+  const T t5_8 = t2_33 + minus_U1_22 * T(0.3);
   const T Pddot5a_1 = E5a_11 * t5_7 + E5a_12 * t5_8;
   const T Pddot5a_2 = E5a_11 * t5_8 - E5a_12 * t5_7;
-  const T minus_Pddot5a_3 = U1_23 * T(0.3) + t3_34;
+  const T minus_Pddot5a_3 = t3_34 + U1_23 * T(0.3);
   // omegadot5 = -thetadot5_2 b5_2~ E5 omega5a + thetaddot5_2 b5_2 + E5 omegadot5a: angular acceleration, body axes
   //   [rad/s^2]
   const T omegadot5_1 = omegadot5a_1 - minus_thetaddot5_2;
@@ -11155,9 +11236,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pddot5_2 = E5_22 * Pddot5a_2 - E5_23 * minus_Pddot5a_3;
   const T minus_Pddot5_3 = E5_23 * Pddot5a_2 + E5_22 * minus_Pddot5a_3;
   // a5 = U5 r_link5 + Pddot5: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a5_1 = U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1 + Pddot5a_1;
-  const T a5_2 = U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3 + Pddot5_2;
-  const T a5_3 = U5_31 * c.r_link5_1 - minus_U5_33 * c.r_link5_3 - minus_Pddot5_3;
+  const T a5_1 = Pddot5a_1 + U5_13 * c.r_link5_3 - minus_U5_11 * c.r_link5_1;
+  const T a5_2 = Pddot5_2 + U5_21 * c.r_link5_1 + U5_23 * c.r_link5_3;
+  const T a5_3 = U5_31 * c.r_link5_1 - minus_Pddot5_3 - minus_U5_33 * c.r_link5_3;
 
   // ---- body 6 (telescope) on body 3
   const T s6 = x[22];
@@ -11165,14 +11246,14 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // d6 = q6 + s6 u6: joint offset q + s, axes of the lower body [m]
   const T d6_1 = T(0.4) + s6;
   // P6 = R3^T d6 + P3: position of the body origin, inertial axes [m]
-  const T P6_1 = R3_11 * d6_1 + P3_1;
-  const T P6_2 = R3_12 * d6_1 + P3_2;
-  const T P6_3 = R3_13 * d6_1 + P3_3;
+  const T P6_1 = P3_1 + R3_11 * d6_1;
+  const T P6_2 = P3_2 + R3_12 * d6_1;
+  const T P6_3 = P3_3 + R3_13 * d6_1;
   // Pddot6 = 2 sdot6 omega3~ u6 + U3 d6 + Pddot3: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot6_1 = Pddot3_1 - minus_U3_11 * d6_1;
   const T t6_1 = T(2) * sdot6;
-  const T Pddot6_2 = t6_1 * omega3_3 + U3_21 * d6_1 + Pddot3_2;
-  const T Pddot6_3 = U3_31 * d6_1 - t6_1 * omega3_2 + Pddot3_3;
+  const T Pddot6_2 = Pddot3_2 + t6_1 * omega3_3 + U3_21 * d6_1;
+  const T Pddot6_3 = Pddot3_3 + U3_31 * d6_1 - t6_1 * omega3_2;
   // effort_telescope_6 = -sdot6 c_telescope_: along the coordinate [N m], [N]
   const T minus_effort_telescope_6 = sdot6 * (T(2) + abs(sdot6));
   // arm2 = R2 R3^T r_jet_ - R2 P2 + R2 P6
@@ -11194,9 +11275,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_N2_2 = T(0.006) * U2_13 + lever2_3 * t3_40 - arm2_1 * t3_42;
   const T minus_N2_3 = T(0.0009999999999999992) * U2_12 + arm2_1 * t3_41 - lever2_2 * t3_40;
   // a6 = U3 r6 + Pddot6: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a6_1 = U3_13 * T(0.01) - minus_U3_11 * T(0.1) + Pddot6_1;
-  const T a6_2 = U3_21 * T(0.1) + U3_23 * T(0.01) + Pddot6_2;
-  const T a6_3 = U3_31 * T(0.1) - minus_U3_33 * T(0.01) + Pddot6_3;
+  const T a6_1 = Pddot6_1 + U3_13 * T(0.01) - minus_U3_11 * T(0.1);
+  const T a6_2 = Pddot6_2 + U3_21 * T(0.1) + U3_23 * T(0.01);
+  const T a6_3 = Pddot6_3 + U3_31 * T(0.1) - minus_U3_33 * T(0.01);
   // G6 = -m6 a6 + F_jet_: applied less inertia force, body axes [N]
   const T G6_1 = T(0.1) - T(0.5) * a6_1;
   const T G6_2 = t3_36 - T(0.5) * a6_2;
@@ -11208,13 +11289,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T N6_3 = T(5e-04) * U3_12 - T(0.0055) * U3_21 + T(0.1) * t3_36;
 
   // ---- body 8 (piston) on body 1
-  const T theta8 = x[12];
   const T s8 = x[25];
   const T thetadot8 = y[10];
   const T sdot8 = y[22];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T E8_13 = sin(theta8);
+  const T E8_11 = cosines[12];
+  const T E8_13 = sines[12];
   // omega8 = thetadot8 b8 + E8 omega1: absolute angular velocity, body axes [rad/s]
   const T omega8_1 = E8_11 * omega1_1 + E8_13 * omega1_3;
   const T omega8_2 = omega1_2 - thetadot8;
@@ -11249,9 +11329,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_Pddot8_2 = omega1_3 * t8_9 + omega1_1 * t8_7;
   const T Pddot8_3 = E8_11 * t8_10 - E8_13 * t8_8;
   // a8 = U8 r_link8 + Pddot8: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a8_1 = minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02) + Pddot8_1;
-  const T a8_2 = minus_U8_22 * T(0.1) - U8_21 * T(0.01) + U8_23 * T(0.02) - minus_Pddot8_2;
-  const T a8_3 = Pddot8_3 - (U8_13 * T(0.01) + U8_32 * T(0.1) + minus_U8_33 * T(0.02));
+  const T a8_1 = Pddot8_1 + minus_U8_11 * T(0.01) - U8_12 * T(0.1) + U8_13 * T(0.02);
+  const T a8_2 = minus_U8_22 * T(0.1) - minus_Pddot8_2 - U8_21 * T(0.01) + U8_23 * T(0.02);
+  const T a8_3 = Pddot8_3 - U8_13 * T(0.01) - U8_32 * T(0.1) - minus_U8_33 * T(0.02);
   // G8 = -m8 a8: applied less inertia force, body axes [N]
   const T minus_G8_1 = T(0.7) * a8_1;
   const T minus_G8_2 = T(0.7) * a8_2;
@@ -11262,25 +11342,24 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_N8_3 = T(0.0015) * U8_21 - T(0.0025) * U8_12;
 
   // ---- body 9 (sled) on the inertial frame
-  const T theta9 = x[13];
   const T s9_1 = x[26], s9_2 = x[27];
   const T thetadot9 = y[11];
   const T sdot9_1 = y[23], sdot9_2 = y[24];
   // E9^T = Rot(b9, theta9): E takes components in the lower body to those in the body
-  const T E9_11 = cos(theta9);
-  const T E9_12 = sin(theta9);
+  const T E9_11 = cosines[13];
+  const T E9_12 = sines[13];
   // d9 = q9 + s9_1 u9_1 + s9_2 u9_2: joint offset q + s, axes of the lower body [m]
   const T d9_2 = T(1) + s9_2;
   // U9 = omega9~ omega9~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
   const T minus_U9_11 = thetadot9 * thetadot9;
   // line_tether_9 = -R5^T C12^T r_tether_ - R5^T o5 + E9^T r_tether_other_ - P5a + d9: from one end of the spring to
   //   the other, inertial axes [m]
-  const T line_tether_9_1 = E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
-      T(0.06743336618301184) * R5_31 - P5a_1 + s9_1;
-  const T line_tether_9_2 = E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
-      T(0.06743336618301184) * R5_32 - P5a_2 + d9_2;
-  const T line_tether_9_3 = T(0.1) - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 - T(0.06743336618301184) *
-      R5_33 - P5a_3;
+  const T line_tether_9_1 = s9_1 - P5a_1 + E9_11 * T(0.1) - R5_21 * T(0.02) - T(0.03620228586010676) * R5a_11 -
+      T(0.06743336618301184) * R5_31;
+  const T line_tether_9_2 = d9_2 - P5a_2 + E9_12 * T(0.1) - R5_22 * T(0.02) - T(0.03620228586010676) * R5a_12 -
+      T(0.06743336618301184) * R5_32;
+  const T line_tether_9_3 = T(0.1) - P5a_3 - R5_23 * T(0.02) - T(0.03620228586010676) * R5a_13 -
+      T(0.06743336618301184) * R5_33;
   // ll_tether_9 = 1e-36 + line_tether_9 . line_tether_9: length squared [m^2]
   const T ll_tether_9 = T(1e-36) + line_tether_9_1 * line_tether_9_1 + line_tether_9_2 * line_tether_9_2 +
       line_tether_9_3 * line_tether_9_3;
@@ -11288,19 +11367,19 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T length_tether_9 = sqrt(ll_tether_9);
   // line_rate_tether_9 = -R5^T omega5~ C12^T r_tether_ - R5^T omega5~ o5 + E9^T omega9~ r_tether_other_ - Pdot5a +
   //   Pdot9: its rate [m/s]
-  const T t9_1 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
-  const T t9_2 = thetadot9 * T(0.1);
-  const T t9_3 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_1 = thetadot9 * T(0.1);
+  const T t9_2 = omega5_2 * T(0.07741670784769467) - omega5_3 * T(0.02);
+  const T t9_3 = omega5_3 * T(0.06329813066769584) + omega5_1 * T(0.07741670784769467);
   const T t9_4 = omega5_1 * T(0.02) + omega5_2 * T(0.06329813066769584);
   const T t9_5 = omega5_3 * T(0.09950041652780259) + omega5_1 * T(0.009983341664682815);
   const T t9_6 = omega5_2 * T(0.009983341664682815);
   const T t9_7 = omega5_2 * T(0.09950041652780259);
-  const T line_rate_tether_9_1 = R5_21 * t9_1 - (E9_12 * t9_2 + R5a_11 * t9_3) - R5_31 * t9_4 - R5_21 * t9_5 + R5a_11
-      * t9_6 + R5_31 * t9_7 - Pdot5a_1 + sdot9_1;
-  const T line_rate_tether_9_2 = R5_22 * t9_1 - R5a_12 * t9_3 - R5_32 * t9_4 - R5_22 * t9_5 + R5a_12 * t9_6 + R5_32 *
-      t9_7 + E9_11 * t9_2 - Pdot5a_2 + sdot9_2;
-  const T minus_line_rate_tether_9_3 = R5a_13 * t9_3 - R5_23 * t9_1 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13 * t9_6 -
-      R5_33 * t9_7 + Pdot5a_3;
+  const T line_rate_tether_9_1 = sdot9_1 - Pdot5a_1 - E9_12 * t9_1 - R5a_11 * t9_2 + R5_21 * t9_3 - R5_31 * t9_4 -
+      R5_21 * t9_5 + R5a_11 * t9_6 + R5_31 * t9_7;
+  const T line_rate_tether_9_2 = sdot9_2 - Pdot5a_2 + R5_22 * t9_3 - R5a_12 * t9_2 - R5_32 * t9_4 - R5_22 * t9_5 +
+      R5a_12 * t9_6 + R5_32 * t9_7 + E9_11 * t9_1;
+  const T minus_line_rate_tether_9_3 = Pdot5a_3 + R5a_13 * t9_2 - R5_23 * t9_3 + R5_33 * t9_4 + R5_23 * t9_5 - R5a_13
+      * t9_6 - R5_33 * t9_7;
   // f_tether_9 = k_tether_ - k_tether_ l_tether_ length_tether_9^-1 + c_tether_ line_tether_9 . line_rate_tether_9
   //   ll_tether_9^-1: attraction by the length [N/m]
   const T f_tether_9 = c.p.k - T(1) / length_tether_9 * c.c9_1 + T(0.4) * (line_tether_9_1 * line_rate_tether_9_1 +
@@ -11386,9 +11465,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pddot10_2 = C10_21 * t10_18 + C10_22 * t10_20 + C10_23 * t10_21;
   const T Pddot10_3 = C10_31 * t10_18 + C10_32 * t10_20 + C10_33 * t10_21;
   // a10 = U10 r10 + Pddot10: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a10_1 = U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03) + Pddot10_1;
-  const T a10_2 = U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03) + Pddot10_2;
-  const T a10_3 = U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03) + Pddot10_3;
+  const T a10_1 = Pddot10_1 + U10_12 * T(0.01) - minus_U10_11 * T(0.02) - U10_13 * T(0.03);
+  const T a10_2 = Pddot10_2 + U10_12 * T(0.02) - minus_U10_22 * T(0.01) - U10_23 * T(0.03);
+  const T a10_3 = Pddot10_3 + U10_13 * T(0.02) + U10_23 * T(0.01) + minus_U10_33 * T(0.03);
   // G10 = -m10 a10: applied less inertia force, body axes [N]
   const T minus_G10_1 = T(0.4) * a10_1;
   const T minus_G10_2 = T(0.4) * a10_2;
@@ -11402,8 +11481,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T theta11 = x[18];
   const T thetadot11 = y[15];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T E11_13 = sin(theta11);
+  const T E11_11 = cosines[18];
+  const T E11_13 = sines[18];
   // omega11 = thetadot11 b11 + E11 omega8: absolute angular velocity, body axes [rad/s]
   const T omega11_1 = E11_11 * omega8_1 + E11_13 * omega8_3;
   const T omega11_2 = omega8_2 - thetadot11;
@@ -11426,16 +11505,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Pddot11 = E11 (2 thetadot11 pitch11 omega8~ u11 + U8 d11 + Pddot8): acceleration of the body origin, less
   //   gravity, body axes [m/s^2]
   const T t11_3 = T(2) * thetadot11 * T(0.01);
-  const T t11_4 = t11_3 * omega8_3 - U8_12 * minus_d11_2 + Pddot8_1;
-  const T t11_5 = Pddot8_3 - (t11_3 * omega8_1 + U8_32 * minus_d11_2);
+  const T t11_4 = Pddot8_1 + t11_3 * omega8_3 - U8_12 * minus_d11_2;
+  const T t11_5 = Pddot8_3 - t11_3 * omega8_1 - U8_32 * minus_d11_2;
   const T Pddot11_1 = E11_11 * t11_4 + E11_13 * t11_5;
   const T Pddot11_2 = minus_U8_22 * minus_d11_2 - minus_Pddot8_2;
   const T Pddot11_3 = E11_11 * t11_5 - E11_13 * t11_4;
   // effort_nut_11 = -thetadot11 c_nut_: along the coordinate [N m], [N]
   const T minus_effort_nut_11 = thetadot11 * T(0.002);
   // a11 = U11 r_link11 + Pddot11: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T a11_1 = U11_13 * T(0.01) + Pddot11_1;
-  const T a11_2 = U11_23 * T(0.01) + Pddot11_2;
+  const T a11_1 = Pddot11_1 + U11_13 * T(0.01);
+  const T a11_2 = Pddot11_2 + U11_23 * T(0.01);
   const T a11_3 = Pddot11_3 - minus_U11_33 * T(0.01);
   // G11 = -m11 a11: applied less inertia force, body axes [N]
   const T minus_G11_1 = T(0.3) * a11_1;
@@ -11499,7 +11578,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Hb11_11 = b11_9 + Hp11_11;
   const T Hb11_12 = minus_d11_2 * minus_Mp11_23 - minus_Hp11_12;
   const T Hb11_13 = Hp11_13 - minus_d11_2 * Mp11_33;
-  const T Hb11_31 = minus_d11_2 * Mp11_11 + Hp11_13;
+  const T Hb11_31 = Hp11_13 + minus_d11_2 * Mp11_11;
   const T minus_Hb11_32 = minus_d11_2 * minus_Mp11_12 + minus_Hp11_32;
   const T Hb11_33 = b11_6 - b11_9;
 
@@ -11514,7 +11593,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T w_10_2 = T(284.30629264594387) * b10_1;
   const T w_10_3 = T(374.3436923513552) * (n10_3 - T(0.1) * n10_1 - T(0.03639120545868082) * b10_1);
   // gb10 = G10 - Y10^T w_10: force with the ball solved [N]
-  const T gb10_1 = T(0.012) * w_10_2 + T(0.0035633055344958305) * w_10_3 - minus_G10_1;
+  const T gb10_1 = T(0.012) * w_10_2 - minus_G10_1 + T(0.0035633055344958305) * w_10_3;
   const T minus_gb10_2 = minus_G10_2 + T(4e-04) * w_10_2 + T(0.012) * w_10_1 + T(0.006785443517816528) * w_10_3;
   const T minus_gb10_3 = minus_G10_3 + T(0.004) * w_10_1 - T(0.007866666666666668) * w_10_2 -
       T(0.00011372251705837757) * w_10_3;
@@ -11616,9 +11695,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T g8_2 = gt11_2 - minus_G8_2;
   const T g8_3 = gp11_3 - minus_G8_3;
   // n8 = r_link8~ G8 + d11~ gp11 + N8 + np11: moment that drives it, body axes [N m]
-  const T n8_1 = T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3 - minus_N8_1 + np11_1;
-  const T n8_2 = N8_2 - (T(0.02) * minus_G8_1 + T(0.01) * minus_G8_3) + nt11_2;
-  const T n8_3 = T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1 - minus_N8_3 + np11_3;
+  const T n8_1 = np11_1 - minus_N8_1 + T(0.02) * minus_G8_2 + T(0.1) * minus_G8_3 - minus_d11_2 * gp11_3;
+  const T n8_2 = nt11_2 - T(0.02) * minus_G8_1 - T(0.01) * minus_G8_3 + N8_2;
+  const T n8_3 = np11_3 - minus_N8_3 + T(0.01) * minus_G8_2 - T(0.1) * minus_G8_1 + minus_d11_2 * gp11_1;
   // kB1_8 = invD1_8 B1_8: B/D
   const T minus_kB1_8_1 = T(420.4089432447927) * HA8_21;
   const T minus_kB1_8_3 = T(420.4089432447927) * HA8_23;
@@ -11712,15 +11791,15 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Hb8 = d8~ Ms2_8 + Hs2_8: H of the joint at the lower body's origin, its axes
   const T b8_10 = d8_2 * Ms2_8_13;
   const T Hb8_11 = b8_10 + Hs2_8_11;
-  const T Hb8_13 = d8_2 * Ms2_8_33 + Hs2_8_13;
+  const T Hb8_13 = Hs2_8_13 + d8_2 * Ms2_8_33;
   const T Hb8_31 = Hs2_8_31 - d8_2 * Ms2_8_11;
   const T Hb8_33 = Hs2_8_33 - b8_10;
 
   // ---- body 6 (telescope) and what it carries
   // n6 = r6~ G6 + N6: moment that drives it, body axes [N m]
   const T n6_1 = N6_1 - T(0.01) * G6_2;
-  const T n6_2 = T(0.01) * G6_1 + T(0.1) * minus_G6_3 - minus_N6_2;
-  const T n6_3 = T(0.1) * G6_2 + N6_3;
+  const T n6_2 = T(0.01) * G6_1 - minus_N6_2 + T(0.1) * minus_G6_3;
+  const T n6_3 = N6_3 + T(0.1) * G6_2;
   // u_6 = u6 . G6 + effort_telescope_6: drives it [N m], [N]
   const T u_6 = G6_1 - minus_effort_telescope_6;
   // v6 = invD6 u_6: u/D
@@ -11728,13 +11807,13 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // ns6 = n6 - v6 K6: moment with the slide solved [N m]
   const T ns6_2 = n6_2 - v6 * T(0.005);
   // Hb6 = d6~ Ms6 + Hs6: H of the joint at the lower body's origin, its axes
-  const T minus_Hb6_23 = d6_1 * T(0.5) + T(0.05);
+  const T minus_Hb6_23 = T(0.05) + d6_1 * T(0.5);
 
   // ---- body 5 (camera) and what it carries
   // n5 = r_link5~ G5 + N5: moment that drives it, body axes [N m]
   const T n5_1 = N5_1 - c.r_link5_3 * G5_2;
-  const T n5_2 = c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3 + N5_2;
-  const T n5_3 = c.r_link5_1 * G5_2 + N5_3;
+  const T n5_2 = N5_2 + c.r_link5_3 * G5_1 - c.r_link5_1 * G5_3;
+  const T n5_3 = N5_3 + c.r_link5_1 * G5_2;
   // gp5 = E5^T G5: force passed on, lower body's axes [N]
   const T gp5_2 = E5_22 * G5_2 - E5_23 * G5_3;
   const T gp5_3 = E5_23 * G5_2 + E5_22 * G5_3;
@@ -11786,7 +11865,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b5_4 = E5a_12 * (M5a_11 - M5a_22) - b5_3 * minus_M5a_12;
   const T b5_5 = E5a_12 * b5_4;
   const T Mp5a_11 = M5a_11 - b5_5;
-  const T Mp5a_12 = E5a_11 * b5_4 + minus_M5a_12;
+  const T Mp5a_12 = minus_M5a_12 + E5a_11 * b5_4;
   const T Mp5a_22 = M5a_22 + b5_5;
   // gp5a = E5a^T gt5a: force passed on, lower body's axes [N]
   const T gp5a_1 = E5a_11 * gt5a_1 - E5a_12 * gt5a_2;
@@ -11805,7 +11884,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b5_9 = E5a_12 * (J5a_11 - J5a_22) - b5_3 * minus_J5a_12;
   const T b5_10 = E5a_12 * b5_9;
   const T Jp5a_11 = J5a_11 - b5_10;
-  const T Jp5a_12 = E5a_11 * b5_9 + minus_J5a_12;
+  const T Jp5a_12 = minus_J5a_12 + E5a_11 * b5_9;
   const T Jp5a_22 = J5a_22 + b5_10;
   // np5a = E5a^T nt5a: moment passed on, lower body's axes [N m]
   const T np5a_1 = E5a_11 * nt5a_1 - E5a_12 * nt5a_2;
@@ -11815,7 +11894,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T minus_Hb5a_11 = b5_11 + minus_Hp5a_11;
   const T Hb5a_12 = Hp5a_12 - T(0.1) * Mp5a_22;
   const T minus_Hb5a_13 = c.c5_3 + minus_Hp5a_13;
-  const T Hb5a_21 = T(0.1) * Mp5a_11 + Hp5a_21;
+  const T Hb5a_21 = Hp5a_21 + T(0.1) * Mp5a_11;
   const T Hb5a_22 = b5_11 + Hp5a_22;
   const T Hb5a_31 = T(0.3) * Mp5a_11;
   const T Hb5a_32 = T(0.3) * Mp5a_12;
@@ -11823,8 +11902,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // ---- body 4 (cross) and what it carries
   // n4 = r4~ G4 + N4: moment that drives it, body axes [N m]
   const T n4_1 = T(0.1) * minus_G4_2 - minus_N4_1;
-  const T n4_2 = T(0.03) * minus_G4_3 - T(0.1) * minus_G4_1 - minus_N4_2;
-  const T minus_n4_3 = T(0.03) * minus_G4_2 + minus_N4_3;
+  const T n4_2 = T(0.03) * minus_G4_3 - minus_N4_2 - T(0.1) * minus_G4_1;
+  const T minus_n4_3 = minus_N4_3 + T(0.03) * minus_G4_2;
   // v4 = invD4 u_4: u/D
   const T v4 = T(59.4883997620464) * n4_2;
   // gt4 = G4 - v4 B4: force with the turn solved [N]
@@ -11972,14 +12051,14 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // Hb4a = q4a~ Mp4a + Hp4a: H of the joint at the lower body's origin, its axes
   const T b4_32 = T(0.1) * Mp4a_13;
   const T Hb4a_11 = b4_32 + Hp4a_11;
-  const T Hb4a_12 = T(0.1) * Mp4a_23 + Hp4a_12;
-  const T Hb4a_13 = T(0.1) * Mp4a_33 + Hp4a_13;
-  const T Hb4a_21 = T(0.2) * Mp4a_13 + Hp4a_21;
+  const T Hb4a_12 = Hp4a_12 + T(0.1) * Mp4a_23;
+  const T Hb4a_13 = Hp4a_13 + T(0.1) * Mp4a_33;
+  const T Hb4a_21 = Hp4a_21 + T(0.2) * Mp4a_13;
   const T b4_33 = T(0.2) * Mp4a_23;
   const T Hb4a_22 = b4_33 + Hp4a_22;
-  const T Hb4a_23 = T(0.2) * Mp4a_33 + Hp4a_23;
-  const T Hb4a_31 = Hp4a_31 - (T(0.2) * Mp4a_12 + T(0.1) * Mp4a_11);
-  const T Hb4a_32 = Hp4a_32 - (T(0.2) * Mp4a_22 + T(0.1) * Mp4a_12);
+  const T Hb4a_23 = Hp4a_23 + T(0.2) * Mp4a_33;
+  const T Hb4a_31 = Hp4a_31 - T(0.2) * Mp4a_12 - T(0.1) * Mp4a_11;
+  const T Hb4a_32 = Hp4a_32 - T(0.2) * Mp4a_22 - T(0.1) * Mp4a_12;
   const T Hb4a_33 = Hp4a_33 - (b4_33 + b4_32);
 
   // ---- body 3 (boom) and what it carries
@@ -11995,9 +12074,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T g3_2 = G6_2 - minus_G3_2;
   const T minus_g3_3 = minus_G3_3 + minus_G6_3;
   // n3 = r3~ G3 + d6~ gs6 + N3 + ns6: moment that drives it, body axes [N m]
-  const T n3_1 = n6_1 - (T(0.02) * minus_G3_3 + minus_N3_1);
-  const T n3_2 = T(0.2) * minus_G3_3 + d6_1 * minus_G6_3 - minus_N3_2 + ns6_2;
-  const T n3_3 = T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2 - minus_N3_3 + n6_3;
+  const T n3_1 = n6_1 - minus_N3_1 - T(0.02) * minus_G3_3;
+  const T n3_2 = ns6_2 - minus_N3_2 + T(0.2) * minus_G3_3 + d6_1 * minus_G6_3;
+  const T n3_3 = n6_3 - minus_N3_3 + T(0.02) * minus_G3_1 - T(0.2) * minus_G3_2 + d6_1 * G6_2;
   // B3 = HA3^T b3: force of a unit of the angle's acceleration [kg m]
   const T B3_2 = T(0.0015763557945883155) + minus_HA3_23 * T(0.8388422987658062);
   const T minus_B3_3 = T(0.009458134767529894) + minus_HA3_23 * T(0.44378789320576517);
@@ -12018,8 +12097,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T kK3_2 = invD3 * K3_2;
   const T kK3_3 = invD3 * K3_3;
   // u_3 = b3 . n3 + effort_boom_3: drives it [N m], [N]
-  const T u_3 = T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) * n3_3 +
-      effort_boom_3;
+  const T u_3 = effort_boom_3 + T(0.44378789320576517) * n3_2 - T(0.3152711589176631) * n3_1 + T(0.8388422987658062) *
+      n3_3;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
   // M3 = MA3 - kB3 B3^T: MA less what the turn takes up [kg]
@@ -12112,17 +12191,17 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Hb3_11 = Hp3_11 - b3_23;
   const T Hb3_12 = Hp3_12 - T(0.1) * Mp3_22;
   const T Hb3_13 = Hp3_13 - T(0.1) * Mp3_23;
-  const T Hb3_21 = T(0.1) * Mp3_11 - T(0.3) * Mp3_13 + Hp3_21;
+  const T Hb3_21 = Hp3_21 + T(0.1) * Mp3_11 - T(0.3) * Mp3_13;
   const T b3_24 = T(0.3) * Mp3_23;
   const T Hb3_22 = b3_23 - b3_24 + Hp3_22;
-  const T Hb3_23 = T(0.1) * Mp3_13 - T(0.3) * Mp3_33 + Hp3_23;
-  const T Hb3_31 = T(0.3) * Mp3_12 + Hp3_31;
-  const T Hb3_32 = T(0.3) * Mp3_22 + Hp3_32;
+  const T Hb3_23 = Hp3_23 + T(0.1) * Mp3_13 - T(0.3) * Mp3_33;
+  const T Hb3_31 = Hp3_31 + T(0.3) * Mp3_12;
+  const T Hb3_32 = Hp3_32 + T(0.3) * Mp3_22;
   const T Hb3_33 = b3_24 + Hp3_33;
 
   // ---- body 2 (clapper) and what it carries
   // n2 = r2~ G2 + N2: moment that drives it, body axes [N m]
-  const T minus_n2_1 = T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3 + minus_N2_1;
+  const T minus_n2_1 = minus_N2_1 + T(0.2) * minus_G2_2 + T(0.02) * minus_G2_3;
   const T n2_2 = T(0.2) * minus_G2_1 - minus_N2_2;
   const T n2_3 = T(0.02) * minus_G2_1 - minus_N2_3;
   // w_2 = D(LD2)^-1 L(LD2)^-1 n2: D^-1 L^-1 n
@@ -12130,7 +12209,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T w_2_2 = T(23.25581395348837) * n2_2;
   const T w_2_3 = T(244.9863263445761) * (n2_3 - T(0.07441860465116279) * n2_2);
   // gb2 = G2 - Y2^T w_2: force with the ball solved [N]
-  const T gb2_1 = T(0.16000000000000003) * w_2_2 + T(0.004093023255813953) * w_2_3 - minus_G2_1;
+  const T gb2_1 = T(0.16000000000000003) * w_2_2 - minus_G2_1 + T(0.004093023255813953) * w_2_3;
   const T gb2_2 = T(0.16000000000000003) * minus_w_2_1 - minus_G2_2;
   const T gb2_3 = T(0.016) * minus_w_2_1 - minus_G2_3;
   // Mb2 = C2^T M2 C2: M of the joint, lower body's axes
@@ -12155,7 +12234,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T b2_10 = T(0.2) * Mb2_23;
   const T Hb2_13 = b2_10 + T(0.1) * Mb2_33;
   const T b2_11 = T(0.2) * Mb2_13;
-  const T minus_Hb2_21 = T(0.2) * Mb2_11 + b2_11;
+  const T minus_Hb2_21 = b2_11 + T(0.2) * Mb2_11;
   const T minus_Hb2_22 = b2_7 + b2_10;
   const T minus_Hb2_23 = b2_11 + T(0.2) * Mb2_33;
   const T Hb2_31 = b2_7 - T(0.1) * Mb2_11;
@@ -12183,23 +12262,23 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // JA1 = q3~ Hp3^T + q4a~ Hp4a^T + q5a~ Hp5a^T - m1 r1~ r1~ + I1 + d8~ Hs2_8^T + Js2_8 + Jp5a + Jp4a + Jp3 - Hb2 q2~
   //   - Hb3 q3~ - Hb4a q4a~ - Hb5a q5a~ - Hb8 d8~ - Hb10 d10~: moment for an angular acceleration, body axes [kg m^2]
   const T b1_1 = Hb2_12 * T(0.2);
-  const T JA1_11 = T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 + T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + T(0.608) + d8_2 *
-      Hs2_8_13 + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 * T(0.1) -
-      Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
-  const T JA1_12 = T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 + T(0.3) * minus_Hp5a_23 + T(0.0216) +
-      Jp5a_12 + Jp4a_12 + Jp3_12 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
+  const T JA1_11 = T(0.608) + Js2_8_11 + Jp5a_11 + Jp4a_11 + Jp3_11 + b1_1 + T(0.1) * Hp4a_13 - T(0.1) * Hp3_12 +
+      T(0.3) * minus_Hp5a_13 - T(0.1) * Hp5a_12 + d8_2 * Hs2_8_13 + Hb2_13 * T(0.1) - Hb3_12 * T(0.1) + Hb4a_13 *
+      T(0.1) - Hb5a_12 * T(0.1) + minus_Hb5a_13 * T(0.3) + Hb8_13 * d8_2 + Hb10_13 * s10;
+  const T JA1_12 = T(0.0216) + Jp5a_12 + Jp4a_12 + Jp3_12 + T(0.1) * Hp4a_23 - T(0.1) * Hp3_22 - T(0.1) * Hp5a_22 +
+      T(0.3) * minus_Hp5a_23 - Hb2_11 * T(0.2) - Hb2_13 * T(0.2) - Hb3_13 * T(0.3) + Hb3_11 * T(0.1) + Hb4a_13 *
       T(0.2) - minus_Hb5a_11 * T(0.1) - Hb10_13 * T(0.1) + Hb10_11 * T(0.3);
-  const T JA1_13 = T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 - T(0.0148) + d8_2 * Hs2_8_33 + Js2_8_13 + Jp4a_13 + Jp3_13 -
-      Hb2_11 * T(0.1) + b1_1 + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) - Hb8_11
-      * d8_2 - Hb10_11 * s10;
-  const T JA1_22 = T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 + T(0.1) * Hp5a_21 + T(0.5104) + Jp5a_22 +
-      Jp4a_22 + Jp3_22 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
+  const T JA1_13 = Js2_8_13 - T(0.0148) + Jp4a_13 + Jp3_13 + b1_1 + T(0.1) * Hp4a_33 - T(0.1) * Hp3_32 + d8_2 *
+      Hs2_8_33 - Hb2_11 * T(0.1) + Hb3_12 * T(0.3) - Hb4a_11 * T(0.1) - Hb4a_12 * T(0.2) - minus_Hb5a_11 * T(0.3) -
+      Hb8_11 * d8_2 - Hb10_11 * s10;
+  const T JA1_22 = T(0.5104) + Jp5a_22 + Jp4a_22 + Jp3_22 + T(0.1) * Hp3_21 - T(0.3) * Hp3_23 + T(0.2) * Hp4a_23 +
+      T(0.1) * Hp5a_21 + minus_Hb2_21 * T(0.2) + minus_Hb2_23 * T(0.2) - Hb3_23 * T(0.3) + Hb3_21 * T(0.1) + Hb4a_23 *
       T(0.2) + Hb5a_21 * T(0.1) - Hb10_23 * T(0.1) + Hb10_21 * T(0.3);
-  const T JA1_23 = T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 + T(0.0324) + Jp4a_23 + Jp3_23 - minus_Hb2_22
+  const T JA1_23 = T(0.0324) + Jp4a_23 + Jp3_23 + T(0.1) * Hp3_31 - T(0.3) * Hp3_33 + T(0.2) * Hp4a_33 - minus_Hb2_22
       * T(0.2) + minus_Hb2_21 * T(0.1) + Hb3_22 * T(0.3) - Hb4a_21 * T(0.1) - Hb4a_22 * T(0.2) + Hb5a_21 * T(0.3) -
       Hb10_21 * s10;
-  const T JA1_33 = T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 + T(0.704) - d8_2 * Hs2_8_31 + Js2_8_33 +
-      Jp4a_33 + Jp3_33 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
+  const T JA1_33 = T(0.704) + Js2_8_33 + Jp4a_33 + Jp3_33 + T(0.3) * Hp3_32 - T(0.2) * Hp4a_32 - T(0.1) * Hp4a_31 -
+      d8_2 * Hs2_8_31 - Hb2_31 * T(0.1) + Hb2_32 * T(0.2) + Hb3_32 * T(0.3) - Hb4a_31 * T(0.1) - Hb4a_32 * T(0.2) +
       Hb5a_31 * T(0.3) - Hb8_31 * d8_2 + minus_Hb10_31 * s10;
   // g1 = C2^T gb2 + G1 + gs2_10 + gs2_8 + gp5a + gp4a + gp3: force that drives it, home axes [N]
   const T b1_2 = C2_11 * gb2_1 + C2_21 * gb2_2 + C2_31 * gb2_3;
@@ -12211,12 +12290,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // n1 = q2~ C2^T gb2 + q3~ gp3 + q4a~ gp4a + q5a~ gp5a + r1~ G1 + d8~ gs2_8 + d10~ gs2_10 + N1 + ns2_8 + np5a + np4a
   //   + np3: moment that drives it, body axes [N m]
   const T b1_5 = T(0.2) * b1_3;
-  const T n1_1 = b1_5 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 - T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03)
-      * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1;
-  const T n1_2 = T(0.1) * gp3_1 - (T(0.2) * b1_2 + T(0.2) * b1_4) - T(0.3) * gp3_3 + T(0.2) * gp4a_3 + T(0.1) * gp5a_1
-      + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3 + N1_2 + np5a_2 + np4a_2 + np3_2;
-  const T n1_3 = b1_5 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 - T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02)
-      * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3;
+  const T n1_1 = b1_5 + N1_1 + ns2_8_1 + np5a_1 + np4a_1 + np3_1 + T(0.1) * b1_4 - T(0.1) * gp3_2 + T(0.1) * gp4a_3 -
+      T(0.1) * gp5a_2 - T(0.3) * gp5_3 - T(0.03) * G1_2 - T(0.01) * G1_3 + d8_2 * gs2_8_3 + s10 * gs2_10_3;
+  const T n1_2 = N1_2 + np5a_2 + np4a_2 + np3_2 - T(0.2) * b1_2 - T(0.2) * b1_4 + T(0.1) * gp3_1 - T(0.3) * gp3_3 +
+      T(0.2) * gp4a_3 + T(0.1) * gp5a_1 + T(0.03) * G1_1 - T(0.02) * G1_3 + T(0.3) * gs2_10_1 - T(0.1) * gs2_10_3;
+  const T n1_3 = b1_5 - minus_N1_3 + ns2_8_3 + np4a_3 + np3_3 - T(0.1) * b1_2 + T(0.3) * gp3_2 - T(0.2) * gp4a_2 -
+      T(0.1) * gp4a_1 + T(0.3) * gp5a_1 + T(0.02) * G1_2 + T(0.01) * G1_1 - d8_2 * gs2_8_1 - s10 * gs2_10_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -12248,16 +12327,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T w_1_2 = LD1_22 * b1_7;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_7);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
-  const T M1_12 = MA1_12 - (HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32);
-  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  const T M1_11 = MA1_11 - HA1_11 * W1_11 - Y1_21 * W1_21 - Y1_31 * W1_31;
+  const T M1_12 = MA1_12 - HA1_11 * W1_12 - Y1_21 * W1_22 - Y1_31 * W1_32;
+  const T M1_13 = MA1_13 - HA1_11 * W1_13 - Y1_21 * W1_23 - Y1_31 * W1_33;
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - Y1_22 * W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - Y1_22 * W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - Y1_23 * W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 - HA1_11 * w_1_1 - Y1_21 * w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - Y1_22 * w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - Y1_23 * w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T LDs1_21 = LDs1_11 * M1_12;
@@ -12277,16 +12356,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 - LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
+  const T z1_3 = w_1_2 - W1_21 * Pddot1_1 - W1_22 * z1_1 - W1_23 * ws1_3 - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_11 * Pddot1_1 - W1_12 * z1_1 - W1_13 * ws1_3 - LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
   const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  const T sddot1_3 = R1_13 * Pddot1_1 - T(9.81) + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[16] = sddot1_1;
   ydot[17] = sddot1_2;
   ydot[18] = sddot1_3;
@@ -12294,7 +12373,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // ---- body 2 (clapper), solved
   // beta2 = -C2 q2~ omegadot1 + C2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.2) * z1_2;
-  const T z2_2 = T(0.2) * omegadot1_1 + z2_1;
+  const T z2_2 = z2_1 + T(0.2) * omegadot1_1;
   const T z2_3 = T(0.2) * z1_3;
   const T z2_4 = T(0.1) * z1_2;
   const T z2_5 = z2_3 + z2_4;
@@ -12326,8 +12405,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL3_2 = E3_21 * omegadot1_1 + E3_22 * z1_3 + E3_23 * z1_2;
   const T alphaL3_3 = E3_31 * omegadot1_1 + E3_32 * z1_3 + E3_33 * z1_2;
   // phi3 = -kB3 . beta3 - kK3 . alphaL3 + v3
-  const T phi3 = minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
-      alphaL3_2 - kK3_3 * alphaL3_3 + v3;
+  const T phi3 = v3 + minus_kB3_1 * beta3_1 - kB3_2 * beta3_2 + minus_kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_2 *
+      alphaL3_2 - kK3_3 * alphaL3_3;
   ydot[6] = phi3;
   // alpha3 = alphaL3 + phi3 b3: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
   const T alpha3_2 = alphaL3_2 + phi3 * T(0.44378789320576517);
@@ -12346,8 +12425,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL4a_2 = minus_E4a_12 * omegadot1_1 + E4a_22 * z1_3 + E4a_23 * z1_2;
   const T alphaL4a_3 = minus_E4a_13 * omegadot1_1 + E4a_23 * z1_3 + E4a_33 * z1_2;
   // phi4a = -kB4a . beta4a - kK4a . alphaL4a + v4a
-  const T phi4a = minus_kK4a_3 * alphaL4a_3 - (kB4a_2 * beta4a_2 + kB4a_3 * beta4a_3 + kK4a_1 * alphaL4a_1 + kK4a_2 *
-      alphaL4a_2) + v4a;
+  const T phi4a = v4a - kB4a_2 * beta4a_2 - kB4a_3 * beta4a_3 - kK4a_1 * alphaL4a_1 - kK4a_2 * alphaL4a_2 +
+      minus_kK4a_3 * alphaL4a_3;
   ydot[7] = phi4a;
   // alpha4a = alphaL4a + phi4a b4_1: angular acceleration beyond that at ydot = 0, body axes [rad/s^2]
   const T alpha4a_2 = alphaL4a_2 + phi4a * T(0.28);
@@ -12358,7 +12437,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // alphaL4 = E4 alpha4a: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL4_2 = T(0.96) * alpha4a_2 + T(0.28) * alpha4a_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4_2 kK4) . alphaL4
-  const T phi4 = T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1 + v4;
+  const T phi4 = v4 + T(1.6061867935752527) * beta4_3 - T(5.353955978584176) * beta4_1;
   // thetaddot4_2 = -b4_2 . alphaL4 + phi4
   const T thetaddot4_2 = phi4 - alphaL4_2;
   ydot[8] = thetaddot4_2;
@@ -12372,7 +12451,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL5a_1 = E5a_11 * omegadot1_1 + E5a_12 * z1_3;
   const T alphaL5a_2 = E5a_11 * z1_3 - E5a_12 * omegadot1_1;
   // phi5a = -kB5a . beta5a + v5a - (P_b5_1 kK5a) . alphaL5a
-  const T phi5a = v5a - (kB5a_1 * beta5a_1 + kB5a_2 * beta5a_2) - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
+  const T phi5a = v5a - kB5a_1 * beta5a_1 - kB5a_2 * beta5a_2 - kK5a_1 * alphaL5a_1 - kK5a_2 * alphaL5a_2;
   // thetaddot5_1 = -b5_1 . alphaL5a + phi5a
   const T thetaddot5_1 = phi5a - z1_2;
   ydot[9] = thetaddot5_1;
@@ -12389,7 +12468,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T Pj2_8_1 = Pddot1_1 - d8_2 * z1_2;
   const T Pj2_8_3 = ws1_3 + d8_2 * omegadot1_1;
   // phi2_8 = -kK2_8 . omegadot1 + v2_8 - (P_u8 kB2_8) . Pj2_8
-  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 + minus_kK2_8_3 * z1_2 - minus_v2_8 + minus_kB2_8_1 * Pj2_8_1 +
+  const T phi2_8 = minus_kK2_8_1 * omegadot1_1 - minus_v2_8 + minus_kK2_8_3 * z1_2 + minus_kB2_8_1 * Pj2_8_1 +
       minus_kB2_8_3 * Pj2_8_3;
   // sddot8 = -u8 . Pj2_8 + phi2_8
   const T sddot8 = z1_1 + phi2_8;
@@ -12401,7 +12480,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T alphaL8_1 = E8_11 * omegadot1_1 + E8_13 * z1_2;
   const T alphaL8_3 = E8_11 * z1_2 - E8_13 * omegadot1_1;
   // phi8 = -kB1_8 . beta8 + v1_8 - (P_b8 kK1_8) . alphaL8
-  const T phi8 = minus_kB1_8_1 * beta8_1 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 - minus_v1_8 +
+  const T phi8 = minus_kB1_8_1 * beta8_1 - minus_v1_8 + T(1.2038983374737244) * phi2_8 + minus_kB1_8_3 * beta8_3 +
       minus_kK1_8_1 * alphaL8_1 + minus_kK1_8_3 * alphaL8_3;
   // thetaddot8 = -b8 . alphaL8 + phi8
   const T thetaddot8 = z1_3 + phi8;
@@ -12414,16 +12493,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // beta9 = E9 P_u9_1 Pj2_9 + phi2_9 E9 u9_1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta9_2 = E9_11 * v3_9 - phi2_9 * E9_12;
   // phi9 = -kB1_9 . beta9 + v1_9
-  const T minus_phi9 = T(2) * beta9_2 + minus_v1_9;
+  const T minus_phi9 = minus_v1_9 + T(2) * beta9_2;
   ydot[11] = -minus_phi9;
 
   // ---- body 10 (runner), solved
   // Pj2_10 = -d10~ omegadot1 + Pddot1: acceleration of the joint beyond that at ydot = 0 [m/s^2]
-  const T Pj2_10_1 = z3_4 - s10 * z1_2 + Pddot1_1;
-  const T Pj2_10_2 = z2_4 - T(0.3) * omegadot1_1 + z1_1;
-  const T Pj2_10_3 = s10 * omegadot1_1 - z3_1 + ws1_3;
+  const T Pj2_10_1 = z3_4 + Pddot1_1 - s10 * z1_2;
+  const T Pj2_10_2 = z2_4 + z1_1 - T(0.3) * omegadot1_1;
+  const T Pj2_10_3 = ws1_3 - z3_1 + s10 * omegadot1_1;
   // phi2_10 = v2_10 - (P_u10 kB2_10) . Pj2_10
-  const T phi2_10 = v2_10 - (kB2_10_1 * Pj2_10_1 + kB2_10_3 * Pj2_10_3);
+  const T phi2_10 = v2_10 - kB2_10_1 * Pj2_10_1 - kB2_10_3 * Pj2_10_3;
   // sddot10 = -u10 . Pj2_10 + phi2_10
   const T sddot10 = phi2_10 - Pj2_10_2;
   ydot[25] = sddot10;
@@ -12432,12 +12511,12 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   const T beta10_2 = C10_21 * Pj2_10_1 + C10_23 * Pj2_10_3 + phi2_10 * C10_22;
   const T beta10_3 = C10_31 * Pj2_10_1 + C10_33 * Pj2_10_3 + phi2_10 * C10_32;
   // omegadot10 = L(LD10)^-T (-W10 beta10 + w_10)
-  const T z10_1 = T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 + T(0.04257130693912303) *
-      beta10_3 + w_10_3;
-  const T z10_2 = T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254) *
-      beta10_3 + w_10_2 - T(0.03639120545868082) * z10_1;
-  const T omegadot10_1 = w_10_1 - (T(5) * beta10_2 + T(1.6666666666666667) * beta10_3) + T(0.03333333333333333) *
-      z10_2 - T(0.1) * z10_1;
+  const T z10_1 = w_10_3 + T(1.3339009507591884) * beta10_1 - T(2.5400879807010077) * beta10_2 +
+      T(0.04257130693912303) * beta10_3;
+  const T z10_2 = w_10_2 + T(3.411675511751327) * beta10_1 - T(0.11372251705837756) * beta10_2 + T(2.2365428354814254)
+      * beta10_3 - T(0.03639120545868082) * z10_1;
+  const T omegadot10_1 = w_10_1 - T(5) * beta10_2 - T(1.6666666666666667) * beta10_3 + T(0.03333333333333333) * z10_2
+      - T(0.1) * z10_1;
   ydot[12] = omegadot10_1;
   ydot[13] = z10_2;
   ydot[14] = z10_1;
@@ -12449,8 +12528,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, T t, const T* x, const T
   // alphaL11 = E11 alpha8: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL11_1 = E11_11 * alphaL8_1 + E11_13 * alphaL8_3;
   // phi11 = -kB11 . beta11 - kK11 . alphaL11 + v11
-  const T phi11 = T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
-      alphaL11_1 - T(0.9545454545454546) * phi8 + v11;
+  const T phi11 = v11 + T(4.545454545454546) * beta11_1 - T(4.545454545454546) * phi2_8 - T(0.045454545454545456) *
+      alphaL11_1 - T(0.9545454545454546) * phi8;
   ydot[15] = phi11;
 
   // ---- body 1 (hull) on the inertial frame

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 338114d293c0ec8c of quadruped/scene.toml; the usual functions
+// model 97e13a36800cb005 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -35,7 +35,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics              23 (8 add, 15 multiply)
@@ -52,6 +53,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::quadruped {
 
@@ -60,7 +142,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "338114d293c0ec8c";
+inline constexpr char model_hash[] = "97e13a36800cb005";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -261,7 +343,9 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T
 // 239 add, 291 multiply, 24 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -318,10 +402,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[11] = p1_3;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -359,20 +442,19 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_3 = s1_3 + t2_9;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_10 = R1_11 * T(0.003311);
-  const T p2_1 = R2_31 * T(3.1e-05) - (t2_10 + R2_21 * T(0.000635)) + P2_1;
+  const T p2_1 = P2_1 - t2_10 - R2_21 * T(0.000635) + R2_31 * T(3.1e-05);
   const T t2_11 = R1_12 * T(0.003311);
-  const T p2_2 = R2_32 * T(3.1e-05) - (t2_11 + R2_22 * T(0.000635)) + P2_2;
+  const T p2_2 = P2_2 - t2_11 - R2_22 * T(0.000635) + R2_32 * T(3.1e-05);
   const T t2_12 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - (t2_12 + R2_23 * T(0.000635)) + P2_3;
+  const T p2_3 = P2_3 - t2_12 - R2_23 * T(0.000635) + R2_33 * T(3.1e-05);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -391,18 +473,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P3_2 = P2_2 - R2_22 * T(0.0838);
   const T P3_3 = P2_3 - R2_23 * T(0.0838);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326) + P3_1;
-  const T p3_2 = R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326) + P3_2;
-  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  const T p3_1 = P3_1 + R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326);
+  const T p3_2 = P3_2 + R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326);
+  const T p3_3 = P3_3 + R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -428,10 +509,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P4_3 = P3_3 - R3_33 * T(0.2);
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -462,18 +542,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T t6_3 = t2_7 + t2_8;
   const T P6_3 = s1_3 + t6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_21 * T(0.000635) - t2_10 + R6_31 * T(3.1e-05) + P6_1;
-  const T p6_2 = R6_22 * T(0.000635) - t2_11 + R6_32 * T(3.1e-05) + P6_2;
-  const T p6_3 = R6_23 * T(0.000635) - t2_12 + R6_33 * T(3.1e-05) + P6_3;
+  const T p6_1 = P6_1 - t2_10 + R6_21 * T(0.000635) + R6_31 * T(3.1e-05);
+  const T p6_2 = P6_2 - t2_11 + R6_22 * T(0.000635) + R6_32 * T(3.1e-05);
+  const T p6_3 = P6_3 - t2_12 + R6_23 * T(0.000635) + R6_33 * T(3.1e-05);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -488,22 +567,21 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[79] = R7_32;
   pose[80] = R7_33;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = R6_21 * T(0.0838) + P6_1;
-  const T P7_2 = R6_22 * T(0.0838) + P6_2;
-  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  const T P7_1 = P6_1 + R6_21 * T(0.0838);
+  const T P7_2 = P6_2 + R6_22 * T(0.0838);
+  const T P7_3 = P6_3 + R6_23 * T(0.0838);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - (R7_11 * T(0.003237) + R6_21 * T(0.022327) + R7_31 * T(0.027326));
-  const T p7_2 = P7_2 - (R7_12 * T(0.003237) + R6_22 * T(0.022327) + R7_32 * T(0.027326));
-  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
+  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
+  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -529,10 +607,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P8_3 = P7_3 - R7_33 * T(0.2);
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -560,18 +637,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P10_2 = s1_2 - t6_2;
   const T P10_3 = s1_3 - t6_3;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = t2_10 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05) + P10_1;
-  const T p10_2 = t2_11 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05) + P10_2;
-  const T p10_3 = t2_12 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  const T p10_1 = t2_10 + P10_1 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05);
+  const T p10_2 = t2_11 + P10_2 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05);
+  const T p10_3 = t2_12 + P10_3 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05);
   pose[117] = p10_1;
   pose[118] = p10_2;
   pose[119] = p10_3;
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -590,18 +666,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P11_2 = P10_2 - R10_22 * T(0.0838);
   const T P11_3 = P10_3 - R10_23 * T(0.0838);
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326) + P11_1;
-  const T p11_2 = R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326) + P11_2;
-  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  const T p11_1 = P11_1 + R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326);
+  const T p11_2 = P11_2 + R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326);
+  const T p11_3 = P11_3 + R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326);
   pose[129] = p11_1;
   pose[130] = p11_2;
   pose[131] = p11_3;
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -627,10 +702,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P12_3 = P11_3 - R11_33 * T(0.2);
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -658,18 +732,17 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P14_2 = s1_2 - t2_6;
   const T P14_3 = s1_3 - t2_9;
   // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
-  const T p14_1 = t2_10 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05) + P14_1;
-  const T p14_2 = t2_11 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05) + P14_2;
-  const T p14_3 = t2_12 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  const T p14_1 = t2_10 + P14_1 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05);
+  const T p14_2 = t2_11 + P14_2 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05);
+  const T p14_3 = t2_12 + P14_3 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05);
   pose[165] = p14_1;
   pose[166] = p14_2;
   pose[167] = p14_3;
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -684,22 +757,21 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[175] = R15_32;
   pose[176] = R15_33;
   // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
-  const T P15_1 = R14_21 * T(0.0838) + P14_1;
-  const T P15_2 = R14_22 * T(0.0838) + P14_2;
-  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  const T P15_1 = P14_1 + R14_21 * T(0.0838);
+  const T P15_2 = P14_2 + R14_22 * T(0.0838);
+  const T P15_3 = P14_3 + R14_23 * T(0.0838);
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_1 = P15_1 - (R15_11 * T(0.003237) + R14_21 * T(0.022327) + R15_31 * T(0.027326));
-  const T p15_2 = P15_2 - (R15_12 * T(0.003237) + R14_22 * T(0.022327) + R15_32 * T(0.027326));
-  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
+  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
+  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
   pose[177] = p15_1;
   pose[178] = p15_2;
   pose[179] = p15_3;
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -725,27 +797,27 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P16_3 = P15_3 - R15_33 * T(0.2);
 
   // ---- results
-  pose[45] = R4_11 * T(0.006435) - R4_31 * T(0.107388) + P4_1;
-  pose[46] = R4_12 * T(0.006435) - R4_32 * T(0.107388) + P4_2;
-  pose[47] = R4_13 * T(0.006435) - R4_33 * T(0.107388) + P4_3;
+  pose[45] = P4_1 + R4_11 * T(0.006435) - R4_31 * T(0.107388);
+  pose[46] = P4_2 + R4_12 * T(0.006435) - R4_32 * T(0.107388);
+  pose[47] = P4_3 + R4_13 * T(0.006435) - R4_33 * T(0.107388);
   pose[57] = P4_1 - R4_31 * T(0.2);
   pose[58] = P4_2 - R4_32 * T(0.2);
   pose[59] = P4_3 - R4_33 * T(0.2);
-  pose[93] = R8_11 * T(0.006435) - R8_31 * T(0.107388) + P8_1;
-  pose[94] = R8_12 * T(0.006435) - R8_32 * T(0.107388) + P8_2;
-  pose[95] = R8_13 * T(0.006435) - R8_33 * T(0.107388) + P8_3;
+  pose[93] = P8_1 + R8_11 * T(0.006435) - R8_31 * T(0.107388);
+  pose[94] = P8_2 + R8_12 * T(0.006435) - R8_32 * T(0.107388);
+  pose[95] = P8_3 + R8_13 * T(0.006435) - R8_33 * T(0.107388);
   pose[105] = P8_1 - R8_31 * T(0.2);
   pose[106] = P8_2 - R8_32 * T(0.2);
   pose[107] = P8_3 - R8_33 * T(0.2);
-  pose[141] = R12_11 * T(0.006435) - R12_31 * T(0.107388) + P12_1;
-  pose[142] = R12_12 * T(0.006435) - R12_32 * T(0.107388) + P12_2;
-  pose[143] = R12_13 * T(0.006435) - R12_33 * T(0.107388) + P12_3;
+  pose[141] = P12_1 + R12_11 * T(0.006435) - R12_31 * T(0.107388);
+  pose[142] = P12_2 + R12_12 * T(0.006435) - R12_32 * T(0.107388);
+  pose[143] = P12_3 + R12_13 * T(0.006435) - R12_33 * T(0.107388);
   pose[153] = P12_1 - R12_31 * T(0.2);
   pose[154] = P12_2 - R12_32 * T(0.2);
   pose[155] = P12_3 - R12_33 * T(0.2);
-  pose[189] = R16_11 * T(0.006435) - R16_31 * T(0.107388) + P16_1;
-  pose[190] = R16_12 * T(0.006435) - R16_32 * T(0.107388) + P16_2;
-  pose[191] = R16_13 * T(0.006435) - R16_33 * T(0.107388) + P16_3;
+  pose[189] = P16_1 + R16_11 * T(0.006435) - R16_31 * T(0.107388);
+  pose[190] = P16_2 + R16_12 * T(0.006435) - R16_32 * T(0.107388);
+  pose[191] = P16_3 + R16_13 * T(0.006435) - R16_33 * T(0.107388);
   pose[201] = P16_1 - R16_31 * T(0.2);
   pose[202] = P16_2 - R16_32 * T(0.2);
   pose[203] = P16_3 - R16_33 * T(0.2);
@@ -756,7 +828,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 558 add, 757 multiply, 24 sine or cosine
 template <class T>
 void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -801,11 +875,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
       v1_2 + v1_3 * v1_3);
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -824,7 +897,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T P2_3 = s1_3 + t2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_4 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - (t2_4 + R2_23 * T(0.000635)) + P2_3;
+  const T p2_3 = P2_3 - t2_4 - R2_23 * T(0.000635) + R2_33 * T(3.1e-05);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_5 = omega1_3 * T(0.047);
   const T t2_6 = R1_11 * t2_5;
@@ -847,9 +920,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t2_19 = omega2_3 * T(0.000635) + omega2_2 * T(3.1e-05);
   const T t2_20 = omega2_3 * T(0.003311) + omega2_1 * T(3.1e-05);
   const T t2_21 = omega2_2 * T(0.003311) - omega2_1 * T(0.000635);
-  const T v2_1 = R1_11 * t2_19 - R2_21 * t2_20 + R2_31 * t2_21 + Pdot2_1;
-  const T v2_2 = R1_12 * t2_19 - R2_22 * t2_20 + R2_32 * t2_21 + Pdot2_2;
-  const T v2_3 = R1_13 * t2_19 - R2_23 * t2_20 + R2_33 * t2_21 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R1_11 * t2_19 - R2_21 * t2_20 + R2_31 * t2_21;
+  const T v2_2 = Pdot2_2 + R1_12 * t2_19 - R2_22 * t2_20 + R2_32 * t2_21;
+  const T v2_3 = Pdot2_3 + R1_13 * t2_19 - R2_23 * t2_20 + R2_33 * t2_21;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.000469246) * omega2_1 + T(9.409e-06) * omega2_2 - T(3.42e-07) * omega2_3) +
       omega2_2 * (T(9.409e-06) * omega2_1 + T(0.00080749) * omega2_2 + T(4.66e-07) * omega2_3) + omega2_3 *
@@ -860,8 +933,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -876,20 +949,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P3 = R2^T q3 + P2: position of the body origin, inertial axes [m]
   const T P3_3 = P2_3 - R2_23 * T(0.0838);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  const T p3_3 = P3_3 + R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = omega2_3 * T(0.0838);
   const T t3_2 = omega2_1 * T(0.0838);
-  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
-  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
-  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  const T Pdot3_1 = Pdot2_1 + R1_11 * t3_1 - R2_31 * t3_2;
+  const T Pdot3_2 = Pdot2_2 + R1_12 * t3_1 - R2_32 * t3_2;
+  const T Pdot3_3 = Pdot2_3 + R1_13 * t3_1 - R2_33 * t3_2;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_3 = omega3_1 * T(0.027326) - omega3_3 * T(0.003237);
   const T t3_4 = omega3_3 * T(0.022327) + omega3_2 * T(0.027326);
   const T t3_5 = omega3_1 * T(0.022327) + omega3_2 * T(0.003237);
-  const T v3_1 = R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5 + Pdot3_1;
-  const T v3_2 = R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5 + Pdot3_2;
-  const T v3_3 = R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5;
+  const T v3_2 = Pdot3_2 + R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5;
+  const T v3_3 = Pdot3_3 + R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.005529065) * omega3_1 - T(4.825e-06) * omega3_2 + T(0.000343869) * omega3_3)
       + omega3_2 * (T(0.005139339) * omega3_2 - T(4.825e-06) * omega3_1 - T(2.2448e-05) * omega3_3) + omega3_3 *
@@ -902,8 +975,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -918,20 +991,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P4 = R3^T q4 + P3: position of the body origin, inertial axes [m]
   const T P4_3 = P3_3 - R3_33 * T(0.2);
   // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814) + P4_3;
+  const T p4_3 = P4_3 + R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_1 * T(0.2);
   const T t4_2 = omega3_2 * T(0.2);
-  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
-  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
-  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R2_21 * t4_1 - R3_11 * t4_2;
+  const T Pdot4_2 = Pdot3_2 + R2_22 * t4_1 - R3_12 * t4_2;
+  const T Pdot4_3 = Pdot3_3 + R2_23 * t4_1 - R3_13 * t4_2;
   // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_3 = omega4_3 * T(0.004726592920353982) + omega4_1 * T(0.13197525663716814);
   const T t4_4 = omega4_2 * T(0.13197525663716814);
   const T t4_5 = omega4_2 * T(0.004726592920353982);
-  const T v4_1 = R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5;
+  const T v4_3 = Pdot4_3 + R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5;
   // T4 = 1/2 omega4 . (I_link4 omega4) + 1/2 m_link4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.003385566451939115) * omega4_1 - T(0.00016742735341238938) * omega4_3) +
       T(0.003403441389465664) * omega4_2 * omega4_2 + omega4_3 * (T(4.385093752654867e-05) * omega4_3 -
@@ -940,11 +1013,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T stretch_fr_calf_4 = theta4 + T(1.6);
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -960,7 +1032,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t6_1 = t2_1 + t2_2;
   const T P6_3 = s1_3 + t6_1;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R6_23 * T(0.000635) - t2_4 + R6_33 * T(3.1e-05) + P6_3;
+  const T p6_3 = P6_3 - t2_4 + R6_23 * T(0.000635) + R6_33 * T(3.1e-05);
   // Pdot6 = sdot1 + R1^T omega1~ q6: velocity of the body origin, inertial axes [m/s]
   const T t6_2 = t2_9 - t2_10;
   const T t6_3 = t2_8 - t2_6 + R1_31 * t6_2;
@@ -973,9 +1045,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t6_6 = omega6_2 * T(3.1e-05) - omega6_3 * T(0.000635);
   const T t6_7 = omega6_3 * T(0.003311) + omega6_1 * T(3.1e-05);
   const T t6_8 = omega6_1 * T(0.000635) + omega6_2 * T(0.003311);
-  const T v6_1 = R1_11 * t6_6 - R6_21 * t6_7 + R6_31 * t6_8 + Pdot6_1;
-  const T v6_2 = R1_12 * t6_6 - R6_22 * t6_7 + R6_32 * t6_8 + Pdot6_2;
-  const T v6_3 = R1_13 * t6_6 - R6_23 * t6_7 + R6_33 * t6_8 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R1_11 * t6_6 - R6_21 * t6_7 + R6_31 * t6_8;
+  const T v6_2 = Pdot6_2 + R1_12 * t6_6 - R6_22 * t6_7 + R6_32 * t6_8;
+  const T v6_3 = Pdot6_3 + R1_13 * t6_6 - R6_23 * t6_7 + R6_33 * t6_8;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.000469246) * omega6_1 - T(9.409e-06) * omega6_2 - T(3.42e-07) * omega6_3) +
       omega6_2 * (T(0.00080749) * omega6_2 - T(9.409e-06) * omega6_1 - T(4.66e-07) * omega6_3) + omega6_3 *
@@ -986,8 +1058,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -1000,22 +1072,22 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  const T P7_3 = P6_3 + R6_23 * T(0.0838);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_1 * T(0.0838);
   const T t7_2 = omega6_3 * T(0.0838);
-  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
-  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
-  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R6_31 * t7_1 - R1_11 * t7_2;
+  const T Pdot7_2 = Pdot6_2 + R6_32 * t7_1 - R1_12 * t7_2;
+  const T Pdot7_3 = Pdot6_3 + R6_33 * t7_1 - R1_13 * t7_2;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_3 = omega7_3 * T(0.022327) - omega7_2 * T(0.027326);
   const T t7_4 = omega7_1 * T(0.027326) - omega7_3 * T(0.003237);
   const T t7_5 = omega7_2 * T(0.003237) - omega7_1 * T(0.022327);
-  const T v7_1 = R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5;
   // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
   const T T7 = T(0.5) * (omega7_1 * (T(0.005529065) * omega7_1 + T(4.825e-06) * omega7_2 + T(0.000343869) * omega7_3)
       + omega7_2 * (T(4.825e-06) * omega7_1 + T(0.005139339) * omega7_2 + T(2.2448e-05) * omega7_3) + omega7_3 *
@@ -1028,8 +1100,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -1044,20 +1116,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P8 = R7^T q8 + P7: position of the body origin, inertial axes [m]
   const T P8_3 = P7_3 - R7_33 * T(0.2);
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814) + P8_3;
+  const T p8_3 = P8_3 + R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814);
   // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega7_1 * T(0.2);
   const T t8_2 = omega7_2 * T(0.2);
-  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
-  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
-  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  const T Pdot8_1 = Pdot7_1 + R6_21 * t8_1 - R7_11 * t8_2;
+  const T Pdot8_2 = Pdot7_2 + R6_22 * t8_1 - R7_12 * t8_2;
+  const T Pdot8_3 = Pdot7_3 + R6_23 * t8_1 - R7_13 * t8_2;
   // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
   const T t8_3 = omega8_3 * T(0.004726592920353982) + omega8_1 * T(0.13197525663716814);
   const T t8_4 = omega8_2 * T(0.13197525663716814);
   const T t8_5 = omega8_2 * T(0.004726592920353982);
-  const T v8_1 = R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5 + Pdot8_1;
-  const T v8_2 = R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5 + Pdot8_2;
-  const T v8_3 = R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5;
+  const T v8_2 = Pdot8_2 + R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5;
+  const T v8_3 = Pdot8_3 + R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5;
   // T8 = 1/2 omega8 . (I_link8 omega8) + 1/2 m_link8 v8 . v8: kinetic energy [J]
   const T T8 = T(0.5) * (omega8_1 * (T(0.003385566451939115) * omega8_1 - T(0.00016742735341238938) * omega8_3) +
       T(0.003403441389465664) * omega8_2 * omega8_2 + omega8_3 * (T(4.385093752654867e-05) * omega8_3 -
@@ -1066,11 +1138,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T stretch_fl_calf_8 = theta8 + T(1.6);
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -1085,7 +1156,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P10 = s1 + R1^T q10: position of the body origin, inertial axes [m]
   const T P10_3 = s1_3 - t6_1;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_3 = t2_4 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  const T p10_3 = t2_4 + P10_3 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05);
   // Pdot10 = sdot1 + R1^T omega1~ q10: velocity of the body origin, inertial axes [m/s]
   const T Pdot10_1 = sdot1_1 - t6_3;
   const T Pdot10_2 = sdot1_2 - t6_4;
@@ -1094,9 +1165,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t10_1 = omega10_3 * T(0.000635) + omega10_2 * T(3.1e-05);
   const T t10_2 = omega10_3 * T(0.003311) - omega10_1 * T(3.1e-05);
   const T t10_3 = omega10_1 * T(0.000635) + omega10_2 * T(0.003311);
-  const T v10_1 = R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3 + Pdot10_1;
-  const T v10_2 = R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3 + Pdot10_2;
-  const T v10_3 = R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3;
+  const T v10_2 = Pdot10_2 + R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3;
+  const T v10_3 = Pdot10_3 + R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3;
   // T10 = 1/2 omega10 . (I10 omega10) + 1/2 m10 v10 . v10: kinetic energy [J]
   const T T10 = T(0.5) * (omega10_1 * (T(0.000469246) * omega10_1 - T(9.409e-06) * omega10_2 + T(3.42e-07) *
       omega10_3) + omega10_2 * (T(0.00080749) * omega10_2 - T(9.409e-06) * omega10_1 + T(4.66e-07) * omega10_3) +
@@ -1107,8 +1178,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -1123,20 +1194,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P11 = R10^T q11 + P10: position of the body origin, inertial axes [m]
   const T P11_3 = P10_3 - R10_23 * T(0.0838);
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  const T p11_3 = P11_3 + R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326);
   // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
   const T t11_1 = omega10_3 * T(0.0838);
   const T t11_2 = omega10_1 * T(0.0838);
-  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
-  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
-  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  const T Pdot11_1 = Pdot10_1 + R1_11 * t11_1 - R10_31 * t11_2;
+  const T Pdot11_2 = Pdot10_2 + R1_12 * t11_1 - R10_32 * t11_2;
+  const T Pdot11_3 = Pdot10_3 + R1_13 * t11_1 - R10_33 * t11_2;
   // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_3 = omega11_1 * T(0.027326) - omega11_3 * T(0.003237);
   const T t11_4 = omega11_3 * T(0.022327) + omega11_2 * T(0.027326);
   const T t11_5 = omega11_1 * T(0.022327) + omega11_2 * T(0.003237);
-  const T v11_1 = R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5 + Pdot11_1;
-  const T v11_2 = R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5 + Pdot11_2;
-  const T v11_3 = R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5;
+  const T v11_2 = Pdot11_2 + R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5;
+  const T v11_3 = Pdot11_3 + R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5;
   // T11 = 1/2 omega11 . (I11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
   const T T11 = T(0.5) * (omega11_1 * (T(0.005529065) * omega11_1 - T(4.825e-06) * omega11_2 + T(0.000343869) *
       omega11_3) + omega11_2 * (T(0.005139339) * omega11_2 - T(4.825e-06) * omega11_1 - T(2.2448e-05) * omega11_3) +
@@ -1149,8 +1220,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -1165,20 +1236,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P12 = R11^T q12 + P11: position of the body origin, inertial axes [m]
   const T P12_3 = P11_3 - R11_33 * T(0.2);
   // p12 = R12^T r_link12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_3 = R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814) + P12_3;
+  const T p12_3 = P12_3 + R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814);
   // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
   const T t12_1 = omega11_1 * T(0.2);
   const T t12_2 = omega11_2 * T(0.2);
-  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
-  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
-  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  const T Pdot12_1 = Pdot11_1 + R10_21 * t12_1 - R11_11 * t12_2;
+  const T Pdot12_2 = Pdot11_2 + R10_22 * t12_1 - R11_12 * t12_2;
+  const T Pdot12_3 = Pdot11_3 + R10_23 * t12_1 - R11_13 * t12_2;
   // v12 = R12^T omega12~ r_link12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
   const T t12_3 = omega12_3 * T(0.004726592920353982) + omega12_1 * T(0.13197525663716814);
   const T t12_4 = omega12_2 * T(0.13197525663716814);
   const T t12_5 = omega12_2 * T(0.004726592920353982);
-  const T v12_1 = R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5 + Pdot12_1;
-  const T v12_2 = R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5 + Pdot12_2;
-  const T v12_3 = R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5 + Pdot12_3;
+  const T v12_1 = Pdot12_1 + R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5;
+  const T v12_2 = Pdot12_2 + R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5;
+  const T v12_3 = Pdot12_3 + R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5;
   // T12 = 1/2 omega12 . (I_link12 omega12) + 1/2 m_link12 v12 . v12: kinetic energy [J]
   const T T12 = T(0.5) * (omega12_1 * (T(0.003385566451939115) * omega12_1 - T(0.00016742735341238938) * omega12_3) +
       T(0.003403441389465664) * omega12_2 * omega12_2 + omega12_3 * (T(4.385093752654867e-05) * omega12_3 -
@@ -1187,11 +1258,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T stretch_rr_calf_12 = theta12 + T(1.6);
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -1206,7 +1276,7 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P14 = s1 + R1^T q14: position of the body origin, inertial axes [m]
   const T P14_3 = s1_3 - t2_3;
   // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
-  const T p14_3 = t2_4 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  const T p14_3 = t2_4 + P14_3 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05);
   // Pdot14 = sdot1 + R1^T omega1~ q14: velocity of the body origin, inertial axes [m/s]
   const T Pdot14_1 = sdot1_1 - t2_12;
   const T Pdot14_2 = sdot1_2 - t2_15;
@@ -1215,9 +1285,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t14_1 = omega14_2 * T(3.1e-05) - omega14_3 * T(0.000635);
   const T t14_2 = omega14_3 * T(0.003311) - omega14_1 * T(3.1e-05);
   const T t14_3 = omega14_1 * T(0.000635) - omega14_2 * T(0.003311);
-  const T v14_1 = R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3 + Pdot14_1;
-  const T v14_2 = R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3 + Pdot14_2;
-  const T v14_3 = R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3 + Pdot14_3;
+  const T v14_1 = Pdot14_1 + R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3;
+  const T v14_2 = Pdot14_2 + R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3;
+  const T v14_3 = Pdot14_3 + R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3;
   // T14 = 1/2 omega14 . (I14 omega14) + 1/2 m14 v14 . v14: kinetic energy [J]
   const T T14 = T(0.5) * (omega14_1 * (T(0.000469246) * omega14_1 + T(9.409e-06) * omega14_2 + T(3.42e-07) *
       omega14_3) + omega14_2 * (T(9.409e-06) * omega14_1 + T(0.00080749) * omega14_2 - T(4.66e-07) * omega14_3) +
@@ -1228,8 +1298,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -1242,22 +1312,22 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T omega15_2 = thetadot15 + omega14_2;
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
   // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
-  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  const T P15_3 = P14_3 + R14_23 * T(0.0838);
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
   // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
   const T t15_1 = omega14_1 * T(0.0838);
   const T t15_2 = omega14_3 * T(0.0838);
-  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
-  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
-  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  const T Pdot15_1 = Pdot14_1 + R14_31 * t15_1 - R1_11 * t15_2;
+  const T Pdot15_2 = Pdot14_2 + R14_32 * t15_1 - R1_12 * t15_2;
+  const T Pdot15_3 = Pdot14_3 + R14_33 * t15_1 - R1_13 * t15_2;
   // v15 = R15^T omega15~ r15 + Pdot15: velocity of the mass centre, inertial axes [m/s]
   const T t15_3 = omega15_3 * T(0.022327) - omega15_2 * T(0.027326);
   const T t15_4 = omega15_1 * T(0.027326) - omega15_3 * T(0.003237);
   const T t15_5 = omega15_2 * T(0.003237) - omega15_1 * T(0.022327);
-  const T v15_1 = R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5 + Pdot15_1;
-  const T v15_2 = R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5 + Pdot15_2;
-  const T v15_3 = R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5 + Pdot15_3;
+  const T v15_1 = Pdot15_1 + R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5;
+  const T v15_2 = Pdot15_2 + R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5;
+  const T v15_3 = Pdot15_3 + R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5;
   // T15 = 1/2 omega15 . (I15 omega15) + 1/2 m15 v15 . v15: kinetic energy [J]
   const T T15 = T(0.5) * (omega15_1 * (T(0.005529065) * omega15_1 + T(4.825e-06) * omega15_2 + T(0.000343869) *
       omega15_3) + omega15_2 * (T(4.825e-06) * omega15_1 + T(0.005139339) * omega15_2 + T(2.2448e-05) * omega15_3) +
@@ -1270,8 +1340,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -1286,20 +1356,20 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // P16 = R15^T q16 + P15: position of the body origin, inertial axes [m]
   const T P16_3 = P15_3 - R15_33 * T(0.2);
   // p16 = R16^T r_link16 + P16: position of the mass centre, inertial axes [m]
-  const T p16_3 = R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814) + P16_3;
+  const T p16_3 = P16_3 + R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814);
   // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
   const T t16_1 = omega15_1 * T(0.2);
   const T t16_2 = omega15_2 * T(0.2);
-  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
-  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
-  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  const T Pdot16_1 = Pdot15_1 + R14_21 * t16_1 - R15_11 * t16_2;
+  const T Pdot16_2 = Pdot15_2 + R14_22 * t16_1 - R15_12 * t16_2;
+  const T Pdot16_3 = Pdot15_3 + R14_23 * t16_1 - R15_13 * t16_2;
   // v16 = R16^T omega16~ r_link16 + Pdot16: velocity of the mass centre, inertial axes [m/s]
   const T t16_3 = omega16_3 * T(0.004726592920353982) + omega16_1 * T(0.13197525663716814);
   const T t16_4 = omega16_2 * T(0.13197525663716814);
   const T t16_5 = omega16_2 * T(0.004726592920353982);
-  const T v16_1 = R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5 + Pdot16_1;
-  const T v16_2 = R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5 + Pdot16_2;
-  const T v16_3 = R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5 + Pdot16_3;
+  const T v16_1 = Pdot16_1 + R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5;
+  const T v16_2 = Pdot16_2 + R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5;
+  const T v16_3 = Pdot16_3 + R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5;
   // T16 = 1/2 omega16 . (I_link16 omega16) + 1/2 m_link16 v16 . v16: kinetic energy [J]
   const T T16 = T(0.5) * (omega16_1 * (T(0.003385566451939115) * omega16_1 - T(0.00016742735341238938) * omega16_3) +
       T(0.003403441389465664) * omega16_2 * omega16_2 + omega16_3 * (T(4.385093752654867e-05) * omega16_3 -
@@ -1308,6 +1378,10 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T stretch_rl_calf_16 = theta16 + T(1.6);
 
   // ---- whole system
+  const T theta2 = x[4];
+  const T theta6 = x[7];
+  const T theta10 = x[10];
+  const T theta14 = x[13];
   // kinetic = T1 + T2 + T3 + T4 + T6 + T7 + T8 + T10 + T11 + T12 + T14 + T15 + T16: kinetic energy of the system [J]
   const T kinetic = T1 + T2 + T3 + T4 + T6 + T7 + T8 + T10 + T11 + T12 + T14 + T15 + T16;
   energy[0] = kinetic;
@@ -1335,7 +1409,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
 // 773 add, 927 multiply, 24 sine or cosine
 template <class T>
 void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1388,11 +1464,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H1_3 = R1_13 * t1_16 + R1_23 * t1_17 + R1_33 * t1_18 + p1_1 * l1_2 - p1_2 * l1_1;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -1419,11 +1494,11 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P2_3 = s1_3 + t2_9;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
   const T t2_10 = R1_11 * T(0.003311);
-  const T p2_1 = R2_31 * T(3.1e-05) - (t2_10 + R2_21 * T(0.000635)) + P2_1;
+  const T p2_1 = P2_1 - t2_10 - R2_21 * T(0.000635) + R2_31 * T(3.1e-05);
   const T t2_11 = R1_12 * T(0.003311);
-  const T p2_2 = R2_32 * T(3.1e-05) - (t2_11 + R2_22 * T(0.000635)) + P2_2;
+  const T p2_2 = P2_2 - t2_11 - R2_22 * T(0.000635) + R2_32 * T(3.1e-05);
   const T t2_12 = R1_13 * T(0.003311);
-  const T p2_3 = R2_33 * T(3.1e-05) - (t2_12 + R2_23 * T(0.000635)) + P2_3;
+  const T p2_3 = P2_3 - t2_12 - R2_23 * T(0.000635) + R2_33 * T(3.1e-05);
   // Pdot2 = sdot1 + R1^T omega1~ q2: velocity of the body origin, inertial axes [m/s]
   const T t2_13 = omega1_3 * T(0.047);
   const T t2_14 = R1_11 * t2_13;
@@ -1446,9 +1521,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t2_27 = omega2_3 * T(0.000635) + omega2_2 * T(3.1e-05);
   const T t2_28 = omega2_3 * T(0.003311) + omega2_1 * T(3.1e-05);
   const T t2_29 = omega2_2 * T(0.003311) - omega2_1 * T(0.000635);
-  const T v2_1 = R1_11 * t2_27 - R2_21 * t2_28 + R2_31 * t2_29 + Pdot2_1;
-  const T v2_2 = R1_12 * t2_27 - R2_22 * t2_28 + R2_32 * t2_29 + Pdot2_2;
-  const T v2_3 = R1_13 * t2_27 - R2_23 * t2_28 + R2_33 * t2_29 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R1_11 * t2_27 - R2_21 * t2_28 + R2_31 * t2_29;
+  const T v2_2 = Pdot2_2 + R1_12 * t2_27 - R2_22 * t2_28 + R2_32 * t2_29;
+  const T v2_3 = Pdot2_3 + R1_13 * t2_27 - R2_23 * t2_28 + R2_33 * t2_29;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(0.696) * v2_1;
   const T l2_2 = T(0.696) * v2_2;
@@ -1462,11 +1537,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H2_3 = R1_13 * t2_30 + R2_23 * t2_31 + R2_33 * t2_32 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -1483,22 +1557,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P3_2 = P2_2 - R2_22 * T(0.0838);
   const T P3_3 = P2_3 - R2_23 * T(0.0838);
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326) + P3_1;
-  const T p3_2 = R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326) + P3_2;
-  const T p3_3 = R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326) + P3_3;
+  const T p3_1 = P3_1 + R2_21 * T(0.022327) - R3_11 * T(0.003237) - R3_31 * T(0.027326);
+  const T p3_2 = P3_2 + R2_22 * T(0.022327) - R3_12 * T(0.003237) - R3_32 * T(0.027326);
+  const T p3_3 = P3_3 + R2_23 * T(0.022327) - R3_13 * T(0.003237) - R3_33 * T(0.027326);
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = omega2_3 * T(0.0838);
   const T t3_2 = omega2_1 * T(0.0838);
-  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
-  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
-  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  const T Pdot3_1 = Pdot2_1 + R1_11 * t3_1 - R2_31 * t3_2;
+  const T Pdot3_2 = Pdot2_2 + R1_12 * t3_1 - R2_32 * t3_2;
+  const T Pdot3_3 = Pdot2_3 + R1_13 * t3_1 - R2_33 * t3_2;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_3 = omega3_1 * T(0.027326) - omega3_3 * T(0.003237);
   const T t3_4 = omega3_3 * T(0.022327) + omega3_2 * T(0.027326);
   const T t3_5 = omega3_1 * T(0.022327) + omega3_2 * T(0.003237);
-  const T v3_1 = R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5 + Pdot3_1;
-  const T v3_2 = R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5 + Pdot3_2;
-  const T v3_3 = R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R2_21 * t3_3 - R3_11 * t3_4 + R3_31 * t3_5;
+  const T v3_2 = Pdot3_2 + R2_22 * t3_3 - R3_12 * t3_4 + R3_32 * t3_5;
+  const T v3_3 = Pdot3_3 + R2_23 * t3_3 - R3_13 * t3_4 + R3_33 * t3_5;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.013) * v3_1;
   const T l3_2 = T(1.013) * v3_2;
@@ -1512,11 +1586,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H3_3 = R3_13 * t3_6 + R2_23 * t3_7 + R3_33 * t3_8 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -1533,22 +1606,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P4_2 = P3_2 - R3_32 * T(0.2);
   const T P4_3 = P3_3 - R3_33 * T(0.2);
   // p4 = R4^T r_link4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.004726592920353982) - R4_31 * T(0.13197525663716814) + P4_1;
-  const T p4_2 = R4_12 * T(0.004726592920353982) - R4_32 * T(0.13197525663716814) + P4_2;
-  const T p4_3 = R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.004726592920353982) - R4_31 * T(0.13197525663716814);
+  const T p4_2 = P4_2 + R4_12 * T(0.004726592920353982) - R4_32 * T(0.13197525663716814);
+  const T p4_3 = P4_3 + R4_13 * T(0.004726592920353982) - R4_33 * T(0.13197525663716814);
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_1 * T(0.2);
   const T t4_2 = omega3_2 * T(0.2);
-  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
-  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
-  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R2_21 * t4_1 - R3_11 * t4_2;
+  const T Pdot4_2 = Pdot3_2 + R2_22 * t4_1 - R3_12 * t4_2;
+  const T Pdot4_3 = Pdot3_3 + R2_23 * t4_1 - R3_13 * t4_2;
   // v4 = R4^T omega4~ r_link4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_3 = omega4_3 * T(0.004726592920353982) + omega4_1 * T(0.13197525663716814);
   const T t4_4 = omega4_2 * T(0.13197525663716814);
   const T t4_5 = omega4_2 * T(0.004726592920353982);
-  const T v4_1 = R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5 + Pdot4_1;
-  const T v4_2 = R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5 + Pdot4_2;
-  const T v4_3 = R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R2_21 * t4_3 - R4_11 * t4_4 - R4_31 * t4_5;
+  const T v4_2 = Pdot4_2 + R2_22 * t4_3 - R4_12 * t4_4 - R4_32 * t4_5;
+  const T v4_3 = Pdot4_3 + R2_23 * t4_3 - R4_13 * t4_4 - R4_33 * t4_5;
   // l4 = m_link4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(0.226) * v4_1;
   const T l4_2 = T(0.226) * v4_2;
@@ -1562,11 +1635,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H4_3 = R4_13 * t4_6 + R2_23 * t4_7 + R4_33 * t4_8 + p4_1 * l4_2 - p4_2 * l4_1;
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -1586,9 +1658,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t6_3 = t2_7 + t2_8;
   const T P6_3 = s1_3 + t6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_21 * T(0.000635) - t2_10 + R6_31 * T(3.1e-05) + P6_1;
-  const T p6_2 = R6_22 * T(0.000635) - t2_11 + R6_32 * T(3.1e-05) + P6_2;
-  const T p6_3 = R6_23 * T(0.000635) - t2_12 + R6_33 * T(3.1e-05) + P6_3;
+  const T p6_1 = P6_1 - t2_10 + R6_21 * T(0.000635) + R6_31 * T(3.1e-05);
+  const T p6_2 = P6_2 - t2_11 + R6_22 * T(0.000635) + R6_32 * T(3.1e-05);
+  const T p6_3 = P6_3 - t2_12 + R6_23 * T(0.000635) + R6_33 * T(3.1e-05);
   // Pdot6 = sdot1 + R1^T omega1~ q6: velocity of the body origin, inertial axes [m/s]
   const T t6_4 = t2_17 - t2_18;
   const T t6_5 = t2_16 - t2_14 + R1_31 * t6_4;
@@ -1601,9 +1673,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t6_8 = omega6_2 * T(3.1e-05) - omega6_3 * T(0.000635);
   const T t6_9 = omega6_3 * T(0.003311) + omega6_1 * T(3.1e-05);
   const T t6_10 = omega6_1 * T(0.000635) + omega6_2 * T(0.003311);
-  const T v6_1 = R1_11 * t6_8 - R6_21 * t6_9 + R6_31 * t6_10 + Pdot6_1;
-  const T v6_2 = R1_12 * t6_8 - R6_22 * t6_9 + R6_32 * t6_10 + Pdot6_2;
-  const T v6_3 = R1_13 * t6_8 - R6_23 * t6_9 + R6_33 * t6_10 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R1_11 * t6_8 - R6_21 * t6_9 + R6_31 * t6_10;
+  const T v6_2 = Pdot6_2 + R1_12 * t6_8 - R6_22 * t6_9 + R6_32 * t6_10;
+  const T v6_3 = Pdot6_3 + R1_13 * t6_8 - R6_23 * t6_9 + R6_33 * t6_10;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(0.696) * v6_1;
   const T l6_2 = T(0.696) * v6_2;
@@ -1617,11 +1689,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H6_3 = R1_13 * t6_11 + R6_23 * t6_12 + R6_33 * t6_13 + p6_1 * l6_2 - p6_2 * l6_1;
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -1634,26 +1705,26 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T omega7_2 = thetadot7 + omega6_2;
   const T omega7_3 = minus_E7_13 * omega6_1 + E7_11 * omega6_3;
   // P7 = R6^T q7 + P6: position of the body origin, inertial axes [m]
-  const T P7_1 = R6_21 * T(0.0838) + P6_1;
-  const T P7_2 = R6_22 * T(0.0838) + P6_2;
-  const T P7_3 = R6_23 * T(0.0838) + P6_3;
+  const T P7_1 = P6_1 + R6_21 * T(0.0838);
+  const T P7_2 = P6_2 + R6_22 * T(0.0838);
+  const T P7_3 = P6_3 + R6_23 * T(0.0838);
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - (R7_11 * T(0.003237) + R6_21 * T(0.022327) + R7_31 * T(0.027326));
-  const T p7_2 = P7_2 - (R7_12 * T(0.003237) + R6_22 * T(0.022327) + R7_32 * T(0.027326));
-  const T p7_3 = P7_3 - (R7_13 * T(0.003237) + R6_23 * T(0.022327) + R7_33 * T(0.027326));
+  const T p7_1 = P7_1 - R7_11 * T(0.003237) - R6_21 * T(0.022327) - R7_31 * T(0.027326);
+  const T p7_2 = P7_2 - R7_12 * T(0.003237) - R6_22 * T(0.022327) - R7_32 * T(0.027326);
+  const T p7_3 = P7_3 - R7_13 * T(0.003237) - R6_23 * T(0.022327) - R7_33 * T(0.027326);
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_1 * T(0.0838);
   const T t7_2 = omega6_3 * T(0.0838);
-  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
-  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
-  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R6_31 * t7_1 - R1_11 * t7_2;
+  const T Pdot7_2 = Pdot6_2 + R6_32 * t7_1 - R1_12 * t7_2;
+  const T Pdot7_3 = Pdot6_3 + R6_33 * t7_1 - R1_13 * t7_2;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_3 = omega7_3 * T(0.022327) - omega7_2 * T(0.027326);
   const T t7_4 = omega7_1 * T(0.027326) - omega7_3 * T(0.003237);
   const T t7_5 = omega7_2 * T(0.003237) - omega7_1 * T(0.022327);
-  const T v7_1 = R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_3 + R6_21 * t7_4 + R7_31 * t7_5;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_3 + R6_22 * t7_4 + R7_32 * t7_5;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_3 + R6_23 * t7_4 + R7_33 * t7_5;
   // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
   const T l7_1 = T(1.013) * v7_1;
   const T l7_2 = T(1.013) * v7_2;
@@ -1667,11 +1738,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H7_3 = R7_13 * t7_6 + R6_23 * t7_7 + R7_33 * t7_8 + p7_1 * l7_2 - p7_2 * l7_1;
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -1688,22 +1758,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P8_2 = P7_2 - R7_32 * T(0.2);
   const T P8_3 = P7_3 - R7_33 * T(0.2);
   // p8 = R8^T r_link8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = R8_11 * T(0.004726592920353982) - R8_31 * T(0.13197525663716814) + P8_1;
-  const T p8_2 = R8_12 * T(0.004726592920353982) - R8_32 * T(0.13197525663716814) + P8_2;
-  const T p8_3 = R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814) + P8_3;
+  const T p8_1 = P8_1 + R8_11 * T(0.004726592920353982) - R8_31 * T(0.13197525663716814);
+  const T p8_2 = P8_2 + R8_12 * T(0.004726592920353982) - R8_32 * T(0.13197525663716814);
+  const T p8_3 = P8_3 + R8_13 * T(0.004726592920353982) - R8_33 * T(0.13197525663716814);
   // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega7_1 * T(0.2);
   const T t8_2 = omega7_2 * T(0.2);
-  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
-  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
-  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  const T Pdot8_1 = Pdot7_1 + R6_21 * t8_1 - R7_11 * t8_2;
+  const T Pdot8_2 = Pdot7_2 + R6_22 * t8_1 - R7_12 * t8_2;
+  const T Pdot8_3 = Pdot7_3 + R6_23 * t8_1 - R7_13 * t8_2;
   // v8 = R8^T omega8~ r_link8 + Pdot8: velocity of the mass centre, inertial axes [m/s]
   const T t8_3 = omega8_3 * T(0.004726592920353982) + omega8_1 * T(0.13197525663716814);
   const T t8_4 = omega8_2 * T(0.13197525663716814);
   const T t8_5 = omega8_2 * T(0.004726592920353982);
-  const T v8_1 = R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5 + Pdot8_1;
-  const T v8_2 = R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5 + Pdot8_2;
-  const T v8_3 = R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R6_21 * t8_3 - R8_11 * t8_4 - R8_31 * t8_5;
+  const T v8_2 = Pdot8_2 + R6_22 * t8_3 - R8_12 * t8_4 - R8_32 * t8_5;
+  const T v8_3 = Pdot8_3 + R6_23 * t8_3 - R8_13 * t8_4 - R8_33 * t8_5;
   // l8 = m_link8 v8: linear momentum, inertial axes [kg m/s]
   const T l8_1 = T(0.226) * v8_1;
   const T l8_2 = T(0.226) * v8_2;
@@ -1717,11 +1787,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H8_3 = R8_13 * t8_6 + R6_23 * t8_7 + R8_33 * t8_8 + p8_1 * l8_2 - p8_2 * l8_1;
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -1738,9 +1807,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P10_2 = s1_2 - t6_2;
   const T P10_3 = s1_3 - t6_3;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = t2_10 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05) + P10_1;
-  const T p10_2 = t2_11 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05) + P10_2;
-  const T p10_3 = t2_12 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05) + P10_3;
+  const T p10_1 = t2_10 + P10_1 - R10_21 * T(0.000635) + R10_31 * T(3.1e-05);
+  const T p10_2 = t2_11 + P10_2 - R10_22 * T(0.000635) + R10_32 * T(3.1e-05);
+  const T p10_3 = t2_12 + P10_3 - R10_23 * T(0.000635) + R10_33 * T(3.1e-05);
   // Pdot10 = sdot1 + R1^T omega1~ q10: velocity of the body origin, inertial axes [m/s]
   const T Pdot10_1 = sdot1_1 - t6_5;
   const T Pdot10_2 = sdot1_2 - t6_6;
@@ -1749,9 +1818,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t10_1 = omega10_3 * T(0.000635) + omega10_2 * T(3.1e-05);
   const T t10_2 = omega10_3 * T(0.003311) - omega10_1 * T(3.1e-05);
   const T t10_3 = omega10_1 * T(0.000635) + omega10_2 * T(0.003311);
-  const T v10_1 = R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3 + Pdot10_1;
-  const T v10_2 = R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3 + Pdot10_2;
-  const T v10_3 = R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R1_11 * t10_1 + R10_21 * t10_2 - R10_31 * t10_3;
+  const T v10_2 = Pdot10_2 + R1_12 * t10_1 + R10_22 * t10_2 - R10_32 * t10_3;
+  const T v10_3 = Pdot10_3 + R1_13 * t10_1 + R10_23 * t10_2 - R10_33 * t10_3;
   // l10 = m10 v10: linear momentum, inertial axes [kg m/s]
   const T l10_1 = T(0.696) * v10_1;
   const T l10_2 = T(0.696) * v10_2;
@@ -1765,11 +1834,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H10_3 = R1_13 * t10_4 + R10_23 * t10_5 + R10_33 * t10_6 + p10_1 * l10_2 - p10_2 * l10_1;
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -1786,22 +1854,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P11_2 = P10_2 - R10_22 * T(0.0838);
   const T P11_3 = P10_3 - R10_23 * T(0.0838);
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326) + P11_1;
-  const T p11_2 = R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326) + P11_2;
-  const T p11_3 = R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326) + P11_3;
+  const T p11_1 = P11_1 + R10_21 * T(0.022327) - R11_11 * T(0.003237) - R11_31 * T(0.027326);
+  const T p11_2 = P11_2 + R10_22 * T(0.022327) - R11_12 * T(0.003237) - R11_32 * T(0.027326);
+  const T p11_3 = P11_3 + R10_23 * T(0.022327) - R11_13 * T(0.003237) - R11_33 * T(0.027326);
   // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
   const T t11_1 = omega10_3 * T(0.0838);
   const T t11_2 = omega10_1 * T(0.0838);
-  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
-  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
-  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  const T Pdot11_1 = Pdot10_1 + R1_11 * t11_1 - R10_31 * t11_2;
+  const T Pdot11_2 = Pdot10_2 + R1_12 * t11_1 - R10_32 * t11_2;
+  const T Pdot11_3 = Pdot10_3 + R1_13 * t11_1 - R10_33 * t11_2;
   // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_3 = omega11_1 * T(0.027326) - omega11_3 * T(0.003237);
   const T t11_4 = omega11_3 * T(0.022327) + omega11_2 * T(0.027326);
   const T t11_5 = omega11_1 * T(0.022327) + omega11_2 * T(0.003237);
-  const T v11_1 = R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5 + Pdot11_1;
-  const T v11_2 = R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5 + Pdot11_2;
-  const T v11_3 = R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R10_21 * t11_3 - R11_11 * t11_4 + R11_31 * t11_5;
+  const T v11_2 = Pdot11_2 + R10_22 * t11_3 - R11_12 * t11_4 + R11_32 * t11_5;
+  const T v11_3 = Pdot11_3 + R10_23 * t11_3 - R11_13 * t11_4 + R11_33 * t11_5;
   // l11 = m11 v11: linear momentum, inertial axes [kg m/s]
   const T l11_1 = T(1.013) * v11_1;
   const T l11_2 = T(1.013) * v11_2;
@@ -1815,11 +1883,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H11_3 = R11_13 * t11_6 + R10_23 * t11_7 + R11_33 * t11_8 + p11_1 * l11_2 - p11_2 * l11_1;
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -1836,22 +1903,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P12_2 = P11_2 - R11_32 * T(0.2);
   const T P12_3 = P11_3 - R11_33 * T(0.2);
   // p12 = R12^T r_link12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_1 = R12_11 * T(0.004726592920353982) - R12_31 * T(0.13197525663716814) + P12_1;
-  const T p12_2 = R12_12 * T(0.004726592920353982) - R12_32 * T(0.13197525663716814) + P12_2;
-  const T p12_3 = R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814) + P12_3;
+  const T p12_1 = P12_1 + R12_11 * T(0.004726592920353982) - R12_31 * T(0.13197525663716814);
+  const T p12_2 = P12_2 + R12_12 * T(0.004726592920353982) - R12_32 * T(0.13197525663716814);
+  const T p12_3 = P12_3 + R12_13 * T(0.004726592920353982) - R12_33 * T(0.13197525663716814);
   // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
   const T t12_1 = omega11_1 * T(0.2);
   const T t12_2 = omega11_2 * T(0.2);
-  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
-  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
-  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  const T Pdot12_1 = Pdot11_1 + R10_21 * t12_1 - R11_11 * t12_2;
+  const T Pdot12_2 = Pdot11_2 + R10_22 * t12_1 - R11_12 * t12_2;
+  const T Pdot12_3 = Pdot11_3 + R10_23 * t12_1 - R11_13 * t12_2;
   // v12 = R12^T omega12~ r_link12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
   const T t12_3 = omega12_3 * T(0.004726592920353982) + omega12_1 * T(0.13197525663716814);
   const T t12_4 = omega12_2 * T(0.13197525663716814);
   const T t12_5 = omega12_2 * T(0.004726592920353982);
-  const T v12_1 = R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5 + Pdot12_1;
-  const T v12_2 = R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5 + Pdot12_2;
-  const T v12_3 = R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5 + Pdot12_3;
+  const T v12_1 = Pdot12_1 + R10_21 * t12_3 - R12_11 * t12_4 - R12_31 * t12_5;
+  const T v12_2 = Pdot12_2 + R10_22 * t12_3 - R12_12 * t12_4 - R12_32 * t12_5;
+  const T v12_3 = Pdot12_3 + R10_23 * t12_3 - R12_13 * t12_4 - R12_33 * t12_5;
   // l12 = m_link12 v12: linear momentum, inertial axes [kg m/s]
   const T l12_1 = T(0.226) * v12_1;
   const T l12_2 = T(0.226) * v12_2;
@@ -1865,11 +1932,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H12_3 = R12_13 * t12_6 + R10_23 * t12_7 + R12_33 * t12_8 + p12_1 * l12_2 - p12_2 * l12_1;
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -1886,9 +1952,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P14_2 = s1_2 - t2_6;
   const T P14_3 = s1_3 - t2_9;
   // p14 = R14^T r14 + P14: position of the mass centre, inertial axes [m]
-  const T p14_1 = t2_10 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05) + P14_1;
-  const T p14_2 = t2_11 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05) + P14_2;
-  const T p14_3 = t2_12 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05) + P14_3;
+  const T p14_1 = t2_10 + P14_1 + R14_21 * T(0.000635) + R14_31 * T(3.1e-05);
+  const T p14_2 = t2_11 + P14_2 + R14_22 * T(0.000635) + R14_32 * T(3.1e-05);
+  const T p14_3 = t2_12 + P14_3 + R14_23 * T(0.000635) + R14_33 * T(3.1e-05);
   // Pdot14 = sdot1 + R1^T omega1~ q14: velocity of the body origin, inertial axes [m/s]
   const T Pdot14_1 = sdot1_1 - t2_20;
   const T Pdot14_2 = sdot1_2 - t2_23;
@@ -1897,9 +1963,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T t14_1 = omega14_2 * T(3.1e-05) - omega14_3 * T(0.000635);
   const T t14_2 = omega14_3 * T(0.003311) - omega14_1 * T(3.1e-05);
   const T t14_3 = omega14_1 * T(0.000635) - omega14_2 * T(0.003311);
-  const T v14_1 = R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3 + Pdot14_1;
-  const T v14_2 = R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3 + Pdot14_2;
-  const T v14_3 = R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3 + Pdot14_3;
+  const T v14_1 = Pdot14_1 + R1_11 * t14_1 + R14_21 * t14_2 + R14_31 * t14_3;
+  const T v14_2 = Pdot14_2 + R1_12 * t14_1 + R14_22 * t14_2 + R14_32 * t14_3;
+  const T v14_3 = Pdot14_3 + R1_13 * t14_1 + R14_23 * t14_2 + R14_33 * t14_3;
   // l14 = m14 v14: linear momentum, inertial axes [kg m/s]
   const T l14_1 = T(0.696) * v14_1;
   const T l14_2 = T(0.696) * v14_2;
@@ -1913,11 +1979,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H14_3 = R1_13 * t14_4 + R14_23 * t14_5 + R14_33 * t14_6 + p14_1 * l14_2 - p14_2 * l14_1;
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -1930,26 +1995,26 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T omega15_2 = thetadot15 + omega14_2;
   const T omega15_3 = minus_E15_13 * omega14_1 + E15_11 * omega14_3;
   // P15 = R14^T q15 + P14: position of the body origin, inertial axes [m]
-  const T P15_1 = R14_21 * T(0.0838) + P14_1;
-  const T P15_2 = R14_22 * T(0.0838) + P14_2;
-  const T P15_3 = R14_23 * T(0.0838) + P14_3;
+  const T P15_1 = P14_1 + R14_21 * T(0.0838);
+  const T P15_2 = P14_2 + R14_22 * T(0.0838);
+  const T P15_3 = P14_3 + R14_23 * T(0.0838);
   // p15 = R15^T r15 + P15: position of the mass centre, inertial axes [m]
-  const T p15_1 = P15_1 - (R15_11 * T(0.003237) + R14_21 * T(0.022327) + R15_31 * T(0.027326));
-  const T p15_2 = P15_2 - (R15_12 * T(0.003237) + R14_22 * T(0.022327) + R15_32 * T(0.027326));
-  const T p15_3 = P15_3 - (R15_13 * T(0.003237) + R14_23 * T(0.022327) + R15_33 * T(0.027326));
+  const T p15_1 = P15_1 - R15_11 * T(0.003237) - R14_21 * T(0.022327) - R15_31 * T(0.027326);
+  const T p15_2 = P15_2 - R15_12 * T(0.003237) - R14_22 * T(0.022327) - R15_32 * T(0.027326);
+  const T p15_3 = P15_3 - R15_13 * T(0.003237) - R14_23 * T(0.022327) - R15_33 * T(0.027326);
   // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
   const T t15_1 = omega14_1 * T(0.0838);
   const T t15_2 = omega14_3 * T(0.0838);
-  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
-  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
-  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  const T Pdot15_1 = Pdot14_1 + R14_31 * t15_1 - R1_11 * t15_2;
+  const T Pdot15_2 = Pdot14_2 + R14_32 * t15_1 - R1_12 * t15_2;
+  const T Pdot15_3 = Pdot14_3 + R14_33 * t15_1 - R1_13 * t15_2;
   // v15 = R15^T omega15~ r15 + Pdot15: velocity of the mass centre, inertial axes [m/s]
   const T t15_3 = omega15_3 * T(0.022327) - omega15_2 * T(0.027326);
   const T t15_4 = omega15_1 * T(0.027326) - omega15_3 * T(0.003237);
   const T t15_5 = omega15_2 * T(0.003237) - omega15_1 * T(0.022327);
-  const T v15_1 = R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5 + Pdot15_1;
-  const T v15_2 = R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5 + Pdot15_2;
-  const T v15_3 = R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5 + Pdot15_3;
+  const T v15_1 = Pdot15_1 + R15_11 * t15_3 + R14_21 * t15_4 + R15_31 * t15_5;
+  const T v15_2 = Pdot15_2 + R15_12 * t15_3 + R14_22 * t15_4 + R15_32 * t15_5;
+  const T v15_3 = Pdot15_3 + R15_13 * t15_3 + R14_23 * t15_4 + R15_33 * t15_5;
   // l15 = m15 v15: linear momentum, inertial axes [kg m/s]
   const T l15_1 = T(1.013) * v15_1;
   const T l15_2 = T(1.013) * v15_2;
@@ -1963,11 +2028,10 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T H15_3 = R15_13 * t15_6 + R14_23 * t15_7 + R15_33 * t15_8 + p15_1 * l15_2 - p15_2 * l15_1;
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -1984,22 +2048,22 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
   const T P16_2 = P15_2 - R15_32 * T(0.2);
   const T P16_3 = P15_3 - R15_33 * T(0.2);
   // p16 = R16^T r_link16 + P16: position of the mass centre, inertial axes [m]
-  const T p16_1 = R16_11 * T(0.004726592920353982) - R16_31 * T(0.13197525663716814) + P16_1;
-  const T p16_2 = R16_12 * T(0.004726592920353982) - R16_32 * T(0.13197525663716814) + P16_2;
-  const T p16_3 = R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814) + P16_3;
+  const T p16_1 = P16_1 + R16_11 * T(0.004726592920353982) - R16_31 * T(0.13197525663716814);
+  const T p16_2 = P16_2 + R16_12 * T(0.004726592920353982) - R16_32 * T(0.13197525663716814);
+  const T p16_3 = P16_3 + R16_13 * T(0.004726592920353982) - R16_33 * T(0.13197525663716814);
   // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
   const T t16_1 = omega15_1 * T(0.2);
   const T t16_2 = omega15_2 * T(0.2);
-  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
-  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
-  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  const T Pdot16_1 = Pdot15_1 + R14_21 * t16_1 - R15_11 * t16_2;
+  const T Pdot16_2 = Pdot15_2 + R14_22 * t16_1 - R15_12 * t16_2;
+  const T Pdot16_3 = Pdot15_3 + R14_23 * t16_1 - R15_13 * t16_2;
   // v16 = R16^T omega16~ r_link16 + Pdot16: velocity of the mass centre, inertial axes [m/s]
   const T t16_3 = omega16_3 * T(0.004726592920353982) + omega16_1 * T(0.13197525663716814);
   const T t16_4 = omega16_2 * T(0.13197525663716814);
   const T t16_5 = omega16_2 * T(0.004726592920353982);
-  const T v16_1 = R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5 + Pdot16_1;
-  const T v16_2 = R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5 + Pdot16_2;
-  const T v16_3 = R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5 + Pdot16_3;
+  const T v16_1 = Pdot16_1 + R14_21 * t16_3 - R16_11 * t16_4 - R16_31 * t16_5;
+  const T v16_2 = Pdot16_2 + R14_22 * t16_3 - R16_12 * t16_4 - R16_32 * t16_5;
+  const T v16_3 = Pdot16_3 + R14_23 * t16_3 - R16_13 * t16_4 - R16_33 * t16_5;
   // l16 = m_link16 v16: linear momentum, inertial axes [kg m/s]
   const T l16_1 = T(0.226) * v16_1;
   const T l16_2 = T(0.226) * v16_2;
@@ -2036,7 +2100,9 @@ void momentum(const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcep
 // 236 add, 320 multiply, 24 sine or cosine
 template <class T>
 void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* out) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2064,13 +2130,12 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   const T omega1_1 = y[0], omega1_2 = y[1], omega1_3 = y[2];
   const T thetadot2 = y[3];
   const T sdot1_1 = y[15], sdot1_2 = y[16], sdot1_3 = y[17];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -2104,11 +2169,10 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T damping_fr_hip_2 = u.tau_fr_hip - thetadot2 * c.p.kd;
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -2123,18 +2187,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot3 = R2^T omega2~ q3 + Pdot2: velocity of the body origin, inertial axes [m/s]
   const T t3_1 = omega2_3 * T(0.0838);
   const T t3_2 = omega2_1 * T(0.0838);
-  const T Pdot3_1 = R1_11 * t3_1 - R2_31 * t3_2 + Pdot2_1;
-  const T Pdot3_2 = R1_12 * t3_1 - R2_32 * t3_2 + Pdot2_2;
-  const T Pdot3_3 = R1_13 * t3_1 - R2_33 * t3_2 + Pdot2_3;
+  const T Pdot3_1 = Pdot2_1 + R1_11 * t3_1 - R2_31 * t3_2;
+  const T Pdot3_2 = Pdot2_2 + R1_12 * t3_1 - R2_32 * t3_2;
+  const T Pdot3_3 = Pdot2_3 + R1_13 * t3_1 - R2_33 * t3_2;
   // damping_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_: along the coordinate [N m], [N]
   const T damping_fr_thigh_3 = u.tau_fr_thigh - thetadot3 * c.p.kd;
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -2145,18 +2208,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot4 = R3^T omega3~ q4 + Pdot3: velocity of the body origin, inertial axes [m/s]
   const T t4_1 = omega3_1 * T(0.2);
   const T t4_2 = omega3_2 * T(0.2);
-  const T Pdot4_1 = R2_21 * t4_1 - R3_11 * t4_2 + Pdot3_1;
-  const T Pdot4_2 = R2_22 * t4_1 - R3_12 * t4_2 + Pdot3_2;
-  const T Pdot4_3 = R2_23 * t4_1 - R3_13 * t4_2 + Pdot3_3;
+  const T Pdot4_1 = Pdot3_1 + R2_21 * t4_1 - R3_11 * t4_2;
+  const T Pdot4_2 = Pdot3_2 + R2_22 * t4_1 - R3_12 * t4_2;
+  const T Pdot4_3 = Pdot3_3 + R2_23 * t4_1 - R3_13 * t4_2;
   // damping_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_: along the coordinate [N m], [N]
   const T damping_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd;
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -2180,11 +2242,10 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T damping_fl_hip_6 = u.tau_fl_hip - thetadot6 * c.p.kd;
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -2199,18 +2260,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot7 = R6^T omega6~ q7 + Pdot6: velocity of the body origin, inertial axes [m/s]
   const T t7_1 = omega6_1 * T(0.0838);
   const T t7_2 = omega6_3 * T(0.0838);
-  const T Pdot7_1 = R6_31 * t7_1 - R1_11 * t7_2 + Pdot6_1;
-  const T Pdot7_2 = R6_32 * t7_1 - R1_12 * t7_2 + Pdot6_2;
-  const T Pdot7_3 = R6_33 * t7_1 - R1_13 * t7_2 + Pdot6_3;
+  const T Pdot7_1 = Pdot6_1 + R6_31 * t7_1 - R1_11 * t7_2;
+  const T Pdot7_2 = Pdot6_2 + R6_32 * t7_1 - R1_12 * t7_2;
+  const T Pdot7_3 = Pdot6_3 + R6_33 * t7_1 - R1_13 * t7_2;
   // damping_fl_thigh_7 = -thetadot7 c_fl_thigh_ + tau_fl_thigh_: along the coordinate [N m], [N]
   const T damping_fl_thigh_7 = u.tau_fl_thigh - thetadot7 * c.p.kd;
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -2221,18 +2281,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot8 = R7^T omega7~ q8 + Pdot7: velocity of the body origin, inertial axes [m/s]
   const T t8_1 = omega7_1 * T(0.2);
   const T t8_2 = omega7_2 * T(0.2);
-  const T Pdot8_1 = R6_21 * t8_1 - R7_11 * t8_2 + Pdot7_1;
-  const T Pdot8_2 = R6_22 * t8_1 - R7_12 * t8_2 + Pdot7_2;
-  const T Pdot8_3 = R6_23 * t8_1 - R7_13 * t8_2 + Pdot7_3;
+  const T Pdot8_1 = Pdot7_1 + R6_21 * t8_1 - R7_11 * t8_2;
+  const T Pdot8_2 = Pdot7_2 + R6_22 * t8_1 - R7_12 * t8_2;
+  const T Pdot8_3 = Pdot7_3 + R6_23 * t8_1 - R7_13 * t8_2;
   // damping_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_: along the coordinate [N m], [N]
   const T damping_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd;
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -2252,11 +2311,10 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T damping_rr_hip_10 = u.tau_rr_hip - thetadot10 * c.p.kd;
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -2271,18 +2329,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot11 = R10^T omega10~ q11 + Pdot10: velocity of the body origin, inertial axes [m/s]
   const T t11_1 = omega10_3 * T(0.0838);
   const T t11_2 = omega10_1 * T(0.0838);
-  const T Pdot11_1 = R1_11 * t11_1 - R10_31 * t11_2 + Pdot10_1;
-  const T Pdot11_2 = R1_12 * t11_1 - R10_32 * t11_2 + Pdot10_2;
-  const T Pdot11_3 = R1_13 * t11_1 - R10_33 * t11_2 + Pdot10_3;
+  const T Pdot11_1 = Pdot10_1 + R1_11 * t11_1 - R10_31 * t11_2;
+  const T Pdot11_2 = Pdot10_2 + R1_12 * t11_1 - R10_32 * t11_2;
+  const T Pdot11_3 = Pdot10_3 + R1_13 * t11_1 - R10_33 * t11_2;
   // damping_rr_thigh_11 = -thetadot11 c_rr_thigh_ + tau_rr_thigh_: along the coordinate [N m], [N]
   const T damping_rr_thigh_11 = u.tau_rr_thigh - thetadot11 * c.p.kd;
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -2293,18 +2350,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot12 = R11^T omega11~ q12 + Pdot11: velocity of the body origin, inertial axes [m/s]
   const T t12_1 = omega11_1 * T(0.2);
   const T t12_2 = omega11_2 * T(0.2);
-  const T Pdot12_1 = R10_21 * t12_1 - R11_11 * t12_2 + Pdot11_1;
-  const T Pdot12_2 = R10_22 * t12_1 - R11_12 * t12_2 + Pdot11_2;
-  const T Pdot12_3 = R10_23 * t12_1 - R11_13 * t12_2 + Pdot11_3;
+  const T Pdot12_1 = Pdot11_1 + R10_21 * t12_1 - R11_11 * t12_2;
+  const T Pdot12_2 = Pdot11_2 + R10_22 * t12_1 - R11_12 * t12_2;
+  const T Pdot12_3 = Pdot11_3 + R10_23 * t12_1 - R11_13 * t12_2;
   // damping_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_: along the coordinate [N m], [N]
   const T damping_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd;
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -2324,11 +2380,10 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T damping_rl_hip_14 = u.tau_rl_hip - thetadot14 * c.p.kd;
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -2343,18 +2398,17 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot15 = R14^T omega14~ q15 + Pdot14: velocity of the body origin, inertial axes [m/s]
   const T t15_1 = omega14_1 * T(0.0838);
   const T t15_2 = omega14_3 * T(0.0838);
-  const T Pdot15_1 = R14_31 * t15_1 - R1_11 * t15_2 + Pdot14_1;
-  const T Pdot15_2 = R14_32 * t15_1 - R1_12 * t15_2 + Pdot14_2;
-  const T Pdot15_3 = R14_33 * t15_1 - R1_13 * t15_2 + Pdot14_3;
+  const T Pdot15_1 = Pdot14_1 + R14_31 * t15_1 - R1_11 * t15_2;
+  const T Pdot15_2 = Pdot14_2 + R14_32 * t15_1 - R1_12 * t15_2;
+  const T Pdot15_3 = Pdot14_3 + R14_33 * t15_1 - R1_13 * t15_2;
   // damping_rl_thigh_15 = -thetadot15 c_rl_thigh_ + tau_rl_thigh_: along the coordinate [N m], [N]
   const T damping_rl_thigh_15 = u.tau_rl_thigh - thetadot15 * c.p.kd;
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -2365,9 +2419,9 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   // Pdot16 = R15^T omega15~ q16 + Pdot15: velocity of the body origin, inertial axes [m/s]
   const T t16_1 = omega15_1 * T(0.2);
   const T t16_2 = omega15_2 * T(0.2);
-  const T Pdot16_1 = R14_21 * t16_1 - R15_11 * t16_2 + Pdot15_1;
-  const T Pdot16_2 = R14_22 * t16_1 - R15_12 * t16_2 + Pdot15_2;
-  const T Pdot16_3 = R14_23 * t16_1 - R15_13 * t16_2 + Pdot15_3;
+  const T Pdot16_1 = Pdot15_1 + R14_21 * t16_1 - R15_11 * t16_2;
+  const T Pdot16_2 = Pdot15_2 + R14_22 * t16_1 - R15_12 * t16_2;
+  const T Pdot16_3 = Pdot15_3 + R14_23 * t16_1 - R15_13 * t16_2;
   // damping_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_: along the coordinate [N m], [N]
   const T damping_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd;
 
@@ -2389,14 +2443,14 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
   const T power = thetadot2 * damping_fr_hip_2 + thetadot3 * damping_fr_thigh_3 + thetadot4 * damping_fr_calf_4 +
       thetadot6 * damping_fl_hip_6 + thetadot7 * damping_fl_thigh_7 + thetadot8 * damping_fl_calf_8 + thetadot10 *
       damping_rr_hip_10 + thetadot11 * damping_rr_thigh_11 + thetadot12 * damping_rr_calf_12 + thetadot14 *
-      damping_rl_hip_14 + thetadot15 * damping_rl_thigh_15 + thetadot16 * damping_rl_calf_16 + u.ground_fr_x * (R2_21
-      * b0_1 - R4_11 * b0_2 + Pdot4_1) + u.ground_fr_y * (R2_22 * b0_1 - R4_12 * b0_2 + Pdot4_2) + u.ground_fr_z *
-      (R2_23 * b0_1 - R4_13 * b0_2 + Pdot4_3) + u.ground_fl_x * (R6_21 * b0_3 - R8_11 * b0_4 + Pdot8_1) +
-      u.ground_fl_y * (R6_22 * b0_3 - R8_12 * b0_4 + Pdot8_2) + u.ground_fl_z * (R6_23 * b0_3 - R8_13 * b0_4 +
-      Pdot8_3) + u.ground_rr_x * (R10_21 * b0_5 - R12_11 * b0_6 + Pdot12_1) + u.ground_rr_y * (R10_22 * b0_5 - R12_12
-      * b0_6 + Pdot12_2) + u.ground_rr_z * (R10_23 * b0_5 - R12_13 * b0_6 + Pdot12_3) + u.ground_rl_x * (R14_21 * b0_7
-      - R16_11 * b0_8 + Pdot16_1) + u.ground_rl_y * (R14_22 * b0_7 - R16_12 * b0_8 + Pdot16_2) + u.ground_rl_z *
-      (R14_23 * b0_7 - R16_13 * b0_8 + Pdot16_3);
+      damping_rl_hip_14 + thetadot15 * damping_rl_thigh_15 + thetadot16 * damping_rl_calf_16 + u.ground_fr_x *
+      (Pdot4_1 + R2_21 * b0_1 - R4_11 * b0_2) + u.ground_fr_y * (Pdot4_2 + R2_22 * b0_1 - R4_12 * b0_2) +
+      u.ground_fr_z * (Pdot4_3 + R2_23 * b0_1 - R4_13 * b0_2) + u.ground_fl_x * (Pdot8_1 + R6_21 * b0_3 - R8_11 *
+      b0_4) + u.ground_fl_y * (Pdot8_2 + R6_22 * b0_3 - R8_12 * b0_4) + u.ground_fl_z * (Pdot8_3 + R6_23 * b0_3 -
+      R8_13 * b0_4) + u.ground_rr_x * (Pdot12_1 + R10_21 * b0_5 - R12_11 * b0_6) + u.ground_rr_y * (Pdot12_2 + R10_22
+      * b0_5 - R12_12 * b0_6) + u.ground_rr_z * (Pdot12_3 + R10_23 * b0_5 - R12_13 * b0_6) + u.ground_rl_x * (Pdot16_1
+      + R14_21 * b0_7 - R16_11 * b0_8) + u.ground_rl_y * (Pdot16_2 + R14_22 * b0_7 - R16_12 * b0_8) + u.ground_rl_z *
+      (Pdot16_3 + R14_23 * b0_7 - R16_13 * b0_8);
   out[0] = power;
 }
 
@@ -2406,7 +2460,9 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 // by: articulated; composite would take 1656 add, 1904 multiply, 14 divide, 24 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2456,8 +2512,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -2500,7 +2556,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot2_2 = E2_22 * t2_10 - E2_23 * t2_13;
   const T minus_Pddot2_3 = E2_22 * t2_13 + E2_23 * t2_10;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
   const T minus_G2_1 = U2_13 * T(2.1575999999999998e-05) - U2_12 * T(0.081652909);
   const T minus_G2_2 = minus_U2_22 * T(0.081652909) + U2_23 * T(2.1575999999999998e-05);
@@ -2511,18 +2567,18 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
       T(7.94567044e-06) * U2_31 - T(2.70561864e-07) * U2_21 - T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) *
       minus_Pddot2_3;
   const T t2_14 = T(2.1575999999999998e-05) * minus_Pddot2_1;
-  const T minus_N2_2 = T(0.000361904168856) * U2_13 + T(0.000361904168856) * U2_31 + T(2.70561864e-07) * (minus_U2_33
-      - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23 - t2_14;
+  const T minus_N2_2 = T(0.000361904168856) * U2_13 - t2_14 + T(0.000361904168856) * U2_31 + T(2.70561864e-07) *
+      (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23;
   const T t2_15 = T(0.081652909) * minus_Pddot2_1;
-  const T minus_N2_3 = T(2.70561864e-07) * U2_23 - (T(0.000361904168856) * U2_21 + T(0.006950052716624) * U2_12 +
-      T(7.94567044e-06) * (minus_U2_11 - minus_U2_22)) + T(4.7970076e-07) * U2_13 - t2_15;
+  const T minus_N2_3 = T(2.70561864e-07) * U2_23 - (t2_15 + T(0.000361904168856) * U2_21 + T(0.006950052716624) *
+      U2_12 + T(7.94567044e-06) * (minus_U2_11 - minus_U2_22)) + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -2555,10 +2611,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = U2_12 * T(0.0838) + minus_Pddot2_1;
+  const T t3_7 = minus_Pddot2_1 + U2_12 * T(0.0838);
   const T t3_8 = minus_Pddot2_3 + U2_23 * T(0.0838);
   const T minus_Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
-  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T Pddot3_2 = Pddot2_2 + minus_U2_22 * T(0.0838);
   const T minus_Pddot3_3 = E3_11 * t3_8 + minus_E3_13 * t3_7;
   // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
@@ -2585,8 +2641,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -2604,7 +2660,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
   const T t4_2 = omega4_2 * omega4_1;
   const T U4_12 = t4_2 - omegadot4_3;
   const T t4_3 = omega4_3 * omega4_1;
@@ -2616,7 +2672,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U4_32 = t4_4 + omegadot4_1;
   const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = U3_13 * T(0.2) + minus_Pddot3_1;
+  const T t4_5 = minus_Pddot3_1 + U3_13 * T(0.2);
   const T t4_6 = minus_U3_33 * T(0.2) - minus_Pddot3_3;
   const T minus_Pddot4_1 = E4_11 * t4_5 + minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
@@ -2630,7 +2686,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
   const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821) + t4_8;
+  const T G4_2 = t4_8 + U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821);
   const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
       minus_U4_33 * T(0.029826408000000002);
   // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
@@ -2647,8 +2703,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -2685,7 +2741,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot6_2 = E6_23 * t6_6 - E6_22 * t6_7;
   const T Pddot6_3 = E6_22 * t6_6 + E6_23 * t6_7;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
   const T minus_G6_1 = U6_12 * T(0.081652909) + U6_13 * T(2.1575999999999998e-05);
   const T minus_G6_2 = U6_23 * T(2.1575999999999998e-05) - minus_U6_22 * T(0.081652909);
@@ -2695,18 +2751,18 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006588148547768) * U6_23
       + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
   const T t6_8 = T(2.1575999999999998e-05) * minus_Pddot6_1;
-  const T minus_N6_2 = T(0.000361904168856) * U6_13 + T(0.000361904168856) * U6_31 + T(2.70561864e-07) * (minus_U6_33
-      - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23 - t6_8;
+  const T minus_N6_2 = T(0.000361904168856) * U6_13 - t6_8 + T(0.000361904168856) * U6_31 + T(2.70561864e-07) *
+      (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23;
   const T t6_9 = T(0.081652909) * minus_Pddot6_1;
-  const T minus_N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
-      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 + t6_9;
+  const T minus_N6_3 = t6_9 - T(0.000361904168856) * U6_21 - T(0.006950052716624) * U6_12 + T(7.94567044e-06) *
+      (minus_U6_11 - minus_U6_22) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13;
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -2740,7 +2796,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t7_7 = U6_12 * T(0.0838) - minus_Pddot6_1;
-  const T t7_8 = U6_23 * T(0.0838) + Pddot6_3;
+  const T t7_8 = Pddot6_3 + U6_23 * T(0.0838);
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
@@ -2769,8 +2825,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -2788,7 +2844,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
   const T t8_2 = omega8_2 * omega8_1;
   const T U8_12 = t8_2 - omegadot8_3;
   const T t8_3 = omega8_3 * omega8_1;
@@ -2801,7 +2857,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
@@ -2814,7 +2870,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
   const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821) + t8_8;
+  const T G8_2 = t8_8 + U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821);
   const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
       minus_U8_33 * T(0.029826408000000002);
   // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
@@ -2830,8 +2886,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -2865,7 +2921,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot10_2 = E10_22 * t6_7 - E10_23 * t6_6;
   const T minus_Pddot10_3 = E10_23 * t6_7 + E10_22 * t6_6;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
   // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
   const T minus_G10_1 = U10_13 * T(2.1575999999999998e-05) - U10_12 * T(0.081652909);
   const T minus_G10_2 = minus_U10_22 * T(0.081652909) + U10_23 * T(2.1575999999999998e-05);
@@ -2884,8 +2940,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -2919,9 +2975,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U11_33 = t11_2 + t11_5;
   // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t11_7 = minus_Pddot6_1 - U10_12 * T(0.0838);
-  const T t11_8 = U10_23 * T(0.0838) + minus_Pddot10_3;
+  const T t11_8 = minus_Pddot10_3 + U10_23 * T(0.0838);
   const T Pddot11_1 = E11_11 * t11_7 + minus_E11_13 * t11_8;
-  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_2 = Pddot10_2 + minus_U10_22 * T(0.0838);
   const T Pddot11_3 = minus_E11_13 * t11_7 - E11_11 * t11_8;
   // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
@@ -2948,8 +3004,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -2967,7 +3023,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
   const T t12_2 = omega12_2 * omega12_1;
   const T U12_12 = t12_2 - omegadot12_3;
   const T t12_3 = omega12_3 * omega12_1;
@@ -2980,7 +3036,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
@@ -2993,7 +3049,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
   const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821) + t12_8;
+  const T G12_2 = t12_8 + U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821);
   const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
       minus_U12_33 * T(0.029826408000000002);
   // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
@@ -3010,8 +3066,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -3045,7 +3101,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Pddot14_2 = E14_23 * t2_13 - E14_22 * t2_10;
   const T Pddot14_3 = E14_23 * t2_10 + E14_22 * t2_13;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
   // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
   const T minus_G14_1 = U14_12 * T(0.081652909) + U14_13 * T(2.1575999999999998e-05);
   const T minus_G14_2 = U14_23 * T(2.1575999999999998e-05) - minus_U14_22 * T(0.081652909);
@@ -3064,8 +3120,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -3098,8 +3154,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U15_32 = t15_6 + omegadot15_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t15_7 = U14_12 * T(0.0838) + minus_Pddot2_1;
-  const T t15_8 = U14_23 * T(0.0838) + Pddot14_3;
+  const T t15_7 = minus_Pddot2_1 + U14_12 * T(0.0838);
+  const T t15_8 = Pddot14_3 + U14_23 * T(0.0838);
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
@@ -3128,8 +3184,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -3147,7 +3203,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
   const T t16_2 = omega16_2 * omega16_1;
   const T U16_12 = t16_2 - omegadot16_3;
   const T t16_3 = omega16_3 * omega16_1;
@@ -3160,7 +3216,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
@@ -3173,7 +3229,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
   const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821) + t16_8;
+  const T G16_2 = t16_8 + U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821);
   const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
       minus_U16_33 * T(0.029826408000000002);
   // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
@@ -3199,7 +3255,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b16_2 = minus_E16_13 * T(0.1209657058895299) - b16_1 * T(0.004337858272180008);
   const T b16_3 = minus_E16_13 * b16_2;
   const T Mp16_11 = b16_3 - T(0.12112106296722176);
-  const T Mp16_13 = E16_11 * b16_2 + T(0.004337858272180008);
+  const T Mp16_13 = T(0.004337858272180008) + E16_11 * b16_2;
   const T minus_Mp16_33 = T(0.00015535707769186977) + b16_3;
   // gp16 = E16^T gt16: force passed on, lower body's axes [N]
   const T gp16_1 = E16_11 * gt16_1 + minus_E16_13 * gt16_3;
@@ -3226,16 +3282,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA15_23 = T(0.0032790809999999997) - minus_Hb16_23;
   const T HA15_32 = Hp16_32 - T(0.0032790809999999997);
   // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA15_11 = T(0.4) * Hp16_12 + T(0.013947080124391002) + Jp16_11;
-  const T JA15_13 = T(0.2) * Hp16_32 + T(0.000254264832594) + Jp16_13;
+  const T JA15_11 = T(0.013947080124391002) + Jp16_11 + T(0.4) * Hp16_12;
+  const T JA15_13 = T(0.000254264832594) + Jp16_13 + T(0.2) * Hp16_32;
   const T JA15_22 = T(0.014946370894785) + minus_Hb16_21 * T(0.2);
   // g15 = G15 + gp16: force that drives it, home axes [N]
   const T g15_1 = gp16_1 - minus_G15_1;
   const T g15_2 = G16_2 + G15_2;
   const T g15_3 = gp16_3 - minus_G15_3;
   // n15 = q16~ gp16 + N15 + np16: moment that drives it, body axes [N m]
-  const T n15_1 = T(0.2) * G16_2 - minus_N15_1 + np16_1;
-  const T minus_n15_2 = T(0.2) * gp16_1 + minus_N15_2 + effort_rl_calf_16;
+  const T n15_1 = np16_1 - minus_N15_1 + T(0.2) * G16_2;
+  const T minus_n15_2 = minus_N15_2 + effort_rl_calf_16 + T(0.2) * gp16_1;
   const T minus_n15_3 = minus_N15_3 + minus_np16_3;
   // invD15 = D15^-1: 1/D
   const T invD15 = T(1) / JA15_22;
@@ -3310,17 +3366,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA14_13 = T(0.081652909) + Hb15_13;
   const T HA14_31 = Hb15_31 - T(0.081652909);
   // JA14 = q15~ Hp15^T + J_own_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA14_11 = T(0.0838) * Hp15_13 + T(0.00731195688548) + Jp15_11 + Hb15_13 * T(0.0838);
-  const T JA14_13 = T(0.0838) * Hp15_33 + T(2.70561864e-07) + Jp15_13 - Hb15_11 * T(0.0838);
-  const T JA14_33 = T(0.006588148547768) - T(0.0838) * Hp15_31 + Jp15_33 - Hb15_31 * T(0.0838);
+  const T JA14_11 = T(0.00731195688548) + Jp15_11 + T(0.0838) * Hp15_13 + Hb15_13 * T(0.0838);
+  const T JA14_13 = T(2.70561864e-07) + Jp15_13 + T(0.0838) * Hp15_33 - Hb15_11 * T(0.0838);
+  const T JA14_33 = T(0.006588148547768) + Jp15_33 - T(0.0838) * Hp15_31 - Hb15_31 * T(0.0838);
   // g14 = G14 + gp15: force that drives it, home axes [N]
   const T g14_1 = gp15_1 - minus_G14_1;
   const T g14_2 = g15_2 - minus_G14_2;
   const T g14_3 = gp15_3 - minus_G14_3;
   // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
-  const T n14_1 = T(0.0838) * gp15_3 - minus_N14_1 + np15_1;
+  const T n14_1 = np15_1 - minus_N14_1 + T(0.0838) * gp15_3;
   const T minus_n14_2 = minus_N14_2 + effort_rl_thigh_15;
-  const T n14_3 = N14_3 - T(0.0838) * gp15_1 + np15_3;
+  const T n14_3 = N14_3 + np15_3 - T(0.0838) * gp15_1;
   // invD14 = D14^-1: 1/D
   const T invD14 = T(1) / JA14_11;
   // kB14 = invD14 B14: B/D
@@ -3366,7 +3422,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b14_2 = E14_23 * (minus_M14_33 - minus_M14_22) - b14_1 * minus_M14_23;
   const T b14_3 = E14_23 * b14_2;
   const T minus_Mp14_22 = minus_M14_22 + b14_3;
-  const T Mp14_23 = E14_22 * b14_2 + minus_M14_23;
+  const T Mp14_23 = minus_M14_23 + E14_22 * b14_2;
   const T Mp14_33 = b14_3 - minus_M14_33;
   // gp14 = E14^T gt14: force passed on, lower body's axes [N]
   const T gp14_2 = E14_22 * gt14_2 - E14_23 * gt14_3;
@@ -3394,12 +3450,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb14_11 = T(0.047) * Mp14_13;
   const T Hb14_12 = T(0.047) * Mp14_23;
   const T Hb14_13 = T(0.047) * Mp14_33;
-  const T Hb14_21 = T(0.1805) * Mp14_13 + Hp14_21;
+  const T Hb14_21 = Hp14_21 + T(0.1805) * Mp14_13;
   const T b14_9 = T(0.1805) * Mp14_23;
   const T Hb14_22 = b14_9 - minus_Hp14_22;
-  const T Hb14_23 = T(0.1805) * Mp14_33 + Hp14_23;
-  const T Hb14_31 = T(0.1805) * minus_Mp14_12 - T(0.047) * M14_11 + Hp14_31;
-  const T Hb14_32 = T(0.047) * minus_Mp14_12 + T(0.1805) * minus_Mp14_22 + Hp14_32;
+  const T Hb14_23 = Hp14_23 + T(0.1805) * Mp14_33;
+  const T Hb14_31 = Hp14_31 + T(0.1805) * minus_Mp14_12 - T(0.047) * M14_11;
+  const T Hb14_32 = Hp14_32 + T(0.047) * minus_Mp14_12 + T(0.1805) * minus_Mp14_22;
   const T Hb14_33 = Hp14_33 - (b14_9 + Hb14_11);
 
   // ---- body 12 (rr_calf) and what it carries
@@ -3415,7 +3471,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b12_2 = minus_E12_13 * T(0.1209657058895299) - b12_1 * T(0.004337858272180008);
   const T b12_3 = minus_E12_13 * b12_2;
   const T Mp12_11 = b12_3 - T(0.12112106296722176);
-  const T Mp12_13 = E12_11 * b12_2 + T(0.004337858272180008);
+  const T Mp12_13 = T(0.004337858272180008) + E12_11 * b12_2;
   const T minus_Mp12_33 = T(0.00015535707769186977) + b12_3;
   // gp12 = E12^T gt12: force passed on, lower body's axes [N]
   const T gp12_1 = E12_11 * gt12_1 + minus_E12_13 * gt12_3;
@@ -3442,16 +3498,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA11_23 = T(0.0032790809999999997) - minus_Hb12_23;
   const T HA11_32 = Hp12_32 - T(0.0032790809999999997);
   // JA11 = q12~ Hp12^T + J_own_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA11_11 = T(0.4) * Hp12_12 + T(0.013947080124391002) + Jp12_11;
-  const T JA11_13 = T(0.2) * Hp12_32 + T(0.000254264832594) + Jp12_13;
+  const T JA11_11 = T(0.013947080124391002) + Jp12_11 + T(0.4) * Hp12_12;
+  const T JA11_13 = T(0.000254264832594) + Jp12_13 + T(0.2) * Hp12_32;
   const T JA11_22 = T(0.014946370894785) + minus_Hb12_21 * T(0.2);
   // g11 = G11 + gp12: force that drives it, home axes [N]
   const T g11_1 = gp12_1 - minus_G11_1;
   const T g11_2 = G12_2 + G11_2;
   const T g11_3 = gp12_3 - minus_G11_3;
   // n11 = q12~ gp12 + N11 + np12: moment that drives it, body axes [N m]
-  const T n11_1 = T(0.2) * G12_2 - minus_N11_1 + np12_1;
-  const T minus_n11_2 = T(0.2) * gp12_1 + minus_N11_2 + effort_rr_calf_12;
+  const T n11_1 = np12_1 - minus_N11_1 + T(0.2) * G12_2;
+  const T minus_n11_2 = minus_N11_2 + effort_rr_calf_12 + T(0.2) * gp12_1;
   const T minus_n11_3 = minus_N11_3 + minus_np12_3;
   // invD11 = D11^-1: 1/D
   const T invD11 = T(1) / JA11_22;
@@ -3516,8 +3572,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // Hb11 = q11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
   const T b11_9 = T(0.0838) * Mp11_13;
   const T Hb11_11 = Hp11_11 - b11_9;
-  const T Hb11_13 = T(0.0838) * minus_Mp11_33 + Hp11_13;
-  const T Hb11_31 = T(0.0838) * Mp11_11 + Hp11_31;
+  const T Hb11_13 = Hp11_13 + T(0.0838) * minus_Mp11_33;
+  const T Hb11_31 = Hp11_31 + T(0.0838) * Mp11_11;
   const T Hb11_33 = b11_9 - minus_Hp11_33;
 
   // ---- body 10 (rr_hip) and what it carries
@@ -3526,17 +3582,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA10_13 = Hb11_13 - T(0.081652909);
   const T HA10_31 = Hb11_31 + T(0.081652909);
   // JA10 = q11~ Hp11^T + J_own_10 + Jp11 - Hb11 q11~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA10_11 = T(0.00731195688548) - T(0.0838) * Hp11_13 + Jp11_11 - Hb11_13 * T(0.0838);
-  const T JA10_13 = T(0.0838) * minus_Hp11_33 + T(2.70561864e-07) + Jp11_13 + Hb11_11 * T(0.0838);
-  const T JA10_33 = T(0.0838) * Hp11_31 + T(0.006588148547768) + Jp11_33 + Hb11_31 * T(0.0838);
+  const T JA10_11 = T(0.00731195688548) + Jp11_11 - T(0.0838) * Hp11_13 - Hb11_13 * T(0.0838);
+  const T JA10_13 = T(2.70561864e-07) + Jp11_13 + T(0.0838) * minus_Hp11_33 + Hb11_11 * T(0.0838);
+  const T JA10_33 = T(0.006588148547768) + Jp11_33 + T(0.0838) * Hp11_31 + Hb11_31 * T(0.0838);
   // g10 = G10 + gp11: force that drives it, home axes [N]
   const T g10_1 = gp11_1 - minus_G10_1;
   const T g10_2 = g11_2 - minus_G10_2;
   const T g10_3 = gp11_3 + G10_3;
   // n10 = q11~ gp11 + N10 + np11: moment that drives it, body axes [N m]
-  const T n10_1 = np11_1 - (T(0.0838) * gp11_3 + minus_N10_1);
+  const T n10_1 = np11_1 - minus_N10_1 - T(0.0838) * gp11_3;
   const T minus_n10_2 = minus_N10_2 + effort_rr_thigh_11;
-  const T n10_3 = T(0.0838) * gp11_1 - minus_N10_3 - minus_np11_3;
+  const T n10_3 = T(0.0838) * gp11_1 - (minus_N10_3 + minus_np11_3);
   // invD10 = D10^-1: 1/D
   const T invD10 = T(1) / JA10_11;
   // kB10 = invD10 B10: B/D
@@ -3582,7 +3638,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b10_2 = E10_23 * (minus_M10_33 - minus_M10_22) - b10_1 * minus_M10_23;
   const T b10_3 = E10_23 * b10_2;
   const T minus_Mp10_22 = minus_M10_22 + b10_3;
-  const T Mp10_23 = E10_22 * b10_2 + minus_M10_23;
+  const T Mp10_23 = minus_M10_23 + E10_22 * b10_2;
   const T Mp10_33 = b10_3 - minus_M10_33;
   // gp10 = E10^T gt10: force passed on, lower body's axes [N]
   const T gp10_2 = E10_22 * gt10_2 - E10_23 * gt10_3;
@@ -3610,12 +3666,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Hb10_11 = T(0.047) * Mp10_13;
   const T minus_Hb10_12 = T(0.047) * Mp10_23;
   const T minus_Hb10_13 = T(0.047) * Mp10_33;
-  const T Hb10_21 = T(0.1805) * Mp10_13 + Hp10_21;
+  const T Hb10_21 = Hp10_21 + T(0.1805) * Mp10_13;
   const T b10_9 = T(0.1805) * Mp10_23;
   const T Hb10_22 = b10_9 + Hp10_22;
-  const T Hb10_23 = T(0.1805) * Mp10_33 + Hp10_23;
-  const T Hb10_31 = T(0.1805) * minus_Mp10_12 + T(0.047) * M10_11 + Hp10_31;
-  const T Hb10_32 = T(0.1805) * minus_Mp10_22 - T(0.047) * minus_Mp10_12 + Hp10_32;
+  const T Hb10_23 = Hp10_23 + T(0.1805) * Mp10_33;
+  const T Hb10_31 = Hp10_31 + T(0.1805) * minus_Mp10_12 + T(0.047) * M10_11;
+  const T Hb10_32 = Hp10_32 + T(0.1805) * minus_Mp10_22 - T(0.047) * minus_Mp10_12;
   const T Hb10_33 = minus_Hb10_11 - b10_9 + Hp10_33;
 
   // ---- body 8 (fl_calf) and what it carries
@@ -3631,7 +3687,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b8_2 = minus_E8_13 * T(0.1209657058895299) - b8_1 * T(0.004337858272180008);
   const T b8_3 = minus_E8_13 * b8_2;
   const T Mp8_11 = b8_3 - T(0.12112106296722176);
-  const T Mp8_13 = E8_11 * b8_2 + T(0.004337858272180008);
+  const T Mp8_13 = T(0.004337858272180008) + E8_11 * b8_2;
   const T minus_Mp8_33 = T(0.00015535707769186977) + b8_3;
   // gp8 = E8^T gt8: force passed on, lower body's axes [N]
   const T gp8_1 = E8_11 * gt8_1 + minus_E8_13 * gt8_3;
@@ -3658,16 +3714,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA7_23 = T(0.0032790809999999997) - minus_Hb8_23;
   const T HA7_32 = Hp8_32 - T(0.0032790809999999997);
   // JA7 = q8~ Hp8^T + J_own_7 + Jp8 - Hb8 q8~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA7_11 = T(0.4) * Hp8_12 + T(0.013947080124391002) + Jp8_11;
-  const T JA7_13 = T(0.2) * Hp8_32 + T(0.000254264832594) + Jp8_13;
+  const T JA7_11 = T(0.013947080124391002) + Jp8_11 + T(0.4) * Hp8_12;
+  const T JA7_13 = T(0.000254264832594) + Jp8_13 + T(0.2) * Hp8_32;
   const T JA7_22 = T(0.014946370894785) + minus_Hb8_21 * T(0.2);
   // g7 = G7 + gp8: force that drives it, home axes [N]
   const T g7_1 = gp8_1 - minus_G7_1;
   const T g7_2 = G8_2 + G7_2;
   const T g7_3 = gp8_3 - minus_G7_3;
   // n7 = q8~ gp8 + N7 + np8: moment that drives it, body axes [N m]
-  const T n7_1 = T(0.2) * G8_2 - minus_N7_1 + np8_1;
-  const T minus_n7_2 = T(0.2) * gp8_1 + minus_N7_2 + effort_fl_calf_8;
+  const T n7_1 = np8_1 - minus_N7_1 + T(0.2) * G8_2;
+  const T minus_n7_2 = minus_N7_2 + effort_fl_calf_8 + T(0.2) * gp8_1;
   const T minus_n7_3 = minus_N7_3 + minus_np8_3;
   // invD7 = D7^-1: 1/D
   const T invD7 = T(1) / JA7_22;
@@ -3742,17 +3798,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA6_13 = T(0.081652909) + Hb7_13;
   const T HA6_31 = Hb7_31 - T(0.081652909);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(0.0838) * Hp7_13 + T(0.00731195688548) + Jp7_11 + Hb7_13 * T(0.0838);
-  const T JA6_13 = T(0.0838) * Hp7_33 - T(2.70561864e-07) + Jp7_13 - Hb7_11 * T(0.0838);
-  const T JA6_33 = T(0.006588148547768) - T(0.0838) * Hp7_31 + Jp7_33 - Hb7_31 * T(0.0838);
+  const T JA6_11 = T(0.00731195688548) + Jp7_11 + T(0.0838) * Hp7_13 + Hb7_13 * T(0.0838);
+  const T JA6_13 = Jp7_13 - T(2.70561864e-07) + T(0.0838) * Hp7_33 - Hb7_11 * T(0.0838);
+  const T JA6_33 = T(0.006588148547768) + Jp7_33 - T(0.0838) * Hp7_31 - Hb7_31 * T(0.0838);
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T g6_2 = g7_2 - minus_G6_2;
   const T g6_3 = gp7_3 - minus_G6_3;
   // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
-  const T n6_1 = T(0.0838) * gp7_3 - minus_N6_1 + np7_1;
+  const T n6_1 = np7_1 - minus_N6_1 + T(0.0838) * gp7_3;
   const T minus_n6_2 = minus_N6_2 + effort_fl_thigh_7;
-  const T n6_3 = np7_3 - (T(0.0838) * gp7_1 + minus_N6_3);
+  const T n6_3 = np7_3 - minus_N6_3 - T(0.0838) * gp7_1;
   // invD6 = D6^-1: 1/D
   const T invD6 = T(1) / JA6_11;
   // kB6 = invD6 B6: B/D
@@ -3798,7 +3854,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b6_2 = E6_23 * (minus_M6_33 - minus_M6_22) - b6_1 * minus_M6_23;
   const T b6_3 = E6_23 * b6_2;
   const T minus_Mp6_22 = minus_M6_22 + b6_3;
-  const T Mp6_23 = E6_22 * b6_2 + minus_M6_23;
+  const T Mp6_23 = minus_M6_23 + E6_22 * b6_2;
   const T Mp6_33 = b6_3 - minus_M6_33;
   // gp6 = E6^T gt6: force passed on, lower body's axes [N]
   const T gp6_2 = E6_22 * gt6_2 - E6_23 * gt6_3;
@@ -3830,8 +3886,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b6_9 = T(0.1805) * Mp6_23;
   const T Hb6_22 = Hp6_22 - b6_9;
   const T Hb6_23 = Hp6_23 - T(0.1805) * Mp6_33;
-  const T Hb6_31 = Hp6_31 - (T(0.1805) * minus_Mp6_12 + T(0.047) * M6_11);
-  const T Hb6_32 = T(0.047) * minus_Mp6_12 - T(0.1805) * minus_Mp6_22 + Hp6_32;
+  const T Hb6_31 = Hp6_31 - T(0.1805) * minus_Mp6_12 - T(0.047) * M6_11;
+  const T Hb6_32 = Hp6_32 + T(0.047) * minus_Mp6_12 - T(0.1805) * minus_Mp6_22;
   const T Hb6_33 = b6_9 - Hb6_11 + Hp6_33;
 
   // ---- body 4 (fr_calf) and what it carries
@@ -3847,7 +3903,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b4_2 = minus_E4_13 * T(0.1209657058895299) - b4_1 * T(0.004337858272180008);
   const T b4_3 = minus_E4_13 * b4_2;
   const T Mp4_11 = b4_3 - T(0.12112106296722176);
-  const T Mp4_13 = E4_11 * b4_2 + T(0.004337858272180008);
+  const T Mp4_13 = T(0.004337858272180008) + E4_11 * b4_2;
   const T minus_Mp4_33 = T(0.00015535707769186977) + b4_3;
   // gp4 = E4^T gt4: force passed on, lower body's axes [N]
   const T gp4_1 = E4_11 * gt4_1 + minus_E4_13 * gt4_3;
@@ -3874,16 +3930,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA3_23 = T(0.0032790809999999997) - minus_Hb4_23;
   const T HA3_32 = Hp4_32 - T(0.0032790809999999997);
   // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA3_11 = T(0.4) * Hp4_12 + T(0.013947080124391002) + Jp4_11;
-  const T JA3_13 = T(0.2) * Hp4_32 + T(0.000254264832594) + Jp4_13;
+  const T JA3_11 = T(0.013947080124391002) + Jp4_11 + T(0.4) * Hp4_12;
+  const T JA3_13 = T(0.000254264832594) + Jp4_13 + T(0.2) * Hp4_32;
   const T JA3_22 = T(0.014946370894785) + minus_Hb4_21 * T(0.2);
   // g3 = G3 + gp4: force that drives it, home axes [N]
   const T g3_1 = gp4_1 - minus_G3_1;
   const T g3_2 = G4_2 + G3_2;
   const T g3_3 = gp4_3 - minus_G3_3;
   // n3 = q4~ gp4 + N3 + np4: moment that drives it, body axes [N m]
-  const T n3_1 = T(0.2) * G4_2 - minus_N3_1 + np4_1;
-  const T minus_n3_2 = T(0.2) * gp4_1 + minus_N3_2 + effort_fr_calf_4;
+  const T n3_1 = np4_1 - minus_N3_1 + T(0.2) * G4_2;
+  const T minus_n3_2 = minus_N3_2 + effort_fr_calf_4 + T(0.2) * gp4_1;
   const T minus_n3_3 = minus_N3_3 + minus_np4_3;
   // invD3 = D3^-1: 1/D
   const T invD3 = T(1) / JA3_22;
@@ -3948,8 +4004,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
   const T b3_9 = T(0.0838) * Mp3_13;
   const T Hb3_11 = Hp3_11 - b3_9;
-  const T Hb3_13 = T(0.0838) * minus_Mp3_33 + Hp3_13;
-  const T Hb3_31 = T(0.0838) * Mp3_11 + Hp3_31;
+  const T Hb3_13 = Hp3_13 + T(0.0838) * minus_Mp3_33;
+  const T Hb3_31 = Hp3_31 + T(0.0838) * Mp3_11;
   const T Hb3_33 = b3_9 - minus_Hp3_33;
 
   // ---- body 2 (fr_hip) and what it carries
@@ -3958,17 +4014,17 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA2_13 = Hb3_13 - T(0.081652909);
   const T HA2_31 = Hb3_31 + T(0.081652909);
   // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA2_11 = T(0.00731195688548) - T(0.0838) * Hp3_13 + Jp3_11 - Hb3_13 * T(0.0838);
-  const T JA2_13 = T(0.0838) * minus_Hp3_33 - T(2.70561864e-07) + Jp3_13 + Hb3_11 * T(0.0838);
-  const T JA2_33 = T(0.0838) * Hp3_31 + T(0.006588148547768) + Jp3_33 + Hb3_31 * T(0.0838);
+  const T JA2_11 = T(0.00731195688548) + Jp3_11 - T(0.0838) * Hp3_13 - Hb3_13 * T(0.0838);
+  const T JA2_13 = Jp3_13 - T(2.70561864e-07) + T(0.0838) * minus_Hp3_33 + Hb3_11 * T(0.0838);
+  const T JA2_33 = T(0.006588148547768) + Jp3_33 + T(0.0838) * Hp3_31 + Hb3_31 * T(0.0838);
   // g2 = G2 + gp3: force that drives it, home axes [N]
   const T g2_1 = gp3_1 - minus_G2_1;
   const T g2_2 = g3_2 - minus_G2_2;
   const T g2_3 = gp3_3 + G2_3;
   // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
-  const T n2_1 = np3_1 - (T(0.0838) * gp3_3 + minus_N2_1);
+  const T n2_1 = np3_1 - minus_N2_1 - T(0.0838) * gp3_3;
   const T minus_n2_2 = minus_N2_2 + effort_fr_thigh_3;
-  const T n2_3 = T(0.0838) * gp3_1 - minus_N2_3 - minus_np3_3;
+  const T n2_3 = T(0.0838) * gp3_1 - (minus_N2_3 + minus_np3_3);
   // invD2 = D2^-1: 1/D
   const T invD2 = T(1) / JA2_11;
   // kB2 = invD2 B2: B/D
@@ -4014,7 +4070,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b2_2 = E2_23 * (minus_M2_33 - minus_M2_22) - b2_1 * minus_M2_23;
   const T b2_3 = E2_23 * b2_2;
   const T minus_Mp2_22 = minus_M2_22 + b2_3;
-  const T Mp2_23 = E2_22 * b2_2 + minus_M2_23;
+  const T Mp2_23 = minus_M2_23 + E2_22 * b2_2;
   const T Mp2_33 = b2_3 - minus_M2_33;
   // gp2 = E2^T gt2: force passed on, lower body's axes [N]
   const T gp2_2 = E2_22 * gt2_2 - E2_23 * gt2_3;
@@ -4046,8 +4102,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T b2_9 = T(0.1805) * Mp2_23;
   const T minus_Hb2_22 = b2_9 + minus_Hp2_22;
   const T Hb2_23 = Hp2_23 - T(0.1805) * Mp2_33;
-  const T Hb2_31 = T(0.047) * M2_11 - T(0.1805) * minus_Mp2_12 + Hp2_31;
-  const T Hb2_32 = Hp2_32 - (T(0.047) * minus_Mp2_12 + T(0.1805) * minus_Mp2_22);
+  const T Hb2_31 = Hp2_31 + T(0.047) * M2_11 - T(0.1805) * minus_Mp2_12;
+  const T Hb2_32 = Hp2_32 - T(0.047) * minus_Mp2_12 - T(0.1805) * minus_Mp2_22;
   const T Hb2_33 = b2_9 + minus_Hb2_11 + Hp2_33;
 
   // ---- body 1 (trunk) and what it carries
@@ -4072,21 +4128,20 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   //   Hb10 q10~ - Hb14 q14~: moment for an angular acceleration, body axes [kg m^2]
   const T JA1_11 = c.J_all_1_11 + minus_Hb2_13 * T(0.047) + Hb6_13 * T(0.047) + minus_Hb10_13 * T(0.047) + Hb14_13 *
       T(0.047);
-  const T JA1_12 = T(0.047) * Hp6_23 - T(0.047) * Hp2_23 - T(0.047) * Hp10_23 + T(0.047) * Hp14_23 - T(3.66e-05) +
+  const T JA1_12 = T(0.047) * Hp6_23 - T(3.66e-05) - T(0.047) * Hp2_23 - T(0.047) * Hp10_23 + T(0.047) * Hp14_23 +
       minus_Hb2_13 * T(0.1805) - Hb6_13 * T(0.1805) - minus_Hb10_13 * T(0.1805) + Hb14_13 * T(0.1805);
-  const T JA1_13 = T(0.047) * Hp6_33 - T(0.047) * Hp2_33 - T(0.047) * Hp10_33 + T(0.047) * Hp14_33 - T(6.11e-05) -
+  const T JA1_13 = T(0.047) * Hp6_33 - T(6.11e-05) - T(0.047) * Hp2_33 - T(0.047) * Hp10_33 + T(0.047) * Hp14_33 -
       minus_Hb2_11 * T(0.047) - minus_Hb2_12 * T(0.1805) - Hb6_11 * T(0.047) + Hb6_12 * T(0.1805) - minus_Hb10_11 *
       T(0.047) + minus_Hb10_12 * T(0.1805) - Hb14_11 * T(0.047) - Hb14_12 * T(0.1805);
-  const T JA1_22 = T(0.1805) * Hp10_23 - (T(0.1805) * Hp2_23 + T(0.1805) * Hp6_23) + T(0.1805) * Hp14_23 +
-      c.J_all_1_22 + Jp14_22 - minus_Jp10_22 - minus_Jp6_22 - minus_Jp2_22 - Hb2_23 * T(0.1805) - Hb6_23 * T(0.1805) +
+  const T JA1_22 = c.J_all_1_22 + Jp14_22 - minus_Jp10_22 - minus_Jp6_22 - minus_Jp2_22 - T(0.1805) * Hp2_23 -
+      T(0.1805) * Hp6_23 + T(0.1805) * Hp10_23 + T(0.1805) * Hp14_23 - Hb2_23 * T(0.1805) - Hb6_23 * T(0.1805) +
       Hb10_23 * T(0.1805) + Hb14_23 * T(0.1805);
-  const T JA1_23 = T(0.1805) * Hp10_33 - (T(0.1805) * Hp2_33 + T(0.1805) * Hp6_33) + T(0.1805) * Hp14_33 +
-      c.J_all_1_23 + Jp14_23 + Jp10_23 + Jp6_23 + Jp2_23 - minus_Hb2_22 * T(0.1805) + Hb2_21 * T(0.047) - Hb6_21 *
-      T(0.047) + Hb6_22 * T(0.1805) - Hb10_22 * T(0.1805) + Hb10_21 * T(0.047) - Hb14_21 * T(0.047) - Hb14_22 *
-      T(0.1805);
-  const T JA1_33 = T(0.1805) * Hp2_32 + T(0.047) * Hp2_31 + T(0.1805) * Hp6_32 - T(0.047) * Hp6_31 + T(0.047) *
-      Hp10_31 - T(0.1805) * Hp10_32 - T(0.1805) * Hp14_32 - T(0.047) * Hp14_31 + c.J_all_1_33 + Jp14_33 + Jp10_33 +
-      Jp6_33 + Jp2_33 + Hb2_31 * T(0.047) + Hb2_32 * T(0.1805) - Hb6_31 * T(0.047) + Hb6_32 * T(0.1805) - Hb10_32 *
+  const T JA1_23 = c.J_all_1_23 + Jp14_23 + Jp10_23 + Jp6_23 + Jp2_23 - T(0.1805) * Hp2_33 - T(0.1805) * Hp6_33 +
+      T(0.1805) * Hp10_33 + T(0.1805) * Hp14_33 - minus_Hb2_22 * T(0.1805) + Hb2_21 * T(0.047) - Hb6_21 * T(0.047) +
+      Hb6_22 * T(0.1805) - Hb10_22 * T(0.1805) + Hb10_21 * T(0.047) - Hb14_21 * T(0.047) - Hb14_22 * T(0.1805);
+  const T JA1_33 = c.J_all_1_33 + Jp14_33 + Jp10_33 + Jp6_33 + Jp2_33 + T(0.1805) * Hp2_32 + T(0.047) * Hp2_31 +
+      T(0.1805) * Hp6_32 - T(0.047) * Hp6_31 + T(0.047) * Hp10_31 - T(0.1805) * Hp10_32 - T(0.1805) * Hp14_32 -
+      T(0.047) * Hp14_31 + Hb2_31 * T(0.047) + Hb2_32 * T(0.1805) - Hb6_31 * T(0.047) + Hb6_32 * T(0.1805) - Hb10_32 *
       T(0.1805) + Hb10_31 * T(0.047) - Hb14_31 * T(0.047) - Hb14_32 * T(0.1805);
   // g1 = G1 + gp14 + gp10 + gp6 + gp2: force that drives it, home axes [N]
   const T g1_1 = gt14_1 - minus_G1_1 + gt10_1 + gt6_1 + gt2_1;
@@ -4094,12 +4149,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T g1_3 = gp14_3 - minus_G1_3 + gp10_3 + gp6_3 + gp2_3;
   // n1 = q2~ gp2 + q6~ gp6 + q10~ gp10 + q14~ gp14 + N1 + np14 + np10 + np6 + np2: moment that drives it, body axes
   //   [N m]
-  const T n1_1 = T(0.047) * gp6_3 - T(0.047) * gp2_3 - T(0.047) * gp10_3 + T(0.047) * gp14_3 - minus_N1_1 -
-      effort_rl_hip_14 - effort_rr_hip_10 - effort_fl_hip_6 - effort_fr_hip_2;
-  const T n1_2 = T(0.1805) * gp10_3 - (T(0.1805) * gp2_3 + T(0.1805) * gp6_3) + T(0.1805) * gp14_3 - minus_N1_2 -
-      minus_np14_2 + np10_2 + np6_2 - minus_np2_2;
-  const T n1_3 = T(0.1805) * gp2_2 + T(0.047) * gt2_1 + T(0.1805) * gp6_2 - T(0.047) * gt6_1 + T(0.047) * gt10_1 -
-      T(0.1805) * gp10_2 - T(0.1805) * gp14_2 - T(0.047) * gt14_1 - minus_N1_3 + np14_3 + np10_3 + np6_3 + np2_3;
+  const T n1_1 = T(0.047) * gp6_3 - (minus_N1_1 + effort_rl_hip_14 + effort_rr_hip_10 + effort_fl_hip_6 +
+      effort_fr_hip_2) - T(0.047) * gp2_3 - T(0.047) * gp10_3 + T(0.047) * gp14_3;
+  const T n1_2 = np10_2 - (minus_N1_2 + minus_np14_2) + np6_2 - minus_np2_2 - T(0.1805) * gp2_3 - T(0.1805) * gp6_3 +
+      T(0.1805) * gp10_3 + T(0.1805) * gp14_3;
+  const T n1_3 = np14_3 - minus_N1_3 + np10_3 + np6_3 + np2_3 + T(0.1805) * gp2_2 + T(0.047) * gt2_1 + T(0.1805) *
+      gp6_2 - T(0.047) * gt6_1 + T(0.047) * gt10_1 - T(0.1805) * gp10_2 - T(0.1805) * gp14_2 - T(0.047) * gt14_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -4131,16 +4186,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 - LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = MA1_11 - (HA1_11 * W1_11 + Y1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = MA1_11 - HA1_11 * W1_11 - Y1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = minus_MA1_12 + HA1_11 * W1_12 + Y1_21 * W1_22 + Y1_31 * W1_32;
-  const T M1_13 = MA1_13 - (HA1_11 * W1_13 + Y1_21 * W1_23 + Y1_31 * W1_33);
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + Y1_22 * W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + Y1_22 * W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + Y1_23 * W1_23 + Y1_33 * W1_33);
+  const T M1_13 = MA1_13 - HA1_11 * W1_13 - Y1_21 * W1_23 - Y1_31 * W1_33;
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - Y1_22 * W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - Y1_22 * W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - Y1_23 * W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = g1_1 - (HA1_11 * w_1_1 + Y1_21 * w_1_2 + Y1_31 * w_1_3);
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + Y1_22 * w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + Y1_23 * w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 - HA1_11 * w_1_1 - Y1_21 * w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - Y1_22 * w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - Y1_23 * w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -4160,16 +4215,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 - LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
-  const T z1_3 = w_1_2 - (W1_21 * Pddot1_1 + W1_22 * z1_1 + W1_23 * ws1_3) - LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_11 * Pddot1_1 + W1_12 * z1_1 + W1_13 * ws1_3) - LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
+  const T z1_3 = w_1_2 - W1_21 * Pddot1_1 - W1_22 * z1_1 - W1_23 * ws1_3 - LD1_32 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_11 * Pddot1_1 - W1_12 * z1_1 - W1_13 * ws1_3 - LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = z1_3;
   ydot[2] = z1_2;
   // sddot1 = g + R1^T Pddot1: relative acceleration, axes of the lower body [m/s^2]
   const T sddot1_1 = R1_11 * Pddot1_1 + R1_21 * z1_1 + R1_31 * ws1_3;
   const T sddot1_2 = R1_12 * Pddot1_1 + R1_22 * z1_1 + R1_32 * ws1_3;
-  const T sddot1_3 = R1_13 * Pddot1_1 + R1_23 * z1_1 + R1_33 * ws1_3 - T(9.81);
+  const T sddot1_3 = R1_13 * Pddot1_1 - T(9.81) + R1_23 * z1_1 + R1_33 * ws1_3;
   ydot[15] = sddot1_1;
   ydot[16] = sddot1_2;
   ydot[17] = sddot1_3;
@@ -4188,7 +4243,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL2_2 = E2_22 * z1_3 + E2_23 * z1_2;
   const T alphaL2_3 = E2_22 * z1_2 - E2_23 * z1_3;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T phi2 = v2 - (kB2_1 * beta2_1 + kB2_2 * beta2_2 + kB2_3 * beta2_3) - kK2_2 * alphaL2_2 - kK2_3 * alphaL2_3;
+  const T phi2 = v2 - kB2_1 * beta2_1 - kB2_2 * beta2_2 - kB2_3 * beta2_3 - kK2_2 * alphaL2_2 - kK2_3 * alphaL2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T thetaddot2 = phi2 - omegadot1_1;
   ydot[3] = thetaddot2;
@@ -4203,7 +4258,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL3_1 = E3_11 * phi2 - minus_E3_13 * alphaL2_3;
   const T alphaL3_3 = minus_E3_13 * phi2 + E3_11 * alphaL2_3;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
-  const T phi3 = minus_kB3_1 * beta3_1 - kB3_3 * beta3_3 + v3 - kK3_1 * alphaL3_1 - kK3_3 * alphaL3_3;
+  const T phi3 = v3 + minus_kB3_1 * beta3_1 - kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_3 * alphaL3_3;
   // thetaddot3 = -b3 . alphaL3 + phi3
   const T thetaddot3 = phi3 - alphaL2_2;
   ydot[4] = thetaddot3;
@@ -4214,7 +4269,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T beta4_1 = E4_11 * beta3_1 - minus_E4_13 * beta3_3 - E4_11 * z4_1;
   const T beta4_3 = minus_E4_13 * beta3_1 + E4_11 * beta3_3 - minus_E4_13 * z4_1;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = T(4.060866563859173) * beta4_1 + T(0.14543683142066613) * beta4_3 + v4;
+  const T phi4 = v4 + T(4.060866563859173) * beta4_1 + T(0.14543683142066613) * beta4_3;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = phi4 - phi3;
   ydot[5] = thetaddot4;
@@ -4229,7 +4284,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL6_2 = E6_22 * z1_3 + E6_23 * z1_2;
   const T alphaL6_3 = E6_22 * z1_2 - E6_23 * z1_3;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
-  const T phi6 = v6 - (kB6_1 * beta6_1 + kB6_2 * beta6_2 + kB6_3 * beta6_3) - kK6_3 * alphaL6_3 + minus_kK6_2 *
+  const T phi6 = v6 - kB6_1 * beta6_1 - kB6_2 * beta6_2 - kB6_3 * beta6_3 - kK6_3 * alphaL6_3 + minus_kK6_2 *
       alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
   const T thetaddot6 = phi6 - omegadot1_1;
@@ -4245,7 +4300,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
   const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
   // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
-  const T phi7 = minus_kB7_1 * beta7_1 - kB7_3 * beta7_3 + v7 + minus_kK7_1 * alphaL7_1 + minus_kK7_3 * alphaL7_3;
+  const T phi7 = v7 + minus_kB7_1 * beta7_1 - kB7_3 * beta7_3 + minus_kK7_1 * alphaL7_1 + minus_kK7_3 * alphaL7_3;
   // thetaddot7 = -b7 . alphaL7 + phi7
   const T thetaddot7 = phi7 - alphaL6_2;
   ydot[7] = thetaddot7;
@@ -4256,7 +4311,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T beta8_1 = E8_11 * beta7_1 - minus_E8_13 * beta7_3 - E8_11 * z8_1;
   const T beta8_3 = minus_E8_13 * beta7_1 + E8_11 * beta7_3 - minus_E8_13 * z8_1;
   // phi8 = -kB8 . beta8 + v8 - (P_b8 kK8) . alphaL8
-  const T phi8 = T(4.060866563859173) * beta8_1 + T(0.14543683142066613) * beta8_3 + v8;
+  const T phi8 = v8 + T(4.060866563859173) * beta8_1 + T(0.14543683142066613) * beta8_3;
   // thetaddot8 = -b8 . alphaL8 + phi8
   const T thetaddot8 = phi8 - phi7;
   ydot[8] = thetaddot8;
@@ -4269,8 +4324,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL10_2 = E10_22 * z1_3 + E10_23 * z1_2;
   const T alphaL10_3 = E10_22 * z1_2 - E10_23 * z1_3;
   // phi10 = -kB10 . beta10 + v10 - (P_b10 kK10) . alphaL10
-  const T phi10 = v10 - (kB10_1 * beta2_1 + kB10_2 * beta10_2 + kB10_3 * beta10_3) - kK10_3 * alphaL10_3 +
-      minus_kK10_2 * alphaL10_2;
+  const T phi10 = v10 - kB10_1 * beta2_1 - kB10_2 * beta10_2 - kB10_3 * beta10_3 - kK10_3 * alphaL10_3 + minus_kK10_2
+      * alphaL10_2;
   // thetaddot10 = -b10 . alphaL10 + phi10
   const T thetaddot10 = phi10 - omegadot1_1;
   ydot[9] = thetaddot10;
@@ -4285,7 +4340,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL11_1 = E11_11 * phi10 - minus_E11_13 * alphaL10_3;
   const T alphaL11_3 = minus_E11_13 * phi10 + E11_11 * alphaL10_3;
   // phi11 = -kB11 . beta11 + v11 - (P_b11 kK11) . alphaL11
-  const T phi11 = minus_kB11_1 * beta11_1 - kB11_3 * beta11_3 + v11 - kK11_1 * alphaL11_1 - kK11_3 * alphaL11_3;
+  const T phi11 = v11 + minus_kB11_1 * beta11_1 - kB11_3 * beta11_3 - kK11_1 * alphaL11_1 - kK11_3 * alphaL11_3;
   // thetaddot11 = -b11 . alphaL11 + phi11
   const T thetaddot11 = phi11 - alphaL10_2;
   ydot[10] = thetaddot11;
@@ -4296,7 +4351,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T beta12_1 = E12_11 * beta11_1 - minus_E12_13 * beta11_3 - E12_11 * z12_1;
   const T beta12_3 = minus_E12_13 * beta11_1 + E12_11 * beta11_3 - minus_E12_13 * z12_1;
   // phi12 = -kB12 . beta12 + v12 - (P_b12 kK12) . alphaL12
-  const T phi12 = T(4.060866563859173) * beta12_1 + T(0.14543683142066613) * beta12_3 + v12;
+  const T phi12 = v12 + T(4.060866563859173) * beta12_1 + T(0.14543683142066613) * beta12_3;
   // thetaddot12 = -b12 . alphaL12 + phi12
   const T thetaddot12 = phi12 - phi11;
   ydot[11] = thetaddot12;
@@ -4309,7 +4364,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL14_2 = E14_22 * z1_3 + E14_23 * z1_2;
   const T alphaL14_3 = E14_22 * z1_2 - E14_23 * z1_3;
   // phi14 = -kB14 . beta14 + v14 - (P_b14 kK14) . alphaL14
-  const T phi14 = v14 - (kB14_1 * beta6_1 + kB14_2 * beta14_2 + kB14_3 * beta14_3) - kK14_2 * alphaL14_2 - kK14_3 *
+  const T phi14 = v14 - kB14_1 * beta6_1 - kB14_2 * beta14_2 - kB14_3 * beta14_3 - kK14_2 * alphaL14_2 - kK14_3 *
       alphaL14_3;
   // thetaddot14 = -b14 . alphaL14 + phi14
   const T thetaddot14 = phi14 - omegadot1_1;
@@ -4325,7 +4380,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL15_1 = E15_11 * phi14 - minus_E15_13 * alphaL14_3;
   const T alphaL15_3 = minus_E15_13 * phi14 + E15_11 * alphaL14_3;
   // phi15 = -kB15 . beta15 + v15 - (P_b15 kK15) . alphaL15
-  const T phi15 = minus_kB15_1 * beta15_1 - kB15_3 * beta15_3 + v15 + minus_kK15_1 * alphaL15_1 + minus_kK15_3 *
+  const T phi15 = v15 + minus_kB15_1 * beta15_1 - kB15_3 * beta15_3 + minus_kK15_1 * alphaL15_1 + minus_kK15_3 *
       alphaL15_3;
   // thetaddot15 = -b15 . alphaL15 + phi15
   const T thetaddot15 = phi15 - alphaL14_2;
@@ -4337,7 +4392,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 - E16_11 * z16_1;
   const T beta16_3 = minus_E16_13 * beta15_1 + E16_11 * beta15_3 - minus_E16_13 * z16_1;
   // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
-  const T phi16 = T(4.060866563859173) * beta16_1 + T(0.14543683142066613) * beta16_3 + v16;
+  const T phi16 = v16 + T(4.060866563859173) * beta16_1 + T(0.14543683142066613) * beta16_3;
   // thetaddot16 = -b16 . alphaL16 + phi16
   const T thetaddot16 = phi16 - phi15;
   ydot[14] = thetaddot16;
@@ -4348,7 +4403,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 // 868 add, 950 multiply, 24 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -4417,8 +4474,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot2 = y[3];
   const T thetaddot2 = ydot[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -4467,7 +4524,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot2_2 = E2_22 * t2_13 + E2_23 * t2_17;
   const T Pddot2_3 = E2_22 * t2_17 - E2_23 * t2_13;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
   // G2 = U2 h_own_2: inertia less applied force, body axes [N]
   const T G2_1 = U2_13 * T(2.1575999999999998e-05) - U2_12 * T(0.081652909);
   const T G2_2 = minus_U2_22 * T(0.081652909) + U2_23 * T(2.1575999999999998e-05);
@@ -4487,8 +4544,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot3 = y[4];
   const T thetaddot3 = ydot[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -4525,7 +4582,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t3_7 = Pddot2_1 - U2_12 * T(0.0838);
   const T t3_8 = Pddot2_3 - U2_32 * T(0.0838);
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
-  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T Pddot3_2 = Pddot2_2 + minus_U2_22 * T(0.0838);
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
   // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
@@ -4553,8 +4610,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -4573,7 +4630,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
   const T t4_2 = omega4_2 * omega4_1;
   const T U4_12 = t4_2 - omegadot4_3;
   const T t4_3 = omega4_3 * omega4_1;
@@ -4586,7 +4643,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
-  const T t4_6 = minus_U3_33 * T(0.2) + Pddot3_3;
+  const T t4_6 = Pddot3_3 + minus_U3_33 * T(0.2);
   const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
@@ -4597,9 +4654,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // G4 = -R4 F_ground_on_fr_ + U4 h_own_4: inertia less applied force, body axes [N]
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T minus_G4_1 = minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002) + t4_7;
+  const T minus_G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = U4_21 * T(0.00106821) - U4_23 * T(0.029826408000000002) - t4_8;
+  const T G4_2 = U4_21 * T(0.00106821) - t4_8 - U4_23 * T(0.029826408000000002);
   const T G4_3 = U4_31 * T(0.00106821) - (R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z) +
       minus_U4_33 * T(0.029826408000000002);
   // N4 = -o5~ R4 F_ground_on_fr_ + h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment
@@ -4617,8 +4674,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot6 = y[6];
   const T thetaddot6 = ydot[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -4661,7 +4718,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot6_2 = E6_22 * t6_9 + E6_23 * t6_11;
   const T Pddot6_3 = E6_22 * t6_11 - E6_23 * t6_9;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
   const T G6_1 = U6_12 * T(0.081652909) + U6_13 * T(2.1575999999999998e-05);
   const T G6_2 = U6_23 * T(2.1575999999999998e-05) - minus_U6_22 * T(0.081652909);
@@ -4682,8 +4739,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot7 = y[7];
   const T thetaddot7 = ydot[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -4717,8 +4774,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.0838) + Pddot6_1;
-  const T t7_8 = U6_32 * T(0.0838) + Pddot6_3;
+  const T t7_7 = Pddot6_1 + U6_12 * T(0.0838);
+  const T t7_8 = Pddot6_3 + U6_32 * T(0.0838);
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
@@ -4748,8 +4805,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot8 = y[8];
   const T thetaddot8 = ydot[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -4768,7 +4825,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
   const T t8_2 = omega8_2 * omega8_1;
   const T U8_12 = t8_2 - omegadot8_3;
   const T t8_3 = omega8_3 * omega8_1;
@@ -4781,7 +4838,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
@@ -4792,9 +4849,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // G8 = -R8 F_ground_on_fl_ + U8 h_own_8: inertia less applied force, body axes [N]
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T minus_G8_1 = minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002) + t8_7;
+  const T minus_G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = U8_21 * T(0.00106821) - U8_23 * T(0.029826408000000002) - t8_8;
+  const T G8_2 = U8_21 * T(0.00106821) - t8_8 - U8_23 * T(0.029826408000000002);
   const T G8_3 = U8_31 * T(0.00106821) - (R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z) +
       minus_U8_33 * T(0.029826408000000002);
   // N8 = -o9~ R8 F_ground_on_fl_ + h_own_8~ Pddot8 + axial(U8 (tr(J_own_8)/2 - J_own_8)): inertia less applied moment
@@ -4812,8 +4869,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot10 = y[9];
   const T thetaddot10 = ydot[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -4854,7 +4911,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot10_2 = E10_22 * t10_7 + E10_23 * t10_8;
   const T Pddot10_3 = E10_22 * t10_8 - E10_23 * t10_7;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
   // G10 = U10 h_own_10: inertia less applied force, body axes [N]
   const T G10_1 = U10_13 * T(2.1575999999999998e-05) - U10_12 * T(0.081652909);
   const T G10_2 = minus_U10_22 * T(0.081652909) + U10_23 * T(2.1575999999999998e-05);
@@ -4875,8 +4932,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot11 = y[10];
   const T thetaddot11 = ydot[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -4914,7 +4971,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t11_7 = Pddot10_1 - U10_12 * T(0.0838);
   const T t11_8 = Pddot10_3 - U10_32 * T(0.0838);
   const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
-  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_2 = Pddot10_2 + minus_U10_22 * T(0.0838);
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
   // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
@@ -4942,8 +4999,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot12 = y[11];
   const T thetaddot12 = ydot[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -4963,7 +5020,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
   const T t12_2 = omega12_2 * omega12_1;
   const T U12_12 = t12_2 - omegadot12_3;
   const T t12_3 = omega12_3 * omega12_1;
@@ -4976,7 +5033,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
@@ -4987,9 +5044,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // G12 = -R12 F_ground_on_rr_ + U12 h_own_12: inertia less applied force, body axes [N]
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T minus_G12_1 = minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002) + t12_7;
+  const T minus_G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = U12_21 * T(0.00106821) - U12_23 * T(0.029826408000000002) - t12_8;
+  const T G12_2 = U12_21 * T(0.00106821) - t12_8 - U12_23 * T(0.029826408000000002);
   const T G12_3 = U12_31 * T(0.00106821) - (R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z)
       + minus_U12_33 * T(0.029826408000000002);
   // N12 = -o13~ R12 F_ground_on_rr_ + h_own_12~ Pddot12 + axial(U12 (tr(J_own_12)/2 - J_own_12)): inertia less
@@ -5007,8 +5064,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot14 = y[12];
   const T thetaddot14 = ydot[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -5049,7 +5106,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T Pddot14_2 = E14_22 * t14_7 + E14_23 * t14_8;
   const T Pddot14_3 = E14_22 * t14_8 - E14_23 * t14_7;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
   // G14 = U14 h_own_14: inertia less applied force, body axes [N]
   const T G14_1 = U14_12 * T(0.081652909) + U14_13 * T(2.1575999999999998e-05);
   const T G14_2 = U14_23 * T(2.1575999999999998e-05) - minus_U14_22 * T(0.081652909);
@@ -5070,8 +5127,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot15 = y[13];
   const T thetaddot15 = ydot[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -5106,8 +5163,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T U15_32 = t15_6 + omegadot15_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t15_7 = U14_12 * T(0.0838) + Pddot14_1;
-  const T t15_8 = U14_32 * T(0.0838) + Pddot14_3;
+  const T t15_7 = Pddot14_1 + U14_12 * T(0.0838);
+  const T t15_8 = Pddot14_3 + U14_32 * T(0.0838);
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
@@ -5137,8 +5194,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot16 = y[14];
   const T thetaddot16 = ydot[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -5158,7 +5215,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
   const T t16_2 = omega16_2 * omega16_1;
   const T U16_12 = t16_2 - omegadot16_3;
   const T t16_3 = omega16_3 * omega16_1;
@@ -5171,7 +5228,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
@@ -5182,9 +5239,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // G16 = -R16 F_ground_on_rl_ + U16 h_own_16: inertia less applied force, body axes [N]
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T minus_G16_1 = minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002) + t16_7;
+  const T minus_G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = U16_21 * T(0.00106821) - U16_23 * T(0.029826408000000002) - t16_8;
+  const T G16_2 = U16_21 * T(0.00106821) - t16_8 - U16_23 * T(0.029826408000000002);
   const T G16_3 = U16_31 * T(0.00106821) - (R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z)
       + minus_U16_33 * T(0.029826408000000002);
   // N16 = -o17~ R16 F_ground_on_rl_ + h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less
@@ -5207,12 +5264,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b15_1 = minus_E16_13 * G16_3 - E16_11 * minus_G16_1;
   const T S15_1 = b15_1 + G15_1;
   const T S15_2 = G16_2 - minus_G15_2;
-  const T S15_3 = minus_E16_13 * minus_G16_1 + E16_11 * G16_3 + G15_3;
+  const T S15_3 = G15_3 + minus_E16_13 * minus_G16_1 + E16_11 * G16_3;
   // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 + E16_11 * N16_1 + minus_E16_13 * N16_3 + N15_1;
-  const T rho15_2 = N16_2 - T(0.2) * b15_1 + N15_2;
-  const T rho15_3 = E16_11 * N16_3 - minus_E16_13 * N16_1 + N15_3;
+  const T rho15_1 = N15_1 + T(0.2) * G16_2 + E16_11 * N16_1 + minus_E16_13 * N16_3;
+  const T rho15_2 = N16_2 + N15_2 - T(0.2) * b15_1;
+  const T rho15_3 = N15_3 + E16_11 * N16_3 - minus_E16_13 * N16_1;
   // r_theta15 = b15 . rho15 - effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T r_theta15 = rho15_2 - effort_rl_thigh_15;
   r[13] = r_theta15;
@@ -5226,9 +5283,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S14_3 = b14_2 + G14_3;
   // rho14 = q15~ E15^T S15 + E15^T rho15 + N14: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3 + N14_1;
+  const T rho14_1 = N14_1 + T(0.0838) * b14_2 + E15_11 * rho15_1 + minus_E15_13 * rho15_3;
   const T rho14_2 = rho15_2 + N14_2;
-  const T rho14_3 = E15_11 * rho15_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1 - minus_N14_3;
+  const T rho14_3 = E15_11 * rho15_3 - minus_N14_3 - minus_E15_13 * rho15_1 - T(0.0838) * b14_1;
   // r_theta14 = b14 . rho14 - effort_rl_hip_14: Kane's equation of the angle [N m]
   const T r_theta14 = rho14_1 - effort_rl_hip_14;
   r[12] = r_theta14;
@@ -5243,12 +5300,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b11_1 = minus_E12_13 * G12_3 - E12_11 * minus_G12_1;
   const T S11_1 = b11_1 + G11_1;
   const T S11_2 = G12_2 - minus_G11_2;
-  const T S11_3 = minus_E12_13 * minus_G12_1 + E12_11 * G12_3 + G11_3;
+  const T S11_3 = G11_3 + minus_E12_13 * minus_G12_1 + E12_11 * G12_3;
   // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 + E12_11 * N12_1 + minus_E12_13 * N12_3 + N11_1;
-  const T rho11_2 = N12_2 - T(0.2) * b11_1 + N11_2;
-  const T rho11_3 = E12_11 * N12_3 - minus_E12_13 * N12_1 + N11_3;
+  const T rho11_1 = N11_1 + T(0.2) * G12_2 + E12_11 * N12_1 + minus_E12_13 * N12_3;
+  const T rho11_2 = N12_2 + N11_2 - T(0.2) * b11_1;
+  const T rho11_3 = N11_3 + E12_11 * N12_3 - minus_E12_13 * N12_1;
   // r_theta11 = b11 . rho11 - effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T r_theta11 = rho11_2 - effort_rr_thigh_11;
   r[10] = r_theta11;
@@ -5262,9 +5319,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S10_3 = b10_2 - minus_G10_3;
   // rho10 = q11~ E11^T S11 + E11^T rho11 + N10: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho10_1 = E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2 + N10_1;
+  const T rho10_1 = N10_1 + E11_11 * rho11_1 + minus_E11_13 * rho11_3 - T(0.0838) * b10_2;
   const T rho10_2 = rho11_2 + N10_2;
-  const T rho10_3 = T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1 + N10_3;
+  const T rho10_3 = N10_3 + T(0.0838) * b10_1 + E11_11 * rho11_3 - minus_E11_13 * rho11_1;
   // r_theta10 = b10 . rho10 - effort_rr_hip_10: Kane's equation of the angle [N m]
   const T r_theta10 = rho10_1 - effort_rr_hip_10;
   r[9] = r_theta10;
@@ -5279,12 +5336,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b7_1 = minus_E8_13 * G8_3 - E8_11 * minus_G8_1;
   const T S7_1 = b7_1 + G7_1;
   const T S7_2 = G8_2 - minus_G7_2;
-  const T S7_3 = minus_E8_13 * minus_G8_1 + E8_11 * G8_3 + G7_3;
+  const T S7_3 = G7_3 + minus_E8_13 * minus_G8_1 + E8_11 * G8_3;
   // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho7_1 = T(0.2) * G8_2 + E8_11 * N8_1 + minus_E8_13 * N8_3 + N7_1;
-  const T rho7_2 = N8_2 - T(0.2) * b7_1 + N7_2;
-  const T rho7_3 = E8_11 * N8_3 - minus_E8_13 * N8_1 + N7_3;
+  const T rho7_1 = N7_1 + T(0.2) * G8_2 + E8_11 * N8_1 + minus_E8_13 * N8_3;
+  const T rho7_2 = N8_2 + N7_2 - T(0.2) * b7_1;
+  const T rho7_3 = N7_3 + E8_11 * N8_3 - minus_E8_13 * N8_1;
   // r_theta7 = b7 . rho7 - effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T r_theta7 = rho7_2 - effort_fl_thigh_7;
   r[7] = r_theta7;
@@ -5298,9 +5355,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S6_3 = b6_2 + G6_3;
   // rho6 = q7~ E7^T S7 + E7^T rho7 + N6: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3 + N6_1;
+  const T rho6_1 = N6_1 + T(0.0838) * b6_2 + E7_11 * rho7_1 + minus_E7_13 * rho7_3;
   const T rho6_2 = rho7_2 + N6_2;
-  const T rho6_3 = E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1 + N6_3;
+  const T rho6_3 = N6_3 + E7_11 * rho7_3 - minus_E7_13 * rho7_1 - T(0.0838) * b6_1;
   // r_theta6 = b6 . rho6 - effort_fl_hip_6: Kane's equation of the angle [N m]
   const T r_theta6 = rho6_1 - effort_fl_hip_6;
   r[6] = r_theta6;
@@ -5315,12 +5372,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T b3_1 = minus_E4_13 * G4_3 - E4_11 * minus_G4_1;
   const T S3_1 = b3_1 + G3_1;
   const T S3_2 = G4_2 - minus_G3_2;
-  const T S3_3 = minus_E4_13 * minus_G4_1 + E4_11 * G4_3 + G3_3;
+  const T S3_3 = G3_3 + minus_E4_13 * minus_G4_1 + E4_11 * G4_3;
   // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3 + N3_1;
-  const T rho3_2 = N4_2 - T(0.2) * b3_1 + N3_2;
-  const T rho3_3 = E4_11 * N4_3 - minus_E4_13 * N4_1 + N3_3;
+  const T rho3_1 = N3_1 + T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3;
+  const T rho3_2 = N4_2 + N3_2 - T(0.2) * b3_1;
+  const T rho3_3 = N3_3 + E4_11 * N4_3 - minus_E4_13 * N4_1;
   // r_theta3 = b3 . rho3 - effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_2 - effort_fr_thigh_3;
   r[4] = r_theta3;
@@ -5334,9 +5391,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S2_3 = b2_2 - minus_G2_3;
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2 + N2_1;
+  const T rho2_1 = N2_1 + E3_11 * rho3_1 + minus_E3_13 * rho3_3 - T(0.0838) * b2_2;
   const T rho2_2 = rho3_2 + N2_2;
-  const T rho2_3 = T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1 + N2_3;
+  const T rho2_3 = N2_3 + T(0.0838) * b2_1 + E3_11 * rho3_3 - minus_E3_13 * rho3_1;
   // r_theta2 = b2 . rho2 - effort_fr_hip_2: Kane's equation of the angle [N m]
   const T r_theta2 = rho2_1 - effort_fr_hip_2;
   r[3] = r_theta2;
@@ -5356,14 +5413,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 + G1_3;
   // r_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
   //   E14^T rho14 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
-      b1_8 + rho14_1 + N1_1;
-  const T r_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 - E6_23
-      * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 - E14_23
-      * rho14_3 + N1_2;
-  const T r_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
-      T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
-      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 + N1_3;
+  const T r_omega1_1 = rho2_1 + rho6_1 + rho10_1 + rho14_1 + N1_1 - T(0.047) * b1_5 + T(0.047) * b1_6 - T(0.047) *
+      b1_7 + T(0.047) * b1_8;
+  const T r_omega1_2 = N1_2 + E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 -
+      E6_23 * rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 -
+      E14_23 * rho14_3;
+  const T r_omega1_3 = N1_3 + T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2
+      - T(0.047) * S6_1 + E6_23 * rho6_2 + E6_22 * rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2 +
+      E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -5381,7 +5438,9 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 // 804 add, 913 multiply, 24 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
-  using std::cos, std::sin;
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -5439,8 +5498,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -5453,7 +5512,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
   const T omega2_3 = E2_22 * omega1_3 - E2_23 * omega1_2;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
-  const T effort_fr_hip_2 = u.tau_fr_hip - (theta2 * c.p.kp + thetadot2 * c.p.kd);
+  const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
   // omegadot2 = -thetadot2 b2~ E2 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_2 = thetadot2 * omega2_3;
   const T minus_omegadot2_3 = thetadot2 * omega2_2;
@@ -5505,8 +5564,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -5547,7 +5606,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t3_7 = Pddot2_1 - U2_12 * T(0.0838);
   const T t3_8 = Pddot2_3 - U2_23 * T(0.0838);
   const T Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
-  const T Pddot3_2 = minus_U2_22 * T(0.0838) + Pddot2_2;
+  const T Pddot3_2 = Pddot2_2 + minus_U2_22 * T(0.0838);
   const T Pddot3_3 = minus_E3_13 * t3_7 + E3_11 * t3_8;
   // G3 = -U3 h_own_3: applied less inertia force, body axes [N]
   const T minus_G3_1 = minus_U3_11 * T(0.0032790809999999997) - U3_13 * T(0.072881238);
@@ -5569,8 +5628,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -5593,7 +5652,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = omega4_3 * omega4_3 + t4_1;
+  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
   const T t4_2 = omega4_2 * omega4_1;
   const T U4_12 = t4_2 - omegadot4_3;
   const T t4_3 = omega4_3 * omega4_1;
@@ -5606,7 +5665,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
-  const T t4_6 = minus_U3_33 * T(0.2) + Pddot3_3;
+  const T t4_6 = Pddot3_3 + minus_U3_33 * T(0.2);
   const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
   const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
@@ -5614,7 +5673,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
   const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821) + t4_8;
+  const T G4_2 = t4_8 + U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821);
   const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
       minus_U4_33 * T(0.029826408000000002);
   // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
@@ -5630,8 +5689,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -5644,7 +5703,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega6_2 = E6_22 * omega1_2 + E6_23 * omega1_3;
   const T omega6_3 = E6_22 * omega1_3 - E6_23 * omega1_2;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
-  const T effort_fl_hip_6 = u.tau_fl_hip - (theta6 * c.p.kp + thetadot6 * c.p.kd);
+  const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
   // omegadot6 = -thetadot6 b6~ E6 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot6_2 = thetadot6 * omega6_3;
   const T minus_omegadot6_3 = thetadot6 * omega6_2;
@@ -5690,8 +5749,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -5729,8 +5788,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.0838) + Pddot6_1;
-  const T t7_8 = U6_23 * T(0.0838) + Pddot6_3;
+  const T t7_7 = Pddot6_1 + U6_12 * T(0.0838);
+  const T t7_8 = Pddot6_3 + U6_23 * T(0.0838);
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
   const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
@@ -5754,8 +5813,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -5778,7 +5837,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = omega8_3 * omega8_3 + t8_1;
+  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
   const T t8_2 = omega8_2 * omega8_1;
   const T U8_12 = t8_2 - omegadot8_3;
   const T t8_3 = omega8_3 * omega8_1;
@@ -5791,7 +5850,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = minus_U7_33 * T(0.2) + Pddot7_3;
+  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
   const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
   const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
@@ -5799,7 +5858,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
   const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821) + t8_8;
+  const T G8_2 = t8_8 + U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821);
   const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
       minus_U8_33 * T(0.029826408000000002);
   // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
@@ -5815,8 +5874,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -5829,7 +5888,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega10_2 = E10_22 * omega1_2 + E10_23 * omega1_3;
   const T omega10_3 = E10_22 * omega1_3 - E10_23 * omega1_2;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
-  const T effort_rr_hip_10 = u.tau_rr_hip - (theta10 * c.p.kp + thetadot10 * c.p.kd);
+  const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
   // omegadot10 = -thetadot10 b10~ E10 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot10_2 = thetadot10 * omega10_3;
   const T minus_omegadot10_3 = thetadot10 * omega10_2;
@@ -5873,8 +5932,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -5915,7 +5974,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t11_7 = Pddot10_1 - U10_12 * T(0.0838);
   const T t11_8 = Pddot10_3 - U10_23 * T(0.0838);
   const T Pddot11_1 = E11_11 * t11_7 - minus_E11_13 * t11_8;
-  const T Pddot11_2 = minus_U10_22 * T(0.0838) + Pddot10_2;
+  const T Pddot11_2 = Pddot10_2 + minus_U10_22 * T(0.0838);
   const T Pddot11_3 = minus_E11_13 * t11_7 + E11_11 * t11_8;
   // G11 = -U11 h_own_11: applied less inertia force, body axes [N]
   const T minus_G11_1 = minus_U11_11 * T(0.0032790809999999997) - U11_13 * T(0.072881238);
@@ -5937,8 +5996,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -5961,7 +6020,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = omega12_3 * omega12_3 + t12_1;
+  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
   const T t12_2 = omega12_2 * omega12_1;
   const T U12_12 = t12_2 - omegadot12_3;
   const T t12_3 = omega12_3 * omega12_1;
@@ -5974,7 +6033,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = minus_U11_33 * T(0.2) + Pddot11_3;
+  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
   const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
   const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
@@ -5982,7 +6041,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
   const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821) + t12_8;
+  const T G12_2 = t12_8 + U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821);
   const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
       minus_U12_33 * T(0.029826408000000002);
   // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
@@ -5999,8 +6058,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -6013,7 +6072,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T omega14_2 = E14_22 * omega1_2 + E14_23 * omega1_3;
   const T omega14_3 = E14_22 * omega1_3 - E14_23 * omega1_2;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
-  const T effort_rl_hip_14 = u.tau_rl_hip - (theta14 * c.p.kp + thetadot14 * c.p.kd);
+  const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
   // omegadot14 = -thetadot14 b14~ E14 omega1: angular acceleration, body axes [rad/s^2]
   const T omegadot14_2 = thetadot14 * omega14_3;
   const T minus_omegadot14_3 = thetadot14 * omega14_2;
@@ -6057,8 +6116,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -6096,8 +6155,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T U15_32 = t15_6 + omegadot15_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t15_7 = U14_12 * T(0.0838) + Pddot14_1;
-  const T t15_8 = U14_23 * T(0.0838) + Pddot14_3;
+  const T t15_7 = Pddot14_1 + U14_12 * T(0.0838);
+  const T t15_8 = Pddot14_3 + U14_23 * T(0.0838);
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
   const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
@@ -6121,8 +6180,8 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -6145,7 +6204,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
   const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = omega16_3 * omega16_3 + t16_1;
+  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
   const T t16_2 = omega16_2 * omega16_1;
   const T U16_12 = t16_2 - omegadot16_3;
   const T t16_3 = omega16_3 * omega16_1;
@@ -6158,7 +6217,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = minus_U15_33 * T(0.2) + Pddot15_3;
+  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
   const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
   const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
@@ -6166,7 +6225,7 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
   const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821) + t16_8;
+  const T G16_2 = t16_8 + U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821);
   const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
       minus_U16_33 * T(0.029826408000000002);
   // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
@@ -6189,12 +6248,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
   const T S15_1 = b15_1 - minus_G15_1;
   const T S15_2 = G16_2 + G15_2;
-  const T S15_3 = E16_11 * G16_3 - minus_E16_13 * G16_1 - minus_G15_3;
+  const T S15_3 = E16_11 * G16_3 - minus_G15_3 - minus_E16_13 * G16_1;
   // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 + E16_11 * N16_1 - minus_E16_13 * minus_N16_3 - minus_N15_1;
-  const T rho15_2 = N16_2 - T(0.2) * b15_1 - minus_N15_2;
-  const T minus_rho15_3 = minus_E16_13 * N16_1 + E16_11 * minus_N16_3 + minus_N15_3;
+  const T rho15_1 = T(0.2) * G16_2 - minus_N15_1 + E16_11 * N16_1 - minus_E16_13 * minus_N16_3;
+  const T rho15_2 = N16_2 - minus_N15_2 - T(0.2) * b15_1;
+  const T minus_rho15_3 = minus_N15_3 + minus_E16_13 * N16_1 + E16_11 * minus_N16_3;
   // f_theta15 = b15 . rho15 + effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T f_theta15 = rho15_2 + effort_rl_thigh_15;
   f[13] = f_theta15;
@@ -6208,9 +6267,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S14_3 = b14_2 - minus_G14_3;
   // rho14 = q15~ E15^T S15 + E15^T rho15 + N14: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho14_1 = T(0.0838) * b14_2 + E15_11 * rho15_1 - minus_E15_13 * minus_rho15_3 - minus_N14_1;
+  const T rho14_1 = T(0.0838) * b14_2 - minus_N14_1 + E15_11 * rho15_1 - minus_E15_13 * minus_rho15_3;
   const T rho14_2 = rho15_2 - minus_N14_2;
-  const T rho14_3 = N14_3 - (T(0.0838) * b14_1 + minus_E15_13 * rho15_1 + E15_11 * minus_rho15_3);
+  const T rho14_3 = N14_3 - T(0.0838) * b14_1 - minus_E15_13 * rho15_1 - E15_11 * minus_rho15_3;
   // f_theta14 = b14 . rho14 + effort_rl_hip_14: Kane's equation of the angle [N m]
   const T f_theta14 = rho14_1 + effort_rl_hip_14;
   f[12] = f_theta14;
@@ -6225,12 +6284,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
   const T S11_1 = b11_1 - minus_G11_1;
   const T S11_2 = G12_2 + G11_2;
-  const T S11_3 = E12_11 * G12_3 - minus_E12_13 * G12_1 - minus_G11_3;
+  const T S11_3 = E12_11 * G12_3 - minus_G11_3 - minus_E12_13 * G12_1;
   // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 + E12_11 * N12_1 - minus_E12_13 * minus_N12_3 - minus_N11_1;
-  const T rho11_2 = N12_2 - T(0.2) * b11_1 - minus_N11_2;
-  const T minus_rho11_3 = minus_E12_13 * N12_1 + E12_11 * minus_N12_3 + minus_N11_3;
+  const T rho11_1 = T(0.2) * G12_2 - minus_N11_1 + E12_11 * N12_1 - minus_E12_13 * minus_N12_3;
+  const T rho11_2 = N12_2 - minus_N11_2 - T(0.2) * b11_1;
+  const T minus_rho11_3 = minus_N11_3 + minus_E12_13 * N12_1 + E12_11 * minus_N12_3;
   // f_theta11 = b11 . rho11 + effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T f_theta11 = rho11_2 + effort_rr_thigh_11;
   f[10] = f_theta11;
@@ -6244,9 +6303,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S10_3 = b10_2 + G10_3;
   // rho10 = q11~ E11^T S11 + E11^T rho11 + N10: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho10_1 = E11_11 * rho11_1 - minus_E11_13 * minus_rho11_3 - T(0.0838) * b10_2 - minus_N10_1;
+  const T rho10_1 = E11_11 * rho11_1 - minus_N10_1 - minus_E11_13 * minus_rho11_3 - T(0.0838) * b10_2;
   const T rho10_2 = rho11_2 - minus_N10_2;
-  const T rho10_3 = T(0.0838) * b10_1 - (minus_E11_13 * rho11_1 + E11_11 * minus_rho11_3) - minus_N10_3;
+  const T rho10_3 = T(0.0838) * b10_1 - (minus_N10_3 + minus_E11_13 * rho11_1 + E11_11 * minus_rho11_3);
   // f_theta10 = b10 . rho10 + effort_rr_hip_10: Kane's equation of the angle [N m]
   const T f_theta10 = rho10_1 + effort_rr_hip_10;
   f[9] = f_theta10;
@@ -6261,12 +6320,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
   const T S7_1 = b7_1 - minus_G7_1;
   const T S7_2 = G8_2 + G7_2;
-  const T S7_3 = E8_11 * G8_3 - minus_E8_13 * G8_1 - minus_G7_3;
+  const T S7_3 = E8_11 * G8_3 - minus_G7_3 - minus_E8_13 * G8_1;
   // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho7_1 = T(0.2) * G8_2 + E8_11 * N8_1 - minus_E8_13 * minus_N8_3 - minus_N7_1;
-  const T rho7_2 = N8_2 - T(0.2) * b7_1 - minus_N7_2;
-  const T minus_rho7_3 = minus_E8_13 * N8_1 + E8_11 * minus_N8_3 + minus_N7_3;
+  const T rho7_1 = T(0.2) * G8_2 - minus_N7_1 + E8_11 * N8_1 - minus_E8_13 * minus_N8_3;
+  const T rho7_2 = N8_2 - minus_N7_2 - T(0.2) * b7_1;
+  const T minus_rho7_3 = minus_N7_3 + minus_E8_13 * N8_1 + E8_11 * minus_N8_3;
   // f_theta7 = b7 . rho7 + effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T f_theta7 = rho7_2 + effort_fl_thigh_7;
   f[7] = f_theta7;
@@ -6280,9 +6339,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S6_3 = b6_2 - minus_G6_3;
   // rho6 = q7~ E7^T S7 + E7^T rho7 + N6: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho6_1 = T(0.0838) * b6_2 + E7_11 * rho7_1 - minus_E7_13 * minus_rho7_3 - minus_N6_1;
+  const T rho6_1 = T(0.0838) * b6_2 - minus_N6_1 + E7_11 * rho7_1 - minus_E7_13 * minus_rho7_3;
   const T rho6_2 = rho7_2 - minus_N6_2;
-  const T minus_rho6_3 = T(0.0838) * b6_1 + minus_E7_13 * rho7_1 + E7_11 * minus_rho7_3 + minus_N6_3;
+  const T minus_rho6_3 = minus_N6_3 + T(0.0838) * b6_1 + minus_E7_13 * rho7_1 + E7_11 * minus_rho7_3;
   // f_theta6 = b6 . rho6 + effort_fl_hip_6: Kane's equation of the angle [N m]
   const T f_theta6 = rho6_1 + effort_fl_hip_6;
   f[6] = f_theta6;
@@ -6297,12 +6356,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
   const T S3_1 = b3_1 - minus_G3_1;
   const T S3_2 = G4_2 + G3_2;
-  const T S3_3 = E4_11 * G4_3 - minus_E4_13 * G4_1 - minus_G3_3;
+  const T S3_3 = E4_11 * G4_3 - minus_G3_3 - minus_E4_13 * G4_1;
   // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = T(0.2) * G4_2 + E4_11 * N4_1 - minus_E4_13 * minus_N4_3 - minus_N3_1;
-  const T rho3_2 = N4_2 - T(0.2) * b3_1 - minus_N3_2;
-  const T minus_rho3_3 = minus_E4_13 * N4_1 + E4_11 * minus_N4_3 + minus_N3_3;
+  const T rho3_1 = T(0.2) * G4_2 - minus_N3_1 + E4_11 * N4_1 - minus_E4_13 * minus_N4_3;
+  const T rho3_2 = N4_2 - minus_N3_2 - T(0.2) * b3_1;
+  const T minus_rho3_3 = minus_N3_3 + minus_E4_13 * N4_1 + E4_11 * minus_N4_3;
   // f_theta3 = b3 . rho3 + effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + effort_fr_thigh_3;
   f[4] = f_theta3;
@@ -6316,9 +6375,9 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S2_3 = b2_2 + G2_3;
   // rho2 = q3~ E3^T S3 + E3^T rho3 + N2: sum of the moment balances of the subtree about the body origin, body axes
   //   [N m]
-  const T rho2_1 = E3_11 * rho3_1 - minus_E3_13 * minus_rho3_3 - T(0.0838) * b2_2 - minus_N2_1;
+  const T rho2_1 = E3_11 * rho3_1 - minus_N2_1 - minus_E3_13 * minus_rho3_3 - T(0.0838) * b2_2;
   const T rho2_2 = rho3_2 - minus_N2_2;
-  const T rho2_3 = T(0.0838) * b2_1 - (minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3) - minus_N2_3;
+  const T rho2_3 = T(0.0838) * b2_1 - (minus_N2_3 + minus_E3_13 * rho3_1 + E3_11 * minus_rho3_3);
   // f_theta2 = b2 . rho2 + effort_fr_hip_2: Kane's equation of the angle [N m]
   const T f_theta2 = rho2_1 + effort_fr_hip_2;
   f[3] = f_theta2;
@@ -6338,14 +6397,14 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T S1_3 = b1_5 + b1_6 + b1_7 + b1_8 - minus_G1_3;
   // f_omega1 = q2~ E2^T S2 + E2^T rho2 + q6~ E6^T S6 + E6^T rho6 + q10~ E10^T S10 + E10^T rho10 + q14~ E14^T S14 +
   //   E14^T rho14 + N1: Kane's equation of omega [N m]
-  const T f_omega1_1 = rho2_1 - T(0.047) * b1_5 + T(0.047) * b1_6 + rho6_1 - T(0.047) * b1_7 + rho10_1 + T(0.047) *
-      b1_8 + rho14_1 - minus_N1_1;
-  const T f_omega1_2 = E2_22 * rho2_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 * rho6_2 + E6_23
-      * minus_rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 + E14_22 * rho14_2 -
-      E14_23 * rho14_3 - minus_N1_2;
-  const T f_omega1_3 = T(0.1805) * b1_1 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) * b1_2 -
-      T(0.047) * S6_1 + E6_23 * rho6_2 - E6_22 * minus_rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 * rho10_2
-      + E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3 - minus_N1_3;
+  const T f_omega1_1 = rho2_1 + rho6_1 + rho10_1 + rho14_1 - minus_N1_1 - T(0.047) * b1_5 + T(0.047) * b1_6 - T(0.047)
+      * b1_7 + T(0.047) * b1_8;
+  const T f_omega1_2 = E2_22 * rho2_2 - minus_N1_2 - E2_23 * rho2_3 - T(0.1805) * b1_5 - T(0.1805) * b1_6 + E6_22 *
+      rho6_2 + E6_23 * minus_rho6_3 + T(0.1805) * b1_7 + E10_22 * rho10_2 - E10_23 * rho10_3 + T(0.1805) * b1_8 +
+      E14_22 * rho14_2 - E14_23 * rho14_3;
+  const T f_omega1_3 = T(0.1805) * b1_1 - minus_N1_3 + T(0.047) * S2_1 + E2_23 * rho2_2 + E2_22 * rho2_3 + T(0.1805) *
+      b1_2 - T(0.047) * S6_1 + E6_23 * rho6_2 - E6_22 * minus_rho6_3 + T(0.047) * S10_1 - T(0.1805) * b1_3 + E10_23 *
+      rho10_2 + E10_22 * rho10_3 - T(0.1805) * b1_4 - T(0.047) * S14_1 + E14_23 * rho14_2 + E14_22 * rho14_3;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;
@@ -6363,8 +6422,10 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 // 358 add, 422 multiply, 24 sine or cosine
 template <class T>
 void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 324; ++i) A[i] = T(0);
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -6395,76 +6456,64 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[323] = c.m_all_1;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
 
   // ---- body 16 (rl_calf) and what it carries
   // hc16 = E16^T h_own_16: first moment carried, about the body origin, lower body's axes [kg m]
@@ -6505,13 +6554,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J14_11 = J15_11 + b14_2 + T(0.00731195688548);
   const T b14_3 = E15_11 * J15_12 + minus_E15_13 * J15_23;
   const T J14_12 = b14_3 + T(0.014746295744939998);
-  const T J14_13 = E15_11 * b14_1 - J15_13 + T(4.165029864e-06) - T(0.1805) * minus_hc15_3;
+  const T J14_13 = T(4.165029864e-06) - J15_13 + E15_11 * b14_1 - T(0.1805) * minus_hc15_3;
   const T b14_4 = T(0.1805) * hc15_1;
   const T b14_5 = J15_22 - b14_4;
   const T J14_22 = b14_5 - b14_4;
   const T b14_6 = E15_11 * J15_23 - minus_E15_13 * J15_12;
   const T J14_23 = b14_6 - T(4.7970076e-07);
-  const T J14_33 = b15_2 - b14_2 - T(0.361) * hc15_1 + T(0.006588148547768);
+  const T J14_33 = b15_2 - b14_2 + T(0.006588148547768) - T(0.361) * hc15_1;
   A[228] = J14_11;
   // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc14_2 = E14_22 * T(0.081652909) + E14_23 * minus_h14_3;
@@ -6521,7 +6570,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 - E15_11 * hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
   const T K_thetadot16_14_1 = E15_11 * b15_3 + minus_E15_13 * b15_6;
-  const T K_thetadot16_14_2 = T(0.1805) * B_thetadot16_14_3 + b15_5;
+  const T K_thetadot16_14_2 = b15_5 + T(0.1805) * B_thetadot16_14_3;
   const T K_thetadot16_14_3 = E15_11 * b15_6 - minus_E15_13 * b15_3;
   A[230] = K_thetadot16_14_1;
   A[264] = K_thetadot16_14_1;
@@ -6567,13 +6616,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J10_11 = J11_11 + b10_2 + T(0.00731195688548);
   const T b10_3 = E11_11 * J11_12 - minus_E11_13 * minus_J11_23;
   const T J10_12 = b10_3 - T(0.014746295744939998);
-  const T J10_13 = E11_11 * b10_1 - J11_13 + T(4.165029864e-06) - T(0.1805) * minus_hc11_3;
+  const T J10_13 = T(4.165029864e-06) - J11_13 + E11_11 * b10_1 - T(0.1805) * minus_hc11_3;
   const T b10_4 = T(0.1805) * hc11_1;
   const T b10_5 = J11_22 - b10_4;
   const T J10_22 = b10_5 - b10_4;
   const T b10_6 = minus_E11_13 * J11_12 + E11_11 * minus_J11_23;
   const T J10_23 = T(4.7970076e-07) - b10_6;
-  const T J10_33 = b11_2 - b10_2 - T(0.361) * hc11_1 + T(0.006588148547768);
+  const T J10_33 = b11_2 - b10_2 + T(0.006588148547768) - T(0.361) * hc11_1;
   A[171] = J10_11;
   // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc10_2 = E10_22 * T(0.081652909) - E10_23 * minus_h10_3;
@@ -6583,7 +6632,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 - E11_11 * hc12_1;
   // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
   const T K_thetadot12_10_1 = E11_11 * b11_3 - minus_E11_13 * b11_6;
-  const T K_thetadot12_10_2 = T(0.1805) * B_thetadot12_10_3 + b11_5;
+  const T K_thetadot12_10_2 = b11_5 + T(0.1805) * B_thetadot12_10_3;
   const T minus_K_thetadot12_10_3 = minus_E11_13 * b11_3 + E11_11 * b11_6;
   A[173] = K_thetadot12_10_1;
   A[207] = K_thetadot12_10_1;
@@ -6627,13 +6676,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J6_11 = J7_11 + b6_2 + T(0.00731195688548);
   const T b6_3 = E7_11 * J7_12 + minus_E7_13 * J7_23;
   const T J6_12 = b6_3 - T(0.014746295744939998);
-  const T J6_13 = E7_11 * b6_1 - J7_13 - T(4.165029864e-06) + T(0.1805) * minus_hc7_3;
+  const T J6_13 = E7_11 * b6_1 - (J7_13 + T(4.165029864e-06)) + T(0.1805) * minus_hc7_3;
   const T b6_4 = T(0.1805) * hc7_1;
   const T b6_5 = J7_22 + b6_4;
   const T J6_22 = b6_5 + b6_4;
   const T b6_6 = E7_11 * J7_23 - minus_E7_13 * J7_12;
   const T J6_23 = b6_6 - T(4.7970076e-07);
-  const T J6_33 = b7_2 - b6_2 + T(0.361) * hc7_1 + T(0.006588148547768);
+  const T J6_33 = b7_2 - b6_2 + T(0.006588148547768) + T(0.361) * hc7_1;
   A[114] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
   const T hc6_2 = E6_22 * T(0.081652909) + E6_23 * minus_h6_3;
@@ -6687,13 +6736,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J2_11 = J3_11 + b2_2 + T(0.00731195688548);
   const T b2_3 = E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
   const T J2_12 = b2_3 + T(0.014746295744939998);
-  const T J2_13 = E3_11 * b2_1 - J3_13 - T(4.165029864e-06) + T(0.1805) * minus_hc3_3;
+  const T J2_13 = E3_11 * b2_1 - (J3_13 + T(4.165029864e-06)) + T(0.1805) * minus_hc3_3;
   const T b2_4 = T(0.1805) * hc3_1;
   const T b2_5 = J3_22 + b2_4;
   const T J2_22 = b2_5 + b2_4;
   const T b2_6 = minus_E3_13 * J3_12 + E3_11 * minus_J3_23;
   const T J2_23 = T(4.7970076e-07) - b2_6;
-  const T J2_33 = b3_2 - b2_2 + T(0.361) * hc3_1 + T(0.006588148547768);
+  const T J2_33 = b3_2 - b2_2 + T(0.006588148547768) + T(0.361) * hc3_1;
   A[57] = J2_11;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
   const T minus_hc2_2 = E2_22 * T(0.081652909) - E2_23 * minus_h2_3;
@@ -6720,14 +6769,14 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   //   m^2]
   const T b1_1 = T(0.047) * minus_hc2_2;
   const T b1_2 = b1_1 + J2_11;
-  const T b1_3 = T(0.094) * hc6_2 + T(0.094) * minus_hc10_2 + T(0.094) * hc14_2;
+  const T b1_3 = T(0.094) * hc14_2 + T(0.094) * hc6_2 + T(0.094) * minus_hc10_2;
   const T J1_11 = b1_2 + b1_3 + J6_11 + J10_11 + J14_11 + c.J_all_1_11 + b1_1;
   const T b1_4 = E2_22 * J2_12 - E2_23 * J2_13;
   const T b1_5 = E6_22 * J6_12 - E6_23 * J6_13;
   const T b1_6 = E10_22 * J10_12 - E10_23 * J10_13;
   const T b1_7 = E14_22 * J14_12 - E14_23 * J14_13;
-  const T J1_12 = b1_4 + T(0.047) * hc3_1 - T(0.047) * hc7_1 + b1_5 + T(0.047) * hc11_1 + b1_6 - T(0.047) * hc15_1 +
-      b1_7 - T(3.66e-05);
+  const T J1_12 = b1_4 + b1_5 + b1_6 + b1_7 - T(3.66e-05) + T(0.047) * hc3_1 - T(0.047) * hc7_1 + T(0.047) * hc11_1 -
+      T(0.047) * hc15_1;
   const T b1_8 = E2_23 * J2_12 + E2_22 * J2_13;
   const T b1_9 = E6_23 * J6_12 + E6_22 * J6_13;
   const T b1_10 = E10_23 * J10_12 + E10_22 * J10_13;
@@ -6737,11 +6786,11 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b1_13 = E6_23 * (J6_22 - J6_33) + T(2) * E6_22 * J6_23;
   const T b1_14 = E10_23 * (J10_22 - J10_33) + T(2) * E10_22 * J10_23;
   const T b1_15 = E14_23 * (J14_22 - J14_33) + T(2) * E14_22 * J14_23;
-  const T b1_16 = E2_23 * b1_12 + E6_23 * b1_13 + (E10_23 * b1_14 + E14_23 * b1_15);
+  const T b1_16 = E2_23 * b1_12 + E6_23 * b1_13 + E10_23 * b1_14 + E14_23 * b1_15;
   const T J1_22 = J2_22 - b1_16 + J6_22 + J10_22 + J14_22 + c.c1_9;
-  const T J1_23 = E2_22 * b1_12 - J2_23 + E6_22 * b1_13 - J6_23 + E10_22 * b1_14 - J10_23 + E14_22 * b1_15 - J14_23 +
-      c.J_all_1_23 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 - T(0.047) * minus_hc10_3 - T(0.047) * hc14_3;
-  const T J1_33 = J2_33 + b1_16 + T(0.094) * minus_hc2_2 + b1_3 + J6_33 + J10_33 + J14_33 + c.c1_10;
+  const T J1_23 = c.J_all_1_23 - (J2_23 + J6_23 + J10_23 + J14_23) + E2_22 * b1_12 + E6_22 * b1_13 + E10_22 * b1_14 +
+      E14_22 * b1_15 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 - T(0.047) * minus_hc10_3 - T(0.047) * hc14_3;
+  const T J1_33 = J2_33 + b1_16 + b1_3 + J6_33 + J10_33 + J14_33 + c.c1_10 + T(0.094) * minus_hc2_2;
   A[0] = J1_11;
   A[1] = J1_12;
   A[18] = J1_12;
@@ -6755,7 +6804,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T minus_B_thetadot16_1_2 = E14_23 * B_thetadot16_14_3;
   const T B_thetadot16_1_3 = E14_22 * B_thetadot16_14_3;
   // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
-  const T K_thetadot16_1_1 = T(0.047) * B_thetadot16_1_3 + K_thetadot16_14_1;
+  const T K_thetadot16_1_1 = K_thetadot16_14_1 + T(0.047) * B_thetadot16_1_3;
   const T K_thetadot16_1_2 = E14_22 * K_thetadot16_14_2 - E14_23 * K_thetadot16_14_3;
   const T K_thetadot16_1_3 = E14_23 * K_thetadot16_14_2 + E14_22 * K_thetadot16_14_3 + T(0.047) *
       minus_B_thetadot16_14_1;
@@ -6779,7 +6828,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[49] = K_thetadot15_1_3;
   A[236] = K_thetadot15_1_3;
   // K_thetadot14_1 = q14~ E14^T B_thetadot14_14 + E14^T K_thetadot14_14
-  const T K_thetadot14_1_1 = T(0.047) * hc14_2 + J14_11;
+  const T K_thetadot14_1_1 = J14_11 + T(0.047) * hc14_2;
   A[12] = K_thetadot14_1_1;
   A[216] = K_thetadot14_1_1;
   A[30] = b1_7;
@@ -6814,7 +6863,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[46] = K_thetadot11_1_3;
   A[182] = K_thetadot11_1_3;
   // K_thetadot10_1 = q10~ E10^T B_thetadot10_10 + E10^T K_thetadot10_10
-  const T K_thetadot10_1_1 = T(0.047) * minus_hc10_2 + J10_11;
+  const T K_thetadot10_1_1 = J10_11 + T(0.047) * minus_hc10_2;
   A[9] = K_thetadot10_1_1;
   A[162] = K_thetadot10_1_1;
   A[27] = b1_6;
@@ -6825,7 +6874,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T minus_B_thetadot8_1_2 = E6_23 * B_thetadot8_6_3;
   const T B_thetadot8_1_3 = E6_22 * B_thetadot8_6_3;
   // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
-  const T K_thetadot8_1_1 = T(0.047) * B_thetadot8_1_3 + K_thetadot8_6_1;
+  const T K_thetadot8_1_1 = K_thetadot8_6_1 + T(0.047) * B_thetadot8_1_3;
   const T K_thetadot8_1_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3;
   const T K_thetadot8_1_3 = E6_23 * K_thetadot8_6_2 + E6_22 * K_thetadot8_6_3 + T(0.047) * minus_B_thetadot8_6_1;
   A[8] = K_thetadot8_1_1;
@@ -6848,7 +6897,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[43] = K_thetadot7_1_3;
   A[128] = K_thetadot7_1_3;
   // K_thetadot6_1 = q6~ E6^T B_thetadot6_6 + E6^T K_thetadot6_6
-  const T K_thetadot6_1_1 = T(0.047) * hc6_2 + J6_11;
+  const T K_thetadot6_1_1 = J6_11 + T(0.047) * hc6_2;
   A[6] = K_thetadot6_1_1;
   A[108] = K_thetadot6_1_1;
   A[24] = b1_5;
@@ -7036,8 +7085,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 // 704 add, 928 multiply, 24 sine or cosine
 template <class T>
 void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_y) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 918; ++i) v_y[i] = T(0);
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -7084,10 +7135,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[38] = -minus_B1_1_33;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -7117,17 +7167,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t2_8 = T(0.000635) * E2_23 - T(3.1e-05) * E2_22;
   const T t2_9 = T(0.003311) * E2_23;
   const T t2_10 = T(0.003311) * E2_22;
-  const T minus_B3_1_12 = R1_11 * t2_8 - R2_21 * t2_9 - R2_31 * t2_10 + minus_P_omega1_2_12;
+  const T minus_B3_1_12 = minus_P_omega1_2_12 + R1_11 * t2_8 - R2_21 * t2_9 - R2_31 * t2_10;
   const T t2_11 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
-  const T minus_B3_1_13 = R2_21 * t2_10 - R1_11 * t2_11 - R2_31 * t2_9 - P_omega1_2_13;
+  const T minus_B3_1_13 = R2_21 * t2_10 - P_omega1_2_13 - R1_11 * t2_11 - R2_31 * t2_9;
   const T t2_12 = R2_22 * T(3.1e-05) + R2_32 * T(0.000635);
   const T minus_B3_1_21 = t2_12 + minus_P_omega1_2_21;
-  const T minus_B3_1_22 = R1_12 * t2_8 - R2_22 * t2_9 - R2_32 * t2_10 + minus_P_omega1_2_22;
-  const T minus_B3_1_23 = R2_22 * t2_10 - R1_12 * t2_11 - R2_32 * t2_9 - P_omega1_2_23;
+  const T minus_B3_1_22 = minus_P_omega1_2_22 + R1_12 * t2_8 - R2_22 * t2_9 - R2_32 * t2_10;
+  const T minus_B3_1_23 = R2_22 * t2_10 - P_omega1_2_23 - R1_12 * t2_11 - R2_32 * t2_9;
   const T t2_13 = R2_23 * T(3.1e-05) + R2_33 * T(0.000635);
   const T minus_B3_1_31 = t2_13 + minus_P_omega1_2_31;
-  const T minus_B3_1_32 = R1_13 * t2_8 - R2_23 * t2_9 - R2_33 * t2_10 + minus_P_omega1_2_32;
-  const T minus_B3_1_33 = R2_23 * t2_10 - R1_13 * t2_11 - R2_33 * t2_9 - P_omega1_2_33;
+  const T minus_B3_1_32 = minus_P_omega1_2_32 + R1_13 * t2_8 - R2_23 * t2_9 - R2_33 * t2_10;
+  const T minus_B3_1_33 = R2_23 * t2_10 - P_omega1_2_33 - R1_13 * t2_11 - R2_33 * t2_9;
   v_y[54] = -minus_B3_1_11;
   v_y[55] = -minus_B3_1_12;
   v_y[56] = -minus_B3_1_13;
@@ -7142,10 +7192,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[93] = -t2_13;
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -7162,17 +7211,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_1 = R2_31 * T(0.0838);
   const T minus_P_omega1_3_11 = t3_1 + minus_P_omega1_2_11;
   const T t3_2 = T(0.0838) * E2_23;
-  const T minus_P_omega1_3_12 = R1_11 * t3_2 + minus_P_omega1_2_12;
+  const T minus_P_omega1_3_12 = minus_P_omega1_2_12 + R1_11 * t3_2;
   const T t3_3 = T(0.0838) * E2_22;
-  const T P_omega1_3_13 = R1_11 * t3_3 + P_omega1_2_13;
+  const T P_omega1_3_13 = P_omega1_2_13 + R1_11 * t3_3;
   const T t3_4 = R2_32 * T(0.0838);
   const T minus_P_omega1_3_21 = t3_4 + minus_P_omega1_2_21;
-  const T minus_P_omega1_3_22 = R1_12 * t3_2 + minus_P_omega1_2_22;
-  const T P_omega1_3_23 = R1_12 * t3_3 + P_omega1_2_23;
+  const T minus_P_omega1_3_22 = minus_P_omega1_2_22 + R1_12 * t3_2;
+  const T P_omega1_3_23 = P_omega1_2_23 + R1_12 * t3_3;
   const T t3_5 = R2_33 * T(0.0838);
   const T minus_P_omega1_3_31 = t3_5 + minus_P_omega1_2_31;
-  const T minus_P_omega1_3_32 = R1_13 * t3_2 + minus_P_omega1_2_32;
-  const T P_omega1_3_33 = R1_13 * t3_3 + P_omega1_2_33;
+  const T minus_P_omega1_3_32 = minus_P_omega1_2_32 + R1_13 * t3_2;
+  const T P_omega1_3_33 = P_omega1_2_33 + R1_13 * t3_3;
   // B5_1 = -R3^T r3~ omega_omega1_3 + P_omega1_3
   const T t3_6 = T(0.022327) * minus_E3_13;
   const T t3_7 = T(0.003237) * minus_E3_13 - T(0.027326) * E3_11;
@@ -7182,19 +7231,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t3_10 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
   const T t3_11 = T(0.027326) * omega_omega1_3_12 + T(0.003237) * minus_omega_omega1_3_32;
   const T t3_12 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
-  const T minus_B5_1_12 = R3_11 * t3_10 - R2_21 * t3_11 - R3_31 * t3_12 + minus_P_omega1_3_12;
+  const T minus_B5_1_12 = minus_P_omega1_3_12 + R3_11 * t3_10 - R2_21 * t3_11 - R3_31 * t3_12;
   const T t3_13 = T(0.027326) * E2_23 + T(0.022327) * omega_omega1_3_33;
   const T t3_14 = T(0.027326) * minus_omega_omega1_3_13 + T(0.003237) * omega_omega1_3_33;
   const T t3_15 = T(0.022327) * minus_omega_omega1_3_13 - T(0.003237) * E2_23;
-  const T minus_B5_1_13 = R3_11 * t3_13 + R2_21 * t3_14 + R3_31 * t3_15 - P_omega1_3_13;
+  const T minus_B5_1_13 = R3_11 * t3_13 - P_omega1_3_13 + R2_21 * t3_14 + R3_31 * t3_15;
   const T t3_16 = R3_12 * t3_6 + R2_22 * t3_7 - R3_32 * t3_8;
   const T minus_B5_1_21 = t3_16 + minus_P_omega1_3_21;
-  const T minus_B5_1_22 = R3_12 * t3_10 - R2_22 * t3_11 - R3_32 * t3_12 + minus_P_omega1_3_22;
-  const T minus_B5_1_23 = R3_12 * t3_13 + R2_22 * t3_14 + R3_32 * t3_15 - P_omega1_3_23;
+  const T minus_B5_1_22 = minus_P_omega1_3_22 + R3_12 * t3_10 - R2_22 * t3_11 - R3_32 * t3_12;
+  const T minus_B5_1_23 = R3_12 * t3_13 - P_omega1_3_23 + R2_22 * t3_14 + R3_32 * t3_15;
   const T t3_17 = R3_13 * t3_6 + R2_23 * t3_7 - R3_33 * t3_8;
   const T minus_B5_1_31 = t3_17 + minus_P_omega1_3_31;
-  const T minus_B5_1_32 = R3_13 * t3_10 - R2_23 * t3_11 - R3_33 * t3_12 + minus_P_omega1_3_32;
-  const T minus_B5_1_33 = R3_13 * t3_13 + R2_23 * t3_14 + R3_33 * t3_15 - P_omega1_3_33;
+  const T minus_B5_1_32 = minus_P_omega1_3_32 + R3_13 * t3_10 - R2_23 * t3_11 - R3_33 * t3_12;
+  const T minus_B5_1_33 = R3_13 * t3_13 - P_omega1_3_33 + R2_23 * t3_14 + R3_33 * t3_15;
   v_y[108] = -minus_B5_1_11;
   v_y[109] = -minus_B5_1_12;
   v_y[110] = -minus_B5_1_13;
@@ -7220,10 +7269,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[148] = -minus_B7_3_3;
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -7244,18 +7292,18 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_P_omega1_4_11 = minus_P_omega1_3_11 - t4_2;
   const T t4_3 = T(0.2) * E2_22;
   const T t4_4 = T(0.2) * omega_omega1_3_12;
-  const T minus_P_omega1_4_12 = R3_11 * t4_3 - R2_21 * t4_4 + minus_P_omega1_3_12;
+  const T minus_P_omega1_4_12 = minus_P_omega1_3_12 + R3_11 * t4_3 - R2_21 * t4_4;
   const T t4_5 = T(0.2) * E2_23;
   const T t4_6 = T(0.2) * minus_omega_omega1_3_13;
-  const T minus_P_omega1_4_13 = R3_11 * t4_5 + R2_21 * t4_6 - P_omega1_3_13;
+  const T minus_P_omega1_4_13 = R3_11 * t4_5 - P_omega1_3_13 + R2_21 * t4_6;
   const T t4_7 = R2_22 * t4_1;
   const T minus_P_omega1_4_21 = minus_P_omega1_3_21 - t4_7;
-  const T minus_P_omega1_4_22 = R3_12 * t4_3 - R2_22 * t4_4 + minus_P_omega1_3_22;
-  const T minus_P_omega1_4_23 = R3_12 * t4_5 + R2_22 * t4_6 - P_omega1_3_23;
+  const T minus_P_omega1_4_22 = minus_P_omega1_3_22 + R3_12 * t4_3 - R2_22 * t4_4;
+  const T minus_P_omega1_4_23 = R3_12 * t4_5 - P_omega1_3_23 + R2_22 * t4_6;
   const T t4_8 = R2_23 * t4_1;
   const T minus_P_omega1_4_31 = minus_P_omega1_3_31 - t4_8;
-  const T minus_P_omega1_4_32 = R3_13 * t4_3 - R2_23 * t4_4 + minus_P_omega1_3_32;
-  const T minus_P_omega1_4_33 = R3_13 * t4_5 + R2_23 * t4_6 - P_omega1_3_33;
+  const T minus_P_omega1_4_32 = minus_P_omega1_3_32 + R3_13 * t4_3 - R2_23 * t4_4;
+  const T minus_P_omega1_4_33 = R3_13 * t4_5 - P_omega1_3_33 + R2_23 * t4_6;
   // P_thetadot2_4 = -R3^T q4~ omega_thetadot2_3 + P_thetadot2_3: partial velocity of the body origin, inertial axes
   const T minus_P_thetadot2_4_1 = t3_1 - t4_2;
   const T minus_P_thetadot2_4_2 = t3_4 - t4_7;
@@ -7271,19 +7319,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_11 = T(0.107388) * E2_22;
   const T t4_12 = T(0.107388) * omega_omega1_4_12 + T(0.006435) * omega_omega1_4_32;
   const T t4_13 = T(0.006435) * E2_22;
-  const T minus_B8_1_12 = R4_11 * t4_11 - R2_21 * t4_12 + R4_31 * t4_13 + minus_P_omega1_4_12;
+  const T minus_B8_1_12 = minus_P_omega1_4_12 + R4_11 * t4_11 - R2_21 * t4_12 + R4_31 * t4_13;
   const T t4_14 = T(0.107388) * E2_23;
   const T t4_15 = T(0.107388) * minus_omega_omega1_4_13 - T(0.006435) * omega_omega1_4_33;
   const T t4_16 = T(0.006435) * E2_23;
-  const T minus_B8_1_13 = R4_11 * t4_14 + R2_21 * t4_15 + R4_31 * t4_16 + minus_P_omega1_4_13;
+  const T minus_B8_1_13 = minus_P_omega1_4_13 + R4_11 * t4_14 + R2_21 * t4_15 + R4_31 * t4_16;
   const T t4_17 = R2_22 * t4_9;
   const T minus_B8_1_21 = minus_P_omega1_4_21 - t4_17;
-  const T minus_B8_1_22 = R4_12 * t4_11 - R2_22 * t4_12 + R4_32 * t4_13 + minus_P_omega1_4_22;
-  const T minus_B8_1_23 = R4_12 * t4_14 + R2_22 * t4_15 + R4_32 * t4_16 + minus_P_omega1_4_23;
+  const T minus_B8_1_22 = minus_P_omega1_4_22 + R4_12 * t4_11 - R2_22 * t4_12 + R4_32 * t4_13;
+  const T minus_B8_1_23 = minus_P_omega1_4_23 + R4_12 * t4_14 + R2_22 * t4_15 + R4_32 * t4_16;
   const T t4_18 = R2_23 * t4_9;
   const T minus_B8_1_31 = minus_P_omega1_4_31 - t4_18;
-  const T minus_B8_1_32 = R4_13 * t4_11 - R2_23 * t4_12 + R4_33 * t4_13 + minus_P_omega1_4_32;
-  const T minus_B8_1_33 = R4_13 * t4_14 + R2_23 * t4_15 + R4_33 * t4_16 + minus_P_omega1_4_33;
+  const T minus_B8_1_32 = minus_P_omega1_4_32 + R4_13 * t4_11 - R2_23 * t4_12 + R4_33 * t4_13;
+  const T minus_B8_1_33 = minus_P_omega1_4_33 + R4_13 * t4_14 + R2_23 * t4_15 + R4_33 * t4_16;
   v_y[162] = -minus_B8_1_11;
   v_y[163] = -minus_B8_1_12;
   v_y[164] = -minus_B8_1_13;
@@ -7318,17 +7366,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t4_23 = R2_21 * t4_22;
   const T minus_B12_1_11 = minus_P_omega1_4_11 - t4_23;
   const T t4_24 = T(0.2) * omega_omega1_4_12;
-  const T minus_B12_1_12 = R4_11 * t4_3 - R2_21 * t4_24 + minus_P_omega1_4_12;
+  const T minus_B12_1_12 = minus_P_omega1_4_12 + R4_11 * t4_3 - R2_21 * t4_24;
   const T t4_25 = T(0.2) * minus_omega_omega1_4_13;
-  const T minus_B12_1_13 = R4_11 * t4_5 + R2_21 * t4_25 + minus_P_omega1_4_13;
+  const T minus_B12_1_13 = minus_P_omega1_4_13 + R4_11 * t4_5 + R2_21 * t4_25;
   const T t4_26 = R2_22 * t4_22;
   const T minus_B12_1_21 = minus_P_omega1_4_21 - t4_26;
-  const T minus_B12_1_22 = R4_12 * t4_3 - R2_22 * t4_24 + minus_P_omega1_4_22;
-  const T minus_B12_1_23 = R4_12 * t4_5 + R2_22 * t4_25 + minus_P_omega1_4_23;
+  const T minus_B12_1_22 = minus_P_omega1_4_22 + R4_12 * t4_3 - R2_22 * t4_24;
+  const T minus_B12_1_23 = minus_P_omega1_4_23 + R4_12 * t4_5 + R2_22 * t4_25;
   const T t4_27 = R2_23 * t4_22;
   const T minus_B12_1_31 = minus_P_omega1_4_31 - t4_27;
-  const T minus_B12_1_32 = R4_13 * t4_3 - R2_23 * t4_24 + minus_P_omega1_4_32;
-  const T minus_B12_1_33 = R4_13 * t4_5 + R2_23 * t4_25 + minus_P_omega1_4_33;
+  const T minus_B12_1_32 = minus_P_omega1_4_32 + R4_13 * t4_3 - R2_23 * t4_24;
+  const T minus_B12_1_33 = minus_P_omega1_4_33 + R4_13 * t4_5 + R2_23 * t4_25;
   v_y[216] = -minus_B12_1_11;
   v_y[217] = -minus_B12_1_12;
   v_y[218] = -minus_B12_1_13;
@@ -7360,10 +7408,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[257] = -t4_30;
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -7381,17 +7428,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t6_2 = T(3.1e-05) * E6_22 + T(0.000635) * E6_23;
   const T t6_3 = T(0.003311) * E6_23;
   const T t6_4 = T(0.003311) * E6_22;
-  const T minus_B16_1_12 = minus_P_omega1_2_12 - (R1_11 * t6_2 + R6_21 * t6_3 + R6_31 * t6_4);
+  const T minus_B16_1_12 = minus_P_omega1_2_12 - R1_11 * t6_2 - R6_21 * t6_3 - R6_31 * t6_4;
   const T t6_5 = T(0.000635) * E6_22 - T(3.1e-05) * E6_23;
-  const T minus_B16_1_13 = R1_11 * t6_5 + R6_21 * t6_4 - R6_31 * t6_3 + minus_P_omega1_6_13;
+  const T minus_B16_1_13 = minus_P_omega1_6_13 + R1_11 * t6_5 + R6_21 * t6_4 - R6_31 * t6_3;
   const T t6_6 = R6_22 * T(3.1e-05) - R6_32 * T(0.000635);
   const T minus_B16_1_21 = t6_6 - minus_P_omega1_2_21;
-  const T minus_B16_1_22 = minus_P_omega1_2_22 - (R1_12 * t6_2 + R6_22 * t6_3 + R6_32 * t6_4);
-  const T minus_B16_1_23 = R1_12 * t6_5 + R6_22 * t6_4 - R6_32 * t6_3 + minus_P_omega1_6_23;
+  const T minus_B16_1_22 = minus_P_omega1_2_22 - R1_12 * t6_2 - R6_22 * t6_3 - R6_32 * t6_4;
+  const T minus_B16_1_23 = minus_P_omega1_6_23 + R1_12 * t6_5 + R6_22 * t6_4 - R6_32 * t6_3;
   const T t6_7 = R6_23 * T(3.1e-05) - R6_33 * T(0.000635);
   const T minus_B16_1_31 = t6_7 - minus_P_omega1_2_31;
-  const T minus_B16_1_32 = minus_P_omega1_2_32 - (R1_13 * t6_2 + R6_23 * t6_3 + R6_33 * t6_4);
-  const T minus_B16_1_33 = R1_13 * t6_5 + R6_23 * t6_4 - R6_33 * t6_3 + minus_P_omega1_6_33;
+  const T minus_B16_1_32 = minus_P_omega1_2_32 - R1_13 * t6_2 - R6_23 * t6_3 - R6_33 * t6_4;
+  const T minus_B16_1_33 = minus_P_omega1_6_33 + R1_13 * t6_5 + R6_23 * t6_4 - R6_33 * t6_3;
   v_y[270] = -minus_B16_1_11;
   v_y[271] = -minus_B16_1_12;
   v_y[272] = -minus_B16_1_13;
@@ -7406,10 +7453,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[312] = -t6_7;
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -7428,15 +7474,15 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_2 = T(0.0838) * E6_23;
   const T minus_P_omega1_7_12 = minus_P_omega1_2_12 - R1_11 * t7_2;
   const T t7_3 = T(0.0838) * E6_22;
-  const T minus_P_omega1_7_13 = R1_11 * t7_3 + minus_P_omega1_6_13;
+  const T minus_P_omega1_7_13 = minus_P_omega1_6_13 + R1_11 * t7_3;
   const T t7_4 = R6_32 * T(0.0838);
   const T P_omega1_7_21 = t7_4 + minus_P_omega1_2_21;
   const T minus_P_omega1_7_22 = minus_P_omega1_2_22 - R1_12 * t7_2;
-  const T minus_P_omega1_7_23 = R1_12 * t7_3 + minus_P_omega1_6_23;
+  const T minus_P_omega1_7_23 = minus_P_omega1_6_23 + R1_12 * t7_3;
   const T t7_5 = R6_33 * T(0.0838);
   const T P_omega1_7_31 = t7_5 + minus_P_omega1_2_31;
   const T minus_P_omega1_7_32 = minus_P_omega1_2_32 - R1_13 * t7_2;
-  const T minus_P_omega1_7_33 = R1_13 * t7_3 + minus_P_omega1_6_33;
+  const T minus_P_omega1_7_33 = minus_P_omega1_6_33 + R1_13 * t7_3;
   // B18_1 = -R7^T r7~ omega_omega1_7 + P_omega1_7
   const T t7_6 = T(0.003237) * minus_E7_13 - T(0.027326) * E7_11;
   const T t7_7 = T(0.022327) * minus_E7_13;
@@ -7446,19 +7492,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t7_10 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
   const T t7_11 = T(0.027326) * omega_omega1_7_12 + T(0.003237) * minus_omega_omega1_7_32;
   const T t7_12 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
-  const T minus_B18_1_12 = R7_11 * t7_10 - R6_21 * t7_11 + R7_31 * t7_12 + minus_P_omega1_7_12;
+  const T minus_B18_1_12 = minus_P_omega1_7_12 + R7_11 * t7_10 - R6_21 * t7_11 + R7_31 * t7_12;
   const T t7_13 = T(0.027326) * E6_23 - T(0.022327) * omega_omega1_7_33;
   const T t7_14 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
   const T t7_15 = T(0.003237) * E6_23 + T(0.022327) * minus_omega_omega1_7_13;
-  const T minus_B18_1_13 = R7_11 * t7_13 + R6_21 * t7_14 - R7_31 * t7_15 + minus_P_omega1_7_13;
+  const T minus_B18_1_13 = minus_P_omega1_7_13 + R7_11 * t7_13 + R6_21 * t7_14 - R7_31 * t7_15;
   const T t7_16 = R6_22 * t7_6 - R7_12 * t7_7 + R7_32 * t7_8;
   const T minus_B18_1_21 = t7_16 - P_omega1_7_21;
-  const T minus_B18_1_22 = R7_12 * t7_10 - R6_22 * t7_11 + R7_32 * t7_12 + minus_P_omega1_7_22;
-  const T minus_B18_1_23 = R7_12 * t7_13 + R6_22 * t7_14 - R7_32 * t7_15 + minus_P_omega1_7_23;
+  const T minus_B18_1_22 = minus_P_omega1_7_22 + R7_12 * t7_10 - R6_22 * t7_11 + R7_32 * t7_12;
+  const T minus_B18_1_23 = minus_P_omega1_7_23 + R7_12 * t7_13 + R6_22 * t7_14 - R7_32 * t7_15;
   const T t7_17 = R6_23 * t7_6 - R7_13 * t7_7 + R7_33 * t7_8;
   const T minus_B18_1_31 = t7_17 - P_omega1_7_31;
-  const T minus_B18_1_32 = R7_13 * t7_10 - R6_23 * t7_11 + R7_33 * t7_12 + minus_P_omega1_7_32;
-  const T minus_B18_1_33 = R7_13 * t7_13 + R6_23 * t7_14 - R7_33 * t7_15 + minus_P_omega1_7_33;
+  const T minus_B18_1_32 = minus_P_omega1_7_32 + R7_13 * t7_10 - R6_23 * t7_11 + R7_33 * t7_12;
+  const T minus_B18_1_33 = minus_P_omega1_7_33 + R7_13 * t7_13 + R6_23 * t7_14 - R7_33 * t7_15;
   v_y[324] = -minus_B18_1_11;
   v_y[325] = -minus_B18_1_12;
   v_y[326] = -minus_B18_1_13;
@@ -7484,10 +7530,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[367] = -minus_B20_7_3;
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -7508,18 +7553,18 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T P_omega1_8_11 = t8_2 + P_omega1_7_11;
   const T t8_3 = T(0.2) * E6_22;
   const T t8_4 = T(0.2) * omega_omega1_7_12;
-  const T minus_P_omega1_8_12 = R7_11 * t8_3 - R6_21 * t8_4 + minus_P_omega1_7_12;
+  const T minus_P_omega1_8_12 = minus_P_omega1_7_12 + R7_11 * t8_3 - R6_21 * t8_4;
   const T t8_5 = T(0.2) * E6_23;
   const T t8_6 = T(0.2) * minus_omega_omega1_7_13;
-  const T minus_P_omega1_8_13 = R7_11 * t8_5 + R6_21 * t8_6 + minus_P_omega1_7_13;
+  const T minus_P_omega1_8_13 = minus_P_omega1_7_13 + R7_11 * t8_5 + R6_21 * t8_6;
   const T t8_7 = R6_22 * t8_1;
   const T P_omega1_8_21 = t8_7 + P_omega1_7_21;
-  const T minus_P_omega1_8_22 = R7_12 * t8_3 - R6_22 * t8_4 + minus_P_omega1_7_22;
-  const T minus_P_omega1_8_23 = R7_12 * t8_5 + R6_22 * t8_6 + minus_P_omega1_7_23;
+  const T minus_P_omega1_8_22 = minus_P_omega1_7_22 + R7_12 * t8_3 - R6_22 * t8_4;
+  const T minus_P_omega1_8_23 = minus_P_omega1_7_23 + R7_12 * t8_5 + R6_22 * t8_6;
   const T t8_8 = R6_23 * t8_1;
   const T P_omega1_8_31 = t8_8 + P_omega1_7_31;
-  const T minus_P_omega1_8_32 = R7_13 * t8_3 - R6_23 * t8_4 + minus_P_omega1_7_32;
-  const T minus_P_omega1_8_33 = R7_13 * t8_5 + R6_23 * t8_6 + minus_P_omega1_7_33;
+  const T minus_P_omega1_8_32 = minus_P_omega1_7_32 + R7_13 * t8_3 - R6_23 * t8_4;
+  const T minus_P_omega1_8_33 = minus_P_omega1_7_33 + R7_13 * t8_5 + R6_23 * t8_6;
   // P_thetadot6_8 = -R7^T q8~ omega_thetadot6_7 + P_thetadot6_7: partial velocity of the body origin, inertial axes
   const T P_thetadot6_8_1 = t8_2 + t7_1;
   const T P_thetadot6_8_2 = t8_7 + t7_4;
@@ -7535,19 +7580,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t8_11 = T(0.107388) * E6_22;
   const T t8_12 = T(0.107388) * omega_omega1_8_12 + T(0.006435) * omega_omega1_8_32;
   const T t8_13 = T(0.006435) * E6_22;
-  const T minus_B21_1_12 = R8_11 * t8_11 - R6_21 * t8_12 + R8_31 * t8_13 + minus_P_omega1_8_12;
+  const T minus_B21_1_12 = minus_P_omega1_8_12 + R8_11 * t8_11 - R6_21 * t8_12 + R8_31 * t8_13;
   const T t8_14 = T(0.107388) * E6_23;
   const T t8_15 = T(0.107388) * minus_omega_omega1_8_13 - T(0.006435) * omega_omega1_8_33;
   const T t8_16 = T(0.006435) * E6_23;
-  const T minus_B21_1_13 = R8_11 * t8_14 + R6_21 * t8_15 + R8_31 * t8_16 + minus_P_omega1_8_13;
+  const T minus_B21_1_13 = minus_P_omega1_8_13 + R8_11 * t8_14 + R6_21 * t8_15 + R8_31 * t8_16;
   const T t8_17 = R6_22 * t8_9;
   const T B21_1_21 = t8_17 + P_omega1_8_21;
-  const T minus_B21_1_22 = R8_12 * t8_11 - R6_22 * t8_12 + R8_32 * t8_13 + minus_P_omega1_8_22;
-  const T minus_B21_1_23 = R8_12 * t8_14 + R6_22 * t8_15 + R8_32 * t8_16 + minus_P_omega1_8_23;
+  const T minus_B21_1_22 = minus_P_omega1_8_22 + R8_12 * t8_11 - R6_22 * t8_12 + R8_32 * t8_13;
+  const T minus_B21_1_23 = minus_P_omega1_8_23 + R8_12 * t8_14 + R6_22 * t8_15 + R8_32 * t8_16;
   const T t8_18 = R6_23 * t8_9;
   const T B21_1_31 = t8_18 + P_omega1_8_31;
-  const T minus_B21_1_32 = R8_13 * t8_11 - R6_23 * t8_12 + R8_33 * t8_13 + minus_P_omega1_8_32;
-  const T minus_B21_1_33 = R8_13 * t8_14 + R6_23 * t8_15 + R8_33 * t8_16 + minus_P_omega1_8_33;
+  const T minus_B21_1_32 = minus_P_omega1_8_32 + R8_13 * t8_11 - R6_23 * t8_12 + R8_33 * t8_13;
+  const T minus_B21_1_33 = minus_P_omega1_8_33 + R8_13 * t8_14 + R6_23 * t8_15 + R8_33 * t8_16;
   v_y[378] = B21_1_11;
   v_y[379] = -minus_B21_1_12;
   v_y[380] = -minus_B21_1_13;
@@ -7582,17 +7627,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t8_23 = R6_21 * t8_22;
   const T B25_1_11 = t8_23 + P_omega1_8_11;
   const T t8_24 = T(0.2) * omega_omega1_8_12;
-  const T minus_B25_1_12 = R8_11 * t8_3 - R6_21 * t8_24 + minus_P_omega1_8_12;
+  const T minus_B25_1_12 = minus_P_omega1_8_12 + R8_11 * t8_3 - R6_21 * t8_24;
   const T t8_25 = T(0.2) * minus_omega_omega1_8_13;
-  const T minus_B25_1_13 = R8_11 * t8_5 + R6_21 * t8_25 + minus_P_omega1_8_13;
+  const T minus_B25_1_13 = minus_P_omega1_8_13 + R8_11 * t8_5 + R6_21 * t8_25;
   const T t8_26 = R6_22 * t8_22;
   const T B25_1_21 = t8_26 + P_omega1_8_21;
-  const T minus_B25_1_22 = R8_12 * t8_3 - R6_22 * t8_24 + minus_P_omega1_8_22;
-  const T minus_B25_1_23 = R8_12 * t8_5 + R6_22 * t8_25 + minus_P_omega1_8_23;
+  const T minus_B25_1_22 = minus_P_omega1_8_22 + R8_12 * t8_3 - R6_22 * t8_24;
+  const T minus_B25_1_23 = minus_P_omega1_8_23 + R8_12 * t8_5 + R6_22 * t8_25;
   const T t8_27 = R6_23 * t8_22;
   const T B25_1_31 = t8_27 + P_omega1_8_31;
-  const T minus_B25_1_32 = R8_13 * t8_3 - R6_23 * t8_24 + minus_P_omega1_8_32;
-  const T minus_B25_1_33 = R8_13 * t8_5 + R6_23 * t8_25 + minus_P_omega1_8_33;
+  const T minus_B25_1_32 = minus_P_omega1_8_32 + R8_13 * t8_3 - R6_23 * t8_24;
+  const T minus_B25_1_33 = minus_P_omega1_8_33 + R8_13 * t8_5 + R6_23 * t8_25;
   v_y[432] = B25_1_11;
   v_y[433] = -minus_B25_1_12;
   v_y[434] = -minus_B25_1_13;
@@ -7624,10 +7669,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[476] = -t8_30;
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -7641,17 +7685,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t10_2 = T(0.000635) * E10_23 - T(3.1e-05) * E10_22;
   const T t10_3 = T(0.003311) * E10_23;
   const T t10_4 = T(0.003311) * E10_22;
-  const T minus_B29_1_12 = R1_11 * t10_2 + R10_21 * t10_3 + R10_31 * t10_4 - minus_P_omega1_2_12;
+  const T minus_B29_1_12 = R1_11 * t10_2 - minus_P_omega1_2_12 + R10_21 * t10_3 + R10_31 * t10_4;
   const T t10_5 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
-  const T minus_B29_1_13 = R10_31 * t10_3 - (R1_11 * t10_5 + R10_21 * t10_4) - minus_P_omega1_6_13;
+  const T minus_B29_1_13 = R10_31 * t10_3 - (minus_P_omega1_6_13 + R1_11 * t10_5 + R10_21 * t10_4);
   const T t10_6 = R10_22 * T(3.1e-05) + R10_32 * T(0.000635);
   const T minus_B29_1_21 = t10_6 + minus_P_omega1_2_21;
-  const T minus_B29_1_22 = R1_12 * t10_2 + R10_22 * t10_3 + R10_32 * t10_4 - minus_P_omega1_2_22;
-  const T minus_B29_1_23 = R10_32 * t10_3 - (R1_12 * t10_5 + R10_22 * t10_4) - minus_P_omega1_6_23;
+  const T minus_B29_1_22 = R1_12 * t10_2 - minus_P_omega1_2_22 + R10_22 * t10_3 + R10_32 * t10_4;
+  const T minus_B29_1_23 = R10_32 * t10_3 - (minus_P_omega1_6_23 + R1_12 * t10_5 + R10_22 * t10_4);
   const T t10_7 = R10_23 * T(3.1e-05) + R10_33 * T(0.000635);
   const T minus_B29_1_31 = t10_7 + minus_P_omega1_2_31;
-  const T minus_B29_1_32 = R1_13 * t10_2 + R10_23 * t10_3 + R10_33 * t10_4 - minus_P_omega1_2_32;
-  const T minus_B29_1_33 = R10_33 * t10_3 - (R1_13 * t10_5 + R10_23 * t10_4) - minus_P_omega1_6_33;
+  const T minus_B29_1_32 = R1_13 * t10_2 - minus_P_omega1_2_32 + R10_23 * t10_3 + R10_33 * t10_4;
+  const T minus_B29_1_33 = R10_33 * t10_3 - (minus_P_omega1_6_33 + R1_13 * t10_5 + R10_23 * t10_4);
   v_y[486] = -minus_B29_1_11;
   v_y[487] = -minus_B29_1_12;
   v_y[488] = -minus_B29_1_13;
@@ -7666,10 +7710,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[531] = -t10_7;
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -7706,19 +7749,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t11_10 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
   const T t11_11 = T(0.027326) * omega_omega1_11_12 + T(0.003237) * minus_omega_omega1_11_32;
   const T t11_12 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
-  const T minus_B31_1_12 = R11_11 * t11_10 - R10_21 * t11_11 - R11_31 * t11_12 + minus_P_omega1_11_12;
+  const T minus_B31_1_12 = minus_P_omega1_11_12 + R11_11 * t11_10 - R10_21 * t11_11 - R11_31 * t11_12;
   const T t11_13 = T(0.027326) * E10_23 + T(0.022327) * omega_omega1_11_33;
   const T t11_14 = T(0.027326) * minus_omega_omega1_11_13 + T(0.003237) * omega_omega1_11_33;
   const T t11_15 = T(0.022327) * minus_omega_omega1_11_13 - T(0.003237) * E10_23;
-  const T minus_B31_1_13 = R11_11 * t11_13 + R10_21 * t11_14 + R11_31 * t11_15 - P_omega1_11_13;
+  const T minus_B31_1_13 = R11_11 * t11_13 - P_omega1_11_13 + R10_21 * t11_14 + R11_31 * t11_15;
   const T t11_16 = R11_12 * t11_6 + R10_22 * t11_7 - R11_32 * t11_8;
   const T minus_B31_1_21 = t11_16 + minus_P_omega1_11_21;
-  const T minus_B31_1_22 = R11_12 * t11_10 - R10_22 * t11_11 - R11_32 * t11_12 + minus_P_omega1_11_22;
-  const T minus_B31_1_23 = R11_12 * t11_13 + R10_22 * t11_14 + R11_32 * t11_15 - P_omega1_11_23;
+  const T minus_B31_1_22 = minus_P_omega1_11_22 + R11_12 * t11_10 - R10_22 * t11_11 - R11_32 * t11_12;
+  const T minus_B31_1_23 = R11_12 * t11_13 - P_omega1_11_23 + R10_22 * t11_14 + R11_32 * t11_15;
   const T t11_17 = R11_13 * t11_6 + R10_23 * t11_7 - R11_33 * t11_8;
   const T minus_B31_1_31 = t11_17 + minus_P_omega1_11_31;
-  const T minus_B31_1_32 = R11_13 * t11_10 - R10_23 * t11_11 - R11_33 * t11_12 + minus_P_omega1_11_32;
-  const T minus_B31_1_33 = R11_13 * t11_13 + R10_23 * t11_14 + R11_33 * t11_15 - P_omega1_11_33;
+  const T minus_B31_1_32 = minus_P_omega1_11_32 + R11_13 * t11_10 - R10_23 * t11_11 - R11_33 * t11_12;
+  const T minus_B31_1_33 = R11_13 * t11_13 - P_omega1_11_33 + R10_23 * t11_14 + R11_33 * t11_15;
   v_y[540] = -minus_B31_1_11;
   v_y[541] = -minus_B31_1_12;
   v_y[542] = -minus_B31_1_13;
@@ -7744,10 +7787,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[586] = -minus_B33_11_3;
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -7768,18 +7810,18 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T minus_P_omega1_12_11 = minus_P_omega1_11_11 - t12_2;
   const T t12_3 = T(0.2) * E10_22;
   const T t12_4 = T(0.2) * omega_omega1_11_12;
-  const T minus_P_omega1_12_12 = R11_11 * t12_3 - R10_21 * t12_4 + minus_P_omega1_11_12;
+  const T minus_P_omega1_12_12 = minus_P_omega1_11_12 + R11_11 * t12_3 - R10_21 * t12_4;
   const T t12_5 = T(0.2) * E10_23;
   const T t12_6 = T(0.2) * minus_omega_omega1_11_13;
-  const T minus_P_omega1_12_13 = R11_11 * t12_5 + R10_21 * t12_6 - P_omega1_11_13;
+  const T minus_P_omega1_12_13 = R11_11 * t12_5 - P_omega1_11_13 + R10_21 * t12_6;
   const T t12_7 = R10_22 * t12_1;
   const T minus_P_omega1_12_21 = minus_P_omega1_11_21 - t12_7;
-  const T minus_P_omega1_12_22 = R11_12 * t12_3 - R10_22 * t12_4 + minus_P_omega1_11_22;
-  const T minus_P_omega1_12_23 = R11_12 * t12_5 + R10_22 * t12_6 - P_omega1_11_23;
+  const T minus_P_omega1_12_22 = minus_P_omega1_11_22 + R11_12 * t12_3 - R10_22 * t12_4;
+  const T minus_P_omega1_12_23 = R11_12 * t12_5 - P_omega1_11_23 + R10_22 * t12_6;
   const T t12_8 = R10_23 * t12_1;
   const T minus_P_omega1_12_31 = minus_P_omega1_11_31 - t12_8;
-  const T minus_P_omega1_12_32 = R11_13 * t12_3 - R10_23 * t12_4 + minus_P_omega1_11_32;
-  const T minus_P_omega1_12_33 = R11_13 * t12_5 + R10_23 * t12_6 - P_omega1_11_33;
+  const T minus_P_omega1_12_32 = minus_P_omega1_11_32 + R11_13 * t12_3 - R10_23 * t12_4;
+  const T minus_P_omega1_12_33 = R11_13 * t12_5 - P_omega1_11_33 + R10_23 * t12_6;
   // P_thetadot10_12 = -R11^T q12~ omega_thetadot10_11 + P_thetadot10_11: partial velocity of the body origin,
   //   inertial axes
   const T minus_P_thetadot10_12_1 = t11_1 - t12_2;
@@ -7796,19 +7838,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t12_11 = T(0.107388) * E10_22;
   const T t12_12 = T(0.107388) * omega_omega1_12_12 + T(0.006435) * omega_omega1_12_32;
   const T t12_13 = T(0.006435) * E10_22;
-  const T minus_B34_1_12 = R12_11 * t12_11 - R10_21 * t12_12 + R12_31 * t12_13 + minus_P_omega1_12_12;
+  const T minus_B34_1_12 = minus_P_omega1_12_12 + R12_11 * t12_11 - R10_21 * t12_12 + R12_31 * t12_13;
   const T t12_14 = T(0.107388) * E10_23;
   const T t12_15 = T(0.107388) * minus_omega_omega1_12_13 - T(0.006435) * omega_omega1_12_33;
   const T t12_16 = T(0.006435) * E10_23;
-  const T minus_B34_1_13 = R12_11 * t12_14 + R10_21 * t12_15 + R12_31 * t12_16 + minus_P_omega1_12_13;
+  const T minus_B34_1_13 = minus_P_omega1_12_13 + R12_11 * t12_14 + R10_21 * t12_15 + R12_31 * t12_16;
   const T t12_17 = R10_22 * t12_9;
   const T minus_B34_1_21 = minus_P_omega1_12_21 - t12_17;
-  const T minus_B34_1_22 = R12_12 * t12_11 - R10_22 * t12_12 + R12_32 * t12_13 + minus_P_omega1_12_22;
-  const T minus_B34_1_23 = R12_12 * t12_14 + R10_22 * t12_15 + R12_32 * t12_16 + minus_P_omega1_12_23;
+  const T minus_B34_1_22 = minus_P_omega1_12_22 + R12_12 * t12_11 - R10_22 * t12_12 + R12_32 * t12_13;
+  const T minus_B34_1_23 = minus_P_omega1_12_23 + R12_12 * t12_14 + R10_22 * t12_15 + R12_32 * t12_16;
   const T t12_18 = R10_23 * t12_9;
   const T minus_B34_1_31 = minus_P_omega1_12_31 - t12_18;
-  const T minus_B34_1_32 = R12_13 * t12_11 - R10_23 * t12_12 + R12_33 * t12_13 + minus_P_omega1_12_32;
-  const T minus_B34_1_33 = R12_13 * t12_14 + R10_23 * t12_15 + R12_33 * t12_16 + minus_P_omega1_12_33;
+  const T minus_B34_1_32 = minus_P_omega1_12_32 + R12_13 * t12_11 - R10_23 * t12_12 + R12_33 * t12_13;
+  const T minus_B34_1_33 = minus_P_omega1_12_33 + R12_13 * t12_14 + R10_23 * t12_15 + R12_33 * t12_16;
   v_y[594] = -minus_B34_1_11;
   v_y[595] = -minus_B34_1_12;
   v_y[596] = -minus_B34_1_13;
@@ -7843,17 +7885,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t12_23 = R10_21 * t12_22;
   const T minus_B38_1_11 = minus_P_omega1_12_11 - t12_23;
   const T t12_24 = T(0.2) * omega_omega1_12_12;
-  const T minus_B38_1_12 = R12_11 * t12_3 - R10_21 * t12_24 + minus_P_omega1_12_12;
+  const T minus_B38_1_12 = minus_P_omega1_12_12 + R12_11 * t12_3 - R10_21 * t12_24;
   const T t12_25 = T(0.2) * minus_omega_omega1_12_13;
-  const T minus_B38_1_13 = R12_11 * t12_5 + R10_21 * t12_25 + minus_P_omega1_12_13;
+  const T minus_B38_1_13 = minus_P_omega1_12_13 + R12_11 * t12_5 + R10_21 * t12_25;
   const T t12_26 = R10_22 * t12_22;
   const T minus_B38_1_21 = minus_P_omega1_12_21 - t12_26;
-  const T minus_B38_1_22 = R12_12 * t12_3 - R10_22 * t12_24 + minus_P_omega1_12_22;
-  const T minus_B38_1_23 = R12_12 * t12_5 + R10_22 * t12_25 + minus_P_omega1_12_23;
+  const T minus_B38_1_22 = minus_P_omega1_12_22 + R12_12 * t12_3 - R10_22 * t12_24;
+  const T minus_B38_1_23 = minus_P_omega1_12_23 + R12_12 * t12_5 + R10_22 * t12_25;
   const T t12_27 = R10_23 * t12_22;
   const T minus_B38_1_31 = minus_P_omega1_12_31 - t12_27;
-  const T minus_B38_1_32 = R12_13 * t12_3 - R10_23 * t12_24 + minus_P_omega1_12_32;
-  const T minus_B38_1_33 = R12_13 * t12_5 + R10_23 * t12_25 + minus_P_omega1_12_33;
+  const T minus_B38_1_32 = minus_P_omega1_12_32 + R12_13 * t12_3 - R10_23 * t12_24;
+  const T minus_B38_1_33 = minus_P_omega1_12_33 + R12_13 * t12_5 + R10_23 * t12_25;
   v_y[648] = -minus_B38_1_11;
   v_y[649] = -minus_B38_1_12;
   v_y[650] = -minus_B38_1_13;
@@ -7885,10 +7927,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[695] = -t12_30;
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -7902,17 +7943,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t14_2 = T(0.003311) * E14_23;
   const T t14_3 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
   const T t14_4 = T(0.003311) * E14_22;
-  const T minus_B42_1_12 = R14_21 * t14_2 - R1_11 * t14_3 + R14_31 * t14_4 - minus_P_omega1_2_12;
+  const T minus_B42_1_12 = R14_21 * t14_2 - minus_P_omega1_2_12 - R1_11 * t14_3 + R14_31 * t14_4;
   const T t14_5 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
-  const T minus_B42_1_13 = R1_11 * t14_5 - R14_21 * t14_4 + R14_31 * t14_2 + P_omega1_2_13;
+  const T minus_B42_1_13 = P_omega1_2_13 + R1_11 * t14_5 - R14_21 * t14_4 + R14_31 * t14_2;
   const T t14_6 = R14_22 * T(3.1e-05) - R14_32 * T(0.000635);
   const T minus_B42_1_21 = t14_6 - minus_P_omega1_2_21;
-  const T minus_B42_1_22 = R14_22 * t14_2 - R1_12 * t14_3 + R14_32 * t14_4 - minus_P_omega1_2_22;
-  const T minus_B42_1_23 = R1_12 * t14_5 - R14_22 * t14_4 + R14_32 * t14_2 + P_omega1_2_23;
+  const T minus_B42_1_22 = R14_22 * t14_2 - minus_P_omega1_2_22 - R1_12 * t14_3 + R14_32 * t14_4;
+  const T minus_B42_1_23 = P_omega1_2_23 + R1_12 * t14_5 - R14_22 * t14_4 + R14_32 * t14_2;
   const T t14_7 = R14_23 * T(3.1e-05) - R14_33 * T(0.000635);
   const T minus_B42_1_31 = t14_7 - minus_P_omega1_2_31;
-  const T minus_B42_1_32 = R14_23 * t14_2 - R1_13 * t14_3 + R14_33 * t14_4 - minus_P_omega1_2_32;
-  const T minus_B42_1_33 = R1_13 * t14_5 - R14_23 * t14_4 + R14_33 * t14_2 + P_omega1_2_33;
+  const T minus_B42_1_32 = R14_23 * t14_2 - minus_P_omega1_2_32 - R1_13 * t14_3 + R14_33 * t14_4;
+  const T minus_B42_1_33 = P_omega1_2_33 + R1_13 * t14_5 - R14_23 * t14_4 + R14_33 * t14_2;
   v_y[702] = -minus_B42_1_11;
   v_y[703] = -minus_B42_1_12;
   v_y[704] = -minus_B42_1_13;
@@ -7927,10 +7968,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[750] = -t14_7;
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -7947,17 +7987,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t15_1 = R14_31 * T(0.0838);
   const T P_omega1_15_11 = t15_1 + minus_P_omega1_2_11;
   const T t15_2 = T(0.0838) * E14_23;
-  const T P_omega1_15_12 = R1_11 * t15_2 + minus_P_omega1_2_12;
+  const T P_omega1_15_12 = minus_P_omega1_2_12 + R1_11 * t15_2;
   const T t15_3 = T(0.0838) * E14_22;
-  const T minus_P_omega1_15_13 = R1_11 * t15_3 + P_omega1_2_13;
+  const T minus_P_omega1_15_13 = P_omega1_2_13 + R1_11 * t15_3;
   const T t15_4 = R14_32 * T(0.0838);
   const T P_omega1_15_21 = t15_4 + minus_P_omega1_2_21;
-  const T P_omega1_15_22 = R1_12 * t15_2 + minus_P_omega1_2_22;
-  const T minus_P_omega1_15_23 = R1_12 * t15_3 + P_omega1_2_23;
+  const T P_omega1_15_22 = minus_P_omega1_2_22 + R1_12 * t15_2;
+  const T minus_P_omega1_15_23 = P_omega1_2_23 + R1_12 * t15_3;
   const T t15_5 = R14_33 * T(0.0838);
   const T P_omega1_15_31 = t15_5 + minus_P_omega1_2_31;
-  const T P_omega1_15_32 = R1_13 * t15_2 + minus_P_omega1_2_32;
-  const T minus_P_omega1_15_33 = R1_13 * t15_3 + P_omega1_2_33;
+  const T P_omega1_15_32 = minus_P_omega1_2_32 + R1_13 * t15_2;
+  const T minus_P_omega1_15_33 = P_omega1_2_33 + R1_13 * t15_3;
   // B44_1 = -R15^T r15~ omega_omega1_15 + P_omega1_15
   const T t15_6 = T(0.003237) * minus_E15_13 - T(0.027326) * E15_11;
   const T t15_7 = T(0.022327) * minus_E15_13;
@@ -7967,19 +8007,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t15_10 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
   const T t15_11 = T(0.027326) * omega_omega1_15_12 + T(0.003237) * minus_omega_omega1_15_32;
   const T t15_12 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
-  const T minus_B44_1_12 = R15_11 * t15_10 - R14_21 * t15_11 + R15_31 * t15_12 - P_omega1_15_12;
+  const T minus_B44_1_12 = R15_11 * t15_10 - P_omega1_15_12 - R14_21 * t15_11 + R15_31 * t15_12;
   const T t15_13 = T(0.027326) * E14_23 - T(0.022327) * omega_omega1_15_33;
   const T t15_14 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
   const T t15_15 = T(0.003237) * E14_23 + T(0.022327) * minus_omega_omega1_15_13;
-  const T minus_B44_1_13 = R15_11 * t15_13 + R14_21 * t15_14 - R15_31 * t15_15 + minus_P_omega1_15_13;
+  const T minus_B44_1_13 = minus_P_omega1_15_13 + R15_11 * t15_13 + R14_21 * t15_14 - R15_31 * t15_15;
   const T t15_16 = R14_22 * t15_6 - R15_12 * t15_7 + R15_32 * t15_8;
   const T minus_B44_1_21 = t15_16 - P_omega1_15_21;
-  const T minus_B44_1_22 = R15_12 * t15_10 - R14_22 * t15_11 + R15_32 * t15_12 - P_omega1_15_22;
-  const T minus_B44_1_23 = R15_12 * t15_13 + R14_22 * t15_14 - R15_32 * t15_15 + minus_P_omega1_15_23;
+  const T minus_B44_1_22 = R15_12 * t15_10 - P_omega1_15_22 - R14_22 * t15_11 + R15_32 * t15_12;
+  const T minus_B44_1_23 = minus_P_omega1_15_23 + R15_12 * t15_13 + R14_22 * t15_14 - R15_32 * t15_15;
   const T t15_17 = R14_23 * t15_6 - R15_13 * t15_7 + R15_33 * t15_8;
   const T minus_B44_1_31 = t15_17 - P_omega1_15_31;
-  const T minus_B44_1_32 = R15_13 * t15_10 - R14_23 * t15_11 + R15_33 * t15_12 - P_omega1_15_32;
-  const T minus_B44_1_33 = R15_13 * t15_13 + R14_23 * t15_14 - R15_33 * t15_15 + minus_P_omega1_15_33;
+  const T minus_B44_1_32 = R15_13 * t15_10 - P_omega1_15_32 - R14_23 * t15_11 + R15_33 * t15_12;
+  const T minus_B44_1_33 = minus_P_omega1_15_33 + R15_13 * t15_13 + R14_23 * t15_14 - R15_33 * t15_15;
   v_y[756] = -minus_B44_1_11;
   v_y[757] = -minus_B44_1_12;
   v_y[758] = -minus_B44_1_13;
@@ -8005,10 +8045,9 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   v_y[805] = -minus_B46_15_3;
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -8029,18 +8068,18 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T P_omega1_16_11 = t16_2 + P_omega1_15_11;
   const T t16_3 = T(0.2) * E14_22;
   const T t16_4 = T(0.2) * omega_omega1_15_12;
-  const T minus_P_omega1_16_12 = R15_11 * t16_3 - R14_21 * t16_4 - P_omega1_15_12;
+  const T minus_P_omega1_16_12 = R15_11 * t16_3 - P_omega1_15_12 - R14_21 * t16_4;
   const T t16_5 = T(0.2) * E14_23;
   const T t16_6 = T(0.2) * minus_omega_omega1_15_13;
-  const T minus_P_omega1_16_13 = R15_11 * t16_5 + R14_21 * t16_6 + minus_P_omega1_15_13;
+  const T minus_P_omega1_16_13 = minus_P_omega1_15_13 + R15_11 * t16_5 + R14_21 * t16_6;
   const T t16_7 = R14_22 * t16_1;
   const T P_omega1_16_21 = t16_7 + P_omega1_15_21;
-  const T minus_P_omega1_16_22 = R15_12 * t16_3 - R14_22 * t16_4 - P_omega1_15_22;
-  const T minus_P_omega1_16_23 = R15_12 * t16_5 + R14_22 * t16_6 + minus_P_omega1_15_23;
+  const T minus_P_omega1_16_22 = R15_12 * t16_3 - P_omega1_15_22 - R14_22 * t16_4;
+  const T minus_P_omega1_16_23 = minus_P_omega1_15_23 + R15_12 * t16_5 + R14_22 * t16_6;
   const T t16_8 = R14_23 * t16_1;
   const T P_omega1_16_31 = t16_8 + P_omega1_15_31;
-  const T minus_P_omega1_16_32 = R15_13 * t16_3 - R14_23 * t16_4 - P_omega1_15_32;
-  const T minus_P_omega1_16_33 = R15_13 * t16_5 + R14_23 * t16_6 + minus_P_omega1_15_33;
+  const T minus_P_omega1_16_32 = R15_13 * t16_3 - P_omega1_15_32 - R14_23 * t16_4;
+  const T minus_P_omega1_16_33 = minus_P_omega1_15_33 + R15_13 * t16_5 + R14_23 * t16_6;
   // P_thetadot14_16 = -R15^T q16~ omega_thetadot14_15 + P_thetadot14_15: partial velocity of the body origin,
   //   inertial axes
   const T P_thetadot14_16_1 = t16_2 + t15_1;
@@ -8057,19 +8096,19 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t16_11 = T(0.107388) * E14_22;
   const T t16_12 = T(0.107388) * omega_omega1_16_12 + T(0.006435) * omega_omega1_16_32;
   const T t16_13 = T(0.006435) * E14_22;
-  const T minus_B47_1_12 = R16_11 * t16_11 - R14_21 * t16_12 + R16_31 * t16_13 + minus_P_omega1_16_12;
+  const T minus_B47_1_12 = minus_P_omega1_16_12 + R16_11 * t16_11 - R14_21 * t16_12 + R16_31 * t16_13;
   const T t16_14 = T(0.107388) * E14_23;
   const T t16_15 = T(0.107388) * minus_omega_omega1_16_13 - T(0.006435) * omega_omega1_16_33;
   const T t16_16 = T(0.006435) * E14_23;
-  const T minus_B47_1_13 = R16_11 * t16_14 + R14_21 * t16_15 + R16_31 * t16_16 + minus_P_omega1_16_13;
+  const T minus_B47_1_13 = minus_P_omega1_16_13 + R16_11 * t16_14 + R14_21 * t16_15 + R16_31 * t16_16;
   const T t16_17 = R14_22 * t16_9;
   const T B47_1_21 = t16_17 + P_omega1_16_21;
-  const T minus_B47_1_22 = R16_12 * t16_11 - R14_22 * t16_12 + R16_32 * t16_13 + minus_P_omega1_16_22;
-  const T minus_B47_1_23 = R16_12 * t16_14 + R14_22 * t16_15 + R16_32 * t16_16 + minus_P_omega1_16_23;
+  const T minus_B47_1_22 = minus_P_omega1_16_22 + R16_12 * t16_11 - R14_22 * t16_12 + R16_32 * t16_13;
+  const T minus_B47_1_23 = minus_P_omega1_16_23 + R16_12 * t16_14 + R14_22 * t16_15 + R16_32 * t16_16;
   const T t16_18 = R14_23 * t16_9;
   const T B47_1_31 = t16_18 + P_omega1_16_31;
-  const T minus_B47_1_32 = R16_13 * t16_11 - R14_23 * t16_12 + R16_33 * t16_13 + minus_P_omega1_16_32;
-  const T minus_B47_1_33 = R16_13 * t16_14 + R14_23 * t16_15 + R16_33 * t16_16 + minus_P_omega1_16_33;
+  const T minus_B47_1_32 = minus_P_omega1_16_32 + R16_13 * t16_11 - R14_23 * t16_12 + R16_33 * t16_13;
+  const T minus_B47_1_33 = minus_P_omega1_16_33 + R16_13 * t16_14 + R14_23 * t16_15 + R16_33 * t16_16;
   v_y[810] = B47_1_11;
   v_y[811] = -minus_B47_1_12;
   v_y[812] = -minus_B47_1_13;
@@ -8104,17 +8143,17 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
   const T t16_23 = R14_21 * t16_22;
   const T B51_1_11 = t16_23 + P_omega1_16_11;
   const T t16_24 = T(0.2) * omega_omega1_16_12;
-  const T minus_B51_1_12 = R16_11 * t16_3 - R14_21 * t16_24 + minus_P_omega1_16_12;
+  const T minus_B51_1_12 = minus_P_omega1_16_12 + R16_11 * t16_3 - R14_21 * t16_24;
   const T t16_25 = T(0.2) * minus_omega_omega1_16_13;
-  const T minus_B51_1_13 = R16_11 * t16_5 + R14_21 * t16_25 + minus_P_omega1_16_13;
+  const T minus_B51_1_13 = minus_P_omega1_16_13 + R16_11 * t16_5 + R14_21 * t16_25;
   const T t16_26 = R14_22 * t16_22;
   const T B51_1_21 = t16_26 + P_omega1_16_21;
-  const T minus_B51_1_22 = R16_12 * t16_3 - R14_22 * t16_24 + minus_P_omega1_16_22;
-  const T minus_B51_1_23 = R16_12 * t16_5 + R14_22 * t16_25 + minus_P_omega1_16_23;
+  const T minus_B51_1_22 = minus_P_omega1_16_22 + R16_12 * t16_3 - R14_22 * t16_24;
+  const T minus_B51_1_23 = minus_P_omega1_16_23 + R16_12 * t16_5 + R14_22 * t16_25;
   const T t16_27 = R14_23 * t16_22;
   const T B51_1_31 = t16_27 + P_omega1_16_31;
-  const T minus_B51_1_32 = R16_13 * t16_3 - R14_23 * t16_24 + minus_P_omega1_16_32;
-  const T minus_B51_1_33 = R16_13 * t16_5 + R14_23 * t16_25 + minus_P_omega1_16_33;
+  const T minus_B51_1_32 = minus_P_omega1_16_32 + R16_13 * t16_3 - R14_23 * t16_24;
+  const T minus_B51_1_33 = minus_P_omega1_16_33 + R16_13 * t16_5 + R14_23 * t16_25;
   v_y[864] = B51_1_11;
   v_y[865] = -minus_B51_1_12;
   v_y[866] = -minus_B51_1_13;
@@ -8204,8 +8243,10 @@ void partial_velocities([[maybe_unused]] const Prepared<T>& c, const T* x, T* v_
 // 1521 add, 2166 multiply, 24 sine or cosine
 template <class T>
 void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* v_y_dot) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 918; ++i) v_y_dot[i] = T(0);
+  T cosines[16], sines[16];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 12, cosines + 4, sines + 4);
 
   // ---- body 1 (trunk) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -8262,11 +8303,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[38] = -minus_B1_1_33;
 
   // ---- body 2 (fr_hip) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -8307,27 +8347,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t2_15 = T(0.003311) * E2_22;
   const T t2_16 = omega2_3 * t2_11 - omega2_2 * t2_15;
   const T t2_17 = omega2_1 * t2_15;
-  const T t2_18 = omega2_3 * t2_13 + t2_17;
+  const T t2_18 = t2_17 + omega2_3 * t2_13;
   const T t2_19 = T(3.1e-05) * E2_23 + T(0.000635) * E2_22;
-  const T B2_1_12 = R2_31 * t2_14 - (R1_11 * t2_16 + R2_21 * t2_18) + thetadot2 * (R2_21 * t2_15 - R1_11 * t2_19 -
-      R2_31 * t2_11) - minus_P_dot_omega1_2_12;
-  const T t2_20 = omega2_3 * t2_15 + omega2_2 * t2_11;
-  const T t2_21 = t2_12 - omega2_3 * t2_19;
+  const T B2_1_12 = R2_31 * t2_14 - (minus_P_dot_omega1_2_12 + R1_11 * t2_16 + R2_21 * t2_18) + thetadot2 * (R2_21 *
+      t2_15 - R1_11 * t2_19 - R2_31 * t2_11);
+  const T t2_20 = t2_12 - omega2_3 * t2_19;
+  const T t2_21 = omega2_3 * t2_15 + omega2_2 * t2_11;
   const T t2_22 = t2_17 + omega2_2 * t2_19;
-  const T B2_1_13 = R1_11 * t2_20 - (thetadot2 * (R1_11 * t2_13 - R2_21 * t2_11 - R2_31 * t2_15) + R2_21 * t2_21) -
-      R2_31 * t2_22 + P_dot_omega1_2_13;
+  const T B2_1_13 = P_dot_omega1_2_13 - thetadot2 * (R1_11 * t2_13 - R2_21 * t2_11 - R2_31 * t2_15) - R2_21 * t2_20 +
+      R1_11 * t2_21 - R2_31 * t2_22;
   const T t2_23 = R1_12 * t2_7 - R2_22 * t2_8 + R2_32 * t2_9;
   const T minus_B2_1_21 = t2_23 + minus_P_dot_omega1_2_21;
-  const T B2_1_22 = R2_32 * t2_14 - (R1_12 * t2_16 + R2_22 * t2_18) + thetadot2 * (R2_22 * t2_15 - R1_12 * t2_19 -
-      R2_32 * t2_11) - minus_P_dot_omega1_2_22;
-  const T B2_1_23 = R1_12 * t2_20 - (thetadot2 * (R1_12 * t2_13 - R2_22 * t2_11 - R2_32 * t2_15) + R2_22 * t2_21) -
-      R2_32 * t2_22 + P_dot_omega1_2_23;
+  const T B2_1_22 = R2_32 * t2_14 - (minus_P_dot_omega1_2_22 + R1_12 * t2_16 + R2_22 * t2_18) + thetadot2 * (R2_22 *
+      t2_15 - R1_12 * t2_19 - R2_32 * t2_11);
+  const T B2_1_23 = P_dot_omega1_2_23 - thetadot2 * (R1_12 * t2_13 - R2_22 * t2_11 - R2_32 * t2_15) - R2_22 * t2_20 +
+      R1_12 * t2_21 - R2_32 * t2_22;
   const T t2_24 = R1_13 * t2_7 - R2_23 * t2_8 + R2_33 * t2_9;
   const T minus_B2_1_31 = t2_24 + minus_P_dot_omega1_2_31;
-  const T B2_1_32 = R2_33 * t2_14 - (R1_13 * t2_16 + R2_23 * t2_18) + thetadot2 * (R2_23 * t2_15 - R1_13 * t2_19 -
-      R2_33 * t2_11) - minus_P_dot_omega1_2_32;
-  const T B2_1_33 = R1_13 * t2_20 - (thetadot2 * (R1_13 * t2_13 - R2_23 * t2_11 - R2_33 * t2_15) + R2_23 * t2_21) -
-      R2_33 * t2_22 + P_dot_omega1_2_33;
+  const T B2_1_32 = R2_33 * t2_14 - (minus_P_dot_omega1_2_32 + R1_13 * t2_16 + R2_23 * t2_18) + thetadot2 * (R2_23 *
+      t2_15 - R1_13 * t2_19 - R2_33 * t2_11);
+  const T B2_1_33 = P_dot_omega1_2_33 - thetadot2 * (R1_13 * t2_13 - R2_23 * t2_11 - R2_33 * t2_15) - R2_23 * t2_20 +
+      R1_13 * t2_21 - R2_33 * t2_22;
   v_y_dot[54] = -minus_B2_1_11;
   v_y_dot[55] = B2_1_12;
   v_y_dot[56] = B2_1_13;
@@ -8342,11 +8382,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[93] = -t2_24;
 
   // ---- body 3 (fr_thigh) on body 2
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_11 = cos(theta3);
-  const T minus_E3_13 = sin(theta3);
+  const T E3_11 = cosines[5];
+  const T minus_E3_13 = sines[5];
   // R3^T = R2^T E3^T: R takes inertial components to body components
   const T R3_11 = R1_11 * E3_11 - R2_31 * minus_E3_13;
   const T R3_12 = R1_12 * E3_11 - R2_32 * minus_E3_13;
@@ -8384,19 +8423,19 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_9 = t3_8 * E2_22;
   const T t3_10 = omega2_3 * T(0.0838);
   const T t3_11 = t3_10 * E2_23;
-  const T P_dot_omega1_3_12 = R2_31 * t3_7 - (R1_11 * t3_9 + R2_21 * t3_11) - minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_3_12 = R2_31 * t3_7 - (minus_P_dot_omega1_2_12 + R1_11 * t3_9 + R2_21 * t3_11);
   const T t3_12 = t3_10 * E2_22;
   const T t3_13 = t3_8 * E2_23;
   const T t3_14 = t3_5 * E2_22;
-  const T P_dot_omega1_3_13 = R2_21 * t3_12 - R1_11 * t3_13 - R2_31 * t3_14 + P_dot_omega1_2_13;
+  const T P_dot_omega1_3_13 = P_dot_omega1_2_13 + R2_21 * t3_12 - R1_11 * t3_13 - R2_31 * t3_14;
   const T t3_15 = R2_22 * t3_4 - R1_12 * t3_5;
   const T P_dot_omega1_3_21 = t3_15 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_3_22 = R2_32 * t3_7 - (R1_12 * t3_9 + R2_22 * t3_11) - minus_P_dot_omega1_2_22;
-  const T P_dot_omega1_3_23 = R2_22 * t3_12 - R1_12 * t3_13 - R2_32 * t3_14 + P_dot_omega1_2_23;
+  const T P_dot_omega1_3_22 = R2_32 * t3_7 - (minus_P_dot_omega1_2_22 + R1_12 * t3_9 + R2_22 * t3_11);
+  const T P_dot_omega1_3_23 = P_dot_omega1_2_23 + R2_22 * t3_12 - R1_12 * t3_13 - R2_32 * t3_14;
   const T t3_16 = R2_23 * t3_4 - R1_13 * t3_5;
   const T P_dot_omega1_3_31 = t3_16 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_3_32 = R2_33 * t3_7 - (R1_13 * t3_9 + R2_23 * t3_11) - minus_P_dot_omega1_2_32;
-  const T P_dot_omega1_3_33 = R2_23 * t3_12 - R1_13 * t3_13 - R2_33 * t3_14 + P_dot_omega1_2_33;
+  const T P_dot_omega1_3_32 = R2_33 * t3_7 - (minus_P_dot_omega1_2_32 + R1_13 * t3_9 + R2_23 * t3_11);
+  const T P_dot_omega1_3_33 = P_dot_omega1_2_33 + R2_23 * t3_12 - R1_13 * t3_13 - R2_33 * t3_14;
   // B4_1 = -R3^T omega3~ r3~ omega_omega1_3 - R3^T r3~ omega_dot_omega1_3 + P_dot_omega1_3
   const T t3_17 = T(0.022327) * minus_E3_13;
   const T t3_18 = T(0.022327) * E3_11;
@@ -8410,16 +8449,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_26 = R2_21 * t3_19 - R3_11 * t3_21 + R3_31 * t3_22 + R3_11 * t3_23 + R2_21 * t3_24 + R3_31 * t3_25;
   const T B4_1_11 = P_dot_omega1_3_11 - t3_26;
   const T t3_27 = T(0.027326) * omega_omega1_3_12 + T(0.003237) * minus_omega_omega1_3_32;
-  const T t3_28 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
-  const T t3_29 = omega3_1 * t3_27 + omega3_2 * t3_28;
-  const T t3_30 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
-  const T t3_31 = omega3_3 * t3_27 - omega3_2 * t3_30;
-  const T t3_32 = omega3_3 * t3_28 + omega3_1 * t3_30;
+  const T t3_28 = T(0.003237) * E2_22 + T(0.022327) * omega_omega1_3_12;
+  const T t3_29 = omega3_3 * t3_27 - omega3_2 * t3_28;
+  const T t3_30 = T(0.027326) * E2_22 - T(0.022327) * minus_omega_omega1_3_32;
+  const T t3_31 = omega3_3 * t3_30 + omega3_1 * t3_28;
+  const T t3_32 = omega3_1 * t3_27 + omega3_2 * t3_30;
   const T t3_33 = T(0.027326) * minus_omega_dot_omega1_3_22 + T(0.022327) * minus_omega_dot_omega1_3_32;
   const T t3_34 = T(0.003237) * minus_omega_dot_omega1_3_32 + T(0.027326) * omega_dot_omega1_3_12;
   const T t3_35 = T(0.003237) * minus_omega_dot_omega1_3_22 - T(0.022327) * omega_dot_omega1_3_12;
-  const T B4_1_12 = R3_31 * t3_29 - (R3_11 * t3_31 + R2_21 * t3_32) + R3_11 * t3_33 + R2_21 * t3_34 - R3_31 * t3_35 +
-      P_dot_omega1_3_12;
+  const T B4_1_12 = P_dot_omega1_3_12 - R3_11 * t3_29 - R2_21 * t3_31 + R3_31 * t3_32 + R3_11 * t3_33 + R2_21 * t3_34
+      - R3_31 * t3_35;
   const T t3_36 = T(0.022327) * minus_omega_omega1_3_13 - T(0.003237) * E2_23;
   const T t3_37 = T(0.027326) * minus_omega_omega1_3_13 + T(0.003237) * omega_omega1_3_33;
   const T t3_38 = omega3_2 * t3_36 - omega3_3 * t3_37;
@@ -8429,20 +8468,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t3_42 = T(0.027326) * omega_dot_omega1_3_23 - T(0.022327) * minus_omega_dot_omega1_3_33;
   const T t3_43 = T(0.027326) * minus_omega_dot_omega1_3_13 - T(0.003237) * minus_omega_dot_omega1_3_33;
   const T t3_44 = T(0.022327) * minus_omega_dot_omega1_3_13 - T(0.003237) * omega_dot_omega1_3_23;
-  const T B4_1_13 = P_dot_omega1_3_13 - (R3_11 * t3_38 + R2_21 * t3_40 + R3_31 * t3_41 + R3_11 * t3_42 + R2_21 * t3_43
-      + R3_31 * t3_44);
+  const T B4_1_13 = P_dot_omega1_3_13 - R3_11 * t3_38 - R2_21 * t3_40 - R3_31 * t3_41 - R3_11 * t3_42 - R2_21 * t3_43
+      - R3_31 * t3_44;
   const T t3_45 = R2_22 * t3_19 - R3_12 * t3_21 + R3_32 * t3_22 + R3_12 * t3_23 + R2_22 * t3_24 + R3_32 * t3_25;
   const T B4_1_21 = P_dot_omega1_3_21 - t3_45;
-  const T B4_1_22 = R3_32 * t3_29 - (R3_12 * t3_31 + R2_22 * t3_32) + R3_12 * t3_33 + R2_22 * t3_34 - R3_32 * t3_35 +
-      P_dot_omega1_3_22;
-  const T B4_1_23 = P_dot_omega1_3_23 - (R3_12 * t3_38 + R2_22 * t3_40 + R3_32 * t3_41 + R3_12 * t3_42 + R2_22 * t3_43
-      + R3_32 * t3_44);
+  const T B4_1_22 = P_dot_omega1_3_22 - R3_12 * t3_29 - R2_22 * t3_31 + R3_32 * t3_32 + R3_12 * t3_33 + R2_22 * t3_34
+      - R3_32 * t3_35;
+  const T B4_1_23 = P_dot_omega1_3_23 - R3_12 * t3_38 - R2_22 * t3_40 - R3_32 * t3_41 - R3_12 * t3_42 - R2_22 * t3_43
+      - R3_32 * t3_44;
   const T t3_46 = R2_23 * t3_19 - R3_13 * t3_21 + R3_33 * t3_22 + R3_13 * t3_23 + R2_23 * t3_24 + R3_33 * t3_25;
   const T B4_1_31 = P_dot_omega1_3_31 - t3_46;
-  const T B4_1_32 = R3_33 * t3_29 - (R3_13 * t3_31 + R2_23 * t3_32) + R3_13 * t3_33 + R2_23 * t3_34 - R3_33 * t3_35 +
-      P_dot_omega1_3_32;
-  const T B4_1_33 = P_dot_omega1_3_33 - (R3_13 * t3_38 + R2_23 * t3_40 + R3_33 * t3_41 + R3_13 * t3_42 + R2_23 * t3_43
-      + R3_33 * t3_44);
+  const T B4_1_32 = P_dot_omega1_3_32 - R3_13 * t3_29 - R2_23 * t3_31 + R3_33 * t3_32 + R3_13 * t3_33 + R2_23 * t3_34
+      - R3_33 * t3_35;
+  const T B4_1_33 = P_dot_omega1_3_33 - R3_13 * t3_38 - R2_23 * t3_40 - R3_33 * t3_41 - R3_13 * t3_42 - R2_23 * t3_43
+      - R3_33 * t3_44;
   v_y_dot[108] = B4_1_11;
   v_y_dot[109] = B4_1_12;
   v_y_dot[110] = B4_1_13;
@@ -8471,11 +8510,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[148] = -minus_B6_3_3;
 
   // ---- body 4 (fr_calf) on body 3
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cos(theta4);
-  const T minus_E4_13 = sin(theta4);
+  const T E4_11 = cosines[6];
+  const T minus_E4_13 = sines[6];
   // R4^T = R3^T E4^T: R takes inertial components to body components
   const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
   const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
@@ -8515,27 +8553,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_5 = R3_11 * t4_2 + R2_21 * t4_3 - R3_31 * t4_4;
   const T P_dot_omega1_4_11 = P_dot_omega1_3_11 - t4_5;
   const T t4_6 = T(0.2) * omega_omega1_3_12;
-  const T t4_7 = T(0.2) * E2_22;
-  const T t4_8 = omega3_1 * t4_6 + omega3_2 * t4_7;
-  const T t4_9 = T(0.2) * minus_omega_dot_omega1_3_22;
-  const T t4_10 = omega3_3 * t4_6 - t4_9;
-  const T t4_11 = omega3_3 * t4_7 - T(0.2) * omega_dot_omega1_3_12;
-  const T P_dot_omega1_4_12 = R3_31 * t4_8 - (R3_11 * t4_10 + R2_21 * t4_11) + P_dot_omega1_3_12;
+  const T t4_7 = T(0.2) * minus_omega_dot_omega1_3_22;
+  const T t4_8 = omega3_3 * t4_6 - t4_7;
+  const T t4_9 = T(0.2) * E2_22;
+  const T t4_10 = omega3_3 * t4_9 - T(0.2) * omega_dot_omega1_3_12;
+  const T t4_11 = omega3_1 * t4_6 + omega3_2 * t4_9;
+  const T P_dot_omega1_4_12 = P_dot_omega1_3_12 - R3_11 * t4_8 - R2_21 * t4_10 + R3_31 * t4_11;
   const T t4_12 = T(0.2) * omega_dot_omega1_3_23;
   const T t4_13 = T(0.2) * minus_omega_omega1_3_13;
   const T t4_14 = t4_12 - omega3_3 * t4_13;
   const T t4_15 = T(0.2) * E2_23;
   const T t4_16 = omega3_3 * t4_15 + T(0.2) * minus_omega_dot_omega1_3_13;
   const T t4_17 = omega3_1 * t4_13 - omega3_2 * t4_15;
-  const T P_dot_omega1_4_13 = P_dot_omega1_3_13 - (R3_11 * t4_14 + R2_21 * t4_16 + R3_31 * t4_17);
+  const T P_dot_omega1_4_13 = P_dot_omega1_3_13 - R3_11 * t4_14 - R2_21 * t4_16 - R3_31 * t4_17;
   const T t4_18 = R3_12 * t4_2 + R2_22 * t4_3 - R3_32 * t4_4;
   const T P_dot_omega1_4_21 = P_dot_omega1_3_21 - t4_18;
-  const T P_dot_omega1_4_22 = R3_32 * t4_8 - (R3_12 * t4_10 + R2_22 * t4_11) + P_dot_omega1_3_22;
-  const T P_dot_omega1_4_23 = P_dot_omega1_3_23 - (R3_12 * t4_14 + R2_22 * t4_16 + R3_32 * t4_17);
+  const T P_dot_omega1_4_22 = P_dot_omega1_3_22 - R3_12 * t4_8 - R2_22 * t4_10 + R3_32 * t4_11;
+  const T P_dot_omega1_4_23 = P_dot_omega1_3_23 - R3_12 * t4_14 - R2_22 * t4_16 - R3_32 * t4_17;
   const T t4_19 = R3_13 * t4_2 + R2_23 * t4_3 - R3_33 * t4_4;
   const T P_dot_omega1_4_31 = P_dot_omega1_3_31 - t4_19;
-  const T P_dot_omega1_4_32 = R3_33 * t4_8 - (R3_13 * t4_10 + R2_23 * t4_11) + P_dot_omega1_3_32;
-  const T P_dot_omega1_4_33 = P_dot_omega1_3_33 - (R3_13 * t4_14 + R2_23 * t4_16 + R3_33 * t4_17);
+  const T P_dot_omega1_4_32 = P_dot_omega1_3_32 - R3_13 * t4_8 - R2_23 * t4_10 + R3_33 * t4_11;
+  const T P_dot_omega1_4_33 = P_dot_omega1_3_33 - R3_13 * t4_14 - R2_23 * t4_16 - R3_33 * t4_17;
   // P_dot_thetadot2_4 = R3^T (-omega3~ q4~ omega_thetadot2_3 - q4~ omega_dot_thetadot2_3) + P_dot_thetadot2_3: its
   //   rate
   const T minus_P_dot_thetadot2_4_1 = t4_5 - t3_6;
@@ -8555,16 +8593,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_26 = R4_11 * t4_23 - R4_31 * t4_24 + R2_21 * t4_25;
   const T B7_1_11 = P_dot_omega1_4_11 - t4_26;
   const T t4_27 = T(0.107388) * omega_omega1_4_12 + T(0.006435) * omega_omega1_4_32;
-  const T t4_28 = T(0.107388) * E2_22;
-  const T t4_29 = omega4_1 * t4_27 + omega4_2 * t4_28;
-  const T t4_30 = T(0.006435) * E2_22;
-  const T t4_31 = omega4_3 * t4_27 + omega4_2 * t4_30;
-  const T t4_32 = omega4_3 * t4_28 - omega4_1 * t4_30;
+  const T t4_28 = T(0.006435) * E2_22;
+  const T t4_29 = omega4_3 * t4_27 + omega4_2 * t4_28;
+  const T t4_30 = T(0.107388) * E2_22;
+  const T t4_31 = omega4_3 * t4_30 - omega4_1 * t4_28;
+  const T t4_32 = omega4_1 * t4_27 + omega4_2 * t4_30;
   const T t4_33 = T(0.107388) * minus_omega_dot_omega1_3_22;
   const T t4_34 = T(0.107388) * omega_dot_omega1_4_12 + T(0.006435) * omega_dot_omega1_4_32;
   const T t4_35 = T(0.006435) * minus_omega_dot_omega1_3_22;
-  const T B7_1_12 = R4_31 * t4_29 - (R4_11 * t4_31 + R2_21 * t4_32) + R4_11 * t4_33 + R2_21 * t4_34 + R4_31 * t4_35 +
-      P_dot_omega1_4_12;
+  const T B7_1_12 = P_dot_omega1_4_12 - R4_11 * t4_29 - R2_21 * t4_31 + R4_31 * t4_32 + R4_11 * t4_33 + R2_21 * t4_34
+      + R4_31 * t4_35;
   const T t4_36 = T(0.006435) * E2_23;
   const T t4_37 = T(0.107388) * minus_omega_omega1_4_13 - T(0.006435) * omega_omega1_4_33;
   const T t4_38 = omega4_2 * t4_36 - omega4_3 * t4_37;
@@ -8574,20 +8612,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_42 = T(0.107388) * omega_dot_omega1_3_23;
   const T t4_43 = T(0.006435) * minus_omega_dot_omega1_4_33 - T(0.107388) * omega_dot_omega1_4_13;
   const T t4_44 = T(0.006435) * omega_dot_omega1_3_23;
-  const T B7_1_13 = P_dot_omega1_4_13 - (R4_11 * t4_38 + R2_21 * t4_40 + R4_31 * t4_41 + R4_11 * t4_42 + R2_21 * t4_43
-      + R4_31 * t4_44);
+  const T B7_1_13 = P_dot_omega1_4_13 - R4_11 * t4_38 - R2_21 * t4_40 - R4_31 * t4_41 - R4_11 * t4_42 - R2_21 * t4_43
+      - R4_31 * t4_44;
   const T t4_45 = R4_12 * t4_23 - R4_32 * t4_24 + R2_22 * t4_25;
   const T B7_1_21 = P_dot_omega1_4_21 - t4_45;
-  const T B7_1_22 = R4_32 * t4_29 - (R4_12 * t4_31 + R2_22 * t4_32) + R4_12 * t4_33 + R2_22 * t4_34 + R4_32 * t4_35 +
-      P_dot_omega1_4_22;
-  const T B7_1_23 = P_dot_omega1_4_23 - (R4_12 * t4_38 + R2_22 * t4_40 + R4_32 * t4_41 + R4_12 * t4_42 + R2_22 * t4_43
-      + R4_32 * t4_44);
+  const T B7_1_22 = P_dot_omega1_4_22 - R4_12 * t4_29 - R2_22 * t4_31 + R4_32 * t4_32 + R4_12 * t4_33 + R2_22 * t4_34
+      + R4_32 * t4_35;
+  const T B7_1_23 = P_dot_omega1_4_23 - R4_12 * t4_38 - R2_22 * t4_40 - R4_32 * t4_41 - R4_12 * t4_42 - R2_22 * t4_43
+      - R4_32 * t4_44;
   const T t4_46 = R4_13 * t4_23 - R4_33 * t4_24 + R2_23 * t4_25;
   const T B7_1_31 = P_dot_omega1_4_31 - t4_46;
-  const T B7_1_32 = R4_33 * t4_29 - (R4_13 * t4_31 + R2_23 * t4_32) + R4_13 * t4_33 + R2_23 * t4_34 + R4_33 * t4_35 +
-      P_dot_omega1_4_32;
-  const T B7_1_33 = P_dot_omega1_4_33 - (R4_13 * t4_38 + R2_23 * t4_40 + R4_33 * t4_41 + R4_13 * t4_42 + R2_23 * t4_43
-      + R4_33 * t4_44);
+  const T B7_1_32 = P_dot_omega1_4_32 - R4_13 * t4_29 - R2_23 * t4_31 + R4_33 * t4_32 + R4_13 * t4_33 + R2_23 * t4_34
+      + R4_33 * t4_35;
+  const T B7_1_33 = P_dot_omega1_4_33 - R4_13 * t4_38 - R2_23 * t4_40 - R4_33 * t4_41 - R4_13 * t4_42 - R2_23 * t4_43
+      - R4_33 * t4_44;
   v_y_dot[162] = B7_1_11;
   v_y_dot[163] = B7_1_12;
   v_y_dot[164] = B7_1_13;
@@ -8628,31 +8666,28 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t4_57 = R4_11 * t4_54 - R4_31 * t4_55 + R2_21 * t4_56;
   const T B11_1_11 = P_dot_omega1_4_11 - t4_57;
   const T t4_58 = T(0.2) * omega_omega1_4_12;
-  const T t4_59 = omega4_1 * t4_58 + omega4_2 * t4_7;
-  const T t4_60 = omega4_3 * t4_58;
-  const T t4_61 = omega4_3 * t4_7;
+  const T t4_59 = omega4_3 * t4_58;
+  const T t4_60 = omega4_3 * t4_9;
+  const T t4_61 = omega4_1 * t4_58 + omega4_2 * t4_9;
   const T t4_62 = T(0.2) * omega_dot_omega1_4_12;
-  const T B11_1_12 = R4_31 * t4_59 - (R4_11 * t4_60 + R2_21 * t4_61) + R4_11 * t4_9 + R2_21 * t4_62 +
-      P_dot_omega1_4_12;
+  const T B11_1_12 = P_dot_omega1_4_12 - R4_11 * t4_59 - R2_21 * t4_60 + R4_31 * t4_61 + R4_11 * t4_7 + R2_21 * t4_62;
   const T t4_63 = T(0.2) * minus_omega_omega1_4_13;
   const T t4_64 = omega4_3 * t4_63;
   const T t4_65 = omega4_3 * t4_15;
   const T t4_66 = omega4_1 * t4_63 - omega4_2 * t4_15;
   const T t4_67 = T(0.2) * omega_dot_omega1_4_13;
-  const T B11_1_13 = R4_11 * t4_64 - R2_21 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 + R2_21 * t4_67 +
-      P_dot_omega1_4_13;
+  const T B11_1_13 = P_dot_omega1_4_13 + R4_11 * t4_64 - R2_21 * t4_65 - R4_31 * t4_66 - R4_11 * t4_12 + R2_21 *
+      t4_67;
   const T t4_68 = R4_12 * t4_54 - R4_32 * t4_55 + R2_22 * t4_56;
   const T B11_1_21 = P_dot_omega1_4_21 - t4_68;
-  const T B11_1_22 = R4_32 * t4_59 - (R4_12 * t4_60 + R2_22 * t4_61) + R4_12 * t4_9 + R2_22 * t4_62 +
-      P_dot_omega1_4_22;
-  const T B11_1_23 = R4_12 * t4_64 - R2_22 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 + R2_22 * t4_67 +
-      P_dot_omega1_4_23;
+  const T B11_1_22 = P_dot_omega1_4_22 - R4_12 * t4_59 - R2_22 * t4_60 + R4_32 * t4_61 + R4_12 * t4_7 + R2_22 * t4_62;
+  const T B11_1_23 = P_dot_omega1_4_23 + R4_12 * t4_64 - R2_22 * t4_65 - R4_32 * t4_66 - R4_12 * t4_12 + R2_22 *
+      t4_67;
   const T t4_69 = R4_13 * t4_54 - R4_33 * t4_55 + R2_23 * t4_56;
   const T B11_1_31 = P_dot_omega1_4_31 - t4_69;
-  const T B11_1_32 = R4_33 * t4_59 - (R4_13 * t4_60 + R2_23 * t4_61) + R4_13 * t4_9 + R2_23 * t4_62 +
-      P_dot_omega1_4_32;
-  const T B11_1_33 = R4_13 * t4_64 - R2_23 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 + R2_23 * t4_67 +
-      P_dot_omega1_4_33;
+  const T B11_1_32 = P_dot_omega1_4_32 - R4_13 * t4_59 - R2_23 * t4_60 + R4_33 * t4_61 + R4_13 * t4_7 + R2_23 * t4_62;
+  const T B11_1_33 = P_dot_omega1_4_33 + R4_13 * t4_64 - R2_23 * t4_65 - R4_33 * t4_66 - R4_13 * t4_12 + R2_23 *
+      t4_67;
   v_y_dot[216] = B11_1_11;
   v_y_dot[217] = B11_1_12;
   v_y_dot[218] = B11_1_13;
@@ -8686,11 +8721,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[257] = -t4_74;
 
   // ---- body 6 (fl_hip) on body 1
-  const T theta6 = x[7];
   const T thetadot6 = y[6];
   // E6^T = Rot(b6, theta6): E takes components in the lower body to those in the body
-  const T E6_22 = cos(theta6);
-  const T E6_23 = sin(theta6);
+  const T E6_22 = cosines[7];
+  const T E6_23 = sines[7];
   // R6^T = R1^T E6^T: R takes inertial components to body components
   const T R6_21 = R1_21 * E6_22 + R1_31 * E6_23;
   const T R6_22 = R1_22 * E6_22 + R1_32 * E6_23;
@@ -8721,25 +8755,25 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t6_11 = t6_9 - omega6_3 * t6_10;
   const T t6_12 = omega6_1 * t6_7;
   const T t6_13 = omega6_2 * t6_10 - t6_12;
-  const T B15_1_12 = thetadot6 * (R1_11 * t6_5 + R6_21 * t6_6 - R6_31 * t6_7) - (R1_11 * t6_8 + R6_21 * t6_11 + R6_31
-      * t6_13) - minus_P_dot_omega1_2_12;
+  const T B15_1_12 = thetadot6 * (R1_11 * t6_5 + R6_21 * t6_6 - R6_31 * t6_7) - (minus_P_dot_omega1_2_12 + R1_11 *
+      t6_8 + R6_21 * t6_11 + R6_31 * t6_13);
   const T t6_14 = omega6_3 * t6_6 + omega6_2 * t6_7;
-  const T t6_15 = omega6_3 * t6_5 + t6_12;
+  const T t6_15 = t6_12 + omega6_3 * t6_5;
   const T t6_16 = t6_9 - omega6_2 * t6_5;
-  const T B15_1_13 = R1_11 * t6_14 - R6_21 * t6_15 - R6_31 * t6_16 + thetadot6 * (R1_11 * t6_10 + R6_21 * t6_7 + R6_31
-      * t6_6) - minus_P_dot_omega1_6_13;
+  const T B15_1_13 = R1_11 * t6_14 - minus_P_dot_omega1_6_13 - R6_21 * t6_15 - R6_31 * t6_16 + thetadot6 * (R1_11 *
+      t6_10 + R6_21 * t6_7 + R6_31 * t6_6);
   const T t6_17 = R6_22 * t6_1 - R1_12 * t6_2 + R6_32 * t6_3;
   const T B15_1_21 = minus_P_dot_omega1_2_21 - t6_17;
-  const T B15_1_22 = thetadot6 * (R1_12 * t6_5 + R6_22 * t6_6 - R6_32 * t6_7) - (R1_12 * t6_8 + R6_22 * t6_11 + R6_32
-      * t6_13) - minus_P_dot_omega1_2_22;
-  const T B15_1_23 = R1_12 * t6_14 - R6_22 * t6_15 - R6_32 * t6_16 + thetadot6 * (R1_12 * t6_10 + R6_22 * t6_7 + R6_32
-      * t6_6) - minus_P_dot_omega1_6_23;
+  const T B15_1_22 = thetadot6 * (R1_12 * t6_5 + R6_22 * t6_6 - R6_32 * t6_7) - (minus_P_dot_omega1_2_22 + R1_12 *
+      t6_8 + R6_22 * t6_11 + R6_32 * t6_13);
+  const T B15_1_23 = R1_12 * t6_14 - minus_P_dot_omega1_6_23 - R6_22 * t6_15 - R6_32 * t6_16 + thetadot6 * (R1_12 *
+      t6_10 + R6_22 * t6_7 + R6_32 * t6_6);
   const T t6_18 = R6_23 * t6_1 - R1_13 * t6_2 + R6_33 * t6_3;
   const T B15_1_31 = minus_P_dot_omega1_2_31 - t6_18;
-  const T B15_1_32 = thetadot6 * (R1_13 * t6_5 + R6_23 * t6_6 - R6_33 * t6_7) - (R1_13 * t6_8 + R6_23 * t6_11 + R6_33
-      * t6_13) - minus_P_dot_omega1_2_32;
-  const T B15_1_33 = R1_13 * t6_14 - R6_23 * t6_15 - R6_33 * t6_16 + thetadot6 * (R1_13 * t6_10 + R6_23 * t6_7 + R6_33
-      * t6_6) - minus_P_dot_omega1_6_33;
+  const T B15_1_32 = thetadot6 * (R1_13 * t6_5 + R6_23 * t6_6 - R6_33 * t6_7) - (minus_P_dot_omega1_2_32 + R1_13 *
+      t6_8 + R6_23 * t6_11 + R6_33 * t6_13);
+  const T B15_1_33 = R1_13 * t6_14 - minus_P_dot_omega1_6_33 - R6_23 * t6_15 - R6_33 * t6_16 + thetadot6 * (R1_13 *
+      t6_10 + R6_23 * t6_7 + R6_33 * t6_6);
   v_y_dot[270] = B15_1_11;
   v_y_dot[271] = B15_1_12;
   v_y_dot[272] = B15_1_13;
@@ -8754,11 +8788,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[312] = -t6_18;
 
   // ---- body 7 (fl_thigh) on body 6
-  const T theta7 = x[8];
   const T thetadot7 = y[7];
   // E7^T = Rot(b7, theta7): E takes components in the lower body to those in the body
-  const T E7_11 = cos(theta7);
-  const T minus_E7_13 = sin(theta7);
+  const T E7_11 = cosines[8];
+  const T minus_E7_13 = sines[8];
   // R7^T = R6^T E7^T: R takes inertial components to body components
   const T R7_11 = R1_11 * E7_11 - R6_31 * minus_E7_13;
   const T R7_12 = R1_12 * E7_11 - R6_32 * minus_E7_13;
@@ -8796,19 +8829,19 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_9 = omega6_3 * T(0.0838);
   const T t7_10 = t7_9 * E6_23;
   const T t7_11 = t7_4 * E6_23;
-  const T P_dot_omega1_7_12 = R1_11 * t7_8 + R6_21 * t7_10 - R6_31 * t7_11 - minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_7_12 = R1_11 * t7_8 - minus_P_dot_omega1_2_12 + R6_21 * t7_10 - R6_31 * t7_11;
   const T t7_12 = t7_7 * E6_23;
   const T t7_13 = t7_9 * E6_22;
   const T t7_14 = t7_4 * E6_22;
-  const T P_dot_omega1_7_13 = R1_11 * t7_12 - R6_21 * t7_13 + R6_31 * t7_14 - minus_P_dot_omega1_6_13;
+  const T P_dot_omega1_7_13 = R1_11 * t7_12 - minus_P_dot_omega1_6_13 - R6_21 * t7_13 + R6_31 * t7_14;
   const T t7_15 = R1_12 * t7_4 - R6_22 * t7_5;
   const T P_dot_omega1_7_21 = t7_15 + minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_7_22 = R1_12 * t7_8 + R6_22 * t7_10 - R6_32 * t7_11 - minus_P_dot_omega1_2_22;
-  const T P_dot_omega1_7_23 = R1_12 * t7_12 - R6_22 * t7_13 + R6_32 * t7_14 - minus_P_dot_omega1_6_23;
+  const T P_dot_omega1_7_22 = R1_12 * t7_8 - minus_P_dot_omega1_2_22 + R6_22 * t7_10 - R6_32 * t7_11;
+  const T P_dot_omega1_7_23 = R1_12 * t7_12 - minus_P_dot_omega1_6_23 - R6_22 * t7_13 + R6_32 * t7_14;
   const T t7_16 = R1_13 * t7_4 - R6_23 * t7_5;
   const T P_dot_omega1_7_31 = t7_16 + minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_7_32 = R1_13 * t7_8 + R6_23 * t7_10 - R6_33 * t7_11 - minus_P_dot_omega1_2_32;
-  const T P_dot_omega1_7_33 = R1_13 * t7_12 - R6_23 * t7_13 + R6_33 * t7_14 - minus_P_dot_omega1_6_33;
+  const T P_dot_omega1_7_32 = R1_13 * t7_8 - minus_P_dot_omega1_2_32 + R6_23 * t7_10 - R6_33 * t7_11;
+  const T P_dot_omega1_7_33 = R1_13 * t7_12 - minus_P_dot_omega1_6_33 - R6_23 * t7_13 + R6_33 * t7_14;
   // B17_1 = -R7^T omega7~ r7~ omega_omega1_7 - R7^T r7~ omega_dot_omega1_7 + P_dot_omega1_7
   const T t7_17 = T(0.022327) * E7_11;
   const T t7_18 = T(0.003237) * minus_E7_13 - T(0.027326) * E7_11;
@@ -8822,16 +8855,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_26 = R7_11 * t7_19 - R6_21 * t7_21 + R7_31 * t7_22 + R6_21 * t7_23 - R7_11 * t7_24 - R7_31 * t7_25;
   const T B17_1_11 = P_dot_omega1_7_11 - t7_26;
   const T t7_27 = T(0.027326) * omega_omega1_7_12 + T(0.003237) * minus_omega_omega1_7_32;
-  const T t7_28 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
-  const T t7_29 = omega7_1 * t7_27 + omega7_2 * t7_28;
-  const T t7_30 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
-  const T t7_31 = omega7_3 * t7_27 + omega7_2 * t7_30;
-  const T t7_32 = omega7_3 * t7_28 - omega7_1 * t7_30;
+  const T t7_28 = T(0.022327) * omega_omega1_7_12 - T(0.003237) * E6_22;
+  const T t7_29 = omega7_3 * t7_27 + omega7_2 * t7_28;
+  const T t7_30 = T(0.027326) * E6_22 + T(0.022327) * minus_omega_omega1_7_32;
+  const T t7_31 = omega7_3 * t7_30 - omega7_1 * t7_28;
+  const T t7_32 = omega7_1 * t7_27 + omega7_2 * t7_30;
   const T t7_33 = T(0.022327) * minus_omega_dot_omega1_7_32 - T(0.027326) * minus_omega_dot_omega1_7_22;
   const T t7_34 = T(0.003237) * minus_omega_dot_omega1_7_32 + T(0.027326) * omega_dot_omega1_7_12;
   const T t7_35 = T(0.022327) * omega_dot_omega1_7_12 + T(0.003237) * minus_omega_dot_omega1_7_22;
-  const T B17_1_12 = R7_31 * t7_29 - (R7_11 * t7_31 + R6_21 * t7_32) - R7_11 * t7_33 + R6_21 * t7_34 - R7_31 * t7_35 +
-      P_dot_omega1_7_12;
+  const T B17_1_12 = P_dot_omega1_7_12 - R7_11 * t7_29 - R6_21 * t7_31 + R7_31 * t7_32 - R7_11 * t7_33 + R6_21 * t7_34
+      - R7_31 * t7_35;
   const T t7_36 = T(0.027326) * minus_omega_omega1_7_13 + T(0.003237) * omega_omega1_7_33;
   const T t7_37 = T(0.003237) * E6_23 + T(0.022327) * minus_omega_omega1_7_13;
   const T t7_38 = omega7_3 * t7_36 + omega7_2 * t7_37;
@@ -8841,20 +8874,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t7_42 = T(0.027326) * omega_dot_omega1_7_23 + T(0.022327) * minus_omega_dot_omega1_7_33;
   const T t7_43 = T(0.027326) * minus_omega_dot_omega1_7_13 - T(0.003237) * minus_omega_dot_omega1_7_33;
   const T t7_44 = T(0.022327) * minus_omega_dot_omega1_7_13 + T(0.003237) * omega_dot_omega1_7_23;
-  const T B17_1_13 = R7_11 * t7_38 - R6_21 * t7_40 - R7_31 * t7_41 - R7_11 * t7_42 - R6_21 * t7_43 + R7_31 * t7_44 +
-      P_dot_omega1_7_13;
+  const T B17_1_13 = P_dot_omega1_7_13 + R7_11 * t7_38 - R6_21 * t7_40 - R7_31 * t7_41 - R7_11 * t7_42 - R6_21 * t7_43
+      + R7_31 * t7_44;
   const T t7_45 = R7_12 * t7_19 - R6_22 * t7_21 + R7_32 * t7_22 + R6_22 * t7_23 - R7_12 * t7_24 - R7_32 * t7_25;
   const T B17_1_21 = P_dot_omega1_7_21 - t7_45;
-  const T B17_1_22 = R7_32 * t7_29 - (R7_12 * t7_31 + R6_22 * t7_32) - R7_12 * t7_33 + R6_22 * t7_34 - R7_32 * t7_35 +
-      P_dot_omega1_7_22;
-  const T B17_1_23 = R7_12 * t7_38 - R6_22 * t7_40 - R7_32 * t7_41 - R7_12 * t7_42 - R6_22 * t7_43 + R7_32 * t7_44 +
-      P_dot_omega1_7_23;
+  const T B17_1_22 = P_dot_omega1_7_22 - R7_12 * t7_29 - R6_22 * t7_31 + R7_32 * t7_32 - R7_12 * t7_33 + R6_22 * t7_34
+      - R7_32 * t7_35;
+  const T B17_1_23 = P_dot_omega1_7_23 + R7_12 * t7_38 - R6_22 * t7_40 - R7_32 * t7_41 - R7_12 * t7_42 - R6_22 * t7_43
+      + R7_32 * t7_44;
   const T t7_46 = R7_13 * t7_19 - R6_23 * t7_21 + R7_33 * t7_22 + R6_23 * t7_23 - R7_13 * t7_24 - R7_33 * t7_25;
   const T B17_1_31 = P_dot_omega1_7_31 - t7_46;
-  const T B17_1_32 = R7_33 * t7_29 - (R7_13 * t7_31 + R6_23 * t7_32) - R7_13 * t7_33 + R6_23 * t7_34 - R7_33 * t7_35 +
-      P_dot_omega1_7_32;
-  const T B17_1_33 = R7_13 * t7_38 - R6_23 * t7_40 - R7_33 * t7_41 - R7_13 * t7_42 - R6_23 * t7_43 + R7_33 * t7_44 +
-      P_dot_omega1_7_33;
+  const T B17_1_32 = P_dot_omega1_7_32 - R7_13 * t7_29 - R6_23 * t7_31 + R7_33 * t7_32 - R7_13 * t7_33 + R6_23 * t7_34
+      - R7_33 * t7_35;
+  const T B17_1_33 = P_dot_omega1_7_33 + R7_13 * t7_38 - R6_23 * t7_40 - R7_33 * t7_41 - R7_13 * t7_42 - R6_23 * t7_43
+      + R7_33 * t7_44;
   v_y_dot[324] = B17_1_11;
   v_y_dot[325] = B17_1_12;
   v_y_dot[326] = B17_1_13;
@@ -8883,11 +8916,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[367] = -minus_B19_7_3;
 
   // ---- body 8 (fl_calf) on body 7
-  const T theta8 = x[9];
   const T thetadot8 = y[8];
   // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cos(theta8);
-  const T minus_E8_13 = sin(theta8);
+  const T E8_11 = cosines[9];
+  const T minus_E8_13 = sines[9];
   // R8^T = R7^T E8^T: R takes inertial components to body components
   const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
   const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
@@ -8927,27 +8959,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_5 = R7_11 * t8_2 + R6_21 * t8_3 - R7_31 * t8_4;
   const T P_dot_omega1_8_11 = P_dot_omega1_7_11 - t8_5;
   const T t8_6 = T(0.2) * omega_omega1_7_12;
-  const T t8_7 = T(0.2) * E6_22;
-  const T t8_8 = omega7_1 * t8_6 + omega7_2 * t8_7;
-  const T t8_9 = T(0.2) * minus_omega_dot_omega1_7_22;
-  const T t8_10 = omega7_3 * t8_6 - t8_9;
-  const T t8_11 = omega7_3 * t8_7 - T(0.2) * omega_dot_omega1_7_12;
-  const T P_dot_omega1_8_12 = R7_31 * t8_8 - (R7_11 * t8_10 + R6_21 * t8_11) + P_dot_omega1_7_12;
+  const T t8_7 = T(0.2) * minus_omega_dot_omega1_7_22;
+  const T t8_8 = omega7_3 * t8_6 - t8_7;
+  const T t8_9 = T(0.2) * E6_22;
+  const T t8_10 = omega7_3 * t8_9 - T(0.2) * omega_dot_omega1_7_12;
+  const T t8_11 = omega7_1 * t8_6 + omega7_2 * t8_9;
+  const T P_dot_omega1_8_12 = P_dot_omega1_7_12 - R7_11 * t8_8 - R6_21 * t8_10 + R7_31 * t8_11;
   const T t8_12 = T(0.2) * omega_dot_omega1_7_23;
   const T t8_13 = T(0.2) * minus_omega_omega1_7_13;
   const T t8_14 = t8_12 - omega7_3 * t8_13;
   const T t8_15 = T(0.2) * E6_23;
   const T t8_16 = omega7_3 * t8_15 + T(0.2) * minus_omega_dot_omega1_7_13;
   const T t8_17 = omega7_1 * t8_13 - omega7_2 * t8_15;
-  const T P_dot_omega1_8_13 = P_dot_omega1_7_13 - (R7_11 * t8_14 + R6_21 * t8_16 + R7_31 * t8_17);
+  const T P_dot_omega1_8_13 = P_dot_omega1_7_13 - R7_11 * t8_14 - R6_21 * t8_16 - R7_31 * t8_17;
   const T t8_18 = R7_12 * t8_2 + R6_22 * t8_3 - R7_32 * t8_4;
   const T P_dot_omega1_8_21 = P_dot_omega1_7_21 - t8_18;
-  const T P_dot_omega1_8_22 = R7_32 * t8_8 - (R7_12 * t8_10 + R6_22 * t8_11) + P_dot_omega1_7_22;
-  const T P_dot_omega1_8_23 = P_dot_omega1_7_23 - (R7_12 * t8_14 + R6_22 * t8_16 + R7_32 * t8_17);
+  const T P_dot_omega1_8_22 = P_dot_omega1_7_22 - R7_12 * t8_8 - R6_22 * t8_10 + R7_32 * t8_11;
+  const T P_dot_omega1_8_23 = P_dot_omega1_7_23 - R7_12 * t8_14 - R6_22 * t8_16 - R7_32 * t8_17;
   const T t8_19 = R7_13 * t8_2 + R6_23 * t8_3 - R7_33 * t8_4;
   const T P_dot_omega1_8_31 = P_dot_omega1_7_31 - t8_19;
-  const T P_dot_omega1_8_32 = R7_33 * t8_8 - (R7_13 * t8_10 + R6_23 * t8_11) + P_dot_omega1_7_32;
-  const T P_dot_omega1_8_33 = P_dot_omega1_7_33 - (R7_13 * t8_14 + R6_23 * t8_16 + R7_33 * t8_17);
+  const T P_dot_omega1_8_32 = P_dot_omega1_7_32 - R7_13 * t8_8 - R6_23 * t8_10 + R7_33 * t8_11;
+  const T P_dot_omega1_8_33 = P_dot_omega1_7_33 - R7_13 * t8_14 - R6_23 * t8_16 - R7_33 * t8_17;
   // P_dot_thetadot6_8 = R7^T (-omega7~ q8~ omega_thetadot6_7 - q8~ omega_dot_thetadot6_7) + P_dot_thetadot6_7: its
   //   rate
   const T minus_P_dot_thetadot6_8_1 = t8_5 - t7_6;
@@ -8967,16 +8999,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_26 = R8_11 * t8_23 - R8_31 * t8_24 + R6_21 * t8_25;
   const T B20_1_11 = P_dot_omega1_8_11 - t8_26;
   const T t8_27 = T(0.107388) * omega_omega1_8_12 + T(0.006435) * omega_omega1_8_32;
-  const T t8_28 = T(0.107388) * E6_22;
-  const T t8_29 = omega8_1 * t8_27 + omega8_2 * t8_28;
-  const T t8_30 = T(0.006435) * E6_22;
-  const T t8_31 = omega8_3 * t8_27 + omega8_2 * t8_30;
-  const T t8_32 = omega8_3 * t8_28 - omega8_1 * t8_30;
+  const T t8_28 = T(0.006435) * E6_22;
+  const T t8_29 = omega8_3 * t8_27 + omega8_2 * t8_28;
+  const T t8_30 = T(0.107388) * E6_22;
+  const T t8_31 = omega8_3 * t8_30 - omega8_1 * t8_28;
+  const T t8_32 = omega8_1 * t8_27 + omega8_2 * t8_30;
   const T t8_33 = T(0.107388) * minus_omega_dot_omega1_7_22;
   const T t8_34 = T(0.107388) * omega_dot_omega1_8_12 + T(0.006435) * omega_dot_omega1_8_32;
   const T t8_35 = T(0.006435) * minus_omega_dot_omega1_7_22;
-  const T B20_1_12 = R8_31 * t8_29 - (R8_11 * t8_31 + R6_21 * t8_32) + R8_11 * t8_33 + R6_21 * t8_34 + R8_31 * t8_35 +
-      P_dot_omega1_8_12;
+  const T B20_1_12 = P_dot_omega1_8_12 - R8_11 * t8_29 - R6_21 * t8_31 + R8_31 * t8_32 + R8_11 * t8_33 + R6_21 * t8_34
+      + R8_31 * t8_35;
   const T t8_36 = T(0.006435) * E6_23;
   const T t8_37 = T(0.107388) * minus_omega_omega1_8_13 - T(0.006435) * omega_omega1_8_33;
   const T t8_38 = omega8_2 * t8_36 - omega8_3 * t8_37;
@@ -8986,20 +9018,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_42 = T(0.107388) * omega_dot_omega1_7_23;
   const T t8_43 = T(0.006435) * minus_omega_dot_omega1_8_33 - T(0.107388) * omega_dot_omega1_8_13;
   const T t8_44 = T(0.006435) * omega_dot_omega1_7_23;
-  const T B20_1_13 = P_dot_omega1_8_13 - (R8_11 * t8_38 + R6_21 * t8_40 + R8_31 * t8_41 + R8_11 * t8_42 + R6_21 *
-      t8_43 + R8_31 * t8_44);
+  const T B20_1_13 = P_dot_omega1_8_13 - R8_11 * t8_38 - R6_21 * t8_40 - R8_31 * t8_41 - R8_11 * t8_42 - R6_21 * t8_43
+      - R8_31 * t8_44;
   const T t8_45 = R8_12 * t8_23 - R8_32 * t8_24 + R6_22 * t8_25;
   const T B20_1_21 = P_dot_omega1_8_21 - t8_45;
-  const T B20_1_22 = R8_32 * t8_29 - (R8_12 * t8_31 + R6_22 * t8_32) + R8_12 * t8_33 + R6_22 * t8_34 + R8_32 * t8_35 +
-      P_dot_omega1_8_22;
-  const T B20_1_23 = P_dot_omega1_8_23 - (R8_12 * t8_38 + R6_22 * t8_40 + R8_32 * t8_41 + R8_12 * t8_42 + R6_22 *
-      t8_43 + R8_32 * t8_44);
+  const T B20_1_22 = P_dot_omega1_8_22 - R8_12 * t8_29 - R6_22 * t8_31 + R8_32 * t8_32 + R8_12 * t8_33 + R6_22 * t8_34
+      + R8_32 * t8_35;
+  const T B20_1_23 = P_dot_omega1_8_23 - R8_12 * t8_38 - R6_22 * t8_40 - R8_32 * t8_41 - R8_12 * t8_42 - R6_22 * t8_43
+      - R8_32 * t8_44;
   const T t8_46 = R8_13 * t8_23 - R8_33 * t8_24 + R6_23 * t8_25;
   const T B20_1_31 = P_dot_omega1_8_31 - t8_46;
-  const T B20_1_32 = R8_33 * t8_29 - (R8_13 * t8_31 + R6_23 * t8_32) + R8_13 * t8_33 + R6_23 * t8_34 + R8_33 * t8_35 +
-      P_dot_omega1_8_32;
-  const T B20_1_33 = P_dot_omega1_8_33 - (R8_13 * t8_38 + R6_23 * t8_40 + R8_33 * t8_41 + R8_13 * t8_42 + R6_23 *
-      t8_43 + R8_33 * t8_44);
+  const T B20_1_32 = P_dot_omega1_8_32 - R8_13 * t8_29 - R6_23 * t8_31 + R8_33 * t8_32 + R8_13 * t8_33 + R6_23 * t8_34
+      + R8_33 * t8_35;
+  const T B20_1_33 = P_dot_omega1_8_33 - R8_13 * t8_38 - R6_23 * t8_40 - R8_33 * t8_41 - R8_13 * t8_42 - R6_23 * t8_43
+      - R8_33 * t8_44;
   v_y_dot[378] = B20_1_11;
   v_y_dot[379] = B20_1_12;
   v_y_dot[380] = B20_1_13;
@@ -9040,31 +9072,28 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t8_57 = R8_11 * t8_54 - R8_31 * t8_55 + R6_21 * t8_56;
   const T B24_1_11 = P_dot_omega1_8_11 - t8_57;
   const T t8_58 = T(0.2) * omega_omega1_8_12;
-  const T t8_59 = omega8_1 * t8_58 + omega8_2 * t8_7;
-  const T t8_60 = omega8_3 * t8_58;
-  const T t8_61 = omega8_3 * t8_7;
+  const T t8_59 = omega8_3 * t8_58;
+  const T t8_60 = omega8_3 * t8_9;
+  const T t8_61 = omega8_1 * t8_58 + omega8_2 * t8_9;
   const T t8_62 = T(0.2) * omega_dot_omega1_8_12;
-  const T B24_1_12 = R8_31 * t8_59 - (R8_11 * t8_60 + R6_21 * t8_61) + R8_11 * t8_9 + R6_21 * t8_62 +
-      P_dot_omega1_8_12;
+  const T B24_1_12 = P_dot_omega1_8_12 - R8_11 * t8_59 - R6_21 * t8_60 + R8_31 * t8_61 + R8_11 * t8_7 + R6_21 * t8_62;
   const T t8_63 = T(0.2) * minus_omega_omega1_8_13;
   const T t8_64 = omega8_3 * t8_63;
   const T t8_65 = omega8_3 * t8_15;
   const T t8_66 = omega8_1 * t8_63 - omega8_2 * t8_15;
   const T t8_67 = T(0.2) * omega_dot_omega1_8_13;
-  const T B24_1_13 = R8_11 * t8_64 - R6_21 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 + R6_21 * t8_67 +
-      P_dot_omega1_8_13;
+  const T B24_1_13 = P_dot_omega1_8_13 + R8_11 * t8_64 - R6_21 * t8_65 - R8_31 * t8_66 - R8_11 * t8_12 + R6_21 *
+      t8_67;
   const T t8_68 = R8_12 * t8_54 - R8_32 * t8_55 + R6_22 * t8_56;
   const T B24_1_21 = P_dot_omega1_8_21 - t8_68;
-  const T B24_1_22 = R8_32 * t8_59 - (R8_12 * t8_60 + R6_22 * t8_61) + R8_12 * t8_9 + R6_22 * t8_62 +
-      P_dot_omega1_8_22;
-  const T B24_1_23 = R8_12 * t8_64 - R6_22 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 + R6_22 * t8_67 +
-      P_dot_omega1_8_23;
+  const T B24_1_22 = P_dot_omega1_8_22 - R8_12 * t8_59 - R6_22 * t8_60 + R8_32 * t8_61 + R8_12 * t8_7 + R6_22 * t8_62;
+  const T B24_1_23 = P_dot_omega1_8_23 + R8_12 * t8_64 - R6_22 * t8_65 - R8_32 * t8_66 - R8_12 * t8_12 + R6_22 *
+      t8_67;
   const T t8_69 = R8_13 * t8_54 - R8_33 * t8_55 + R6_23 * t8_56;
   const T B24_1_31 = P_dot_omega1_8_31 - t8_69;
-  const T B24_1_32 = R8_33 * t8_59 - (R8_13 * t8_60 + R6_23 * t8_61) + R8_13 * t8_9 + R6_23 * t8_62 +
-      P_dot_omega1_8_32;
-  const T B24_1_33 = R8_13 * t8_64 - R6_23 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 + R6_23 * t8_67 +
-      P_dot_omega1_8_33;
+  const T B24_1_32 = P_dot_omega1_8_32 - R8_13 * t8_59 - R6_23 * t8_60 + R8_33 * t8_61 + R8_13 * t8_7 + R6_23 * t8_62;
+  const T B24_1_33 = P_dot_omega1_8_33 + R8_13 * t8_64 - R6_23 * t8_65 - R8_33 * t8_66 - R8_13 * t8_12 + R6_23 *
+      t8_67;
   v_y_dot[432] = B24_1_11;
   v_y_dot[433] = B24_1_12;
   v_y_dot[434] = B24_1_13;
@@ -9098,11 +9127,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[476] = -t8_74;
 
   // ---- body 10 (rr_hip) on body 1
-  const T theta10 = x[10];
   const T thetadot10 = y[9];
   // E10^T = Rot(b10, theta10): E takes components in the lower body to those in the body
-  const T E10_22 = cos(theta10);
-  const T E10_23 = sin(theta10);
+  const T E10_22 = cosines[10];
+  const T E10_23 = sines[10];
   // R10^T = R1^T E10^T: R takes inertial components to body components
   const T R10_21 = R1_21 * E10_22 + R1_31 * E10_23;
   const T R10_22 = R1_22 * E10_22 + R1_32 * E10_23;
@@ -9120,34 +9148,34 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t10_3 = omega10_1 * T(3.1e-05);
   const T t10_4 = R1_11 * t10_1 - R10_21 * t10_2 + R10_31 * t10_3;
   const T minus_B28_1_11 = t10_4 + minus_P_dot_omega1_2_11;
-  const T t10_5 = T(0.003311) * E10_23;
-  const T t10_6 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
-  const T t10_7 = T(0.003311) * E10_22;
-  const T t10_8 = omega10_2 * t10_7 - omega10_3 * t10_5;
-  const T t10_9 = T(0.000635) * E10_23 - T(3.1e-05) * E10_22;
-  const T t10_10 = omega10_1 * t10_7;
-  const T t10_11 = omega10_3 * t10_9 - t10_10;
-  const T t10_12 = omega10_1 * t10_5;
-  const T t10_13 = t10_12 - omega10_2 * t10_9;
-  const T B28_1_12 = thetadot10 * (R10_31 * t10_5 - (R1_11 * t10_6 + R10_21 * t10_7)) - (R1_11 * t10_8 + R10_21 *
-      t10_11 + R10_31 * t10_13) + minus_P_dot_omega1_2_12;
-  const T t10_14 = omega10_3 * t10_6 + t10_12;
-  const T t10_15 = omega10_3 * t10_7 + omega10_2 * t10_5;
-  const T t10_16 = omega10_2 * t10_6 - t10_10;
-  const T B28_1_13 = R10_21 * t10_14 - (thetadot10 * (R1_11 * t10_9 + R10_21 * t10_5 + R10_31 * t10_7) + R1_11 *
-      t10_15) - R10_31 * t10_16 + minus_P_dot_omega1_6_13;
+  const T t10_5 = T(0.003311) * E10_22;
+  const T t10_6 = T(0.003311) * E10_23;
+  const T t10_7 = omega10_2 * t10_5 - omega10_3 * t10_6;
+  const T t10_8 = T(0.000635) * E10_23 - T(3.1e-05) * E10_22;
+  const T t10_9 = omega10_1 * t10_5;
+  const T t10_10 = omega10_3 * t10_8 - t10_9;
+  const T t10_11 = omega10_1 * t10_6;
+  const T t10_12 = t10_11 - omega10_2 * t10_8;
+  const T t10_13 = T(3.1e-05) * E10_23 + T(0.000635) * E10_22;
+  const T B28_1_12 = minus_P_dot_omega1_2_12 - R1_11 * t10_7 - R10_21 * t10_10 - R10_31 * t10_12 + thetadot10 *
+      (R10_31 * t10_6 - (R1_11 * t10_13 + R10_21 * t10_5));
+  const T t10_14 = omega10_3 * t10_5 + omega10_2 * t10_6;
+  const T t10_15 = t10_11 + omega10_3 * t10_13;
+  const T t10_16 = omega10_2 * t10_13 - t10_9;
+  const T B28_1_13 = minus_P_dot_omega1_6_13 - thetadot10 * (R1_11 * t10_8 + R10_21 * t10_6 + R10_31 * t10_5) - R1_11
+      * t10_14 + R10_21 * t10_15 - R10_31 * t10_16;
   const T t10_17 = R1_12 * t10_1 - R10_22 * t10_2 + R10_32 * t10_3;
   const T minus_B28_1_21 = t10_17 + minus_P_dot_omega1_2_21;
-  const T B28_1_22 = thetadot10 * (R10_32 * t10_5 - (R1_12 * t10_6 + R10_22 * t10_7)) - (R1_12 * t10_8 + R10_22 *
-      t10_11 + R10_32 * t10_13) + minus_P_dot_omega1_2_22;
-  const T B28_1_23 = R10_22 * t10_14 - (thetadot10 * (R1_12 * t10_9 + R10_22 * t10_5 + R10_32 * t10_7) + R1_12 *
-      t10_15) - R10_32 * t10_16 + minus_P_dot_omega1_6_23;
+  const T B28_1_22 = minus_P_dot_omega1_2_22 - R1_12 * t10_7 - R10_22 * t10_10 - R10_32 * t10_12 + thetadot10 *
+      (R10_32 * t10_6 - (R1_12 * t10_13 + R10_22 * t10_5));
+  const T B28_1_23 = minus_P_dot_omega1_6_23 - thetadot10 * (R1_12 * t10_8 + R10_22 * t10_6 + R10_32 * t10_5) - R1_12
+      * t10_14 + R10_22 * t10_15 - R10_32 * t10_16;
   const T t10_18 = R1_13 * t10_1 - R10_23 * t10_2 + R10_33 * t10_3;
   const T minus_B28_1_31 = t10_18 + minus_P_dot_omega1_2_31;
-  const T B28_1_32 = thetadot10 * (R10_33 * t10_5 - (R1_13 * t10_6 + R10_23 * t10_7)) - (R1_13 * t10_8 + R10_23 *
-      t10_11 + R10_33 * t10_13) + minus_P_dot_omega1_2_32;
-  const T B28_1_33 = R10_23 * t10_14 - (thetadot10 * (R1_13 * t10_9 + R10_23 * t10_5 + R10_33 * t10_7) + R1_13 *
-      t10_15) - R10_33 * t10_16 + minus_P_dot_omega1_6_33;
+  const T B28_1_32 = minus_P_dot_omega1_2_32 - R1_13 * t10_7 - R10_23 * t10_10 - R10_33 * t10_12 + thetadot10 *
+      (R10_33 * t10_6 - (R1_13 * t10_13 + R10_23 * t10_5));
+  const T B28_1_33 = minus_P_dot_omega1_6_33 - thetadot10 * (R1_13 * t10_8 + R10_23 * t10_6 + R10_33 * t10_5) - R1_13
+      * t10_14 + R10_23 * t10_15 - R10_33 * t10_16;
   v_y_dot[486] = -minus_B28_1_11;
   v_y_dot[487] = B28_1_12;
   v_y_dot[488] = B28_1_13;
@@ -9162,11 +9190,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[531] = -t10_18;
 
   // ---- body 11 (rr_thigh) on body 10
-  const T theta11 = x[11];
   const T thetadot11 = y[10];
   // E11^T = Rot(b11, theta11): E takes components in the lower body to those in the body
-  const T E11_11 = cos(theta11);
-  const T minus_E11_13 = sin(theta11);
+  const T E11_11 = cosines[11];
+  const T minus_E11_13 = sines[11];
   // R11^T = R10^T E11^T: R takes inertial components to body components
   const T R11_11 = R1_11 * E11_11 - R10_31 * minus_E11_13;
   const T R11_12 = R1_12 * E11_11 - R10_32 * minus_E11_13;
@@ -9199,24 +9226,24 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t11_5 = omega10_2 * T(0.0838);
   const T t11_6 = R10_21 * t11_4 - R1_11 * t11_5;
   const T P_dot_omega1_11_11 = t11_6 - minus_P_dot_omega1_2_11;
-  const T t11_7 = t11_5 * E10_23;
-  const T t11_8 = thetadot10 * T(0.0838);
-  const T t11_9 = t11_8 * E10_22;
-  const T t11_10 = omega10_3 * T(0.0838);
-  const T t11_11 = t11_10 * E10_23;
-  const T P_dot_omega1_11_12 = R10_31 * t11_7 - (R1_11 * t11_9 + R10_21 * t11_11) + minus_P_dot_omega1_2_12;
-  const T t11_12 = t11_10 * E10_22;
-  const T t11_13 = t11_8 * E10_23;
+  const T t11_7 = thetadot10 * T(0.0838);
+  const T t11_8 = t11_7 * E10_22;
+  const T t11_9 = omega10_3 * T(0.0838);
+  const T t11_10 = t11_9 * E10_23;
+  const T t11_11 = t11_5 * E10_23;
+  const T P_dot_omega1_11_12 = minus_P_dot_omega1_2_12 - R1_11 * t11_8 - R10_21 * t11_10 + R10_31 * t11_11;
+  const T t11_12 = t11_9 * E10_22;
+  const T t11_13 = t11_7 * E10_23;
   const T t11_14 = t11_5 * E10_22;
-  const T P_dot_omega1_11_13 = R10_21 * t11_12 - R1_11 * t11_13 - R10_31 * t11_14 + minus_P_dot_omega1_6_13;
+  const T P_dot_omega1_11_13 = minus_P_dot_omega1_6_13 + R10_21 * t11_12 - R1_11 * t11_13 - R10_31 * t11_14;
   const T t11_15 = R10_22 * t11_4 - R1_12 * t11_5;
   const T P_dot_omega1_11_21 = t11_15 - minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_11_22 = R10_32 * t11_7 - (R1_12 * t11_9 + R10_22 * t11_11) + minus_P_dot_omega1_2_22;
-  const T P_dot_omega1_11_23 = R10_22 * t11_12 - R1_12 * t11_13 - R10_32 * t11_14 + minus_P_dot_omega1_6_23;
+  const T P_dot_omega1_11_22 = minus_P_dot_omega1_2_22 - R1_12 * t11_8 - R10_22 * t11_10 + R10_32 * t11_11;
+  const T P_dot_omega1_11_23 = minus_P_dot_omega1_6_23 + R10_22 * t11_12 - R1_12 * t11_13 - R10_32 * t11_14;
   const T t11_16 = R10_23 * t11_4 - R1_13 * t11_5;
   const T P_dot_omega1_11_31 = t11_16 - minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_11_32 = R10_33 * t11_7 - (R1_13 * t11_9 + R10_23 * t11_11) + minus_P_dot_omega1_2_32;
-  const T P_dot_omega1_11_33 = R10_23 * t11_12 - R1_13 * t11_13 - R10_33 * t11_14 + minus_P_dot_omega1_6_33;
+  const T P_dot_omega1_11_32 = minus_P_dot_omega1_2_32 - R1_13 * t11_8 - R10_23 * t11_10 + R10_33 * t11_11;
+  const T P_dot_omega1_11_33 = minus_P_dot_omega1_6_33 + R10_23 * t11_12 - R1_13 * t11_13 - R10_33 * t11_14;
   // B30_1 = -R11^T omega11~ r11~ omega_omega1_11 - R11^T r11~ omega_dot_omega1_11 + P_dot_omega1_11
   const T t11_17 = T(0.022327) * minus_E11_13;
   const T t11_18 = T(0.022327) * E11_11;
@@ -9231,16 +9258,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       t11_25;
   const T B30_1_11 = P_dot_omega1_11_11 - t11_26;
   const T t11_27 = T(0.027326) * omega_omega1_11_12 + T(0.003237) * minus_omega_omega1_11_32;
-  const T t11_28 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
-  const T t11_29 = omega11_1 * t11_27 + omega11_2 * t11_28;
-  const T t11_30 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
-  const T t11_31 = omega11_3 * t11_27 - omega11_2 * t11_30;
-  const T t11_32 = omega11_3 * t11_28 + omega11_1 * t11_30;
+  const T t11_28 = T(0.003237) * E10_22 + T(0.022327) * omega_omega1_11_12;
+  const T t11_29 = omega11_3 * t11_27 - omega11_2 * t11_28;
+  const T t11_30 = T(0.027326) * E10_22 - T(0.022327) * minus_omega_omega1_11_32;
+  const T t11_31 = omega11_3 * t11_30 + omega11_1 * t11_28;
+  const T t11_32 = omega11_1 * t11_27 + omega11_2 * t11_30;
   const T t11_33 = T(0.027326) * minus_omega_dot_omega1_11_22 + T(0.022327) * minus_omega_dot_omega1_11_32;
   const T t11_34 = T(0.003237) * minus_omega_dot_omega1_11_32 + T(0.027326) * omega_dot_omega1_11_12;
   const T t11_35 = T(0.003237) * minus_omega_dot_omega1_11_22 - T(0.022327) * omega_dot_omega1_11_12;
-  const T B30_1_12 = R11_31 * t11_29 - (R11_11 * t11_31 + R10_21 * t11_32) + R11_11 * t11_33 + R10_21 * t11_34 -
-      R11_31 * t11_35 + P_dot_omega1_11_12;
+  const T B30_1_12 = P_dot_omega1_11_12 - R11_11 * t11_29 - R10_21 * t11_31 + R11_31 * t11_32 + R11_11 * t11_33 +
+      R10_21 * t11_34 - R11_31 * t11_35;
   const T t11_36 = T(0.022327) * minus_omega_omega1_11_13 - T(0.003237) * E10_23;
   const T t11_37 = T(0.027326) * minus_omega_omega1_11_13 + T(0.003237) * omega_omega1_11_33;
   const T t11_38 = omega11_2 * t11_36 - omega11_3 * t11_37;
@@ -9250,22 +9277,22 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t11_42 = T(0.027326) * omega_dot_omega1_11_23 - T(0.022327) * minus_omega_dot_omega1_11_33;
   const T t11_43 = T(0.027326) * minus_omega_dot_omega1_11_13 - T(0.003237) * minus_omega_dot_omega1_11_33;
   const T t11_44 = T(0.022327) * minus_omega_dot_omega1_11_13 - T(0.003237) * omega_dot_omega1_11_23;
-  const T B30_1_13 = P_dot_omega1_11_13 - (R11_11 * t11_38 + R10_21 * t11_40 + R11_31 * t11_41 + R11_11 * t11_42 +
-      R10_21 * t11_43 + R11_31 * t11_44);
+  const T B30_1_13 = P_dot_omega1_11_13 - R11_11 * t11_38 - R10_21 * t11_40 - R11_31 * t11_41 - R11_11 * t11_42 -
+      R10_21 * t11_43 - R11_31 * t11_44;
   const T t11_45 = R10_22 * t11_19 - R11_12 * t11_21 + R11_32 * t11_22 + R11_12 * t11_23 + R10_22 * t11_24 + R11_32 *
       t11_25;
   const T B30_1_21 = P_dot_omega1_11_21 - t11_45;
-  const T B30_1_22 = R11_32 * t11_29 - (R11_12 * t11_31 + R10_22 * t11_32) + R11_12 * t11_33 + R10_22 * t11_34 -
-      R11_32 * t11_35 + P_dot_omega1_11_22;
-  const T B30_1_23 = P_dot_omega1_11_23 - (R11_12 * t11_38 + R10_22 * t11_40 + R11_32 * t11_41 + R11_12 * t11_42 +
-      R10_22 * t11_43 + R11_32 * t11_44);
+  const T B30_1_22 = P_dot_omega1_11_22 - R11_12 * t11_29 - R10_22 * t11_31 + R11_32 * t11_32 + R11_12 * t11_33 +
+      R10_22 * t11_34 - R11_32 * t11_35;
+  const T B30_1_23 = P_dot_omega1_11_23 - R11_12 * t11_38 - R10_22 * t11_40 - R11_32 * t11_41 - R11_12 * t11_42 -
+      R10_22 * t11_43 - R11_32 * t11_44;
   const T t11_46 = R10_23 * t11_19 - R11_13 * t11_21 + R11_33 * t11_22 + R11_13 * t11_23 + R10_23 * t11_24 + R11_33 *
       t11_25;
   const T B30_1_31 = P_dot_omega1_11_31 - t11_46;
-  const T B30_1_32 = R11_33 * t11_29 - (R11_13 * t11_31 + R10_23 * t11_32) + R11_13 * t11_33 + R10_23 * t11_34 -
-      R11_33 * t11_35 + P_dot_omega1_11_32;
-  const T B30_1_33 = P_dot_omega1_11_33 - (R11_13 * t11_38 + R10_23 * t11_40 + R11_33 * t11_41 + R11_13 * t11_42 +
-      R10_23 * t11_43 + R11_33 * t11_44);
+  const T B30_1_32 = P_dot_omega1_11_32 - R11_13 * t11_29 - R10_23 * t11_31 + R11_33 * t11_32 + R11_13 * t11_33 +
+      R10_23 * t11_34 - R11_33 * t11_35;
+  const T B30_1_33 = P_dot_omega1_11_33 - R11_13 * t11_38 - R10_23 * t11_40 - R11_33 * t11_41 - R11_13 * t11_42 -
+      R10_23 * t11_43 - R11_33 * t11_44;
   v_y_dot[540] = B30_1_11;
   v_y_dot[541] = B30_1_12;
   v_y_dot[542] = B30_1_13;
@@ -9294,11 +9321,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[586] = -minus_B32_11_3;
 
   // ---- body 12 (rr_calf) on body 11
-  const T theta12 = x[12];
   const T thetadot12 = y[11];
   // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cos(theta12);
-  const T minus_E12_13 = sin(theta12);
+  const T E12_11 = cosines[12];
+  const T minus_E12_13 = sines[12];
   // R12^T = R11^T E12^T: R takes inertial components to body components
   const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
   const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
@@ -9338,27 +9364,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_5 = R11_11 * t12_2 + R10_21 * t12_3 - R11_31 * t12_4;
   const T P_dot_omega1_12_11 = P_dot_omega1_11_11 - t12_5;
   const T t12_6 = T(0.2) * omega_omega1_11_12;
-  const T t12_7 = T(0.2) * E10_22;
-  const T t12_8 = omega11_1 * t12_6 + omega11_2 * t12_7;
-  const T t12_9 = T(0.2) * minus_omega_dot_omega1_11_22;
-  const T t12_10 = omega11_3 * t12_6 - t12_9;
-  const T t12_11 = omega11_3 * t12_7 - T(0.2) * omega_dot_omega1_11_12;
-  const T P_dot_omega1_12_12 = R11_31 * t12_8 - (R11_11 * t12_10 + R10_21 * t12_11) + P_dot_omega1_11_12;
+  const T t12_7 = T(0.2) * minus_omega_dot_omega1_11_22;
+  const T t12_8 = omega11_3 * t12_6 - t12_7;
+  const T t12_9 = T(0.2) * E10_22;
+  const T t12_10 = omega11_3 * t12_9 - T(0.2) * omega_dot_omega1_11_12;
+  const T t12_11 = omega11_1 * t12_6 + omega11_2 * t12_9;
+  const T P_dot_omega1_12_12 = P_dot_omega1_11_12 - R11_11 * t12_8 - R10_21 * t12_10 + R11_31 * t12_11;
   const T t12_12 = T(0.2) * omega_dot_omega1_11_23;
   const T t12_13 = T(0.2) * minus_omega_omega1_11_13;
   const T t12_14 = t12_12 - omega11_3 * t12_13;
   const T t12_15 = T(0.2) * E10_23;
   const T t12_16 = omega11_3 * t12_15 + T(0.2) * minus_omega_dot_omega1_11_13;
   const T t12_17 = omega11_1 * t12_13 - omega11_2 * t12_15;
-  const T P_dot_omega1_12_13 = P_dot_omega1_11_13 - (R11_11 * t12_14 + R10_21 * t12_16 + R11_31 * t12_17);
+  const T P_dot_omega1_12_13 = P_dot_omega1_11_13 - R11_11 * t12_14 - R10_21 * t12_16 - R11_31 * t12_17;
   const T t12_18 = R11_12 * t12_2 + R10_22 * t12_3 - R11_32 * t12_4;
   const T P_dot_omega1_12_21 = P_dot_omega1_11_21 - t12_18;
-  const T P_dot_omega1_12_22 = R11_32 * t12_8 - (R11_12 * t12_10 + R10_22 * t12_11) + P_dot_omega1_11_22;
-  const T P_dot_omega1_12_23 = P_dot_omega1_11_23 - (R11_12 * t12_14 + R10_22 * t12_16 + R11_32 * t12_17);
+  const T P_dot_omega1_12_22 = P_dot_omega1_11_22 - R11_12 * t12_8 - R10_22 * t12_10 + R11_32 * t12_11;
+  const T P_dot_omega1_12_23 = P_dot_omega1_11_23 - R11_12 * t12_14 - R10_22 * t12_16 - R11_32 * t12_17;
   const T t12_19 = R11_13 * t12_2 + R10_23 * t12_3 - R11_33 * t12_4;
   const T P_dot_omega1_12_31 = P_dot_omega1_11_31 - t12_19;
-  const T P_dot_omega1_12_32 = R11_33 * t12_8 - (R11_13 * t12_10 + R10_23 * t12_11) + P_dot_omega1_11_32;
-  const T P_dot_omega1_12_33 = P_dot_omega1_11_33 - (R11_13 * t12_14 + R10_23 * t12_16 + R11_33 * t12_17);
+  const T P_dot_omega1_12_32 = P_dot_omega1_11_32 - R11_13 * t12_8 - R10_23 * t12_10 + R11_33 * t12_11;
+  const T P_dot_omega1_12_33 = P_dot_omega1_11_33 - R11_13 * t12_14 - R10_23 * t12_16 - R11_33 * t12_17;
   // P_dot_thetadot10_12 = R11^T (-omega11~ q12~ omega_thetadot10_11 - q12~ omega_dot_thetadot10_11) +
   //   P_dot_thetadot10_11: its rate
   const T minus_P_dot_thetadot10_12_1 = t12_5 - t11_6;
@@ -9378,16 +9404,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_26 = R12_11 * t12_23 - R12_31 * t12_24 + R10_21 * t12_25;
   const T B33_1_11 = P_dot_omega1_12_11 - t12_26;
   const T t12_27 = T(0.107388) * omega_omega1_12_12 + T(0.006435) * omega_omega1_12_32;
-  const T t12_28 = T(0.107388) * E10_22;
-  const T t12_29 = omega12_1 * t12_27 + omega12_2 * t12_28;
-  const T t12_30 = T(0.006435) * E10_22;
-  const T t12_31 = omega12_3 * t12_27 + omega12_2 * t12_30;
-  const T t12_32 = omega12_3 * t12_28 - omega12_1 * t12_30;
+  const T t12_28 = T(0.006435) * E10_22;
+  const T t12_29 = omega12_3 * t12_27 + omega12_2 * t12_28;
+  const T t12_30 = T(0.107388) * E10_22;
+  const T t12_31 = omega12_3 * t12_30 - omega12_1 * t12_28;
+  const T t12_32 = omega12_1 * t12_27 + omega12_2 * t12_30;
   const T t12_33 = T(0.107388) * minus_omega_dot_omega1_11_22;
   const T t12_34 = T(0.107388) * omega_dot_omega1_12_12 + T(0.006435) * omega_dot_omega1_12_32;
   const T t12_35 = T(0.006435) * minus_omega_dot_omega1_11_22;
-  const T B33_1_12 = R12_31 * t12_29 - (R12_11 * t12_31 + R10_21 * t12_32) + R12_11 * t12_33 + R10_21 * t12_34 +
-      R12_31 * t12_35 + P_dot_omega1_12_12;
+  const T B33_1_12 = P_dot_omega1_12_12 - R12_11 * t12_29 - R10_21 * t12_31 + R12_31 * t12_32 + R12_11 * t12_33 +
+      R10_21 * t12_34 + R12_31 * t12_35;
   const T t12_36 = T(0.006435) * E10_23;
   const T t12_37 = T(0.107388) * minus_omega_omega1_12_13 - T(0.006435) * omega_omega1_12_33;
   const T t12_38 = omega12_2 * t12_36 - omega12_3 * t12_37;
@@ -9397,20 +9423,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_42 = T(0.107388) * omega_dot_omega1_11_23;
   const T t12_43 = T(0.006435) * minus_omega_dot_omega1_12_33 - T(0.107388) * omega_dot_omega1_12_13;
   const T t12_44 = T(0.006435) * omega_dot_omega1_11_23;
-  const T B33_1_13 = P_dot_omega1_12_13 - (R12_11 * t12_38 + R10_21 * t12_40 + R12_31 * t12_41 + R12_11 * t12_42 +
-      R10_21 * t12_43 + R12_31 * t12_44);
+  const T B33_1_13 = P_dot_omega1_12_13 - R12_11 * t12_38 - R10_21 * t12_40 - R12_31 * t12_41 - R12_11 * t12_42 -
+      R10_21 * t12_43 - R12_31 * t12_44;
   const T t12_45 = R12_12 * t12_23 - R12_32 * t12_24 + R10_22 * t12_25;
   const T B33_1_21 = P_dot_omega1_12_21 - t12_45;
-  const T B33_1_22 = R12_32 * t12_29 - (R12_12 * t12_31 + R10_22 * t12_32) + R12_12 * t12_33 + R10_22 * t12_34 +
-      R12_32 * t12_35 + P_dot_omega1_12_22;
-  const T B33_1_23 = P_dot_omega1_12_23 - (R12_12 * t12_38 + R10_22 * t12_40 + R12_32 * t12_41 + R12_12 * t12_42 +
-      R10_22 * t12_43 + R12_32 * t12_44);
+  const T B33_1_22 = P_dot_omega1_12_22 - R12_12 * t12_29 - R10_22 * t12_31 + R12_32 * t12_32 + R12_12 * t12_33 +
+      R10_22 * t12_34 + R12_32 * t12_35;
+  const T B33_1_23 = P_dot_omega1_12_23 - R12_12 * t12_38 - R10_22 * t12_40 - R12_32 * t12_41 - R12_12 * t12_42 -
+      R10_22 * t12_43 - R12_32 * t12_44;
   const T t12_46 = R12_13 * t12_23 - R12_33 * t12_24 + R10_23 * t12_25;
   const T B33_1_31 = P_dot_omega1_12_31 - t12_46;
-  const T B33_1_32 = R12_33 * t12_29 - (R12_13 * t12_31 + R10_23 * t12_32) + R12_13 * t12_33 + R10_23 * t12_34 +
-      R12_33 * t12_35 + P_dot_omega1_12_32;
-  const T B33_1_33 = P_dot_omega1_12_33 - (R12_13 * t12_38 + R10_23 * t12_40 + R12_33 * t12_41 + R12_13 * t12_42 +
-      R10_23 * t12_43 + R12_33 * t12_44);
+  const T B33_1_32 = P_dot_omega1_12_32 - R12_13 * t12_29 - R10_23 * t12_31 + R12_33 * t12_32 + R12_13 * t12_33 +
+      R10_23 * t12_34 + R12_33 * t12_35;
+  const T B33_1_33 = P_dot_omega1_12_33 - R12_13 * t12_38 - R10_23 * t12_40 - R12_33 * t12_41 - R12_13 * t12_42 -
+      R10_23 * t12_43 - R12_33 * t12_44;
   v_y_dot[594] = B33_1_11;
   v_y_dot[595] = B33_1_12;
   v_y_dot[596] = B33_1_13;
@@ -9451,31 +9477,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t12_57 = R12_11 * t12_54 - R12_31 * t12_55 + R10_21 * t12_56;
   const T B37_1_11 = P_dot_omega1_12_11 - t12_57;
   const T t12_58 = T(0.2) * omega_omega1_12_12;
-  const T t12_59 = omega12_1 * t12_58 + omega12_2 * t12_7;
-  const T t12_60 = omega12_3 * t12_58;
-  const T t12_61 = omega12_3 * t12_7;
+  const T t12_59 = omega12_3 * t12_58;
+  const T t12_60 = omega12_3 * t12_9;
+  const T t12_61 = omega12_1 * t12_58 + omega12_2 * t12_9;
   const T t12_62 = T(0.2) * omega_dot_omega1_12_12;
-  const T B37_1_12 = R12_31 * t12_59 - (R12_11 * t12_60 + R10_21 * t12_61) + R12_11 * t12_9 + R10_21 * t12_62 +
-      P_dot_omega1_12_12;
+  const T B37_1_12 = P_dot_omega1_12_12 - R12_11 * t12_59 - R10_21 * t12_60 + R12_31 * t12_61 + R12_11 * t12_7 +
+      R10_21 * t12_62;
   const T t12_63 = T(0.2) * minus_omega_omega1_12_13;
   const T t12_64 = omega12_3 * t12_63;
   const T t12_65 = omega12_3 * t12_15;
   const T t12_66 = omega12_1 * t12_63 - omega12_2 * t12_15;
   const T t12_67 = T(0.2) * omega_dot_omega1_12_13;
-  const T B37_1_13 = R12_11 * t12_64 - R10_21 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 + R10_21 * t12_67 +
-      P_dot_omega1_12_13;
+  const T B37_1_13 = P_dot_omega1_12_13 + R12_11 * t12_64 - R10_21 * t12_65 - R12_31 * t12_66 - R12_11 * t12_12 +
+      R10_21 * t12_67;
   const T t12_68 = R12_12 * t12_54 - R12_32 * t12_55 + R10_22 * t12_56;
   const T B37_1_21 = P_dot_omega1_12_21 - t12_68;
-  const T B37_1_22 = R12_32 * t12_59 - (R12_12 * t12_60 + R10_22 * t12_61) + R12_12 * t12_9 + R10_22 * t12_62 +
-      P_dot_omega1_12_22;
-  const T B37_1_23 = R12_12 * t12_64 - R10_22 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 + R10_22 * t12_67 +
-      P_dot_omega1_12_23;
+  const T B37_1_22 = P_dot_omega1_12_22 - R12_12 * t12_59 - R10_22 * t12_60 + R12_32 * t12_61 + R12_12 * t12_7 +
+      R10_22 * t12_62;
+  const T B37_1_23 = P_dot_omega1_12_23 + R12_12 * t12_64 - R10_22 * t12_65 - R12_32 * t12_66 - R12_12 * t12_12 +
+      R10_22 * t12_67;
   const T t12_69 = R12_13 * t12_54 - R12_33 * t12_55 + R10_23 * t12_56;
   const T B37_1_31 = P_dot_omega1_12_31 - t12_69;
-  const T B37_1_32 = R12_33 * t12_59 - (R12_13 * t12_60 + R10_23 * t12_61) + R12_13 * t12_9 + R10_23 * t12_62 +
-      P_dot_omega1_12_32;
-  const T B37_1_33 = R12_13 * t12_64 - R10_23 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 + R10_23 * t12_67 +
-      P_dot_omega1_12_33;
+  const T B37_1_32 = P_dot_omega1_12_32 - R12_13 * t12_59 - R10_23 * t12_60 + R12_33 * t12_61 + R12_13 * t12_7 +
+      R10_23 * t12_62;
+  const T B37_1_33 = P_dot_omega1_12_33 + R12_13 * t12_64 - R10_23 * t12_65 - R12_33 * t12_66 - R12_13 * t12_12 +
+      R10_23 * t12_67;
   v_y_dot[648] = B37_1_11;
   v_y_dot[649] = B37_1_12;
   v_y_dot[650] = B37_1_13;
@@ -9509,11 +9535,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[695] = -t12_74;
 
   // ---- body 14 (rl_hip) on body 1
-  const T theta14 = x[13];
   const T thetadot14 = y[12];
   // E14^T = Rot(b14, theta14): E takes components in the lower body to those in the body
-  const T E14_22 = cos(theta14);
-  const T E14_23 = sin(theta14);
+  const T E14_22 = cosines[13];
+  const T E14_23 = sines[13];
   // R14^T = R1^T E14^T: R takes inertial components to body components
   const T R14_21 = R1_21 * E14_22 + R1_31 * E14_23;
   const T R14_22 = R1_22 * E14_22 + R1_32 * E14_23;
@@ -9531,34 +9556,34 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t14_3 = omega14_1 * T(3.1e-05);
   const T t14_4 = R14_21 * t14_1 - R1_11 * t14_2 + R14_31 * t14_3;
   const T B41_1_11 = minus_P_dot_omega1_2_11 - t14_4;
-  const T t14_5 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
-  const T t14_6 = T(0.003311) * E14_22;
-  const T t14_7 = omega14_1 * t14_6;
-  const T t14_8 = omega14_3 * t14_5 + t14_7;
+  const T t14_5 = T(0.003311) * E14_22;
+  const T t14_6 = omega14_1 * t14_5;
+  const T t14_7 = T(3.1e-05) * E14_22 + T(0.000635) * E14_23;
+  const T t14_8 = t14_6 + omega14_3 * t14_7;
   const T t14_9 = T(0.003311) * E14_23;
-  const T t14_10 = omega14_2 * t14_6 - omega14_3 * t14_9;
+  const T t14_10 = omega14_2 * t14_5 - omega14_3 * t14_9;
   const T t14_11 = omega14_1 * t14_9;
-  const T t14_12 = t14_11 + omega14_2 * t14_5;
+  const T t14_12 = t14_11 + omega14_2 * t14_7;
   const T t14_13 = T(0.000635) * E14_22 - T(3.1e-05) * E14_23;
-  const T B41_1_12 = R14_21 * t14_8 - R1_11 * t14_10 - R14_31 * t14_12 + thetadot14 * (R1_11 * t14_13 - R14_21 * t14_6
-      + R14_31 * t14_9) + minus_P_dot_omega1_2_12;
-  const T t14_14 = omega14_3 * t14_6 + omega14_2 * t14_9;
+  const T B41_1_12 = minus_P_dot_omega1_2_12 + R14_21 * t14_8 - R1_11 * t14_10 - R14_31 * t14_12 + thetadot14 * (R1_11
+      * t14_13 - R14_21 * t14_5 + R14_31 * t14_9);
+  const T t14_14 = omega14_3 * t14_5 + omega14_2 * t14_9;
   const T t14_15 = omega14_3 * t14_13 - t14_11;
-  const T t14_16 = t14_7 + omega14_2 * t14_13;
-  const T minus_B41_1_13 = thetadot14 * (R14_21 * t14_9 - R1_11 * t14_5 + R14_31 * t14_6) + R1_11 * t14_14 + R14_21 *
-      t14_15 - R14_31 * t14_16 + P_dot_omega1_2_13;
+  const T t14_16 = t14_6 + omega14_2 * t14_13;
+  const T minus_B41_1_13 = P_dot_omega1_2_13 + thetadot14 * (R14_21 * t14_9 - R1_11 * t14_7 + R14_31 * t14_5) + R1_11
+      * t14_14 + R14_21 * t14_15 - R14_31 * t14_16;
   const T t14_17 = R14_22 * t14_1 - R1_12 * t14_2 + R14_32 * t14_3;
   const T B41_1_21 = minus_P_dot_omega1_2_21 - t14_17;
-  const T B41_1_22 = R14_22 * t14_8 - R1_12 * t14_10 - R14_32 * t14_12 + thetadot14 * (R1_12 * t14_13 - R14_22 * t14_6
-      + R14_32 * t14_9) + minus_P_dot_omega1_2_22;
-  const T minus_B41_1_23 = thetadot14 * (R14_22 * t14_9 - R1_12 * t14_5 + R14_32 * t14_6) + R1_12 * t14_14 + R14_22 *
-      t14_15 - R14_32 * t14_16 + P_dot_omega1_2_23;
+  const T B41_1_22 = minus_P_dot_omega1_2_22 + R14_22 * t14_8 - R1_12 * t14_10 - R14_32 * t14_12 + thetadot14 * (R1_12
+      * t14_13 - R14_22 * t14_5 + R14_32 * t14_9);
+  const T minus_B41_1_23 = P_dot_omega1_2_23 + thetadot14 * (R14_22 * t14_9 - R1_12 * t14_7 + R14_32 * t14_5) + R1_12
+      * t14_14 + R14_22 * t14_15 - R14_32 * t14_16;
   const T t14_18 = R14_23 * t14_1 - R1_13 * t14_2 + R14_33 * t14_3;
   const T B41_1_31 = minus_P_dot_omega1_2_31 - t14_18;
-  const T B41_1_32 = R14_23 * t14_8 - R1_13 * t14_10 - R14_33 * t14_12 + thetadot14 * (R1_13 * t14_13 - R14_23 * t14_6
-      + R14_33 * t14_9) + minus_P_dot_omega1_2_32;
-  const T minus_B41_1_33 = thetadot14 * (R14_23 * t14_9 - R1_13 * t14_5 + R14_33 * t14_6) + R1_13 * t14_14 + R14_23 *
-      t14_15 - R14_33 * t14_16 + P_dot_omega1_2_33;
+  const T B41_1_32 = minus_P_dot_omega1_2_32 + R14_23 * t14_8 - R1_13 * t14_10 - R14_33 * t14_12 + thetadot14 * (R1_13
+      * t14_13 - R14_23 * t14_5 + R14_33 * t14_9);
+  const T minus_B41_1_33 = P_dot_omega1_2_33 + thetadot14 * (R14_23 * t14_9 - R1_13 * t14_7 + R14_33 * t14_5) + R1_13
+      * t14_14 + R14_23 * t14_15 - R14_33 * t14_16;
   v_y_dot[702] = B41_1_11;
   v_y_dot[703] = B41_1_12;
   v_y_dot[704] = -minus_B41_1_13;
@@ -9573,11 +9598,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[750] = -t14_18;
 
   // ---- body 15 (rl_thigh) on body 14
-  const T theta15 = x[14];
   const T thetadot15 = y[13];
   // E15^T = Rot(b15, theta15): E takes components in the lower body to those in the body
-  const T E15_11 = cos(theta15);
-  const T minus_E15_13 = sin(theta15);
+  const T E15_11 = cosines[14];
+  const T minus_E15_13 = sines[14];
   // R15^T = R14^T E15^T: R takes inertial components to body components
   const T R15_11 = R1_11 * E15_11 - R14_31 * minus_E15_13;
   const T R15_12 = R1_12 * E15_11 - R14_32 * minus_E15_13;
@@ -9615,19 +9639,19 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t15_9 = omega14_3 * T(0.0838);
   const T t15_10 = t15_9 * E14_23;
   const T t15_11 = t15_4 * E14_23;
-  const T P_dot_omega1_15_12 = R1_11 * t15_8 + R14_21 * t15_10 - R14_31 * t15_11 + minus_P_dot_omega1_2_12;
+  const T P_dot_omega1_15_12 = minus_P_dot_omega1_2_12 + R1_11 * t15_8 + R14_21 * t15_10 - R14_31 * t15_11;
   const T t15_12 = t15_7 * E14_23;
   const T t15_13 = t15_9 * E14_22;
   const T t15_14 = t15_4 * E14_22;
-  const T P_dot_omega1_15_13 = R1_11 * t15_12 - R14_21 * t15_13 + R14_31 * t15_14 - P_dot_omega1_2_13;
+  const T P_dot_omega1_15_13 = R1_11 * t15_12 - P_dot_omega1_2_13 - R14_21 * t15_13 + R14_31 * t15_14;
   const T t15_15 = R1_12 * t15_4 - R14_22 * t15_5;
   const T P_dot_omega1_15_21 = t15_15 + minus_P_dot_omega1_2_21;
-  const T P_dot_omega1_15_22 = R1_12 * t15_8 + R14_22 * t15_10 - R14_32 * t15_11 + minus_P_dot_omega1_2_22;
-  const T P_dot_omega1_15_23 = R1_12 * t15_12 - R14_22 * t15_13 + R14_32 * t15_14 - P_dot_omega1_2_23;
+  const T P_dot_omega1_15_22 = minus_P_dot_omega1_2_22 + R1_12 * t15_8 + R14_22 * t15_10 - R14_32 * t15_11;
+  const T P_dot_omega1_15_23 = R1_12 * t15_12 - P_dot_omega1_2_23 - R14_22 * t15_13 + R14_32 * t15_14;
   const T t15_16 = R1_13 * t15_4 - R14_23 * t15_5;
   const T P_dot_omega1_15_31 = t15_16 + minus_P_dot_omega1_2_31;
-  const T P_dot_omega1_15_32 = R1_13 * t15_8 + R14_23 * t15_10 - R14_33 * t15_11 + minus_P_dot_omega1_2_32;
-  const T P_dot_omega1_15_33 = R1_13 * t15_12 - R14_23 * t15_13 + R14_33 * t15_14 - P_dot_omega1_2_33;
+  const T P_dot_omega1_15_32 = minus_P_dot_omega1_2_32 + R1_13 * t15_8 + R14_23 * t15_10 - R14_33 * t15_11;
+  const T P_dot_omega1_15_33 = R1_13 * t15_12 - P_dot_omega1_2_33 - R14_23 * t15_13 + R14_33 * t15_14;
   // B43_1 = -R15^T omega15~ r15~ omega_omega1_15 - R15^T r15~ omega_dot_omega1_15 + P_dot_omega1_15
   const T t15_17 = T(0.022327) * E15_11;
   const T t15_18 = T(0.003237) * minus_E15_13 - T(0.027326) * E15_11;
@@ -9642,16 +9666,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
       t15_25;
   const T B43_1_11 = P_dot_omega1_15_11 - t15_26;
   const T t15_27 = T(0.027326) * omega_omega1_15_12 + T(0.003237) * minus_omega_omega1_15_32;
-  const T t15_28 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
-  const T t15_29 = omega15_1 * t15_27 + omega15_2 * t15_28;
-  const T t15_30 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
-  const T t15_31 = omega15_3 * t15_27 + omega15_2 * t15_30;
-  const T t15_32 = omega15_3 * t15_28 - omega15_1 * t15_30;
+  const T t15_28 = T(0.022327) * omega_omega1_15_12 - T(0.003237) * E14_22;
+  const T t15_29 = omega15_3 * t15_27 + omega15_2 * t15_28;
+  const T t15_30 = T(0.027326) * E14_22 + T(0.022327) * minus_omega_omega1_15_32;
+  const T t15_31 = omega15_3 * t15_30 - omega15_1 * t15_28;
+  const T t15_32 = omega15_1 * t15_27 + omega15_2 * t15_30;
   const T t15_33 = T(0.022327) * minus_omega_dot_omega1_15_32 - T(0.027326) * minus_omega_dot_omega1_15_22;
   const T t15_34 = T(0.003237) * minus_omega_dot_omega1_15_32 + T(0.027326) * omega_dot_omega1_15_12;
   const T t15_35 = T(0.022327) * omega_dot_omega1_15_12 + T(0.003237) * minus_omega_dot_omega1_15_22;
-  const T B43_1_12 = R15_31 * t15_29 - (R15_11 * t15_31 + R14_21 * t15_32) - R15_11 * t15_33 + R14_21 * t15_34 -
-      R15_31 * t15_35 + P_dot_omega1_15_12;
+  const T B43_1_12 = P_dot_omega1_15_12 - R15_11 * t15_29 - R14_21 * t15_31 + R15_31 * t15_32 - R15_11 * t15_33 +
+      R14_21 * t15_34 - R15_31 * t15_35;
   const T t15_36 = T(0.027326) * minus_omega_omega1_15_13 + T(0.003237) * omega_omega1_15_33;
   const T t15_37 = T(0.003237) * E14_23 + T(0.022327) * minus_omega_omega1_15_13;
   const T t15_38 = omega15_3 * t15_36 + omega15_2 * t15_37;
@@ -9661,22 +9685,22 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t15_42 = T(0.027326) * omega_dot_omega1_15_23 + T(0.022327) * minus_omega_dot_omega1_15_33;
   const T t15_43 = T(0.027326) * minus_omega_dot_omega1_15_13 - T(0.003237) * minus_omega_dot_omega1_15_33;
   const T t15_44 = T(0.022327) * minus_omega_dot_omega1_15_13 + T(0.003237) * omega_dot_omega1_15_23;
-  const T B43_1_13 = R15_11 * t15_38 - R14_21 * t15_40 - R15_31 * t15_41 - R15_11 * t15_42 - R14_21 * t15_43 + R15_31
-      * t15_44 + P_dot_omega1_15_13;
+  const T B43_1_13 = P_dot_omega1_15_13 + R15_11 * t15_38 - R14_21 * t15_40 - R15_31 * t15_41 - R15_11 * t15_42 -
+      R14_21 * t15_43 + R15_31 * t15_44;
   const T t15_45 = R15_12 * t15_19 - R14_22 * t15_21 + R15_32 * t15_22 + R14_22 * t15_23 - R15_12 * t15_24 - R15_32 *
       t15_25;
   const T B43_1_21 = P_dot_omega1_15_21 - t15_45;
-  const T B43_1_22 = R15_32 * t15_29 - (R15_12 * t15_31 + R14_22 * t15_32) - R15_12 * t15_33 + R14_22 * t15_34 -
-      R15_32 * t15_35 + P_dot_omega1_15_22;
-  const T B43_1_23 = R15_12 * t15_38 - R14_22 * t15_40 - R15_32 * t15_41 - R15_12 * t15_42 - R14_22 * t15_43 + R15_32
-      * t15_44 + P_dot_omega1_15_23;
+  const T B43_1_22 = P_dot_omega1_15_22 - R15_12 * t15_29 - R14_22 * t15_31 + R15_32 * t15_32 - R15_12 * t15_33 +
+      R14_22 * t15_34 - R15_32 * t15_35;
+  const T B43_1_23 = P_dot_omega1_15_23 + R15_12 * t15_38 - R14_22 * t15_40 - R15_32 * t15_41 - R15_12 * t15_42 -
+      R14_22 * t15_43 + R15_32 * t15_44;
   const T t15_46 = R15_13 * t15_19 - R14_23 * t15_21 + R15_33 * t15_22 + R14_23 * t15_23 - R15_13 * t15_24 - R15_33 *
       t15_25;
   const T B43_1_31 = P_dot_omega1_15_31 - t15_46;
-  const T B43_1_32 = R15_33 * t15_29 - (R15_13 * t15_31 + R14_23 * t15_32) - R15_13 * t15_33 + R14_23 * t15_34 -
-      R15_33 * t15_35 + P_dot_omega1_15_32;
-  const T B43_1_33 = R15_13 * t15_38 - R14_23 * t15_40 - R15_33 * t15_41 - R15_13 * t15_42 - R14_23 * t15_43 + R15_33
-      * t15_44 + P_dot_omega1_15_33;
+  const T B43_1_32 = P_dot_omega1_15_32 - R15_13 * t15_29 - R14_23 * t15_31 + R15_33 * t15_32 - R15_13 * t15_33 +
+      R14_23 * t15_34 - R15_33 * t15_35;
+  const T B43_1_33 = P_dot_omega1_15_33 + R15_13 * t15_38 - R14_23 * t15_40 - R15_33 * t15_41 - R15_13 * t15_42 -
+      R14_23 * t15_43 + R15_33 * t15_44;
   v_y_dot[756] = B43_1_11;
   v_y_dot[757] = B43_1_12;
   v_y_dot[758] = B43_1_13;
@@ -9705,11 +9729,10 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   v_y_dot[805] = -minus_B45_15_3;
 
   // ---- body 16 (rl_calf) on body 15
-  const T theta16 = x[15];
   const T thetadot16 = y[14];
   // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cos(theta16);
-  const T minus_E16_13 = sin(theta16);
+  const T E16_11 = cosines[15];
+  const T minus_E16_13 = sines[15];
   // R16^T = R15^T E16^T: R takes inertial components to body components
   const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
   const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
@@ -9749,27 +9772,27 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_5 = R15_11 * t16_2 + R14_21 * t16_3 - R15_31 * t16_4;
   const T P_dot_omega1_16_11 = P_dot_omega1_15_11 - t16_5;
   const T t16_6 = T(0.2) * omega_omega1_15_12;
-  const T t16_7 = T(0.2) * E14_22;
-  const T t16_8 = omega15_1 * t16_6 + omega15_2 * t16_7;
-  const T t16_9 = T(0.2) * minus_omega_dot_omega1_15_22;
-  const T t16_10 = omega15_3 * t16_6 - t16_9;
-  const T t16_11 = omega15_3 * t16_7 - T(0.2) * omega_dot_omega1_15_12;
-  const T P_dot_omega1_16_12 = R15_31 * t16_8 - (R15_11 * t16_10 + R14_21 * t16_11) + P_dot_omega1_15_12;
+  const T t16_7 = T(0.2) * minus_omega_dot_omega1_15_22;
+  const T t16_8 = omega15_3 * t16_6 - t16_7;
+  const T t16_9 = T(0.2) * E14_22;
+  const T t16_10 = omega15_3 * t16_9 - T(0.2) * omega_dot_omega1_15_12;
+  const T t16_11 = omega15_1 * t16_6 + omega15_2 * t16_9;
+  const T P_dot_omega1_16_12 = P_dot_omega1_15_12 - R15_11 * t16_8 - R14_21 * t16_10 + R15_31 * t16_11;
   const T t16_12 = T(0.2) * omega_dot_omega1_15_23;
   const T t16_13 = T(0.2) * minus_omega_omega1_15_13;
   const T t16_14 = t16_12 - omega15_3 * t16_13;
   const T t16_15 = T(0.2) * E14_23;
   const T t16_16 = omega15_3 * t16_15 + T(0.2) * minus_omega_dot_omega1_15_13;
   const T t16_17 = omega15_1 * t16_13 - omega15_2 * t16_15;
-  const T P_dot_omega1_16_13 = P_dot_omega1_15_13 - (R15_11 * t16_14 + R14_21 * t16_16 + R15_31 * t16_17);
+  const T P_dot_omega1_16_13 = P_dot_omega1_15_13 - R15_11 * t16_14 - R14_21 * t16_16 - R15_31 * t16_17;
   const T t16_18 = R15_12 * t16_2 + R14_22 * t16_3 - R15_32 * t16_4;
   const T P_dot_omega1_16_21 = P_dot_omega1_15_21 - t16_18;
-  const T P_dot_omega1_16_22 = R15_32 * t16_8 - (R15_12 * t16_10 + R14_22 * t16_11) + P_dot_omega1_15_22;
-  const T P_dot_omega1_16_23 = P_dot_omega1_15_23 - (R15_12 * t16_14 + R14_22 * t16_16 + R15_32 * t16_17);
+  const T P_dot_omega1_16_22 = P_dot_omega1_15_22 - R15_12 * t16_8 - R14_22 * t16_10 + R15_32 * t16_11;
+  const T P_dot_omega1_16_23 = P_dot_omega1_15_23 - R15_12 * t16_14 - R14_22 * t16_16 - R15_32 * t16_17;
   const T t16_19 = R15_13 * t16_2 + R14_23 * t16_3 - R15_33 * t16_4;
   const T P_dot_omega1_16_31 = P_dot_omega1_15_31 - t16_19;
-  const T P_dot_omega1_16_32 = R15_33 * t16_8 - (R15_13 * t16_10 + R14_23 * t16_11) + P_dot_omega1_15_32;
-  const T P_dot_omega1_16_33 = P_dot_omega1_15_33 - (R15_13 * t16_14 + R14_23 * t16_16 + R15_33 * t16_17);
+  const T P_dot_omega1_16_32 = P_dot_omega1_15_32 - R15_13 * t16_8 - R14_23 * t16_10 + R15_33 * t16_11;
+  const T P_dot_omega1_16_33 = P_dot_omega1_15_33 - R15_13 * t16_14 - R14_23 * t16_16 - R15_33 * t16_17;
   // P_dot_thetadot14_16 = R15^T (-omega15~ q16~ omega_thetadot14_15 - q16~ omega_dot_thetadot14_15) +
   //   P_dot_thetadot14_15: its rate
   const T minus_P_dot_thetadot14_16_1 = t16_5 - t15_6;
@@ -9789,16 +9812,16 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_26 = R16_11 * t16_23 - R16_31 * t16_24 + R14_21 * t16_25;
   const T B46_1_11 = P_dot_omega1_16_11 - t16_26;
   const T t16_27 = T(0.107388) * omega_omega1_16_12 + T(0.006435) * omega_omega1_16_32;
-  const T t16_28 = T(0.107388) * E14_22;
-  const T t16_29 = omega16_1 * t16_27 + omega16_2 * t16_28;
-  const T t16_30 = T(0.006435) * E14_22;
-  const T t16_31 = omega16_3 * t16_27 + omega16_2 * t16_30;
-  const T t16_32 = omega16_3 * t16_28 - omega16_1 * t16_30;
+  const T t16_28 = T(0.006435) * E14_22;
+  const T t16_29 = omega16_3 * t16_27 + omega16_2 * t16_28;
+  const T t16_30 = T(0.107388) * E14_22;
+  const T t16_31 = omega16_3 * t16_30 - omega16_1 * t16_28;
+  const T t16_32 = omega16_1 * t16_27 + omega16_2 * t16_30;
   const T t16_33 = T(0.107388) * minus_omega_dot_omega1_15_22;
   const T t16_34 = T(0.107388) * omega_dot_omega1_16_12 + T(0.006435) * omega_dot_omega1_16_32;
   const T t16_35 = T(0.006435) * minus_omega_dot_omega1_15_22;
-  const T B46_1_12 = R16_31 * t16_29 - (R16_11 * t16_31 + R14_21 * t16_32) + R16_11 * t16_33 + R14_21 * t16_34 +
-      R16_31 * t16_35 + P_dot_omega1_16_12;
+  const T B46_1_12 = P_dot_omega1_16_12 - R16_11 * t16_29 - R14_21 * t16_31 + R16_31 * t16_32 + R16_11 * t16_33 +
+      R14_21 * t16_34 + R16_31 * t16_35;
   const T t16_36 = T(0.006435) * E14_23;
   const T t16_37 = T(0.107388) * minus_omega_omega1_16_13 - T(0.006435) * omega_omega1_16_33;
   const T t16_38 = omega16_2 * t16_36 - omega16_3 * t16_37;
@@ -9808,20 +9831,20 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_42 = T(0.107388) * omega_dot_omega1_15_23;
   const T t16_43 = T(0.006435) * minus_omega_dot_omega1_16_33 - T(0.107388) * omega_dot_omega1_16_13;
   const T t16_44 = T(0.006435) * omega_dot_omega1_15_23;
-  const T B46_1_13 = P_dot_omega1_16_13 - (R16_11 * t16_38 + R14_21 * t16_40 + R16_31 * t16_41 + R16_11 * t16_42 +
-      R14_21 * t16_43 + R16_31 * t16_44);
+  const T B46_1_13 = P_dot_omega1_16_13 - R16_11 * t16_38 - R14_21 * t16_40 - R16_31 * t16_41 - R16_11 * t16_42 -
+      R14_21 * t16_43 - R16_31 * t16_44;
   const T t16_45 = R16_12 * t16_23 - R16_32 * t16_24 + R14_22 * t16_25;
   const T B46_1_21 = P_dot_omega1_16_21 - t16_45;
-  const T B46_1_22 = R16_32 * t16_29 - (R16_12 * t16_31 + R14_22 * t16_32) + R16_12 * t16_33 + R14_22 * t16_34 +
-      R16_32 * t16_35 + P_dot_omega1_16_22;
-  const T B46_1_23 = P_dot_omega1_16_23 - (R16_12 * t16_38 + R14_22 * t16_40 + R16_32 * t16_41 + R16_12 * t16_42 +
-      R14_22 * t16_43 + R16_32 * t16_44);
+  const T B46_1_22 = P_dot_omega1_16_22 - R16_12 * t16_29 - R14_22 * t16_31 + R16_32 * t16_32 + R16_12 * t16_33 +
+      R14_22 * t16_34 + R16_32 * t16_35;
+  const T B46_1_23 = P_dot_omega1_16_23 - R16_12 * t16_38 - R14_22 * t16_40 - R16_32 * t16_41 - R16_12 * t16_42 -
+      R14_22 * t16_43 - R16_32 * t16_44;
   const T t16_46 = R16_13 * t16_23 - R16_33 * t16_24 + R14_23 * t16_25;
   const T B46_1_31 = P_dot_omega1_16_31 - t16_46;
-  const T B46_1_32 = R16_33 * t16_29 - (R16_13 * t16_31 + R14_23 * t16_32) + R16_13 * t16_33 + R14_23 * t16_34 +
-      R16_33 * t16_35 + P_dot_omega1_16_32;
-  const T B46_1_33 = P_dot_omega1_16_33 - (R16_13 * t16_38 + R14_23 * t16_40 + R16_33 * t16_41 + R16_13 * t16_42 +
-      R14_23 * t16_43 + R16_33 * t16_44);
+  const T B46_1_32 = P_dot_omega1_16_32 - R16_13 * t16_29 - R14_23 * t16_31 + R16_33 * t16_32 + R16_13 * t16_33 +
+      R14_23 * t16_34 + R16_33 * t16_35;
+  const T B46_1_33 = P_dot_omega1_16_33 - R16_13 * t16_38 - R14_23 * t16_40 - R16_33 * t16_41 - R16_13 * t16_42 -
+      R14_23 * t16_43 - R16_33 * t16_44;
   v_y_dot[810] = B46_1_11;
   v_y_dot[811] = B46_1_12;
   v_y_dot[812] = B46_1_13;
@@ -9862,31 +9885,31 @@ void partial_velocity_rates([[maybe_unused]] const Prepared<T>& c, const T* x, c
   const T t16_57 = R16_11 * t16_54 - R16_31 * t16_55 + R14_21 * t16_56;
   const T B50_1_11 = P_dot_omega1_16_11 - t16_57;
   const T t16_58 = T(0.2) * omega_omega1_16_12;
-  const T t16_59 = omega16_1 * t16_58 + omega16_2 * t16_7;
-  const T t16_60 = omega16_3 * t16_58;
-  const T t16_61 = omega16_3 * t16_7;
+  const T t16_59 = omega16_3 * t16_58;
+  const T t16_60 = omega16_3 * t16_9;
+  const T t16_61 = omega16_1 * t16_58 + omega16_2 * t16_9;
   const T t16_62 = T(0.2) * omega_dot_omega1_16_12;
-  const T B50_1_12 = R16_31 * t16_59 - (R16_11 * t16_60 + R14_21 * t16_61) + R16_11 * t16_9 + R14_21 * t16_62 +
-      P_dot_omega1_16_12;
+  const T B50_1_12 = P_dot_omega1_16_12 - R16_11 * t16_59 - R14_21 * t16_60 + R16_31 * t16_61 + R16_11 * t16_7 +
+      R14_21 * t16_62;
   const T t16_63 = T(0.2) * minus_omega_omega1_16_13;
   const T t16_64 = omega16_3 * t16_63;
   const T t16_65 = omega16_3 * t16_15;
   const T t16_66 = omega16_1 * t16_63 - omega16_2 * t16_15;
   const T t16_67 = T(0.2) * omega_dot_omega1_16_13;
-  const T B50_1_13 = R16_11 * t16_64 - R14_21 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 + R14_21 * t16_67 +
-      P_dot_omega1_16_13;
+  const T B50_1_13 = P_dot_omega1_16_13 + R16_11 * t16_64 - R14_21 * t16_65 - R16_31 * t16_66 - R16_11 * t16_12 +
+      R14_21 * t16_67;
   const T t16_68 = R16_12 * t16_54 - R16_32 * t16_55 + R14_22 * t16_56;
   const T B50_1_21 = P_dot_omega1_16_21 - t16_68;
-  const T B50_1_22 = R16_32 * t16_59 - (R16_12 * t16_60 + R14_22 * t16_61) + R16_12 * t16_9 + R14_22 * t16_62 +
-      P_dot_omega1_16_22;
-  const T B50_1_23 = R16_12 * t16_64 - R14_22 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 + R14_22 * t16_67 +
-      P_dot_omega1_16_23;
+  const T B50_1_22 = P_dot_omega1_16_22 - R16_12 * t16_59 - R14_22 * t16_60 + R16_32 * t16_61 + R16_12 * t16_7 +
+      R14_22 * t16_62;
+  const T B50_1_23 = P_dot_omega1_16_23 + R16_12 * t16_64 - R14_22 * t16_65 - R16_32 * t16_66 - R16_12 * t16_12 +
+      R14_22 * t16_67;
   const T t16_69 = R16_13 * t16_54 - R16_33 * t16_55 + R14_23 * t16_56;
   const T B50_1_31 = P_dot_omega1_16_31 - t16_69;
-  const T B50_1_32 = R16_33 * t16_59 - (R16_13 * t16_60 + R14_23 * t16_61) + R16_13 * t16_9 + R14_23 * t16_62 +
-      P_dot_omega1_16_32;
-  const T B50_1_33 = R16_13 * t16_64 - R14_23 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 + R14_23 * t16_67 +
-      P_dot_omega1_16_33;
+  const T B50_1_32 = P_dot_omega1_16_32 - R16_13 * t16_59 - R14_23 * t16_60 + R16_33 * t16_61 + R16_13 * t16_7 +
+      R14_23 * t16_62;
+  const T B50_1_33 = P_dot_omega1_16_33 + R16_13 * t16_64 - R14_23 * t16_65 - R16_33 * t16_66 - R16_13 * t16_12 +
+      R14_23 * t16_67;
   v_y_dot[864] = B50_1_11;
   v_y_dot[865] = B50_1_12;
   v_y_dot[866] = B50_1_13;

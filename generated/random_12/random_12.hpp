@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 1c895227424d78ad of random_12/scene.toml; the usual functions
+// model d51120945eaae8fa of random_12/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -57,7 +57,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "1c895227424d78ad";
+inline constexpr char model_hash[] = "d51120945eaae8fa";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -636,9 +636,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.011) + R2_21 * T(0.31) + P2_1;
-  const T p2_2 = R2_12 * T(0.011) + R2_22 * T(0.31) + P2_2;
-  const T p2_3 = R2_13 * T(0.011) + R2_23 * T(0.31) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.011) + R2_21 * T(0.31);
+  const T p2_2 = P2_2 + R2_12 * T(0.011) + R2_22 * T(0.31);
+  const T p2_3 = P2_3 + R2_13 * T(0.011) + R2_23 * T(0.31);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
@@ -682,13 +682,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.484) + R3_21 * T(0.498) + R3_31 * T(0.004) + P3_1;
-  const T p3_2 = R3_12 * T(0.484) + R3_22 * T(0.498) + R3_32 * T(0.004) + P3_2;
-  const T p3_3 = R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.484) + R3_21 * T(0.498) + R3_31 * T(0.004);
+  const T p3_2 = P3_2 + R3_12 * T(0.484) + R3_22 * T(0.498) + R3_32 * T(0.004);
+  const T p3_3 = P3_3 + R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
@@ -732,13 +732,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
   // P4 = R3^T d4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = R3_11 * d4_1 + R3_21 * d4_2 + R3_31 * d4_3 + P3_1;
-  const T P4_2 = R3_12 * d4_1 + R3_22 * d4_2 + R3_32 * d4_3 + P3_2;
-  const T P4_3 = R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3 + P3_3;
+  const T P4_1 = P3_1 + R3_11 * d4_1 + R3_21 * d4_2 + R3_31 * d4_3;
+  const T P4_2 = P3_2 + R3_12 * d4_1 + R3_22 * d4_2 + R3_32 * d4_3;
+  const T P4_3 = P3_3 + R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.401) + R4_21 * T(0.289) + R4_31 * T(0.08) + P4_1;
-  const T p4_2 = R4_12 * T(0.401) + R4_22 * T(0.289) + R4_32 * T(0.08) + P4_2;
-  const T p4_3 = R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.401) + R4_21 * T(0.289) + R4_31 * T(0.08);
+  const T p4_2 = P4_2 + R4_12 * T(0.401) + R4_22 * T(0.289) + R4_32 * T(0.08);
+  const T p4_3 = P4_3 + R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
@@ -782,13 +782,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d5_2 = s5_2 - T(0.262);
   const T d5_3 = s5_3 - T(0.173);
   // P5 = R3^T d5 + P3: position of the body origin, inertial axes [m]
-  const T P5_1 = R3_11 * d5_1 + R3_21 * d5_2 + R3_31 * d5_3 + P3_1;
-  const T P5_2 = R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3 + P3_2;
-  const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
+  const T P5_1 = P3_1 + R3_11 * d5_1 + R3_21 * d5_2 + R3_31 * d5_3;
+  const T P5_2 = P3_2 + R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3;
+  const T P5_3 = P3_3 + R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_31 * T(0.167) - (R5_11 * T(0.056) + R5_21 * T(0.321)) + P5_1;
-  const T p5_2 = R5_32 * T(0.167) - (R5_12 * T(0.056) + R5_22 * T(0.321)) + P5_2;
-  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
+  const T p5_1 = P5_1 - R5_11 * T(0.056) - R5_21 * T(0.321) + R5_31 * T(0.167);
+  const T p5_2 = P5_2 - R5_12 * T(0.056) - R5_22 * T(0.321) + R5_32 * T(0.167);
+  const T p5_3 = P5_3 - R5_13 * T(0.056) - R5_23 * T(0.321) + R5_33 * T(0.167);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -832,13 +832,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
   // P6 = R2^T d6 + P2: position of the body origin, inertial axes [m]
-  const T P6_1 = R2_11 * d6_1 + R2_21 * d6_2 + R2_31 * d6_3 + P2_1;
-  const T P6_2 = R2_12 * d6_1 + R2_22 * d6_2 + R2_32 * d6_3 + P2_2;
-  const T P6_3 = R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3 + P2_3;
+  const T P6_1 = P2_1 + R2_11 * d6_1 + R2_21 * d6_2 + R2_31 * d6_3;
+  const T P6_2 = P2_2 + R2_12 * d6_1 + R2_22 * d6_2 + R2_32 * d6_3;
+  const T P6_3 = P2_3 + R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.044) - R6_21 * T(0.248) - R6_31 * T(0.454) + P6_1;
-  const T p6_2 = R6_12 * T(0.044) - R6_22 * T(0.248) - R6_32 * T(0.454) + P6_2;
-  const T p6_3 = R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.044) - R6_21 * T(0.248) - R6_31 * T(0.454);
+  const T p6_2 = P6_2 + R6_12 * T(0.044) - R6_22 * T(0.248) - R6_32 * T(0.454);
+  const T p6_3 = P6_3 + R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -882,13 +882,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d7_2 = s7_2 - T(0.337);
   const T d7_3 = T(0.216) + s7_3;
   // P7 = R4^T d7 + P4: position of the body origin, inertial axes [m]
-  const T P7_1 = R4_11 * d7_1 + R4_21 * d7_2 + R4_31 * d7_3 + P4_1;
-  const T P7_2 = R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3 + P4_2;
-  const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
+  const T P7_1 = P4_1 + R4_11 * d7_1 + R4_21 * d7_2 + R4_31 * d7_3;
+  const T P7_2 = P4_2 + R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3;
+  const T P7_3 = P4_3 + R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - (R7_11 * T(0.475) + R7_21 * T(0.192) + R7_31 * T(0.487));
-  const T p7_2 = P7_2 - (R7_12 * T(0.475) + R7_22 * T(0.192) + R7_32 * T(0.487));
-  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
+  const T p7_1 = P7_1 - R7_11 * T(0.475) - R7_21 * T(0.192) - R7_31 * T(0.487);
+  const T p7_2 = P7_2 - R7_12 * T(0.475) - R7_22 * T(0.192) - R7_32 * T(0.487);
+  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
   pose[81] = p7_1;
   pose[82] = p7_2;
   pose[83] = p7_3;
@@ -936,9 +936,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P8_2 = s1_2 + R1_12 * d8_1 + R1_22 * d8_2 + R1_32 * d8_3;
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = P8_1 - (R8_11 * T(0.392) + R8_21 * T(0.416) + R8_31 * T(0.444));
-  const T p8_2 = P8_2 - (R8_12 * T(0.392) + R8_22 * T(0.416) + R8_32 * T(0.444));
-  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
+  const T p8_1 = P8_1 - R8_11 * T(0.392) - R8_21 * T(0.416) - R8_31 * T(0.444);
+  const T p8_2 = P8_2 - R8_12 * T(0.392) - R8_22 * T(0.416) - R8_32 * T(0.444);
+  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
   pose[93] = p8_1;
   pose[94] = p8_2;
   pose[95] = p8_3;
@@ -982,13 +982,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
   // P9 = R6^T d9 + P6: position of the body origin, inertial axes [m]
-  const T P9_1 = R6_11 * d9_1 + R6_21 * d9_2 + R6_31 * d9_3 + P6_1;
-  const T P9_2 = R6_12 * d9_1 + R6_22 * d9_2 + R6_32 * d9_3 + P6_2;
-  const T P9_3 = R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3 + P6_3;
+  const T P9_1 = P6_1 + R6_11 * d9_1 + R6_21 * d9_2 + R6_31 * d9_3;
+  const T P9_2 = P6_2 + R6_12 * d9_1 + R6_22 * d9_2 + R6_32 * d9_3;
+  const T P9_3 = P6_3 + R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3;
   // p9 = R9^T r9 + P9: position of the mass centre, inertial axes [m]
-  const T p9_1 = R9_11 * T(0.362) + R9_21 * T(0.49) - R9_31 * T(0.015) + P9_1;
-  const T p9_2 = R9_12 * T(0.362) + R9_22 * T(0.49) - R9_32 * T(0.015) + P9_2;
-  const T p9_3 = R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015) + P9_3;
+  const T p9_1 = P9_1 + R9_11 * T(0.362) + R9_21 * T(0.49) - R9_31 * T(0.015);
+  const T p9_2 = P9_2 + R9_12 * T(0.362) + R9_22 * T(0.49) - R9_32 * T(0.015);
+  const T p9_3 = P9_3 + R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015);
   pose[105] = p9_1;
   pose[106] = p9_2;
   pose[107] = p9_3;
@@ -1032,13 +1032,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d10_2 = s10_2 - T(0.399);
   const T d10_3 = s10_3 - T(0.25);
   // P10 = R8^T d10 + P8: position of the body origin, inertial axes [m]
-  const T P10_1 = R8_11 * d10_1 + R8_21 * d10_2 + R8_31 * d10_3 + P8_1;
-  const T P10_2 = R8_12 * d10_1 + R8_22 * d10_2 + R8_32 * d10_3 + P8_2;
-  const T P10_3 = R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3 + P8_3;
+  const T P10_1 = P8_1 + R8_11 * d10_1 + R8_21 * d10_2 + R8_31 * d10_3;
+  const T P10_2 = P8_2 + R8_12 * d10_1 + R8_22 * d10_2 + R8_32 * d10_3;
+  const T P10_3 = P8_3 + R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = R10_11 * T(0.016) + R10_21 * T(0.148) - R10_31 * T(0.426) + P10_1;
-  const T p10_2 = R10_12 * T(0.016) + R10_22 * T(0.148) - R10_32 * T(0.426) + P10_2;
-  const T p10_3 = R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426) + P10_3;
+  const T p10_1 = P10_1 + R10_11 * T(0.016) + R10_21 * T(0.148) - R10_31 * T(0.426);
+  const T p10_2 = P10_2 + R10_12 * T(0.016) + R10_22 * T(0.148) - R10_32 * T(0.426);
+  const T p10_3 = P10_3 + R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426);
   pose[117] = p10_1;
   pose[118] = p10_2;
   pose[119] = p10_3;
@@ -1082,13 +1082,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d11_2 = s11_2 - T(0.186);
   const T d11_3 = s11_3 - T(0.241);
   // P11 = R5^T d11 + P5: position of the body origin, inertial axes [m]
-  const T P11_1 = R5_11 * d11_1 + R5_21 * d11_2 + R5_31 * d11_3 + P5_1;
-  const T P11_2 = R5_12 * d11_1 + R5_22 * d11_2 + R5_32 * d11_3 + P5_2;
-  const T P11_3 = R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3 + P5_3;
+  const T P11_1 = P5_1 + R5_11 * d11_1 + R5_21 * d11_2 + R5_31 * d11_3;
+  const T P11_2 = P5_2 + R5_12 * d11_1 + R5_22 * d11_2 + R5_32 * d11_3;
+  const T P11_3 = P5_3 + R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3;
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R11_11 * T(0.402) - R11_21 * T(0.348) + R11_31 * T(0.337) + P11_1;
-  const T p11_2 = R11_12 * T(0.402) - R11_22 * T(0.348) + R11_32 * T(0.337) + P11_2;
-  const T p11_3 = R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337) + P11_3;
+  const T p11_1 = P11_1 + R11_11 * T(0.402) - R11_21 * T(0.348) + R11_31 * T(0.337);
+  const T p11_2 = P11_2 + R11_12 * T(0.402) - R11_22 * T(0.348) + R11_32 * T(0.337);
+  const T p11_3 = P11_3 + R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337);
   pose[129] = p11_1;
   pose[130] = p11_2;
   pose[131] = p11_3;
@@ -1132,13 +1132,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d12_2 = T(0.42) + s12_2;
   const T d12_3 = T(0.022) + s12_3;
   // P12 = R11^T d12 + P11: position of the body origin, inertial axes [m]
-  const T P12_1 = R11_11 * d12_1 + R11_21 * d12_2 + R11_31 * d12_3 + P11_1;
-  const T P12_2 = R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3 + P11_2;
-  const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
+  const T P12_1 = P11_1 + R11_11 * d12_1 + R11_21 * d12_2 + R11_31 * d12_3;
+  const T P12_2 = P11_2 + R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3;
+  const T P12_3 = P11_3 + R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_1 = P12_1 - (R12_11 * T(0.006) + R12_21 * T(0.141) + R12_31 * T(0.1));
-  const T p12_2 = P12_2 - (R12_12 * T(0.006) + R12_22 * T(0.141) + R12_32 * T(0.1));
-  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
+  const T p12_1 = P12_1 - R12_11 * T(0.006) - R12_21 * T(0.141) - R12_31 * T(0.1);
+  const T p12_2 = P12_2 - R12_12 * T(0.006) - R12_22 * T(0.141) - R12_32 * T(0.1);
+  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
   pose[141] = p12_1;
   pose[142] = p12_2;
   pose[143] = p12_3;
@@ -1225,11 +1225,11 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P2 = s1 + R1^T d2: position of the body origin, inertial axes [m]
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_3 = R2_13 * T(0.011) + R2_23 * T(0.31) + P2_3;
+  const T p2_3 = P2_3 + R2_13 * T(0.011) + R2_23 * T(0.31);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -1237,9 +1237,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_16 = omega2_3 * T(0.011);
   const T t2_17 = omega2_3 * T(0.31);
   const T t2_18 = omega2_1 * T(0.31) - omega2_2 * T(0.011);
-  const T v2_1 = R2_21 * t2_16 - R2_11 * t2_17 + R2_31 * t2_18 + Pdot2_1;
-  const T v2_2 = R2_22 * t2_16 - R2_12 * t2_17 + R2_32 * t2_18 + Pdot2_2;
-  const T v2_3 = R2_23 * t2_16 - R2_13 * t2_17 + R2_33 * t2_18 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_21 * t2_16 - R2_11 * t2_17 + R2_31 * t2_18;
+  const T v2_2 = Pdot2_2 + R2_22 * t2_16 - R2_12 * t2_17 + R2_32 * t2_18;
+  const T v2_3 = Pdot2_3 + R2_23 * t2_16 - R2_13 * t2_17 + R2_33 * t2_18;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.1195) * omega2_1 + T(1e-04) * omega2_2 + T(0.0037) * omega2_3) + omega2_2 *
       (T(1e-04) * omega2_1 + T(0.1199) * omega2_2 + T(0.0049) * omega2_3) + omega2_3 * (T(0.0037) * omega2_1 +
@@ -1277,23 +1277,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_3 = R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004) + P3_3;
+  const T p3_3 = P3_3 + R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004);
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_2 * T(0.004) - omega3_3 * T(0.498);
   const T t3_17 = omega3_3 * T(0.484) - omega3_1 * T(0.004);
   const T t3_18 = omega3_1 * T(0.498) - omega3_2 * T(0.484);
-  const T v3_1 = R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.3616) * omega3_1 + T(0.0388) * omega3_2 + T(0.038) * omega3_3) + omega3_2 *
       (T(0.0388) * omega3_1 + T(0.1986) * omega3_2 - T(0.0036) * omega3_3) + omega3_3 * (T(0.038) * omega3_1 -
@@ -1331,23 +1331,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
   // P4 = R3^T d4 + P3: position of the body origin, inertial axes [m]
-  const T P4_3 = R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3 + P3_3;
+  const T P4_3 = P3_3 + R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_3 = R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08) + P4_3;
+  const T p4_3 = P4_3 + R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08);
   // Pdot4 = R3^T (omega3~ d4 + sdot4) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega3_2 * d4_3 - omega3_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega3_3 * d4_1 - omega3_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega3_1 * d4_2 - omega3_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15 + Pdot3_2;
-  const T Pdot4_3 = R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15 + Pdot3_3;
+  const T t4_13 = sdot4_1 + omega3_2 * d4_3 - omega3_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega3_3 * d4_1 - omega3_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega3_1 * d4_2 - omega3_2 * d4_1;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15;
+  const T Pdot4_3 = Pdot3_3 + R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.08) - omega4_3 * T(0.289);
   const T t4_17 = omega4_3 * T(0.401) - omega4_1 * T(0.08);
   const T t4_18 = omega4_1 * T(0.289) - omega4_2 * T(0.401);
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (T(0.2551) * omega4_1 + T(0.0225) * omega4_2 - T(0.0283) * omega4_3) + omega4_2 *
       (T(0.0225) * omega4_1 + T(0.2397) * omega4_2 - T(0.0221) * omega4_3) + omega4_3 * (T(0.2408) * omega4_3 -
@@ -1385,23 +1385,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d5_2 = s5_2 - T(0.262);
   const T d5_3 = s5_3 - T(0.173);
   // P5 = R3^T d5 + P3: position of the body origin, inertial axes [m]
-  const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
+  const T P5_3 = P3_3 + R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
+  const T p5_3 = P5_3 - R5_13 * T(0.056) - R5_23 * T(0.321) + R5_33 * T(0.167);
   // Pdot5 = R3^T (omega3~ d5 + sdot5) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega3_2 * d5_3 - omega3_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega3_1 * d5_2 - omega3_2 * d5_1 + sdot5_3;
-  const T Pdot5_1 = R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15 + Pdot3_1;
-  const T Pdot5_2 = R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15 + Pdot3_2;
-  const T Pdot5_3 = R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15 + Pdot3_3;
+  const T t5_13 = sdot5_1 + omega3_2 * d5_3 - omega3_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega3_3 * d5_1 - omega3_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega3_1 * d5_2 - omega3_2 * d5_1;
+  const T Pdot5_1 = Pdot3_1 + R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15;
+  const T Pdot5_2 = Pdot3_2 + R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15;
+  const T Pdot5_3 = Pdot3_3 + R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_16 = omega5_3 * T(0.321) + omega5_2 * T(0.167);
   const T t5_17 = omega5_3 * T(0.056) + omega5_1 * T(0.167);
   const T t5_18 = omega5_2 * T(0.056) - omega5_1 * T(0.321);
-  const T v5_1 = R5_11 * t5_16 - R5_21 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 - R5_22 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 - R5_23 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 - R5_21 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 - R5_22 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 - R5_23 * t5_17 + R5_33 * t5_18;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.0514) * omega5_1 + T(0.0396) * omega5_2 + T(0.0143) * omega5_3) + omega5_2 *
       (T(0.0396) * omega5_1 + T(0.1293) * omega5_2 - T(0.0036) * omega5_3) + omega5_3 * (T(0.0143) * omega5_1 -
@@ -1439,23 +1439,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
   // P6 = R2^T d6 + P2: position of the body origin, inertial axes [m]
-  const T P6_3 = R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3 + P2_3;
+  const T P6_3 = P2_3 + R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_3 = R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454) + P6_3;
+  const T p6_3 = P6_3 + R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454);
   // Pdot6 = R2^T (omega2~ d6 + sdot6) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega2_2 * d6_3 - omega2_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega2_3 * d6_1 - omega2_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega2_1 * d6_2 - omega2_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15 + Pdot2_1;
-  const T Pdot6_2 = R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15 + Pdot2_2;
-  const T Pdot6_3 = R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15 + Pdot2_3;
+  const T t6_13 = sdot6_1 + omega2_2 * d6_3 - omega2_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega2_3 * d6_1 - omega2_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega2_1 * d6_2 - omega2_2 * d6_1;
+  const T Pdot6_1 = Pdot2_1 + R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15;
+  const T Pdot6_2 = Pdot2_2 + R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15;
+  const T Pdot6_3 = Pdot2_3 + R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_3 * T(0.248) - omega6_2 * T(0.454);
   const T t6_17 = omega6_3 * T(0.044) + omega6_1 * T(0.454);
   const T t6_18 = omega6_1 * T(0.248) + omega6_2 * T(0.044);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.407) * omega6_1 + T(0.035) * omega6_2 + T(0.0493) * omega6_3) + omega6_2 *
       (T(0.035) * omega6_1 + T(0.5923) * omega6_2 + T(0.0219) * omega6_3) + omega6_3 * (T(0.0493) * omega6_1 +
@@ -1493,23 +1493,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d7_2 = s7_2 - T(0.337);
   const T d7_3 = T(0.216) + s7_3;
   // P7 = R4^T d7 + P4: position of the body origin, inertial axes [m]
-  const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
+  const T P7_3 = P4_3 + R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
+  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
   // Pdot7 = R4^T (omega4~ d7 + sdot7) + Pdot4: velocity of the body origin, inertial axes [m/s]
-  const T t7_13 = omega4_2 * d7_3 - omega4_3 * d7_2 + sdot7_1;
-  const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + sdot7_2;
-  const T t7_15 = omega4_1 * d7_2 - omega4_2 * d7_1 + sdot7_3;
-  const T Pdot7_1 = R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15 + Pdot4_1;
-  const T Pdot7_2 = R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15 + Pdot4_2;
-  const T Pdot7_3 = R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15 + Pdot4_3;
+  const T t7_13 = sdot7_1 + omega4_2 * d7_3 - omega4_3 * d7_2;
+  const T t7_14 = sdot7_2 + omega4_3 * d7_1 - omega4_1 * d7_3;
+  const T t7_15 = sdot7_3 + omega4_1 * d7_2 - omega4_2 * d7_1;
+  const T Pdot7_1 = Pdot4_1 + R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15;
+  const T Pdot7_2 = Pdot4_2 + R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15;
+  const T Pdot7_3 = Pdot4_3 + R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_16 = omega7_3 * T(0.192) - omega7_2 * T(0.487);
   const T t7_17 = omega7_1 * T(0.487) - omega7_3 * T(0.475);
   const T t7_18 = omega7_2 * T(0.475) - omega7_1 * T(0.192);
-  const T v7_1 = R7_11 * t7_16 + R7_21 * t7_17 + R7_31 * t7_18 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_16 + R7_22 * t7_17 + R7_32 * t7_18 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_16 + R7_23 * t7_17 + R7_33 * t7_18 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_16 + R7_21 * t7_17 + R7_31 * t7_18;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_16 + R7_22 * t7_17 + R7_32 * t7_18;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_16 + R7_23 * t7_17 + R7_33 * t7_18;
   // T7 = 1/2 omega7 . (I7 omega7) + 1/2 m7 v7 . v7: kinetic energy [J]
   const T T7 = T(0.5) * (omega7_1 * (T(0.133) * omega7_1 - T(7e-04) * omega7_2 + T(0.0025) * omega7_3) + omega7_2 *
       (T(0.136) * omega7_2 - T(7e-04) * omega7_1 + T(0.0017) * omega7_3) + omega7_3 * (T(0.0025) * omega7_1 +
@@ -1549,11 +1549,11 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   // P8 = s1 + R1^T d8: position of the body origin, inertial axes [m]
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
+  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8): velocity of the body origin, inertial axes [m/s]
-  const T t8_13 = omega1_2 * d8_3 - omega1_3 * d8_2 + sdot8_1;
-  const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + sdot8_2;
-  const T t8_15 = omega1_1 * d8_2 - omega1_2 * d8_1 + sdot8_3;
+  const T t8_13 = sdot8_1 + omega1_2 * d8_3 - omega1_3 * d8_2;
+  const T t8_14 = sdot8_2 + omega1_3 * d8_1 - omega1_1 * d8_3;
+  const T t8_15 = sdot8_3 + omega1_1 * d8_2 - omega1_2 * d8_1;
   const T Pdot8_1 = sdot1_1 + R1_11 * t8_13 + R1_21 * t8_14 + R1_31 * t8_15;
   const T Pdot8_2 = sdot1_2 + R1_12 * t8_13 + R1_22 * t8_14 + R1_32 * t8_15;
   const T Pdot8_3 = sdot1_3 + R1_13 * t8_13 + R1_23 * t8_14 + R1_33 * t8_15;
@@ -1561,9 +1561,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t8_16 = omega8_3 * T(0.416) - omega8_2 * T(0.444);
   const T t8_17 = omega8_1 * T(0.444) - omega8_3 * T(0.392);
   const T t8_18 = omega8_2 * T(0.392) - omega8_1 * T(0.416);
-  const T v8_1 = R8_11 * t8_16 + R8_21 * t8_17 + R8_31 * t8_18 + Pdot8_1;
-  const T v8_2 = R8_12 * t8_16 + R8_22 * t8_17 + R8_32 * t8_18 + Pdot8_2;
-  const T v8_3 = R8_13 * t8_16 + R8_23 * t8_17 + R8_33 * t8_18 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R8_11 * t8_16 + R8_21 * t8_17 + R8_31 * t8_18;
+  const T v8_2 = Pdot8_2 + R8_12 * t8_16 + R8_22 * t8_17 + R8_32 * t8_18;
+  const T v8_3 = Pdot8_3 + R8_13 * t8_16 + R8_23 * t8_17 + R8_33 * t8_18;
   // T8 = 1/2 omega8 . (I8 omega8) + 1/2 m8 v8 . v8: kinetic energy [J]
   const T T8 = T(0.5) * (omega8_1 * (T(0.4492) * omega8_1 - T(0.0147) * omega8_2 - T(0.0399) * omega8_3) + omega8_2 *
       (T(0.4994) * omega8_2 - T(0.0147) * omega8_1 + T(0.028) * omega8_3) + omega8_3 * (T(0.028) * omega8_2 -
@@ -1601,23 +1601,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
   // P9 = R6^T d9 + P6: position of the body origin, inertial axes [m]
-  const T P9_3 = R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3 + P6_3;
+  const T P9_3 = P6_3 + R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3;
   // p9 = R9^T r9 + P9: position of the mass centre, inertial axes [m]
-  const T p9_3 = R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015) + P9_3;
+  const T p9_3 = P9_3 + R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015);
   // Pdot9 = R6^T (omega6~ d9 + sdot9) + Pdot6: velocity of the body origin, inertial axes [m/s]
-  const T t9_13 = omega6_2 * d9_3 - omega6_3 * d9_2 + sdot9_1;
-  const T t9_14 = omega6_3 * d9_1 - omega6_1 * d9_3 + sdot9_2;
-  const T t9_15 = omega6_1 * d9_2 - omega6_2 * d9_1 + sdot9_3;
-  const T Pdot9_1 = R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15 + Pdot6_1;
-  const T Pdot9_2 = R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15 + Pdot6_2;
-  const T Pdot9_3 = R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15 + Pdot6_3;
+  const T t9_13 = sdot9_1 + omega6_2 * d9_3 - omega6_3 * d9_2;
+  const T t9_14 = sdot9_2 + omega6_3 * d9_1 - omega6_1 * d9_3;
+  const T t9_15 = sdot9_3 + omega6_1 * d9_2 - omega6_2 * d9_1;
+  const T Pdot9_1 = Pdot6_1 + R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15;
+  const T Pdot9_2 = Pdot6_2 + R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15;
+  const T Pdot9_3 = Pdot6_3 + R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15;
   // v9 = R9^T omega9~ r9 + Pdot9: velocity of the mass centre, inertial axes [m/s]
   const T t9_16 = omega9_3 * T(0.362) + omega9_1 * T(0.015);
   const T t9_17 = omega9_3 * T(0.49) + omega9_2 * T(0.015);
   const T t9_18 = omega9_1 * T(0.49) - omega9_2 * T(0.362);
-  const T v9_1 = R9_21 * t9_16 - R9_11 * t9_17 + R9_31 * t9_18 + Pdot9_1;
-  const T v9_2 = R9_22 * t9_16 - R9_12 * t9_17 + R9_32 * t9_18 + Pdot9_2;
-  const T v9_3 = R9_23 * t9_16 - R9_13 * t9_17 + R9_33 * t9_18 + Pdot9_3;
+  const T v9_1 = Pdot9_1 + R9_21 * t9_16 - R9_11 * t9_17 + R9_31 * t9_18;
+  const T v9_2 = Pdot9_2 + R9_22 * t9_16 - R9_12 * t9_17 + R9_32 * t9_18;
+  const T v9_3 = Pdot9_3 + R9_23 * t9_16 - R9_13 * t9_17 + R9_33 * t9_18;
   // T9 = 1/2 omega9 . (I9 omega9) + 1/2 m9 v9 . v9: kinetic energy [J]
   const T T9 = T(0.5) * (omega9_1 * (T(0.231) * omega9_1 + T(0.0215) * omega9_2 + T(0.0257) * omega9_3) + omega9_2 *
       (T(0.0215) * omega9_1 + T(0.3032) * omega9_2 - T(0.0093) * omega9_3) + omega9_3 * (T(0.0257) * omega9_1 -
@@ -1655,23 +1655,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d10_2 = s10_2 - T(0.399);
   const T d10_3 = s10_3 - T(0.25);
   // P10 = R8^T d10 + P8: position of the body origin, inertial axes [m]
-  const T P10_3 = R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3 + P8_3;
+  const T P10_3 = P8_3 + R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_3 = R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426) + P10_3;
+  const T p10_3 = P10_3 + R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426);
   // Pdot10 = R8^T (omega8~ d10 + sdot10) + Pdot8: velocity of the body origin, inertial axes [m/s]
-  const T t10_13 = omega8_2 * d10_3 - omega8_3 * d10_2 + sdot10_1;
-  const T t10_14 = omega8_3 * d10_1 - omega8_1 * d10_3 + sdot10_2;
-  const T t10_15 = omega8_1 * d10_2 - omega8_2 * d10_1 + sdot10_3;
-  const T Pdot10_1 = R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15 + Pdot8_1;
-  const T Pdot10_2 = R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15 + Pdot8_2;
-  const T Pdot10_3 = R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15 + Pdot8_3;
+  const T t10_13 = sdot10_1 + omega8_2 * d10_3 - omega8_3 * d10_2;
+  const T t10_14 = sdot10_2 + omega8_3 * d10_1 - omega8_1 * d10_3;
+  const T t10_15 = sdot10_3 + omega8_1 * d10_2 - omega8_2 * d10_1;
+  const T Pdot10_1 = Pdot8_1 + R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15;
+  const T Pdot10_2 = Pdot8_2 + R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15;
+  const T Pdot10_3 = Pdot8_3 + R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15;
   // v10 = R10^T omega10~ r10 + Pdot10: velocity of the mass centre, inertial axes [m/s]
   const T t10_16 = omega10_3 * T(0.016) + omega10_1 * T(0.426);
   const T t10_17 = omega10_3 * T(0.148) + omega10_2 * T(0.426);
   const T t10_18 = omega10_1 * T(0.148) - omega10_2 * T(0.016);
-  const T v10_1 = R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18 + Pdot10_1;
-  const T v10_2 = R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18 + Pdot10_2;
-  const T v10_3 = R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18;
+  const T v10_2 = Pdot10_2 + R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18;
+  const T v10_3 = Pdot10_3 + R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18;
   // T10 = 1/2 omega10 . (I10 omega10) + 1/2 m10 v10 . v10: kinetic energy [J]
   const T T10 = T(0.5) * (omega10_1 * (T(0.0833) * omega10_1 + T(0.0191) * omega10_2 + T(0.0097) * omega10_3) +
       omega10_2 * (T(0.0191) * omega10_1 + T(0.0917) * omega10_2 - T(0.0065) * omega10_3) + omega10_3 * (T(0.0097) *
@@ -1710,23 +1710,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d11_2 = s11_2 - T(0.186);
   const T d11_3 = s11_3 - T(0.241);
   // P11 = R5^T d11 + P5: position of the body origin, inertial axes [m]
-  const T P11_3 = R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3 + P5_3;
+  const T P11_3 = P5_3 + R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3;
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_3 = R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337) + P11_3;
+  const T p11_3 = P11_3 + R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337);
   // Pdot11 = R5^T (omega5~ d11 + sdot11) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t11_13 = omega5_2 * d11_3 - omega5_3 * d11_2 + sdot11_1;
-  const T t11_14 = omega5_3 * d11_1 - omega5_1 * d11_3 + sdot11_2;
-  const T t11_15 = omega5_1 * d11_2 - omega5_2 * d11_1 + sdot11_3;
-  const T Pdot11_1 = R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15 + Pdot5_1;
-  const T Pdot11_2 = R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15 + Pdot5_2;
-  const T Pdot11_3 = R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15 + Pdot5_3;
+  const T t11_13 = sdot11_1 + omega5_2 * d11_3 - omega5_3 * d11_2;
+  const T t11_14 = sdot11_2 + omega5_3 * d11_1 - omega5_1 * d11_3;
+  const T t11_15 = sdot11_3 + omega5_1 * d11_2 - omega5_2 * d11_1;
+  const T Pdot11_1 = Pdot5_1 + R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15;
+  const T Pdot11_2 = Pdot5_2 + R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15;
+  const T Pdot11_3 = Pdot5_3 + R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15;
   // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_16 = omega11_3 * T(0.348) + omega11_2 * T(0.337);
   const T t11_17 = omega11_3 * T(0.402) - omega11_1 * T(0.337);
   const T t11_18 = omega11_1 * T(0.348) + omega11_2 * T(0.402);
-  const T v11_1 = R11_11 * t11_16 + R11_21 * t11_17 - R11_31 * t11_18 + Pdot11_1;
-  const T v11_2 = R11_12 * t11_16 + R11_22 * t11_17 - R11_32 * t11_18 + Pdot11_2;
-  const T v11_3 = R11_13 * t11_16 + R11_23 * t11_17 - R11_33 * t11_18 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R11_11 * t11_16 + R11_21 * t11_17 - R11_31 * t11_18;
+  const T v11_2 = Pdot11_2 + R11_12 * t11_16 + R11_22 * t11_17 - R11_32 * t11_18;
+  const T v11_3 = Pdot11_3 + R11_13 * t11_16 + R11_23 * t11_17 - R11_33 * t11_18;
   // T11 = 1/2 omega11 . (I11 omega11) + 1/2 m11 v11 . v11: kinetic energy [J]
   const T T11 = T(0.5) * (omega11_1 * (T(0.3729) * omega11_1 - T(3e-04) * omega11_2 - T(0.0238) * omega11_3) +
       omega11_2 * (T(0.3903) * omega11_2 - T(3e-04) * omega11_1 + T(0.0124) * omega11_3) + omega11_3 * (T(0.0124) *
@@ -1765,23 +1765,23 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d12_2 = T(0.42) + s12_2;
   const T d12_3 = T(0.022) + s12_3;
   // P12 = R11^T d12 + P11: position of the body origin, inertial axes [m]
-  const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
+  const T P12_3 = P11_3 + R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
+  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
   // Pdot12 = R11^T (omega11~ d12 + sdot12) + Pdot11: velocity of the body origin, inertial axes [m/s]
-  const T t12_13 = omega11_2 * d12_3 - omega11_3 * d12_2 + sdot12_1;
-  const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + sdot12_2;
-  const T t12_15 = omega11_1 * d12_2 - omega11_2 * d12_1 + sdot12_3;
-  const T Pdot12_1 = R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15 + Pdot11_1;
-  const T Pdot12_2 = R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15 + Pdot11_2;
-  const T Pdot12_3 = R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15 + Pdot11_3;
+  const T t12_13 = sdot12_1 + omega11_2 * d12_3 - omega11_3 * d12_2;
+  const T t12_14 = sdot12_2 + omega11_3 * d12_1 - omega11_1 * d12_3;
+  const T t12_15 = sdot12_3 + omega11_1 * d12_2 - omega11_2 * d12_1;
+  const T Pdot12_1 = Pdot11_1 + R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15;
+  const T Pdot12_2 = Pdot11_2 + R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15;
+  const T Pdot12_3 = Pdot11_3 + R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15;
   // v12 = R12^T omega12~ r12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
   const T t12_16 = omega12_3 * T(0.141) - omega12_2 * T(0.1);
   const T t12_17 = omega12_1 * T(0.1) - omega12_3 * T(0.006);
   const T t12_18 = omega12_2 * T(0.006) - omega12_1 * T(0.141);
-  const T v12_1 = R12_11 * t12_16 + R12_21 * t12_17 + R12_31 * t12_18 + Pdot12_1;
-  const T v12_2 = R12_12 * t12_16 + R12_22 * t12_17 + R12_32 * t12_18 + Pdot12_2;
-  const T v12_3 = R12_13 * t12_16 + R12_23 * t12_17 + R12_33 * t12_18 + Pdot12_3;
+  const T v12_1 = Pdot12_1 + R12_11 * t12_16 + R12_21 * t12_17 + R12_31 * t12_18;
+  const T v12_2 = Pdot12_2 + R12_12 * t12_16 + R12_22 * t12_17 + R12_32 * t12_18;
+  const T v12_3 = Pdot12_3 + R12_13 * t12_16 + R12_23 * t12_17 + R12_33 * t12_18;
   // T12 = 1/2 omega12 . (I12 omega12) + 1/2 m12 v12 . v12: kinetic energy [J]
   const T T12 = T(0.5) * (omega12_1 * (T(0.4137) * omega12_1 + T(0.0121) * omega12_2 - T(0.1084) * omega12_3) +
       omega12_2 * (T(0.0121) * omega12_1 + T(0.5952) * omega12_2 - T(0.0023) * omega12_3) + omega12_3 * (T(0.3276) *
@@ -1893,13 +1893,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.011) + R2_21 * T(0.31) + P2_1;
-  const T p2_2 = R2_12 * T(0.011) + R2_22 * T(0.31) + P2_2;
-  const T p2_3 = R2_13 * T(0.011) + R2_23 * T(0.31) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.011) + R2_21 * T(0.31);
+  const T p2_2 = P2_2 + R2_12 * T(0.011) + R2_22 * T(0.31);
+  const T p2_3 = P2_3 + R2_13 * T(0.011) + R2_23 * T(0.31);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -1907,9 +1907,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_16 = omega2_3 * T(0.011);
   const T t2_17 = omega2_3 * T(0.31);
   const T t2_18 = omega2_1 * T(0.31) - omega2_2 * T(0.011);
-  const T v2_1 = R2_21 * t2_16 - R2_11 * t2_17 + R2_31 * t2_18 + Pdot2_1;
-  const T v2_2 = R2_22 * t2_16 - R2_12 * t2_17 + R2_32 * t2_18 + Pdot2_2;
-  const T v2_3 = R2_23 * t2_16 - R2_13 * t2_17 + R2_33 * t2_18 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_21 * t2_16 - R2_11 * t2_17 + R2_31 * t2_18;
+  const T v2_2 = Pdot2_2 + R2_22 * t2_16 - R2_12 * t2_17 + R2_32 * t2_18;
+  const T v2_3 = Pdot2_3 + R2_23 * t2_16 - R2_13 * t2_17 + R2_33 * t2_18;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(0.64) * v2_1;
   const T l2_2 = T(0.64) * v2_2;
@@ -1954,27 +1954,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.484) + R3_21 * T(0.498) + R3_31 * T(0.004) + P3_1;
-  const T p3_2 = R3_12 * T(0.484) + R3_22 * T(0.498) + R3_32 * T(0.004) + P3_2;
-  const T p3_3 = R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.484) + R3_21 * T(0.498) + R3_31 * T(0.004);
+  const T p3_2 = P3_2 + R3_12 * T(0.484) + R3_22 * T(0.498) + R3_32 * T(0.004);
+  const T p3_3 = P3_3 + R3_13 * T(0.484) + R3_23 * T(0.498) + R3_33 * T(0.004);
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_2 * T(0.004) - omega3_3 * T(0.498);
   const T t3_17 = omega3_3 * T(0.484) - omega3_1 * T(0.004);
   const T t3_18 = omega3_1 * T(0.498) - omega3_2 * T(0.484);
-  const T v3_1 = R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_11 * t3_16 + R3_21 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_12 * t3_16 + R3_22 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_13 * t3_16 + R3_23 * t3_17 + R3_33 * t3_18;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(2.14) * v3_1;
   const T l3_2 = T(2.14) * v3_2;
@@ -2019,27 +2019,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
   // P4 = R3^T d4 + P3: position of the body origin, inertial axes [m]
-  const T P4_1 = R3_11 * d4_1 + R3_21 * d4_2 + R3_31 * d4_3 + P3_1;
-  const T P4_2 = R3_12 * d4_1 + R3_22 * d4_2 + R3_32 * d4_3 + P3_2;
-  const T P4_3 = R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3 + P3_3;
+  const T P4_1 = P3_1 + R3_11 * d4_1 + R3_21 * d4_2 + R3_31 * d4_3;
+  const T P4_2 = P3_2 + R3_12 * d4_1 + R3_22 * d4_2 + R3_32 * d4_3;
+  const T P4_3 = P3_3 + R3_13 * d4_1 + R3_23 * d4_2 + R3_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_11 * T(0.401) + R4_21 * T(0.289) + R4_31 * T(0.08) + P4_1;
-  const T p4_2 = R4_12 * T(0.401) + R4_22 * T(0.289) + R4_32 * T(0.08) + P4_2;
-  const T p4_3 = R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08) + P4_3;
+  const T p4_1 = P4_1 + R4_11 * T(0.401) + R4_21 * T(0.289) + R4_31 * T(0.08);
+  const T p4_2 = P4_2 + R4_12 * T(0.401) + R4_22 * T(0.289) + R4_32 * T(0.08);
+  const T p4_3 = P4_3 + R4_13 * T(0.401) + R4_23 * T(0.289) + R4_33 * T(0.08);
   // Pdot4 = R3^T (omega3~ d4 + sdot4) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega3_2 * d4_3 - omega3_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega3_3 * d4_1 - omega3_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega3_1 * d4_2 - omega3_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15 + Pdot3_2;
-  const T Pdot4_3 = R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15 + Pdot3_3;
+  const T t4_13 = sdot4_1 + omega3_2 * d4_3 - omega3_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega3_3 * d4_1 - omega3_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega3_1 * d4_2 - omega3_2 * d4_1;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15;
+  const T Pdot4_3 = Pdot3_3 + R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.08) - omega4_3 * T(0.289);
   const T t4_17 = omega4_3 * T(0.401) - omega4_1 * T(0.08);
   const T t4_18 = omega4_1 * T(0.289) - omega4_2 * T(0.401);
-  const T v4_1 = R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 + R4_21 * t4_17 + R4_31 * t4_18;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 + R4_22 * t4_17 + R4_32 * t4_18;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 + R4_23 * t4_17 + R4_33 * t4_18;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(4.49) * v4_1;
   const T l4_2 = T(4.49) * v4_2;
@@ -2084,27 +2084,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d5_2 = s5_2 - T(0.262);
   const T d5_3 = s5_3 - T(0.173);
   // P5 = R3^T d5 + P3: position of the body origin, inertial axes [m]
-  const T P5_1 = R3_11 * d5_1 + R3_21 * d5_2 + R3_31 * d5_3 + P3_1;
-  const T P5_2 = R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3 + P3_2;
-  const T P5_3 = R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3 + P3_3;
+  const T P5_1 = P3_1 + R3_11 * d5_1 + R3_21 * d5_2 + R3_31 * d5_3;
+  const T P5_2 = P3_2 + R3_12 * d5_1 + R3_22 * d5_2 + R3_32 * d5_3;
+  const T P5_3 = P3_3 + R3_13 * d5_1 + R3_23 * d5_2 + R3_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_31 * T(0.167) - (R5_11 * T(0.056) + R5_21 * T(0.321)) + P5_1;
-  const T p5_2 = R5_32 * T(0.167) - (R5_12 * T(0.056) + R5_22 * T(0.321)) + P5_2;
-  const T p5_3 = R5_33 * T(0.167) - (R5_13 * T(0.056) + R5_23 * T(0.321)) + P5_3;
+  const T p5_1 = P5_1 - R5_11 * T(0.056) - R5_21 * T(0.321) + R5_31 * T(0.167);
+  const T p5_2 = P5_2 - R5_12 * T(0.056) - R5_22 * T(0.321) + R5_32 * T(0.167);
+  const T p5_3 = P5_3 - R5_13 * T(0.056) - R5_23 * T(0.321) + R5_33 * T(0.167);
   // Pdot5 = R3^T (omega3~ d5 + sdot5) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega3_2 * d5_3 - omega3_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega3_1 * d5_2 - omega3_2 * d5_1 + sdot5_3;
-  const T Pdot5_1 = R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15 + Pdot3_1;
-  const T Pdot5_2 = R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15 + Pdot3_2;
-  const T Pdot5_3 = R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15 + Pdot3_3;
+  const T t5_13 = sdot5_1 + omega3_2 * d5_3 - omega3_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega3_3 * d5_1 - omega3_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega3_1 * d5_2 - omega3_2 * d5_1;
+  const T Pdot5_1 = Pdot3_1 + R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15;
+  const T Pdot5_2 = Pdot3_2 + R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15;
+  const T Pdot5_3 = Pdot3_3 + R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15;
   // v5 = R5^T omega5~ r5 + Pdot5: velocity of the mass centre, inertial axes [m/s]
   const T t5_16 = omega5_3 * T(0.321) + omega5_2 * T(0.167);
   const T t5_17 = omega5_3 * T(0.056) + omega5_1 * T(0.167);
   const T t5_18 = omega5_2 * T(0.056) - omega5_1 * T(0.321);
-  const T v5_1 = R5_11 * t5_16 - R5_21 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_12 * t5_16 - R5_22 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_13 * t5_16 - R5_23 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_11 * t5_16 - R5_21 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_12 * t5_16 - R5_22 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_13 * t5_16 - R5_23 * t5_17 + R5_33 * t5_18;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(1.96) * v5_1;
   const T l5_2 = T(1.96) * v5_2;
@@ -2149,27 +2149,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
   // P6 = R2^T d6 + P2: position of the body origin, inertial axes [m]
-  const T P6_1 = R2_11 * d6_1 + R2_21 * d6_2 + R2_31 * d6_3 + P2_1;
-  const T P6_2 = R2_12 * d6_1 + R2_22 * d6_2 + R2_32 * d6_3 + P2_2;
-  const T P6_3 = R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3 + P2_3;
+  const T P6_1 = P2_1 + R2_11 * d6_1 + R2_21 * d6_2 + R2_31 * d6_3;
+  const T P6_2 = P2_2 + R2_12 * d6_1 + R2_22 * d6_2 + R2_32 * d6_3;
+  const T P6_3 = P2_3 + R2_13 * d6_1 + R2_23 * d6_2 + R2_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.044) - R6_21 * T(0.248) - R6_31 * T(0.454) + P6_1;
-  const T p6_2 = R6_12 * T(0.044) - R6_22 * T(0.248) - R6_32 * T(0.454) + P6_2;
-  const T p6_3 = R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.044) - R6_21 * T(0.248) - R6_31 * T(0.454);
+  const T p6_2 = P6_2 + R6_12 * T(0.044) - R6_22 * T(0.248) - R6_32 * T(0.454);
+  const T p6_3 = P6_3 + R6_13 * T(0.044) - R6_23 * T(0.248) - R6_33 * T(0.454);
   // Pdot6 = R2^T (omega2~ d6 + sdot6) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega2_2 * d6_3 - omega2_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega2_3 * d6_1 - omega2_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega2_1 * d6_2 - omega2_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15 + Pdot2_1;
-  const T Pdot6_2 = R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15 + Pdot2_2;
-  const T Pdot6_3 = R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15 + Pdot2_3;
+  const T t6_13 = sdot6_1 + omega2_2 * d6_3 - omega2_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega2_3 * d6_1 - omega2_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega2_1 * d6_2 - omega2_2 * d6_1;
+  const T Pdot6_1 = Pdot2_1 + R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15;
+  const T Pdot6_2 = Pdot2_2 + R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15;
+  const T Pdot6_3 = Pdot2_3 + R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_3 * T(0.248) - omega6_2 * T(0.454);
   const T t6_17 = omega6_3 * T(0.044) + omega6_1 * T(0.454);
   const T t6_18 = omega6_1 * T(0.248) + omega6_2 * T(0.044);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(3.48) * v6_1;
   const T l6_2 = T(3.48) * v6_2;
@@ -2214,27 +2214,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d7_2 = s7_2 - T(0.337);
   const T d7_3 = T(0.216) + s7_3;
   // P7 = R4^T d7 + P4: position of the body origin, inertial axes [m]
-  const T P7_1 = R4_11 * d7_1 + R4_21 * d7_2 + R4_31 * d7_3 + P4_1;
-  const T P7_2 = R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3 + P4_2;
-  const T P7_3 = R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3 + P4_3;
+  const T P7_1 = P4_1 + R4_11 * d7_1 + R4_21 * d7_2 + R4_31 * d7_3;
+  const T P7_2 = P4_2 + R4_12 * d7_1 + R4_22 * d7_2 + R4_32 * d7_3;
+  const T P7_3 = P4_3 + R4_13 * d7_1 + R4_23 * d7_2 + R4_33 * d7_3;
   // p7 = R7^T r7 + P7: position of the mass centre, inertial axes [m]
-  const T p7_1 = P7_1 - (R7_11 * T(0.475) + R7_21 * T(0.192) + R7_31 * T(0.487));
-  const T p7_2 = P7_2 - (R7_12 * T(0.475) + R7_22 * T(0.192) + R7_32 * T(0.487));
-  const T p7_3 = P7_3 - (R7_13 * T(0.475) + R7_23 * T(0.192) + R7_33 * T(0.487));
+  const T p7_1 = P7_1 - R7_11 * T(0.475) - R7_21 * T(0.192) - R7_31 * T(0.487);
+  const T p7_2 = P7_2 - R7_12 * T(0.475) - R7_22 * T(0.192) - R7_32 * T(0.487);
+  const T p7_3 = P7_3 - R7_13 * T(0.475) - R7_23 * T(0.192) - R7_33 * T(0.487);
   // Pdot7 = R4^T (omega4~ d7 + sdot7) + Pdot4: velocity of the body origin, inertial axes [m/s]
-  const T t7_13 = omega4_2 * d7_3 - omega4_3 * d7_2 + sdot7_1;
-  const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + sdot7_2;
-  const T t7_15 = omega4_1 * d7_2 - omega4_2 * d7_1 + sdot7_3;
-  const T Pdot7_1 = R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15 + Pdot4_1;
-  const T Pdot7_2 = R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15 + Pdot4_2;
-  const T Pdot7_3 = R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15 + Pdot4_3;
+  const T t7_13 = sdot7_1 + omega4_2 * d7_3 - omega4_3 * d7_2;
+  const T t7_14 = sdot7_2 + omega4_3 * d7_1 - omega4_1 * d7_3;
+  const T t7_15 = sdot7_3 + omega4_1 * d7_2 - omega4_2 * d7_1;
+  const T Pdot7_1 = Pdot4_1 + R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15;
+  const T Pdot7_2 = Pdot4_2 + R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15;
+  const T Pdot7_3 = Pdot4_3 + R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15;
   // v7 = R7^T omega7~ r7 + Pdot7: velocity of the mass centre, inertial axes [m/s]
   const T t7_16 = omega7_3 * T(0.192) - omega7_2 * T(0.487);
   const T t7_17 = omega7_1 * T(0.487) - omega7_3 * T(0.475);
   const T t7_18 = omega7_2 * T(0.475) - omega7_1 * T(0.192);
-  const T v7_1 = R7_11 * t7_16 + R7_21 * t7_17 + R7_31 * t7_18 + Pdot7_1;
-  const T v7_2 = R7_12 * t7_16 + R7_22 * t7_17 + R7_32 * t7_18 + Pdot7_2;
-  const T v7_3 = R7_13 * t7_16 + R7_23 * t7_17 + R7_33 * t7_18 + Pdot7_3;
+  const T v7_1 = Pdot7_1 + R7_11 * t7_16 + R7_21 * t7_17 + R7_31 * t7_18;
+  const T v7_2 = Pdot7_2 + R7_12 * t7_16 + R7_22 * t7_17 + R7_32 * t7_18;
+  const T v7_3 = Pdot7_3 + R7_13 * t7_16 + R7_23 * t7_17 + R7_33 * t7_18;
   // l7 = m7 v7: linear momentum, inertial axes [kg m/s]
   const T l7_1 = T(0.74) * v7_1;
   const T l7_2 = T(0.74) * v7_2;
@@ -2283,13 +2283,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P8_2 = s1_2 + R1_12 * d8_1 + R1_22 * d8_2 + R1_32 * d8_3;
   const T P8_3 = s1_3 + R1_13 * d8_1 + R1_23 * d8_2 + R1_33 * d8_3;
   // p8 = R8^T r8 + P8: position of the mass centre, inertial axes [m]
-  const T p8_1 = P8_1 - (R8_11 * T(0.392) + R8_21 * T(0.416) + R8_31 * T(0.444));
-  const T p8_2 = P8_2 - (R8_12 * T(0.392) + R8_22 * T(0.416) + R8_32 * T(0.444));
-  const T p8_3 = P8_3 - (R8_13 * T(0.392) + R8_23 * T(0.416) + R8_33 * T(0.444));
+  const T p8_1 = P8_1 - R8_11 * T(0.392) - R8_21 * T(0.416) - R8_31 * T(0.444);
+  const T p8_2 = P8_2 - R8_12 * T(0.392) - R8_22 * T(0.416) - R8_32 * T(0.444);
+  const T p8_3 = P8_3 - R8_13 * T(0.392) - R8_23 * T(0.416) - R8_33 * T(0.444);
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8): velocity of the body origin, inertial axes [m/s]
-  const T t8_13 = omega1_2 * d8_3 - omega1_3 * d8_2 + sdot8_1;
-  const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + sdot8_2;
-  const T t8_15 = omega1_1 * d8_2 - omega1_2 * d8_1 + sdot8_3;
+  const T t8_13 = sdot8_1 + omega1_2 * d8_3 - omega1_3 * d8_2;
+  const T t8_14 = sdot8_2 + omega1_3 * d8_1 - omega1_1 * d8_3;
+  const T t8_15 = sdot8_3 + omega1_1 * d8_2 - omega1_2 * d8_1;
   const T Pdot8_1 = sdot1_1 + R1_11 * t8_13 + R1_21 * t8_14 + R1_31 * t8_15;
   const T Pdot8_2 = sdot1_2 + R1_12 * t8_13 + R1_22 * t8_14 + R1_32 * t8_15;
   const T Pdot8_3 = sdot1_3 + R1_13 * t8_13 + R1_23 * t8_14 + R1_33 * t8_15;
@@ -2297,9 +2297,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t8_16 = omega8_3 * T(0.416) - omega8_2 * T(0.444);
   const T t8_17 = omega8_1 * T(0.444) - omega8_3 * T(0.392);
   const T t8_18 = omega8_2 * T(0.392) - omega8_1 * T(0.416);
-  const T v8_1 = R8_11 * t8_16 + R8_21 * t8_17 + R8_31 * t8_18 + Pdot8_1;
-  const T v8_2 = R8_12 * t8_16 + R8_22 * t8_17 + R8_32 * t8_18 + Pdot8_2;
-  const T v8_3 = R8_13 * t8_16 + R8_23 * t8_17 + R8_33 * t8_18 + Pdot8_3;
+  const T v8_1 = Pdot8_1 + R8_11 * t8_16 + R8_21 * t8_17 + R8_31 * t8_18;
+  const T v8_2 = Pdot8_2 + R8_12 * t8_16 + R8_22 * t8_17 + R8_32 * t8_18;
+  const T v8_3 = Pdot8_3 + R8_13 * t8_16 + R8_23 * t8_17 + R8_33 * t8_18;
   // l8 = m8 v8: linear momentum, inertial axes [kg m/s]
   const T l8_1 = T(2.71) * v8_1;
   const T l8_2 = T(2.71) * v8_2;
@@ -2344,27 +2344,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
   // P9 = R6^T d9 + P6: position of the body origin, inertial axes [m]
-  const T P9_1 = R6_11 * d9_1 + R6_21 * d9_2 + R6_31 * d9_3 + P6_1;
-  const T P9_2 = R6_12 * d9_1 + R6_22 * d9_2 + R6_32 * d9_3 + P6_2;
-  const T P9_3 = R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3 + P6_3;
+  const T P9_1 = P6_1 + R6_11 * d9_1 + R6_21 * d9_2 + R6_31 * d9_3;
+  const T P9_2 = P6_2 + R6_12 * d9_1 + R6_22 * d9_2 + R6_32 * d9_3;
+  const T P9_3 = P6_3 + R6_13 * d9_1 + R6_23 * d9_2 + R6_33 * d9_3;
   // p9 = R9^T r9 + P9: position of the mass centre, inertial axes [m]
-  const T p9_1 = R9_11 * T(0.362) + R9_21 * T(0.49) - R9_31 * T(0.015) + P9_1;
-  const T p9_2 = R9_12 * T(0.362) + R9_22 * T(0.49) - R9_32 * T(0.015) + P9_2;
-  const T p9_3 = R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015) + P9_3;
+  const T p9_1 = P9_1 + R9_11 * T(0.362) + R9_21 * T(0.49) - R9_31 * T(0.015);
+  const T p9_2 = P9_2 + R9_12 * T(0.362) + R9_22 * T(0.49) - R9_32 * T(0.015);
+  const T p9_3 = P9_3 + R9_13 * T(0.362) + R9_23 * T(0.49) - R9_33 * T(0.015);
   // Pdot9 = R6^T (omega6~ d9 + sdot9) + Pdot6: velocity of the body origin, inertial axes [m/s]
-  const T t9_13 = omega6_2 * d9_3 - omega6_3 * d9_2 + sdot9_1;
-  const T t9_14 = omega6_3 * d9_1 - omega6_1 * d9_3 + sdot9_2;
-  const T t9_15 = omega6_1 * d9_2 - omega6_2 * d9_1 + sdot9_3;
-  const T Pdot9_1 = R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15 + Pdot6_1;
-  const T Pdot9_2 = R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15 + Pdot6_2;
-  const T Pdot9_3 = R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15 + Pdot6_3;
+  const T t9_13 = sdot9_1 + omega6_2 * d9_3 - omega6_3 * d9_2;
+  const T t9_14 = sdot9_2 + omega6_3 * d9_1 - omega6_1 * d9_3;
+  const T t9_15 = sdot9_3 + omega6_1 * d9_2 - omega6_2 * d9_1;
+  const T Pdot9_1 = Pdot6_1 + R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15;
+  const T Pdot9_2 = Pdot6_2 + R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15;
+  const T Pdot9_3 = Pdot6_3 + R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15;
   // v9 = R9^T omega9~ r9 + Pdot9: velocity of the mass centre, inertial axes [m/s]
   const T t9_16 = omega9_3 * T(0.362) + omega9_1 * T(0.015);
   const T t9_17 = omega9_3 * T(0.49) + omega9_2 * T(0.015);
   const T t9_18 = omega9_1 * T(0.49) - omega9_2 * T(0.362);
-  const T v9_1 = R9_21 * t9_16 - R9_11 * t9_17 + R9_31 * t9_18 + Pdot9_1;
-  const T v9_2 = R9_22 * t9_16 - R9_12 * t9_17 + R9_32 * t9_18 + Pdot9_2;
-  const T v9_3 = R9_23 * t9_16 - R9_13 * t9_17 + R9_33 * t9_18 + Pdot9_3;
+  const T v9_1 = Pdot9_1 + R9_21 * t9_16 - R9_11 * t9_17 + R9_31 * t9_18;
+  const T v9_2 = Pdot9_2 + R9_22 * t9_16 - R9_12 * t9_17 + R9_32 * t9_18;
+  const T v9_3 = Pdot9_3 + R9_23 * t9_16 - R9_13 * t9_17 + R9_33 * t9_18;
   // l9 = m9 v9: linear momentum, inertial axes [kg m/s]
   const T l9_1 = T(1.84) * v9_1;
   const T l9_2 = T(1.84) * v9_2;
@@ -2409,27 +2409,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d10_2 = s10_2 - T(0.399);
   const T d10_3 = s10_3 - T(0.25);
   // P10 = R8^T d10 + P8: position of the body origin, inertial axes [m]
-  const T P10_1 = R8_11 * d10_1 + R8_21 * d10_2 + R8_31 * d10_3 + P8_1;
-  const T P10_2 = R8_12 * d10_1 + R8_22 * d10_2 + R8_32 * d10_3 + P8_2;
-  const T P10_3 = R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3 + P8_3;
+  const T P10_1 = P8_1 + R8_11 * d10_1 + R8_21 * d10_2 + R8_31 * d10_3;
+  const T P10_2 = P8_2 + R8_12 * d10_1 + R8_22 * d10_2 + R8_32 * d10_3;
+  const T P10_3 = P8_3 + R8_13 * d10_1 + R8_23 * d10_2 + R8_33 * d10_3;
   // p10 = R10^T r10 + P10: position of the mass centre, inertial axes [m]
-  const T p10_1 = R10_11 * T(0.016) + R10_21 * T(0.148) - R10_31 * T(0.426) + P10_1;
-  const T p10_2 = R10_12 * T(0.016) + R10_22 * T(0.148) - R10_32 * T(0.426) + P10_2;
-  const T p10_3 = R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426) + P10_3;
+  const T p10_1 = P10_1 + R10_11 * T(0.016) + R10_21 * T(0.148) - R10_31 * T(0.426);
+  const T p10_2 = P10_2 + R10_12 * T(0.016) + R10_22 * T(0.148) - R10_32 * T(0.426);
+  const T p10_3 = P10_3 + R10_13 * T(0.016) + R10_23 * T(0.148) - R10_33 * T(0.426);
   // Pdot10 = R8^T (omega8~ d10 + sdot10) + Pdot8: velocity of the body origin, inertial axes [m/s]
-  const T t10_13 = omega8_2 * d10_3 - omega8_3 * d10_2 + sdot10_1;
-  const T t10_14 = omega8_3 * d10_1 - omega8_1 * d10_3 + sdot10_2;
-  const T t10_15 = omega8_1 * d10_2 - omega8_2 * d10_1 + sdot10_3;
-  const T Pdot10_1 = R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15 + Pdot8_1;
-  const T Pdot10_2 = R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15 + Pdot8_2;
-  const T Pdot10_3 = R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15 + Pdot8_3;
+  const T t10_13 = sdot10_1 + omega8_2 * d10_3 - omega8_3 * d10_2;
+  const T t10_14 = sdot10_2 + omega8_3 * d10_1 - omega8_1 * d10_3;
+  const T t10_15 = sdot10_3 + omega8_1 * d10_2 - omega8_2 * d10_1;
+  const T Pdot10_1 = Pdot8_1 + R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15;
+  const T Pdot10_2 = Pdot8_2 + R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15;
+  const T Pdot10_3 = Pdot8_3 + R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15;
   // v10 = R10^T omega10~ r10 + Pdot10: velocity of the mass centre, inertial axes [m/s]
   const T t10_16 = omega10_3 * T(0.016) + omega10_1 * T(0.426);
   const T t10_17 = omega10_3 * T(0.148) + omega10_2 * T(0.426);
   const T t10_18 = omega10_1 * T(0.148) - omega10_2 * T(0.016);
-  const T v10_1 = R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18 + Pdot10_1;
-  const T v10_2 = R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18 + Pdot10_2;
-  const T v10_3 = R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18 + Pdot10_3;
+  const T v10_1 = Pdot10_1 + R10_21 * t10_16 - R10_11 * t10_17 + R10_31 * t10_18;
+  const T v10_2 = Pdot10_2 + R10_22 * t10_16 - R10_12 * t10_17 + R10_32 * t10_18;
+  const T v10_3 = Pdot10_3 + R10_23 * t10_16 - R10_13 * t10_17 + R10_33 * t10_18;
   // l10 = m10 v10: linear momentum, inertial axes [kg m/s]
   const T l10_1 = T(2.57) * v10_1;
   const T l10_2 = T(2.57) * v10_2;
@@ -2474,27 +2474,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d11_2 = s11_2 - T(0.186);
   const T d11_3 = s11_3 - T(0.241);
   // P11 = R5^T d11 + P5: position of the body origin, inertial axes [m]
-  const T P11_1 = R5_11 * d11_1 + R5_21 * d11_2 + R5_31 * d11_3 + P5_1;
-  const T P11_2 = R5_12 * d11_1 + R5_22 * d11_2 + R5_32 * d11_3 + P5_2;
-  const T P11_3 = R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3 + P5_3;
+  const T P11_1 = P5_1 + R5_11 * d11_1 + R5_21 * d11_2 + R5_31 * d11_3;
+  const T P11_2 = P5_2 + R5_12 * d11_1 + R5_22 * d11_2 + R5_32 * d11_3;
+  const T P11_3 = P5_3 + R5_13 * d11_1 + R5_23 * d11_2 + R5_33 * d11_3;
   // p11 = R11^T r11 + P11: position of the mass centre, inertial axes [m]
-  const T p11_1 = R11_11 * T(0.402) - R11_21 * T(0.348) + R11_31 * T(0.337) + P11_1;
-  const T p11_2 = R11_12 * T(0.402) - R11_22 * T(0.348) + R11_32 * T(0.337) + P11_2;
-  const T p11_3 = R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337) + P11_3;
+  const T p11_1 = P11_1 + R11_11 * T(0.402) - R11_21 * T(0.348) + R11_31 * T(0.337);
+  const T p11_2 = P11_2 + R11_12 * T(0.402) - R11_22 * T(0.348) + R11_32 * T(0.337);
+  const T p11_3 = P11_3 + R11_13 * T(0.402) - R11_23 * T(0.348) + R11_33 * T(0.337);
   // Pdot11 = R5^T (omega5~ d11 + sdot11) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t11_13 = omega5_2 * d11_3 - omega5_3 * d11_2 + sdot11_1;
-  const T t11_14 = omega5_3 * d11_1 - omega5_1 * d11_3 + sdot11_2;
-  const T t11_15 = omega5_1 * d11_2 - omega5_2 * d11_1 + sdot11_3;
-  const T Pdot11_1 = R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15 + Pdot5_1;
-  const T Pdot11_2 = R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15 + Pdot5_2;
-  const T Pdot11_3 = R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15 + Pdot5_3;
+  const T t11_13 = sdot11_1 + omega5_2 * d11_3 - omega5_3 * d11_2;
+  const T t11_14 = sdot11_2 + omega5_3 * d11_1 - omega5_1 * d11_3;
+  const T t11_15 = sdot11_3 + omega5_1 * d11_2 - omega5_2 * d11_1;
+  const T Pdot11_1 = Pdot5_1 + R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15;
+  const T Pdot11_2 = Pdot5_2 + R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15;
+  const T Pdot11_3 = Pdot5_3 + R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15;
   // v11 = R11^T omega11~ r11 + Pdot11: velocity of the mass centre, inertial axes [m/s]
   const T t11_16 = omega11_3 * T(0.348) + omega11_2 * T(0.337);
   const T t11_17 = omega11_3 * T(0.402) - omega11_1 * T(0.337);
   const T t11_18 = omega11_1 * T(0.348) + omega11_2 * T(0.402);
-  const T v11_1 = R11_11 * t11_16 + R11_21 * t11_17 - R11_31 * t11_18 + Pdot11_1;
-  const T v11_2 = R11_12 * t11_16 + R11_22 * t11_17 - R11_32 * t11_18 + Pdot11_2;
-  const T v11_3 = R11_13 * t11_16 + R11_23 * t11_17 - R11_33 * t11_18 + Pdot11_3;
+  const T v11_1 = Pdot11_1 + R11_11 * t11_16 + R11_21 * t11_17 - R11_31 * t11_18;
+  const T v11_2 = Pdot11_2 + R11_12 * t11_16 + R11_22 * t11_17 - R11_32 * t11_18;
+  const T v11_3 = Pdot11_3 + R11_13 * t11_16 + R11_23 * t11_17 - R11_33 * t11_18;
   // l11 = m11 v11: linear momentum, inertial axes [kg m/s]
   const T l11_1 = T(3.77) * v11_1;
   const T l11_2 = T(3.77) * v11_2;
@@ -2539,27 +2539,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d12_2 = T(0.42) + s12_2;
   const T d12_3 = T(0.022) + s12_3;
   // P12 = R11^T d12 + P11: position of the body origin, inertial axes [m]
-  const T P12_1 = R11_11 * d12_1 + R11_21 * d12_2 + R11_31 * d12_3 + P11_1;
-  const T P12_2 = R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3 + P11_2;
-  const T P12_3 = R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3 + P11_3;
+  const T P12_1 = P11_1 + R11_11 * d12_1 + R11_21 * d12_2 + R11_31 * d12_3;
+  const T P12_2 = P11_2 + R11_12 * d12_1 + R11_22 * d12_2 + R11_32 * d12_3;
+  const T P12_3 = P11_3 + R11_13 * d12_1 + R11_23 * d12_2 + R11_33 * d12_3;
   // p12 = R12^T r12 + P12: position of the mass centre, inertial axes [m]
-  const T p12_1 = P12_1 - (R12_11 * T(0.006) + R12_21 * T(0.141) + R12_31 * T(0.1));
-  const T p12_2 = P12_2 - (R12_12 * T(0.006) + R12_22 * T(0.141) + R12_32 * T(0.1));
-  const T p12_3 = P12_3 - (R12_13 * T(0.006) + R12_23 * T(0.141) + R12_33 * T(0.1));
+  const T p12_1 = P12_1 - R12_11 * T(0.006) - R12_21 * T(0.141) - R12_31 * T(0.1);
+  const T p12_2 = P12_2 - R12_12 * T(0.006) - R12_22 * T(0.141) - R12_32 * T(0.1);
+  const T p12_3 = P12_3 - R12_13 * T(0.006) - R12_23 * T(0.141) - R12_33 * T(0.1);
   // Pdot12 = R11^T (omega11~ d12 + sdot12) + Pdot11: velocity of the body origin, inertial axes [m/s]
-  const T t12_13 = omega11_2 * d12_3 - omega11_3 * d12_2 + sdot12_1;
-  const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + sdot12_2;
-  const T t12_15 = omega11_1 * d12_2 - omega11_2 * d12_1 + sdot12_3;
-  const T Pdot12_1 = R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15 + Pdot11_1;
-  const T Pdot12_2 = R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15 + Pdot11_2;
-  const T Pdot12_3 = R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15 + Pdot11_3;
+  const T t12_13 = sdot12_1 + omega11_2 * d12_3 - omega11_3 * d12_2;
+  const T t12_14 = sdot12_2 + omega11_3 * d12_1 - omega11_1 * d12_3;
+  const T t12_15 = sdot12_3 + omega11_1 * d12_2 - omega11_2 * d12_1;
+  const T Pdot12_1 = Pdot11_1 + R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15;
+  const T Pdot12_2 = Pdot11_2 + R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15;
+  const T Pdot12_3 = Pdot11_3 + R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15;
   // v12 = R12^T omega12~ r12 + Pdot12: velocity of the mass centre, inertial axes [m/s]
   const T t12_16 = omega12_3 * T(0.141) - omega12_2 * T(0.1);
   const T t12_17 = omega12_1 * T(0.1) - omega12_3 * T(0.006);
   const T t12_18 = omega12_2 * T(0.006) - omega12_1 * T(0.141);
-  const T v12_1 = R12_11 * t12_16 + R12_21 * t12_17 + R12_31 * t12_18 + Pdot12_1;
-  const T v12_2 = R12_12 * t12_16 + R12_22 * t12_17 + R12_32 * t12_18 + Pdot12_2;
-  const T v12_3 = R12_13 * t12_16 + R12_23 * t12_17 + R12_33 * t12_18 + Pdot12_3;
+  const T v12_1 = Pdot12_1 + R12_11 * t12_16 + R12_21 * t12_17 + R12_31 * t12_18;
+  const T v12_2 = Pdot12_2 + R12_12 * t12_16 + R12_22 * t12_17 + R12_32 * t12_18;
+  const T v12_3 = Pdot12_3 + R12_13 * t12_16 + R12_23 * t12_17 + R12_33 * t12_18;
   // l12 = m12 v12: linear momentum, inertial axes [kg m/s]
   const T l12_1 = T(4.06) * v12_1;
   const T l12_2 = T(4.06) * v12_2;
@@ -2654,9 +2654,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d2_2 = T(0.323) + s2_2;
   const T d2_3 = s2_3 - T(0.07);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -2693,12 +2693,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d3_2 = s3_2 - T(0.178);
   const T d3_3 = T(0.287) + s3_3;
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
 
   // ---- body 4 (body_4) on body 3
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -2732,12 +2732,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d4_2 = s4_2 - T(0.132);
   const T d4_3 = T(0.236) + s4_3;
   // Pdot4 = R3^T (omega3~ d4 + sdot4) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega3_2 * d4_3 - omega3_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega3_3 * d4_1 - omega3_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega3_1 * d4_2 - omega3_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15 + Pdot3_1;
-  const T Pdot4_2 = R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15 + Pdot3_2;
-  const T Pdot4_3 = R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15 + Pdot3_3;
+  const T t4_13 = sdot4_1 + omega3_2 * d4_3 - omega3_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega3_3 * d4_1 - omega3_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega3_1 * d4_2 - omega3_2 * d4_1;
+  const T Pdot4_1 = Pdot3_1 + R3_11 * t4_13 + R3_21 * t4_14 + R3_31 * t4_15;
+  const T Pdot4_2 = Pdot3_2 + R3_12 * t4_13 + R3_22 * t4_14 + R3_32 * t4_15;
+  const T Pdot4_3 = Pdot3_3 + R3_13 * t4_13 + R3_23 * t4_14 + R3_33 * t4_15;
 
   // ---- body 5 (body_5) on body 3
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -2770,12 +2770,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d5_2 = s5_2 - T(0.262);
   const T d5_3 = s5_3 - T(0.173);
   // Pdot5 = R3^T (omega3~ d5 + sdot5) + Pdot3: velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega3_2 * d5_3 - omega3_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega3_3 * d5_1 - omega3_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega3_1 * d5_2 - omega3_2 * d5_1 + sdot5_3;
-  const T Pdot5_1 = R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15 + Pdot3_1;
-  const T Pdot5_2 = R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15 + Pdot3_2;
-  const T Pdot5_3 = R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15 + Pdot3_3;
+  const T t5_13 = sdot5_1 + omega3_2 * d5_3 - omega3_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega3_3 * d5_1 - omega3_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega3_1 * d5_2 - omega3_2 * d5_1;
+  const T Pdot5_1 = Pdot3_1 + R3_11 * t5_13 + R3_21 * t5_14 + R3_31 * t5_15;
+  const T Pdot5_2 = Pdot3_2 + R3_12 * t5_13 + R3_22 * t5_14 + R3_32 * t5_15;
+  const T Pdot5_3 = Pdot3_3 + R3_13 * t5_13 + R3_23 * t5_14 + R3_33 * t5_15;
 
   // ---- body 6 (body_6) on body 2
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -2808,12 +2808,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d6_2 = s6_2 - T(0.214);
   const T d6_3 = T(0.436) + s6_3;
   // Pdot6 = R2^T (omega2~ d6 + sdot6) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega2_2 * d6_3 - omega2_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega2_3 * d6_1 - omega2_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega2_1 * d6_2 - omega2_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15 + Pdot2_1;
-  const T Pdot6_2 = R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15 + Pdot2_2;
-  const T Pdot6_3 = R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15 + Pdot2_3;
+  const T t6_13 = sdot6_1 + omega2_2 * d6_3 - omega2_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega2_3 * d6_1 - omega2_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega2_1 * d6_2 - omega2_2 * d6_1;
+  const T Pdot6_1 = Pdot2_1 + R2_11 * t6_13 + R2_21 * t6_14 + R2_31 * t6_15;
+  const T Pdot6_2 = Pdot2_2 + R2_12 * t6_13 + R2_22 * t6_14 + R2_32 * t6_15;
+  const T Pdot6_3 = Pdot2_3 + R2_13 * t6_13 + R2_23 * t6_14 + R2_33 * t6_15;
 
   // ---- body 7 (body_7) on body 4
   const T eps7_1 = x[24], eps7_2 = x[25], eps7_3 = x[26], eps7_4 = x[27];
@@ -2847,12 +2847,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d7_2 = s7_2 - T(0.337);
   const T d7_3 = T(0.216) + s7_3;
   // Pdot7 = R4^T (omega4~ d7 + sdot7) + Pdot4: velocity of the body origin, inertial axes [m/s]
-  const T t7_13 = omega4_2 * d7_3 - omega4_3 * d7_2 + sdot7_1;
-  const T t7_14 = omega4_3 * d7_1 - omega4_1 * d7_3 + sdot7_2;
-  const T t7_15 = omega4_1 * d7_2 - omega4_2 * d7_1 + sdot7_3;
-  const T Pdot7_1 = R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15 + Pdot4_1;
-  const T Pdot7_2 = R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15 + Pdot4_2;
-  const T Pdot7_3 = R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15 + Pdot4_3;
+  const T t7_13 = sdot7_1 + omega4_2 * d7_3 - omega4_3 * d7_2;
+  const T t7_14 = sdot7_2 + omega4_3 * d7_1 - omega4_1 * d7_3;
+  const T t7_15 = sdot7_3 + omega4_1 * d7_2 - omega4_2 * d7_1;
+  const T Pdot7_1 = Pdot4_1 + R4_11 * t7_13 + R4_21 * t7_14 + R4_31 * t7_15;
+  const T Pdot7_2 = Pdot4_2 + R4_12 * t7_13 + R4_22 * t7_14 + R4_32 * t7_15;
+  const T Pdot7_3 = Pdot4_3 + R4_13 * t7_13 + R4_23 * t7_14 + R4_33 * t7_15;
 
   // ---- body 8 (body_8) on body 1
   const T eps8_1 = x[28], eps8_2 = x[29], eps8_3 = x[30], eps8_4 = x[31];
@@ -2885,9 +2885,9 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d8_2 = s8_2 - T(0.25);
   const T d8_3 = s8_3 - T(0.387);
   // Pdot8 = sdot1 + R1^T (omega1~ d8 + sdot8): velocity of the body origin, inertial axes [m/s]
-  const T t8_13 = omega1_2 * d8_3 - omega1_3 * d8_2 + sdot8_1;
-  const T t8_14 = omega1_3 * d8_1 - omega1_1 * d8_3 + sdot8_2;
-  const T t8_15 = omega1_1 * d8_2 - omega1_2 * d8_1 + sdot8_3;
+  const T t8_13 = sdot8_1 + omega1_2 * d8_3 - omega1_3 * d8_2;
+  const T t8_14 = sdot8_2 + omega1_3 * d8_1 - omega1_1 * d8_3;
+  const T t8_15 = sdot8_3 + omega1_1 * d8_2 - omega1_2 * d8_1;
   const T Pdot8_1 = sdot1_1 + R1_11 * t8_13 + R1_21 * t8_14 + R1_31 * t8_15;
   const T Pdot8_2 = sdot1_2 + R1_12 * t8_13 + R1_22 * t8_14 + R1_32 * t8_15;
   const T Pdot8_3 = sdot1_3 + R1_13 * t8_13 + R1_23 * t8_14 + R1_33 * t8_15;
@@ -2924,12 +2924,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d9_2 = T(0.124) + s9_2;
   const T d9_3 = T(0.036) + s9_3;
   // Pdot9 = R6^T (omega6~ d9 + sdot9) + Pdot6: velocity of the body origin, inertial axes [m/s]
-  const T t9_13 = omega6_2 * d9_3 - omega6_3 * d9_2 + sdot9_1;
-  const T t9_14 = omega6_3 * d9_1 - omega6_1 * d9_3 + sdot9_2;
-  const T t9_15 = omega6_1 * d9_2 - omega6_2 * d9_1 + sdot9_3;
-  const T Pdot9_1 = R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15 + Pdot6_1;
-  const T Pdot9_2 = R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15 + Pdot6_2;
-  const T Pdot9_3 = R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15 + Pdot6_3;
+  const T t9_13 = sdot9_1 + omega6_2 * d9_3 - omega6_3 * d9_2;
+  const T t9_14 = sdot9_2 + omega6_3 * d9_1 - omega6_1 * d9_3;
+  const T t9_15 = sdot9_3 + omega6_1 * d9_2 - omega6_2 * d9_1;
+  const T Pdot9_1 = Pdot6_1 + R6_11 * t9_13 + R6_21 * t9_14 + R6_31 * t9_15;
+  const T Pdot9_2 = Pdot6_2 + R6_12 * t9_13 + R6_22 * t9_14 + R6_32 * t9_15;
+  const T Pdot9_3 = Pdot6_3 + R6_13 * t9_13 + R6_23 * t9_14 + R6_33 * t9_15;
 
   // ---- body 10 (body_10) on body 8
   const T eps10_1 = x[36], eps10_2 = x[37], eps10_3 = x[38], eps10_4 = x[39];
@@ -2963,12 +2963,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d10_2 = s10_2 - T(0.399);
   const T d10_3 = s10_3 - T(0.25);
   // Pdot10 = R8^T (omega8~ d10 + sdot10) + Pdot8: velocity of the body origin, inertial axes [m/s]
-  const T t10_13 = omega8_2 * d10_3 - omega8_3 * d10_2 + sdot10_1;
-  const T t10_14 = omega8_3 * d10_1 - omega8_1 * d10_3 + sdot10_2;
-  const T t10_15 = omega8_1 * d10_2 - omega8_2 * d10_1 + sdot10_3;
-  const T Pdot10_1 = R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15 + Pdot8_1;
-  const T Pdot10_2 = R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15 + Pdot8_2;
-  const T Pdot10_3 = R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15 + Pdot8_3;
+  const T t10_13 = sdot10_1 + omega8_2 * d10_3 - omega8_3 * d10_2;
+  const T t10_14 = sdot10_2 + omega8_3 * d10_1 - omega8_1 * d10_3;
+  const T t10_15 = sdot10_3 + omega8_1 * d10_2 - omega8_2 * d10_1;
+  const T Pdot10_1 = Pdot8_1 + R8_11 * t10_13 + R8_21 * t10_14 + R8_31 * t10_15;
+  const T Pdot10_2 = Pdot8_2 + R8_12 * t10_13 + R8_22 * t10_14 + R8_32 * t10_15;
+  const T Pdot10_3 = Pdot8_3 + R8_13 * t10_13 + R8_23 * t10_14 + R8_33 * t10_15;
 
   // ---- body 11 (body_11) on body 5
   const T eps11_1 = x[40], eps11_2 = x[41], eps11_3 = x[42], eps11_4 = x[43];
@@ -3002,12 +3002,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d11_2 = s11_2 - T(0.186);
   const T d11_3 = s11_3 - T(0.241);
   // Pdot11 = R5^T (omega5~ d11 + sdot11) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t11_13 = omega5_2 * d11_3 - omega5_3 * d11_2 + sdot11_1;
-  const T t11_14 = omega5_3 * d11_1 - omega5_1 * d11_3 + sdot11_2;
-  const T t11_15 = omega5_1 * d11_2 - omega5_2 * d11_1 + sdot11_3;
-  const T Pdot11_1 = R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15 + Pdot5_1;
-  const T Pdot11_2 = R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15 + Pdot5_2;
-  const T Pdot11_3 = R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15 + Pdot5_3;
+  const T t11_13 = sdot11_1 + omega5_2 * d11_3 - omega5_3 * d11_2;
+  const T t11_14 = sdot11_2 + omega5_3 * d11_1 - omega5_1 * d11_3;
+  const T t11_15 = sdot11_3 + omega5_1 * d11_2 - omega5_2 * d11_1;
+  const T Pdot11_1 = Pdot5_1 + R5_11 * t11_13 + R5_21 * t11_14 + R5_31 * t11_15;
+  const T Pdot11_2 = Pdot5_2 + R5_12 * t11_13 + R5_22 * t11_14 + R5_32 * t11_15;
+  const T Pdot11_3 = Pdot5_3 + R5_13 * t11_13 + R5_23 * t11_14 + R5_33 * t11_15;
 
   // ---- body 12 (body_12) on body 11
   const T eps12_1 = x[44], eps12_2 = x[45], eps12_3 = x[46], eps12_4 = x[47];
@@ -3041,12 +3041,12 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T d12_2 = T(0.42) + s12_2;
   const T d12_3 = T(0.022) + s12_3;
   // Pdot12 = R11^T (omega11~ d12 + sdot12) + Pdot11: velocity of the body origin, inertial axes [m/s]
-  const T t12_13 = omega11_2 * d12_3 - omega11_3 * d12_2 + sdot12_1;
-  const T t12_14 = omega11_3 * d12_1 - omega11_1 * d12_3 + sdot12_2;
-  const T t12_15 = omega11_1 * d12_2 - omega11_2 * d12_1 + sdot12_3;
-  const T Pdot12_1 = R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15 + Pdot11_1;
-  const T Pdot12_2 = R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15 + Pdot11_2;
-  const T Pdot12_3 = R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15 + Pdot11_3;
+  const T t12_13 = sdot12_1 + omega11_2 * d12_3 - omega11_3 * d12_2;
+  const T t12_14 = sdot12_2 + omega11_3 * d12_1 - omega11_1 * d12_3;
+  const T t12_15 = sdot12_3 + omega11_1 * d12_2 - omega11_2 * d12_1;
+  const T Pdot12_1 = Pdot11_1 + R11_11 * t12_13 + R11_21 * t12_14 + R11_31 * t12_15;
+  const T Pdot12_2 = Pdot11_2 + R11_12 * t12_13 + R11_22 * t12_14 + R11_32 * t12_15;
+  const T Pdot12_3 = Pdot11_3 + R11_13 * t12_13 + R11_23 * t12_14 + R11_33 * t12_15;
 
   // ---- whole system
   const T omega7_1 = y[18], omega7_2 = y[19], omega7_3 = y[20];
@@ -3097,35 +3097,35 @@ void power([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* out
   const T b0_36 = omega12_2 * T(0.006) - omega12_1 * T(0.141);
   const T power = T(1.37) * (sdot1_1 + R1_11 * b0_1 + R1_21 * b0_2 - R1_31 * b0_3) - T(1.93) * (sdot1_2 + R1_12 * b0_1
       + R1_22 * b0_2 - R1_32 * b0_3) - T(1.76) * (sdot1_3 + R1_13 * b0_1 + R1_23 * b0_2 - R1_33 * b0_3) + T(0.083) *
-      omega1_1 + T(0.002) * omega1_2 - T(0.082) * omega1_3 + T(0.08) * (R2_21 * b0_4 - R2_11 * b0_5 + R2_31 * b0_6 +
-      Pdot2_1) - T(1.11) * (R2_22 * b0_4 - R2_12 * b0_5 + R2_32 * b0_6 + Pdot2_2) - T(0.29) * (R2_23 * b0_4 - R2_13 *
-      b0_5 + R2_33 * b0_6 + Pdot2_3) + T(0.054) * omega2_2 - T(0.022) * omega2_1 - T(0.079) * omega2_3 + T(1.33) *
-      (R3_11 * b0_7 + R3_21 * b0_8 + R3_31 * b0_9 + Pdot3_1) + T(0.56) * (R3_12 * b0_7 + R3_22 * b0_8 + R3_32 * b0_9 +
-      Pdot3_2) - T(1.08) * (R3_13 * b0_7 + R3_23 * b0_8 + R3_33 * b0_9 + Pdot3_3) + T(0.005) * omega3_1 - T(0.005) *
-      omega3_2 + T(0.025) * omega3_3 + T(0.25) * (R4_11 * b0_10 + R4_21 * b0_11 + R4_31 * b0_12 + Pdot4_1) - T(1.93) *
-      (R4_12 * b0_10 + R4_22 * b0_11 + R4_32 * b0_12 + Pdot4_2) + T(0.84) * (R4_13 * b0_10 + R4_23 * b0_11 + R4_33 *
-      b0_12 + Pdot4_3) + T(0.081) * omega4_1 + T(0.06) * omega4_2 + T(0.079) * omega4_3 + T(1.78) * (R5_11 * b0_13 -
-      R5_21 * b0_14 + R5_31 * b0_15 + Pdot5_1) - T(1.97) * (R5_12 * b0_13 - R5_22 * b0_14 + R5_32 * b0_15 + Pdot5_2) -
-      T(0.56) * (R5_13 * b0_13 - R5_23 * b0_14 + R5_33 * b0_15 + Pdot5_3) - T(0.044) * omega5_1 - T(0.06) * omega5_2 -
-      T(0.014) * omega5_3 + T(0.4) * (R6_11 * b0_16 + R6_21 * b0_17 - R6_31 * b0_18 + Pdot6_1) - T(0.44) * (R6_12 *
-      b0_16 + R6_22 * b0_17 - R6_32 * b0_18 + Pdot6_2) + T(1.49) * (R6_13 * b0_16 + R6_23 * b0_17 - R6_33 * b0_18 +
-      Pdot6_3) + T(0.079) * omega6_1 - T(0.036) * omega6_2 - T(0.075) * omega6_3 - T(0.81) * (R7_11 * b0_19 + R7_21 *
-      b0_20 + R7_31 * b0_21 + Pdot7_1) - T(1.24) * (R7_12 * b0_19 + R7_22 * b0_20 + R7_32 * b0_21 + Pdot7_2) - T(1.26)
-      * (R7_13 * b0_19 + R7_23 * b0_20 + R7_33 * b0_21 + Pdot7_3) + T(0.072) * omega7_2 - T(0.038) * omega7_1 +
-      T(0.021) * omega7_3 + T(0.74) * (R8_11 * b0_22 + R8_21 * b0_23 + R8_31 * b0_24 + Pdot8_1) + T(0.46) * (R8_12 *
-      b0_22 + R8_22 * b0_23 + R8_32 * b0_24 + Pdot8_2) + T(1.86) * (R8_13 * b0_22 + R8_23 * b0_23 + R8_33 * b0_24 +
-      Pdot8_3) + T(0.092) * omega8_1 + T(0.049) * omega8_2 + T(0.09) * omega8_3 - T(0.55) * (R9_21 * b0_25 - R9_11 *
-      b0_26 + R9_31 * b0_27 + Pdot9_1) - T(1.08) * (R9_22 * b0_25 - R9_12 * b0_26 + R9_32 * b0_27 + Pdot9_2) - T(0.46)
-      * (R9_23 * b0_25 - R9_13 * b0_26 + R9_33 * b0_27 + Pdot9_3) + T(0.022) * omega9_1 - T(0.075) * omega9_2 +
-      T(0.008) * omega9_3 + T(1.24) * (R10_21 * b0_28 - R10_11 * b0_29 + R10_31 * b0_30 + Pdot10_1) + T(1.96) *
-      (R10_22 * b0_28 - R10_12 * b0_29 + R10_32 * b0_30 + Pdot10_2) + T(0.69) * (R10_23 * b0_28 - R10_13 * b0_29 +
-      R10_33 * b0_30 + Pdot10_3) - T(0.066) * omega10_1 - T(0.012) * omega10_2 - T(0.043) * omega10_3 - T(0.34) *
-      (R11_11 * b0_31 + R11_21 * b0_32 - R11_31 * b0_33 + Pdot11_1) - T(1.79) * (R11_12 * b0_31 + R11_22 * b0_32 -
-      R11_32 * b0_33 + Pdot11_2) - T(1.8) * (R11_13 * b0_31 + R11_23 * b0_32 - R11_33 * b0_33 + Pdot11_3) - T(0.077) *
-      omega11_1 - T(0.039) * omega11_2 - T(0.068) * omega11_3 + T(0.25) * (R12_11 * b0_34 + R12_21 * b0_35 + R12_31 *
-      b0_36 + Pdot12_1) + T(1.37) * (R12_12 * b0_34 + R12_22 * b0_35 + R12_32 * b0_36 + Pdot12_2) + T(1.59) * (R12_13
-      * b0_34 + R12_23 * b0_35 + R12_33 * b0_36 + Pdot12_3) + T(0.01) * omega12_1 + T(0.009) * omega12_2 + T(0.069) *
-      omega12_3;
+      omega1_1 + T(0.002) * omega1_2 - T(0.082) * omega1_3 + T(0.08) * (Pdot2_1 + R2_21 * b0_4 - R2_11 * b0_5 + R2_31
+      * b0_6) - T(1.11) * (Pdot2_2 + R2_22 * b0_4 - R2_12 * b0_5 + R2_32 * b0_6) - T(0.29) * (Pdot2_3 + R2_23 * b0_4 -
+      R2_13 * b0_5 + R2_33 * b0_6) + T(0.054) * omega2_2 - T(0.022) * omega2_1 - T(0.079) * omega2_3 + T(1.33) *
+      (Pdot3_1 + R3_11 * b0_7 + R3_21 * b0_8 + R3_31 * b0_9) + T(0.56) * (Pdot3_2 + R3_12 * b0_7 + R3_22 * b0_8 +
+      R3_32 * b0_9) - T(1.08) * (Pdot3_3 + R3_13 * b0_7 + R3_23 * b0_8 + R3_33 * b0_9) + T(0.005) * omega3_1 -
+      T(0.005) * omega3_2 + T(0.025) * omega3_3 + T(0.25) * (Pdot4_1 + R4_11 * b0_10 + R4_21 * b0_11 + R4_31 * b0_12)
+      - T(1.93) * (Pdot4_2 + R4_12 * b0_10 + R4_22 * b0_11 + R4_32 * b0_12) + T(0.84) * (Pdot4_3 + R4_13 * b0_10 +
+      R4_23 * b0_11 + R4_33 * b0_12) + T(0.081) * omega4_1 + T(0.06) * omega4_2 + T(0.079) * omega4_3 + T(1.78) *
+      (Pdot5_1 + R5_11 * b0_13 - R5_21 * b0_14 + R5_31 * b0_15) - T(1.97) * (Pdot5_2 + R5_12 * b0_13 - R5_22 * b0_14 +
+      R5_32 * b0_15) - T(0.56) * (Pdot5_3 + R5_13 * b0_13 - R5_23 * b0_14 + R5_33 * b0_15) - T(0.044) * omega5_1 -
+      T(0.06) * omega5_2 - T(0.014) * omega5_3 + T(0.4) * (Pdot6_1 + R6_11 * b0_16 + R6_21 * b0_17 - R6_31 * b0_18) -
+      T(0.44) * (Pdot6_2 + R6_12 * b0_16 + R6_22 * b0_17 - R6_32 * b0_18) + T(1.49) * (Pdot6_3 + R6_13 * b0_16 + R6_23
+      * b0_17 - R6_33 * b0_18) + T(0.079) * omega6_1 - T(0.036) * omega6_2 - T(0.075) * omega6_3 - T(0.81) * (Pdot7_1
+      + R7_11 * b0_19 + R7_21 * b0_20 + R7_31 * b0_21) - T(1.24) * (Pdot7_2 + R7_12 * b0_19 + R7_22 * b0_20 + R7_32 *
+      b0_21) - T(1.26) * (Pdot7_3 + R7_13 * b0_19 + R7_23 * b0_20 + R7_33 * b0_21) + T(0.072) * omega7_2 - T(0.038) *
+      omega7_1 + T(0.021) * omega7_3 + T(0.74) * (Pdot8_1 + R8_11 * b0_22 + R8_21 * b0_23 + R8_31 * b0_24) + T(0.46) *
+      (Pdot8_2 + R8_12 * b0_22 + R8_22 * b0_23 + R8_32 * b0_24) + T(1.86) * (Pdot8_3 + R8_13 * b0_22 + R8_23 * b0_23 +
+      R8_33 * b0_24) + T(0.092) * omega8_1 + T(0.049) * omega8_2 + T(0.09) * omega8_3 - T(0.55) * (Pdot9_1 + R9_21 *
+      b0_25 - R9_11 * b0_26 + R9_31 * b0_27) - T(1.08) * (Pdot9_2 + R9_22 * b0_25 - R9_12 * b0_26 + R9_32 * b0_27) -
+      T(0.46) * (Pdot9_3 + R9_23 * b0_25 - R9_13 * b0_26 + R9_33 * b0_27) + T(0.022) * omega9_1 - T(0.075) * omega9_2
+      + T(0.008) * omega9_3 + T(1.24) * (Pdot10_1 + R10_21 * b0_28 - R10_11 * b0_29 + R10_31 * b0_30) + T(1.96) *
+      (Pdot10_2 + R10_22 * b0_28 - R10_12 * b0_29 + R10_32 * b0_30) + T(0.69) * (Pdot10_3 + R10_23 * b0_28 - R10_13 *
+      b0_29 + R10_33 * b0_30) - T(0.066) * omega10_1 - T(0.012) * omega10_2 - T(0.043) * omega10_3 - T(0.34) *
+      (Pdot11_1 + R11_11 * b0_31 + R11_21 * b0_32 - R11_31 * b0_33) - T(1.79) * (Pdot11_2 + R11_12 * b0_31 + R11_22 *
+      b0_32 - R11_32 * b0_33) - T(1.8) * (Pdot11_3 + R11_13 * b0_31 + R11_23 * b0_32 - R11_33 * b0_33) - T(0.077) *
+      omega11_1 - T(0.039) * omega11_2 - T(0.068) * omega11_3 + T(0.25) * (Pdot12_1 + R12_11 * b0_34 + R12_21 * b0_35
+      + R12_31 * b0_36) + T(1.37) * (Pdot12_2 + R12_12 * b0_34 + R12_22 * b0_35 + R12_32 * b0_36) + T(1.59) *
+      (Pdot12_3 + R12_13 * b0_34 + R12_23 * b0_35 + R12_33 * b0_36) + T(0.01) * omega12_1 + T(0.009) * omega12_2 +
+      T(0.069) * omega12_3;
   out[0] = power;
 }
 
@@ -3166,11 +3166,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_15 = omega1_2 * omega1_3;
   const T t1_16 = omega1_1 * omega1_2;
   const T t1_17 = omega1_1 * omega1_3;
-  const T N1_1 = T(0.0128) * (t1_13 - t1_14) - T(0.058099999999999985) * t1_15 - T(0.0129) * t1_16 + T(0.0043) * t1_17
-      + T(0.083);
+  const T N1_1 = T(0.083) + T(0.0128) * (t1_13 - t1_14) - T(0.058099999999999985) * t1_15 - T(0.0129) * t1_16 +
+      T(0.0043) * t1_17;
   const T t1_18 = omega1_1 * omega1_1;
-  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * t1_17 + T(0.0129) * (t1_14 - t1_18) + T(0.0043) * t1_15 +
-      T(0.0128) * t1_16);
+  const T N1_2 = T(0.002) - T(0.0010999999999999899) * t1_17 - T(0.0129) * (t1_14 - t1_18) - T(0.0043) * t1_15 -
+      T(0.0128) * t1_16;
   const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_18 - t1_13) - T(0.059199999999999975) * t1_16 - T(0.0128) * t1_17 -
       T(0.0129) * t1_15;
   // omegadot1 = Iinv1 N1: I omegadot + omega~ I omega = M
@@ -3198,7 +3198,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t1_19 = minus_U1_11 * T(0.187) + U1_12 * T(0.163) + U1_13 * T(0.095);
   const T t1_20 = U1_21 * T(0.187) + minus_U1_22 * T(0.163) - U1_23 * T(0.095);
   const T t1_21 = U1_31 * T(0.187) - U1_32 * T(0.163) + minus_U1_33 * T(0.095);
-  const T Pddot1_1 = R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21 + T(0.3301204819277108);
+  const T Pddot1_1 = T(0.3301204819277108) + R1_11 * t1_19 - R1_21 * t1_20 - R1_31 * t1_21;
   const T minus_Pddot1_2 = T(0.46506024096385534) + R1_22 * t1_20 - R1_12 * t1_19 + R1_32 * t1_21;
   const T minus_Pddot1_3 = T(0.42409638554216866) + R1_23 * t1_20 - R1_13 * t1_19 + R1_33 * t1_21;
   ydot[36] = Pddot1_1;
@@ -3247,8 +3247,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N2_1 = T(0.022) + T(0.0252) * t2_13 + T(0.0049) * (t2_14 - t2_15) + T(0.0037) * t2_16 - T(1e-04) *
       t2_17;
   const T t2_18 = omega2_1 * omega2_1;
-  const T N2_2 = T(0.02560000000000001) * t2_17 - T(0.0037) * (t2_15 - t2_18) - T(1e-04) * t2_13 + T(0.0049) * t2_16 +
-      T(0.054);
+  const T N2_2 = T(0.054) + T(0.02560000000000001) * t2_17 - T(0.0037) * (t2_15 - t2_18) - T(1e-04) * t2_13 +
+      T(0.0049) * t2_16;
   const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * t2_16 + T(1e-04) * (t2_18 - t2_14) + T(0.0049) * t2_17 -
       T(0.0037) * t2_13;
   // omegadot2 = Iinv2 N2: I omegadot + omega~ I omega = M
@@ -3276,7 +3276,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_19 = U2_12 * T(0.31) - minus_U2_11 * T(0.011);
   const T t2_20 = U2_21 * T(0.011) - minus_U2_22 * T(0.31);
   const T t2_21 = U2_31 * T(0.011) + U2_32 * T(0.31);
-  const T Pddot2_1 = T(0.125) - (R2_11 * t2_19 + R2_21 * t2_20 + R2_31 * t2_21);
+  const T Pddot2_1 = T(0.125) - R2_11 * t2_19 - R2_21 * t2_20 - R2_31 * t2_21;
   const T minus_Pddot2_2 = T(1.7343750000000002) + R2_12 * t2_19 + R2_22 * t2_20 + R2_32 * t2_21;
   const T minus_Pddot2_3 = T(0.45312499999999994) + R2_13 * t2_19 + R2_23 * t2_20 + R2_33 * t2_21;
   // sddot2 = R1 (-Pddot1 + Pddot2) - 2 omega1~ sdot2 - U1 d2: relative acceleration, axes of the lower body [m/s^2]
@@ -3333,13 +3333,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t3_15 = omega3_2 * omega3_3;
   const T t3_16 = omega3_1 * omega3_2;
   const T t3_17 = omega3_1 * omega3_3;
-  const T N3_1 = T(0.0036) * (t3_13 - t3_14) - T(0.05720000000000003) * t3_15 - T(0.038) * t3_16 + T(0.0388) * t3_17 +
-      T(0.005);
+  const T N3_1 = T(0.005) + T(0.0036) * (t3_13 - t3_14) - T(0.05720000000000003) * t3_15 - T(0.038) * t3_16 +
+      T(0.0388) * t3_17;
   const T t3_18 = omega3_1 * omega3_1;
   const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * t3_17 + T(0.038) * (t3_14 - t3_18) + T(0.0388) * t3_15 +
       T(0.0036) * t3_16;
-  const T N3_3 = T(0.16299999999999998) * t3_16 - T(0.0388) * (t3_18 - t3_13) + T(0.0036) * t3_17 + T(0.038) * t3_15 +
-      T(0.025);
+  const T N3_3 = T(0.025) + T(0.16299999999999998) * t3_16 - T(0.0388) * (t3_18 - t3_13) + T(0.0036) * t3_17 +
+      T(0.038) * t3_15;
   // omegadot3 = Iinv3 N3: I omegadot + omega~ I omega = M
   const T omegadot3_1 = T(2.872223569018402) * N3_1 + T(0.5690188725354294) * minus_N3_2 - T(0.4346871132284082) *
       N3_3;
@@ -3365,8 +3365,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t3_19 = U3_12 * T(0.498) - minus_U3_11 * T(0.484) + U3_13 * T(0.004);
   const T t3_20 = U3_21 * T(0.484) - minus_U3_22 * T(0.498) + U3_23 * T(0.004);
   const T t3_21 = U3_31 * T(0.484) + U3_32 * T(0.498) - minus_U3_33 * T(0.004);
-  const T Pddot3_1 = T(0.6214953271028038) - (R3_11 * t3_19 + R3_21 * t3_20 + R3_31 * t3_21);
-  const T Pddot3_2 = T(0.26168224299065423) - (R3_12 * t3_19 + R3_22 * t3_20 + R3_32 * t3_21);
+  const T Pddot3_1 = T(0.6214953271028038) - R3_11 * t3_19 - R3_21 * t3_20 - R3_31 * t3_21;
+  const T Pddot3_2 = T(0.26168224299065423) - R3_12 * t3_19 - R3_22 * t3_20 - R3_32 * t3_21;
   const T minus_Pddot3_3 = T(0.5046728971962617) + R3_13 * t3_19 + R3_23 * t3_20 + R3_33 * t3_21;
   // sddot3 = R2 (-Pddot2 + Pddot3) - 2 omega2~ sdot3 - U2 d3: relative acceleration, axes of the lower body [m/s^2]
   const T t3_22 = Pddot3_1 - Pddot2_1;
@@ -3422,13 +3422,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t4_15 = omega4_2 * omega4_3;
   const T t4_16 = omega4_1 * omega4_2;
   const T t4_17 = omega4_1 * omega4_3;
-  const T N4_1 = T(0.0221) * (t4_13 - t4_14) - T(0.0010999999999999899) * t4_15 + T(0.0283) * t4_16 + T(0.0225) *
-      t4_17 + T(0.081);
+  const T N4_1 = T(0.081) + T(0.0221) * (t4_13 - t4_14) - T(0.0010999999999999899) * t4_15 + T(0.0283) * t4_16 +
+      T(0.0225) * t4_17;
   const T t4_18 = omega4_1 * omega4_1;
-  const T N4_2 = T(0.0283) * (t4_14 - t4_18) - T(0.014300000000000007) * t4_17 - T(0.0225) * t4_15 - T(0.0221) * t4_16
-      + T(0.06);
-  const T N4_3 = T(0.015399999999999997) * t4_16 - T(0.0225) * (t4_18 - t4_13) + T(0.0221) * t4_17 - T(0.0283) * t4_15
-      + T(0.079);
+  const T N4_2 = T(0.06) + T(0.0283) * (t4_14 - t4_18) - T(0.014300000000000007) * t4_17 - T(0.0225) * t4_15 -
+      T(0.0221) * t4_16;
+  const T N4_3 = T(0.079) + T(0.015399999999999997) * t4_16 - T(0.0225) * (t4_18 - t4_13) + T(0.0221) * t4_17 -
+      T(0.0283) * t4_15;
   // omegadot4 = Iinv4 N4: I omegadot + omega~ I omega = M
   const T omegadot4_1 = T(3.9982825460034723) * N4_1 - T(0.33481735065658697) * N4_2 + T(0.43916915532553025) * N4_3;
   const T omegadot4_2 = T(4.235521887745724) * N4_2 - T(0.33481735065658697) * N4_1 + T(0.3493758417591325) * N4_3;
@@ -3451,9 +3451,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t4_19 = U4_12 * T(0.289) - minus_U4_11 * T(0.401) + U4_13 * T(0.08);
   const T t4_20 = U4_21 * T(0.401) - minus_U4_22 * T(0.289) + U4_23 * T(0.08);
   const T t4_21 = U4_31 * T(0.401) + U4_32 * T(0.289) - minus_U4_33 * T(0.08);
-  const T Pddot4_1 = T(0.05567928730512249) - (R4_11 * t4_19 + R4_21 * t4_20 + R4_31 * t4_21);
+  const T Pddot4_1 = T(0.05567928730512249) - R4_11 * t4_19 - R4_21 * t4_20 - R4_31 * t4_21;
   const T minus_Pddot4_2 = T(0.4298440979955456) + R4_12 * t4_19 + R4_22 * t4_20 + R4_32 * t4_21;
-  const T Pddot4_3 = T(0.18708240534521156) - (R4_13 * t4_19 + R4_23 * t4_20 + R4_33 * t4_21);
+  const T Pddot4_3 = T(0.18708240534521156) - R4_13 * t4_19 - R4_23 * t4_20 - R4_33 * t4_21;
   // sddot4 = R3 (-Pddot3 + Pddot4) - 2 omega3~ sdot4 - U3 d4: relative acceleration, axes of the lower body [m/s^2]
   const T t4_22 = Pddot4_1 - Pddot3_1;
   const T t4_23 = minus_Pddot4_2 + Pddot3_2;
@@ -3537,12 +3537,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T U5_32 = t5_13 + omegadot5_1;
   const T minus_U5_33 = t5_14 + t5_18;
   // Pddot5 = -R5^T U5 r5 + a5: acceleration of the body origin, less gravity, inertial axes [m/s^2]
-  const T t5_19 = U5_31 * T(0.056) + U5_32 * T(0.321) + minus_U5_33 * T(0.167);
-  const T t5_20 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
-  const T t5_21 = minus_U5_22 * T(0.321) - U5_21 * T(0.056) + U5_23 * T(0.167);
-  const T Pddot5_1 = R5_31 * t5_19 - (R5_11 * t5_20 + R5_21 * t5_21) + T(0.9081632653061225);
-  const T minus_Pddot5_2 = T(1.0051020408163265) + R5_12 * t5_20 + R5_22 * t5_21 - R5_32 * t5_19;
-  const T minus_Pddot5_3 = T(0.28571428571428575) + R5_13 * t5_20 + R5_23 * t5_21 - R5_33 * t5_19;
+  const T t5_19 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
+  const T t5_20 = minus_U5_22 * T(0.321) - U5_21 * T(0.056) + U5_23 * T(0.167);
+  const T t5_21 = U5_31 * T(0.056) + U5_32 * T(0.321) + minus_U5_33 * T(0.167);
+  const T Pddot5_1 = T(0.9081632653061225) - R5_11 * t5_19 - R5_21 * t5_20 + R5_31 * t5_21;
+  const T minus_Pddot5_2 = T(1.0051020408163265) + R5_12 * t5_19 + R5_22 * t5_20 - R5_32 * t5_21;
+  const T minus_Pddot5_3 = T(0.28571428571428575) + R5_13 * t5_19 + R5_23 * t5_20 - R5_33 * t5_21;
   // sddot5 = R3 (-Pddot3 + Pddot5) - 2 omega3~ sdot5 - U3 d5: relative acceleration, axes of the lower body [m/s^2]
   const T t5_22 = Pddot5_1 - Pddot3_1;
   const T t5_23 = minus_Pddot5_2 + Pddot3_2;
@@ -3594,8 +3594,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t6_15 = omega6_3 * omega6_3;
   const T t6_16 = omega6_1 * omega6_2;
   const T t6_17 = omega6_1 * omega6_3;
-  const T N6_1 = T(0.014700000000000046) * t6_13 - T(0.0219) * (t6_14 - t6_15) - T(0.0493) * t6_16 + T(0.035) * t6_17
-      + T(0.079);
+  const T N6_1 = T(0.079) + T(0.014700000000000046) * t6_13 - T(0.0219) * (t6_14 - t6_15) - T(0.0493) * t6_16 +
+      T(0.035) * t6_17;
   const T t6_18 = omega6_1 * omega6_1;
   const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_15 - t6_18) - T(0.17060000000000003) * t6_17 + T(0.035) * t6_13 -
       T(0.0219) * t6_16;
@@ -3626,9 +3626,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t6_19 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
   const T t6_20 = U6_21 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
   const T t6_21 = U6_31 * T(0.044) - U6_32 * T(0.248) + minus_U6_33 * T(0.454);
-  const T Pddot6_1 = R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21 + T(0.1149425287356322);
+  const T Pddot6_1 = T(0.1149425287356322) + R6_11 * t6_19 - R6_21 * t6_20 - R6_31 * t6_21;
   const T minus_Pddot6_2 = T(0.12643678160919541) + R6_22 * t6_20 - R6_12 * t6_19 + R6_32 * t6_21;
-  const T Pddot6_3 = R6_13 * t6_19 - R6_23 * t6_20 - R6_33 * t6_21 + T(0.4281609195402299);
+  const T Pddot6_3 = T(0.4281609195402299) + R6_13 * t6_19 - R6_23 * t6_20 - R6_33 * t6_21;
   // sddot6 = R2 (-Pddot2 + Pddot6) - 2 omega2~ sdot6 - U2 d6: relative acceleration, axes of the lower body [m/s^2]
   const T t6_22 = Pddot6_1 - Pddot2_1;
   const T t6_23 = minus_Pddot2_2 - minus_Pddot6_2;
@@ -3683,10 +3683,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_13 - t7_14) - T(0.0021000000000000185) * t7_15 + T(0.0025) * t7_16 +
       T(7e-04) * t7_17;
   const T t7_18 = omega7_1 * omega7_1;
-  const T N7_2 = T(0.0008999999999999841) * t7_17 - T(0.0025) * (t7_14 - t7_18) + T(7e-04) * t7_15 + T(0.0017) * t7_16
-      + T(0.072);
-  const T N7_3 = T(7e-04) * (t7_18 - t7_13) - T(0.0030000000000000027) * t7_16 - T(0.0017) * t7_17 + T(0.0025) * t7_15
-      + T(0.021);
+  const T N7_2 = T(0.072) + T(0.0008999999999999841) * t7_17 - T(0.0025) * (t7_14 - t7_18) + T(7e-04) * t7_15 +
+      T(0.0017) * t7_16;
+  const T N7_3 = T(0.021) + T(7e-04) * (t7_18 - t7_13) - T(0.0030000000000000027) * t7_16 - T(0.0017) * t7_17 +
+      T(0.0025) * t7_15;
   // omegadot7 = Iinv7 N7: I omegadot + omega~ I omega = M
   const T omegadot7_1 = T(0.0404762754848672) * N7_2 - T(7.521659426959323) * minus_N7_1 - T(0.14094815710024333) *
       N7_3;
@@ -3764,18 +3764,18 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T d8_2 = s8_2 - T(0.25);
   const T d8_3 = s8_3 - T(0.387);
   // N8 = -omega8~ I8 omega8 + M8: applied less gyroscopic moment, body axes [N m]
-  const T t8_13 = omega8_1 * omega8_2;
-  const T t8_14 = omega8_2 * omega8_3;
-  const T t8_15 = omega8_2 * omega8_2;
-  const T t8_16 = omega8_3 * omega8_3;
+  const T t8_13 = omega8_2 * omega8_3;
+  const T t8_14 = omega8_2 * omega8_2;
+  const T t8_15 = omega8_3 * omega8_3;
+  const T t8_16 = omega8_1 * omega8_2;
   const T t8_17 = omega8_1 * omega8_3;
-  const T N8_1 = T(0.0399) * t8_13 - (T(0.017199999999999938) * t8_14 + T(0.028) * (t8_15 - t8_16)) - T(0.0147) *
-      t8_17 + T(0.092);
+  const T N8_1 = T(0.092) - T(0.017199999999999938) * t8_13 - T(0.028) * (t8_14 - t8_15) + T(0.0399) * t8_16 -
+      T(0.0147) * t8_17;
   const T t8_18 = omega8_1 * omega8_1;
-  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_17 + T(0.0399) * (t8_16 - t8_18) + T(0.0147) * t8_14 +
-      T(0.028) * t8_13;
-  const T N8_3 = T(0.0147) * (t8_18 - t8_15) - T(0.05020000000000002) * t8_13 - T(0.028) * t8_17 - T(0.0399) * t8_14 +
-      T(0.09);
+  const T N8_2 = T(0.049) + T(0.06739999999999996) * t8_17 + T(0.0399) * (t8_15 - t8_18) + T(0.0147) * t8_13 +
+      T(0.028) * t8_16;
+  const T N8_3 = T(0.09) + T(0.0147) * (t8_18 - t8_14) - T(0.05020000000000002) * t8_16 - T(0.028) * t8_17 - T(0.0399)
+      * t8_13;
   // omegadot8 = Iinv8 N8: I omegadot + omega~ I omega = M
   const T omegadot8_1 = T(2.2431453707099713) * N8_1 + T(0.05648564396046748) * N8_2 + T(0.1701895126992543) * N8_3;
   const T omegadot8_2 = T(0.05648564396046748) * N8_1 + T(2.0099288778308475) * N8_2 - T(0.10457652223236756) * N8_3;
@@ -3785,22 +3785,22 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   ydot[23] = omegadot8_3;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T minus_U8_11 = t8_16 + t8_15;
-  const T U8_12 = t8_13 - omegadot8_3;
+  const T minus_U8_11 = t8_15 + t8_14;
+  const T U8_12 = t8_16 - omegadot8_3;
   const T U8_13 = t8_17 + omegadot8_2;
-  const T U8_21 = t8_13 + omegadot8_3;
-  const T minus_U8_22 = t8_16 + t8_18;
-  const T U8_23 = t8_14 - omegadot8_1;
+  const T U8_21 = t8_16 + omegadot8_3;
+  const T minus_U8_22 = t8_15 + t8_18;
+  const T U8_23 = t8_13 - omegadot8_1;
   const T U8_31 = t8_17 - omegadot8_2;
-  const T U8_32 = t8_14 + omegadot8_1;
-  const T minus_U8_33 = t8_15 + t8_18;
+  const T U8_32 = t8_13 + omegadot8_1;
+  const T minus_U8_33 = t8_14 + t8_18;
   // Pddot8 = -R8^T U8 r8 + a8: acceleration of the body origin, less gravity, inertial axes [m/s^2]
   const T t8_19 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
   const T t8_20 = minus_U8_22 * T(0.416) - U8_21 * T(0.392) - U8_23 * T(0.444);
   const T t8_21 = minus_U8_33 * T(0.444) - (U8_31 * T(0.392) + U8_32 * T(0.416));
-  const T Pddot8_1 = T(0.2730627306273063) - (R8_11 * t8_19 + R8_21 * t8_20 + R8_31 * t8_21);
-  const T Pddot8_2 = T(0.16974169741697417) - (R8_12 * t8_19 + R8_22 * t8_20 + R8_32 * t8_21);
-  const T Pddot8_3 = T(0.6863468634686347) - (R8_13 * t8_19 + R8_23 * t8_20 + R8_33 * t8_21);
+  const T Pddot8_1 = T(0.2730627306273063) - R8_11 * t8_19 - R8_21 * t8_20 - R8_31 * t8_21;
+  const T Pddot8_2 = T(0.16974169741697417) - R8_12 * t8_19 - R8_22 * t8_20 - R8_32 * t8_21;
+  const T Pddot8_3 = T(0.6863468634686347) - R8_13 * t8_19 - R8_23 * t8_20 - R8_33 * t8_21;
   // sddot8 = R1 (-Pddot1 + Pddot8) - 2 omega1~ sdot8 - U1 d8: relative acceleration, axes of the lower body [m/s^2]
   const T t8_22 = Pddot8_1 - Pddot1_1;
   const T t8_23 = Pddot8_2 + minus_Pddot1_2;
@@ -3852,13 +3852,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t9_15 = omega9_3 * omega9_3;
   const T t9_16 = omega9_1 * omega9_2;
   const T t9_17 = omega9_1 * omega9_3;
-  const T N9_1 = T(0.022300000000000042) * t9_13 + T(0.0093) * (t9_14 - t9_15) - T(0.0257) * t9_16 + T(0.0215) * t9_17
-      + T(0.022);
+  const T N9_1 = T(0.022) + T(0.022300000000000042) * t9_13 + T(0.0093) * (t9_14 - t9_15) - T(0.0257) * t9_16 +
+      T(0.0215) * t9_17;
   const T t9_18 = omega9_1 * omega9_1;
   const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_15 - t9_18) - T(0.04989999999999997) * t9_17 + T(0.0215) * t9_13 +
       T(0.0093) * t9_16;
-  const T N9_3 = T(0.0093) * t9_17 - (T(0.07220000000000001) * t9_16 + T(0.0215) * (t9_18 - t9_14)) + T(0.0257) *
-      t9_13 + T(0.008);
+  const T N9_3 = T(0.008) - T(0.07220000000000001) * t9_16 - T(0.0215) * (t9_18 - t9_14) + T(0.0093) * t9_17 +
+      T(0.0257) * t9_13;
   // omegadot9 = Iinv9 N9: I omegadot + omega~ I omega = M
   const T omegadot9_1 = T(4.405298766180525) * N9_1 + T(0.32507374982810383) * minus_N9_2 - T(0.4138104811827728) *
       N9_3;
@@ -3973,9 +3973,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t10_19 = U10_12 * T(0.148) - minus_U10_11 * T(0.016) - U10_13 * T(0.426);
   const T t10_20 = U10_21 * T(0.016) - minus_U10_22 * T(0.148) - U10_23 * T(0.426);
   const T t10_21 = U10_31 * T(0.016) + U10_32 * T(0.148) + minus_U10_33 * T(0.426);
-  const T Pddot10_1 = T(0.48249027237354086) - (R10_11 * t10_19 + R10_21 * t10_20 + R10_31 * t10_21);
-  const T Pddot10_2 = T(0.7626459143968872) - (R10_12 * t10_19 + R10_22 * t10_20 + R10_32 * t10_21);
-  const T Pddot10_3 = T(0.26848249027237353) - (R10_13 * t10_19 + R10_23 * t10_20 + R10_33 * t10_21);
+  const T Pddot10_1 = T(0.48249027237354086) - R10_11 * t10_19 - R10_21 * t10_20 - R10_31 * t10_21;
+  const T Pddot10_2 = T(0.7626459143968872) - R10_12 * t10_19 - R10_22 * t10_20 - R10_32 * t10_21;
+  const T Pddot10_3 = T(0.26848249027237353) - R10_13 * t10_19 - R10_23 * t10_20 - R10_33 * t10_21;
   // sddot10 = R8 (-Pddot8 + Pddot10) - 2 omega8~ sdot10 - U8 d10: relative acceleration, axes of the lower body
   //   [m/s^2]
   const T t10_22 = Pddot10_1 - Pddot8_1;
@@ -4034,8 +4034,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_N11_1 = T(0.077) + T(0.041600000000000026) * t11_13 + T(0.0124) * (t11_14 - t11_15) - T(0.0238) *
       t11_16 + T(3e-04) * t11_17;
   const T t11_18 = omega11_1 * omega11_1;
-  const T N11_2 = T(0.059) * t11_17 + T(0.0238) * (t11_15 - t11_18) + T(3e-04) * t11_13 + T(0.0124) * t11_16 -
-      T(0.039);
+  const T N11_2 = T(0.059) * t11_17 - T(0.039) + T(0.0238) * (t11_15 - t11_18) + T(3e-04) * t11_13 + T(0.0124) *
+      t11_16;
   const T minus_N11_3 = T(0.068) + T(0.01739999999999997) * t11_16 - T(3e-04) * (t11_18 - t11_14) + T(0.0124) * t11_17
       + T(0.0238) * t11_13;
   // omegadot11 = Iinv11 N11: I omegadot + omega~ I omega = M
@@ -4124,10 +4124,10 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T N12_1 = T(0.01) + T(0.26759999999999995) * t12_13 + T(0.0023) * (t12_14 - t12_15) + T(0.1084) * t12_16 +
       T(0.0121) * t12_17;
   const T t12_18 = omega12_1 * omega12_1;
-  const T N12_2 = T(0.1084) * (t12_15 - t12_18) - T(0.08610000000000001) * t12_17 - T(0.0121) * t12_13 - T(0.0023) *
-      t12_16 + T(0.009);
-  const T N12_3 = T(0.0023) * t12_17 - (T(0.18149999999999994) * t12_16 + T(0.0121) * (t12_18 - t12_14)) - T(0.1084) *
-      t12_13 + T(0.069);
+  const T N12_2 = T(0.009) + T(0.1084) * (t12_15 - t12_18) - T(0.08610000000000001) * t12_17 - T(0.0121) * t12_13 -
+      T(0.0023) * t12_16;
+  const T N12_3 = T(0.069) - T(0.18149999999999994) * t12_16 - T(0.0121) * (t12_18 - t12_14) + T(0.0023) * t12_17 -
+      T(0.1084) * t12_13;
   // omegadot12 = Iinv12 N12: I omegadot + omega~ I omega = M
   const T omegadot12_1 = T(2.6481973653496103) * N12_1 - T(0.050451263488074154) * N12_2 + T(0.8759113446211086) *
       N12_3;
@@ -4153,9 +4153,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t12_19 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
   const T t12_20 = minus_U12_22 * T(0.141) - U12_21 * T(0.006) - U12_23 * T(0.1);
   const T t12_21 = minus_U12_33 * T(0.1) - (U12_31 * T(0.006) + U12_32 * T(0.141));
-  const T Pddot12_1 = T(0.061576354679802964) - (R12_11 * t12_19 + R12_21 * t12_20 + R12_31 * t12_21);
-  const T Pddot12_2 = T(0.33743842364532023) - (R12_12 * t12_19 + R12_22 * t12_20 + R12_32 * t12_21);
-  const T Pddot12_3 = T(0.3916256157635469) - (R12_13 * t12_19 + R12_23 * t12_20 + R12_33 * t12_21);
+  const T Pddot12_1 = T(0.061576354679802964) - R12_11 * t12_19 - R12_21 * t12_20 - R12_31 * t12_21;
+  const T Pddot12_2 = T(0.33743842364532023) - R12_12 * t12_19 - R12_22 * t12_20 - R12_32 * t12_21;
+  const T Pddot12_3 = T(0.3916256157635469) - R12_13 * t12_19 - R12_23 * t12_20 - R12_33 * t12_21;
   // sddot12 = R11 (-Pddot11 + Pddot12) - 2 omega11~ sdot12 - U11 d12: relative acceleration, axes of the lower body
   //   [m/s^2]
   const T t12_22 = Pddot12_1 + minus_Pddot11_1;
@@ -4231,20 +4231,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t1_19 = U1_21 * T(0.187) + minus_U1_22 * T(0.163) - U1_23 * T(0.095);
   const T t1_20 = minus_U1_11 * T(0.187) + U1_12 * T(0.163) + U1_13 * T(0.095);
   const T t1_21 = U1_31 * T(0.187) - U1_32 * T(0.163) + minus_U1_33 * T(0.095);
-  const T a1_1 = R1_21 * t1_19 - R1_11 * t1_20 + R1_31 * t1_21 + sddot1_1;
-  const T a1_2 = R1_22 * t1_19 - R1_12 * t1_20 + R1_32 * t1_21 + sddot1_2;
-  const T a1_3 = R1_23 * t1_19 - R1_13 * t1_20 + R1_33 * t1_21 + Pddot1_3;
+  const T a1_1 = sddot1_1 + R1_21 * t1_19 - R1_11 * t1_20 + R1_31 * t1_21;
+  const T a1_2 = sddot1_2 + R1_22 * t1_19 - R1_12 * t1_20 + R1_32 * t1_21;
+  const T a1_3 = Pddot1_3 + R1_23 * t1_19 - R1_13 * t1_20 + R1_33 * t1_21;
   // G1 = m1 a1 - F1: inertia less applied force, inertial axes [N]
   const T G1_1 = T(4.15) * a1_1 - T(1.37);
-  const T G1_2 = T(4.15) * a1_2 + T(1.93);
-  const T G1_3 = T(4.15) * a1_3 + T(1.76);
+  const T G1_2 = T(1.93) + T(4.15) * a1_2;
+  const T G1_3 = T(1.76) + T(4.15) * a1_3;
   // N1 = axial(U1 (tr(I1)/2 - I1)) - M1: inertia less applied moment about the mass centre, body axes [N m]
-  const T N1_1 = T(0.27085) * U1_32 - T(0.21275) * U1_23 + T(0.0128) * (minus_U1_22 - minus_U1_33) - T(0.0043) * U1_31
-      + T(0.0129) * U1_21 - T(0.083);
-  const T N1_2 = T(0.21275) * U1_13 - T(0.21165) * U1_31 - T(0.0129) * (minus_U1_33 - minus_U1_11) + T(0.0128) * U1_12
-      + T(0.0043) * U1_32 - T(0.002);
-  const T N1_3 = T(0.21165) * U1_21 - T(0.27085) * U1_12 - T(0.0043) * (minus_U1_11 - minus_U1_22) - T(0.0129) * U1_23
-      - T(0.0128) * U1_13 + T(0.082);
+  const T N1_1 = T(0.27085) * U1_32 - T(0.083) - T(0.21275) * U1_23 + T(0.0128) * (minus_U1_22 - minus_U1_33) -
+      T(0.0043) * U1_31 + T(0.0129) * U1_21;
+  const T N1_2 = T(0.21275) * U1_13 - T(0.002) - T(0.21165) * U1_31 - T(0.0129) * (minus_U1_33 - minus_U1_11) +
+      T(0.0128) * U1_12 + T(0.0043) * U1_32;
+  const T N1_3 = T(0.082) + T(0.21165) * U1_21 - T(0.27085) * U1_12 - T(0.0043) * (minus_U1_11 - minus_U1_22) -
+      T(0.0129) * U1_23 - T(0.0128) * U1_13;
 
   // ---- body 2 (body_2) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -4300,31 +4300,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t2_19 = T(2) * omega1_2;
   const T t2_20 = T(2) * omega1_3;
-  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_21 = sddot2_1 + t2_19 * sdot2_3 - t2_20 * sdot2_2 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
-  const T Pddot2_1 = R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24 + sddot1_1;
-  const T Pddot2_2 = R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24 + sddot1_2;
-  const T Pddot2_3 = R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24 + Pddot1_3;
+  const T t2_23 = sddot2_2 + t2_20 * sdot2_1 - t2_22 * sdot2_3 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = sddot2_3 + t2_22 * sdot2_2 - t2_19 * sdot2_1 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T Pddot2_1 = sddot1_1 + R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24;
+  const T Pddot2_2 = sddot1_2 + R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24;
+  const T Pddot2_3 = Pddot1_3 + R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24;
   // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t2_25 = U2_12 * T(0.31) - minus_U2_11 * T(0.011);
   const T t2_26 = U2_21 * T(0.011) - minus_U2_22 * T(0.31);
   const T t2_27 = U2_31 * T(0.011) + U2_32 * T(0.31);
-  const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27;
   // G2 = m2 a2 - F2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(0.64) * a2_1 - T(0.08);
-  const T G2_2 = T(0.64) * a2_2 + T(1.11);
-  const T G2_3 = T(0.64) * a2_3 + T(0.29);
+  const T G2_2 = T(1.11) + T(0.64) * a2_2;
+  const T G2_3 = T(0.29) + T(0.64) * a2_3;
   // N2 = axial(U2 (tr(I2)/2 - I2)) - M2: inertia less applied moment about the mass centre, body axes [N m]
-  const T N2_1 = T(0.07235) * U2_32 - T(0.04715) * U2_23 - T(0.0049) * (minus_U2_22 - minus_U2_33) - T(1e-04) * U2_31
-      + T(0.0037) * U2_21 + T(0.022);
-  const T N2_2 = T(0.04715) * U2_13 - T(0.07275000000000001) * U2_31 - T(0.0037) * (minus_U2_33 - minus_U2_11) -
-      T(0.0049) * U2_12 + T(1e-04) * U2_32 - T(0.054);
-  const T N2_3 = T(0.07275000000000001) * U2_21 - T(0.07235) * U2_12 - T(1e-04) * (minus_U2_11 - minus_U2_22) -
-      T(0.0037) * U2_23 + T(0.0049) * U2_13 + T(0.079);
+  const T N2_1 = T(0.022) + T(0.07235) * U2_32 - T(0.04715) * U2_23 - T(0.0049) * (minus_U2_22 - minus_U2_33) -
+      T(1e-04) * U2_31 + T(0.0037) * U2_21;
+  const T N2_2 = T(0.04715) * U2_13 - T(0.054) - T(0.07275000000000001) * U2_31 - T(0.0037) * (minus_U2_33 -
+      minus_U2_11) - T(0.0049) * U2_12 + T(1e-04) * U2_32;
+  const T N2_3 = T(0.079) + T(0.07275000000000001) * U2_21 - T(0.07235) * U2_12 - T(1e-04) * (minus_U2_11 -
+      minus_U2_22) - T(0.0037) * U2_23 + T(0.0049) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -4380,31 +4380,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t3_19 = T(2) * omega2_2;
   const T t3_20 = T(2) * omega2_3;
-  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_21 = sddot3_1 + t3_19 * sdot3_3 - t3_20 * sdot3_2 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
-  const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
+  const T t3_23 = sddot3_2 + t3_20 * sdot3_1 - t3_22 * sdot3_3 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = sddot3_3 + t3_22 * sdot3_2 - t3_19 * sdot3_1 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_25 = U3_12 * T(0.498) - minus_U3_11 * T(0.484) + U3_13 * T(0.004);
   const T t3_26 = U3_21 * T(0.484) - minus_U3_22 * T(0.498) + U3_23 * T(0.004);
   const T t3_27 = U3_31 * T(0.484) + U3_32 * T(0.498) - minus_U3_33 * T(0.004);
-  const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27;
   // G3 = m3 a3 - F3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(2.14) * a3_1 - T(1.33);
   const T G3_2 = T(2.14) * a3_2 - T(0.56);
-  const T G3_3 = T(2.14) * a3_3 + T(1.08);
+  const T G3_3 = T(1.08) + T(2.14) * a3_3;
   // N3 = axial(U3 (tr(I3)/2 - I3)) - M3: inertia less applied moment about the mass centre, body axes [N m]
-  const T N3_1 = T(0.2094) * U3_32 - T(0.15219999999999997) * U3_23 + T(0.0036) * (minus_U3_22 - minus_U3_33) -
-      T(0.0388) * U3_31 + T(0.038) * U3_21 - T(0.005);
-  const T N3_2 = T(0.15219999999999997) * U3_13 - T(0.046400000000000025) * U3_31 - T(0.038) * (minus_U3_33 -
-      minus_U3_11) + T(0.0036) * U3_12 + T(0.0388) * U3_32 + T(0.005);
-  const T N3_3 = T(0.046400000000000025) * U3_21 - T(0.2094) * U3_12 - T(0.0388) * (minus_U3_11 - minus_U3_22) -
-      T(0.038) * U3_23 - T(0.0036) * U3_13 - T(0.025);
+  const T N3_1 = T(0.2094) * U3_32 - T(0.005) - T(0.15219999999999997) * U3_23 + T(0.0036) * (minus_U3_22 -
+      minus_U3_33) - T(0.0388) * U3_31 + T(0.038) * U3_21;
+  const T N3_2 = T(0.005) + T(0.15219999999999997) * U3_13 - T(0.046400000000000025) * U3_31 - T(0.038) * (minus_U3_33
+      - minus_U3_11) + T(0.0036) * U3_12 + T(0.0388) * U3_32;
+  const T N3_3 = T(0.046400000000000025) * U3_21 - T(0.025) - T(0.2094) * U3_12 - T(0.0388) * (minus_U3_11 -
+      minus_U3_22) - T(0.038) * U3_23 - T(0.0036) * U3_13;
 
   // ---- body 4 (body_4) on body 3
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -4460,31 +4460,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t4_19 = T(2) * omega3_2;
   const T t4_20 = T(2) * omega3_3;
-  const T t4_21 = t4_19 * sdot4_3 - t4_20 * sdot4_2 + sddot4_1 + U3_12 * d4_2 - minus_U3_11 * d4_1 + U3_13 * d4_3;
+  const T t4_21 = sddot4_1 + t4_19 * sdot4_3 - t4_20 * sdot4_2 + U3_12 * d4_2 - minus_U3_11 * d4_1 + U3_13 * d4_3;
   const T t4_22 = T(2) * omega3_1;
-  const T t4_23 = t4_20 * sdot4_1 - t4_22 * sdot4_3 + sddot4_2 + U3_21 * d4_1 - minus_U3_22 * d4_2 + U3_23 * d4_3;
-  const T t4_24 = t4_22 * sdot4_2 - t4_19 * sdot4_1 + sddot4_3 + U3_31 * d4_1 + U3_32 * d4_2 - minus_U3_33 * d4_3;
-  const T Pddot4_1 = R3_11 * t4_21 + R3_21 * t4_23 + R3_31 * t4_24 + Pddot3_1;
-  const T Pddot4_2 = R3_12 * t4_21 + R3_22 * t4_23 + R3_32 * t4_24 + Pddot3_2;
-  const T Pddot4_3 = R3_13 * t4_21 + R3_23 * t4_23 + R3_33 * t4_24 + Pddot3_3;
+  const T t4_23 = sddot4_2 + t4_20 * sdot4_1 - t4_22 * sdot4_3 + U3_21 * d4_1 - minus_U3_22 * d4_2 + U3_23 * d4_3;
+  const T t4_24 = sddot4_3 + t4_22 * sdot4_2 - t4_19 * sdot4_1 + U3_31 * d4_1 + U3_32 * d4_2 - minus_U3_33 * d4_3;
+  const T Pddot4_1 = Pddot3_1 + R3_11 * t4_21 + R3_21 * t4_23 + R3_31 * t4_24;
+  const T Pddot4_2 = Pddot3_2 + R3_12 * t4_21 + R3_22 * t4_23 + R3_32 * t4_24;
+  const T Pddot4_3 = Pddot3_3 + R3_13 * t4_21 + R3_23 * t4_23 + R3_33 * t4_24;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_25 = U4_12 * T(0.289) - minus_U4_11 * T(0.401) + U4_13 * T(0.08);
   const T t4_26 = U4_21 * T(0.401) - minus_U4_22 * T(0.289) + U4_23 * T(0.08);
   const T t4_27 = U4_31 * T(0.401) + U4_32 * T(0.289) - minus_U4_33 * T(0.08);
-  const T a4_1 = R4_11 * t4_25 + R4_21 * t4_26 + R4_31 * t4_27 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_25 + R4_22 * t4_26 + R4_32 * t4_27 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_25 + R4_23 * t4_26 + R4_33 * t4_27 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_25 + R4_21 * t4_26 + R4_31 * t4_27;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_25 + R4_22 * t4_26 + R4_32 * t4_27;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_25 + R4_23 * t4_26 + R4_33 * t4_27;
   // G4 = m4 a4 - F4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(4.49) * a4_1 - T(0.25);
-  const T G4_2 = T(4.49) * a4_2 + T(1.93);
+  const T G4_2 = T(1.93) + T(4.49) * a4_2;
   const T G4_3 = T(4.49) * a4_3 - T(0.84);
   // N4 = axial(U4 (tr(I4)/2 - I4)) - M4: inertia less applied moment about the mass centre, body axes [N m]
-  const T N4_1 = T(0.1281) * U4_32 - T(0.127) * U4_23 + T(0.0221) * (minus_U4_22 - minus_U4_33) - T(0.0225) * U4_31 -
-      T(0.0283) * U4_21 - T(0.081);
-  const T N4_2 = T(0.127) * U4_13 - T(0.1127) * U4_31 + T(0.0283) * (minus_U4_33 - minus_U4_11) + T(0.0221) * U4_12 +
-      T(0.0225) * U4_32 - T(0.06);
-  const T N4_3 = T(0.1127) * U4_21 - T(0.1281) * U4_12 - T(0.0225) * (minus_U4_11 - minus_U4_22) + T(0.0283) * U4_23 -
-      T(0.0221) * U4_13 - T(0.079);
+  const T N4_1 = T(0.1281) * U4_32 - T(0.081) - T(0.127) * U4_23 + T(0.0221) * (minus_U4_22 - minus_U4_33) - T(0.0225)
+      * U4_31 - T(0.0283) * U4_21;
+  const T N4_2 = T(0.127) * U4_13 - T(0.06) - T(0.1127) * U4_31 + T(0.0283) * (minus_U4_33 - minus_U4_11) + T(0.0221)
+      * U4_12 + T(0.0225) * U4_32;
+  const T N4_3 = T(0.1127) * U4_21 - T(0.079) - T(0.1281) * U4_12 - T(0.0225) * (minus_U4_11 - minus_U4_22) +
+      T(0.0283) * U4_23 - T(0.0221) * U4_13;
 
   // ---- body 5 (body_5) on body 3
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -4538,30 +4538,30 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = R3^T (2 omega3~ sdot5 + sddot5 + U3 d5) + Pddot3: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = t4_19 * sdot5_3 - t4_20 * sdot5_2 + sddot5_1 + U3_12 * d5_2 - minus_U3_11 * d5_1 + U3_13 * d5_3;
-  const T t5_20 = t4_20 * sdot5_1 - t4_22 * sdot5_3 + sddot5_2 + U3_21 * d5_1 - minus_U3_22 * d5_2 + U3_23 * d5_3;
-  const T t5_21 = t4_22 * sdot5_2 - t4_19 * sdot5_1 + sddot5_3 + U3_31 * d5_1 + U3_32 * d5_2 - minus_U3_33 * d5_3;
-  const T Pddot5_1 = R3_11 * t5_19 + R3_21 * t5_20 + R3_31 * t5_21 + Pddot3_1;
-  const T Pddot5_2 = R3_12 * t5_19 + R3_22 * t5_20 + R3_32 * t5_21 + Pddot3_2;
-  const T Pddot5_3 = R3_13 * t5_19 + R3_23 * t5_20 + R3_33 * t5_21 + Pddot3_3;
+  const T t5_19 = sddot5_1 + t4_19 * sdot5_3 - t4_20 * sdot5_2 + U3_12 * d5_2 - minus_U3_11 * d5_1 + U3_13 * d5_3;
+  const T t5_20 = sddot5_2 + t4_20 * sdot5_1 - t4_22 * sdot5_3 + U3_21 * d5_1 - minus_U3_22 * d5_2 + U3_23 * d5_3;
+  const T t5_21 = sddot5_3 + t4_22 * sdot5_2 - t4_19 * sdot5_1 + U3_31 * d5_1 + U3_32 * d5_2 - minus_U3_33 * d5_3;
+  const T Pddot5_1 = Pddot3_1 + R3_11 * t5_19 + R3_21 * t5_20 + R3_31 * t5_21;
+  const T Pddot5_2 = Pddot3_2 + R3_12 * t5_19 + R3_22 * t5_20 + R3_32 * t5_21;
+  const T Pddot5_3 = Pddot3_3 + R3_13 * t5_19 + R3_23 * t5_20 + R3_33 * t5_21;
   // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_22 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
   const T t5_23 = minus_U5_22 * T(0.321) - U5_21 * T(0.056) + U5_23 * T(0.167);
   const T t5_24 = U5_31 * T(0.056) + U5_32 * T(0.321) + minus_U5_33 * T(0.167);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24;
   // G5 = m5 a5 - F5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(1.96) * a5_1 - T(1.78);
-  const T G5_2 = T(1.96) * a5_2 + T(1.97);
-  const T G5_3 = T(1.96) * a5_3 + T(0.56);
+  const T G5_2 = T(1.97) + T(1.96) * a5_2;
+  const T G5_3 = T(0.56) + T(1.96) * a5_3;
   // N5 = axial(U5 (tr(I5)/2 - I5)) - M5: inertia less applied moment about the mass centre, body axes [N m]
-  const T N5_1 = T(0.031549999999999995) * U5_32 - T(0.019850000000000007) * U5_23 + T(0.0036) * (minus_U5_22 -
-      minus_U5_33) - T(0.0396) * U5_31 + T(0.0143) * U5_21 + T(0.044);
-  const T N5_2 = T(0.019850000000000007) * U5_13 - T(0.10944999999999999) * U5_31 - T(0.0143) * (minus_U5_33 -
-      minus_U5_11) + T(0.0036) * U5_12 + T(0.0396) * U5_32 + T(0.06);
-  const T N5_3 = T(0.10944999999999999) * U5_21 - T(0.031549999999999995) * U5_12 - T(0.0396) * (minus_U5_11 -
-      minus_U5_22) - T(0.0143) * U5_23 - T(0.0036) * U5_13 + T(0.014);
+  const T N5_1 = T(0.044) + T(0.031549999999999995) * U5_32 - T(0.019850000000000007) * U5_23 + T(0.0036) *
+      (minus_U5_22 - minus_U5_33) - T(0.0396) * U5_31 + T(0.0143) * U5_21;
+  const T N5_2 = T(0.06) + T(0.019850000000000007) * U5_13 - T(0.10944999999999999) * U5_31 - T(0.0143) * (minus_U5_33
+      - minus_U5_11) + T(0.0036) * U5_12 + T(0.0396) * U5_32;
+  const T N5_3 = T(0.014) + T(0.10944999999999999) * U5_21 - T(0.031549999999999995) * U5_12 - T(0.0396) *
+      (minus_U5_11 - minus_U5_22) - T(0.0143) * U5_23 - T(0.0036) * U5_13;
 
   // ---- body 6 (body_6) on body 2
   const T eps6_1 = x[20], eps6_2 = x[21], eps6_3 = x[22], eps6_4 = x[23];
@@ -4615,30 +4615,30 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U6_33 = t6_14 + t6_17;
   // Pddot6 = R2^T (2 omega2~ sdot6 + sddot6 + U2 d6) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t6_19 = t3_19 * sdot6_3 - t3_20 * sdot6_2 + sddot6_1 + U2_12 * d6_2 - minus_U2_11 * d6_1 + U2_13 * d6_3;
-  const T t6_20 = t3_20 * sdot6_1 - t3_22 * sdot6_3 + sddot6_2 + U2_21 * d6_1 - minus_U2_22 * d6_2 + U2_23 * d6_3;
-  const T t6_21 = t3_22 * sdot6_2 - t3_19 * sdot6_1 + sddot6_3 + U2_31 * d6_1 + U2_32 * d6_2 - minus_U2_33 * d6_3;
-  const T Pddot6_1 = R2_11 * t6_19 + R2_21 * t6_20 + R2_31 * t6_21 + Pddot2_1;
-  const T Pddot6_2 = R2_12 * t6_19 + R2_22 * t6_20 + R2_32 * t6_21 + Pddot2_2;
-  const T Pddot6_3 = R2_13 * t6_19 + R2_23 * t6_20 + R2_33 * t6_21 + Pddot2_3;
+  const T t6_19 = sddot6_1 + t3_19 * sdot6_3 - t3_20 * sdot6_2 + U2_12 * d6_2 - minus_U2_11 * d6_1 + U2_13 * d6_3;
+  const T t6_20 = sddot6_2 + t3_20 * sdot6_1 - t3_22 * sdot6_3 + U2_21 * d6_1 - minus_U2_22 * d6_2 + U2_23 * d6_3;
+  const T t6_21 = sddot6_3 + t3_22 * sdot6_2 - t3_19 * sdot6_1 + U2_31 * d6_1 + U2_32 * d6_2 - minus_U2_33 * d6_3;
+  const T Pddot6_1 = Pddot2_1 + R2_11 * t6_19 + R2_21 * t6_20 + R2_31 * t6_21;
+  const T Pddot6_2 = Pddot2_2 + R2_12 * t6_19 + R2_22 * t6_20 + R2_32 * t6_21;
+  const T Pddot6_3 = Pddot2_3 + R2_13 * t6_19 + R2_23 * t6_20 + R2_33 * t6_21;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_22 = U6_21 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
   const T t6_23 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
   const T t6_24 = U6_31 * T(0.044) - U6_32 * T(0.248) + minus_U6_33 * T(0.454);
-  const T a6_1 = R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24;
+  const T a6_2 = Pddot6_2 + R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24;
+  const T a6_3 = Pddot6_3 + R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24;
   // G6 = m6 a6 - F6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(3.48) * a6_1 - T(0.4);
-  const T G6_2 = T(3.48) * a6_2 + T(0.44);
+  const T G6_2 = T(0.44) + T(3.48) * a6_2;
   const T G6_3 = T(3.48) * a6_3 - T(1.49);
   // N6 = axial(U6 (tr(I6)/2 - I6)) - M6: inertia less applied moment about the mass centre, body axes [N m]
-  const T N6_1 = T(0.19614999999999996) * U6_32 - T(0.21085) * U6_23 - T(0.0219) * (minus_U6_22 - minus_U6_33) -
-      T(0.035) * U6_31 + T(0.0493) * U6_21 - T(0.079);
-  const T N6_2 = T(0.21085) * U6_13 - T(0.38145000000000007) * U6_31 - T(0.0493) * (minus_U6_33 - minus_U6_11) -
-      T(0.0219) * U6_12 + T(0.035) * U6_32 + T(0.036);
-  const T N6_3 = T(0.38145000000000007) * U6_21 - T(0.19614999999999996) * U6_12 - T(0.035) * (minus_U6_11 -
-      minus_U6_22) - T(0.0493) * U6_23 + T(0.0219) * U6_13 + T(0.075);
+  const T N6_1 = T(0.19614999999999996) * U6_32 - T(0.079) - T(0.21085) * U6_23 - T(0.0219) * (minus_U6_22 -
+      minus_U6_33) - T(0.035) * U6_31 + T(0.0493) * U6_21;
+  const T N6_2 = T(0.036) + T(0.21085) * U6_13 - T(0.38145000000000007) * U6_31 - T(0.0493) * (minus_U6_33 -
+      minus_U6_11) - T(0.0219) * U6_12 + T(0.035) * U6_32;
+  const T N6_3 = T(0.075) + T(0.38145000000000007) * U6_21 - T(0.19614999999999996) * U6_12 - T(0.035) * (minus_U6_11
+      - minus_U6_22) - T(0.0493) * U6_23 + T(0.0219) * U6_13;
 
   // ---- body 7 (body_7) on body 4
   const T eps7_1 = x[24], eps7_2 = x[25], eps7_3 = x[26], eps7_4 = x[27];
@@ -4694,31 +4694,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t7_19 = T(2) * omega4_2;
   const T t7_20 = T(2) * omega4_3;
-  const T t7_21 = t7_19 * sdot7_3 - t7_20 * sdot7_2 + sddot7_1 + U4_12 * d7_2 - minus_U4_11 * d7_1 + U4_13 * d7_3;
+  const T t7_21 = sddot7_1 + t7_19 * sdot7_3 - t7_20 * sdot7_2 + U4_12 * d7_2 - minus_U4_11 * d7_1 + U4_13 * d7_3;
   const T t7_22 = T(2) * omega4_1;
-  const T t7_23 = t7_20 * sdot7_1 - t7_22 * sdot7_3 + sddot7_2 + U4_21 * d7_1 - minus_U4_22 * d7_2 + U4_23 * d7_3;
-  const T t7_24 = t7_22 * sdot7_2 - t7_19 * sdot7_1 + sddot7_3 + U4_31 * d7_1 + U4_32 * d7_2 - minus_U4_33 * d7_3;
-  const T Pddot7_1 = R4_11 * t7_21 + R4_21 * t7_23 + R4_31 * t7_24 + Pddot4_1;
-  const T Pddot7_2 = R4_12 * t7_21 + R4_22 * t7_23 + R4_32 * t7_24 + Pddot4_2;
-  const T Pddot7_3 = R4_13 * t7_21 + R4_23 * t7_23 + R4_33 * t7_24 + Pddot4_3;
+  const T t7_23 = sddot7_2 + t7_20 * sdot7_1 - t7_22 * sdot7_3 + U4_21 * d7_1 - minus_U4_22 * d7_2 + U4_23 * d7_3;
+  const T t7_24 = sddot7_3 + t7_22 * sdot7_2 - t7_19 * sdot7_1 + U4_31 * d7_1 + U4_32 * d7_2 - minus_U4_33 * d7_3;
+  const T Pddot7_1 = Pddot4_1 + R4_11 * t7_21 + R4_21 * t7_23 + R4_31 * t7_24;
+  const T Pddot7_2 = Pddot4_2 + R4_12 * t7_21 + R4_22 * t7_23 + R4_32 * t7_24;
+  const T Pddot7_3 = Pddot4_3 + R4_13 * t7_21 + R4_23 * t7_23 + R4_33 * t7_24;
   // a7 = R7^T U7 r7 + Pddot7: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t7_25 = minus_U7_11 * T(0.475) - U7_12 * T(0.192) - U7_13 * T(0.487);
   const T t7_26 = minus_U7_22 * T(0.192) - U7_21 * T(0.475) - U7_23 * T(0.487);
   const T t7_27 = minus_U7_33 * T(0.487) - (U7_31 * T(0.475) + U7_32 * T(0.192));
-  const T a7_1 = R7_11 * t7_25 + R7_21 * t7_26 + R7_31 * t7_27 + Pddot7_1;
-  const T a7_2 = R7_12 * t7_25 + R7_22 * t7_26 + R7_32 * t7_27 + Pddot7_2;
-  const T a7_3 = R7_13 * t7_25 + R7_23 * t7_26 + R7_33 * t7_27 + Pddot7_3;
+  const T a7_1 = Pddot7_1 + R7_11 * t7_25 + R7_21 * t7_26 + R7_31 * t7_27;
+  const T a7_2 = Pddot7_2 + R7_12 * t7_25 + R7_22 * t7_26 + R7_32 * t7_27;
+  const T a7_3 = Pddot7_3 + R7_13 * t7_25 + R7_23 * t7_26 + R7_33 * t7_27;
   // G7 = m7 a7 - F7: inertia less applied force, inertial axes [N]
-  const T G7_1 = T(0.74) * a7_1 + T(0.81);
-  const T G7_2 = T(0.74) * a7_2 + T(1.24);
-  const T G7_3 = T(0.74) * a7_3 + T(1.26);
+  const T G7_1 = T(0.81) + T(0.74) * a7_1;
+  const T G7_2 = T(1.24) + T(0.74) * a7_2;
+  const T G7_3 = T(1.26) + T(0.74) * a7_3;
   // N7 = axial(U7 (tr(I7)/2 - I7)) - M7: inertia less applied moment about the mass centre, body axes [N m]
-  const T N7_1 = T(0.06545) * U7_32 - T(0.06755000000000001) * U7_23 - T(0.0017) * (minus_U7_22 - minus_U7_33) +
-      T(7e-04) * U7_31 + T(0.0025) * U7_21 + T(0.038);
-  const T N7_2 = T(0.06755000000000001) * U7_13 - T(0.06845) * U7_31 - T(0.0025) * (minus_U7_33 - minus_U7_11) -
-      T(0.0017) * U7_12 - T(7e-04) * U7_32 - T(0.072);
-  const T N7_3 = T(0.06845) * U7_21 - T(0.06545) * U7_12 + T(7e-04) * (minus_U7_11 - minus_U7_22) - T(0.0025) * U7_23
-      + T(0.0017) * U7_13 - T(0.021);
+  const T N7_1 = T(0.038) + T(0.06545) * U7_32 - T(0.06755000000000001) * U7_23 - T(0.0017) * (minus_U7_22 -
+      minus_U7_33) + T(7e-04) * U7_31 + T(0.0025) * U7_21;
+  const T N7_2 = T(0.06755000000000001) * U7_13 - T(0.072) - T(0.06845) * U7_31 - T(0.0025) * (minus_U7_33 -
+      minus_U7_11) - T(0.0017) * U7_12 - T(7e-04) * U7_32;
+  const T N7_3 = T(0.06845) * U7_21 - T(0.021) - T(0.06545) * U7_12 + T(7e-04) * (minus_U7_11 - minus_U7_22) -
+      T(0.0025) * U7_23 + T(0.0017) * U7_13;
 
   // ---- body 8 (body_8) on body 1
   const T eps8_1 = x[28], eps8_2 = x[29], eps8_3 = x[30], eps8_4 = x[31];
@@ -4772,30 +4772,30 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U8_33 = t8_14 + t8_17;
   // Pddot8 = R1^T (2 omega1~ sdot8 + sddot8 + U1 d8) + Pddot1: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t8_19 = t2_19 * sdot8_3 - t2_20 * sdot8_2 + sddot8_1 + U1_12 * d8_2 - minus_U1_11 * d8_1 + U1_13 * d8_3;
-  const T t8_20 = t2_20 * sdot8_1 - t2_22 * sdot8_3 + sddot8_2 + U1_21 * d8_1 - minus_U1_22 * d8_2 + U1_23 * d8_3;
-  const T t8_21 = t2_22 * sdot8_2 - t2_19 * sdot8_1 + sddot8_3 + U1_31 * d8_1 + U1_32 * d8_2 - minus_U1_33 * d8_3;
-  const T Pddot8_1 = R1_11 * t8_19 + R1_21 * t8_20 + R1_31 * t8_21 + sddot1_1;
-  const T Pddot8_2 = R1_12 * t8_19 + R1_22 * t8_20 + R1_32 * t8_21 + sddot1_2;
-  const T Pddot8_3 = R1_13 * t8_19 + R1_23 * t8_20 + R1_33 * t8_21 + Pddot1_3;
+  const T t8_19 = sddot8_1 + t2_19 * sdot8_3 - t2_20 * sdot8_2 + U1_12 * d8_2 - minus_U1_11 * d8_1 + U1_13 * d8_3;
+  const T t8_20 = sddot8_2 + t2_20 * sdot8_1 - t2_22 * sdot8_3 + U1_21 * d8_1 - minus_U1_22 * d8_2 + U1_23 * d8_3;
+  const T t8_21 = sddot8_3 + t2_22 * sdot8_2 - t2_19 * sdot8_1 + U1_31 * d8_1 + U1_32 * d8_2 - minus_U1_33 * d8_3;
+  const T Pddot8_1 = sddot1_1 + R1_11 * t8_19 + R1_21 * t8_20 + R1_31 * t8_21;
+  const T Pddot8_2 = sddot1_2 + R1_12 * t8_19 + R1_22 * t8_20 + R1_32 * t8_21;
+  const T Pddot8_3 = Pddot1_3 + R1_13 * t8_19 + R1_23 * t8_20 + R1_33 * t8_21;
   // a8 = R8^T U8 r8 + Pddot8: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t8_22 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
   const T t8_23 = minus_U8_22 * T(0.416) - U8_21 * T(0.392) - U8_23 * T(0.444);
   const T t8_24 = minus_U8_33 * T(0.444) - (U8_31 * T(0.392) + U8_32 * T(0.416));
-  const T a8_1 = R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
-  const T a8_2 = R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
-  const T a8_3 = R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
+  const T a8_1 = Pddot8_1 + R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24;
+  const T a8_2 = Pddot8_2 + R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24;
+  const T a8_3 = Pddot8_3 + R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24;
   // G8 = m8 a8 - F8: inertia less applied force, inertial axes [N]
   const T G8_1 = T(2.71) * a8_1 - T(0.74);
   const T G8_2 = T(2.71) * a8_2 - T(0.46);
   const T G8_3 = T(2.71) * a8_3 - T(1.86);
   // N8 = axial(U8 (tr(I8)/2 - I8)) - M8: inertia less applied moment about the mass centre, body axes [N m]
-  const T N8_1 = T(0.23319999999999996) * U8_32 - T(0.21600000000000003) * U8_23 - T(0.028) * (minus_U8_22 -
-      minus_U8_33) + T(0.0147) * U8_31 - T(0.0399) * U8_21 - T(0.092);
-  const T N8_2 = T(0.21600000000000003) * U8_13 - T(0.2834) * U8_31 + T(0.0399) * (minus_U8_33 - minus_U8_11) -
-      T(0.028) * U8_12 - T(0.0147) * U8_32 - T(0.049);
-  const T N8_3 = T(0.2834) * U8_21 - T(0.23319999999999996) * U8_12 + T(0.0147) * (minus_U8_11 - minus_U8_22) +
-      T(0.0399) * U8_23 + T(0.028) * U8_13 - T(0.09);
+  const T N8_1 = T(0.23319999999999996) * U8_32 - T(0.092) - T(0.21600000000000003) * U8_23 - T(0.028) * (minus_U8_22
+      - minus_U8_33) + T(0.0147) * U8_31 - T(0.0399) * U8_21;
+  const T N8_2 = T(0.21600000000000003) * U8_13 - T(0.049) - T(0.2834) * U8_31 + T(0.0399) * (minus_U8_33 -
+      minus_U8_11) - T(0.028) * U8_12 - T(0.0147) * U8_32;
+  const T N8_3 = T(0.2834) * U8_21 - T(0.09) - T(0.23319999999999996) * U8_12 + T(0.0147) * (minus_U8_11 -
+      minus_U8_22) + T(0.0399) * U8_23 + T(0.028) * U8_13;
 
   // ---- body 9 (body_9) on body 6
   const T eps9_1 = x[32], eps9_2 = x[33], eps9_3 = x[34], eps9_4 = x[35];
@@ -4851,31 +4851,31 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t9_19 = T(2) * omega6_2;
   const T t9_20 = T(2) * omega6_3;
-  const T t9_21 = t9_19 * sdot9_3 - t9_20 * sdot9_2 + sddot9_1 + U6_12 * d9_2 - minus_U6_11 * d9_1 + U6_13 * d9_3;
+  const T t9_21 = sddot9_1 + t9_19 * sdot9_3 - t9_20 * sdot9_2 + U6_12 * d9_2 - minus_U6_11 * d9_1 + U6_13 * d9_3;
   const T t9_22 = T(2) * omega6_1;
-  const T t9_23 = t9_20 * sdot9_1 - t9_22 * sdot9_3 + sddot9_2 + U6_21 * d9_1 - minus_U6_22 * d9_2 + U6_23 * d9_3;
-  const T t9_24 = t9_22 * sdot9_2 - t9_19 * sdot9_1 + sddot9_3 + U6_31 * d9_1 + U6_32 * d9_2 - minus_U6_33 * d9_3;
-  const T Pddot9_1 = R6_11 * t9_21 + R6_21 * t9_23 + R6_31 * t9_24 + Pddot6_1;
-  const T Pddot9_2 = R6_12 * t9_21 + R6_22 * t9_23 + R6_32 * t9_24 + Pddot6_2;
-  const T Pddot9_3 = R6_13 * t9_21 + R6_23 * t9_23 + R6_33 * t9_24 + Pddot6_3;
+  const T t9_23 = sddot9_2 + t9_20 * sdot9_1 - t9_22 * sdot9_3 + U6_21 * d9_1 - minus_U6_22 * d9_2 + U6_23 * d9_3;
+  const T t9_24 = sddot9_3 + t9_22 * sdot9_2 - t9_19 * sdot9_1 + U6_31 * d9_1 + U6_32 * d9_2 - minus_U6_33 * d9_3;
+  const T Pddot9_1 = Pddot6_1 + R6_11 * t9_21 + R6_21 * t9_23 + R6_31 * t9_24;
+  const T Pddot9_2 = Pddot6_2 + R6_12 * t9_21 + R6_22 * t9_23 + R6_32 * t9_24;
+  const T Pddot9_3 = Pddot6_3 + R6_13 * t9_21 + R6_23 * t9_23 + R6_33 * t9_24;
   // a9 = R9^T U9 r9 + Pddot9: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t9_25 = U9_12 * T(0.49) - minus_U9_11 * T(0.362) - U9_13 * T(0.015);
   const T t9_26 = U9_21 * T(0.362) - minus_U9_22 * T(0.49) - U9_23 * T(0.015);
   const T t9_27 = U9_31 * T(0.362) + U9_32 * T(0.49) + minus_U9_33 * T(0.015);
-  const T a9_1 = R9_11 * t9_25 + R9_21 * t9_26 + R9_31 * t9_27 + Pddot9_1;
-  const T a9_2 = R9_12 * t9_25 + R9_22 * t9_26 + R9_32 * t9_27 + Pddot9_2;
-  const T a9_3 = R9_13 * t9_25 + R9_23 * t9_26 + R9_33 * t9_27 + Pddot9_3;
+  const T a9_1 = Pddot9_1 + R9_11 * t9_25 + R9_21 * t9_26 + R9_31 * t9_27;
+  const T a9_2 = Pddot9_2 + R9_12 * t9_25 + R9_22 * t9_26 + R9_32 * t9_27;
+  const T a9_3 = Pddot9_3 + R9_13 * t9_25 + R9_23 * t9_26 + R9_33 * t9_27;
   // G9 = m9 a9 - F9: inertia less applied force, inertial axes [N]
-  const T G9_1 = T(1.84) * a9_1 + T(0.55);
-  const T G9_2 = T(1.84) * a9_2 + T(1.08);
-  const T G9_3 = T(1.84) * a9_3 + T(0.46);
+  const T G9_1 = T(0.55) + T(1.84) * a9_1;
+  const T G9_2 = T(1.08) + T(1.84) * a9_2;
+  const T G9_3 = T(0.46) + T(1.84) * a9_3;
   // N9 = axial(U9 (tr(I9)/2 - I9)) - M9: inertia less applied moment about the mass centre, body axes [N m]
-  const T N9_1 = T(0.10434999999999998) * U9_32 - T(0.12665000000000004) * U9_23 + T(0.0093) * (minus_U9_22 -
-      minus_U9_33) - T(0.0215) * U9_31 + T(0.0257) * U9_21 - T(0.022);
-  const T N9_2 = T(0.12665000000000004) * U9_13 - T(0.17654999999999998) * U9_31 - T(0.0257) * (minus_U9_33 -
-      minus_U9_11) + T(0.0093) * U9_12 + T(0.0215) * U9_32 + T(0.075);
-  const T N9_3 = T(0.17654999999999998) * U9_21 - T(0.10434999999999998) * U9_12 - T(0.0215) * (minus_U9_11 -
-      minus_U9_22) - T(0.0257) * U9_23 - T(0.0093) * U9_13 - T(0.008);
+  const T N9_1 = T(0.10434999999999998) * U9_32 - T(0.022) - T(0.12665000000000004) * U9_23 + T(0.0093) * (minus_U9_22
+      - minus_U9_33) - T(0.0215) * U9_31 + T(0.0257) * U9_21;
+  const T N9_2 = T(0.075) + T(0.12665000000000004) * U9_13 - T(0.17654999999999998) * U9_31 - T(0.0257) * (minus_U9_33
+      - minus_U9_11) + T(0.0093) * U9_12 + T(0.0215) * U9_32;
+  const T N9_3 = T(0.17654999999999998) * U9_21 - T(0.008) - T(0.10434999999999998) * U9_12 - T(0.0215) * (minus_U9_11
+      - minus_U9_22) - T(0.0257) * U9_23 - T(0.0093) * U9_13;
 
   // ---- body 10 (body_10) on body 8
   const T eps10_1 = x[36], eps10_2 = x[37], eps10_3 = x[38], eps10_4 = x[39];
@@ -4931,34 +4931,34 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t10_19 = T(2) * omega8_2;
   const T t10_20 = T(2) * omega8_3;
-  const T t10_21 = t10_19 * sdot10_3 - t10_20 * sdot10_2 + sddot10_1 + U8_12 * d10_2 - minus_U8_11 * d10_1 + U8_13 *
+  const T t10_21 = sddot10_1 + t10_19 * sdot10_3 - t10_20 * sdot10_2 + U8_12 * d10_2 - minus_U8_11 * d10_1 + U8_13 *
       d10_3;
   const T t10_22 = T(2) * omega8_1;
-  const T t10_23 = t10_20 * sdot10_1 - t10_22 * sdot10_3 + sddot10_2 + U8_21 * d10_1 - minus_U8_22 * d10_2 + U8_23 *
+  const T t10_23 = sddot10_2 + t10_20 * sdot10_1 - t10_22 * sdot10_3 + U8_21 * d10_1 - minus_U8_22 * d10_2 + U8_23 *
       d10_3;
-  const T t10_24 = t10_22 * sdot10_2 - t10_19 * sdot10_1 + sddot10_3 + U8_31 * d10_1 + U8_32 * d10_2 - minus_U8_33 *
+  const T t10_24 = sddot10_3 + t10_22 * sdot10_2 - t10_19 * sdot10_1 + U8_31 * d10_1 + U8_32 * d10_2 - minus_U8_33 *
       d10_3;
-  const T Pddot10_1 = R8_11 * t10_21 + R8_21 * t10_23 + R8_31 * t10_24 + Pddot8_1;
-  const T Pddot10_2 = R8_12 * t10_21 + R8_22 * t10_23 + R8_32 * t10_24 + Pddot8_2;
-  const T Pddot10_3 = R8_13 * t10_21 + R8_23 * t10_23 + R8_33 * t10_24 + Pddot8_3;
+  const T Pddot10_1 = Pddot8_1 + R8_11 * t10_21 + R8_21 * t10_23 + R8_31 * t10_24;
+  const T Pddot10_2 = Pddot8_2 + R8_12 * t10_21 + R8_22 * t10_23 + R8_32 * t10_24;
+  const T Pddot10_3 = Pddot8_3 + R8_13 * t10_21 + R8_23 * t10_23 + R8_33 * t10_24;
   // a10 = R10^T U10 r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t10_25 = U10_12 * T(0.148) - minus_U10_11 * T(0.016) - U10_13 * T(0.426);
   const T t10_26 = U10_21 * T(0.016) - minus_U10_22 * T(0.148) - U10_23 * T(0.426);
   const T t10_27 = U10_31 * T(0.016) + U10_32 * T(0.148) + minus_U10_33 * T(0.426);
-  const T a10_1 = R10_11 * t10_25 + R10_21 * t10_26 + R10_31 * t10_27 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_25 + R10_22 * t10_26 + R10_32 * t10_27 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_25 + R10_23 * t10_26 + R10_33 * t10_27 + Pddot10_3;
+  const T a10_1 = Pddot10_1 + R10_11 * t10_25 + R10_21 * t10_26 + R10_31 * t10_27;
+  const T a10_2 = Pddot10_2 + R10_12 * t10_25 + R10_22 * t10_26 + R10_32 * t10_27;
+  const T a10_3 = Pddot10_3 + R10_13 * t10_25 + R10_23 * t10_26 + R10_33 * t10_27;
   // G10 = m10 a10 - F10: inertia less applied force, inertial axes [N]
   const T G10_1 = T(2.57) * a10_1 - T(1.24);
   const T G10_2 = T(2.57) * a10_2 - T(1.96);
   const T G10_3 = T(2.57) * a10_3 - T(0.69);
   // N10 = axial(U10 (tr(I10)/2 - I10)) - M10: inertia less applied moment about the mass centre, body axes [N m]
-  const T N10_1 = T(0.050249999999999996) * U10_32 - T(0.03305) * U10_23 + T(0.0065) * (minus_U10_22 - minus_U10_33) -
-      T(0.0191) * U10_31 + T(0.0097) * U10_21 + T(0.066);
-  const T N10_2 = T(0.03305) * U10_13 - T(0.05865) * U10_31 - T(0.0097) * (minus_U10_33 - minus_U10_11) + T(0.0065) *
-      U10_12 + T(0.0191) * U10_32 + T(0.012);
-  const T N10_3 = T(0.05865) * U10_21 - T(0.050249999999999996) * U10_12 - T(0.0191) * (minus_U10_11 - minus_U10_22) -
-      T(0.0097) * U10_23 - T(0.0065) * U10_13 + T(0.043);
+  const T N10_1 = T(0.066) + T(0.050249999999999996) * U10_32 - T(0.03305) * U10_23 + T(0.0065) * (minus_U10_22 -
+      minus_U10_33) - T(0.0191) * U10_31 + T(0.0097) * U10_21;
+  const T N10_2 = T(0.012) + T(0.03305) * U10_13 - T(0.05865) * U10_31 - T(0.0097) * (minus_U10_33 - minus_U10_11) +
+      T(0.0065) * U10_12 + T(0.0191) * U10_32;
+  const T N10_3 = T(0.043) + T(0.05865) * U10_21 - T(0.050249999999999996) * U10_12 - T(0.0191) * (minus_U10_11 -
+      minus_U10_22) - T(0.0097) * U10_23 - T(0.0065) * U10_13;
 
   // ---- body 11 (body_11) on body 5
   const T eps11_1 = x[40], eps11_2 = x[41], eps11_3 = x[42], eps11_4 = x[43];
@@ -5014,34 +5014,34 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t11_19 = T(2) * omega5_2;
   const T t11_20 = T(2) * omega5_3;
-  const T t11_21 = t11_19 * sdot11_3 - t11_20 * sdot11_2 + sddot11_1 + U5_12 * d11_2 - minus_U5_11 * d11_1 + U5_13 *
+  const T t11_21 = sddot11_1 + t11_19 * sdot11_3 - t11_20 * sdot11_2 + U5_12 * d11_2 - minus_U5_11 * d11_1 + U5_13 *
       d11_3;
   const T t11_22 = T(2) * omega5_1;
-  const T t11_23 = t11_20 * sdot11_1 - t11_22 * sdot11_3 + sddot11_2 + U5_21 * d11_1 - minus_U5_22 * d11_2 + U5_23 *
+  const T t11_23 = sddot11_2 + t11_20 * sdot11_1 - t11_22 * sdot11_3 + U5_21 * d11_1 - minus_U5_22 * d11_2 + U5_23 *
       d11_3;
-  const T t11_24 = t11_22 * sdot11_2 - t11_19 * sdot11_1 + sddot11_3 + U5_31 * d11_1 + U5_32 * d11_2 - minus_U5_33 *
+  const T t11_24 = sddot11_3 + t11_22 * sdot11_2 - t11_19 * sdot11_1 + U5_31 * d11_1 + U5_32 * d11_2 - minus_U5_33 *
       d11_3;
-  const T Pddot11_1 = R5_11 * t11_21 + R5_21 * t11_23 + R5_31 * t11_24 + Pddot5_1;
-  const T Pddot11_2 = R5_12 * t11_21 + R5_22 * t11_23 + R5_32 * t11_24 + Pddot5_2;
-  const T Pddot11_3 = R5_13 * t11_21 + R5_23 * t11_23 + R5_33 * t11_24 + Pddot5_3;
+  const T Pddot11_1 = Pddot5_1 + R5_11 * t11_21 + R5_21 * t11_23 + R5_31 * t11_24;
+  const T Pddot11_2 = Pddot5_2 + R5_12 * t11_21 + R5_22 * t11_23 + R5_32 * t11_24;
+  const T Pddot11_3 = Pddot5_3 + R5_13 * t11_21 + R5_23 * t11_23 + R5_33 * t11_24;
   // a11 = R11^T U11 r11 + Pddot11: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t11_25 = U11_13 * T(0.337) - (minus_U11_11 * T(0.402) + U11_12 * T(0.348));
   const T t11_26 = U11_21 * T(0.402) + minus_U11_22 * T(0.348) + U11_23 * T(0.337);
   const T t11_27 = U11_31 * T(0.402) - U11_32 * T(0.348) - minus_U11_33 * T(0.337);
-  const T a11_1 = R11_11 * t11_25 + R11_21 * t11_26 + R11_31 * t11_27 + Pddot11_1;
-  const T a11_2 = R11_12 * t11_25 + R11_22 * t11_26 + R11_32 * t11_27 + Pddot11_2;
-  const T a11_3 = R11_13 * t11_25 + R11_23 * t11_26 + R11_33 * t11_27 + Pddot11_3;
+  const T a11_1 = Pddot11_1 + R11_11 * t11_25 + R11_21 * t11_26 + R11_31 * t11_27;
+  const T a11_2 = Pddot11_2 + R11_12 * t11_25 + R11_22 * t11_26 + R11_32 * t11_27;
+  const T a11_3 = Pddot11_3 + R11_13 * t11_25 + R11_23 * t11_26 + R11_33 * t11_27;
   // G11 = m11 a11 - F11: inertia less applied force, inertial axes [N]
-  const T G11_1 = T(3.77) * a11_1 + T(0.34);
-  const T G11_2 = T(3.77) * a11_2 + T(1.79);
-  const T G11_3 = T(3.77) * a11_3 + T(1.8);
+  const T G11_1 = T(0.34) + T(3.77) * a11_1;
+  const T G11_2 = T(1.79) + T(3.77) * a11_2;
+  const T G11_3 = T(1.8) + T(3.77) * a11_3;
   // N11 = axial(U11 (tr(I11)/2 - I11)) - M11: inertia less applied moment about the mass centre, body axes [N m]
-  const T N11_1 = T(0.20725000000000002) * U11_32 - T(0.16565) * U11_23 - T(0.0124) * (minus_U11_22 - minus_U11_33) +
-      T(3e-04) * U11_31 - T(0.0238) * U11_21 + T(0.077);
-  const T N11_2 = T(0.16565) * U11_13 - T(0.22465) * U11_31 + T(0.0238) * (minus_U11_33 - minus_U11_11) - T(0.0124) *
-      U11_12 - T(3e-04) * U11_32 + T(0.039);
-  const T N11_3 = T(0.22465) * U11_21 - T(0.20725000000000002) * U11_12 + T(3e-04) * (minus_U11_11 - minus_U11_22) +
-      T(0.0238) * U11_23 + T(0.0124) * U11_13 + T(0.068);
+  const T N11_1 = T(0.077) + T(0.20725000000000002) * U11_32 - T(0.16565) * U11_23 - T(0.0124) * (minus_U11_22 -
+      minus_U11_33) + T(3e-04) * U11_31 - T(0.0238) * U11_21;
+  const T N11_2 = T(0.039) + T(0.16565) * U11_13 - T(0.22465) * U11_31 + T(0.0238) * (minus_U11_33 - minus_U11_11) -
+      T(0.0124) * U11_12 - T(3e-04) * U11_32;
+  const T N11_3 = T(0.068) + T(0.22465) * U11_21 - T(0.20725000000000002) * U11_12 + T(3e-04) * (minus_U11_11 -
+      minus_U11_22) + T(0.0238) * U11_23 + T(0.0124) * U11_13;
 
   // ---- body 12 (body_12) on body 11
   const T eps12_1 = x[44], eps12_2 = x[45], eps12_3 = x[46], eps12_4 = x[47];
@@ -5097,43 +5097,43 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t12_19 = T(2) * omega11_2;
   const T t12_20 = T(2) * omega11_3;
-  const T t12_21 = t12_19 * sdot12_3 - t12_20 * sdot12_2 + sddot12_1 + U11_12 * d12_2 - minus_U11_11 * d12_1 + U11_13
+  const T t12_21 = sddot12_1 + t12_19 * sdot12_3 - t12_20 * sdot12_2 + U11_12 * d12_2 - minus_U11_11 * d12_1 + U11_13
       * d12_3;
   const T t12_22 = T(2) * omega11_1;
-  const T t12_23 = t12_20 * sdot12_1 - t12_22 * sdot12_3 + sddot12_2 + U11_21 * d12_1 - minus_U11_22 * d12_2 + U11_23
+  const T t12_23 = sddot12_2 + t12_20 * sdot12_1 - t12_22 * sdot12_3 + U11_21 * d12_1 - minus_U11_22 * d12_2 + U11_23
       * d12_3;
-  const T t12_24 = t12_22 * sdot12_2 - t12_19 * sdot12_1 + sddot12_3 + U11_31 * d12_1 + U11_32 * d12_2 - minus_U11_33
+  const T t12_24 = sddot12_3 + t12_22 * sdot12_2 - t12_19 * sdot12_1 + U11_31 * d12_1 + U11_32 * d12_2 - minus_U11_33
       * d12_3;
-  const T Pddot12_1 = R11_11 * t12_21 + R11_21 * t12_23 + R11_31 * t12_24 + Pddot11_1;
-  const T Pddot12_2 = R11_12 * t12_21 + R11_22 * t12_23 + R11_32 * t12_24 + Pddot11_2;
-  const T Pddot12_3 = R11_13 * t12_21 + R11_23 * t12_23 + R11_33 * t12_24 + Pddot11_3;
+  const T Pddot12_1 = Pddot11_1 + R11_11 * t12_21 + R11_21 * t12_23 + R11_31 * t12_24;
+  const T Pddot12_2 = Pddot11_2 + R11_12 * t12_21 + R11_22 * t12_23 + R11_32 * t12_24;
+  const T Pddot12_3 = Pddot11_3 + R11_13 * t12_21 + R11_23 * t12_23 + R11_33 * t12_24;
   // a12 = R12^T U12 r12 + Pddot12: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t12_25 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
   const T t12_26 = minus_U12_22 * T(0.141) - U12_21 * T(0.006) - U12_23 * T(0.1);
   const T t12_27 = minus_U12_33 * T(0.1) - (U12_31 * T(0.006) + U12_32 * T(0.141));
-  const T a12_1 = R12_11 * t12_25 + R12_21 * t12_26 + R12_31 * t12_27 + Pddot12_1;
-  const T a12_2 = R12_12 * t12_25 + R12_22 * t12_26 + R12_32 * t12_27 + Pddot12_2;
-  const T a12_3 = R12_13 * t12_25 + R12_23 * t12_26 + R12_33 * t12_27 + Pddot12_3;
+  const T a12_1 = Pddot12_1 + R12_11 * t12_25 + R12_21 * t12_26 + R12_31 * t12_27;
+  const T a12_2 = Pddot12_2 + R12_12 * t12_25 + R12_22 * t12_26 + R12_32 * t12_27;
+  const T a12_3 = Pddot12_3 + R12_13 * t12_25 + R12_23 * t12_26 + R12_33 * t12_27;
   // G12 = m12 a12 - F12: inertia less applied force, inertial axes [N]
   const T G12_1 = T(4.06) * a12_1 - T(0.25);
   const T G12_2 = T(4.06) * a12_2 - T(1.37);
   const T G12_3 = T(4.06) * a12_3 - T(1.59);
   // N12 = axial(U12 (tr(I12)/2 - I12)) - M12: inertia less applied moment about the mass centre, body axes [N m]
-  const T N12_1 = T(0.07305000000000003) * U12_32 - T(0.34065) * U12_23 + T(0.0023) * (minus_U12_22 - minus_U12_33) -
-      T(0.0121) * U12_31 - T(0.1084) * U12_21 - T(0.01);
-  const T N12_2 = T(0.34065) * U12_13 - T(0.25454999999999994) * U12_31 + T(0.1084) * (minus_U12_33 - minus_U12_11) +
-      T(0.0023) * U12_12 + T(0.0121) * U12_32 - T(0.009);
-  const T N12_3 = T(0.25454999999999994) * U12_21 - T(0.07305000000000003) * U12_12 - T(0.0121) * (minus_U12_11 -
-      minus_U12_22) + T(0.1084) * U12_23 - T(0.0023) * U12_13 - T(0.069);
+  const T N12_1 = T(0.07305000000000003) * U12_32 - T(0.01) - T(0.34065) * U12_23 + T(0.0023) * (minus_U12_22 -
+      minus_U12_33) - T(0.0121) * U12_31 - T(0.1084) * U12_21;
+  const T N12_2 = T(0.34065) * U12_13 - T(0.009) - T(0.25454999999999994) * U12_31 + T(0.1084) * (minus_U12_33 -
+      minus_U12_11) + T(0.0023) * U12_12 + T(0.0121) * U12_32;
+  const T N12_3 = T(0.25454999999999994) * U12_21 - T(0.069) - T(0.07305000000000003) * U12_12 - T(0.0121) *
+      (minus_U12_11 - minus_U12_22) + T(0.1084) * U12_23 - T(0.0023) * U12_13;
 
   // ---- body 12 (body_12) and what it carries
   // r_omega12 = r12~ R12 G12 + N12: Kane's equation of omega [N m]
   const T b12_1 = R12_21 * G12_1 + R12_22 * G12_2 + R12_23 * G12_3;
   const T b12_2 = R12_31 * G12_1 + R12_32 * G12_2 + R12_33 * G12_3;
-  const T r_omega12_1 = T(0.1) * b12_1 - T(0.141) * b12_2 + N12_1;
+  const T r_omega12_1 = N12_1 + T(0.1) * b12_1 - T(0.141) * b12_2;
   const T b12_3 = R12_11 * G12_1 + R12_12 * G12_2 + R12_13 * G12_3;
-  const T r_omega12_2 = T(0.006) * b12_2 - T(0.1) * b12_3 + N12_2;
-  const T r_omega12_3 = T(0.141) * b12_3 - T(0.006) * b12_1 + N12_3;
+  const T r_omega12_2 = N12_2 + T(0.006) * b12_2 - T(0.1) * b12_3;
+  const T r_omega12_3 = N12_3 + T(0.141) * b12_3 - T(0.006) * b12_1;
   r[33] = r_omega12_1;
   r[34] = r_omega12_2;
   r[35] = r_omega12_3;
@@ -5153,10 +5153,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega11 = r11~ R11 G11 + d12~ R11 G12 + N11: Kane's equation of omega [N m]
   const T b11_1 = R11_21 * G11_1 + R11_22 * G11_2 + R11_23 * G11_3;
   const T b11_2 = R11_31 * G11_1 + R11_32 * G11_2 + R11_33 * G11_3;
-  const T r_omega11_1 = d12_2 * r_sdot12_3 - (T(0.337) * b11_1 + T(0.348) * b11_2) - d12_3 * r_sdot12_2 + N11_1;
+  const T r_omega11_1 = N11_1 - T(0.337) * b11_1 - T(0.348) * b11_2 + d12_2 * r_sdot12_3 - d12_3 * r_sdot12_2;
   const T b11_3 = R11_11 * G11_1 + R11_12 * G11_2 + R11_13 * G11_3;
-  const T r_omega11_2 = T(0.337) * b11_3 - T(0.402) * b11_2 + d12_3 * r_sdot12_1 - d12_1 * r_sdot12_3 + N11_2;
-  const T r_omega11_3 = T(0.402) * b11_1 + T(0.348) * b11_3 + d12_1 * r_sdot12_2 - d12_2 * r_sdot12_1 + N11_3;
+  const T r_omega11_2 = N11_2 + T(0.337) * b11_3 - T(0.402) * b11_2 + d12_3 * r_sdot12_1 - d12_1 * r_sdot12_3;
+  const T r_omega11_3 = N11_3 + T(0.402) * b11_1 + T(0.348) * b11_3 + d12_1 * r_sdot12_2 - d12_2 * r_sdot12_1;
   r[30] = r_omega11_1;
   r[31] = r_omega11_2;
   r[32] = r_omega11_3;
@@ -5172,10 +5172,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * G10_1 + R10_22 * G10_2 + R10_23 * G10_3;
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
-  const T r_omega10_1 = T(0.426) * b10_1 + T(0.148) * b10_2 + N10_1;
+  const T r_omega10_1 = N10_1 + T(0.426) * b10_1 + T(0.148) * b10_2;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T r_omega10_2 = N10_2 - (T(0.426) * b10_3 + T(0.016) * b10_2);
-  const T r_omega10_3 = T(0.016) * b10_1 - T(0.148) * b10_3 + N10_3;
+  const T r_omega10_2 = N10_2 - T(0.426) * b10_3 - T(0.016) * b10_2;
+  const T r_omega10_3 = N10_3 + T(0.016) * b10_1 - T(0.148) * b10_3;
   r[27] = r_omega10_1;
   r[28] = r_omega10_2;
   r[29] = r_omega10_3;
@@ -5191,10 +5191,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega9 = r9~ R9 G9 + N9: Kane's equation of omega [N m]
   const T b9_1 = R9_21 * G9_1 + R9_22 * G9_2 + R9_23 * G9_3;
   const T b9_2 = R9_31 * G9_1 + R9_32 * G9_2 + R9_33 * G9_3;
-  const T r_omega9_1 = T(0.015) * b9_1 + T(0.49) * b9_2 + N9_1;
+  const T r_omega9_1 = N9_1 + T(0.015) * b9_1 + T(0.49) * b9_2;
   const T b9_3 = R9_11 * G9_1 + R9_12 * G9_2 + R9_13 * G9_3;
-  const T r_omega9_2 = N9_2 - (T(0.015) * b9_3 + T(0.362) * b9_2);
-  const T r_omega9_3 = T(0.362) * b9_1 - T(0.49) * b9_3 + N9_3;
+  const T r_omega9_2 = N9_2 - T(0.015) * b9_3 - T(0.362) * b9_2;
+  const T r_omega9_3 = N9_3 + T(0.362) * b9_1 - T(0.49) * b9_3;
   r[24] = r_omega9_1;
   r[25] = r_omega9_2;
   r[26] = r_omega9_3;
@@ -5214,10 +5214,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega8 = r8~ R8 G8 + d10~ R8 G10 + N8: Kane's equation of omega [N m]
   const T b8_1 = R8_21 * G8_1 + R8_22 * G8_2 + R8_23 * G8_3;
   const T b8_2 = R8_31 * G8_1 + R8_32 * G8_2 + R8_33 * G8_3;
-  const T r_omega8_1 = T(0.444) * b8_1 - T(0.416) * b8_2 + d10_2 * r_sdot10_3 - d10_3 * r_sdot10_2 + N8_1;
+  const T r_omega8_1 = N8_1 + T(0.444) * b8_1 - T(0.416) * b8_2 + d10_2 * r_sdot10_3 - d10_3 * r_sdot10_2;
   const T b8_3 = R8_11 * G8_1 + R8_12 * G8_2 + R8_13 * G8_3;
-  const T r_omega8_2 = T(0.392) * b8_2 - T(0.444) * b8_3 + d10_3 * r_sdot10_1 - d10_1 * r_sdot10_3 + N8_2;
-  const T r_omega8_3 = T(0.416) * b8_3 - T(0.392) * b8_1 + d10_1 * r_sdot10_2 - d10_2 * r_sdot10_1 + N8_3;
+  const T r_omega8_2 = N8_2 + T(0.392) * b8_2 - T(0.444) * b8_3 + d10_3 * r_sdot10_1 - d10_1 * r_sdot10_3;
+  const T r_omega8_3 = N8_3 + T(0.416) * b8_3 - T(0.392) * b8_1 + d10_1 * r_sdot10_2 - d10_2 * r_sdot10_1;
   r[21] = r_omega8_1;
   r[22] = r_omega8_2;
   r[23] = r_omega8_3;
@@ -5233,10 +5233,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega7 = r7~ R7 G7 + N7: Kane's equation of omega [N m]
   const T b7_1 = R7_21 * G7_1 + R7_22 * G7_2 + R7_23 * G7_3;
   const T b7_2 = R7_31 * G7_1 + R7_32 * G7_2 + R7_33 * G7_3;
-  const T r_omega7_1 = T(0.487) * b7_1 - T(0.192) * b7_2 + N7_1;
+  const T r_omega7_1 = N7_1 + T(0.487) * b7_1 - T(0.192) * b7_2;
   const T b7_3 = R7_11 * G7_1 + R7_12 * G7_2 + R7_13 * G7_3;
-  const T r_omega7_2 = T(0.475) * b7_2 - T(0.487) * b7_3 + N7_2;
-  const T r_omega7_3 = T(0.192) * b7_3 - T(0.475) * b7_1 + N7_3;
+  const T r_omega7_2 = N7_2 + T(0.475) * b7_2 - T(0.487) * b7_3;
+  const T r_omega7_3 = N7_3 + T(0.192) * b7_3 - T(0.475) * b7_1;
   r[18] = r_omega7_1;
   r[19] = r_omega7_2;
   r[20] = r_omega7_3;
@@ -5256,10 +5256,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega6 = r6~ R6 G6 + d9~ R6 G9 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
-  const T r_omega6_1 = T(0.454) * b6_1 - T(0.248) * b6_2 + d9_2 * r_sdot9_3 - d9_3 * r_sdot9_2 + N6_1;
+  const T r_omega6_1 = N6_1 + T(0.454) * b6_1 - T(0.248) * b6_2 + d9_2 * r_sdot9_3 - d9_3 * r_sdot9_2;
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
-  const T r_omega6_2 = d9_3 * r_sdot9_1 - (T(0.454) * b6_3 + T(0.044) * b6_2) - d9_1 * r_sdot9_3 + N6_2;
-  const T r_omega6_3 = T(0.044) * b6_1 + T(0.248) * b6_3 + d9_1 * r_sdot9_2 - d9_2 * r_sdot9_1 + N6_3;
+  const T r_omega6_2 = N6_2 - T(0.454) * b6_3 - T(0.044) * b6_2 + d9_3 * r_sdot9_1 - d9_1 * r_sdot9_3;
+  const T r_omega6_3 = N6_3 + T(0.044) * b6_1 + T(0.248) * b6_3 + d9_1 * r_sdot9_2 - d9_2 * r_sdot9_1;
   r[15] = r_omega6_1;
   r[16] = r_omega6_2;
   r[17] = r_omega6_3;
@@ -5279,10 +5279,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega5 = r5~ R5 G5 + d11~ R5 S11 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
-  const T r_omega5_1 = d11_2 * r_sdot11_3 - (T(0.167) * b5_1 + T(0.321) * b5_2) - d11_3 * r_sdot11_2 + N5_1;
+  const T r_omega5_1 = N5_1 - T(0.167) * b5_1 - T(0.321) * b5_2 + d11_2 * r_sdot11_3 - d11_3 * r_sdot11_2;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T r_omega5_2 = T(0.167) * b5_3 + T(0.056) * b5_2 + d11_3 * r_sdot11_1 - d11_1 * r_sdot11_3 + N5_2;
-  const T r_omega5_3 = T(0.321) * b5_3 - T(0.056) * b5_1 + d11_1 * r_sdot11_2 - d11_2 * r_sdot11_1 + N5_3;
+  const T r_omega5_2 = N5_2 + T(0.167) * b5_3 + T(0.056) * b5_2 + d11_3 * r_sdot11_1 - d11_1 * r_sdot11_3;
+  const T r_omega5_3 = N5_3 + T(0.321) * b5_3 - T(0.056) * b5_1 + d11_1 * r_sdot11_2 - d11_2 * r_sdot11_1;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
@@ -5302,10 +5302,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega4 = r4~ R4 G4 + d7~ R4 G7 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_31 * G4_1 + R4_32 * G4_2 + R4_33 * G4_3;
   const T b4_2 = R4_21 * G4_1 + R4_22 * G4_2 + R4_23 * G4_3;
-  const T r_omega4_1 = T(0.289) * b4_1 - T(0.08) * b4_2 + d7_2 * r_sdot7_3 - d7_3 * r_sdot7_2 + N4_1;
+  const T r_omega4_1 = N4_1 + T(0.289) * b4_1 - T(0.08) * b4_2 + d7_2 * r_sdot7_3 - d7_3 * r_sdot7_2;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
-  const T r_omega4_2 = T(0.08) * b4_3 - T(0.401) * b4_1 + d7_3 * r_sdot7_1 - d7_1 * r_sdot7_3 + N4_2;
-  const T r_omega4_3 = T(0.401) * b4_2 - T(0.289) * b4_3 + d7_1 * r_sdot7_2 - d7_2 * r_sdot7_1 + N4_3;
+  const T r_omega4_2 = N4_2 + T(0.08) * b4_3 - T(0.401) * b4_1 + d7_3 * r_sdot7_1 - d7_1 * r_sdot7_3;
+  const T r_omega4_3 = N4_3 + T(0.401) * b4_2 - T(0.289) * b4_3 + d7_1 * r_sdot7_2 - d7_2 * r_sdot7_1;
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -5325,13 +5325,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega3 = r3~ R3 G3 + d4~ R3 S4 + d5~ R3 S5 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
   const T b3_2 = R3_21 * G3_1 + R3_22 * G3_2 + R3_23 * G3_3;
-  const T r_omega3_1 = T(0.498) * b3_1 - T(0.004) * b3_2 + d4_2 * r_sdot4_3 - d4_3 * r_sdot4_2 + d5_2 * r_sdot5_3 -
-      d5_3 * r_sdot5_2 + N3_1;
+  const T r_omega3_1 = N3_1 + T(0.498) * b3_1 - T(0.004) * b3_2 + d4_2 * r_sdot4_3 - d4_3 * r_sdot4_2 + d5_2 *
+      r_sdot5_3 - d5_3 * r_sdot5_2;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T r_omega3_2 = T(0.004) * b3_3 - T(0.484) * b3_1 + d4_3 * r_sdot4_1 - d4_1 * r_sdot4_3 + d5_3 * r_sdot5_1 -
-      d5_1 * r_sdot5_3 + N3_2;
-  const T r_omega3_3 = T(0.484) * b3_2 - T(0.498) * b3_3 + d4_1 * r_sdot4_2 - d4_2 * r_sdot4_1 + d5_1 * r_sdot5_2 -
-      d5_2 * r_sdot5_1 + N3_3;
+  const T r_omega3_2 = N3_2 + T(0.004) * b3_3 - T(0.484) * b3_1 + d4_3 * r_sdot4_1 - d4_1 * r_sdot4_3 + d5_3 *
+      r_sdot5_1 - d5_1 * r_sdot5_3;
+  const T r_omega3_3 = N3_3 + T(0.484) * b3_2 - T(0.498) * b3_3 + d4_1 * r_sdot4_2 - d4_2 * r_sdot4_1 + d5_1 *
+      r_sdot5_2 - d5_2 * r_sdot5_1;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
   r[8] = r_omega3_3;
@@ -5350,12 +5350,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T S2_3 = G2_3 + S6_3 + S3_3;
   // r_omega2 = r2~ R2 G2 + d3~ R2 S3 + d6~ R2 S6 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
-  const T r_omega2_1 = T(0.31) * b2_1 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 +
-      N2_1;
-  const T r_omega2_2 = d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 - T(0.011) * b2_1 + d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3 +
-      N2_2;
-  const T r_omega2_3 = T(0.011) * (R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3) - T(0.31) * (R2_11 * G2_1 + R2_12 *
-      G2_2 + R2_13 * G2_3) + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N2_3;
+  const T r_omega2_1 = N2_1 + T(0.31) * b2_1 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d6_2 * r_sdot6_3 - d6_3 *
+      r_sdot6_2;
+  const T r_omega2_2 = N2_2 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 - T(0.011) * b2_1 + d6_3 * r_sdot6_1 - d6_1 *
+      r_sdot6_3;
+  const T r_omega2_3 = N2_3 + T(0.011) * (R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3) - T(0.31) * (R2_11 * G2_1 +
+      R2_12 * G2_2 + R2_13 * G2_3) + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1;
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
@@ -5378,13 +5378,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d8~ R1 S8 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
-  const T r_omega1_1 = T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d8_2 * r_sdot8_3 -
-      d8_3 * r_sdot8_2 + N1_1;
+  const T r_omega1_1 = N1_1 + T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d8_2 *
+      r_sdot8_3 - d8_3 * r_sdot8_2;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
-  const T r_omega1_2 = d2_3 * r_sdot2_1 - (T(0.095) * b1_3 + T(0.187) * b1_2) - d2_1 * r_sdot2_3 + d8_3 * r_sdot8_1 -
-      d8_1 * r_sdot8_3 + N1_2;
-  const T r_omega1_3 = T(0.187) * b1_1 + T(0.163) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d8_1 * r_sdot8_2 -
-      d8_2 * r_sdot8_1 + N1_3;
+  const T r_omega1_2 = N1_2 - T(0.095) * b1_3 - T(0.187) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d8_3 *
+      r_sdot8_1 - d8_1 * r_sdot8_3;
+  const T r_omega1_3 = N1_3 + T(0.187) * b1_1 + T(0.163) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d8_1 *
+      r_sdot8_2 - d8_2 * r_sdot8_1;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -5437,16 +5437,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t1_18 = U1_13 * T(0.187) - U1_23 * T(0.163) + minus_U1_33 * T(0.095);
   const T a1_1 = R1_21 * t1_16 - R1_11 * t1_17 + R1_31 * t1_18;
   const T a1_2 = R1_22 * t1_16 - R1_12 * t1_17 + R1_32 * t1_18;
-  const T a1_3 = R1_23 * t1_16 - R1_13 * t1_17 + R1_33 * t1_18 + T(9.81);
+  const T a1_3 = T(9.81) + R1_23 * t1_16 - R1_13 * t1_17 + R1_33 * t1_18;
   // G1 = -m1 a1 + F1: applied less inertia force, inertial axes [N]
   const T G1_1 = T(1.37) - T(4.15) * a1_1;
-  const T minus_G1_2 = T(4.15) * a1_2 + T(1.93);
-  const T minus_G1_3 = T(4.15) * a1_3 + T(1.76);
+  const T minus_G1_2 = T(1.93) + T(4.15) * a1_2;
+  const T minus_G1_3 = T(1.76) + T(4.15) * a1_3;
   // N1 = -omega1~ I1 omega1 + M1: applied less inertia moment about the mass centre, body axes [N m]
-  const T N1_1 = T(0.0128) * (t1_14 - t1_13) - T(0.058099999999999985) * U1_23 - T(0.0129) * U1_12 + T(0.0043) * U1_13
-      + T(0.083);
-  const T N1_2 = T(0.002) - (T(0.0010999999999999899) * U1_13 + T(0.0129) * (t1_13 - t1_15) + T(0.0043) * U1_23 +
-      T(0.0128) * U1_12);
+  const T N1_1 = T(0.083) + T(0.0128) * (t1_14 - t1_13) - T(0.058099999999999985) * U1_23 - T(0.0129) * U1_12 +
+      T(0.0043) * U1_13;
+  const T N1_2 = T(0.002) - T(0.0010999999999999899) * U1_13 - T(0.0129) * (t1_13 - t1_15) - T(0.0043) * U1_23 -
+      T(0.0128) * U1_12;
   const T minus_N1_3 = T(0.082) + T(0.0043) * (t1_15 - t1_14) - T(0.059199999999999975) * U1_12 - T(0.0128) * U1_13 -
       T(0.0129) * U1_23;
 
@@ -5500,23 +5500,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t2_21 = omega1_1 * t2_17 - omega1_2 * t2_19;
   const T Pddot2_1 = R1_11 * t2_18 + R1_21 * t2_20 + R1_31 * t2_21;
   const T Pddot2_2 = R1_12 * t2_18 + R1_22 * t2_20 + R1_32 * t2_21;
-  const T Pddot2_3 = R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21 + T(9.81);
+  const T Pddot2_3 = T(9.81) + R1_13 * t2_18 + R1_23 * t2_20 + R1_33 * t2_21;
   // a2 = R2^T U2 r2 + Pddot2: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t2_22 = U2_12 * T(0.31) - minus_U2_11 * T(0.011);
   const T t2_23 = U2_12 * T(0.011) - minus_U2_22 * T(0.31);
   const T t2_24 = U2_13 * T(0.011) + U2_23 * T(0.31);
-  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_22 + R2_21 * t2_23 + R2_31 * t2_24;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_22 + R2_22 * t2_23 + R2_32 * t2_24;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_22 + R2_23 * t2_23 + R2_33 * t2_24;
   // G2 = -m2 a2 + F2: applied less inertia force, inertial axes [N]
   const T G2_1 = T(0.08) - T(0.64) * a2_1;
-  const T minus_G2_2 = T(0.64) * a2_2 + T(1.11);
-  const T minus_G2_3 = T(0.64) * a2_3 + T(0.29);
+  const T minus_G2_2 = T(1.11) + T(0.64) * a2_2;
+  const T minus_G2_3 = T(0.29) + T(0.64) * a2_3;
   // N2 = -omega2~ I2 omega2 + M2: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N2_1 = T(0.022) + T(0.0252) * U2_23 + T(0.0049) * (t2_14 - t2_13) + T(0.0037) * U2_12 - T(1e-04) *
       U2_13;
-  const T N2_2 = T(0.02560000000000001) * U2_13 - T(0.0037) * (t2_13 - t2_15) - T(1e-04) * U2_23 + T(0.0049) * U2_12 +
-      T(0.054);
+  const T N2_2 = T(0.054) + T(0.02560000000000001) * U2_13 - T(0.0037) * (t2_13 - t2_15) - T(1e-04) * U2_23 +
+      T(0.0049) * U2_12;
   const T minus_N2_3 = T(0.079) + T(0.00040000000000001146) * U2_12 + T(1e-04) * (t2_15 - t2_14) + T(0.0049) * U2_13 -
       T(0.0037) * U2_23;
 
@@ -5569,27 +5569,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
   const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
   const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
-  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_22 = U3_12 * T(0.498) - minus_U3_11 * T(0.484) + U3_13 * T(0.004);
   const T t3_23 = U3_12 * T(0.484) - minus_U3_22 * T(0.498) + U3_23 * T(0.004);
   const T t3_24 = U3_13 * T(0.484) + U3_23 * T(0.498) - minus_U3_33 * T(0.004);
-  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24;
   // G3 = -m3 a3 + F3: applied less inertia force, inertial axes [N]
   const T G3_1 = T(1.33) - T(2.14) * a3_1;
   const T G3_2 = T(0.56) - T(2.14) * a3_2;
-  const T minus_G3_3 = T(2.14) * a3_3 + T(1.08);
+  const T minus_G3_3 = T(1.08) + T(2.14) * a3_3;
   // N3 = -omega3~ I3 omega3 + M3: applied less inertia moment about the mass centre, body axes [N m]
-  const T N3_1 = T(0.0036) * (t3_14 - t3_13) - T(0.05720000000000003) * U3_23 - T(0.038) * U3_12 + T(0.0388) * U3_13 +
-      T(0.005);
+  const T N3_1 = T(0.005) + T(0.0036) * (t3_14 - t3_13) - T(0.05720000000000003) * U3_23 - T(0.038) * U3_12 +
+      T(0.0388) * U3_13;
   const T minus_N3_2 = T(0.005) + T(0.10579999999999995) * U3_13 + T(0.038) * (t3_13 - t3_15) + T(0.0388) * U3_23 +
       T(0.0036) * U3_12;
-  const T N3_3 = T(0.16299999999999998) * U3_12 - T(0.0388) * (t3_15 - t3_14) + T(0.0036) * U3_13 + T(0.038) * U3_23 +
-      T(0.025);
+  const T N3_3 = T(0.025) + T(0.16299999999999998) * U3_12 - T(0.0388) * (t3_15 - t3_14) + T(0.0036) * U3_13 +
+      T(0.038) * U3_23;
 
   // ---- body 4 (body_4) on body 3
   const T eps4_1 = x[12], eps4_2 = x[13], eps4_3 = x[14], eps4_4 = x[15];
@@ -5640,27 +5640,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t4_19 = omega3_2 * d4_3 - omega3_3 * d4_2 + T(2) * sdot4_1;
   const T t4_20 = omega3_3 * t4_19 - omega3_1 * t4_16;
   const T t4_21 = omega3_1 * t4_17 - omega3_2 * t4_19;
-  const T Pddot4_1 = R3_11 * t4_18 + R3_21 * t4_20 + R3_31 * t4_21 + Pddot3_1;
-  const T Pddot4_2 = R3_12 * t4_18 + R3_22 * t4_20 + R3_32 * t4_21 + Pddot3_2;
-  const T Pddot4_3 = R3_13 * t4_18 + R3_23 * t4_20 + R3_33 * t4_21 + Pddot3_3;
+  const T Pddot4_1 = Pddot3_1 + R3_11 * t4_18 + R3_21 * t4_20 + R3_31 * t4_21;
+  const T Pddot4_2 = Pddot3_2 + R3_12 * t4_18 + R3_22 * t4_20 + R3_32 * t4_21;
+  const T Pddot4_3 = Pddot3_3 + R3_13 * t4_18 + R3_23 * t4_20 + R3_33 * t4_21;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = U4_12 * T(0.289) - minus_U4_11 * T(0.401) + U4_13 * T(0.08);
   const T t4_23 = U4_12 * T(0.401) - minus_U4_22 * T(0.289) + U4_23 * T(0.08);
   const T t4_24 = U4_13 * T(0.401) + U4_23 * T(0.289) - minus_U4_33 * T(0.08);
-  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24;
   // G4 = -m4 a4 + F4: applied less inertia force, inertial axes [N]
   const T G4_1 = T(0.25) - T(4.49) * a4_1;
-  const T minus_G4_2 = T(4.49) * a4_2 + T(1.93);
+  const T minus_G4_2 = T(1.93) + T(4.49) * a4_2;
   const T G4_3 = T(0.84) - T(4.49) * a4_3;
   // N4 = -omega4~ I4 omega4 + M4: applied less inertia moment about the mass centre, body axes [N m]
-  const T N4_1 = T(0.0221) * (t4_14 - t4_13) - T(0.0010999999999999899) * U4_23 + T(0.0283) * U4_12 + T(0.0225) *
-      U4_13 + T(0.081);
-  const T N4_2 = T(0.0283) * (t4_13 - t4_15) - T(0.014300000000000007) * U4_13 - T(0.0225) * U4_23 - T(0.0221) * U4_12
-      + T(0.06);
-  const T N4_3 = T(0.015399999999999997) * U4_12 - T(0.0225) * (t4_15 - t4_14) + T(0.0221) * U4_13 - T(0.0283) * U4_23
-      + T(0.079);
+  const T N4_1 = T(0.081) + T(0.0221) * (t4_14 - t4_13) - T(0.0010999999999999899) * U4_23 + T(0.0283) * U4_12 +
+      T(0.0225) * U4_13;
+  const T N4_2 = T(0.06) + T(0.0283) * (t4_13 - t4_15) - T(0.014300000000000007) * U4_13 - T(0.0225) * U4_23 -
+      T(0.0221) * U4_12;
+  const T N4_3 = T(0.079) + T(0.015399999999999997) * U4_12 - T(0.0225) * (t4_15 - t4_14) + T(0.0221) * U4_13 -
+      T(0.0283) * U4_23;
 
   // ---- body 5 (body_5) on body 3
   const T eps5_1 = x[16], eps5_2 = x[17], eps5_3 = x[18], eps5_4 = x[19];
@@ -5711,20 +5711,20 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t5_19 = omega3_2 * d5_3 - omega3_3 * d5_2 + T(2) * sdot5_1;
   const T t5_20 = omega3_3 * t5_19 - omega3_1 * t5_16;
   const T t5_21 = omega3_1 * t5_17 - omega3_2 * t5_19;
-  const T Pddot5_1 = R3_11 * t5_18 + R3_21 * t5_20 + R3_31 * t5_21 + Pddot3_1;
-  const T Pddot5_2 = R3_12 * t5_18 + R3_22 * t5_20 + R3_32 * t5_21 + Pddot3_2;
-  const T Pddot5_3 = R3_13 * t5_18 + R3_23 * t5_20 + R3_33 * t5_21 + Pddot3_3;
+  const T Pddot5_1 = Pddot3_1 + R3_11 * t5_18 + R3_21 * t5_20 + R3_31 * t5_21;
+  const T Pddot5_2 = Pddot3_2 + R3_12 * t5_18 + R3_22 * t5_20 + R3_32 * t5_21;
+  const T Pddot5_3 = Pddot3_3 + R3_13 * t5_18 + R3_23 * t5_20 + R3_33 * t5_21;
   // a5 = R5^T U5 r5 + Pddot5: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t5_22 = minus_U5_11 * T(0.056) - U5_12 * T(0.321) + U5_13 * T(0.167);
   const T t5_23 = minus_U5_22 * T(0.321) - U5_12 * T(0.056) + U5_23 * T(0.167);
   const T t5_24 = U5_13 * T(0.056) + U5_23 * T(0.321) + minus_U5_33 * T(0.167);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 - R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 - R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 - R5_33 * t5_24;
   // G5 = -m5 a5 + F5: applied less inertia force, inertial axes [N]
   const T G5_1 = T(1.78) - T(1.96) * a5_1;
-  const T minus_G5_2 = T(1.96) * a5_2 + T(1.97);
-  const T minus_G5_3 = T(1.96) * a5_3 + T(0.56);
+  const T minus_G5_2 = T(1.97) + T(1.96) * a5_2;
+  const T minus_G5_3 = T(0.56) + T(1.96) * a5_3;
   // N5 = -omega5~ I5 omega5 + M5: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N5_1 = T(0.044) + T(0.011699999999999988) * U5_23 - T(0.0036) * (t5_14 - t5_13) + T(0.0143) * U5_12 -
       T(0.0396) * U5_13;
@@ -5782,23 +5782,23 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t6_19 = omega2_2 * d6_3 - omega2_3 * d6_2 + T(2) * sdot6_1;
   const T t6_20 = omega2_3 * t6_19 - omega2_1 * t6_16;
   const T t6_21 = omega2_1 * t6_17 - omega2_2 * t6_19;
-  const T Pddot6_1 = R2_11 * t6_18 + R2_21 * t6_20 + R2_31 * t6_21 + Pddot2_1;
-  const T Pddot6_2 = R2_12 * t6_18 + R2_22 * t6_20 + R2_32 * t6_21 + Pddot2_2;
-  const T Pddot6_3 = R2_13 * t6_18 + R2_23 * t6_20 + R2_33 * t6_21 + Pddot2_3;
+  const T Pddot6_1 = Pddot2_1 + R2_11 * t6_18 + R2_21 * t6_20 + R2_31 * t6_21;
+  const T Pddot6_2 = Pddot2_2 + R2_12 * t6_18 + R2_22 * t6_20 + R2_32 * t6_21;
+  const T Pddot6_3 = Pddot2_3 + R2_13 * t6_18 + R2_23 * t6_20 + R2_33 * t6_21;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_22 = U6_12 * T(0.044) + minus_U6_22 * T(0.248) - U6_23 * T(0.454);
   const T t6_23 = minus_U6_11 * T(0.044) + U6_12 * T(0.248) + U6_13 * T(0.454);
   const T t6_24 = U6_13 * T(0.044) - U6_23 * T(0.248) + minus_U6_33 * T(0.454);
-  const T a6_1 = R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_21 * t6_22 - R6_11 * t6_23 + R6_31 * t6_24;
+  const T a6_2 = Pddot6_2 + R6_22 * t6_22 - R6_12 * t6_23 + R6_32 * t6_24;
+  const T a6_3 = Pddot6_3 + R6_23 * t6_22 - R6_13 * t6_23 + R6_33 * t6_24;
   // G6 = -m6 a6 + F6: applied less inertia force, inertial axes [N]
   const T G6_1 = T(0.4) - T(3.48) * a6_1;
-  const T minus_G6_2 = T(3.48) * a6_2 + T(0.44);
+  const T minus_G6_2 = T(0.44) + T(3.48) * a6_2;
   const T G6_3 = T(1.49) - T(3.48) * a6_3;
   // N6 = -omega6~ I6 omega6 + M6: applied less inertia moment about the mass centre, body axes [N m]
-  const T N6_1 = T(0.014700000000000046) * U6_23 - T(0.0219) * (t6_14 - t6_13) - T(0.0493) * U6_12 + T(0.035) * U6_13
-      + T(0.079);
+  const T N6_1 = T(0.079) + T(0.014700000000000046) * U6_23 - T(0.0219) * (t6_14 - t6_13) - T(0.0493) * U6_12 +
+      T(0.035) * U6_13;
   const T minus_N6_2 = T(0.036) + T(0.0493) * (t6_13 - t6_15) - T(0.17060000000000003) * U6_13 + T(0.035) * U6_23 -
       T(0.0219) * U6_12;
   const T minus_N6_3 = T(0.075) + T(0.18530000000000008) * U6_12 + T(0.035) * (t6_15 - t6_14) + T(0.0219) * U6_13 -
@@ -5853,27 +5853,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t7_19 = omega4_2 * d7_3 - omega4_3 * d7_2 + T(2) * sdot7_1;
   const T t7_20 = omega4_3 * t7_19 - omega4_1 * t7_16;
   const T t7_21 = omega4_1 * t7_17 - omega4_2 * t7_19;
-  const T Pddot7_1 = R4_11 * t7_18 + R4_21 * t7_20 + R4_31 * t7_21 + Pddot4_1;
-  const T Pddot7_2 = R4_12 * t7_18 + R4_22 * t7_20 + R4_32 * t7_21 + Pddot4_2;
-  const T Pddot7_3 = R4_13 * t7_18 + R4_23 * t7_20 + R4_33 * t7_21 + Pddot4_3;
+  const T Pddot7_1 = Pddot4_1 + R4_11 * t7_18 + R4_21 * t7_20 + R4_31 * t7_21;
+  const T Pddot7_2 = Pddot4_2 + R4_12 * t7_18 + R4_22 * t7_20 + R4_32 * t7_21;
+  const T Pddot7_3 = Pddot4_3 + R4_13 * t7_18 + R4_23 * t7_20 + R4_33 * t7_21;
   // a7 = R7^T U7 r7 + Pddot7: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t7_22 = minus_U7_11 * T(0.475) - U7_12 * T(0.192) - U7_13 * T(0.487);
   const T t7_23 = minus_U7_22 * T(0.192) - U7_12 * T(0.475) - U7_23 * T(0.487);
   const T t7_24 = minus_U7_33 * T(0.487) - (U7_13 * T(0.475) + U7_23 * T(0.192));
-  const T a7_1 = R7_11 * t7_22 + R7_21 * t7_23 + R7_31 * t7_24 + Pddot7_1;
-  const T a7_2 = R7_12 * t7_22 + R7_22 * t7_23 + R7_32 * t7_24 + Pddot7_2;
-  const T a7_3 = R7_13 * t7_22 + R7_23 * t7_23 + R7_33 * t7_24 + Pddot7_3;
+  const T a7_1 = Pddot7_1 + R7_11 * t7_22 + R7_21 * t7_23 + R7_31 * t7_24;
+  const T a7_2 = Pddot7_2 + R7_12 * t7_22 + R7_22 * t7_23 + R7_32 * t7_24;
+  const T a7_3 = Pddot7_3 + R7_13 * t7_22 + R7_23 * t7_23 + R7_33 * t7_24;
   // G7 = -m7 a7 + F7: applied less inertia force, inertial axes [N]
-  const T minus_G7_1 = T(0.74) * a7_1 + T(0.81);
-  const T minus_G7_2 = T(0.74) * a7_2 + T(1.24);
-  const T minus_G7_3 = T(0.74) * a7_3 + T(1.26);
+  const T minus_G7_1 = T(0.81) + T(0.74) * a7_1;
+  const T minus_G7_2 = T(1.24) + T(0.74) * a7_2;
+  const T minus_G7_3 = T(1.26) + T(0.74) * a7_3;
   // N7 = -omega7~ I7 omega7 + M7: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N7_1 = T(0.038) + T(0.0017) * (t7_14 - t7_13) - T(0.0021000000000000185) * U7_23 + T(0.0025) * U7_12 +
       T(7e-04) * U7_13;
-  const T N7_2 = T(0.0008999999999999841) * U7_13 - T(0.0025) * (t7_13 - t7_15) + T(7e-04) * U7_23 + T(0.0017) * U7_12
-      + T(0.072);
-  const T N7_3 = T(7e-04) * (t7_15 - t7_14) - T(0.0030000000000000027) * U7_12 - T(0.0017) * U7_13 + T(0.0025) * U7_23
-      + T(0.021);
+  const T N7_2 = T(0.072) + T(0.0008999999999999841) * U7_13 - T(0.0025) * (t7_13 - t7_15) + T(7e-04) * U7_23 +
+      T(0.0017) * U7_12;
+  const T N7_3 = T(0.021) + T(7e-04) * (t7_15 - t7_14) - T(0.0030000000000000027) * U7_12 - T(0.0017) * U7_13 +
+      T(0.0025) * U7_23;
 
   // ---- body 8 (body_8) on body 1
   const T eps8_1 = x[28], eps8_2 = x[29], eps8_3 = x[30], eps8_4 = x[31];
@@ -5926,25 +5926,25 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t8_21 = omega1_1 * t8_17 - omega1_2 * t8_19;
   const T Pddot8_1 = R1_11 * t8_18 + R1_21 * t8_20 + R1_31 * t8_21;
   const T Pddot8_2 = R1_12 * t8_18 + R1_22 * t8_20 + R1_32 * t8_21;
-  const T Pddot8_3 = R1_13 * t8_18 + R1_23 * t8_20 + R1_33 * t8_21 + T(9.81);
+  const T Pddot8_3 = T(9.81) + R1_13 * t8_18 + R1_23 * t8_20 + R1_33 * t8_21;
   // a8 = R8^T U8 r8 + Pddot8: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t8_22 = minus_U8_11 * T(0.392) - U8_12 * T(0.416) - U8_13 * T(0.444);
   const T t8_23 = minus_U8_22 * T(0.416) - U8_12 * T(0.392) - U8_23 * T(0.444);
   const T t8_24 = minus_U8_33 * T(0.444) - (U8_13 * T(0.392) + U8_23 * T(0.416));
-  const T a8_1 = R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24 + Pddot8_1;
-  const T a8_2 = R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24 + Pddot8_2;
-  const T a8_3 = R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24 + Pddot8_3;
+  const T a8_1 = Pddot8_1 + R8_11 * t8_22 + R8_21 * t8_23 + R8_31 * t8_24;
+  const T a8_2 = Pddot8_2 + R8_12 * t8_22 + R8_22 * t8_23 + R8_32 * t8_24;
+  const T a8_3 = Pddot8_3 + R8_13 * t8_22 + R8_23 * t8_23 + R8_33 * t8_24;
   // G8 = -m8 a8 + F8: applied less inertia force, inertial axes [N]
   const T G8_1 = T(0.74) - T(2.71) * a8_1;
   const T G8_2 = T(0.46) - T(2.71) * a8_2;
   const T G8_3 = T(1.86) - T(2.71) * a8_3;
   // N8 = -omega8~ I8 omega8 + M8: applied less inertia moment about the mass centre, body axes [N m]
-  const T N8_1 = T(0.0399) * U8_12 - (T(0.017199999999999938) * U8_23 + T(0.028) * (t8_14 - t8_13)) - T(0.0147) *
-      U8_13 + T(0.092);
+  const T N8_1 = T(0.092) - T(0.017199999999999938) * U8_23 - T(0.028) * (t8_14 - t8_13) + T(0.0399) * U8_12 -
+      T(0.0147) * U8_13;
   const T N8_2 = T(0.049) + T(0.06739999999999996) * U8_13 + T(0.0399) * (t8_13 - t8_15) + T(0.0147) * U8_23 +
       T(0.028) * U8_12;
-  const T N8_3 = T(0.0147) * (t8_15 - t8_14) - T(0.05020000000000002) * U8_12 - T(0.028) * U8_13 - T(0.0399) * U8_23 +
-      T(0.09);
+  const T N8_3 = T(0.09) + T(0.0147) * (t8_15 - t8_14) - T(0.05020000000000002) * U8_12 - T(0.028) * U8_13 - T(0.0399)
+      * U8_23;
 
   // ---- body 9 (body_9) on body 6
   const T eps9_1 = x[32], eps9_2 = x[33], eps9_3 = x[34], eps9_4 = x[35];
@@ -5995,27 +5995,27 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t9_19 = omega6_2 * d9_3 - omega6_3 * d9_2 + T(2) * sdot9_1;
   const T t9_20 = omega6_3 * t9_19 - omega6_1 * t9_16;
   const T t9_21 = omega6_1 * t9_17 - omega6_2 * t9_19;
-  const T Pddot9_1 = R6_11 * t9_18 + R6_21 * t9_20 + R6_31 * t9_21 + Pddot6_1;
-  const T Pddot9_2 = R6_12 * t9_18 + R6_22 * t9_20 + R6_32 * t9_21 + Pddot6_2;
-  const T Pddot9_3 = R6_13 * t9_18 + R6_23 * t9_20 + R6_33 * t9_21 + Pddot6_3;
+  const T Pddot9_1 = Pddot6_1 + R6_11 * t9_18 + R6_21 * t9_20 + R6_31 * t9_21;
+  const T Pddot9_2 = Pddot6_2 + R6_12 * t9_18 + R6_22 * t9_20 + R6_32 * t9_21;
+  const T Pddot9_3 = Pddot6_3 + R6_13 * t9_18 + R6_23 * t9_20 + R6_33 * t9_21;
   // a9 = R9^T U9 r9 + Pddot9: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t9_22 = U9_12 * T(0.49) - minus_U9_11 * T(0.362) - U9_13 * T(0.015);
   const T t9_23 = U9_12 * T(0.362) - minus_U9_22 * T(0.49) - U9_23 * T(0.015);
   const T t9_24 = U9_13 * T(0.362) + U9_23 * T(0.49) + minus_U9_33 * T(0.015);
-  const T a9_1 = R9_11 * t9_22 + R9_21 * t9_23 + R9_31 * t9_24 + Pddot9_1;
-  const T a9_2 = R9_12 * t9_22 + R9_22 * t9_23 + R9_32 * t9_24 + Pddot9_2;
-  const T a9_3 = R9_13 * t9_22 + R9_23 * t9_23 + R9_33 * t9_24 + Pddot9_3;
+  const T a9_1 = Pddot9_1 + R9_11 * t9_22 + R9_21 * t9_23 + R9_31 * t9_24;
+  const T a9_2 = Pddot9_2 + R9_12 * t9_22 + R9_22 * t9_23 + R9_32 * t9_24;
+  const T a9_3 = Pddot9_3 + R9_13 * t9_22 + R9_23 * t9_23 + R9_33 * t9_24;
   // G9 = -m9 a9 + F9: applied less inertia force, inertial axes [N]
-  const T minus_G9_1 = T(1.84) * a9_1 + T(0.55);
-  const T minus_G9_2 = T(1.84) * a9_2 + T(1.08);
-  const T minus_G9_3 = T(1.84) * a9_3 + T(0.46);
+  const T minus_G9_1 = T(0.55) + T(1.84) * a9_1;
+  const T minus_G9_2 = T(1.08) + T(1.84) * a9_2;
+  const T minus_G9_3 = T(0.46) + T(1.84) * a9_3;
   // N9 = -omega9~ I9 omega9 + M9: applied less inertia moment about the mass centre, body axes [N m]
-  const T N9_1 = T(0.022300000000000042) * U9_23 + T(0.0093) * (t9_14 - t9_13) - T(0.0257) * U9_12 + T(0.0215) * U9_13
-      + T(0.022);
+  const T N9_1 = T(0.022) + T(0.022300000000000042) * U9_23 + T(0.0093) * (t9_14 - t9_13) - T(0.0257) * U9_12 +
+      T(0.0215) * U9_13;
   const T minus_N9_2 = T(0.075) + T(0.0257) * (t9_13 - t9_15) - T(0.04989999999999997) * U9_13 + T(0.0215) * U9_23 +
       T(0.0093) * U9_12;
-  const T N9_3 = T(0.0093) * U9_13 - (T(0.07220000000000001) * U9_12 + T(0.0215) * (t9_15 - t9_14)) + T(0.0257) *
-      U9_23 + T(0.008);
+  const T N9_3 = T(0.008) - T(0.07220000000000001) * U9_12 - T(0.0215) * (t9_15 - t9_14) + T(0.0093) * U9_13 +
+      T(0.0257) * U9_23;
 
   // ---- body 10 (body_10) on body 8
   const T eps10_1 = x[36], eps10_2 = x[37], eps10_3 = x[38], eps10_4 = x[39];
@@ -6066,16 +6066,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t10_19 = omega8_2 * d10_3 - omega8_3 * d10_2 + T(2) * sdot10_1;
   const T t10_20 = omega8_3 * t10_19 - omega8_1 * t10_16;
   const T t10_21 = omega8_1 * t10_17 - omega8_2 * t10_19;
-  const T Pddot10_1 = R8_11 * t10_18 + R8_21 * t10_20 + R8_31 * t10_21 + Pddot8_1;
-  const T Pddot10_2 = R8_12 * t10_18 + R8_22 * t10_20 + R8_32 * t10_21 + Pddot8_2;
-  const T Pddot10_3 = R8_13 * t10_18 + R8_23 * t10_20 + R8_33 * t10_21 + Pddot8_3;
+  const T Pddot10_1 = Pddot8_1 + R8_11 * t10_18 + R8_21 * t10_20 + R8_31 * t10_21;
+  const T Pddot10_2 = Pddot8_2 + R8_12 * t10_18 + R8_22 * t10_20 + R8_32 * t10_21;
+  const T Pddot10_3 = Pddot8_3 + R8_13 * t10_18 + R8_23 * t10_20 + R8_33 * t10_21;
   // a10 = R10^T U10 r10 + Pddot10: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t10_22 = U10_12 * T(0.148) - minus_U10_11 * T(0.016) - U10_13 * T(0.426);
   const T t10_23 = U10_12 * T(0.016) - minus_U10_22 * T(0.148) - U10_23 * T(0.426);
   const T t10_24 = U10_13 * T(0.016) + U10_23 * T(0.148) + minus_U10_33 * T(0.426);
-  const T a10_1 = R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24 + Pddot10_1;
-  const T a10_2 = R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24 + Pddot10_2;
-  const T a10_3 = R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24 + Pddot10_3;
+  const T a10_1 = Pddot10_1 + R10_11 * t10_22 + R10_21 * t10_23 + R10_31 * t10_24;
+  const T a10_2 = Pddot10_2 + R10_12 * t10_22 + R10_22 * t10_23 + R10_32 * t10_24;
+  const T a10_3 = Pddot10_3 + R10_13 * t10_22 + R10_23 * t10_23 + R10_33 * t10_24;
   // G10 = -m10 a10 + F10: applied less inertia force, inertial axes [N]
   const T G10_1 = T(1.24) - T(2.57) * a10_1;
   const T G10_2 = T(1.96) - T(2.57) * a10_2;
@@ -6137,25 +6137,25 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t11_19 = omega5_2 * d11_3 - omega5_3 * d11_2 + T(2) * sdot11_1;
   const T t11_20 = omega5_3 * t11_19 - omega5_1 * t11_16;
   const T t11_21 = omega5_1 * t11_17 - omega5_2 * t11_19;
-  const T Pddot11_1 = R5_11 * t11_18 + R5_21 * t11_20 + R5_31 * t11_21 + Pddot5_1;
-  const T Pddot11_2 = R5_12 * t11_18 + R5_22 * t11_20 + R5_32 * t11_21 + Pddot5_2;
-  const T Pddot11_3 = R5_13 * t11_18 + R5_23 * t11_20 + R5_33 * t11_21 + Pddot5_3;
+  const T Pddot11_1 = Pddot5_1 + R5_11 * t11_18 + R5_21 * t11_20 + R5_31 * t11_21;
+  const T Pddot11_2 = Pddot5_2 + R5_12 * t11_18 + R5_22 * t11_20 + R5_32 * t11_21;
+  const T Pddot11_3 = Pddot5_3 + R5_13 * t11_18 + R5_23 * t11_20 + R5_33 * t11_21;
   // a11 = R11^T U11 r11 + Pddot11: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t11_22 = U11_13 * T(0.337) - (minus_U11_11 * T(0.402) + U11_12 * T(0.348));
   const T t11_23 = U11_12 * T(0.402) + minus_U11_22 * T(0.348) + U11_23 * T(0.337);
   const T t11_24 = U11_13 * T(0.402) - U11_23 * T(0.348) - minus_U11_33 * T(0.337);
-  const T a11_1 = R11_11 * t11_22 + R11_21 * t11_23 + R11_31 * t11_24 + Pddot11_1;
-  const T a11_2 = R11_12 * t11_22 + R11_22 * t11_23 + R11_32 * t11_24 + Pddot11_2;
-  const T a11_3 = R11_13 * t11_22 + R11_23 * t11_23 + R11_33 * t11_24 + Pddot11_3;
+  const T a11_1 = Pddot11_1 + R11_11 * t11_22 + R11_21 * t11_23 + R11_31 * t11_24;
+  const T a11_2 = Pddot11_2 + R11_12 * t11_22 + R11_22 * t11_23 + R11_32 * t11_24;
+  const T a11_3 = Pddot11_3 + R11_13 * t11_22 + R11_23 * t11_23 + R11_33 * t11_24;
   // G11 = -m11 a11 + F11: applied less inertia force, inertial axes [N]
-  const T minus_G11_1 = T(3.77) * a11_1 + T(0.34);
-  const T minus_G11_2 = T(3.77) * a11_2 + T(1.79);
-  const T minus_G11_3 = T(3.77) * a11_3 + T(1.8);
+  const T minus_G11_1 = T(0.34) + T(3.77) * a11_1;
+  const T minus_G11_2 = T(1.79) + T(3.77) * a11_2;
+  const T minus_G11_3 = T(1.8) + T(3.77) * a11_3;
   // N11 = -omega11~ I11 omega11 + M11: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N11_1 = T(0.077) + T(0.041600000000000026) * U11_23 + T(0.0124) * (t11_14 - t11_13) - T(0.0238) *
       U11_12 + T(3e-04) * U11_13;
-  const T N11_2 = T(0.059) * U11_13 + T(0.0238) * (t11_13 - t11_15) + T(3e-04) * U11_23 + T(0.0124) * U11_12 -
-      T(0.039);
+  const T N11_2 = T(0.059) * U11_13 - T(0.039) + T(0.0238) * (t11_13 - t11_15) + T(3e-04) * U11_23 + T(0.0124) *
+      U11_12;
   const T minus_N11_3 = T(0.068) + T(0.01739999999999997) * U11_12 - T(3e-04) * (t11_15 - t11_14) + T(0.0124) * U11_13
       + T(0.0238) * U11_23;
 
@@ -6208,16 +6208,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t12_19 = omega11_2 * d12_3 - omega11_3 * d12_2 + T(2) * sdot12_1;
   const T t12_20 = omega11_3 * t12_19 - omega11_1 * t12_16;
   const T t12_21 = omega11_1 * t12_17 - omega11_2 * t12_19;
-  const T Pddot12_1 = R11_11 * t12_18 + R11_21 * t12_20 + R11_31 * t12_21 + Pddot11_1;
-  const T Pddot12_2 = R11_12 * t12_18 + R11_22 * t12_20 + R11_32 * t12_21 + Pddot11_2;
-  const T Pddot12_3 = R11_13 * t12_18 + R11_23 * t12_20 + R11_33 * t12_21 + Pddot11_3;
+  const T Pddot12_1 = Pddot11_1 + R11_11 * t12_18 + R11_21 * t12_20 + R11_31 * t12_21;
+  const T Pddot12_2 = Pddot11_2 + R11_12 * t12_18 + R11_22 * t12_20 + R11_32 * t12_21;
+  const T Pddot12_3 = Pddot11_3 + R11_13 * t12_18 + R11_23 * t12_20 + R11_33 * t12_21;
   // a12 = R12^T U12 r12 + Pddot12: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t12_22 = minus_U12_11 * T(0.006) - U12_12 * T(0.141) - U12_13 * T(0.1);
   const T t12_23 = minus_U12_22 * T(0.141) - U12_12 * T(0.006) - U12_23 * T(0.1);
   const T t12_24 = minus_U12_33 * T(0.1) - (U12_13 * T(0.006) + U12_23 * T(0.141));
-  const T a12_1 = R12_11 * t12_22 + R12_21 * t12_23 + R12_31 * t12_24 + Pddot12_1;
-  const T a12_2 = R12_12 * t12_22 + R12_22 * t12_23 + R12_32 * t12_24 + Pddot12_2;
-  const T a12_3 = R12_13 * t12_22 + R12_23 * t12_23 + R12_33 * t12_24 + Pddot12_3;
+  const T a12_1 = Pddot12_1 + R12_11 * t12_22 + R12_21 * t12_23 + R12_31 * t12_24;
+  const T a12_2 = Pddot12_2 + R12_12 * t12_22 + R12_22 * t12_23 + R12_32 * t12_24;
+  const T a12_3 = Pddot12_3 + R12_13 * t12_22 + R12_23 * t12_23 + R12_33 * t12_24;
   // G12 = -m12 a12 + F12: applied less inertia force, inertial axes [N]
   const T G12_1 = T(0.25) - T(4.06) * a12_1;
   const T G12_2 = T(1.37) - T(4.06) * a12_2;
@@ -6225,19 +6225,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // N12 = -omega12~ I12 omega12 + M12: applied less inertia moment about the mass centre, body axes [N m]
   const T N12_1 = T(0.01) + T(0.26759999999999995) * U12_23 + T(0.0023) * (t12_14 - t12_13) + T(0.1084) * U12_12 +
       T(0.0121) * U12_13;
-  const T N12_2 = T(0.1084) * (t12_13 - t12_15) - T(0.08610000000000001) * U12_13 - T(0.0121) * U12_23 - T(0.0023) *
-      U12_12 + T(0.009);
-  const T N12_3 = T(0.0023) * U12_13 - (T(0.18149999999999994) * U12_12 + T(0.0121) * (t12_15 - t12_14)) - T(0.1084) *
-      U12_23 + T(0.069);
+  const T N12_2 = T(0.009) + T(0.1084) * (t12_13 - t12_15) - T(0.08610000000000001) * U12_13 - T(0.0121) * U12_23 -
+      T(0.0023) * U12_12;
+  const T N12_3 = T(0.069) - T(0.18149999999999994) * U12_12 - T(0.0121) * (t12_15 - t12_14) + T(0.0023) * U12_13 -
+      T(0.1084) * U12_23;
 
   // ---- body 12 (body_12) and what it carries
   // f_omega12 = r12~ R12 G12 + N12: Kane's equation of omega [N m]
   const T b12_1 = R12_21 * G12_1 + R12_22 * G12_2 + R12_23 * G12_3;
   const T b12_2 = R12_31 * G12_1 + R12_32 * G12_2 + R12_33 * G12_3;
-  const T f_omega12_1 = T(0.1) * b12_1 - T(0.141) * b12_2 + N12_1;
+  const T f_omega12_1 = N12_1 + T(0.1) * b12_1 - T(0.141) * b12_2;
   const T b12_3 = R12_11 * G12_1 + R12_12 * G12_2 + R12_13 * G12_3;
-  const T f_omega12_2 = T(0.006) * b12_2 - T(0.1) * b12_3 + N12_2;
-  const T f_omega12_3 = T(0.141) * b12_3 - T(0.006) * b12_1 + N12_3;
+  const T f_omega12_2 = N12_2 + T(0.006) * b12_2 - T(0.1) * b12_3;
+  const T f_omega12_3 = N12_3 + T(0.141) * b12_3 - T(0.006) * b12_1;
   f[33] = f_omega12_1;
   f[34] = f_omega12_2;
   f[35] = f_omega12_3;
@@ -6257,10 +6257,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega11 = r11~ R11 G11 + d12~ R11 G12 + N11: Kane's equation of omega [N m]
   const T b11_1 = R11_21 * minus_G11_1 + R11_22 * minus_G11_2 + R11_23 * minus_G11_3;
   const T b11_2 = R11_31 * minus_G11_1 + R11_32 * minus_G11_2 + R11_33 * minus_G11_3;
-  const T f_omega11_1 = T(0.337) * b11_1 + T(0.348) * b11_2 + d12_2 * f_sdot12_3 - d12_3 * f_sdot12_2 - minus_N11_1;
+  const T f_omega11_1 = T(0.337) * b11_1 - minus_N11_1 + T(0.348) * b11_2 + d12_2 * f_sdot12_3 - d12_3 * f_sdot12_2;
   const T b11_3 = R11_11 * minus_G11_1 + R11_12 * minus_G11_2 + R11_13 * minus_G11_3;
-  const T f_omega11_2 = T(0.402) * b11_2 - T(0.337) * b11_3 + d12_3 * f_sdot12_1 - d12_1 * f_sdot12_3 + N11_2;
-  const T f_omega11_3 = d12_1 * f_sdot12_2 - (T(0.402) * b11_1 + T(0.348) * b11_3) - d12_2 * f_sdot12_1 - minus_N11_3;
+  const T f_omega11_2 = N11_2 + T(0.402) * b11_2 - T(0.337) * b11_3 + d12_3 * f_sdot12_1 - d12_1 * f_sdot12_3;
+  const T f_omega11_3 = d12_1 * f_sdot12_2 - (minus_N11_3 + T(0.402) * b11_1 + T(0.348) * b11_3) - d12_2 * f_sdot12_1;
   f[30] = f_omega11_1;
   f[31] = f_omega11_2;
   f[32] = f_omega11_3;
@@ -6276,10 +6276,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega10 = r10~ R10 G10 + N10: Kane's equation of omega [N m]
   const T b10_1 = R10_21 * G10_1 + R10_22 * G10_2 + R10_23 * G10_3;
   const T b10_2 = R10_31 * G10_1 + R10_32 * G10_2 + R10_33 * G10_3;
-  const T f_omega10_1 = T(0.426) * b10_1 + T(0.148) * b10_2 - minus_N10_1;
+  const T f_omega10_1 = T(0.426) * b10_1 - minus_N10_1 + T(0.148) * b10_2;
   const T b10_3 = R10_11 * G10_1 + R10_12 * G10_2 + R10_13 * G10_3;
-  const T minus_f_omega10_2 = T(0.426) * b10_3 + T(0.016) * b10_2 + minus_N10_2;
-  const T f_omega10_3 = T(0.016) * b10_1 - T(0.148) * b10_3 - minus_N10_3;
+  const T minus_f_omega10_2 = minus_N10_2 + T(0.426) * b10_3 + T(0.016) * b10_2;
+  const T f_omega10_3 = T(0.016) * b10_1 - minus_N10_3 - T(0.148) * b10_3;
   f[27] = f_omega10_1;
   f[28] = -minus_f_omega10_2;
   f[29] = f_omega10_3;
@@ -6295,10 +6295,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega9 = r9~ R9 G9 + N9: Kane's equation of omega [N m]
   const T b9_1 = R9_21 * minus_G9_1 + R9_22 * minus_G9_2 + R9_23 * minus_G9_3;
   const T b9_2 = R9_31 * minus_G9_1 + R9_32 * minus_G9_2 + R9_33 * minus_G9_3;
-  const T f_omega9_1 = N9_1 - (T(0.015) * b9_1 + T(0.49) * b9_2);
+  const T f_omega9_1 = N9_1 - T(0.015) * b9_1 - T(0.49) * b9_2;
   const T b9_3 = R9_11 * minus_G9_1 + R9_12 * minus_G9_2 + R9_13 * minus_G9_3;
-  const T f_omega9_2 = T(0.015) * b9_3 + T(0.362) * b9_2 - minus_N9_2;
-  const T f_omega9_3 = T(0.49) * b9_3 - T(0.362) * b9_1 + N9_3;
+  const T f_omega9_2 = T(0.015) * b9_3 - minus_N9_2 + T(0.362) * b9_2;
+  const T f_omega9_3 = N9_3 + T(0.49) * b9_3 - T(0.362) * b9_1;
   f[24] = f_omega9_1;
   f[25] = f_omega9_2;
   f[26] = f_omega9_3;
@@ -6318,10 +6318,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega8 = r8~ R8 G8 + d10~ R8 G10 + N8: Kane's equation of omega [N m]
   const T b8_1 = R8_21 * G8_1 + R8_22 * G8_2 + R8_23 * G8_3;
   const T b8_2 = R8_31 * G8_1 + R8_32 * G8_2 + R8_33 * G8_3;
-  const T f_omega8_1 = T(0.444) * b8_1 - T(0.416) * b8_2 + d10_2 * f_sdot10_3 - d10_3 * f_sdot10_2 + N8_1;
+  const T f_omega8_1 = N8_1 + T(0.444) * b8_1 - T(0.416) * b8_2 + d10_2 * f_sdot10_3 - d10_3 * f_sdot10_2;
   const T b8_3 = R8_11 * G8_1 + R8_12 * G8_2 + R8_13 * G8_3;
-  const T f_omega8_2 = T(0.392) * b8_2 - T(0.444) * b8_3 + d10_3 * f_sdot10_1 - d10_1 * f_sdot10_3 + N8_2;
-  const T f_omega8_3 = T(0.416) * b8_3 - T(0.392) * b8_1 + d10_1 * f_sdot10_2 - d10_2 * f_sdot10_1 + N8_3;
+  const T f_omega8_2 = N8_2 + T(0.392) * b8_2 - T(0.444) * b8_3 + d10_3 * f_sdot10_1 - d10_1 * f_sdot10_3;
+  const T f_omega8_3 = N8_3 + T(0.416) * b8_3 - T(0.392) * b8_1 + d10_1 * f_sdot10_2 - d10_2 * f_sdot10_1;
   f[21] = f_omega8_1;
   f[22] = f_omega8_2;
   f[23] = f_omega8_3;
@@ -6337,10 +6337,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega7 = r7~ R7 G7 + N7: Kane's equation of omega [N m]
   const T b7_1 = R7_31 * minus_G7_1 + R7_32 * minus_G7_2 + R7_33 * minus_G7_3;
   const T b7_2 = R7_21 * minus_G7_1 + R7_22 * minus_G7_2 + R7_23 * minus_G7_3;
-  const T f_omega7_1 = T(0.192) * b7_1 - T(0.487) * b7_2 - minus_N7_1;
+  const T f_omega7_1 = T(0.192) * b7_1 - minus_N7_1 - T(0.487) * b7_2;
   const T b7_3 = R7_11 * minus_G7_1 + R7_12 * minus_G7_2 + R7_13 * minus_G7_3;
-  const T f_omega7_2 = T(0.487) * b7_3 - T(0.475) * b7_1 + N7_2;
-  const T f_omega7_3 = T(0.475) * b7_2 - T(0.192) * b7_3 + N7_3;
+  const T f_omega7_2 = N7_2 + T(0.487) * b7_3 - T(0.475) * b7_1;
+  const T f_omega7_3 = N7_3 + T(0.475) * b7_2 - T(0.192) * b7_3;
   f[18] = f_omega7_1;
   f[19] = f_omega7_2;
   f[20] = f_omega7_3;
@@ -6360,12 +6360,12 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega6 = r6~ R6 G6 + d9~ R6 G9 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 - R6_22 * minus_G6_2 + R6_23 * G6_3;
   const T b6_2 = R6_31 * G6_1 - R6_32 * minus_G6_2 + R6_33 * G6_3;
-  const T f_omega6_1 = T(0.454) * b6_1 - T(0.248) * b6_2 + d9_3 * minus_f_sdot9_2 - d9_2 * minus_f_sdot9_3 + N6_1;
+  const T f_omega6_1 = N6_1 + T(0.454) * b6_1 - T(0.248) * b6_2 + d9_3 * minus_f_sdot9_2 - d9_2 * minus_f_sdot9_3;
   const T b6_3 = R6_11 * G6_1 - R6_12 * minus_G6_2 + R6_13 * G6_3;
-  const T f_omega6_2 = d9_1 * minus_f_sdot9_3 - (T(0.454) * b6_3 + T(0.044) * b6_2) - d9_3 * minus_f_sdot9_1 -
-      minus_N6_2;
-  const T f_omega6_3 = T(0.044) * b6_1 + T(0.248) * b6_3 + d9_2 * minus_f_sdot9_1 - d9_1 * minus_f_sdot9_2 -
-      minus_N6_3;
+  const T f_omega6_2 = d9_1 * minus_f_sdot9_3 - (minus_N6_2 + T(0.454) * b6_3 + T(0.044) * b6_2) - d9_3 *
+      minus_f_sdot9_1;
+  const T f_omega6_3 = T(0.044) * b6_1 - minus_N6_3 + T(0.248) * b6_3 + d9_2 * minus_f_sdot9_1 - d9_1 *
+      minus_f_sdot9_2;
   f[15] = f_omega6_1;
   f[16] = f_omega6_2;
   f[17] = f_omega6_3;
@@ -6385,10 +6385,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega5 = r5~ R5 G5 + d11~ R5 S11 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 - R5_22 * minus_G5_2 - R5_23 * minus_G5_3;
   const T b5_2 = R5_31 * G5_1 - R5_32 * minus_G5_2 - R5_33 * minus_G5_3;
-  const T f_omega5_1 = d11_2 * f_sdot11_3 - (T(0.167) * b5_1 + T(0.321) * b5_2) - d11_3 * f_sdot11_2 - minus_N5_1;
+  const T f_omega5_1 = d11_2 * f_sdot11_3 - (minus_N5_1 + T(0.167) * b5_1 + T(0.321) * b5_2) - d11_3 * f_sdot11_2;
   const T b5_3 = R5_11 * G5_1 - R5_12 * minus_G5_2 - R5_13 * minus_G5_3;
-  const T f_omega5_2 = T(0.167) * b5_3 + T(0.056) * b5_2 + d11_3 * f_sdot11_1 - d11_1 * f_sdot11_3 - minus_N5_2;
-  const T f_omega5_3 = T(0.321) * b5_3 - T(0.056) * b5_1 + d11_1 * f_sdot11_2 - d11_2 * f_sdot11_1 - minus_N5_3;
+  const T f_omega5_2 = T(0.167) * b5_3 - minus_N5_2 + T(0.056) * b5_2 + d11_3 * f_sdot11_1 - d11_1 * f_sdot11_3;
+  const T f_omega5_3 = T(0.321) * b5_3 - minus_N5_3 - T(0.056) * b5_1 + d11_1 * f_sdot11_2 - d11_2 * f_sdot11_1;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
@@ -6408,10 +6408,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega4 = r4~ R4 G4 + d7~ R4 G7 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_31 * G4_1 - R4_32 * minus_G4_2 + R4_33 * G4_3;
   const T b4_2 = R4_21 * G4_1 - R4_22 * minus_G4_2 + R4_23 * G4_3;
-  const T f_omega4_1 = T(0.289) * b4_1 - T(0.08) * b4_2 + d7_3 * minus_f_sdot7_2 - d7_2 * minus_f_sdot7_3 + N4_1;
+  const T f_omega4_1 = N4_1 + T(0.289) * b4_1 - T(0.08) * b4_2 + d7_3 * minus_f_sdot7_2 - d7_2 * minus_f_sdot7_3;
   const T b4_3 = R4_11 * G4_1 - R4_12 * minus_G4_2 + R4_13 * G4_3;
-  const T f_omega4_2 = T(0.08) * b4_3 - T(0.401) * b4_1 + d7_1 * minus_f_sdot7_3 - d7_3 * minus_f_sdot7_1 + N4_2;
-  const T f_omega4_3 = T(0.401) * b4_2 - T(0.289) * b4_3 + d7_2 * minus_f_sdot7_1 - d7_1 * minus_f_sdot7_2 + N4_3;
+  const T f_omega4_2 = N4_2 + T(0.08) * b4_3 - T(0.401) * b4_1 + d7_1 * minus_f_sdot7_3 - d7_3 * minus_f_sdot7_1;
+  const T f_omega4_3 = N4_3 + T(0.401) * b4_2 - T(0.289) * b4_3 + d7_2 * minus_f_sdot7_1 - d7_1 * minus_f_sdot7_2;
   f[9] = f_omega4_1;
   f[10] = f_omega4_2;
   f[11] = f_omega4_3;
@@ -6431,13 +6431,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega3 = r3~ R3 G3 + d4~ R3 S4 + d5~ R3 S5 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_31 * G3_1 + R3_32 * G3_2 - R3_33 * minus_G3_3;
   const T b3_2 = R3_21 * G3_1 + R3_22 * G3_2 - R3_23 * minus_G3_3;
-  const T f_omega3_1 = T(0.498) * b3_1 - T(0.004) * b3_2 + d4_2 * f_sdot4_3 - d4_3 * f_sdot4_2 + d5_2 * f_sdot5_3 -
-      d5_3 * f_sdot5_2 + N3_1;
+  const T f_omega3_1 = N3_1 + T(0.498) * b3_1 - T(0.004) * b3_2 + d4_2 * f_sdot4_3 - d4_3 * f_sdot4_2 + d5_2 *
+      f_sdot5_3 - d5_3 * f_sdot5_2;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 - R3_13 * minus_G3_3;
-  const T f_omega3_2 = T(0.004) * b3_3 - T(0.484) * b3_1 + d4_3 * f_sdot4_1 - d4_1 * f_sdot4_3 + d5_3 * f_sdot5_1 -
-      d5_1 * f_sdot5_3 - minus_N3_2;
-  const T f_omega3_3 = T(0.484) * b3_2 - T(0.498) * b3_3 + d4_1 * f_sdot4_2 - d4_2 * f_sdot4_1 + d5_1 * f_sdot5_2 -
-      d5_2 * f_sdot5_1 + N3_3;
+  const T f_omega3_2 = T(0.004) * b3_3 - minus_N3_2 - T(0.484) * b3_1 + d4_3 * f_sdot4_1 - d4_1 * f_sdot4_3 + d5_3 *
+      f_sdot5_1 - d5_1 * f_sdot5_3;
+  const T f_omega3_3 = N3_3 + T(0.484) * b3_2 - T(0.498) * b3_3 + d4_1 * f_sdot4_2 - d4_2 * f_sdot4_1 + d5_1 *
+      f_sdot5_2 - d5_2 * f_sdot5_1;
   f[6] = f_omega3_1;
   f[7] = f_omega3_2;
   f[8] = f_omega3_3;
@@ -6456,13 +6456,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T S2_3 = S6_3 - minus_G2_3 + S3_3;
   // f_omega2 = r2~ R2 G2 + d3~ R2 S3 + d6~ R2 S6 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 - R2_32 * minus_G2_2 - R2_33 * minus_G2_3;
-  const T f_omega2_1 = T(0.31) * b2_1 + d3_2 * f_sdot3_3 - d3_3 * f_sdot3_2 + d6_2 * f_sdot6_3 - d6_3 * f_sdot6_2 -
-      minus_N2_1;
-  const T f_omega2_2 = d3_3 * f_sdot3_1 - d3_1 * f_sdot3_3 - T(0.011) * b2_1 + d6_3 * f_sdot6_1 - d6_1 * f_sdot6_3 +
-      N2_2;
-  const T f_omega2_3 = T(0.011) * (R2_21 * G2_1 - R2_22 * minus_G2_2 - R2_23 * minus_G2_3) - T(0.31) * (R2_11 * G2_1 -
-      R2_12 * minus_G2_2 - R2_13 * minus_G2_3) + d3_1 * f_sdot3_2 - d3_2 * f_sdot3_1 + d6_1 * f_sdot6_2 - d6_2 *
-      f_sdot6_1 - minus_N2_3;
+  const T f_omega2_1 = T(0.31) * b2_1 - minus_N2_1 + d3_2 * f_sdot3_3 - d3_3 * f_sdot3_2 + d6_2 * f_sdot6_3 - d6_3 *
+      f_sdot6_2;
+  const T f_omega2_2 = N2_2 + d3_3 * f_sdot3_1 - d3_1 * f_sdot3_3 - T(0.011) * b2_1 + d6_3 * f_sdot6_1 - d6_1 *
+      f_sdot6_3;
+  const T f_omega2_3 = T(0.011) * (R2_21 * G2_1 - R2_22 * minus_G2_2 - R2_23 * minus_G2_3) - minus_N2_3 - T(0.31) *
+      (R2_11 * G2_1 - R2_12 * minus_G2_2 - R2_13 * minus_G2_3) + d3_1 * f_sdot3_2 - d3_2 * f_sdot3_1 + d6_1 *
+      f_sdot6_2 - d6_2 * f_sdot6_1;
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
@@ -6485,13 +6485,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d8~ R1 S8 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 - R1_22 * minus_G1_2 - R1_23 * minus_G1_3;
   const T b1_2 = R1_31 * G1_1 - R1_32 * minus_G1_2 - R1_33 * minus_G1_3;
-  const T f_omega1_1 = T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 + d8_2 * f_sdot8_3 -
-      d8_3 * f_sdot8_2 + N1_1;
+  const T f_omega1_1 = N1_1 + T(0.095) * b1_1 - T(0.163) * b1_2 + d2_2 * f_sdot2_3 - d2_3 * f_sdot2_2 + d8_2 *
+      f_sdot8_3 - d8_3 * f_sdot8_2;
   const T b1_3 = R1_11 * G1_1 - R1_12 * minus_G1_2 - R1_13 * minus_G1_3;
-  const T f_omega1_2 = d2_3 * f_sdot2_1 - (T(0.095) * b1_3 + T(0.187) * b1_2) - d2_1 * f_sdot2_3 + d8_3 * f_sdot8_1 -
-      d8_1 * f_sdot8_3 + N1_2;
-  const T f_omega1_3 = T(0.187) * b1_1 + T(0.163) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d8_1 * f_sdot8_2 -
-      d8_2 * f_sdot8_1 - minus_N1_3;
+  const T f_omega1_2 = N1_2 - T(0.095) * b1_3 - T(0.187) * b1_2 + d2_3 * f_sdot2_1 - d2_1 * f_sdot2_3 + d8_3 *
+      f_sdot8_1 - d8_1 * f_sdot8_3;
+  const T f_omega1_3 = T(0.187) * b1_1 - minus_N1_3 + T(0.163) * b1_3 + d2_1 * f_sdot2_2 - d2_2 * f_sdot2_1 + d8_1 *
+      f_sdot8_2 - d8_2 * f_sdot8_1;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;

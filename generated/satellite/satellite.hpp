@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model d79391bc9b262e80 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 4cdb92c80ca99804 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -21,7 +21,8 @@
 // R takes inertial components to body components; a~ b = a x b; matrices are row-major.
 // No function allocates, throws, branches or keeps a state; results must not overlap arguments. T is the scalar:
 // float, double, long double, or any type with + - * /, unary -, a constructor from double and a default one, and of
-// its own or by conversion cos, sin.
+// its own or by conversion cos, sin. Cosines and sines of angles in double are those of cos_sin() below, with
+// KANEC_LIBM_COS_SIN the library's.
 //
 // operations of one call (adds + multiplies + divides):
 //   kinematics                    23 (8 add, 15 multiply)
@@ -40,6 +41,87 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if !defined(KANEC_COS_SIN)
+#define KANEC_COS_SIN
+namespace kanec_cos_sin {
+
+// c = cos(a), s = sin(a) for n angles. Here by the functions of the scalar.
+template <class T>
+void cos_sin(const T* a, int n, T* c, T* s) noexcept {
+  using std::cos, std::sin;
+  for (int i = 0; i < n; ++i) {
+    c[i] = cos(a[i]);
+    s[i] = sin(a[i]);
+  }
+}
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && \
+    !(defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(KANEC_LIBM_COS_SIN))
+#define KANEC_COS_SIN_VECTORS
+// Lanes of a vector of doubles with |a| <= 4096; Bits: unsigned integers of 64 bits. Errors below 0.95 ulps.
+// a = n pi/2 + r + e with |r| <= pi/4 (Cody and Waite 1980), then minimax polynomials of r^2.
+template <class Vector, class Bits>
+[[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
+  const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
+  const Vector n = shifted - 6755399441055744.0;
+  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = near - n * 7.443547480484391e-13;
+  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector z = r * r;
+  const Vector sine =
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+  const Vector high = 1.0 - 0.5 * z;
+  const Vector cosine =
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+  Bits quadrant, bits_c, bits_s;
+  std::memcpy(&quadrant, &shifted, sizeof quadrant);
+  std::memcpy(&bits_c, &cosine, sizeof bits_c);
+  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
+  bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
+  bits_s ^= exchange ^ (quadrant & 2) << 62;
+  std::memcpy(&c, &bits_c, sizeof c);
+  std::memcpy(&s, &bits_s, sizeof s);
+}
+
+// The same in doubles; angles that are large or no numbers by the library.
+inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef std::uint64_t Bits __attribute__((vector_size(32)));
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::fabs(a[i]);
+  if (!(sum <= 4096)) return cos_sin<double>(a, n, c, s);
+  for (int i = 0; i < n; i += 4) {
+    const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
+    const double* const from = a + first;
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
+    Vector cosines, sines;
+    cos_sin_of<Vector, Bits>(group, cosines, sines);
+    for (int j = 0; j < 4 && j < n; ++j) {
+      c[first + j] = cosines[j];
+      s[first + j] = sines[j];
+    }
+  }
+}
+#endif
+
+}  // namespace kanec_cos_sin
+#endif
 
 namespace kanec::satellite {
 
@@ -48,7 +130,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "d79391bc9b262e80";
+inline constexpr char model_hash[] = "4cdb92c80ca99804";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -160,7 +242,9 @@ void kinematics([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T
 // 60 add, 72 multiply, 6 sine or cosine
 template <class T>
 void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -203,11 +287,10 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[8] = R1_33;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   const T s1_1 = x[7], s1_2 = x[8], s1_3 = x[9];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -237,10 +320,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[23] = p2_3;
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_21 = R1_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R1_22 * E3_22 + R1_32 * E3_23;
@@ -267,11 +349,10 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   pose[35] = p3_3;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -313,7 +394,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
 // 99 add, 131 multiply, 6 sine or cosine
 template <class T>
 void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -356,8 +439,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 2 (left_panel) on body 1
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_31 = R1_31 * E2_22 - R1_21 * E2_23;
   const T R2_32 = R1_32 * E2_22 - R1_22 * E2_23;
@@ -376,9 +459,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t2_5 = R1_33 * t2_1 - R1_13 * t2_2;
   const T Pdot2_3 = sdot1_3 + t2_5;
   // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T v2_1 = R2_31 * omega2_1 - R1_11 * omega2_3 + Pdot2_1;
-  const T v2_2 = R2_32 * omega2_1 - R1_12 * omega2_3 + Pdot2_2;
-  const T v2_3 = R2_33 * omega2_1 - R1_13 * omega2_3 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_31 * omega2_1 - R1_11 * omega2_3;
+  const T v2_2 = Pdot2_2 + R2_32 * omega2_1 - R1_12 * omega2_3;
+  const T v2_3 = Pdot2_3 + R2_33 * omega2_1 - R1_13 * omega2_3;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (T(3) * omega2_1 * omega2_1 + T(0.75) * omega2_2 * omega2_2 + T(3.75) * omega2_3 * omega2_3) +
       T(4.5) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
@@ -386,8 +469,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   // ---- body 3 (right_panel) on body 1
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_31 = R1_31 * E3_22 - R1_21 * E3_23;
   const T R3_32 = R1_32 * E3_22 - R1_22 * E3_23;
@@ -401,20 +484,19 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T Pdot3_2 = sdot1_2 - t2_4;
   const T Pdot3_3 = sdot1_3 - t2_5;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T v3_1 = R1_11 * omega3_3 - R3_31 * omega3_1 + Pdot3_1;
-  const T v3_2 = R1_12 * omega3_3 - R3_32 * omega3_1 + Pdot3_2;
-  const T v3_3 = R1_13 * omega3_3 - R3_33 * omega3_1 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R1_11 * omega3_3 - R3_31 * omega3_1;
+  const T v3_2 = Pdot3_2 + R1_12 * omega3_3 - R3_32 * omega3_1;
+  const T v3_3 = Pdot3_3 + R1_13 * omega3_3 - R3_33 * omega3_1;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (T(3) * omega3_1 * omega3_1 + T(0.75) * omega3_2 * omega3_2 + T(3.75) * omega3_3 * omega3_3) +
       T(4.5) * (v3_1 * v3_1 + v3_2 * v3_2 + v3_3 * v3_3);
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -431,8 +513,8 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
   const T t4_5 = T(0.0021) * omega4_2;
   const T t4_6 = T(0.0021) * omega4_3;
   const T t4_7 = T(0.0021) * omega4_1;
-  const T T4 = T(0.5) * (omega4_1 * (T(0.0158) * omega4_1 + t4_5 + t4_6) + omega4_2 * (t4_7 + T(0.0158) * omega4_2 +
-      t4_6) + omega4_3 * (t4_7 + t4_5 + T(0.0158) * omega4_3)) + T(2) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 +
+  const T T4 = T(0.5) * (omega4_1 * (t4_5 + t4_6 + T(0.0158) * omega4_1) + omega4_2 * (t4_7 + t4_6 + T(0.0158) *
+      omega4_2) + omega4_3 * (t4_7 + t4_5 + T(0.0158) * omega4_3)) + T(2) * (Pdot4_1 * Pdot4_1 + Pdot4_2 * Pdot4_2 +
       Pdot4_3 * Pdot4_3);
 
   // ---- whole system
@@ -446,7 +528,9 @@ void energy(const Prepared<T>& c, const T* x, const T* y, T* energy) noexcept {
 // 180 add, 209 multiply, 6 sine or cosine
 template <class T>
 void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* momentum) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -490,11 +574,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H1_3 = s1_1 * l1_2 - s1_2 * l1_1 + R1_13 * t1_14 + R1_23 * t1_16 + R1_33 * t1_17;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // R2^T = R1^T E2^T: R takes inertial components to body components
   const T R2_21 = R1_21 * E2_22 + R1_31 * E2_23;
   const T R2_22 = R1_22 * E2_22 + R1_32 * E2_23;
@@ -527,9 +610,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_8 = R1_33 * t2_4 - R1_13 * t2_5;
   const T Pdot2_3 = sdot1_3 + t2_8;
   // v2 = R2^T omega2~ r2 + Pdot2: velocity of the mass centre, inertial axes [m/s]
-  const T v2_1 = R2_31 * omega2_1 - R1_11 * omega2_3 + Pdot2_1;
-  const T v2_2 = R2_32 * omega2_1 - R1_12 * omega2_3 + Pdot2_2;
-  const T v2_3 = R2_33 * omega2_1 - R1_13 * omega2_3 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_31 * omega2_1 - R1_11 * omega2_3;
+  const T v2_2 = Pdot2_2 + R2_32 * omega2_1 - R1_12 * omega2_3;
+  const T v2_3 = Pdot2_3 + R2_33 * omega2_1 - R1_13 * omega2_3;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(9) * v2_1;
   const T l2_2 = T(9) * v2_2;
@@ -543,11 +626,10 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H2_3 = R1_13 * t2_9 + R2_23 * t2_10 + R2_33 * t2_11 + p2_1 * l2_2 - p2_2 * l2_1;
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // R3^T = R1^T E3^T: R takes inertial components to body components
   const T R3_21 = R1_21 * E3_22 + R1_31 * E3_23;
   const T R3_22 = R1_22 * E3_22 + R1_32 * E3_23;
@@ -572,9 +654,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T Pdot3_2 = sdot1_2 - t2_7;
   const T Pdot3_3 = sdot1_3 - t2_8;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
-  const T v3_1 = R1_11 * omega3_3 - R3_31 * omega3_1 + Pdot3_1;
-  const T v3_2 = R1_12 * omega3_3 - R3_32 * omega3_1 + Pdot3_2;
-  const T v3_3 = R1_13 * omega3_3 - R3_33 * omega3_1 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R1_11 * omega3_3 - R3_31 * omega3_1;
+  const T v3_2 = Pdot3_2 + R1_12 * omega3_3 - R3_32 * omega3_1;
+  const T v3_3 = Pdot3_3 + R1_13 * omega3_3 - R3_33 * omega3_1;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(9) * v3_1;
   const T l3_2 = T(9) * v3_2;
@@ -588,12 +670,11 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T H3_3 = R1_13 * t3_1 + R3_23 * t3_2 + R3_33 * t3_3 + p3_1 * l3_2 - p3_2 * l3_1;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -627,9 +708,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   // H4 = R4^T I4 omega4 + P4~ l4: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t4_5 = T(0.0021) * omega4_2;
   const T t4_6 = T(0.0021) * omega4_3;
-  const T t4_7 = T(0.0158) * omega4_1 + t4_5 + t4_6;
+  const T t4_7 = t4_5 + t4_6 + T(0.0158) * omega4_1;
   const T t4_8 = T(0.0021) * omega4_1;
-  const T t4_9 = t4_8 + T(0.0158) * omega4_2 + t4_6;
+  const T t4_9 = t4_8 + t4_6 + T(0.0158) * omega4_2;
   const T t4_10 = t4_8 + t4_5 + T(0.0158) * omega4_3;
   const T H4_1 = R4_11 * t4_7 + R4_21 * t4_9 + R4_31 * t4_10 + P4_2 * l4_3 - P4_3 * l4_2;
   const T H4_2 = R4_12 * t4_7 + R4_22 * t4_9 + R4_32 * t4_10 + P4_3 * l4_1 - P4_1 * l4_3;
@@ -715,7 +796,9 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 // by: articulated; composite would take 253 add, 304 multiply, 6 divide, 6 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -766,8 +849,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -800,8 +883,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -827,12 +910,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -878,8 +960,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 4 (wheel) and what it carries
   // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   // v4 = invD4 u_4: u/D
   const T v4 = T(50) * u_4;
   // nt4 = N4 - v4 K4: moment with the turn solved [N m]
@@ -890,7 +972,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_2 = E4_13 * T(0.004566666666666667);
   const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
   const T b4_5 = b4_4 * E4_11;
   const T b4_6 = E4_11 * T(0.004566666666666667);
   const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
@@ -988,16 +1070,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
-  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
+  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
   // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
-      minus_effort_left_panel_2;
+  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
+      - T(0.6) * gp3_3;
   const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  const T n1_3 = T(0.6) * minus_G2_1 - (minus_N1_3 + minus_np4_3) + T(0.6) * G3_1 + np3_3 + np2_3;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -1027,16 +1109,16 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -1056,9 +1138,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
   const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
@@ -1075,7 +1157,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  const T minus_phi2 = minus_v2 + T(0.75) * beta2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
@@ -1095,8 +1177,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
   const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
-  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
-      alphaL4_3);
+  const T phi4 = v4 - T(0.5773502691896258) * alphaL4_1 - T(0.5773502691896258) * alphaL4_2 - T(0.5773502691896258) *
+      alphaL4_3;
   ydot[5] = phi4;
 }
 
@@ -1105,7 +1187,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 // 172 add, 185 multiply, 6 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1149,14 +1233,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T t1_18 = omega1_3 * omega1_2;
   const T U1_23 = t1_18 - omegadot1_1;
   const T U1_31 = t1_16 - omegadot1_2;
-  const T U1_32 = t1_18 + omegadot1_1;
+  const T U1_32 = omegadot1_1 + t1_18;
   const T minus_U1_33 = t1_14 + t1_17;
   // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
   const T Pddot1_3 = R1_31 * sddot1_1 + R1_32 * sddot1_2 + R1_33 * sddot1_3;
   // G1 = m_all_1 Pddot1 + U1 h_all_1 - F_thruster_: inertia less applied force, body axes [N]
-  const T G1_1 = T(142) * Pddot1_1 - U1_13 * T(0.8) - u.thrust;
+  const T G1_1 = T(142) * Pddot1_1 - u.thrust - U1_13 * T(0.8);
   const T G1_2 = T(142) * Pddot1_2 - U1_23 * T(0.8);
   const T G1_3 = T(142) * Pddot1_3 + minus_U1_33 * T(0.8);
   // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)) - r_thruster_~ F_thruster_: inertia less applied
@@ -1173,8 +1257,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot2 = y[3];
   const T thetaddot2 = ydot[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -1186,13 +1270,13 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   [1/s^2]
   const T U2_12 = omega2_2 * omega2_1 - omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
-  const T U2_32 = omega2_3 * omega2_2 + omegadot2_1;
+  const T U2_32 = omegadot2_1 + omega2_3 * omega2_2;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T t2_1 = U1_12 * T(0.6);
-  const T Pddot2_1 = t2_1 + Pddot1_1;
+  const T Pddot2_1 = Pddot1_1 + t2_1;
   const T t2_2 = U1_32 * T(0.6);
   const T t2_3 = minus_U1_22 * T(0.6);
-  const T Pddot2_3 = E2_22 * (t2_2 + Pddot1_3) - E2_23 * (Pddot1_2 - t2_3);
+  const T Pddot2_3 = E2_22 * (Pddot1_3 + t2_2) - E2_23 * (Pddot1_2 - t2_3);
   // effort_left_panel_2 = -theta2 k_left_panel_ - thetadot2 c_left_panel_: along the coordinate [N m], [N]
   const T minus_effort_left_panel_2 = theta2 * c.p.k + thetadot2 * c.p.c;
   // G2 = U2 h_own_2: inertia less applied force, body axes [N]
@@ -1209,8 +1293,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T thetadot3 = y[4];
   const T thetaddot3 = ydot[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -1222,7 +1306,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   //   [1/s^2]
   const T U3_12 = omega3_2 * omega3_1 - omegadot3_3;
   const T minus_U3_22 = omega3_3 * omega3_3 + omega3_1 * omega3_1;
-  const T U3_32 = omega3_3 * omega3_2 + omegadot3_1;
+  const T U3_32 = omegadot3_1 + omega3_3 * omega3_2;
   // Pddot3 = E3 (U1 q3 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot3_1 = Pddot1_1 - t2_1;
   const T Pddot3_3 = E3_22 * (Pddot1_3 - t2_2) - E3_23 * (t2_3 + Pddot1_2);
@@ -1238,13 +1322,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T N3_3 = T(9) * Pddot3_1 - T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1294,8 +1377,8 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 4 (wheel) and what it carries
   // r_theta4 = b4 . N4 - tau_wheel_: Kane's equation of the angle [N m]
-  const T r_theta4 = T(0.5773502691896257) * N4_1 + T(0.5773502691896257) * N4_2 + T(0.5773502691896257) * N4_3 -
-      u.wheel_torque;
+  const T r_theta4 = T(0.5773502691896257) * N4_1 - u.wheel_torque + T(0.5773502691896257) * N4_2 +
+      T(0.5773502691896257) * N4_3;
   r[5] = r_theta4;
 
   // ---- body 3 (right_panel) and what it carries
@@ -1311,16 +1394,16 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   // ---- body 1 (hub) and what it carries
   // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
   const T S1_1 = G2_1 - minus_G3_1 + G1_1;
-  const T S1_2 = E3_22 * G3_2 - (E2_22 * minus_G2_2 + E2_23 * G2_3) + E3_23 * minus_G3_3 + G1_2;
+  const T S1_2 = G1_2 - E2_22 * minus_G2_2 - E2_23 * G2_3 + E3_22 * G3_2 + E3_23 * minus_G3_3;
   const T b1_1 = E2_22 * G2_3 - E2_23 * minus_G2_2;
   const T b1_2 = E3_23 * G3_2 - E3_22 * minus_G3_3;
   const T S1_3 = b1_1 + b1_2 + G1_3;
   // r_omega1 = q2~ E2^T G2 + E2^T N2 + q3~ E3^T G3 + E3^T N3 + E4^T N4 + N1: Kane's equation of omega [N m]
-  const T r_omega1_1 = T(0.6) * b1_1 + N2_1 - T(0.6) * b1_2 + N3_1 + E4_11 * N4_1 + E4_13 * N4_2 + E4_12 * N4_3 +
-      N1_1;
-  const T r_omega1_2 = E2_23 * minus_N2_3 - E3_23 * N3_3 + E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3 + N1_2;
-  const T r_omega1_3 = E3_22 * N3_3 - (T(0.6) * G2_1 + E2_22 * minus_N2_3 + T(0.6) * minus_G3_1) + E4_13 * N4_1 +
-      E4_12 * N4_2 + E4_11 * N4_3 + N1_3;
+  const T r_omega1_1 = N2_1 + N3_1 + N1_1 + T(0.6) * b1_1 - T(0.6) * b1_2 + E4_11 * N4_1 + E4_13 * N4_2 + E4_12 *
+      N4_3;
+  const T r_omega1_2 = N1_2 + E2_23 * minus_N2_3 - E3_23 * N3_3 + E4_12 * N4_1 + E4_11 * N4_2 + E4_13 * N4_3;
+  const T r_omega1_3 = N1_3 - T(0.6) * G2_1 - E2_22 * minus_N2_3 - T(0.6) * minus_G3_1 + E3_22 * N3_3 + E4_13 * N4_1 +
+      E4_12 * N4_2 + E4_11 * N4_3;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -1338,8 +1421,10 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 // 65 add, 73 multiply, 6 sine or cosine
 template <class T>
 void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 81; ++i) A[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1367,23 +1452,20 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1409,7 +1491,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_3 = T(1.2) * minus_hc3_2;
   const T b1_4 = E4_13 * T(0.0021);
   const T b1_5 = E4_12 * T(0.0021);
-  const T b1_6 = E4_11 * T(0.0158) + b1_4 + b1_5;
+  const T b1_6 = b1_4 + b1_5 + E4_11 * T(0.0158);
   const T b1_7 = b1_6 * E4_11;
   const T b1_8 = E4_11 * T(0.0021);
   const T b1_9 = b1_5 + b1_8 + E4_13 * T(0.0158);
@@ -1422,14 +1504,14 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b1_15 = b1_9 * E4_11;
   const T b1_16 = b1_11 * E4_13;
   const T J1_12 = b1_14 + b1_15 + b1_16 + T(0.2);
-  const T J1_13 = b1_6 * E4_13 + b1_9 * E4_12 + b1_11 * E4_11 - T(0.1);
+  const T J1_13 = b1_6 * E4_13 - T(0.1) + b1_9 * E4_12 + b1_11 * E4_11;
   const T b1_17 = E2_23 * T(12);
   const T b1_18 = E3_23 * T(12);
-  const T b1_19 = b1_12 + b1_7 + b1_10 + (E2_23 * b1_17 + E3_23 * b1_18);
+  const T b1_19 = b1_12 + b1_7 + b1_10 + E2_23 * b1_17 + E3_23 * b1_18;
   const T J1_22 = b1_19 + T(15.66);
-  const T J1_23 = b1_16 - (E2_22 * b1_17 + E3_22 * b1_18) + b1_14 + b1_15 + T(0.3) - T(0.6) * hc2_3 - T(0.6) *
+  const T J1_23 = b1_16 + b1_14 + b1_15 + T(0.3) - E2_22 * b1_17 - E3_22 * b1_18 - T(0.6) * hc2_3 - T(0.6) *
       minus_hc3_3;
-  const T J1_33 = T(50.0274) - b1_19 + T(1.2) * hc2_2 + b1_3 - b1_13;
+  const T J1_33 = T(50.0274) - b1_19 + b1_3 - b1_13 + T(1.2) * hc2_2;
   A[0] = J1_11;
   A[1] = J1_12;
   A[9] = J1_12;
@@ -1449,7 +1531,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   A[46] = K_thetadot4_1_1;
   A[47] = K_thetadot4_1_1;
   // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = T(0.6) * minus_hc3_2 + T(12);
+  const T K_thetadot3_1_1 = T(12) + T(0.6) * minus_hc3_2;
   A[4] = K_thetadot3_1_1;
   A[36] = K_thetadot3_1_1;
   A[3] = b1_2;
@@ -1517,7 +1599,9 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
 template <class T>
 void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* xdot, T* ydot)
     noexcept {
-  using std::cos, std::sin;
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1568,8 +1652,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -1602,8 +1686,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -1629,12 +1713,11 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T N3_3 = t2_3 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -1680,8 +1763,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 
   // ---- body 4 (wheel) and what it carries
   // u_4 = b4 . N4 + tau_wheel_: drives it [N m], [N]
-  const T u_4 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T u_4 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   // v4 = invD4 u_4: u/D
   const T v4 = T(50) * u_4;
   // nt4 = N4 - v4 K4: moment with the turn solved [N m]
@@ -1692,7 +1775,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_2 = E4_13 * T(0.004566666666666667);
   const T b4_3 = E4_12 * T(0.004566666666666667);
-  const T b4_4 = E4_11 * T(0.009133333333333334) - b4_2 - b4_3;
+  const T b4_4 = E4_11 * T(0.009133333333333334) - (b4_2 + b4_3);
   const T b4_5 = b4_4 * E4_11;
   const T b4_6 = E4_11 * T(0.004566666666666667);
   const T b4_7 = E4_13 * T(0.009133333333333334) - (b4_3 + b4_6);
@@ -1790,16 +1873,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // g1 = G1 + gp3 + gp2: force that drives it, home axes [N]
   const T g1_1 = G1_1 + G3_1 - minus_G2_1;
-  const T g1_2 = G1_2 - minus_gp3_2 + gp2_2;
-  const T g1_3 = gp3_3 - minus_G1_3 + gp2_3;
+  const T g1_2 = gp2_2 - minus_gp3_2 + G1_2;
+  const T g1_3 = gp3_3 + gp2_3 - minus_G1_3;
   // n1 = q2~ gp2 + q3~ gp3 + N1 + np4 + np3 + np2: moment that drives it, body axes [N m]
-  const T n1_1 = T(0.6) * gp2_3 - T(0.6) * gp3_3 - minus_N1_1 - minus_np4_1 + minus_effort_right_panel_3 +
-      minus_effort_left_panel_2;
+  const T n1_1 = minus_effort_right_panel_3 - (minus_N1_1 + minus_np4_1) + minus_effort_left_panel_2 + T(0.6) * gp2_3
+      - T(0.6) * gp3_3;
   const T minus_n1_2 = minus_N1_2 + minus_np4_2 + minus_np3_2 + minus_np2_2;
-  const T n1_3 = T(0.6) * minus_G2_1 + T(0.6) * G3_1 - minus_N1_3 - minus_np4_3 + np3_3 + np2_3;
+  const T n1_3 = T(0.6) * minus_G2_1 - (minus_N1_3 + minus_np4_3) + T(0.6) * G3_1 + np3_3 + np2_3;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -1829,16 +1912,16 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T minus_w_1_2 = LD1_22 * b1_2;
   const T w_1_3 = LD1_33 * (n1_3 - LD1_31 * n1_1 + LD1_32 * b1_2);
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // gb1 = g1 - Y1^T w_1: force with the ball solved [N]
-  const T gb1_1 = HA1_21 * minus_w_1_2 - Y1_31 * w_1_3 + g1_1;
-  const T gb1_2 = g1_2 - (HA1_12 * w_1_1 + minus_Y1_22 * minus_w_1_2 + Y1_32 * w_1_3);
-  const T gb1_3 = g1_3 - (HA1_13 * w_1_1 + minus_Y1_23 * minus_w_1_2 + Y1_33 * w_1_3);
+  const T gb1_1 = g1_1 + HA1_21 * minus_w_1_2 - Y1_31 * w_1_3;
+  const T gb1_2 = g1_2 - HA1_12 * w_1_1 - minus_Y1_22 * minus_w_1_2 - Y1_32 * w_1_3;
+  const T gb1_3 = g1_3 - HA1_13 * w_1_1 - minus_Y1_23 * minus_w_1_2 - Y1_33 * w_1_3;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -1858,9 +1941,9 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T z1_1 = ws1_2 - LDs1_32 * ws1_3;
   const T Pddot1_1 = ws1_1 + minus_LDs1_21 * z1_1 + minus_LDs1_31 * ws1_3;
   // omegadot1 = L(LD1)^-T (-W1 Pddot1 + w_1)
-  const T z1_2 = w_1_3 - (W1_31 * Pddot1_1 + W1_32 * z1_1 + W1_33 * ws1_3);
+  const T z1_2 = w_1_3 - W1_31 * Pddot1_1 - W1_32 * z1_1 - W1_33 * ws1_3;
   const T z1_3 = minus_w_1_2 + W1_21 * Pddot1_1 - minus_W1_22 * z1_1 - minus_W1_23 * ws1_3 + LD1_32 * z1_2;
-  const T omegadot1_1 = w_1_1 - (W1_12 * z1_1 + W1_13 * ws1_3) + LD1_21 * z1_3 - LD1_31 * z1_2;
+  const T omegadot1_1 = w_1_1 - W1_12 * z1_1 - W1_13 * ws1_3 + LD1_21 * z1_3 - LD1_31 * z1_2;
   ydot[0] = omegadot1_1;
   ydot[1] = -z1_3;
   ydot[2] = z1_2;
@@ -1877,7 +1960,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T z2_1 = T(0.6) * omegadot1_1;
   const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 + E2_22 * z2_1;
   // phi2 = -kB2 . beta2 + v2 - (P_b2 kK2) . alphaL2
-  const T minus_phi2 = T(0.75) * beta2_3 + minus_v2;
+  const T minus_phi2 = minus_v2 + T(0.75) * beta2_3;
   // thetaddot2 = -b2 . alphaL2 + phi2
   const T minus_thetaddot2 = omegadot1_1 + minus_phi2;
   ydot[3] = -minus_thetaddot2;
@@ -1897,8 +1980,8 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   const T alphaL4_2 = E4_13 * omegadot1_1 - E4_11 * z1_3 + E4_12 * z1_2;
   const T alphaL4_3 = E4_12 * omegadot1_1 - E4_13 * z1_3 + E4_11 * z1_2;
   // phi4 = -kK4 . alphaL4 + v4
-  const T phi4 = v4 - (T(0.5773502691896258) * alphaL4_1 + T(0.5773502691896258) * alphaL4_2 + T(0.5773502691896258) *
-      alphaL4_3);
+  const T phi4 = v4 - T(0.5773502691896258) * alphaL4_1 - T(0.5773502691896258) * alphaL4_2 - T(0.5773502691896258) *
+      alphaL4_3;
   ydot[5] = phi4;
 
   // ---- body 1 (hub) on the inertial frame
@@ -1934,8 +2017,10 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
 //   cosine
 template <class T>
 void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* S) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 324; ++i) S[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -1987,8 +2072,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T theta2 = x[4];
   const T thetadot2 = y[3];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
   // omega2 = thetadot2 b2 + E2 omega1: absolute angular velocity, body axes [rad/s]
   const T omega2_1 = thetadot2 + omega1_1;
   const T omega2_2 = E2_22 * omega1_2 + E2_23 * omega1_3;
@@ -2022,8 +2107,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T theta3 = x[5];
   const T thetadot3 = y[4];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
   // omega3 = thetadot3 b3 + E3 omega1: absolute angular velocity, body axes [rad/s]
   const T omega3_1 = thetadot3 + omega1_1;
   const T omega3_2 = E3_22 * omega1_2 + E3_23 * omega1_3;
@@ -2050,12 +2135,11 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T N3_3 = t2_4 + T(12) * U3_12;
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   const T thetadot4 = y[5];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -2093,11 +2177,11 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_U4_33 = t4_12 + t4_15;
   // N4 = -axial(U4 (tr(I4)/2 - I4)): applied less inertia moment about the body origin, body axes [N m]
   const T t4_17 = T(0.0021) * (minus_U4_22 - minus_U4_33);
-  const T minus_N4_1 = T(0.0079) * U4_32 - T(0.0079) * U4_23 - t4_17 - T(0.0021) * U4_31 + T(0.0021) * U4_21;
+  const T minus_N4_1 = T(0.0079) * U4_32 - t4_17 - T(0.0079) * U4_23 - T(0.0021) * U4_31 + T(0.0021) * U4_21;
   const T t4_18 = T(0.0021) * (minus_U4_33 - minus_U4_11);
-  const T minus_N4_2 = T(0.0079) * U4_13 - T(0.0079) * U4_31 - t4_18 - T(0.0021) * U4_12 + T(0.0021) * U4_32;
+  const T minus_N4_2 = T(0.0079) * U4_13 - t4_18 - T(0.0079) * U4_31 - T(0.0021) * U4_12 + T(0.0021) * U4_32;
   const T t4_19 = T(0.0021) * (minus_U4_11 - minus_U4_22);
-  const T minus_N4_3 = T(0.0079) * U4_21 - T(0.0079) * U4_12 - t4_19 - T(0.0021) * U4_23 + T(0.0021) * U4_13;
+  const T minus_N4_3 = T(0.0079) * U4_21 - t4_19 - T(0.0079) * U4_12 - T(0.0021) * U4_23 + T(0.0021) * U4_13;
 
   // ---- body 3 (right_panel) and what it carries
   // hc3 = E3^T h_own_3: first moment carried, about the body origin, lower body's axes [kg m]
@@ -2114,19 +2198,19 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T S1_1 = G3_1 - minus_G2_1 + G1_1;
   const T b1_1 = E2_22 * G2_2;
   const T b1_2 = E3_22 * minus_G3_2;
-  const T S1_2 = E2_23 * minus_G2_3 + b1_1 - E3_23 * G3_3 - b1_2 + G1_2;
+  const T S1_2 = b1_1 - b1_2 + E2_23 * minus_G2_3 - E3_23 * G3_3 + G1_2;
   const T b1_3 = E2_23 * G2_2;
   const T b1_4 = E2_22 * minus_G2_3 - b1_3;
   const T b1_5 = E3_23 * minus_G3_2;
   const T b1_6 = b1_5 - E3_22 * G3_3;
   const T minus_S1_3 = minus_G1_3 + b1_4 + b1_6;
   // f_omega1 = q2~ E2^T G2 + E2^T N2 + q3~ E3^T G3 + E3^T N3 + E4^T N4 + N1: Kane's equation of omega [N m]
-  const T minus_f_omega1_1 = minus_N1_1 + T(0.6) * b1_4 + minus_N2_1 - T(0.6) * b1_6 + minus_N3_1 + E4_11 * minus_N4_1
+  const T minus_f_omega1_1 = minus_N1_1 + minus_N2_1 + minus_N3_1 + T(0.6) * b1_4 - T(0.6) * b1_6 + E4_11 * minus_N4_1
       + E4_13 * minus_N4_2 + E4_12 * minus_N4_3;
-  const T minus_f_omega1_2 = E2_23 * N2_3 + E3_23 * N3_3 + E4_12 * minus_N4_1 + E4_11 * minus_N4_2 + E4_13 *
-      minus_N4_3 + minus_N1_2;
-  const T f_omega1_3 = T(0.6) * minus_G2_1 + E2_22 * N2_3 + T(0.6) * G3_1 + E3_22 * N3_3 - E4_13 * minus_N4_1 - E4_12
-      * minus_N4_2 - E4_11 * minus_N4_3 - minus_N1_3;
+  const T minus_f_omega1_2 = minus_N1_2 + E2_23 * N2_3 + E3_23 * N3_3 + E4_12 * minus_N4_1 + E4_11 * minus_N4_2 +
+      E4_13 * minus_N4_3;
+  const T f_omega1_3 = T(0.6) * minus_G2_1 - minus_N1_3 + E2_22 * N2_3 + T(0.6) * G3_1 + E3_22 * N3_3 - E4_13 *
+      minus_N4_1 - E4_12 * minus_N4_2 - E4_11 * minus_N4_3;
   // h1 = h_all_1 + hc2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
   const T minus_h1_2 = minus_hc3_2 - hc2_2;
   const T h1_3 = hc2_3 - T(0.8) - minus_hc3_3;
@@ -2137,7 +2221,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T b1_9 = T(1.2) * minus_hc3_2;
   const T b1_10 = E4_13 * T(0.0021);
   const T b1_11 = E4_12 * T(0.0021);
-  const T b1_12 = E4_11 * T(0.0158) + b1_10 + b1_11;
+  const T b1_12 = b1_10 + b1_11 + E4_11 * T(0.0158);
   const T b1_13 = b1_12 * E4_11;
   const T b1_14 = E4_11 * T(0.0021);
   const T b1_15 = b1_11 + b1_14 + E4_13 * T(0.0158);
@@ -2153,25 +2237,25 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T J1_12 = b1_23 + T(0.2);
   const T b1_24 = b1_12 * E4_13 + b1_15 * E4_12 + b1_17 * E4_11;
   const T J1_13 = b1_24 - T(0.1);
-  const T b1_25 = b1_18 + b1_13 + b1_16;
-  const T b1_26 = E2_23 * T(12);
-  const T b1_27 = E2_23 * b1_26;
-  const T b1_28 = E3_23 * T(12);
-  const T b1_29 = E3_23 * b1_28;
-  const T J1_22 = b1_27 + b1_29 + b1_25 + T(15.66);
+  const T b1_25 = E2_23 * T(12);
+  const T b1_26 = E2_23 * b1_25;
+  const T b1_27 = E3_23 * T(12);
+  const T b1_28 = E3_23 * b1_27;
+  const T b1_29 = b1_18 + b1_13 + b1_16;
+  const T J1_22 = b1_26 + b1_28 + b1_29 + T(15.66);
   const T b1_30 = b1_22 + b1_20 + b1_21;
-  const T b1_31 = E2_22 * b1_26;
-  const T b1_32 = E3_22 * b1_28;
+  const T b1_31 = E2_22 * b1_25;
+  const T b1_32 = E3_22 * b1_27;
   const T J1_23 = b1_30 - (b1_31 + b1_32) + T(0.3) - T(0.6) * hc2_3 - T(0.6) * minus_hc3_3;
-  const T b1_33 = T(12) - b1_27;
-  const T b1_34 = T(12) - b1_29;
-  const T b1_35 = T(0.047400000000000005) - b1_19 - b1_25;
-  const T J1_33 = b1_33 + T(1.2) * hc2_2 + b1_9 + b1_34 + b1_35 + T(25.98);
+  const T b1_33 = T(12) - b1_26;
+  const T b1_34 = T(12) - b1_28;
+  const T b1_35 = T(0.047400000000000005) - b1_19 - b1_29;
+  const T J1_33 = b1_33 + b1_9 + b1_34 + b1_35 + T(25.98) + T(1.2) * hc2_2;
   // K_thetadot4_1 = E4^T K_thetadot4_4
   const T K_thetadot4_1_1 = E4_11 * T(0.011547005383792516) + E4_13 * T(0.011547005383792516) + E4_12 *
       T(0.011547005383792516);
   // K_thetadot3_1 = q3~ E3^T B_thetadot3_3 + E3^T K_thetadot3_3
-  const T K_thetadot3_1_1 = T(0.6) * minus_hc3_2 + T(12);
+  const T K_thetadot3_1_1 = T(12) + T(0.6) * minus_hc3_2;
   // D_omegadot1: pivots of L D L^T
   const T b1_36 = K_thetadot4_1_1 * T(50);
   const T b1_37 = b1_36 * K_thetadot4_1_1;
@@ -2225,8 +2309,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 1 (hub), solved
   // Pddot1: from A ydot = f by elimination
-  const T z1_1 = u.wheel_torque - (T(0.5773502691896257) * minus_N4_1 + T(0.5773502691896257) * minus_N4_2 +
-      T(0.5773502691896257) * minus_N4_3);
+  const T z1_1 = u.wheel_torque - T(0.5773502691896257) * minus_N4_1 - T(0.5773502691896257) * minus_N4_2 -
+      T(0.5773502691896257) * minus_N4_3;
   const T z1_2 = b1_36 * z1_1;
   const T z1_3 = minus_effort_right_panel_3 + minus_N3_1;
   const T z1_4 = minus_effort_left_panel_2 + minus_N2_1;
@@ -2258,7 +2342,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 4 (wheel), solved
   // thetaddot4: from A ydot = f by elimination
-  const T thetaddot4 = T(50) * z1_1 - b1_36 * omegadot1_1 - b1_36 * z1_13 - b1_36 * z1_12;
+  const T thetaddot4 = z1_1 * T(50) - b1_36 * omegadot1_1 - b1_36 * z1_13 - b1_36 * z1_12;
 
   // ---- body 1 (hub) on the inertial frame
   // U1 = omega1~ omega1~ + omegadot1~: takes a point fixed in the body to its acceleration due to rotation, body axes
@@ -2284,7 +2368,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // ---- body 2 (left_panel) on body 1
   // omegadot2 = -thetadot2 b2~ E2 omega1 + thetaddot2 b2 + E2 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot2_1_of_r = thetaddot2 + omegadot1_1;
-  const T omegadot2_3_of_r = E2_22 * z1_12 - E2_23 * z1_13 - minus_omegadot2_3;
+  const T omegadot2_3_of_r = E2_22 * z1_12 - minus_omegadot2_3 - E2_23 * z1_13;
   // U2 = omega2~ omega2~ + omegadot2~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T U2_12_of_r = t2_1 - omegadot2_3_of_r;
@@ -2306,7 +2390,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // ---- body 3 (right_panel) on body 1
   // omegadot3 = -thetadot3 b3~ E3 omega1 + thetaddot3 b3 + E3 omegadot1: angular acceleration, body axes [rad/s^2]
   const T omegadot3_1_of_r = thetaddot3 + omegadot1_1;
-  const T omegadot3_3_of_r = E3_22 * z1_12 - E3_23 * z1_13 - minus_omegadot3_3;
+  const T omegadot3_3_of_r = E3_22 * z1_12 - minus_omegadot3_3 - E3_23 * z1_13;
   // U3 = omega3~ omega3~ + omegadot3~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
   const T U3_12_of_r = t3_1 - omegadot3_3_of_r;
@@ -2338,11 +2422,11 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T U4_31_of_r = t4_14 - omegadot4_2_of_r;
   const T U4_32_of_r = t4_16 + omegadot4_1_of_r;
   // N4 = axial(U4 (tr(I4)/2 - I4)): inertia less applied moment about the body origin, body axes [N m]
-  const T N4_1_of_r = T(0.0079) * U4_32_of_r - T(0.0079) * U4_23_of_r - t4_17 - T(0.0021) * U4_31_of_r + T(0.0021) *
+  const T N4_1_of_r = T(0.0079) * U4_32_of_r - t4_17 - T(0.0079) * U4_23_of_r - T(0.0021) * U4_31_of_r + T(0.0021) *
       U4_21_of_r;
-  const T N4_2_of_r = T(0.0079) * U4_13_of_r - T(0.0079) * U4_31_of_r - t4_18 - T(0.0021) * U4_12_of_r + T(0.0021) *
+  const T N4_2_of_r = T(0.0079) * U4_13_of_r - t4_18 - T(0.0079) * U4_31_of_r - T(0.0021) * U4_12_of_r + T(0.0021) *
       U4_32_of_r;
-  const T N4_3_of_r = T(0.0079) * U4_21_of_r - T(0.0079) * U4_12_of_r - t4_19 - T(0.0021) * U4_23_of_r + T(0.0021) *
+  const T N4_3_of_r = T(0.0079) * U4_21_of_r - t4_19 - T(0.0079) * U4_12_of_r - T(0.0021) * U4_23_of_r + T(0.0021) *
       U4_13_of_r;
 
   // ---- body 4 (wheel) and what it carries
@@ -2429,7 +2513,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 
   // ---- body 1 (hub) and what it carries
   // S1 = E2^T G2 + E3^T G3 + G1: sum of the force balances of the subtree, body axes [N]
-  const T S1_1_of_inertia_xi = G2_1_of_r - minus_G3_1_of_r + G1_1_of_r;
+  const T S1_1_of_inertia_xi = G1_1_of_r + G2_1_of_r - minus_G3_1_of_r;
   const T b1_76 = b1_2 + E3_23 * minus_G3_3_of_r;
   const T b1_77 = b1_1 + E2_23 * G2_3_of_r;
   const T S1_2_of_inertia_xi = b1_76 - b1_77 + G1_2_of_r;
@@ -2441,16 +2525,16 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T b1_81 = E4_12 * N4_1_of_r + E4_11 * N4_2_of_r + E4_13 * N4_3_of_r;
   const T Mq_thetadot4_1_1 = (b1_23 * U1_21_of_r - b1_19 * minus_U1_11 + b1_24 * U1_31_of_r + KCc4_12 * omega1_3 -
       KCc4_13 * omega1_2) * T(0.5773502691896257) + (b1_80 + b1_19 * U1_12_of_r - b1_23 * minus_U1_22 + b1_24 *
-      U1_32_of_r + KCc4_13 * omega1_1 - KCc4_11 * omega1_3) * T(0.5773502691896257) + (b1_19 * U1_13_of_r + b1_23 *
-      U1_23_of_r - b1_24 * minus_U1_33 - b1_81 + KCc4_11 * omega1_2 - KCc4_12 * omega1_1) * T(0.5773502691896257);
+      U1_32_of_r + KCc4_13 * omega1_1 - KCc4_11 * omega1_3) * T(0.5773502691896257) + (b1_19 * U1_13_of_r - b1_81 +
+      b1_23 * U1_23_of_r - b1_24 * minus_U1_33 + KCc4_11 * omega1_2 - KCc4_12 * omega1_1) * T(0.5773502691896257);
   const T b1_82 = E4_11 * N4_1_of_r + E4_13 * N4_2_of_r + E4_12 * N4_3_of_r;
-  const T Mq_thetadot4_1_2 = (b1_25 * U1_21_of_r - b1_23 * minus_U1_11 + b1_30 * U1_31_of_r - b1_80 + KCc4_22 *
-      omega1_3 - KCc4_23 * omega1_2) * T(0.5773502691896257) + (b1_23 * U1_12_of_r - b1_25 * minus_U1_22 + b1_30 *
+  const T Mq_thetadot4_1_2 = (b1_29 * U1_21_of_r - b1_80 - b1_23 * minus_U1_11 + b1_30 * U1_31_of_r + KCc4_22 *
+      omega1_3 - KCc4_23 * omega1_2) * T(0.5773502691896257) + (b1_23 * U1_12_of_r - b1_29 * minus_U1_22 + b1_30 *
       U1_32_of_r + KCc4_23 * omega1_1 - KCc4_21 * omega1_3) * T(0.5773502691896257) + (b1_82 + b1_23 * U1_13_of_r +
-      b1_25 * U1_23_of_r - b1_30 * minus_U1_33 + KCc4_21 * omega1_2 - KCc4_22 * omega1_1) * T(0.5773502691896257);
+      b1_29 * U1_23_of_r - b1_30 * minus_U1_33 + KCc4_21 * omega1_2 - KCc4_22 * omega1_1) * T(0.5773502691896257);
   const T Mq_thetadot4_1_3 = (b1_81 + b1_30 * U1_21_of_r - b1_24 * minus_U1_11 + b1_35 * U1_31_of_r + KCc4_32 *
-      omega1_3 - KCc4_33 * omega1_2) * T(0.5773502691896257) + (b1_24 * U1_12_of_r - b1_30 * minus_U1_22 + b1_35 *
-      U1_32_of_r - b1_82 + KCc4_33 * omega1_1 - KCc4_31 * omega1_3) * T(0.5773502691896257) + (b1_24 * U1_13_of_r +
+      omega1_3 - KCc4_33 * omega1_2) * T(0.5773502691896257) + (b1_24 * U1_12_of_r - b1_82 - b1_30 * minus_U1_22 +
+      b1_35 * U1_32_of_r + KCc4_33 * omega1_1 - KCc4_31 * omega1_3) * T(0.5773502691896257) + (b1_24 * U1_13_of_r +
       b1_30 * U1_23_of_r - b1_35 * minus_U1_33 + KCc4_31 * omega1_2 - KCc4_32 * omega1_1) * T(0.5773502691896257);
   // Fq_thetadot3_1 = -((E3^T G3)~ + hc3~ U1 + hdotc3~ omega1~) b3
   const T minus_Fq_thetadot3_1_1 = minus_hc3_3 * U1_21_of_r - minus_hc3_2 * U1_31_of_r + minus_hdotc3_3 * omega1_3 -
@@ -2458,10 +2542,10 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_Fq_thetadot3_1_2 = b1_79 + minus_hc3_3 * minus_U1_11 + hdot3_1 * omega1_2;
   const T minus_Fq_thetadot3_1_3 = hdot3_1 * omega1_3 - (minus_hc3_2 * minus_U1_11 + b1_76);
   // Mq_thetadot3_1 = q3~ Fq_thetadot3_1 + (-(E3^T N3)~ + hc3~ Pddotc3~ + Jc3 U1 + KCc3 omega1~) b3
-  const T b1_83 = omega1_3 * KCc3_12 - omega1_2 * KCc3_13 + (Pddotc3_3 * minus_hc3_3 + Pddotc3_2 * minus_hc3_2);
+  const T b1_83 = omega1_3 * KCc3_12 - omega1_2 * KCc3_13 + Pddotc3_3 * minus_hc3_3 + Pddotc3_2 * minus_hc3_2;
   const T b1_84 = minus_U1_11 * T(12);
-  const T Mq_thetadot3_1_1 = T(0.6) * minus_Fq_thetadot3_1_3 + b1_83 - b1_84;
-  const T Mq_thetadot3_1_2 = b1_29 * U1_21_of_r - b1_32 * U1_31_of_r - E3_22 * N3_3_of_r + KCc3_22 * omega1_3 -
+  const T Mq_thetadot3_1_1 = b1_83 - b1_84 + T(0.6) * minus_Fq_thetadot3_1_3;
+  const T Mq_thetadot3_1_2 = b1_28 * U1_21_of_r - b1_32 * U1_31_of_r - E3_22 * N3_3_of_r + KCc3_22 * omega1_3 -
       KCc3_23 * omega1_2;
   const T Mq_thetadot3_1_3 = b1_34 * U1_31_of_r - b1_32 * U1_21_of_r - E3_23 * N3_3_of_r + KCc3_22 * omega1_2 - b3_4 *
       omega1_3 - T(0.6) * minus_Fq_thetadot3_1_1;
@@ -2471,9 +2555,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T minus_Fq_thetadot2_1_2 = b1_78 - hc2_3 * minus_U1_11 - minus_hdot2_1 * omega1_2;
   const T minus_Fq_thetadot2_1_3 = hc2_2 * minus_U1_11 + b1_77 - minus_hdot2_1 * omega1_3;
   // Mq_thetadot2_1 = q2~ Fq_thetadot2_1 + (-(E2^T N2)~ + hc2~ Pddotc2~ + Jc2 U1 + KCc2 omega1~) b2
-  const T b1_85 = omega1_3 * KCc2_12 - omega1_2 * KCc2_13 - (Pddotc2_3 * hc2_3 + Pddotc2_2 * hc2_2);
+  const T b1_85 = omega1_3 * KCc2_12 - omega1_2 * KCc2_13 - Pddotc2_3 * hc2_3 - Pddotc2_2 * hc2_2;
   const T Mq_thetadot2_1_1 = b1_85 - b1_84 - T(0.6) * minus_Fq_thetadot2_1_3;
-  const T Mq_thetadot2_1_2 = E2_22 * minus_N2_3_of_r + b1_27 * U1_21_of_r - b1_31 * U1_31_of_r + KCc2_22 * omega1_3 -
+  const T Mq_thetadot2_1_2 = E2_22 * minus_N2_3_of_r + b1_26 * U1_21_of_r - b1_31 * U1_31_of_r + KCc2_22 * omega1_3 -
       KCc2_23 * omega1_2;
   const T Mq_thetadot2_1_3 = T(0.6) * minus_Fq_thetadot2_1_1 + E2_23 * minus_N2_3_of_r + b1_33 * U1_31_of_r - b1_31 *
       U1_21_of_r + KCc2_22 * omega1_2 - b2_4 * omega1_3;
@@ -2576,13 +2660,13 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t72 = b1_44 * t69 - Pddot1_3_of_r * minus_h1_2 + b1_47 * t70;
   const T t73 = R1_31 * t71 - R1_11 * t22 - t18 * t41 - t20 * t39 - t9 * t68 + t11 * t67 + t13 * t69 - t15 * t70 - t17
       * t72;
-  const T t74 = t40 * t19 + t38 * t21;
-  const T t75 = t42 * t41 + t43 * t39;
-  const T t76 = R1_32 * t71 - R1_12 * t22 - t74 + t75 - t27 * t68 + t29 * t67 + t31 * t69 - t33 * t70 - t35 * t72 +
+  const T t74 = t42 * t41 + t43 * t39;
+  const T t75 = t40 * t19 + t38 * t21;
+  const T t76 = t74 - t75 + R1_32 * t71 - R1_12 * t22 - t27 * t68 + t29 * t67 + t31 * t69 - t33 * t70 - t35 * t72 +
       t37 * t73;
-  const T t77 = t40 * t21 - t38 * t19;
-  const T t78 = t43 * t41 - t42 * t39;
-  const T t79 = (R1_33 * t71 - R1_13 * t22 - t77 + t78 - t47 * t68 + t49 * t67 + t51 * t69 - t53 * t70 - t55 * t72 +
+  const T t77 = t43 * t41 - t42 * t39;
+  const T t78 = t40 * t21 - t38 * t19;
+  const T t79 = (t77 - t78 + R1_33 * t71 - R1_13 * t22 - t47 * t68 + t49 * t67 + t51 * t69 - t53 * t70 - t55 * t72 +
       t57 * t73 + t59 * t76) * t60;
   const T t80 = t76 * t45 + t59 * t79;
   const T t81 = t73 * t25 + t37 * t80 + t57 * t79;
@@ -2597,9 +2681,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t89 = b1_47 * t88 - (t2 + b1_44 * t87);
   const T t90 = t20 * t41 - (R1_11 * t23 + R1_21 * t71 + t18 * t39) - t9 * t86 + t11 * t85 + t13 * t87 + t15 * t88 +
       t17 * t89;
-  const T t91 = t29 * t85 - (R1_12 * t23 + R1_22 * t71 + t77 + t78 + t27 * t86) + t31 * t87 + t33 * t88 + t35 * t89 +
+  const T t91 = t29 * t85 - (t78 + t77 + R1_12 * t23 + R1_22 * t71 + t27 * t86) + t31 * t87 + t33 * t88 + t35 * t89 +
       t37 * t90;
-  const T t92 = (t74 + t75 - R1_13 * t23 - R1_23 * t71 - t47 * t86 + t49 * t85 + t51 * t87 + t53 * t88 + t55 * t89 +
+  const T t92 = (t75 + t74 - R1_13 * t23 - R1_23 * t71 - t47 * t86 + t49 * t85 + t51 * t87 + t53 * t88 + t55 * t89 +
       t57 * t90 + t59 * t91) * t60;
   const T t93 = t91 * t45 + t59 * t92;
   const T t94 = t90 * t25 + t37 * t93 + t57 * t92;
@@ -2648,9 +2732,9 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t128 = KCc4_13 * T(0.5773502691896257) + KCc4_23 * T(0.5773502691896257) + KCc4_33 * T(0.5773502691896257);
   const T t129 = b1_23 * T(0.5773502691896257);
   const T t130 = b1_24 * T(0.5773502691896257);
-  const T t131 = b1_19 * T(0.5773502691896257) + t129 + t130;
+  const T t131 = t129 + t130 + b1_19 * T(0.5773502691896257);
   const T t132 = b1_30 * T(0.5773502691896257);
-  const T t133 = t129 + b1_25 * T(0.5773502691896257) + t132;
+  const T t133 = t129 + t132 + b1_29 * T(0.5773502691896257);
   const T t134 = t130 + t132 + b1_35 * T(0.5773502691896257);
   const T t135 = (t123 - t124) * t125 + (t124 - t126) * t127 + (t126 - t123) * t128 + (U1_12_of_r *
       T(0.5773502691896257) - minus_U1_11 * T(0.5773502691896257) + U1_13_of_r * T(0.5773502691896257)) * t131 +
@@ -2682,17 +2766,17 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t157 = t156 * minus_hc3_3;
   const T t158 = t156 * hc2_3;
   const T t159 = t157 + t158;
-  const T t160 = omega1_3 * t133 - omega1_2 * t134 + t125;
+  const T t160 = t125 + omega1_3 * t133 - omega1_2 * t134;
   const T t161 = b1_36 * t160;
   const T t162 = t149 - t151 + t154 - t159 - KCc4_11 + t161 + b1_38 * t157 + b1_39 * t158;
-  const T t163 = omega1_2 * J1_23 - omega1_3 * J1_22 - t155 * T(0.1) + t150 * T(9.5) - KCc4_21 + t161 - b1_42 * t162;
-  const T t164 = omega1_2 * J1_33 - omega1_3 * J1_23 - t148 * T(9.5) - t155 * T(0.2) - KCc4_31 + t161 - b1_44 * t162 -
+  const T t163 = t161 - KCc4_21 + omega1_2 * J1_23 - omega1_3 * J1_22 - t155 * T(0.1) + t150 * T(9.5) - b1_42 * t162;
+  const T t164 = t161 - KCc4_31 + omega1_2 * J1_33 - omega1_3 * J1_23 - t148 * T(9.5) - t155 * T(0.2) - b1_44 * t162 -
       b1_47 * t163;
   const T t165 = hdotc2_3 - minus_hdotc3_3;
   const T t166 = h1_3 * omega1_3;
   const T t167 = minus_h1_2 * omega1_2;
   const T t168 = t166 - t167;
-  const T t169 = t155 * T(0.8) - minus_hdotc2_2 + hdotc3_2;
+  const T t169 = hdotc3_2 - minus_hdotc2_2 + t155 * T(0.8);
   const T t170 = R1_21 * t165 - R1_11 * t168 - R1_31 * t169 + t9 * t157 + t11 * t158 + t13 * t162 - t15 * t163 + t17 *
       t164;
   const T t171 = R1_22 * t165 - R1_12 * t168 - R1_32 * t169 + t27 * t157 + t29 * t158 + t31 * t162 - t33 * t163 + t35
@@ -2705,20 +2789,20 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t176 = t163 * b1_46 - b1_47 * t175 - t15 * t174 - t33 * t173 - t53 * t172;
   const T t177 = t162 * b1_41 - b1_42 * t176 - b1_44 * t175 + t13 * t174 + t31 * t173 + t51 * t172;
   S[171] = t177;
-  const T t178 = t150 * T(0.6);
-  const T t179 = KCc2_12 + t178 * hc2_2;
-  const T t180 = KCc3_12 + t178 * minus_hc3_2;
-  const T t181 = omega1_1 * t134 - omega1_3 * t131 + t127;
-  const T t182 = b1_36 * t181;
-  const T t183 = t180 - omega1_3 * K_thetadot3_1_1;
-  const T t184 = t179 - omega1_3 * b1_8;
-  const T t185 = omega1_3 * J1_11 - omega1_1 * J1_13 - KCc4_12 - t150 * T(16.48) - t148 * T(0.3) - T(0.6) *
-      minus_hdot2_1 - T(0.6) * hdot3_1 - t179 - t180 + t182 + b1_38 * t183 + b1_39 * t184;
-  const T t186 = KCc3_22 + KCc2_22 + (omega1_1 * J1_23 - t155 * T(0.3));
-  const T t187 = t151 - t186 - t159 - KCc4_22 + t182 - b1_42 * t185;
-  const T t188 = omega1_3 * J1_13 - omega1_1 * J1_33 + t148 * T(0.2) + t155 * T(16.48) + T(0.6) * hdotc2_3 + T(0.6) *
-      minus_hdotc3_3 + hc2_2 * t156 + minus_hc3_2 * t156 + b2_4 + b3_4 - KCc4_32 + t182 - b1_44 * t185 - b1_47 * t187;
-  const T t189 = hdot3_1 - (t148 * T(0.8) + minus_hdot2_1);
+  const T t178 = t127 + omega1_1 * t134 - omega1_3 * t131;
+  const T t179 = b1_36 * t178;
+  const T t180 = t150 * T(0.6);
+  const T t181 = KCc2_12 + t180 * hc2_2;
+  const T t182 = KCc3_12 + t180 * minus_hc3_2;
+  const T t183 = t182 - omega1_3 * K_thetadot3_1_1;
+  const T t184 = t181 - omega1_3 * b1_8;
+  const T t185 = t179 - (KCc4_12 + t181 + t182) + omega1_3 * J1_11 - omega1_1 * J1_13 - t150 * T(16.48) - t148 *
+      T(0.3) - T(0.6) * minus_hdot2_1 - T(0.6) * hdot3_1 + b1_38 * t183 + b1_39 * t184;
+  const T t186 = KCc3_22 + KCc2_22 + omega1_1 * J1_23 - t155 * T(0.3);
+  const T t187 = t151 - t186 - t159 - KCc4_22 + t179 - b1_42 * t185;
+  const T t188 = b2_4 + b3_4 - KCc4_32 + t179 + omega1_3 * J1_13 - omega1_1 * J1_33 + t148 * T(0.2) + t155 * T(16.48)
+      + T(0.6) * hdotc2_3 + T(0.6) * minus_hdotc3_3 + hc2_2 * t156 + minus_hc3_2 * t156 - b1_44 * t185 - b1_47 * t187;
+  const T t189 = hdot3_1 - minus_hdot2_1 - t148 * T(0.8);
   const T t190 = t189 - minus_h1_2 * omega1_3;
   const T t191 = minus_h1_2 * omega1_1 + t165;
   const T t192 = R1_31 * t190 - (R1_11 * t191 + R1_21 * t166) + t9 * t183 + t11 * t184 + t13 * t185 - t15 * t187 + t17
@@ -2733,18 +2817,18 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t198 = t187 * b1_46 - b1_47 * t197 - t15 * t196 - t33 * t195 - t53 * t194;
   const T t199 = t185 * b1_41 - b1_42 * t198 - b1_44 * t197 + t13 * t196 + t31 * t195 + t51 * t194;
   S[172] = t199;
-  const T t200 = KCc2_13 + t178 * hc2_3;
-  const T t201 = KCc3_13 + t178 * minus_hc3_3;
-  const T t202 = omega1_2 * t131 - omega1_1 * t133 + t128;
-  const T t203 = b1_36 * t202;
-  const T t204 = t201 + omega1_2 * K_thetadot3_1_1;
-  const T t205 = t200 + omega1_2 * b1_8;
-  const T t206 = omega1_1 * J1_12 - omega1_2 * J1_11 + t150 * T(0.3) + t148 * T(6.16) - t200 - t201 - KCc4_13 + t203 +
-      b1_38 * t204 + b1_39 * t205;
-  const T t207 = omega1_1 * J1_22 - omega1_2 * J1_12 + t150 * T(0.1) - t155 * T(6.16) - KCc2_23 - KCc3_23 - KCc4_23 +
-      t203 - b1_42 * t206;
-  const T t208 = t186 - t149 + t154 - KCc4_33 + t203 - b1_44 * t206 - b1_47 * t207;
-  const T t209 = h1_3 * omega1_1 + t169;
+  const T t200 = t128 + omega1_2 * t131 - omega1_1 * t133;
+  const T t201 = b1_36 * t200;
+  const T t202 = KCc2_13 + t180 * hc2_3;
+  const T t203 = KCc3_13 + t180 * minus_hc3_3;
+  const T t204 = t203 + omega1_2 * K_thetadot3_1_1;
+  const T t205 = t202 + omega1_2 * b1_8;
+  const T t206 = t201 - (t202 + t203 + KCc4_13) + omega1_1 * J1_12 - omega1_2 * J1_11 + t150 * T(0.3) + t148 * T(6.16)
+      + b1_38 * t204 + b1_39 * t205;
+  const T t207 = t201 - (KCc2_23 + KCc3_23 + KCc4_23) + omega1_1 * J1_22 - omega1_2 * J1_12 + t150 * T(0.1) - t155 *
+      T(6.16) - b1_42 * t206;
+  const T t208 = t186 - t149 + t154 - KCc4_33 + t201 - b1_44 * t206 - b1_47 * t207;
+  const T t209 = t169 + h1_3 * omega1_1;
   const T t210 = h1_3 * omega1_2 - t189;
   const T t211 = R1_11 * t209 + R1_21 * t210 + R1_31 * t167 + t9 * t204 + t11 * t205 + t13 * t206 - t15 * t207 + t17 *
       t208;
@@ -2759,7 +2843,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t218 = t206 * b1_41 - b1_42 * t217 - b1_44 * t216 + t13 * t215 + t31 * t214 + t51 * t213;
   S[173] = t218;
   const T t219 = t153 + b1_39 * c.p.c;
-  const T t220 = b1_27 * t150 + b1_31 * t148 + b1_42 * t219;
+  const T t220 = b1_26 * t150 + b1_31 * t148 + b1_42 * t219;
   const T t221 = T(2) * hc2_3 * omega1_3 + T(2) * hc2_2 * omega1_2;
   const T t222 = T(0.6) * t221 + b1_31 * t150 + b1_33 * t148 - b1_44 * t219 + b1_47 * t220;
   const T t223 = R1_21 * hdotc2_3 - R1_11 * t221 + R1_31 * minus_hdotc2_2 + t11 * c.p.c + t13 * t219 + t15 * t220 +
@@ -2775,7 +2859,7 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t230 = t219 * b1_41 + b1_42 * t229 - b1_44 * t228 + t13 * t227 + t31 * t226 + t51 * t225;
   S[174] = t230;
   const T t231 = t152 + b1_38 * c.p.c;
-  const T t232 = b1_29 * t150 + b1_32 * t148 + b1_42 * t231;
+  const T t232 = b1_28 * t150 + b1_32 * t148 + b1_42 * t231;
   const T t233 = T(2) * minus_hc3_3 * omega1_3 + T(2) * minus_hc3_2 * omega1_2;
   const T t234 = T(0.6) * t233 + b1_32 * t150 + b1_34 * t148 - b1_44 * t231 + b1_47 * t232;
   const T t235 = R1_11 * t233 - R1_21 * minus_hdotc3_3 - R1_31 * hdotc3_2 + t9 * c.p.c + t13 * t231 + t15 * t232 + t17
@@ -2798,14 +2882,14 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   const T t247 = b1_36 * t246;
   const T t248 = b1_23 * t150;
   const T t249 = b1_24 * t148;
-  const T t250 = t247 - ((t248 - t249 + KCc4_11) * T(0.5773502691896257) + (b1_24 * t155 - b1_19 * t150 + KCc4_12) *
-      T(0.5773502691896257) + (b1_19 * t148 - b1_23 * t155 + KCc4_13) * T(0.5773502691896257));
+  const T t250 = t247 - (t248 - t249 + KCc4_11) * T(0.5773502691896257) - (KCc4_12 + b1_24 * t155 - b1_19 * t150) *
+      T(0.5773502691896257) - (KCc4_13 + b1_19 * t148 - b1_23 * t155) * T(0.5773502691896257);
   const T t251 = b1_30 * t155;
-  const T t252 = t247 - ((b1_25 * t150 - b1_30 * t148 + KCc4_21) * T(0.5773502691896257) + (t251 - t248 + KCc4_22) *
-      T(0.5773502691896257) + (b1_23 * t148 - b1_25 * t155 + KCc4_23) * T(0.5773502691896257)) - b1_42 * t250;
-  const T t253 = t247 - ((b1_30 * t150 - b1_35 * t148 + KCc4_31) * T(0.5773502691896257) + (b1_35 * t155 - b1_24 *
-      t150 + KCc4_32) * T(0.5773502691896257) + (t249 - t251 + KCc4_33) * T(0.5773502691896257)) - b1_44 * t250 -
-      b1_47 * t252;
+  const T t252 = t247 - (KCc4_21 + b1_29 * t150 - b1_30 * t148) * T(0.5773502691896257) - (t251 - t248 + KCc4_22) *
+      T(0.5773502691896257) - (KCc4_23 + b1_23 * t148 - b1_29 * t155) * T(0.5773502691896257) - b1_42 * t250;
+  const T t253 = t247 - (KCc4_31 + b1_30 * t150 - b1_35 * t148) * T(0.5773502691896257) - (KCc4_32 + b1_35 * t155 -
+      b1_24 * t150) * T(0.5773502691896257) - (t249 - t251 + KCc4_33) * T(0.5773502691896257) - b1_44 * t250 - b1_47 *
+      t252;
   const T t254 = t17 * t253 - (t15 * t252 - t13 * t250);
   const T t255 = t35 * t253 - (t33 * t252 - t31 * t250) + t37 * t254;
   const T t256 = (t55 * t253 - (t53 * t252 - t51 * t250) + t57 * t254 + t59 * t255) * t60;
@@ -2870,8 +2954,8 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   S[256] = -(b1_36 * t122 - b1_36 * t121 + b1_36 * t120);
   S[257] = -(t135 * T(50) + b1_36 * t147 + b1_36 * t146 + b1_36 * t145);
   S[261] = -(t160 * T(50) + b1_36 * t177 + b1_36 * t176 + b1_36 * t175);
-  S[262] = -(t181 * T(50) + b1_36 * t199 + b1_36 * t198 + b1_36 * t197);
-  S[263] = -(t202 * T(50) + b1_36 * t218 + b1_36 * t217 + b1_36 * t216);
+  S[262] = -(t178 * T(50) + b1_36 * t199 + b1_36 * t198 + b1_36 * t197);
+  S[263] = -(t200 * T(50) + b1_36 * t218 + b1_36 * t217 + b1_36 * t216);
   S[264] = -(b1_36 * t230 - b1_36 * t229 + b1_36 * t228);
   S[265] = -(b1_36 * t242 - b1_36 * t241 + b1_36 * t240);
   S[266] = -(t246 * T(50) + b1_36 * t261 + b1_36 * t260 + b1_36 * t259);
@@ -2921,8 +3005,10 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
 template <class T>
 void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unused]] const T* y, [[maybe_unused]]
     const Inputs<T>& u, T* B) noexcept {
-  using std::cos, std::sin;
   for (int i = 0; i < 36; ++i) B[i] = T(0);
+  T cosines[7], sines[7];  // of angles, at their places in x
+  using kanec_cos_sin::cos_sin;
+  cos_sin(x + 4, 3, cosines + 4, sines + 4);
 
   // ---- body 1 (hub) on the inertial frame
   const T eps1_1 = x[0], eps1_2 = x[1], eps1_3 = x[2], eps1_4 = x[3];
@@ -2950,23 +3036,20 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T R1_33 = t1_10 - t1_2;
 
   // ---- body 2 (left_panel) on body 1
-  const T theta2 = x[4];
   // E2^T = Rot(b2, theta2): E takes components in the lower body to those in the body
-  const T E2_22 = cos(theta2);
-  const T E2_23 = sin(theta2);
+  const T E2_22 = cosines[4];
+  const T E2_23 = sines[4];
 
   // ---- body 3 (right_panel) on body 1
-  const T theta3 = x[5];
   // E3^T = Rot(b3, theta3): E takes components in the lower body to those in the body
-  const T E3_22 = cos(theta3);
-  const T E3_23 = sin(theta3);
+  const T E3_22 = cosines[5];
+  const T E3_23 = sines[5];
 
   // ---- body 4 (wheel) on body 1
-  const T theta4 = x[6];
   // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T t4_1 = cos(theta4);
-  const T E4_11 = t4_1 * T(0.6666666666666666) + T(0.3333333333333334);
-  const T t4_2 = sin(theta4) * T(0.5773502691896257);
+  const T t4_1 = cosines[6];
+  const T E4_11 = T(0.3333333333333334) + t4_1 * T(0.6666666666666666);
+  const T t4_2 = sines[6] * T(0.5773502691896257);
   const T t4_3 = T(0.3333333333333333) - t4_1 * T(0.3333333333333333);
   const T E4_12 = t4_2 + t4_3;
   const T E4_13 = t4_3 - t4_2;
@@ -2975,7 +3058,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
   const T b4_1 = E4_13 * T(0.004566666666666667);
   const T b4_2 = E4_12 * T(0.004566666666666667);
-  const T b4_3 = E4_11 * T(0.009133333333333334) - b4_1 - b4_2;
+  const T b4_3 = E4_11 * T(0.009133333333333334) - (b4_1 + b4_2);
   const T b4_4 = b4_3 * E4_11;
   const T b4_5 = E4_11 * T(0.004566666666666667);
   const T b4_6 = E4_13 * T(0.009133333333333334) - (b4_2 + b4_5);
@@ -3045,7 +3128,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T JA1_13 = Jp4_13 - T(0.1);
   const T JA1_22 = T(15.66) + Jp4_22 + Jp3_22 + Jp2_22;
   const T JA1_23 = T(0.3) + Jp4_23 - minus_Jp3_23 - minus_Jp2_23 - T(0.6) * Hp2_21 - T(0.6) * minus_Hp3_21;
-  const T JA1_33 = T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31 + T(25.98) + Jp4_33 + Jp3_33 + Jp2_33;
+  const T JA1_33 = T(25.98) + Jp4_33 + Jp3_33 + Jp2_33 + T(1.2) * minus_Hp2_31 + T(1.2) * Hp3_31;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -3070,12 +3153,12 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T W1_32 = LD1_33 * Y1_32;
   const T W1_33 = LD1_33 * Y1_33;
   // M1 = MA1 - Y1^T W1: MA less what the ball takes up [kg]
-  const T M1_11 = T(142) - (HA1_21 * W1_21 + Y1_31 * W1_31);
+  const T M1_11 = T(142) - HA1_21 * W1_21 - Y1_31 * W1_31;
   const T minus_M1_12 = Y1_31 * W1_32 - HA1_21 * minus_W1_22;
   const T minus_M1_13 = Y1_31 * W1_33 - HA1_21 * minus_W1_23;
-  const T M1_22 = MA1_22 - (HA1_12 * W1_12 + minus_Y1_22 * minus_W1_22 + Y1_32 * W1_32);
-  const T M1_23 = MA1_23 - (HA1_12 * W1_13 + minus_Y1_22 * minus_W1_23 + Y1_32 * W1_33);
-  const T M1_33 = MA1_33 - (HA1_13 * W1_13 + minus_Y1_23 * minus_W1_23 + Y1_33 * W1_33);
+  const T M1_22 = MA1_22 - HA1_12 * W1_12 - minus_Y1_22 * minus_W1_22 - Y1_32 * W1_32;
+  const T M1_23 = MA1_23 - HA1_12 * W1_13 - minus_Y1_22 * minus_W1_23 - Y1_32 * W1_33;
+  const T M1_33 = MA1_33 - HA1_13 * W1_13 - minus_Y1_23 * minus_W1_23 - Y1_33 * W1_33;
   // LDs1 = L D L^T of M1: L D L^T = M: L, and 1/D on the diagonal
   const T LDs1_11 = T(1) / M1_11;
   const T minus_LDs1_21 = LDs1_11 * minus_M1_12;
@@ -3086,7 +3169,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T LDs1_33 = T(1) / (M1_33 - minus_LDs1_31 * minus_M1_13 - LDs1_32 * b1_2);
 
   // ---- results
-  const T t1 = E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258) + E4_11 * T(0.5773502691896258);
+  const T t1 = E4_11 * T(0.5773502691896258) + E4_12 * T(0.5773502691896258) + E4_13 * T(0.5773502691896258);
   const T t2 = t1 - LD1_21 * t1;
   const T t3 = LD1_22 * t2;
   const T t4 = LD1_11 * t1;
@@ -3096,7 +3179,7 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   const T t8 = LDs1_33 * (HA1_13 * t4 - minus_Y1_23 * t3 - Y1_33 * t5 - minus_LDs1_31 * t6 + LDs1_32 * t7);
   const T t9 = LDs1_22 * t7 + LDs1_32 * t8;
   const T t10 = minus_LDs1_31 * t8 - (LDs1_11 * t6 + minus_LDs1_21 * t9);
-  const T t11 = W1_32 * t9 - W1_31 * t10 - W1_33 * t8 + t5;
+  const T t11 = t5 + W1_32 * t9 - W1_31 * t10 - W1_33 * t8;
   const T t12 = t3 + W1_21 * t10 + minus_W1_22 * t9 - minus_W1_23 * t8 + LD1_32 * t11;
   const T t13 = W1_12 * t9 - (t4 + W1_13 * t8) + LD1_21 * t12 - LD1_31 * t11;
   B[18] = t13;
@@ -3120,8 +3203,8 @@ void input_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, [[maybe_unu
   B[25] = -(t22 + T(0.75) * (E2_22 * t17 - E2_23 * t18 + E2_22 * t24));
   B[26] = T(0.75) * (E3_22 * t8 + E3_23 * t9 - E3_22 * t23) - t13;
   B[27] = T(0.75) * (E3_22 * t17 - E3_23 * t18 - E3_22 * t24) - t22;
-  B[28] = T(50) - (T(0.5773502691896258) * (E4_11 * t13 - E4_12 * t12 + E4_13 * t11) + T(0.5773502691896258) * (E4_13
-      * t13 - E4_11 * t12 + E4_12 * t11) + T(0.5773502691896258) * (E4_12 * t13 - E4_13 * t12 + E4_11 * t11));
+  B[28] = T(50) - T(0.5773502691896258) * (E4_11 * t13 - E4_12 * t12 + E4_13 * t11) - T(0.5773502691896258) * (E4_13 *
+      t13 - E4_11 * t12 + E4_12 * t11) - T(0.5773502691896258) * (E4_12 * t13 - E4_13 * t12 + E4_11 * t11);
   B[29] = -(T(0.5773502691896258) * (E4_11 * t22 - E4_12 * t21 - E4_13 * t20) + T(0.5773502691896258) * (E4_13 * t22 -
       E4_11 * t21 - E4_12 * t20) + T(0.5773502691896258) * (E4_12 * t22 - E4_13 * t21 - E4_11 * t20));
   B[30] = R1_11 * t10 - R1_21 * t9 + R1_31 * t8;
@@ -3171,9 +3254,9 @@ void tip_position([[maybe_unused]] const Prepared<T>& c, const T* x, T* position
   const T P2_3 = s1_3 + R1_23 * T(0.6);
 
   // ---- results
-  position[0] = R2_21 * T(2) + P2_1;
-  position[1] = R2_22 * T(2) + P2_2;
-  position[2] = R2_23 * T(2) + P2_3;
+  position[0] = P2_1 + R2_21 * T(2);
+  position[1] = P2_2 + R2_22 * T(2);
+  position[2] = P2_3 + R2_23 * T(2);
 }
 
 // tip_acceleration: acceleration of tip, inertial axes.
@@ -3215,7 +3298,7 @@ void tip_acceleration([[maybe_unused]] const Prepared<T>& c, const T* x, const T
   //   [1/s^2]
   const T U1_12 = omega1_2 * omega1_1 - omegadot1_3;
   const T minus_U1_22 = omega1_3 * omega1_3 + omega1_1 * omega1_1;
-  const T U1_32 = omega1_3 * omega1_2 + omegadot1_1;
+  const T U1_32 = omegadot1_1 + omega1_3 * omega1_2;
   // Pddot1 = R1 sddot1: acceleration of the body origin, less gravity, body axes [m/s^2]
   const T Pddot1_1 = R1_11 * sddot1_1 + R1_12 * sddot1_2 + R1_13 * sddot1_3;
   const T Pddot1_2 = R1_21 * sddot1_1 + R1_22 * sddot1_2 + R1_23 * sddot1_3;
@@ -3247,11 +3330,11 @@ void tip_acceleration([[maybe_unused]] const Prepared<T>& c, const T* x, const T
   //   [1/s^2]
   const T U2_12 = omega2_2 * omega2_1 - omegadot2_3;
   const T minus_U2_22 = omega2_3 * omega2_3 + omega2_1 * omega2_1;
-  const T U2_32 = omega2_3 * omega2_2 + omegadot2_1;
+  const T U2_32 = omegadot2_1 + omega2_3 * omega2_2;
   // Pddot2 = E2 (U1 q2 + Pddot1): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot2_1 = U1_12 * T(0.6) + Pddot1_1;
+  const T Pddot2_1 = Pddot1_1 + U1_12 * T(0.6);
   const T t2_1 = Pddot1_2 - minus_U1_22 * T(0.6);
-  const T t2_2 = U1_32 * T(0.6) + Pddot1_3;
+  const T t2_2 = Pddot1_3 + U1_32 * T(0.6);
   const T Pddot2_2 = E2_22 * t2_1 + E2_23 * t2_2;
   const T Pddot2_3 = E2_22 * t2_2 - E2_23 * t2_1;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9fcda2cfbfc1a497 of six_body_free/scene.toml; the usual functions
+// model 3dd6528f89fffe08 of six_body_free/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -45,7 +45,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9fcda2cfbfc1a497";
+inline constexpr char model_hash[] = "3dd6528f89fffe08";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -379,9 +379,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45) + P2_1;
-  const T p2_2 = R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45) + P2_2;
-  const T p2_3 = R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45);
+  const T p2_2 = P2_2 + R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45);
+  const T p2_3 = P2_3 + R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45);
   pose[21] = p2_1;
   pose[22] = p2_2;
   pose[23] = p2_3;
@@ -425,13 +425,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02);
   pose[33] = p3_1;
   pose[34] = p3_2;
   pose[35] = p3_3;
@@ -475,13 +475,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
   // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
-  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
-  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
-  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  const T P4_1 = P2_1 + R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3;
+  const T P4_2 = P2_2 + R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3;
+  const T P4_3 = P2_3 + R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1) + P4_1;
-  const T p4_2 = R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1) + P4_2;
-  const T p4_3 = R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1) + P4_3;
+  const T p4_1 = P4_1 + R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1);
+  const T p4_2 = P4_2 + R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1);
+  const T p4_3 = P4_3 + R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1);
   pose[45] = p4_1;
   pose[46] = p4_2;
   pose[47] = p4_3;
@@ -529,9 +529,9 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
   const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04) + P5_1;
-  const T p5_2 = R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04) + P5_2;
-  const T p5_3 = R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04);
+  const T p5_2 = P5_2 + R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04);
+  const T p5_3 = P5_3 + R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04);
   pose[57] = p5_1;
   pose[58] = p5_2;
   pose[59] = p5_3;
@@ -575,13 +575,13 @@ void poses([[maybe_unused]] const Prepared<T>& c, const T* x, T* pose) noexcept 
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
   // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
-  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
-  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  const T P6_1 = P5_1 + R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3;
+  const T P6_2 = P5_2 + R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3;
+  const T P6_3 = P5_3 + R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07) + P6_1;
-  const T p6_2 = R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07) + P6_2;
-  const T p6_3 = R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07);
+  const T p6_2 = P6_2 + R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07);
+  const T p6_3 = P6_3 + R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07);
   pose[69] = p6_1;
   pose[70] = p6_2;
   pose[71] = p6_3;
@@ -624,14 +624,14 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t1_14 = T(0.05) * omega1_3;
   const T t1_15 = t1_14 - omega1_1 * T(0.08);
   const T t1_16 = T(0.05) * omega1_2;
-  const T t1_17 = omega1_1 * T(0.02) + t1_16;
+  const T t1_17 = t1_16 + omega1_1 * T(0.02);
   const T v1_1 = sdot1_1 + R1_11 * t1_13 + R1_21 * t1_15 - R1_31 * t1_17;
   const T v1_2 = sdot1_2 + R1_12 * t1_13 + R1_22 * t1_15 - R1_32 * t1_17;
   const T v1_3 = sdot1_3 + R1_13 * t1_13 + R1_23 * t1_15 - R1_33 * t1_17;
   // T1 = 1/2 omega1 . (I1 omega1) + 1/2 m1 v1 . v1: kinetic energy [J]
-  const T T1 = T(0.5) * (omega1_1 * (T(1.1) * omega1_1 + T(0.04) * omega1_2 - T(0.03) * omega1_3) + omega1_2 *
-      (T(0.04) * omega1_1 + T(0.95) * omega1_2 + t1_14) + omega1_3 * (t1_16 - T(0.03) * omega1_1 + T(1.3) * omega1_3))
-      + T(6) * (v1_1 * v1_1 + v1_2 * v1_2 + v1_3 * v1_3);
+  const T T1 = T(0.5) * (omega1_1 * (T(1.1) * omega1_1 + T(0.04) * omega1_2 - T(0.03) * omega1_3) + omega1_2 * (t1_14
+      + T(0.04) * omega1_1 + T(0.95) * omega1_2) + omega1_3 * (t1_16 - T(0.03) * omega1_1 + T(1.3) * omega1_3)) + T(6)
+      * (v1_1 * v1_1 + v1_2 * v1_2 + v1_3 * v1_3);
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -665,9 +665,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d2_2 = T(0.1) + s2_2;
   const T d2_3 = T(0.25) + s2_3;
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -677,12 +677,12 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t2_18 = t2_17 - omega2_1 * T(0.45);
   const T t2_19 = T(0.03) * omega2_2;
   const T t2_20 = omega2_1 * T(0.04) - t2_19;
-  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20;
   // T2 = 1/2 omega2 . (I2 omega2) + 1/2 m2 v2 . v2: kinetic energy [J]
   const T T2 = T(0.5) * (omega2_1 * (T(0.42) * omega2_1 + T(0.02) * omega2_2 + T(0.01) * omega2_3) + omega2_2 *
-      (T(0.02) * omega2_1 + T(0.38) * omega2_2 - t2_17) + omega2_3 * (T(0.01) * omega2_1 - t2_19 + T(0.11) *
+      (T(0.02) * omega2_1 - t2_17 + T(0.38) * omega2_2) + omega2_3 * (T(0.01) * omega2_1 - t2_19 + T(0.11) *
       omega2_3)) + T(1.75) * (v2_1 * v2_1 + v2_2 * v2_2 + v2_3 * v2_3);
 
   // ---- body 3 (panel) on body 2
@@ -717,19 +717,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
   const T t3_17 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
   const T t3_18 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
-  const T v3_1 = R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18;
   // T3 = 1/2 omega3 . (I3 omega3) + 1/2 m3 v3 . v3: kinetic energy [J]
   const T T3 = T(0.5) * (omega3_1 * (T(0.21) * omega3_1 - T(0.012) * omega3_2 + T(0.006) * omega3_3) + omega3_2 *
       (T(0.09) * omega3_2 - T(0.012) * omega3_1 + T(0.008) * omega3_3) + omega3_3 * (T(0.006) * omega3_1 + T(0.008) *
@@ -767,20 +767,20 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
   // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
-  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
-  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  const T t4_13 = sdot4_1 + omega2_2 * d4_3 - omega2_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega2_3 * d4_1 - omega2_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega2_1 * d4_2 - omega2_2 * d4_1;
+  const T Pdot4_1 = Pdot2_1 + R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15;
+  const T Pdot4_2 = Pdot2_2 + R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15;
+  const T Pdot4_3 = Pdot2_3 + R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
   const T t4_17 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
   const T t4_18 = T(0.06) * omega4_1;
   const T t4_19 = t4_18 + omega4_2 * T(0.03);
-  const T v4_1 = R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19;
   // T4 = 1/2 omega4 . (I4 omega4) + 1/2 m4 v4 . v4: kinetic energy [J]
   const T T4 = T(0.5) * (omega4_1 * (t4_18 + T(0.004) * omega4_2 - T(0.002) * omega4_3) + omega4_2 * (T(0.004) *
       omega4_1 + T(0.075) * omega4_2 + T(0.003) * omega4_3) + omega4_3 * (T(0.003) * omega4_2 - T(0.002) * omega4_1 +
@@ -818,9 +818,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d5_2 = T(0.12) + s5_2;
   const T d5_3 = s5_3 - T(0.2);
   // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T t5_13 = sdot5_1 + omega1_2 * d5_3 - omega1_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega1_3 * d5_1 - omega1_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega1_1 * d5_2 - omega1_2 * d5_1;
   const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
   const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
   const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
@@ -828,9 +828,9 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T t5_16 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
   const T t5_17 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
   const T t5_18 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
-  const T v5_1 = R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18;
   // T5 = 1/2 omega5 . (I5 omega5) + 1/2 m5 v5 . v5: kinetic energy [J]
   const T T5 = T(0.5) * (omega5_1 * (T(0.08) * omega5_1 + T(0.005) * omega5_2 + T(0.012) * omega5_3) + omega5_2 *
       (T(0.005) * omega5_1 + T(0.31) * omega5_2 - T(0.007) * omega5_3) + omega5_3 * (T(0.012) * omega5_1 - T(0.007) *
@@ -868,19 +868,19 @@ void energy([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* en
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
   // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  const T t6_13 = sdot6_1 + omega5_2 * d6_3 - omega5_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega5_3 * d6_1 - omega5_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega5_1 * d6_2 - omega5_2 * d6_1;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
   const T t6_17 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
   const T t6_18 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18;
   // T6 = 1/2 omega6 . (I6 omega6) + 1/2 m6 v6 . v6: kinetic energy [J]
   const T T6 = T(0.5) * (omega6_1 * (T(0.022) * omega6_1 + T(0.0015) * omega6_2 - T(0.001) * omega6_3) + omega6_2 *
       (T(0.0015) * omega6_1 + T(0.018) * omega6_2 + T(0.002) * omega6_3) + omega6_3 * (T(0.002) * omega6_2 - T(0.001)
@@ -937,7 +937,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t1_14 = T(0.05) * omega1_3;
   const T t1_15 = t1_14 - omega1_1 * T(0.08);
   const T t1_16 = T(0.05) * omega1_2;
-  const T t1_17 = omega1_1 * T(0.02) + t1_16;
+  const T t1_17 = t1_16 + omega1_1 * T(0.02);
   const T v1_1 = sdot1_1 + R1_11 * t1_13 + R1_21 * t1_15 - R1_31 * t1_17;
   const T v1_2 = sdot1_2 + R1_12 * t1_13 + R1_22 * t1_15 - R1_32 * t1_17;
   const T v1_3 = sdot1_3 + R1_13 * t1_13 + R1_23 * t1_15 - R1_33 * t1_17;
@@ -947,7 +947,7 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T l1_3 = T(12) * v1_3;
   // H1 = R1^T I1 omega1 + p1~ l1: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t1_18 = T(1.1) * omega1_1 + T(0.04) * omega1_2 - T(0.03) * omega1_3;
-  const T t1_19 = T(0.04) * omega1_1 + T(0.95) * omega1_2 + t1_14;
+  const T t1_19 = t1_14 + T(0.04) * omega1_1 + T(0.95) * omega1_2;
   const T t1_20 = t1_16 - T(0.03) * omega1_1 + T(1.3) * omega1_3;
   const T H1_1 = R1_11 * t1_18 + R1_21 * t1_19 + R1_31 * t1_20 + p1_2 * l1_3 - p1_3 * l1_2;
   const T H1_2 = R1_12 * t1_18 + R1_22 * t1_19 + R1_32 * t1_20 + p1_3 * l1_1 - p1_1 * l1_3;
@@ -989,13 +989,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P2_2 = s1_2 + R1_12 * d2_1 + R1_22 * d2_2 + R1_32 * d2_3;
   const T P2_3 = s1_3 + R1_13 * d2_1 + R1_23 * d2_2 + R1_33 * d2_3;
   // p2 = R2^T r2 + P2: position of the mass centre, inertial axes [m]
-  const T p2_1 = R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45) + P2_1;
-  const T p2_2 = R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45) + P2_2;
-  const T p2_3 = R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45) + P2_3;
+  const T p2_1 = P2_1 + R2_11 * T(0.03) + R2_21 * T(0.04) + R2_31 * T(0.45);
+  const T p2_2 = P2_2 + R2_12 * T(0.03) + R2_22 * T(0.04) + R2_32 * T(0.45);
+  const T p2_3 = P2_3 + R2_13 * T(0.03) + R2_23 * T(0.04) + R2_33 * T(0.45);
   // Pdot2 = sdot1 + R1^T (omega1~ d2 + sdot2): velocity of the body origin, inertial axes [m/s]
-  const T t2_13 = omega1_2 * d2_3 - omega1_3 * d2_2 + sdot2_1;
-  const T t2_14 = omega1_3 * d2_1 - omega1_1 * d2_3 + sdot2_2;
-  const T t2_15 = omega1_1 * d2_2 - omega1_2 * d2_1 + sdot2_3;
+  const T t2_13 = sdot2_1 + omega1_2 * d2_3 - omega1_3 * d2_2;
+  const T t2_14 = sdot2_2 + omega1_3 * d2_1 - omega1_1 * d2_3;
+  const T t2_15 = sdot2_3 + omega1_1 * d2_2 - omega1_2 * d2_1;
   const T Pdot2_1 = sdot1_1 + R1_11 * t2_13 + R1_21 * t2_14 + R1_31 * t2_15;
   const T Pdot2_2 = sdot1_2 + R1_12 * t2_13 + R1_22 * t2_14 + R1_32 * t2_15;
   const T Pdot2_3 = sdot1_3 + R1_13 * t2_13 + R1_23 * t2_14 + R1_33 * t2_15;
@@ -1005,16 +1005,16 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t2_18 = t2_17 - omega2_1 * T(0.45);
   const T t2_19 = T(0.03) * omega2_2;
   const T t2_20 = omega2_1 * T(0.04) - t2_19;
-  const T v2_1 = R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20 + Pdot2_1;
-  const T v2_2 = R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20 + Pdot2_2;
-  const T v2_3 = R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20 + Pdot2_3;
+  const T v2_1 = Pdot2_1 + R2_11 * t2_16 + R2_21 * t2_18 + R2_31 * t2_20;
+  const T v2_2 = Pdot2_2 + R2_12 * t2_16 + R2_22 * t2_18 + R2_32 * t2_20;
+  const T v2_3 = Pdot2_3 + R2_13 * t2_16 + R2_23 * t2_18 + R2_33 * t2_20;
   // l2 = m2 v2: linear momentum, inertial axes [kg m/s]
   const T l2_1 = T(3.5) * v2_1;
   const T l2_2 = T(3.5) * v2_2;
   const T l2_3 = T(3.5) * v2_3;
   // H2 = R2^T I2 omega2 + p2~ l2: angular momentum about the inertial origin, inertial axes [kg m^2/s]
   const T t2_21 = T(0.42) * omega2_1 + T(0.02) * omega2_2 + T(0.01) * omega2_3;
-  const T t2_22 = T(0.02) * omega2_1 + T(0.38) * omega2_2 - t2_17;
+  const T t2_22 = T(0.02) * omega2_1 - t2_17 + T(0.38) * omega2_2;
   const T t2_23 = T(0.01) * omega2_1 - t2_19 + T(0.11) * omega2_3;
   const T H2_1 = R2_11 * t2_21 + R2_21 * t2_22 + R2_31 * t2_23 + p2_2 * l2_3 - p2_3 * l2_2;
   const T H2_2 = R2_12 * t2_21 + R2_22 * t2_22 + R2_32 * t2_23 + p2_3 * l2_1 - p2_1 * l2_3;
@@ -1052,27 +1052,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d3_2 = T(0.2) + s3_2;
   const T d3_3 = T(0.8) + s3_3;
   // P3 = R2^T d3 + P2: position of the body origin, inertial axes [m]
-  const T P3_1 = R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3 + P2_1;
-  const T P3_2 = R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3 + P2_2;
-  const T P3_3 = R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3 + P2_3;
+  const T P3_1 = P2_1 + R2_11 * d3_1 + R2_21 * d3_2 + R2_31 * d3_3;
+  const T P3_2 = P2_2 + R2_12 * d3_1 + R2_22 * d3_2 + R2_32 * d3_3;
+  const T P3_3 = P2_3 + R2_13 * d3_1 + R2_23 * d3_2 + R2_33 * d3_3;
   // p3 = R3^T r3 + P3: position of the mass centre, inertial axes [m]
-  const T p3_1 = R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02) + P3_1;
-  const T p3_2 = R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02) + P3_2;
-  const T p3_3 = R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02) + P3_3;
+  const T p3_1 = P3_1 + R3_11 * T(0.1) + R3_21 * T(0.35) - R3_31 * T(0.02);
+  const T p3_2 = P3_2 + R3_12 * T(0.1) + R3_22 * T(0.35) - R3_32 * T(0.02);
+  const T p3_3 = P3_3 + R3_13 * T(0.1) + R3_23 * T(0.35) - R3_33 * T(0.02);
   // Pdot3 = R2^T (omega2~ d3 + sdot3) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t3_13 = omega2_2 * d3_3 - omega2_3 * d3_2 + sdot3_1;
-  const T t3_14 = omega2_3 * d3_1 - omega2_1 * d3_3 + sdot3_2;
-  const T t3_15 = omega2_1 * d3_2 - omega2_2 * d3_1 + sdot3_3;
-  const T Pdot3_1 = R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15 + Pdot2_1;
-  const T Pdot3_2 = R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15 + Pdot2_2;
-  const T Pdot3_3 = R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15 + Pdot2_3;
+  const T t3_13 = sdot3_1 + omega2_2 * d3_3 - omega2_3 * d3_2;
+  const T t3_14 = sdot3_2 + omega2_3 * d3_1 - omega2_1 * d3_3;
+  const T t3_15 = sdot3_3 + omega2_1 * d3_2 - omega2_2 * d3_1;
+  const T Pdot3_1 = Pdot2_1 + R2_11 * t3_13 + R2_21 * t3_14 + R2_31 * t3_15;
+  const T Pdot3_2 = Pdot2_2 + R2_12 * t3_13 + R2_22 * t3_14 + R2_32 * t3_15;
+  const T Pdot3_3 = Pdot2_3 + R2_13 * t3_13 + R2_23 * t3_14 + R2_33 * t3_15;
   // v3 = R3^T omega3~ r3 + Pdot3: velocity of the mass centre, inertial axes [m/s]
   const T t3_16 = omega3_3 * T(0.1) + omega3_1 * T(0.02);
   const T t3_17 = omega3_3 * T(0.35) + omega3_2 * T(0.02);
   const T t3_18 = omega3_1 * T(0.35) - omega3_2 * T(0.1);
-  const T v3_1 = R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18 + Pdot3_1;
-  const T v3_2 = R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18 + Pdot3_2;
-  const T v3_3 = R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18 + Pdot3_3;
+  const T v3_1 = Pdot3_1 + R3_21 * t3_16 - R3_11 * t3_17 + R3_31 * t3_18;
+  const T v3_2 = Pdot3_2 + R3_22 * t3_16 - R3_12 * t3_17 + R3_32 * t3_18;
+  const T v3_3 = Pdot3_3 + R3_23 * t3_16 - R3_13 * t3_17 + R3_33 * t3_18;
   // l3 = m3 v3: linear momentum, inertial axes [kg m/s]
   const T l3_1 = T(1.8) * v3_1;
   const T l3_2 = T(1.8) * v3_2;
@@ -1117,28 +1117,28 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d4_2 = s4_2 - T(0.15);
   const T d4_3 = T(0.9) + s4_3;
   // P4 = R2^T d4 + P2: position of the body origin, inertial axes [m]
-  const T P4_1 = R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3 + P2_1;
-  const T P4_2 = R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3 + P2_2;
-  const T P4_3 = R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3 + P2_3;
+  const T P4_1 = P2_1 + R2_11 * d4_1 + R2_21 * d4_2 + R2_31 * d4_3;
+  const T P4_2 = P2_2 + R2_12 * d4_1 + R2_22 * d4_2 + R2_32 * d4_3;
+  const T P4_3 = P2_3 + R2_13 * d4_1 + R2_23 * d4_2 + R2_33 * d4_3;
   // p4 = R4^T r4 + P4: position of the mass centre, inertial axes [m]
-  const T p4_1 = R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1) + P4_1;
-  const T p4_2 = R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1) + P4_2;
-  const T p4_3 = R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1) + P4_3;
+  const T p4_1 = P4_1 + R4_21 * T(0.06) - R4_11 * T(0.03) + R4_31 * T(0.1);
+  const T p4_2 = P4_2 + R4_22 * T(0.06) - R4_12 * T(0.03) + R4_32 * T(0.1);
+  const T p4_3 = P4_3 + R4_23 * T(0.06) - R4_13 * T(0.03) + R4_33 * T(0.1);
   // Pdot4 = R2^T (omega2~ d4 + sdot4) + Pdot2: velocity of the body origin, inertial axes [m/s]
-  const T t4_13 = omega2_2 * d4_3 - omega2_3 * d4_2 + sdot4_1;
-  const T t4_14 = omega2_3 * d4_1 - omega2_1 * d4_3 + sdot4_2;
-  const T t4_15 = omega2_1 * d4_2 - omega2_2 * d4_1 + sdot4_3;
-  const T Pdot4_1 = R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15 + Pdot2_1;
-  const T Pdot4_2 = R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15 + Pdot2_2;
-  const T Pdot4_3 = R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15 + Pdot2_3;
+  const T t4_13 = sdot4_1 + omega2_2 * d4_3 - omega2_3 * d4_2;
+  const T t4_14 = sdot4_2 + omega2_3 * d4_1 - omega2_1 * d4_3;
+  const T t4_15 = sdot4_3 + omega2_1 * d4_2 - omega2_2 * d4_1;
+  const T Pdot4_1 = Pdot2_1 + R2_11 * t4_13 + R2_21 * t4_14 + R2_31 * t4_15;
+  const T Pdot4_2 = Pdot2_2 + R2_12 * t4_13 + R2_22 * t4_14 + R2_32 * t4_15;
+  const T Pdot4_3 = Pdot2_3 + R2_13 * t4_13 + R2_23 * t4_14 + R2_33 * t4_15;
   // v4 = R4^T omega4~ r4 + Pdot4: velocity of the mass centre, inertial axes [m/s]
   const T t4_16 = omega4_2 * T(0.1) - omega4_3 * T(0.06);
   const T t4_17 = omega4_3 * T(0.03) + omega4_1 * T(0.1);
   const T t4_18 = T(0.06) * omega4_1;
   const T t4_19 = t4_18 + omega4_2 * T(0.03);
-  const T v4_1 = R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19 + Pdot4_1;
-  const T v4_2 = R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19 + Pdot4_2;
-  const T v4_3 = R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19 + Pdot4_3;
+  const T v4_1 = Pdot4_1 + R4_11 * t4_16 - R4_21 * t4_17 + R4_31 * t4_19;
+  const T v4_2 = Pdot4_2 + R4_12 * t4_16 - R4_22 * t4_17 + R4_32 * t4_19;
+  const T v4_3 = Pdot4_3 + R4_13 * t4_16 - R4_23 * t4_17 + R4_33 * t4_19;
   // l4 = m4 v4: linear momentum, inertial axes [kg m/s]
   const T l4_1 = T(1.2) * v4_1;
   const T l4_2 = T(1.2) * v4_2;
@@ -1187,13 +1187,13 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T P5_2 = s1_2 + R1_12 * d5_1 + R1_22 * d5_2 + R1_32 * d5_3;
   const T P5_3 = s1_3 + R1_13 * d5_1 + R1_23 * d5_2 + R1_33 * d5_3;
   // p5 = R5^T r5 + P5: position of the mass centre, inertial axes [m]
-  const T p5_1 = R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04) + P5_1;
-  const T p5_2 = R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04) + P5_2;
-  const T p5_3 = R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04) + P5_3;
+  const T p5_1 = P5_1 + R5_11 * T(0.38) + R5_21 * T(0.02) - R5_31 * T(0.04);
+  const T p5_2 = P5_2 + R5_12 * T(0.38) + R5_22 * T(0.02) - R5_32 * T(0.04);
+  const T p5_3 = P5_3 + R5_13 * T(0.38) + R5_23 * T(0.02) - R5_33 * T(0.04);
   // Pdot5 = sdot1 + R1^T (omega1~ d5 + sdot5): velocity of the body origin, inertial axes [m/s]
-  const T t5_13 = omega1_2 * d5_3 - omega1_3 * d5_2 + sdot5_1;
-  const T t5_14 = omega1_3 * d5_1 - omega1_1 * d5_3 + sdot5_2;
-  const T t5_15 = omega1_1 * d5_2 - omega1_2 * d5_1 + sdot5_3;
+  const T t5_13 = sdot5_1 + omega1_2 * d5_3 - omega1_3 * d5_2;
+  const T t5_14 = sdot5_2 + omega1_3 * d5_1 - omega1_1 * d5_3;
+  const T t5_15 = sdot5_3 + omega1_1 * d5_2 - omega1_2 * d5_1;
   const T Pdot5_1 = sdot1_1 + R1_11 * t5_13 + R1_21 * t5_14 + R1_31 * t5_15;
   const T Pdot5_2 = sdot1_2 + R1_12 * t5_13 + R1_22 * t5_14 + R1_32 * t5_15;
   const T Pdot5_3 = sdot1_3 + R1_13 * t5_13 + R1_23 * t5_14 + R1_33 * t5_15;
@@ -1201,9 +1201,9 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T t5_16 = omega5_3 * T(0.38) + omega5_1 * T(0.04);
   const T t5_17 = omega5_3 * T(0.02) + omega5_2 * T(0.04);
   const T t5_18 = omega5_1 * T(0.02) - omega5_2 * T(0.38);
-  const T v5_1 = R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18 + Pdot5_1;
-  const T v5_2 = R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18 + Pdot5_2;
-  const T v5_3 = R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18 + Pdot5_3;
+  const T v5_1 = Pdot5_1 + R5_21 * t5_16 - R5_11 * t5_17 + R5_31 * t5_18;
+  const T v5_2 = Pdot5_2 + R5_22 * t5_16 - R5_12 * t5_17 + R5_32 * t5_18;
+  const T v5_3 = Pdot5_3 + R5_23 * t5_16 - R5_13 * t5_17 + R5_33 * t5_18;
   // l5 = m5 v5: linear momentum, inertial axes [kg m/s]
   const T l5_1 = T(2.6) * v5_1;
   const T l5_2 = T(2.6) * v5_2;
@@ -1248,27 +1248,27 @@ void momentum([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* 
   const T d6_2 = s6_2 - T(0.03);
   const T d6_3 = T(0.05) + s6_3;
   // P6 = R5^T d6 + P5: position of the body origin, inertial axes [m]
-  const T P6_1 = R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3 + P5_1;
-  const T P6_2 = R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3 + P5_2;
-  const T P6_3 = R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3 + P5_3;
+  const T P6_1 = P5_1 + R5_11 * d6_1 + R5_21 * d6_2 + R5_31 * d6_3;
+  const T P6_2 = P5_2 + R5_12 * d6_1 + R5_22 * d6_2 + R5_32 * d6_3;
+  const T P6_3 = P5_3 + R5_13 * d6_1 + R5_23 * d6_2 + R5_33 * d6_3;
   // p6 = R6^T r6 + P6: position of the mass centre, inertial axes [m]
-  const T p6_1 = R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07) + P6_1;
-  const T p6_2 = R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07) + P6_2;
-  const T p6_3 = R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07) + P6_3;
+  const T p6_1 = P6_1 + R6_11 * T(0.09) - R6_21 * T(0.05) + R6_31 * T(0.07);
+  const T p6_2 = P6_2 + R6_12 * T(0.09) - R6_22 * T(0.05) + R6_32 * T(0.07);
+  const T p6_3 = P6_3 + R6_13 * T(0.09) - R6_23 * T(0.05) + R6_33 * T(0.07);
   // Pdot6 = R5^T (omega5~ d6 + sdot6) + Pdot5: velocity of the body origin, inertial axes [m/s]
-  const T t6_13 = omega5_2 * d6_3 - omega5_3 * d6_2 + sdot6_1;
-  const T t6_14 = omega5_3 * d6_1 - omega5_1 * d6_3 + sdot6_2;
-  const T t6_15 = omega5_1 * d6_2 - omega5_2 * d6_1 + sdot6_3;
-  const T Pdot6_1 = R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15 + Pdot5_1;
-  const T Pdot6_2 = R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15 + Pdot5_2;
-  const T Pdot6_3 = R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15 + Pdot5_3;
+  const T t6_13 = sdot6_1 + omega5_2 * d6_3 - omega5_3 * d6_2;
+  const T t6_14 = sdot6_2 + omega5_3 * d6_1 - omega5_1 * d6_3;
+  const T t6_15 = sdot6_3 + omega5_1 * d6_2 - omega5_2 * d6_1;
+  const T Pdot6_1 = Pdot5_1 + R5_11 * t6_13 + R5_21 * t6_14 + R5_31 * t6_15;
+  const T Pdot6_2 = Pdot5_2 + R5_12 * t6_13 + R5_22 * t6_14 + R5_32 * t6_15;
+  const T Pdot6_3 = Pdot5_3 + R5_13 * t6_13 + R5_23 * t6_14 + R5_33 * t6_15;
   // v6 = R6^T omega6~ r6 + Pdot6: velocity of the mass centre, inertial axes [m/s]
   const T t6_16 = omega6_3 * T(0.05) + omega6_2 * T(0.07);
   const T t6_17 = omega6_3 * T(0.09) - omega6_1 * T(0.07);
   const T t6_18 = omega6_1 * T(0.05) + omega6_2 * T(0.09);
-  const T v6_1 = R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18 + Pdot6_1;
-  const T v6_2 = R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18 + Pdot6_2;
-  const T v6_3 = R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18 + Pdot6_3;
+  const T v6_1 = Pdot6_1 + R6_11 * t6_16 + R6_21 * t6_17 - R6_31 * t6_18;
+  const T v6_2 = Pdot6_2 + R6_12 * t6_16 + R6_22 * t6_17 - R6_32 * t6_18;
+  const T v6_3 = Pdot6_3 + R6_13 * t6_16 + R6_23 * t6_17 - R6_33 * t6_18;
   // l6 = m6 v6: linear momentum, inertial axes [kg m/s]
   const T l6_1 = T(0.9) * v6_1;
   const T l6_2 = T(0.9) * v6_2;
@@ -1926,10 +1926,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t2_19 = T(2) * omega1_2;
   const T t2_20 = T(2) * omega1_3;
-  const T t2_21 = t2_19 * sdot2_3 - t2_20 * sdot2_2 + sddot2_1 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
+  const T t2_21 = sddot2_1 + t2_19 * sdot2_3 - t2_20 * sdot2_2 + U1_12 * d2_2 - minus_U1_11 * d2_1 + U1_13 * d2_3;
   const T t2_22 = T(2) * omega1_1;
-  const T t2_23 = t2_20 * sdot2_1 - t2_22 * sdot2_3 + sddot2_2 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
-  const T t2_24 = t2_22 * sdot2_2 - t2_19 * sdot2_1 + sddot2_3 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
+  const T t2_23 = sddot2_2 + t2_20 * sdot2_1 - t2_22 * sdot2_3 + U1_21 * d2_1 - minus_U1_22 * d2_2 + U1_23 * d2_3;
+  const T t2_24 = sddot2_3 + t2_22 * sdot2_2 - t2_19 * sdot2_1 + U1_31 * d2_1 + U1_32 * d2_2 - minus_U1_33 * d2_3;
   const T Pddot2_1 = sddot1_1 + R1_11 * t2_21 + R1_21 * t2_23 + R1_31 * t2_24;
   const T Pddot2_2 = sddot1_2 + R1_12 * t2_21 + R1_22 * t2_23 + R1_32 * t2_24;
   const T Pddot2_3 = sddot1_3 + R1_13 * t2_21 + R1_23 * t2_23 + R1_33 * t2_24;
@@ -1937,9 +1937,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_25 = U2_12 * T(0.04) - minus_U2_11 * T(0.03) + U2_13 * T(0.45);
   const T t2_26 = U2_21 * T(0.03) - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
   const T t2_27 = U2_31 * T(0.03) + U2_32 * T(0.04) - minus_U2_33 * T(0.45);
-  const T a2_1 = R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_25 + R2_21 * t2_26 + R2_31 * t2_27;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_25 + R2_22 * t2_26 + R2_32 * t2_27;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_25 + R2_23 * t2_26 + R2_33 * t2_27;
   // G2 = m2 a2: inertia less applied force, inertial axes [N]
   const T G2_1 = T(3.5) * a2_1;
   const T G2_2 = T(3.5) * a2_2;
@@ -2006,20 +2006,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t3_19 = T(2) * omega2_2;
   const T t3_20 = T(2) * omega2_3;
-  const T t3_21 = t3_19 * sdot3_3 - t3_20 * sdot3_2 + sddot3_1 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
+  const T t3_21 = sddot3_1 + t3_19 * sdot3_3 - t3_20 * sdot3_2 + U2_12 * d3_2 - minus_U2_11 * d3_1 + U2_13 * d3_3;
   const T t3_22 = T(2) * omega2_1;
-  const T t3_23 = t3_20 * sdot3_1 - t3_22 * sdot3_3 + sddot3_2 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
-  const T t3_24 = t3_22 * sdot3_2 - t3_19 * sdot3_1 + sddot3_3 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
-  const T Pddot3_1 = R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24 + Pddot2_3;
+  const T t3_23 = sddot3_2 + t3_20 * sdot3_1 - t3_22 * sdot3_3 + U2_21 * d3_1 - minus_U2_22 * d3_2 + U2_23 * d3_3;
+  const T t3_24 = sddot3_3 + t3_22 * sdot3_2 - t3_19 * sdot3_1 + U2_31 * d3_1 + U2_32 * d3_2 - minus_U2_33 * d3_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_21 + R2_21 * t3_23 + R2_31 * t3_24;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_21 + R2_22 * t3_23 + R2_32 * t3_24;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_21 + R2_23 * t3_23 + R2_33 * t3_24;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_25 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
   const T t3_26 = U3_21 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
   const T t3_27 = U3_31 * T(0.1) + U3_32 * T(0.35) + minus_U3_33 * T(0.02);
-  const T a3_1 = R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_25 + R3_21 * t3_26 + R3_31 * t3_27;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_25 + R3_22 * t3_26 + R3_32 * t3_27;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_25 + R3_23 * t3_26 + R3_33 * t3_27;
   // G3 = m3 a3: inertia less applied force, inertial axes [N]
   const T G3_1 = T(1.8) * a3_1;
   const T G3_2 = T(1.8) * a3_2;
@@ -2084,19 +2084,19 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U4_33 = t4_14 + t4_17;
   // Pddot4 = R2^T (2 omega2~ sdot4 + sddot4 + U2 d4) + Pddot2: acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t4_19 = t3_19 * sdot4_3 - t3_20 * sdot4_2 + sddot4_1 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
-  const T t4_20 = t3_20 * sdot4_1 - t3_22 * sdot4_3 + sddot4_2 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
-  const T t4_21 = t3_22 * sdot4_2 - t3_19 * sdot4_1 + sddot4_3 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
-  const T Pddot4_1 = R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  const T t4_19 = sddot4_1 + t3_19 * sdot4_3 - t3_20 * sdot4_2 + U2_12 * d4_2 - minus_U2_11 * d4_1 + U2_13 * d4_3;
+  const T t4_20 = sddot4_2 + t3_20 * sdot4_1 - t3_22 * sdot4_3 + U2_21 * d4_1 - minus_U2_22 * d4_2 + U2_23 * d4_3;
+  const T t4_21 = sddot4_3 + t3_22 * sdot4_2 - t3_19 * sdot4_1 + U2_31 * d4_1 + U2_32 * d4_2 - minus_U2_33 * d4_3;
+  const T Pddot4_1 = Pddot2_1 + R2_11 * t4_19 + R2_21 * t4_20 + R2_31 * t4_21;
+  const T Pddot4_2 = Pddot2_2 + R2_12 * t4_19 + R2_22 * t4_20 + R2_32 * t4_21;
+  const T Pddot4_3 = Pddot2_3 + R2_13 * t4_19 + R2_23 * t4_20 + R2_33 * t4_21;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
   const T t4_23 = U4_23 * T(0.1) - (U4_21 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_24 = U4_32 * T(0.06) - U4_31 * T(0.03) - minus_U4_33 * T(0.1);
-  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24;
   // G4 = m4 a4: inertia less applied force, inertial axes [N]
   const T G4_1 = T(1.2) * a4_1;
   const T G4_2 = T(1.2) * a4_2;
@@ -2161,9 +2161,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_U5_33 = t5_14 + t5_17;
   // Pddot5 = sddot1 + R1^T (2 omega1~ sdot5 + sddot5 + U1 d5): acceleration of the body origin, less gravity,
   //   inertial axes [m/s^2]
-  const T t5_19 = t2_19 * sdot5_3 - t2_20 * sdot5_2 + sddot5_1 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
-  const T t5_20 = t2_20 * sdot5_1 - t2_22 * sdot5_3 + sddot5_2 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
-  const T t5_21 = t2_22 * sdot5_2 - t2_19 * sdot5_1 + sddot5_3 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
+  const T t5_19 = sddot5_1 + t2_19 * sdot5_3 - t2_20 * sdot5_2 + U1_12 * d5_2 - minus_U1_11 * d5_1 + U1_13 * d5_3;
+  const T t5_20 = sddot5_2 + t2_20 * sdot5_1 - t2_22 * sdot5_3 + U1_21 * d5_1 - minus_U1_22 * d5_2 + U1_23 * d5_3;
+  const T t5_21 = sddot5_3 + t2_22 * sdot5_2 - t2_19 * sdot5_1 + U1_31 * d5_1 + U1_32 * d5_2 - minus_U1_33 * d5_3;
   const T Pddot5_1 = sddot1_1 + R1_11 * t5_19 + R1_21 * t5_20 + R1_31 * t5_21;
   const T Pddot5_2 = sddot1_2 + R1_12 * t5_19 + R1_22 * t5_20 + R1_32 * t5_21;
   const T Pddot5_3 = sddot1_3 + R1_13 * t5_19 + R1_23 * t5_20 + R1_33 * t5_21;
@@ -2171,9 +2171,9 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t5_22 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
   const T t5_23 = U5_21 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
   const T t5_24 = U5_31 * T(0.38) + U5_32 * T(0.02) + minus_U5_33 * T(0.04);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24;
   // G5 = m5 a5: inertia less applied force, inertial axes [N]
   const T G5_1 = T(2.6) * a5_1;
   const T G5_2 = T(2.6) * a5_2;
@@ -2240,20 +2240,20 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   //   inertial axes [m/s^2]
   const T t6_19 = T(2) * omega5_2;
   const T t6_20 = T(2) * omega5_3;
-  const T t6_21 = t6_19 * sdot6_3 - t6_20 * sdot6_2 + sddot6_1 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
+  const T t6_21 = sddot6_1 + t6_19 * sdot6_3 - t6_20 * sdot6_2 + U5_12 * d6_2 - minus_U5_11 * d6_1 + U5_13 * d6_3;
   const T t6_22 = T(2) * omega5_1;
-  const T t6_23 = t6_20 * sdot6_1 - t6_22 * sdot6_3 + sddot6_2 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
-  const T t6_24 = t6_22 * sdot6_2 - t6_19 * sdot6_1 + sddot6_3 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
-  const T Pddot6_1 = R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24 + Pddot5_3;
+  const T t6_23 = sddot6_2 + t6_20 * sdot6_1 - t6_22 * sdot6_3 + U5_21 * d6_1 - minus_U5_22 * d6_2 + U5_23 * d6_3;
+  const T t6_24 = sddot6_3 + t6_22 * sdot6_2 - t6_19 * sdot6_1 + U5_31 * d6_1 + U5_32 * d6_2 - minus_U5_33 * d6_3;
+  const T Pddot6_1 = Pddot5_1 + R5_11 * t6_21 + R5_21 * t6_23 + R5_31 * t6_24;
+  const T Pddot6_2 = Pddot5_2 + R5_12 * t6_21 + R5_22 * t6_23 + R5_32 * t6_24;
+  const T Pddot6_3 = Pddot5_3 + R5_13 * t6_21 + R5_23 * t6_23 + R5_33 * t6_24;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_25 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_26 = U6_21 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_27 = U6_31 * T(0.09) - U6_32 * T(0.05) - minus_U6_33 * T(0.07);
-  const T a6_1 = R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27 + Pddot6_1;
-  const T a6_2 = R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27 + Pddot6_2;
-  const T a6_3 = R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_11 * t6_25 + R6_21 * t6_26 + R6_31 * t6_27;
+  const T a6_2 = Pddot6_2 + R6_12 * t6_25 + R6_22 * t6_26 + R6_32 * t6_27;
+  const T a6_3 = Pddot6_3 + R6_13 * t6_25 + R6_23 * t6_26 + R6_33 * t6_27;
   // G6 = m6 a6: inertia less applied force, inertial axes [N]
   const T G6_1 = T(0.9) * a6_1;
   const T G6_2 = T(0.9) * a6_2;
@@ -2270,10 +2270,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * G6_1 + R6_22 * G6_2 + R6_23 * G6_3;
   const T b6_2 = R6_31 * G6_1 + R6_32 * G6_2 + R6_33 * G6_3;
-  const T r_omega6_1 = N6_1 - (T(0.07) * b6_1 + T(0.05) * b6_2);
+  const T r_omega6_1 = N6_1 - T(0.07) * b6_1 - T(0.05) * b6_2;
   const T b6_3 = R6_11 * G6_1 + R6_12 * G6_2 + R6_13 * G6_3;
-  const T r_omega6_2 = T(0.07) * b6_3 - T(0.09) * b6_2 + N6_2;
-  const T r_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + N6_3;
+  const T r_omega6_2 = N6_2 + T(0.07) * b6_3 - T(0.09) * b6_2;
+  const T r_omega6_3 = N6_3 + T(0.09) * b6_1 + T(0.05) * b6_3;
   r[15] = r_omega6_1;
   r[16] = r_omega6_2;
   r[17] = r_omega6_3;
@@ -2293,10 +2293,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * G5_1 + R5_22 * G5_2 + R5_23 * G5_3;
   const T b5_2 = R5_31 * G5_1 + R5_32 * G5_2 + R5_33 * G5_3;
-  const T r_omega5_1 = T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2 + N5_1;
+  const T r_omega5_1 = N5_1 + T(0.04) * b5_1 + T(0.02) * b5_2 + d6_2 * r_sdot6_3 - d6_3 * r_sdot6_2;
   const T b5_3 = R5_11 * G5_1 + R5_12 * G5_2 + R5_13 * G5_3;
-  const T r_omega5_2 = d6_3 * r_sdot6_1 - (T(0.04) * b5_3 + T(0.38) * b5_2) - d6_1 * r_sdot6_3 + N5_2;
-  const T r_omega5_3 = T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1 + N5_3;
+  const T r_omega5_2 = N5_2 - T(0.04) * b5_3 - T(0.38) * b5_2 + d6_3 * r_sdot6_1 - d6_1 * r_sdot6_3;
+  const T r_omega5_3 = N5_3 + T(0.38) * b5_1 - T(0.02) * b5_3 + d6_1 * r_sdot6_2 - d6_2 * r_sdot6_1;
   r[12] = r_omega5_1;
   r[13] = r_omega5_2;
   r[14] = r_omega5_3;
@@ -2312,10 +2312,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_31 * G4_1 + R4_32 * G4_2 + R4_33 * G4_3;
   const T b4_2 = R4_21 * G4_1 + R4_22 * G4_2 + R4_23 * G4_3;
-  const T r_omega4_1 = T(0.06) * b4_1 - T(0.1) * b4_2 + N4_1;
+  const T r_omega4_1 = N4_1 + T(0.06) * b4_1 - T(0.1) * b4_2;
   const T b4_3 = R4_11 * G4_1 + R4_12 * G4_2 + R4_13 * G4_3;
-  const T r_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_1 + N4_2;
-  const T r_omega4_3 = N4_3 - (T(0.03) * b4_2 + T(0.06) * b4_3);
+  const T r_omega4_2 = N4_2 + T(0.1) * b4_3 + T(0.03) * b4_1;
+  const T r_omega4_3 = N4_3 - T(0.03) * b4_2 - T(0.06) * b4_3;
   r[9] = r_omega4_1;
   r[10] = r_omega4_2;
   r[11] = r_omega4_3;
@@ -2331,10 +2331,10 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_21 * G3_1 + R3_22 * G3_2 + R3_23 * G3_3;
   const T b3_2 = R3_31 * G3_1 + R3_32 * G3_2 + R3_33 * G3_3;
-  const T r_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 + N3_1;
+  const T r_omega3_1 = N3_1 + T(0.02) * b3_1 + T(0.35) * b3_2;
   const T b3_3 = R3_11 * G3_1 + R3_12 * G3_2 + R3_13 * G3_3;
-  const T r_omega3_2 = N3_2 - (T(0.02) * b3_3 + T(0.1) * b3_2);
-  const T r_omega3_3 = T(0.1) * b3_1 - T(0.35) * b3_3 + N3_3;
+  const T r_omega3_2 = N3_2 - T(0.02) * b3_3 - T(0.1) * b3_2;
+  const T r_omega3_3 = N3_3 + T(0.1) * b3_1 - T(0.35) * b3_3;
   r[6] = r_omega3_1;
   r[7] = r_omega3_2;
   r[8] = r_omega3_3;
@@ -2354,13 +2354,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_31 * G2_1 + R2_32 * G2_2 + R2_33 * G2_3;
   const T b2_2 = R2_21 * G2_1 + R2_22 * G2_2 + R2_23 * G2_3;
-  const T r_omega2_1 = T(0.04) * b2_1 - T(0.45) * b2_2 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d4_2 * r_sdot4_3 - d4_3
-      * r_sdot4_2 + N2_1;
+  const T r_omega2_1 = N2_1 + T(0.04) * b2_1 - T(0.45) * b2_2 + d3_2 * r_sdot3_3 - d3_3 * r_sdot3_2 + d4_2 * r_sdot4_3
+      - d4_3 * r_sdot4_2;
   const T b2_3 = R2_11 * G2_1 + R2_12 * G2_2 + R2_13 * G2_3;
-  const T r_omega2_2 = T(0.45) * b2_3 - T(0.03) * b2_1 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 + d4_3 * r_sdot4_1 - d4_1
-      * r_sdot4_3 + N2_2;
-  const T r_omega2_3 = T(0.03) * b2_2 - T(0.04) * b2_3 + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d4_1 * r_sdot4_2 - d4_2
-      * r_sdot4_1 + N2_3;
+  const T r_omega2_2 = N2_2 + T(0.45) * b2_3 - T(0.03) * b2_1 + d3_3 * r_sdot3_1 - d3_1 * r_sdot3_3 + d4_3 * r_sdot4_1
+      - d4_1 * r_sdot4_3;
+  const T r_omega2_3 = N2_3 + T(0.03) * b2_2 - T(0.04) * b2_3 + d3_1 * r_sdot3_2 - d3_2 * r_sdot3_1 + d4_1 * r_sdot4_2
+      - d4_2 * r_sdot4_1;
   r[3] = r_omega2_1;
   r[4] = r_omega2_2;
   r[5] = r_omega2_3;
@@ -2383,13 +2383,13 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // r_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3;
   const T b1_2 = R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3;
-  const T r_omega1_1 = d2_2 * r_sdot2_3 - (T(0.08) * b1_1 + T(0.02) * b1_2) - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3 -
-      d5_3 * r_sdot5_2 + N1_1;
+  const T r_omega1_1 = N1_1 - T(0.08) * b1_1 - T(0.02) * b1_2 + d2_2 * r_sdot2_3 - d2_3 * r_sdot2_2 + d5_2 * r_sdot5_3
+      - d5_3 * r_sdot5_2;
   const T b1_3 = R1_11 * G1_1 + R1_12 * G1_2 + R1_13 * G1_3;
-  const T r_omega1_2 = T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1 - d5_1
-      * r_sdot5_3 + N1_2;
-  const T r_omega1_3 = T(0.05) * b1_1 + T(0.02) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d5_1 * r_sdot5_2 - d5_2
-      * r_sdot5_1 + N1_3;
+  const T r_omega1_2 = N1_2 + T(0.08) * b1_3 - T(0.05) * b1_2 + d2_3 * r_sdot2_1 - d2_1 * r_sdot2_3 + d5_3 * r_sdot5_1
+      - d5_1 * r_sdot5_3;
+  const T r_omega1_3 = N1_3 + T(0.05) * b1_1 + T(0.02) * b1_3 + d2_1 * r_sdot2_2 - d2_2 * r_sdot2_1 + d5_1 * r_sdot5_2
+      - d5_2 * r_sdot5_1;
   r[0] = r_omega1_1;
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
@@ -2451,8 +2451,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T minus_G1_3 = T(12) * a1_3;
   // N1 = -omega1~ I1 omega1: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N1_1 = T(0.3500000000000001) * U1_23 + T(0.05) * (t1_14 - t1_13) - T(0.03) * U1_12 - T(0.04) * U1_13;
-  const T minus_N1_2 = T(0.04) * U1_23 - (T(0.19999999999999996) * U1_13 + T(0.03) * (t1_13 - t1_15)) - t1_17;
-  const T minus_N1_3 = T(0.04) * (t1_15 - t1_14) - T(0.15000000000000013) * U1_12 + t1_19 + T(0.03) * U1_23;
+  const T minus_N1_2 = T(0.04) * U1_23 - (t1_17 + T(0.19999999999999996) * U1_13 + T(0.03) * (t1_13 - t1_15));
+  const T minus_N1_3 = t1_19 + T(0.04) * (t1_15 - t1_14) - T(0.15000000000000013) * U1_12 + T(0.03) * U1_23;
 
   // ---- body 2 (boom) on body 1
   const T eps2_1 = x[4], eps2_2 = x[5], eps2_3 = x[6], eps2_4 = x[7];
@@ -2512,17 +2512,17 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t2_24 = t2_23 - minus_U2_22 * T(0.04) + U2_23 * T(0.45);
   const T t2_25 = U2_13 * T(0.03);
   const T t2_26 = t2_25 + U2_23 * T(0.04) - minus_U2_33 * T(0.45);
-  const T a2_1 = R2_11 * t2_22 + R2_21 * t2_24 + R2_31 * t2_26 + Pddot2_1;
-  const T a2_2 = R2_12 * t2_22 + R2_22 * t2_24 + R2_32 * t2_26 + Pddot2_2;
-  const T a2_3 = R2_13 * t2_22 + R2_23 * t2_24 + R2_33 * t2_26 + Pddot2_3;
+  const T a2_1 = Pddot2_1 + R2_11 * t2_22 + R2_21 * t2_24 + R2_31 * t2_26;
+  const T a2_2 = Pddot2_2 + R2_12 * t2_22 + R2_22 * t2_24 + R2_32 * t2_26;
+  const T a2_3 = Pddot2_3 + R2_13 * t2_22 + R2_23 * t2_24 + R2_33 * t2_26;
   // G2 = -m2 a2: applied less inertia force, inertial axes [N]
   const T minus_G2_1 = T(3.5) * a2_1;
   const T minus_G2_2 = T(3.5) * a2_2;
   const T minus_G2_3 = T(3.5) * a2_3;
   // N2 = -omega2~ I2 omega2: applied less inertia moment about the mass centre, body axes [N m]
   const T minus_N2_1 = T(0.01) * U2_12 - (T(0.27) * U2_23 + T(0.03) * (t2_14 - t2_13)) - T(0.02) * U2_13;
-  const T minus_N2_2 = T(0.31) * U2_13 + T(0.01) * (t2_13 - t2_15) + T(0.02) * U2_23 + t2_23;
-  const T minus_N2_3 = T(0.02) * (t2_15 - t2_14) - T(0.03999999999999998) * U2_12 - t2_25 - T(0.01) * U2_23;
+  const T minus_N2_2 = t2_23 + T(0.31) * U2_13 + T(0.01) * (t2_13 - t2_15) + T(0.02) * U2_23;
+  const T minus_N2_3 = T(0.02) * (t2_15 - t2_14) - t2_25 - T(0.03999999999999998) * U2_12 - T(0.01) * U2_23;
 
   // ---- body 3 (panel) on body 2
   const T eps3_1 = x[8], eps3_2 = x[9], eps3_3 = x[10], eps3_4 = x[11];
@@ -2573,16 +2573,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t3_19 = omega2_2 * d3_3 - omega2_3 * d3_2 + T(2) * sdot3_1;
   const T t3_20 = omega2_3 * t3_19 - omega2_1 * t3_16;
   const T t3_21 = omega2_1 * t3_17 - omega2_2 * t3_19;
-  const T Pddot3_1 = R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21 + Pddot2_1;
-  const T Pddot3_2 = R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21 + Pddot2_2;
-  const T Pddot3_3 = R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21 + Pddot2_3;
+  const T Pddot3_1 = Pddot2_1 + R2_11 * t3_18 + R2_21 * t3_20 + R2_31 * t3_21;
+  const T Pddot3_2 = Pddot2_2 + R2_12 * t3_18 + R2_22 * t3_20 + R2_32 * t3_21;
+  const T Pddot3_3 = Pddot2_3 + R2_13 * t3_18 + R2_23 * t3_20 + R2_33 * t3_21;
   // a3 = R3^T U3 r3 + Pddot3: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t3_22 = U3_12 * T(0.35) - minus_U3_11 * T(0.1) - U3_13 * T(0.02);
   const T t3_23 = U3_12 * T(0.1) - minus_U3_22 * T(0.35) - U3_23 * T(0.02);
   const T t3_24 = U3_13 * T(0.1) + U3_23 * T(0.35) + minus_U3_33 * T(0.02);
-  const T a3_1 = R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24 + Pddot3_1;
-  const T a3_2 = R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24 + Pddot3_2;
-  const T a3_3 = R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24 + Pddot3_3;
+  const T a3_1 = Pddot3_1 + R3_11 * t3_22 + R3_21 * t3_23 + R3_31 * t3_24;
+  const T a3_2 = Pddot3_2 + R3_12 * t3_22 + R3_22 * t3_23 + R3_32 * t3_24;
+  const T a3_3 = Pddot3_3 + R3_13 * t3_22 + R3_23 * t3_23 + R3_33 * t3_24;
   // G3 = -m3 a3: applied less inertia force, inertial axes [N]
   const T minus_G3_1 = T(1.8) * a3_1;
   const T minus_G3_2 = T(1.8) * a3_2;
@@ -2643,16 +2643,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t4_19 = omega2_2 * d4_3 - omega2_3 * d4_2 + T(2) * sdot4_1;
   const T t4_20 = omega2_3 * t4_19 - omega2_1 * t4_16;
   const T t4_21 = omega2_1 * t4_17 - omega2_2 * t4_19;
-  const T Pddot4_1 = R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21 + Pddot2_1;
-  const T Pddot4_2 = R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21 + Pddot2_2;
-  const T Pddot4_3 = R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21 + Pddot2_3;
+  const T Pddot4_1 = Pddot2_1 + R2_11 * t4_18 + R2_21 * t4_20 + R2_31 * t4_21;
+  const T Pddot4_2 = Pddot2_2 + R2_12 * t4_18 + R2_22 * t4_20 + R2_32 * t4_21;
+  const T Pddot4_3 = Pddot2_3 + R2_13 * t4_18 + R2_23 * t4_20 + R2_33 * t4_21;
   // a4 = R4^T U4 r4 + Pddot4: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t4_22 = minus_U4_11 * T(0.03) + U4_12 * T(0.06) + U4_13 * T(0.1);
   const T t4_23 = U4_23 * T(0.1) - (U4_12 * T(0.03) + minus_U4_22 * T(0.06));
   const T t4_24 = U4_23 * T(0.06) - U4_13 * T(0.03) - minus_U4_33 * T(0.1);
-  const T a4_1 = R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24 + Pddot4_1;
-  const T a4_2 = R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24 + Pddot4_2;
-  const T a4_3 = R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24 + Pddot4_3;
+  const T a4_1 = Pddot4_1 + R4_11 * t4_22 + R4_21 * t4_23 + R4_31 * t4_24;
+  const T a4_2 = Pddot4_2 + R4_12 * t4_22 + R4_22 * t4_23 + R4_32 * t4_24;
+  const T a4_3 = Pddot4_3 + R4_13 * t4_22 + R4_23 * t4_23 + R4_33 * t4_24;
   // G4 = -m4 a4: applied less inertia force, inertial axes [N]
   const T minus_G4_1 = T(1.2) * a4_1;
   const T minus_G4_2 = T(1.2) * a4_2;
@@ -2718,9 +2718,9 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t5_22 = U5_12 * T(0.02) - minus_U5_11 * T(0.38) - U5_13 * T(0.04);
   const T t5_23 = U5_12 * T(0.38) - minus_U5_22 * T(0.02) - U5_23 * T(0.04);
   const T t5_24 = U5_13 * T(0.38) + U5_23 * T(0.02) + minus_U5_33 * T(0.04);
-  const T a5_1 = R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24 + Pddot5_1;
-  const T a5_2 = R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24 + Pddot5_2;
-  const T a5_3 = R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24 + Pddot5_3;
+  const T a5_1 = Pddot5_1 + R5_11 * t5_22 + R5_21 * t5_23 + R5_31 * t5_24;
+  const T a5_2 = Pddot5_2 + R5_12 * t5_22 + R5_22 * t5_23 + R5_32 * t5_24;
+  const T a5_3 = Pddot5_3 + R5_13 * t5_22 + R5_23 * t5_23 + R5_33 * t5_24;
   // G5 = -m5 a5: applied less inertia force, inertial axes [N]
   const T minus_G5_1 = T(2.6) * a5_1;
   const T minus_G5_2 = T(2.6) * a5_2;
@@ -2781,16 +2781,16 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   const T t6_19 = omega5_2 * d6_3 - omega5_3 * d6_2 + T(2) * sdot6_1;
   const T t6_20 = omega5_3 * t6_19 - omega5_1 * t6_16;
   const T t6_21 = omega5_1 * t6_17 - omega5_2 * t6_19;
-  const T Pddot6_1 = R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21 + Pddot5_1;
-  const T Pddot6_2 = R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21 + Pddot5_2;
-  const T Pddot6_3 = R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21 + Pddot5_3;
+  const T Pddot6_1 = Pddot5_1 + R5_11 * t6_18 + R5_21 * t6_20 + R5_31 * t6_21;
+  const T Pddot6_2 = Pddot5_2 + R5_12 * t6_18 + R5_22 * t6_20 + R5_32 * t6_21;
+  const T Pddot6_3 = Pddot5_3 + R5_13 * t6_18 + R5_23 * t6_20 + R5_33 * t6_21;
   // a6 = R6^T U6 r6 + Pddot6: acceleration of the mass centre, less gravity, inertial axes [m/s^2]
   const T t6_22 = U6_13 * T(0.07) - (minus_U6_11 * T(0.09) + U6_12 * T(0.05));
   const T t6_23 = U6_12 * T(0.09) + minus_U6_22 * T(0.05) + U6_23 * T(0.07);
   const T t6_24 = U6_13 * T(0.09) - U6_23 * T(0.05) - minus_U6_33 * T(0.07);
-  const T a6_1 = R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24 + Pddot6_1;
-  const T a6_2 = R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24 + Pddot6_2;
-  const T a6_3 = R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24 + Pddot6_3;
+  const T a6_1 = Pddot6_1 + R6_11 * t6_22 + R6_21 * t6_23 + R6_31 * t6_24;
+  const T a6_2 = Pddot6_2 + R6_12 * t6_22 + R6_22 * t6_23 + R6_32 * t6_24;
+  const T a6_3 = Pddot6_3 + R6_13 * t6_22 + R6_23 * t6_23 + R6_33 * t6_24;
   // G6 = -m6 a6: applied less inertia force, inertial axes [N]
   const T minus_G6_1 = T(0.9) * a6_1;
   const T minus_G6_2 = T(0.9) * a6_2;
@@ -2806,10 +2806,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega6 = r6~ R6 G6 + N6: Kane's equation of omega [N m]
   const T b6_1 = R6_21 * minus_G6_1 + R6_22 * minus_G6_2 + R6_23 * minus_G6_3;
   const T b6_2 = R6_31 * minus_G6_1 + R6_32 * minus_G6_2 + R6_33 * minus_G6_3;
-  const T f_omega6_1 = T(0.07) * b6_1 + T(0.05) * b6_2 - minus_N6_1;
+  const T f_omega6_1 = T(0.07) * b6_1 - minus_N6_1 + T(0.05) * b6_2;
   const T b6_3 = R6_11 * minus_G6_1 + R6_12 * minus_G6_2 + R6_13 * minus_G6_3;
-  const T f_omega6_2 = T(0.09) * b6_2 - T(0.07) * b6_3 - minus_N6_2;
-  const T minus_f_omega6_3 = T(0.09) * b6_1 + T(0.05) * b6_3 + minus_N6_3;
+  const T f_omega6_2 = T(0.09) * b6_2 - minus_N6_2 - T(0.07) * b6_3;
+  const T minus_f_omega6_3 = minus_N6_3 + T(0.09) * b6_1 + T(0.05) * b6_3;
   f[15] = f_omega6_1;
   f[16] = f_omega6_2;
   f[17] = -minus_f_omega6_3;
@@ -2829,11 +2829,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega5 = r5~ R5 G5 + d6~ R5 G6 + N5: Kane's equation of omega [N m]
   const T b5_1 = R5_21 * minus_G5_1 + R5_22 * minus_G5_2 + R5_23 * minus_G5_3;
   const T b5_2 = R5_31 * minus_G5_1 + R5_32 * minus_G5_2 + R5_33 * minus_G5_3;
-  const T f_omega5_1 = d6_3 * minus_f_sdot6_2 - (T(0.04) * b5_1 + T(0.02) * b5_2) - d6_2 * minus_f_sdot6_3 -
-      minus_N5_1;
+  const T f_omega5_1 = d6_3 * minus_f_sdot6_2 - (minus_N5_1 + T(0.04) * b5_1 + T(0.02) * b5_2) - d6_2 *
+      minus_f_sdot6_3;
   const T b5_3 = R5_11 * minus_G5_1 + R5_12 * minus_G5_2 + R5_13 * minus_G5_3;
-  const T f_omega5_2 = T(0.04) * b5_3 + T(0.38) * b5_2 + d6_1 * minus_f_sdot6_3 - d6_3 * minus_f_sdot6_1 - minus_N5_2;
-  const T f_omega5_3 = T(0.02) * b5_3 - T(0.38) * b5_1 + d6_2 * minus_f_sdot6_1 - d6_1 * minus_f_sdot6_2 - minus_N5_3;
+  const T f_omega5_2 = T(0.04) * b5_3 - minus_N5_2 + T(0.38) * b5_2 + d6_1 * minus_f_sdot6_3 - d6_3 * minus_f_sdot6_1;
+  const T f_omega5_3 = T(0.02) * b5_3 - minus_N5_3 - T(0.38) * b5_1 + d6_2 * minus_f_sdot6_1 - d6_1 * minus_f_sdot6_2;
   f[12] = f_omega5_1;
   f[13] = f_omega5_2;
   f[14] = f_omega5_3;
@@ -2849,10 +2849,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega4 = r4~ R4 G4 + N4: Kane's equation of omega [N m]
   const T b4_1 = R4_21 * minus_G4_1 + R4_22 * minus_G4_2 + R4_23 * minus_G4_3;
   const T b4_2 = R4_31 * minus_G4_1 + R4_32 * minus_G4_2 + R4_33 * minus_G4_3;
-  const T f_omega4_1 = T(0.1) * b4_1 - T(0.06) * b4_2 - minus_N4_1;
+  const T f_omega4_1 = T(0.1) * b4_1 - minus_N4_1 - T(0.06) * b4_2;
   const T b4_3 = R4_11 * minus_G4_1 + R4_12 * minus_G4_2 + R4_13 * minus_G4_3;
-  const T minus_f_omega4_2 = T(0.1) * b4_3 + T(0.03) * b4_2 + minus_N4_2;
-  const T f_omega4_3 = T(0.03) * b4_1 + T(0.06) * b4_3 - minus_N4_3;
+  const T minus_f_omega4_2 = minus_N4_2 + T(0.1) * b4_3 + T(0.03) * b4_2;
+  const T f_omega4_3 = T(0.03) * b4_1 - minus_N4_3 + T(0.06) * b4_3;
   f[9] = f_omega4_1;
   f[10] = -minus_f_omega4_2;
   f[11] = f_omega4_3;
@@ -2868,10 +2868,10 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega3 = r3~ R3 G3 + N3: Kane's equation of omega [N m]
   const T b3_1 = R3_21 * minus_G3_1 + R3_22 * minus_G3_2 + R3_23 * minus_G3_3;
   const T b3_2 = R3_31 * minus_G3_1 + R3_32 * minus_G3_2 + R3_33 * minus_G3_3;
-  const T minus_f_omega3_1 = T(0.02) * b3_1 + T(0.35) * b3_2 + minus_N3_1;
+  const T minus_f_omega3_1 = minus_N3_1 + T(0.02) * b3_1 + T(0.35) * b3_2;
   const T b3_3 = R3_11 * minus_G3_1 + R3_12 * minus_G3_2 + R3_13 * minus_G3_3;
-  const T f_omega3_2 = T(0.02) * b3_3 + T(0.1) * b3_2 - minus_N3_2;
-  const T f_omega3_3 = T(0.35) * b3_3 - T(0.1) * b3_1 - minus_N3_3;
+  const T f_omega3_2 = T(0.02) * b3_3 - minus_N3_2 + T(0.1) * b3_2;
+  const T f_omega3_3 = T(0.35) * b3_3 - minus_N3_3 - T(0.1) * b3_1;
   f[6] = -minus_f_omega3_1;
   f[7] = f_omega3_2;
   f[8] = f_omega3_3;
@@ -2891,13 +2891,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega2 = r2~ R2 G2 + d3~ R2 G3 + d4~ R2 G4 + N2: Kane's equation of omega [N m]
   const T b2_1 = R2_21 * minus_G2_1 + R2_22 * minus_G2_2 + R2_23 * minus_G2_3;
   const T b2_2 = R2_31 * minus_G2_1 + R2_32 * minus_G2_2 + R2_33 * minus_G2_3;
-  const T f_omega2_1 = T(0.45) * b2_1 - T(0.04) * b2_2 + d3_3 * minus_f_sdot3_2 - d3_2 * minus_f_sdot3_3 + d4_3 *
-      minus_f_sdot4_2 - d4_2 * minus_f_sdot4_3 - minus_N2_1;
+  const T f_omega2_1 = T(0.45) * b2_1 - minus_N2_1 - T(0.04) * b2_2 + d3_3 * minus_f_sdot3_2 - d3_2 * minus_f_sdot3_3
+      + d4_3 * minus_f_sdot4_2 - d4_2 * minus_f_sdot4_3;
   const T b2_3 = R2_11 * minus_G2_1 + R2_12 * minus_G2_2 + R2_13 * minus_G2_3;
-  const T f_omega2_2 = T(0.03) * b2_2 - T(0.45) * b2_3 + d3_1 * minus_f_sdot3_3 - d3_3 * minus_f_sdot3_1 + d4_1 *
-      minus_f_sdot4_3 - d4_3 * minus_f_sdot4_1 - minus_N2_2;
-  const T f_omega2_3 = T(0.04) * b2_3 - T(0.03) * b2_1 + d3_2 * minus_f_sdot3_1 - d3_1 * minus_f_sdot3_2 + d4_2 *
-      minus_f_sdot4_1 - d4_1 * minus_f_sdot4_2 - minus_N2_3;
+  const T f_omega2_2 = T(0.03) * b2_2 - minus_N2_2 - T(0.45) * b2_3 + d3_1 * minus_f_sdot3_3 - d3_3 * minus_f_sdot3_1
+      + d4_1 * minus_f_sdot4_3 - d4_3 * minus_f_sdot4_1;
+  const T f_omega2_3 = T(0.04) * b2_3 - minus_N2_3 - T(0.03) * b2_1 + d3_2 * minus_f_sdot3_1 - d3_1 * minus_f_sdot3_2
+      + d4_2 * minus_f_sdot4_1 - d4_1 * minus_f_sdot4_2;
   f[3] = f_omega2_1;
   f[4] = f_omega2_2;
   f[5] = f_omega2_3;
@@ -2920,13 +2920,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, T* f
   // f_omega1 = r1~ R1 G1 + d2~ R1 S2 + d5~ R1 S5 + N1: Kane's equation of omega [N m]
   const T b1_1 = R1_21 * minus_G1_1 + R1_22 * minus_G1_2 + R1_23 * minus_G1_3;
   const T b1_2 = R1_31 * minus_G1_1 + R1_32 * minus_G1_2 + R1_33 * minus_G1_3;
-  const T f_omega1_1 = T(0.08) * b1_1 + T(0.02) * b1_2 + d2_3 * minus_f_sdot2_2 - d2_2 * minus_f_sdot2_3 + d5_3 *
-      minus_f_sdot5_2 - d5_2 * minus_f_sdot5_3 - minus_N1_1;
+  const T f_omega1_1 = T(0.08) * b1_1 - minus_N1_1 + T(0.02) * b1_2 + d2_3 * minus_f_sdot2_2 - d2_2 * minus_f_sdot2_3
+      + d5_3 * minus_f_sdot5_2 - d5_2 * minus_f_sdot5_3;
   const T b1_3 = R1_11 * minus_G1_1 + R1_12 * minus_G1_2 + R1_13 * minus_G1_3;
-  const T f_omega1_2 = T(0.05) * b1_2 - T(0.08) * b1_3 + d2_1 * minus_f_sdot2_3 - d2_3 * minus_f_sdot2_1 + d5_1 *
-      minus_f_sdot5_3 - d5_3 * minus_f_sdot5_1 - minus_N1_2;
-  const T f_omega1_3 = d2_2 * minus_f_sdot2_1 - (T(0.05) * b1_1 + T(0.02) * b1_3) - d2_1 * minus_f_sdot2_2 + d5_2 *
-      minus_f_sdot5_1 - d5_1 * minus_f_sdot5_2 - minus_N1_3;
+  const T f_omega1_2 = T(0.05) * b1_2 - minus_N1_2 - T(0.08) * b1_3 + d2_1 * minus_f_sdot2_3 - d2_3 * minus_f_sdot2_1
+      + d5_1 * minus_f_sdot5_3 - d5_3 * minus_f_sdot5_1;
+  const T f_omega1_3 = d2_2 * minus_f_sdot2_1 - (minus_N1_3 + T(0.05) * b1_1 + T(0.02) * b1_3) - d2_1 *
+      minus_f_sdot2_2 + d5_2 * minus_f_sdot5_1 - d5_1 * minus_f_sdot5_2;
   f[0] = f_omega1_1;
   f[1] = f_omega1_2;
   f[2] = f_omega1_3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a486f9815f258dae of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model 1afb2e160ec5ff53 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "a486f9815f258dae";
+inline constexpr char model_hash[] = "1afb2e160ec5ff53";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -222,8 +222,8 @@ void energy(const Prepared<T>& c, T t, const T* x, const T* y, T* energy) noexce
   // T3 = 1/2 m3 Pdot3 . Pdot3: kinetic energy [J]
   const T T3 = sdot3 * sdot3 * T(0.2);
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -275,8 +275,8 @@ void power(const Prepared<T>& c, T t, const T* x, const T* y, T* out) noexcept {
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -337,8 +337,8 @@ void accelerations(const Prepared<T>& c, T t, const T* x, const T* y, T* ydot) n
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -413,8 +413,8 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
   const T thetaddot2 = ydot[0];
   const T sddot3 = ydot[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -435,7 +435,7 @@ void residual(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot, 
       F_joint_pin_3_3);
   r[0] = N2_2;
   // G3 = m3 Pddot3 + F_joint_pin_3: inertia less applied force, inertial axes [N]
-  const T G3_1 = T(0.4) * sddot3 + F_joint_pin_3_1;
+  const T G3_1 = F_joint_pin_3_1 + T(0.4) * sddot3;
 
   // ---- body 3 (slider) and what it carries
   // r_sdot3 = u3 . G3 - tau_slider_: Kane's equation of sdot [N]
@@ -501,15 +501,15 @@ void driving_loads(const Prepared<T>& c, T t, const T* x, const T* y, const T* y
   const T minus_Pddot2_1 = E2_11 * t2_1 + minus_E2_13 * Pddot1_3;
   const T Pddot2_3 = E2_11 * Pddot1_3 - minus_E2_13 * t2_1;
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a2_1 = minus_U2_11 * T(0.1) + minus_Pddot2_1;
+  const T minus_a2_1 = minus_Pddot2_1 + minus_U2_11 * T(0.1);
   const T a2_3 = Pddot2_3 - thetaddot2 * T(0.1);
 
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   const T sdot3 = y[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -582,8 +582,8 @@ void load_powers(const Prepared<T>& c, T t, const T* x, const T* y, T* power) no
   // ---- body 3 (slider) on the inertial frame
   const T s3 = x[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -651,7 +651,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T minus_Pddot2_1 = E2_11 * t2_1 + minus_E2_13 * Pddot1_3;
   const T Pddot2_3 = E2_11 * Pddot1_3 - minus_E2_13 * t2_1;
   // a2 = U2 r2 + Pddot2: acceleration of the mass centre, less gravity, body axes [m/s^2]
-  const T minus_a2_1 = minus_U2_11 * T(0.1) + minus_Pddot2_1;
+  const T minus_a2_1 = minus_Pddot2_1 + minus_U2_11 * T(0.1);
   const T a2_3 = Pddot2_3 - thetaddot2 * T(0.1);
 
   // ---- body 3 (slider) on the inertial frame
@@ -659,8 +659,8 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   const T sdot3 = y[1];
   const T sddot3 = ydot[1];
   // line_joint_pin_3 = -R2^T r_joint_pin_ - P2 + d3: from one end of the spring to the other, inertial axes [m]
-  const T line_joint_pin_3_1 = s3 - (R2_11 * T(0.2) + P2_1);
-  const T line_joint_pin_3_3 = minus_R2_13 * T(0.2) + minus_P2_3;
+  const T line_joint_pin_3_1 = s3 - R2_11 * T(0.2) - P2_1;
+  const T line_joint_pin_3_3 = minus_P2_3 + minus_R2_13 * T(0.2);
   // ll_joint_pin_3 = 1e-36 + line_joint_pin_3 . line_joint_pin_3: length squared [m^2]
   const T ll_joint_pin_3 = T(1e-36) + line_joint_pin_3_1 * line_joint_pin_3_1 + line_joint_pin_3_3 *
       line_joint_pin_3_3;
@@ -685,7 +685,7 @@ void reactions(const Prepared<T>& c, T t, const T* x, const T* y, const T* ydot,
   //   body axes [N m]
   const T N2_2 = T(0.001) * thetaddot2 + T(0.1) * t3_2;
   // G3 = m3 Pddot3 + F_joint_pin_3: inertia less applied force, inertial axes [N]
-  const T G3_1 = T(0.4) * sddot3 + F_joint_pin_3_1;
+  const T G3_1 = F_joint_pin_3_1 + T(0.4) * sddot3;
   const T G3_3 = T(3.9240000000000004) + F_joint_pin_3_3;
   reaction[12] = G3_1;
   reaction[14] = G3_3;
@@ -737,7 +737,7 @@ void rod_end_position(const Prepared<T>& c, T t, const T* x, T* position) noexce
   // ---- results
   position[0] = R2_11 * T(0.2) + P2_1;
   position[1] = T(0);
-  position[2] = -(minus_R2_13 * T(0.2) + minus_P2_3);
+  position[2] = -(minus_P2_3 + minus_R2_13 * T(0.2));
 }
 
 // pin_position: position of pin, inertial axes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // t_handle: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 93348243ff07fab0 of t_handle/scene.toml; the usual functions
+// model a5f6138e1b769662 of t_handle/scene.toml; the usual functions
 // bodies and their joints:
 //   1 bar on the inertial frame: free
 //   2 stem on 1: weld
@@ -37,7 +37,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "93348243ff07fab0";
+inline constexpr char model_hash[] = "a5f6138e1b769662";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -392,7 +392,7 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // ---- body 1 (bar) and what it carries
   // r_omega1 = r_link1~ R1 G1 + N1: Kane's equation of omega [N m]
   const T r_omega1_2 = N1_2 - T(2.6020852139652105e-19) * (R1_31 * G1_1 + R1_32 * G1_2 + R1_33 * G1_3);
-  const T r_omega1_3 = T(2.6020852139652105e-19) * (R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3) + N1_3;
+  const T r_omega1_3 = N1_3 + T(2.6020852139652105e-19) * (R1_21 * G1_1 + R1_22 * G1_2 + R1_23 * G1_3);
   r[1] = r_omega1_2;
   r[2] = r_omega1_3;
 }

@@ -8,10 +8,11 @@ namespace kanec::emit {
 namespace {
 
 Form form(const program::Program& program, const program::Function& function, const program::Ledger& cost,
-          Optimize optimize) {
+          const Model& model) {
   Form result;
+  const Optimize optimize = model.optimize;
   if (optimize == Optimize::line) return result;
-  if (optimize == Optimize::speed && cost.operations() <= longest_line) return result;
+  if (optimize == Optimize::speed && cost.operations() <= model.longest_line) return result;
   std::optional<program::Rolled> loops = program::rolled(program, function);
   if (!loops) return result;
   result.straight = straight_footprint(program, function);
@@ -34,10 +35,11 @@ std::string bytes(const program::Footprint& footprint) {
 
 }  // namespace
 
-std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs, Optimize optimize) {
+std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs,
+                        const Model& model) {
   std::vector<Form> result;
   for (std::size_t i = 0; i < program.functions.size(); ++i)
-    result.push_back(form(program, program.functions[i], costs[i], optimize));
+    result.push_back(form(program, program.functions[i], costs[i], model));
   return result;
 }
 

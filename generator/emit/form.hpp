@@ -17,13 +17,12 @@ struct Form {
   program::Footprint straight, rolled;   // the latter where there are loops
 };
 
-// For size, loops wherever they take less code. For speed, in functions beyond `longest_line` operations of which most
+// For size, loops wherever they take less code. For speed, in functions beyond the model's longest line of which most
 // are repeated: code that does not fit the processor's caches is no faster as a straight line, and takes long to
 // compile. Frames for speed stay below `most_stack` bytes: a thread may have little more.
-inline constexpr int longest_line = 8000;
 inline constexpr std::size_t most_stack = 1 << 20;
 
-std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs, Optimize optimize);
+std::vector<Form> forms(const program::Program& program, const std::vector<program::Ledger>& costs, const Model& model);
 
 // Comment lines on the functions that are loops; empty where there are none.
 std::string memory(const program::Program& program, const std::vector<Form>& forms);

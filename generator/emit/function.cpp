@@ -31,23 +31,31 @@ class Emission {
         arguments_(program, function, named.has_inputs),
         cost_(cost),
         named_(named),
+        angles_(program, function, model.optimize),
         statements_(program, stages, Stage::state, function.outputs) {
     for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
+    for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+      const auto* variable = std::get_if<program::Variable>(&program.nodes[i]);
+      if (variable != nullptr && variable->group == program::Group::x && angles_.has(variable->index))
+        statements_.take_turn(static_cast<Index>(i), "[" + std::to_string(variable->index) + "]");
+    }
   }
 
   std::string text(const Form& form) {
     if (form.loops) return comments() + rolled_text(model_, program_, function_, *form.loops, named_);
     const bool placed = !function_.placements.empty();
-    Shape shape{function_.name,
-                arguments_.parameters(),
-                arguments_.piece_parameters(),
-                arguments_.values("c", "u"),
-                "",
-                "",
-                "",
-                usings(program_, reachable(program_, function_.outputs), stages_, Stage::state)};
+    Shape shape{
+        function_.name,
+        arguments_.parameters(),
+        arguments_.piece_parameters(),
+        arguments_.values("c", "u"),
+        "",
+        "",
+        "",
+        usings(program_, angles_.others(program_, reachable(program_, function_.outputs)), stages_, Stage::state),
+        angles_};
     if (placed) {
       block_ = shape.out_local = "block";
       shape.begin = "  T block[" + std::to_string(function_.outputs.size()) + "];\n";
@@ -201,6 +209,7 @@ class Emission {
   ArgumentList arguments_;
   program::Ledger cost_;
   const Named& named_;
+  Angles angles_;
   Statements statements_;
   std::unordered_map<Index, std::vector<std::size_t>> places_;  // outputs by node
   std::vector<bool> stored_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/header.hpp"
 
+#include "generator/emit/angles.hpp"
 #include "generator/emit/calls.hpp"
 #include "generator/emit/form.hpp"
 #include "generator/emit/function.hpp"
@@ -32,8 +33,10 @@ std::string emit_header(const Model& model, const program::Program& program) {
   const std::vector<program::Stage> stages = program::stages(program);
   const Preparation preparation = emit_prepare(read, program, stages);
   const std::vector<program::Ledger> costs = program::ledgers(program);
-  const std::vector<Form> how = forms(program, costs, model.optimize);
-  const std::string included = includes(program);
+  const std::vector<Form> how = forms(program, costs, model);
+  const std::string turns = cos_sin_text(model, program);
+  const std::string included =
+      includes(program) + (turns.empty() ? "" : "#include <cstdint>\n#include <cstring>\n" + turns);
   std::string text = preamble(model, program, read, costs) + memory(program, how) + "#pragma once\n\n" + included +
                      (included.empty() ? "" : "\n") + "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
                      "inline constexpr char model_hash[] = \"" + model.hash + "\";\n\n" + state_constants(scene) +

@@ -19,6 +19,7 @@ struct Model {
   std::string options;  // as text: "all functions"
   std::string source = {};  // where the scene was read: a path, or empty
   Optimize optimize = Optimize::speed;
+  int longest_line = 8000;  // operations of a function that for speed is a straight line in any case
 };
 
 }  // namespace kanec::emit

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/emit/angles.hpp"
 #include "generator/emit/calls.hpp"
 #include "generator/emit/statements.hpp"
 #include "runtime/base/text.hpp"
@@ -117,7 +118,7 @@ std::string left_out(const Used& used) {
                        : comment("Parameters and inputs that nothing here reads are left out: " + joined(names) + ".");
 }
 
-std::string conventions(const program::Program& program) {
+std::string conventions(const program::Program& program, bool turns) {
   const bool chooses = selects(program);
   const std::vector<std::string> calls = functions_called(program);
   const bool compares = chooses || std::any_of(calls.begin(), calls.end(),
@@ -128,6 +129,9 @@ std::string conventions(const program::Program& program) {
   if (compares) scalar += ", <";
   if (chooses) scalar += " (where that gives no bool, select(condition, a, b) as well)";
   if (!calls.empty()) scalar += ", and of its own or by conversion " + joined(calls);
+  if (turns)
+    scalar +=
+        ". Cosines and sines of angles in double are those of cos_sin() below, with KANEC_LIBM_COS_SIN the library's";
   return "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n" +
          comment(std::string("No function allocates, throws, branches") +
                  (chooses ? " (it may choose between two values)" : "") +
@@ -157,7 +161,7 @@ std::string preamble(const Model& model, const program::Program& program, const 
                  (size(scene) == 1 ? "body" : "bodies") + ", made by kanec " + model.version +
                  ". Not to be edited by hand.") +
          "//\n" + comment("model " + model.hash + source + "; " + model.options) + bodies(scene) + state(scene) +
-         left_out(used) + conventions(program) + operations(program, costs);
+         left_out(used) + conventions(program, !cos_sin_text(model, program).empty()) + operations(program, costs);
 }
 
 }  // namespace kanec::emit

@@ -57,7 +57,13 @@ class Loops {
       : arguments_(program, function, named.has_inputs),
         function_(function),
         rolled_(rolled),
-        scope_{&model, &program, &function, &rolled, &named, field_names(rolled)} {}
+        scope_{&model,
+               &program,
+               &function,
+               &rolled,
+               &named,
+               field_names(rolled),
+               Angles(program, function, model.optimize)} {}
 
   std::string text() {
     std::map<std::string, int> numbers;
@@ -119,7 +125,8 @@ class Loops {
   std::string main_text(const std::string& space) const {
     std::string text = "template <class T>\n" + block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
     text += "  using namespace " + space + ";\n";
-    text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays();
+    text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays() +
+            scope_.angles.declarations("  ") + scope_.angles.calls("");
     const std::vector<Run> all = runs(rolled_);
     constexpr std::size_t most_loops = 12;
     return text + (all.size() <= most_loops ? loops(all) : steps()) + "}\n";

@@ -106,7 +106,7 @@ std::string split(const program::Program& program, const Shape& shape,
   }
   std::string text = "namespace " + space +
                      " {\n\n// results that one piece makes and another uses\ntemplate <class T>\nstruct Shared {\n" +
-                     listed("  T ", crossing, ", ", ";") + "};\n";
+                     listed("  T ", crossing, ", ", ";") + shape.angles.declarations("  ") + "};\n";
   std::string calls;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
@@ -115,6 +115,8 @@ std::string split(const program::Program& program, const Shape& shape,
             opening("[[gnu::noinline]] void " + name,
                     shape.piece_parameters + local + ", [[maybe_unused]] Shared<T>& shared") +
             shape.usings;
+    if (!shape.angles.empty())
+      text += "  [[maybe_unused]] const T *const cosines = shared.cosines, *const sines = shared.sines;\n";
     for (const std::string& taken : names[i].taken) text += "  const T " + taken + " = shared." + taken + ";\n";
     text += body(program, pieces[i]);
     for (const std::string& made : names[i].made)
@@ -125,7 +127,7 @@ std::string split(const program::Program& program, const Shape& shape,
   }
   text += "\n}  // namespace " + space + "\n\n";
   return text + opening("void " + shape.name, shape.parameters) + shape.begin + "  " + space + "::Shared<T> shared;\n" +
-         calls + shape.end + "}\n";
+         shape.angles.calls("shared.") + calls + shape.end + "}\n";
 }
 
 }  // namespace
@@ -133,8 +135,8 @@ std::string split(const program::Program& program, const Shape& shape,
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,
                           const Lengths& lengths) {
   if (length(sections) > lengths.whole) return split(program, shape, cut(sections, lengths.piece));
-  return opening("void " + shape.name, shape.parameters) + shape.usings + shape.begin + body(program, sections) +
-         shape.end + "}\n";
+  return opening("void " + shape.name, shape.parameters) + shape.usings + shape.begin +
+         shape.angles.declarations("  ") + shape.angles.calls("") + body(program, sections) + shape.end + "}\n";
 }
 
 }  // namespace kanec::emit

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/angles.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
@@ -29,6 +30,7 @@ struct Shape {
   std::string end;         // and after
   std::string out_local;   // a local array that pieces write into, "block", or empty
   std::string usings;      // using-declarations that the statements need
+  Angles angles;           // of which the arrays cosines and sines are
 };
 
 // The longest function that is left whole and the length of a piece, in lines.

@@ -45,7 +45,8 @@ class Text {
   Text(const RolledScope& scope, const SectionClass& kind, int number, Gathered& gathered)
       : scope_(scope), kind_(kind), gathered_(gathered), body_(kind.body) {
     result_.name = section_name(kind, number);
-    taken_ = {"c", "t", "x", "y", "ydot", "u", "inputs", "prepared", "frames", "row", "k", "own", "frame"};
+    taken_ = {"c",      "t",   "x", "y",   "ydot",  "u",       "inputs", "prepared",
+              "frames", "row", "k", "own", "frame", "cosines", "sines"};
     for (const program::Result& made : results(*scope.function)) taken_.insert(made.out);
     for (const Index k : kind.bodies) own_.push_back(std::max(k, 0));
     find_frames();
@@ -193,8 +194,48 @@ class Text {
   }
 
   void load_state(std::size_t i, const Leaf& leaf, program::Group group) {
+    if (is_angle(leaf) && !has_other_use(static_cast<Index>(i))) return;
     const std::string from = used(array(leaf.kind));
     load(i, variable(leaf.places[0], group), from + "[" + columns_.index(from, leaf.places) + "]");
+  }
+
+  bool is_angle(const Leaf& leaf) const { return leaf.kind == LeafKind::x && scope_.angles.has(leaf.places[0]); }
+
+  // Whether anything but a cosine or a sine is taken of a leaf.
+  bool has_other_use(Index leaf) const {
+    for (const program::Node& node : body_.nodes) {
+      const program::Operands from = operands(node);
+      for (int i = 0; i < from.count && !is_turn(node); ++i) {
+        const auto* variable = std::get_if<program::Variable>(&body_.nodes[at(from.at[i])]);
+        if (variable != nullptr && variable->index == leaf) return true;
+      }
+    }
+    const auto& outputs = body_.functions[0].outputs;
+    return std::any_of(outputs.begin(), outputs.end(), [&](Ref output) {
+      const auto* variable = std::get_if<program::Variable>(&body_.nodes[at(output.node)]);
+      return variable != nullptr && variable->index == leaf;
+    });
+  }
+
+  static bool is_turn(const program::Node& node) {
+    return std::holds_alternative<program::Sine>(node) || std::holds_alternative<program::Cosine>(node);
+  }
+
+  // The leaf that a node of the body is, where that is an angle; else null.
+  const Leaf* angle(Index node) const {
+    const auto* variable = std::get_if<program::Variable>(&body_.nodes[at(node)]);
+    if (variable == nullptr || !is_angle(kind_.leaves[at(variable->index)])) return nullptr;
+    return &kind_.leaves[at(variable->index)];
+  }
+
+  // Cosines and sines of angles are in arrays of the function.
+  void take_turns(Statements& statements) {
+    for (const program::Node& node : body_.nodes) {
+      const Leaf* leaf = is_turn(node) ? angle(operands(node).at[0]) : nullptr;
+      if (leaf == nullptr) continue;
+      used(std::holds_alternative<program::Cosine>(node) ? "cosines" : "sines");
+      statements.take_turn(operands(node).at[0], "[" + columns_.index("x", leaf->places) + "]");
+    }
   }
 
   void name_input(std::size_t i, const Leaf& leaf) {
@@ -226,6 +267,7 @@ class Text {
     const std::vector<Stage> stages = program::stages(body_);
     Statements statements(body_, stages, Stage::state, function.outputs);
     const char* letter = kind_.pass == program::Pass::outward ? "t" : kind_.pass == program::Pass::inward ? "b" : "z";
+    take_turns(statements);
     statements.number_temporaries(letter + (own_[0] > 0 ? letter_of_.at(own_) : "") + "_");
     std::string text;
     std::size_t entry = 0;
@@ -286,6 +328,8 @@ class Text {
       std::erase_if(list, [&](const auto& argument) { return argument.first == result.out; });
       list.push_back({result.out, "T* "});
     }
+    list.push_back({"cosines", "const T* "});
+    list.push_back({"sines", "const T* "});
     list.push_back({"frames", "T* "});
     list.push_back({"row", "int "});
     return list;
@@ -303,7 +347,10 @@ class Text {
 
   std::string using_text() const {
     const std::vector<Stage> stages = program::stages(body_);
-    return usings(body_, reachable(body_, body_.functions[0].outputs), stages, Stage::state);
+    std::vector<bool> wanted = reachable(body_, body_.functions[0].outputs);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (is_turn(body_.nodes[i]) && angle(operands(body_.nodes[i]).at[0]) != nullptr) wanted[i] = false;
+    return usings(body_, wanted, stages, Stage::state);
   }
 
   std::vector<std::pair<std::string, Columns::Places>> all_columns() const {

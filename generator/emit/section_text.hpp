@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/angles.hpp"
 #include "generator/emit/function.hpp"
 #include "generator/program/rolled.hpp"
 
@@ -20,6 +21,7 @@ struct RolledScope {
   const program::Rolled* rolled = nullptr;
   const Named* named = nullptr;
   std::vector<std::string> fields;  // names of the frame's
+  Angles angles;                    // of which the arrays cosines and sines are
 };
 
 // Results of parameters, and inputs, that some section reads by a table, as arrays: by node or index their place.

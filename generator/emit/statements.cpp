@@ -139,8 +139,8 @@ Statements::Text Statements::operation(const Node& node) {
                         [&](const program::SquareRoot& op) -> Text {
                           return {"sqrt(" + argument(op.a) + ")", 2, false};
                         },
-                        [&](const program::Sine& op) { return odd("sin", op.a); },
-                        [&](const program::Cosine& op) { return even("cos", op.a); },
+                        [&](const program::Sine& op) { return turn("sines", "sin", op.a); },
+                        [&](const program::Cosine& op) { return turn("cosines", "cos", op.a); },
                         [&](const program::UnaryCall& op) { return call(op); },
                         [&](const program::BinaryCall& op) -> Text {
                           const std::string first = argument(op.a);
@@ -183,6 +183,12 @@ Statements::Text Statements::call(const program::UnaryCall& op) {
       break;
   }
   return {name + ("(" + argument(op.a) + ")"), 2, false};
+}
+
+Statements::Text Statements::turn(const char* array, const char* function, Index a) {
+  const auto taken = turns_.find(a);
+  if (taken != turns_.end()) return {array + taken->second, 2, false};
+  return function[0] == 's' ? odd(function, a) : even(function, a);
 }
 
 // A sign costs nothing where the function is odd or even.

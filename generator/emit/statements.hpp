@@ -38,6 +38,9 @@ class Statements {
   bool has_name(program::Ref ref) const { return names_.count(ref.node) > 0; }
   void name(program::Index node, Name name) { names_[node] = std::move(name); }
 
+  // The cosine and sine of this variable are taken elsewhere: in the arrays cosines and sines at `place`, "[4]".
+  void take_turn(program::Index variable, std::string place) { turns_[variable] = std::move(place); }
+
   // Temporaries are numbered from 1 behind this prefix from now on.
   void number_temporaries(const std::string& prefix);
 
@@ -70,6 +73,7 @@ class Statements {
   Text sum(Text a, Text b);
   Text product(Text a, Text b);
   Text call(const program::UnaryCall& op);
+  Text turn(const char* array, const char* function, program::Index a);
   Text odd(const char* function, program::Index a);
   Text even(const char* function, program::Index a);
   Text selection(const program::Select& op);
@@ -82,6 +86,7 @@ class Statements {
   std::vector<bool> alive_;
   std::vector<int> uses_;
   std::unordered_map<program::Index, Name> names_;
+  std::unordered_map<program::Index, std::string> turns_;
   std::string prefix_ = "t";
   std::unordered_map<std::string, int> temporaries_;  // made so far, by prefix
   std::vector<std::string> lines_;

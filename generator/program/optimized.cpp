@@ -36,7 +36,7 @@ Program optimized(Program program) {
   program = settled(std::move(program));
   program = settled(checked(collect(program)));
   program = checked(share_sums(program));
-  return settled(std::move(program));
+  return checked(order_terms(settled(std::move(program))));
 }
 
 }  // namespace kanec::program

@@ -24,6 +24,10 @@ Program share(const Program& program);
 // Partial sums that several sums of a function have in common, taken out once. Re-associates sums of three and more terms.
 Program share_sums(const Program& program);
 
+// Terms of a sum in an order in which most products are fused with additions: products that nothing else needs last.
+// a b + c d + e takes three instructions, e + a b + c d two.
+Program order_terms(const Program& program);
+
 // Operations that no output needs are dropped, and quantities of which nothing is left.
 Program drop_dead(const Program& program);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/program/critical_path.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "generator/symbolic/notation.hpp"
@@ -132,6 +133,8 @@ Json ledgers_json(const program::Program& program) {
   for (const program::Function& function : program.functions) {
     Json entry = {{"name", function.name}, {"results", function.n_out}};
     entry.update(ledger_json(program::ledger(program, function)));
+    entry["instructions"] = program::instructions(program, function);
+    entry["critical_path"] = program::critical_path(program, function);
     functions.push_back(std::move(entry));
   }
   return functions;

@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <filesystem>
-#include <map>
 #include <optional>
 
 #include "generator/pipeline.hpp"
@@ -14,6 +13,7 @@
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/model.hpp"
+#include "runtime/cli/output.hpp"
 #include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli {
@@ -40,18 +40,13 @@ constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
 The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
 written as well. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
-const std::map<std::string, emit::Optimize> goals = {{"speed", emit::Optimize::speed},
-                                                     {"size", emit::Optimize::size},
-                                                     {"line", emit::Optimize::line},
-                                                     {"loops", emit::Optimize::loops}};
-
 struct Options {
   SceneArgument scene;
   std::vector<std::string> functions;
   std::optional<symbolic::Algorithm> algorithm;
   std::string output;
   std::string stage;
-  std::string optimize = "speed";
+  emit::Optimize optimize = emit::Optimize::speed;
   bool abi = false;
   bool json = false;
 };
@@ -169,7 +164,8 @@ int generate_files(const Options& options) {
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions, options.algorithm, goals.at(options.optimize)});
+  const Generated generated = generate(scene, {functions, options.algorithm, options.optimize});
+  for (const std::string& note : generated.notes) remark("note: " + note);
   write(products, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -190,12 +186,7 @@ void add_generate(CLI::App& app, Action& action) {
   command
       ->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
-  command
-      ->add_option("--optimize", options->optimize,
-                   "loops over bodies: where they are no slower (speed, the default), where they take less code (size), "
-                   "never (line), always (loops)")
-      ->option_text("speed|size|line|loops")
-      ->check(CLI::IsMember({"speed", "size", "line", "loops"}));
+  add_optimize(*command, options->optimize);
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")

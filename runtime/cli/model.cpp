@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 #include "generator/candidates.hpp"
@@ -44,10 +45,11 @@ compile::Source batch_source_of(const Generated& generated, const scene::Scene& 
 
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
-CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildArguments& arguments, const std::string& what, SourceOf source) {
+CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+                    const std::string& what, SourceOf source) {
   const Interrupts interrupts;
-  Generated generated = generate(scene, {functions, arguments.algorithm, arguments.optimize});
+  Generated generated = generate(scene, options);
+  for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
   compile::Model library = [&] {
     try {
@@ -61,7 +63,7 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
   for (const std::string& note : library.notes()) remark("note: " + note);
   remark(library.from_cache() ? what + ": from the cache"
                               : fmt::format("{}: compiled in {:.2g} s", what, library.compile_seconds()));
-  return {std::move(generated), std::move(library), functions.empty() ? scene.functions : functions};
+  return {std::move(generated), std::move(library), options.functions.empty() ? scene.functions : options.functions};
 }
 
 }  // namespace
@@ -69,7 +71,8 @@ CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& f
 void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
   add_algorithm(command, arguments.algorithm);
-  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++")
+  add_optimize(command, arguments.optimize);
+  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++ (lanes: g++ first)")
       ->option_text("PROGRAM")
       ->group(group);
   command
@@ -90,13 +93,16 @@ compile::Options compile_options(const BuildArguments& arguments) {
 
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
                     const BuildArguments& arguments) {
-  return build(scene, functions, arguments, scene.name,
+  return build(scene, {functions, arguments.algorithm, arguments.optimize}, arguments, scene.name,
                [&](const Generated& generated) { return source_of(generated, scene); });
 }
 
 CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
                           const BuildArguments& arguments, const LaneArguments& lanes) {
-  return build(scene, functions, arguments, scene.name + " in lanes",
+  // lanes take instructions in less often a state: straight lines pay up to here, but take seconds to compile
+  constexpr int longest_line = 20'000;
+  return build(scene, {functions, arguments.algorithm, arguments.optimize, longest_line}, arguments,
+               scene.name + " in lanes",
                [&](const Generated& generated) { return batch_source_of(generated, scene, lanes); });
 }
 
@@ -113,6 +119,20 @@ void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algori
                                         "whichever takes fewer operations)")
       ->check(CLI::IsMember(std::vector<std::string>{"auto", name(Algorithm::composite), name(Algorithm::articulated)}))
       ->option_text("auto|composite|articulated");
+}
+
+void add_optimize(CLI::App& command, emit::Optimize& optimize) {
+  using emit::Optimize;
+  static const std::map<std::string, Optimize> goals = {
+      {"speed", Optimize::speed}, {"size", Optimize::size}, {"line", Optimize::line}, {"loops", Optimize::loops}};
+  const auto set = [&optimize](const std::string& text) { optimize = goals.at(text); };
+  command
+      .add_option_function<std::string>(
+          "--optimize", set,
+          "loops over bodies: where they are no slower (speed, the default), where they take less code (size), never "
+          "(line), always (loops)")
+      ->check(CLI::IsMember({"speed", "size", "line", "loops"}))
+      ->option_text("speed|size|line|loops");
 }
 
 void add_functions(CLI::App& command, std::vector<std::string>& functions) {

@@ -45,9 +45,11 @@ struct LaneArguments {
 CompiledModel build_batch(const scene::Scene& scene, const std::vector<std::string>& functions,
                           const BuildArguments& arguments, const LaneArguments& lanes = {});
 
-// --functions a,b+c
 // --algorithm of accelerations.
 void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algorithm);
+// --optimize: loops over bodies or straight lines.
+void add_optimize(CLI::App& command, emit::Optimize& optimize);
+// --functions a,b+c
 void add_functions(CLI::App& command, std::vector<std::string>& functions);
 
 }  // namespace kanec::cli

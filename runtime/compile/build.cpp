@@ -70,7 +70,7 @@ void check_names(const Source& source) {
 
 Job plan(const Source& source, const Options& options) {
   check_names(source);
-  Job job{source, find_compiler(options.compiler), source.flags, {}};
+  Job job{source, find_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar), source.flags, {}};
   const std::vector<std::string> chosen = options.flags_given ? options.flags : default_flags();
   job.flags.insert(job.flags.end(), chosen.begin(), chosen.end());
   job.place = Cache::place(source.name, cache_key(source, job.compiler, job.flags));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/compile/compiler.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <optional>
@@ -55,12 +56,14 @@ struct Candidates {
   bool exclusive = false;  // asked for by name: nothing else will do
 };
 
-Candidates candidates(const std::string& wish) {
+Candidates candidates(const std::string& wish, Code code) {
   if (!wish.empty()) return {{{wish, ""}}, true};
   if (const std::string own = variable("KANEC_CXX"); !own.empty()) return {{{own, " ($KANEC_CXX)"}}, true};
   Candidates all;
   if (const std::string cxx = variable("CXX"); !cxx.empty()) all.list.push_back({cxx, " ($CXX)"});
-  for (const char* name : {"clang++", "c++", "g++"}) all.list.push_back({name, ""});
+  std::vector<std::string> usual = {"clang++", "c++", "g++"};
+  if (code == Code::lanes) std::reverse(usual.begin(), usual.end());
+  for (const std::string& name : usual) all.list.push_back({name, ""});
   return all;
 }
 
@@ -92,8 +95,8 @@ std::string version_of(const Compiler& compiler) {
 
 }  // namespace
 
-Compiler find_compiler(const std::string& wish) {
-  const Candidates all = candidates(wish);
+Compiler find_compiler(const std::string& wish, Code code) {
+  const Candidates all = candidates(wish, code);
   std::string tried;
   for (const Candidate& candidate : all.list) {
     if (auto compiler = locate(candidate.text)) {

@@ -14,9 +14,14 @@ struct Compiler {
   std::string version;                 // what it answers to --version
 };
 
-// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, clang++ (see docs/compile_time.md), c++, g++. Each may carry
-// arguments after blanks. Throws BuildError that names all that were tried, or shows what a broken one says.
-Compiler find_compiler(const std::string& wish);
+// What is compiled: scalar code, which clang++ compiles faster and no slower to run, or lanes, which g++ makes a tenth to a
+// sixth faster (docs/compile_time.md).
+enum class Code { scalar, lanes };
+
+// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, clang++, c++, g++, for lanes of $CXX, g++,
+// c++, clang++. Each may carry arguments after blanks. Throws BuildError that names all that were tried, or shows what a
+// broken one says.
+Compiler find_compiler(const std::string& wish, Code code = Code::scalar);
 
 // $KANEC_CXXFLAGS split on blanks, or -O2 -march=native -fno-math-errno -fno-tree-slp-vectorize.
 std::vector<std::string> default_flags();

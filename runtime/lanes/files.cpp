@@ -8,9 +8,12 @@ namespace kanec {
 std::vector<std::pair<std::string, std::string>> lane_files() {
   return {{"lanes.hpp", lanes_text},
           {"lane_functions.hpp", lane_functions_text},
+          {"cos_sin.hpp", cos_sin_header},
           {"batch.hpp", batch_text},
           {"rk4.hpp", rk4_text}};
 }
+
+std::string cos_sin_text() { return cos_sin_header; }
 
 std::vector<std::string> lane_flags(const std::string& scalar, int lanes) {
   std::vector<std::string> flags = {"-ffp-contract=fast", "-DKANEC_SCALAR=" + scalar};

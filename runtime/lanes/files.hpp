@@ -11,6 +11,9 @@ namespace kanec {
 // File names and texts; they include each other, and abi.h, by bare name.
 std::vector<std::pair<std::string, std::string>> lane_files();
 
+// The text of cos_sin.hpp, of which emitted headers hold a part.
+std::string cos_sin_text();
+
 // For the compiler: the scalar, "double" or "float"; lanes, 0 for as many as the target has; and multiply-adds fused as
 // in scalar code, which Clang would not do across the operators of a class.
 std::vector<std::string> lane_flags(const std::string& scalar, int lanes);

@@ -51,6 +51,12 @@ class Compile : public Program {
   Folder tools_;
 };
 
+TEST_F(Compile, another_form_of_the_code_is_another_model) {
+  for (const char* form : {"speed", "size", "line", "loops"})
+    EXPECT_EQ(kanec(simulate({"--optimize", form})).status, 0) << form;
+  EXPECT_EQ(runs(), 4);
+}
+
 TEST_F(Compile, second_run_compiles_nothing) {
   const Answer first = kanec(simulate({}));
   EXPECT_EQ(first.status, 0);

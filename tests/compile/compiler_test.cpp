@@ -52,6 +52,14 @@ TEST_F(FindCompiler, wish_comes_first_then_the_variables_then_the_usual_names) {
   }
 }
 
+TEST_F(FindCompiler, lanes_have_the_usual_names_the_other_way_round) {
+  for (const char* name : {"clang++", "c++", "g++"}) put(name, name);
+  for (const char* name : {"g++", "c++", "clang++"}) {
+    EXPECT_EQ(find_compiler("", Code::lanes).path, folder() / name);
+    fs::remove(folder() / name);
+  }
+}
+
 TEST_F(FindCompiler, version_is_what_it_answers) {
   put("c++", "compiler 3.1");
   EXPECT_EQ(find_compiler("").version, "compiler 3.1 --version\n");

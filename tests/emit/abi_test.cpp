@@ -29,9 +29,10 @@ class Loaded {
     const std::string library = (folder_.path() / "model.so").string();
     write_file(folder_.path() / (generated.name + ".hpp"), generated.header);
     write_file(source, generated.abi);
-    const ProcessResult result = run_process({"g++", "-std=c++17", "-O0", "-ffp-contract=off", "-Wall", "-Wextra",
-                                              "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-shared", "-fPIC",
-                                              "-I" KANEC_SOURCE_DIR "/runtime/abi", source.string(), "-o", library});
+    const ProcessResult result =
+        run_process({"g++", "-std=c++17", "-O0", "-ffp-contract=off", "-DKANEC_LIBM_COS_SIN", "-Wall", "-Wextra",
+                     "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-shared", "-fPIC",
+                     "-I" KANEC_SOURCE_DIR "/runtime/abi", source.string(), "-o", library});
     if (result.status != 0 || !result.output.empty()) throw std::runtime_error(result.output);
     handle_ = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) throw std::runtime_error(::dlerror());

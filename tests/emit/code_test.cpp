@@ -109,7 +109,7 @@ void expect_counts(const Counts& executed, const program::Ledger& promised) {
 // The header prescribes the operations and their order; an optimiser that may not contract keeps both.
 TEST_P(EmittedCode, gives_the_bits_of_its_program) {
   Driver driver(sample, generated);
-  ASSERT_EQ(driver.compile("g++", {"-O2", "-ffp-contract=off"}, {"double"}), "");
+  ASSERT_EQ(driver.compile("g++", {"-O2", "-ffp-contract=off", "-DKANEC_LIBM_COS_SIN"}, {"double"}), "");
   driver.run();
   const program::Arguments<double> at = double_arguments(sample);
   for (const program::Function& function : generated.program.functions)
@@ -151,7 +151,7 @@ TEST(LongFunction, in_pieces_gives_the_bits_of_its_program_at_the_cost_of_its_le
   const Generated generated = generate(sample.scene, {{"mass_matrix"}});
   ASSERT_NE(generated.header.find("mass_matrix_pieces::piece_2"), std::string::npos);
   Driver driver(sample, generated);
-  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off"}, {"double", "counted"}), "");
+  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off", "-DKANEC_LIBM_COS_SIN"}, {"double", "counted"}), "");
   driver.run();
   const program::Function& function = generated.program.functions[0];
   EXPECT_EQ(bits(driver.results<double>("double", "mass_matrix")),

@@ -38,7 +38,9 @@ class EveryNode : public testing::Test {
 
 TEST_F(EveryNode, gives_the_values_of_the_program_in_every_scalar_at_the_cost_of_its_ledger) {
   Driver driver(sample, generated);
-  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off"}, {"float", "double", "long double", "counted"}), "");
+  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off", "-DKANEC_LIBM_COS_SIN"},
+                           {"float", "double", "long double", "counted"}),
+            "");
   driver.run();
   expect_counts(driver.counts("prepare"), program::prepare_ledger(generated.program));
   for (const program::Function& function : generated.program.functions) {
@@ -59,7 +61,7 @@ TEST_F(EveryNode, of_long_functions_stands_in_pieces_that_take_time_inputs_and_e
   const Generated longer = every_node_model(sample.scene, 180);
   ASSERT_THAT(longer.header, HasSubstr("every_and_still_pieces::piece_2(c, t, x, y, u, out, out_still, shared);"));
   Driver driver(sample, longer);
-  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off"}, {"double"}), "");
+  ASSERT_EQ(driver.compile("g++", {"-O0", "-ffp-contract=off", "-DKANEC_LIBM_COS_SIN"}, {"double"}), "");
   driver.run();
   program::Arguments<double> at = arguments<double>(sample);
   at.time = Driver::time;

@@ -101,7 +101,8 @@ TEST_P(EveryPass, keeps_the_value_under_every_name_that_it_leaves) {
 
 INSTANTIATE_TEST_SUITE_P(Passes, EveryPass,
                          testing::Values(NamedPass{"simplify", simplify}, NamedPass{"share", share},
-                                         NamedPass{"share_sums", share_sums}, NamedPass{"drop_dead", drop_dead},
+                                         NamedPass{"share_sums", share_sums}, NamedPass{"order_terms", order_terms},
+                                         NamedPass{"drop_dead", drop_dead},
                                          NamedPass{"optimized", [](const Program& p) { return optimized(p); }}),
                          [](const auto& pass) { return std::string(pass.param.name); });
 

@@ -59,12 +59,18 @@ std::vector<std::string> functions(const Options& options, const std::vector<sce
   return options.functions;
 }
 
+std::string compiler_version(const std::string& wish, compile::Code code) {
+  const std::string version = compile::find_compiler(wish, code).version;
+  return version.substr(0, version.find('\n'));
+}
+
 // "g++ (Debian 12.2.0-14) 12.2.0, -O2 -march=native"
 std::string compiler_text(const BuildArguments& arguments) {
   const compile::Options options = compile_options(arguments);
-  const std::string version = compile::find_compiler(options.compiler).version;
+  const std::string scalar = compiler_version(options.compiler, compile::Code::scalar);
+  const std::string lanes = compiler_version(options.compiler, compile::Code::lanes);
   const std::vector<std::string> flags = options.flags_given ? options.flags : compile::default_flags();
-  return fmt::format("{}, {}", version.substr(0, version.find('\n')), fmt::join(flags, " "));
+  return fmt::format("{}{}, {}", scalar, lanes == scalar ? "" : " (lanes: " + lanes + ")", fmt::join(flags, " "));
 }
 
 std::string as_text(const std::vector<Contest>& list, const Conditions& conditions) {

@@ -48,7 +48,7 @@ beforehand, springs and dampers are forces by then, and bodies that are welded t
   `calcAccelerationIgnoringConstraints`.
 
 The adapters are in [tests/bench/peers](../tests/bench/peers); they are built where the engines' Debian packages
-(`libbullet-dev`, `libmujoco-dev`, `libsimbody-dev`) are installed, and kanec finds them beside itself.
+(`libbullet-dev`, `libmujoco-dev`, `libsimbody-dev`) are installed, and kanec finds them beside itself. What limits the emitted code: [profile.md](profile.md).
 )";
 
 std::string time_text(const Time& time) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "generator/emit/angles.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "runtime/lanes/files.hpp"
+
+namespace kanec::emit {
+namespace {
+
+using program::Index;
+
+std::string after(const std::string& array, Index entry) {
+  return entry == 0 ? array : array + " + " + std::to_string(entry);
+}
+
+// The entry of x whose cosine or sine the node is; -1 where it is none.
+Index turned(const program::Program& program, const program::Node& node) {
+  if (!std::holds_alternative<program::Sine>(node) && !std::holds_alternative<program::Cosine>(node)) return -1;
+  const auto of = static_cast<std::size_t>(operands(node).at[0]);
+  const auto* variable = std::get_if<program::Variable>(&program.nodes[of]);
+  return variable != nullptr && variable->group == program::Group::x ? variable->index : -1;
+}
+
+}  // namespace
+
+Angles::Angles(const program::Program& program, const program::Function& function, Optimize optimize) {
+  if (optimize == Optimize::size) return;
+  const std::vector<bool> alive = reachable(program, function.outputs);
+  std::set<Index> found;
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Index entry = alive[i] ? turned(program, program.nodes[i]) : -1;
+    if (entry >= 0) found.insert(entry);
+  }
+  if (found.size() > 1) entries_.assign(found.begin(), found.end());
+}
+
+bool Angles::has(Index entry) const { return std::binary_search(entries_.begin(), entries_.end(), entry); }
+
+std::vector<bool> Angles::others(const program::Program& program, std::vector<bool> wanted) const {
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] && has(turned(program, program.nodes[i]))) wanted[i] = false;
+  return wanted;
+}
+
+std::string Angles::declarations(const std::string& indent) const {
+  if (empty()) return "";
+  const std::string size = "[" + std::to_string(entries_.back() + 1) + "]";
+  return indent + "T cosines" + size + ", sines" + size + ";  // of angles, at their places in x\n";
+}
+
+std::string Angles::calls(const std::string& owner) const {
+  std::string text;
+  for (std::size_t i = 0; i < entries_.size();) {
+    std::size_t end = i + 1;
+    while (end < entries_.size() && entries_[end] == entries_[end - 1] + 1) ++end;
+    text += "  cos_sin(" + after("x", entries_[i]) + ", " + std::to_string(end - i) + ", " +
+            after(owner + "cosines", entries_[i]) + ", " + after(owner + "sines", entries_[i]) + ");\n";
+    i = end;
+  }
+  return text.empty() ? "" : "  using kanec_cos_sin::cos_sin;\n" + text;
+}
+
+std::string cos_sin_text(const Model& model, const program::Program& program) {
+  const bool any = std::any_of(program.functions.begin(), program.functions.end(), [&](const auto& function) {
+    return !Angles(program, function, model.optimize).empty();
+  });
+  if (!any) return "";
+  const std::string file = kanec::cos_sin_text(), mark = "// --------\n";
+  const std::size_t begin = file.find(mark) + mark.size();
+  return "\n" + file.substr(begin, file.rfind(mark) - begin);
+}
+
+}  // namespace kanec::emit

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/requests.hpp"
+#include "runtime/base/error.hpp"
+
+namespace kanec {
+namespace {
+
+constexpr long much = 200'000, most = 2'000'000;
+
+// "1,234,000 operations"
+std::string counted(long operations) {
+  std::string digits = std::to_string(operations / 1000) + "000";
+  for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), ",");
+  return digits + " operations";
+}
+
+std::string some(long operations) { return "some " + counted(operations); }
+
+double speeds(const scene::Joint& joint) {
+  const auto is_free = [](const scene::Coordinate& c) { return c.motion == scene::Coordinate::Motion::free; };
+  const auto free = std::count_if(joint.turns.begin(), joint.turns.end(), is_free) +
+                    std::count_if(joint.slides.begin(), joint.slides.end(), is_free);
+  return static_cast<double>(free) + (joint.ball && !joint.held ? 3 : 0);
+}
+
+bool has_mass_matrix(const std::string& name) {
+  const std::vector<std::string> of = parts(name);
+  return std::find(of.begin(), of.end(), "mass_matrix") != of.end();
+}
+
+}  // namespace
+
+long mass_matrix_operations(const scene::Scene& scene) {
+  std::vector<double> root;  // of the number of a body's speeds
+  double sum = 0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    root.push_back(std::sqrt(speeds(scene.bodies[k].joint)));
+    for (int j = static_cast<int>(k) + 1; j > 0; j = scene.lower[static_cast<std::size_t>(j - 1)])
+      sum += root[k] * root[static_cast<std::size_t>(j - 1)];
+  }
+  return std::lround(22.5 * sum);
+}
+
+Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& names, bool are_named) {
+  Reach reach{names, {}};
+  const auto found = std::find_if(names.begin(), names.end(), has_mass_matrix);
+  const long operations = found == names.end() ? 0 : mass_matrix_operations(scene);
+  if (operations <= much) return reach;
+  if (!are_named) {
+    reach.names.erase(reach.names.begin() + (found - names.begin()));
+    reach.notes.push_back("mass_matrix is left out: it would take " + some(operations) +
+                          "; with --functions mass_matrix it is made");
+  } else if (operations > most) {
+    throw InputError("function " + *found + ": found " + some(operations) + " for this scene; allowed: at most " +
+                     counted(most) + " (residual and accelerations do without the matrix)");
+  } else {
+    reach.notes.push_back(*found + " takes " + some(operations) + ": minutes to compile");
+  }
+  return reach;
+}
+
+}  // namespace kanec
