@@ -48,7 +48,7 @@ std::string deciding(const scene::Scene& scene, const std::string& name) {
   for (const std::string& part : parts(name)) {
     std::string of = part;
     for (const lower::Derived& derived : lower::derived_functions(scene))
-      if (derived.name == part) of = derived.of;
+      if (derived.name == part) of = derived.by.front() == "ydot" ? "mass_matrix" : derived.of;
     if (result.empty() || of == "accelerations") result = of;
   }
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2fdb454bb15f9822 of arm_7/scene.toml; the usual functions
+// model b940e3c30e3533ea of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -126,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "2fdb454bb15f9822";
+inline constexpr char model_hash[] = "b940e3c30e3533ea";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1494,7 +1494,6 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb4_11 = Hp4_11 - T(0.42) * Mp4_12;
   const T Hb4_12 = Hp4_12 - T(0.42) * M4_22;
   const T Hb4_21 = T(0.42) * Mp4_11;
-  const T Hb4_22 = T(0.42) * Mp4_12;
 
   // ---- body 3 (link_3) and what it carries
   // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]

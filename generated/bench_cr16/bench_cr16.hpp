@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model e9ef94a6ad101daa of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model 0c40240771cf1b38 of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -131,7 +131,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "e9ef94a6ad101daa";
+inline constexpr char model_hash[] = "0c40240771cf1b38";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1598,12 +1598,12 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
   // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0308400000000004) * U15_32 - T(0.20725) *
-      U15_23 + T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
+  const T minus_N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.03084) * U15_32 - T(0.20725) * U15_23 +
+      T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
   const T minus_N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
       minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
-  const T minus_N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0308400000000004) *
-      U15_12) + T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
+  const T minus_N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.03084) * U15_12) +
+      T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T thetadot16 = y[15];
@@ -1674,19 +1674,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T gp16_1 = minus_E16_13 * G16_3 - E16_11 * minus_gt16_1;
   const T gp16_3 = minus_E16_13 * minus_gt16_1 + E16_11 * G16_3;
   // Hp16 = E16^T H16 E16: H passed on, lower body's axes [kg m]
-  const T b16_3 = minus_E16_13 * T(0.012754716981132078) + E16_11 * T(0.23939622641509442);
+  const T b16_3 = minus_E16_13 * T(0.012754716981132078) + E16_11 * T(0.2393962264150944);
   const T b16_4 = minus_E16_13 * b16_3;
   const T Hp16_11 = b16_4 - T(0.012754716981132078);
   const T minus_Hp16_12 = E16_11 * T(0.2906888370749727);
   const T b16_5 = E16_11 * b16_3;
-  const T Hp16_13 = b16_5 - T(0.23939622641509442);
+  const T Hp16_13 = b16_5 - T(0.2393962264150944);
   const T Hp16_32 = minus_E16_13 * T(0.2906888370749727);
   // Jp16 = E16^T J16 E16: J passed on, lower body's axes [kg m^2]
-  const T b16_6 = T(2) * E16_11 * T(0.02856860377358492) - minus_E16_13 * T(0.2218074716981133);
+  const T b16_6 = T(2) * E16_11 * T(0.02856860377358492) - minus_E16_13 * T(0.22180747169811327);
   const T b16_7 = minus_E16_13 * b16_6;
   const T Jp16_11 = b16_7 - T(0.01184324528301887);
   const T Jp16_13 = E16_11 * b16_6 - T(0.02856860377358492);
-  const T minus_Jp16_33 = T(0.23365071698113216) + b16_7;
+  const T minus_Jp16_33 = T(0.23365071698113213) + b16_7;
   // np16 = E16^T nt16: moment passed on, lower body's axes [N m]
   const T np16_1 = minus_E16_13 * nt16_3 - E16_11 * minus_nt16_1;
   const T np16_3 = minus_E16_13 * minus_nt16_1 + E16_11 * nt16_3;
@@ -1701,7 +1701,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T HA15_21 = T(0.385) + Hb16_21;
   const T HA15_31 = b16_5 - T(3.1);
   // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA15_11 = T(3.2380900000000006) + Jp16_11 + T(0.2) * minus_Hp16_12;
+  const T JA15_11 = T(3.23809) + Jp16_11 + T(0.2) * minus_Hp16_12;
   const T JA15_12 = T(0.1) * Hp16_11 - T(1.7475) - T(0.6) * Hp16_13;
   const T JA15_13 = Jp16_13 - T(0.1985) - T(0.1) * Hp16_32 - T(0.6) * minus_Hp16_12;
   const T minus_JA15_22 = Hb16_23 * T(0.6) - Hb16_21 * T(0.1);
@@ -3358,7 +3358,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL16_1 = E16_11 * phi15 - minus_E16_13 * alphaL15_3;
   const T alphaL16_3 = minus_E16_13 * phi15 + E16_11 * alphaL15_3;
   // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
-  const T phi16 = v16 - T(0.8437992367923736) * beta16_1 - T(0.04387756031320342) * alphaL16_1 + T(0.8235480551093567)
+  const T phi16 = v16 - T(0.8437992367923736) * beta16_1 - T(0.04387756031320342) * alphaL16_1 + T(0.8235480551093566)
       * alphaL16_3;
   // thetaddot16 = -b16 . alphaL16 + phi16
   const T thetaddot16 = phi16 - alphaL15_2;
@@ -4085,12 +4085,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T G15_3 = U15_32 * T(3.1) - minus_U15_33 * T(0.385);
   // N15 = h_own_15~ Pddot15 + axial(U15 (tr(J_own_15)/2 - J_own_15)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.0308400000000004) * U15_32 - T(0.20725) * U15_23 +
+  const T N15_1 = T(3.1) * Pddot15_3 - T(0.385) * Pddot15_2 + T(3.03084) * U15_32 - T(0.20725) * U15_23 +
       T(0.29500000000000004) * (minus_U15_22 - minus_U15_33) + T(1.7475) * U15_31 - T(0.1985) * U15_21;
   const T N15_2 = T(0.385) * Pddot15_1 + T(0.20725) * U15_13 + T(0.20725) * U15_31 + T(0.1985) * (minus_U15_33 -
       minus_U15_11) + T(0.29500000000000004) * U15_12 - T(1.7475) * U15_32;
-  const T N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.0308400000000004) * U15_12) +
-      T(0.1985) * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
+  const T N15_3 = T(1.7475) * (minus_U15_11 - minus_U15_22) - (T(0.20725) * U15_21 + T(3.03084) * U15_12) + T(0.1985)
+      * U15_23 - T(0.29500000000000004) * U15_13 - T(3.1) * Pddot15_1;
 
   // ---- body 16 (body_16) on body 15
   const T thetadot16 = y[15];
@@ -4478,7 +4478,7 @@ void mass_matrix([[maybe_unused]] const Prepared<T>& c, const T* x, T* A) noexce
   const T b15_1 = minus_E16_13 * T(0.01118) + T(2) * E16_11 * T(0.016120000000000013);
   const T b15_2 = minus_E16_13 * b15_1;
   const T b15_3 = T(0.2) * hc16_3;
-  const T J15_11 = b15_2 + T(3.2269100000000006) + b15_3;
+  const T J15_11 = b15_2 + T(3.22691) + b15_3;
   const T b15_4 = E16_11 * T(0.015115819527898578) - minus_E16_13 * T(0.28371230498517336);
   const T J15_12 = b15_4 - T(1.7475);
   const T J15_13 = E16_11 * b15_1 - T(0.21462000000000003) - T(0.1) * hc16_1 - T(0.6) * hc16_3;

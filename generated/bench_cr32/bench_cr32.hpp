@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9f75234fe2a249b4 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
+// model 29dc60182dd79c18 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -153,7 +153,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "9f75234fe2a249b4";
+inline constexpr char model_hash[] = "29dc60182dd79c18";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1713,7 +1713,7 @@ inline constexpr C outward_4_numbers[10][14] = {
     {C(1.5499999999999998), C(-0.775), C(-1.5499999999999998), C(0.775), C(-1.98645), C(0.90925), C(0.579),
      C(-3.9234999999999998), C(0.1831), C(-0.90925), C(3.9234999999999998), C(1.98645), C(-0.1831), C(-0.579)},
     {C(1.67), C(-0.8350000000000001), C(-1.67), C(0.8350000000000001), C(-2.3596500000000002), C(0.89575), C(0.624),
-     C(-4.666), C(0.19720000000000001), C(-0.89575), C(4.666), C(2.3596500000000002), C(-0.19720000000000001),
+     C(-4.666), C(0.19720000000000004), C(-0.89575), C(4.666), C(2.3596500000000002), C(-0.19720000000000004),
      C(-0.624)},
 };
 inline constexpr unsigned short outward_5_places[9][5] = {  // L, J, K, y_at, x_at
@@ -2486,12 +2486,12 @@ template <class T>
   // N32 = -h_own_32~ Pddot32 - axial(U32 (tr(J_own_32)/2 - J_own_32)): applied less inertia moment about the body
   //   origin, body axes [N m]
   const T N32_1 = T(0.02100000000000002) * U32_31 - (T(0.21000000000000002) * U32_32 + T(0.21000000000000002) * U32_23
-      + T(0.018782971010998236) * (minus_U32_22 - minus_U32_33)) + T(0.1502637680879859) * U32_21;
-  const T N32_2 = T(0.21000000000000002) * U32_13 + T(0.3360000000000001) * U32_31 + T(0.1502637680879859) *
+      + T(0.018782971010998236) * (minus_U32_22 - minus_U32_33)) + T(0.15026376808798592) * U32_21;
+  const T N32_2 = T(0.21000000000000002) * U32_13 + T(0.3360000000000001) * U32_31 + T(0.15026376808798592) *
       (minus_U32_11 - minus_U32_33) - T(0.018782971010998236) * U32_12 - T(0.02100000000000002) * U32_32 +
       T(0.9391485505499118) * Pddot32_3;
   const T N32_3 = T(0.21000000000000002) * U32_12 - (T(0.9391485505499118) * Pddot32_2 + T(0.3360000000000001) *
-      U32_21) + T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) - T(0.1502637680879859) * U32_23 +
+      U32_21) + T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) - T(0.15026376808798592) * U32_23 +
       T(0.018782971010998236) * U32_13;
   own[frame::N_2] = N32_2;
   own[frame::E_11] = E32_11;
@@ -2521,7 +2521,7 @@ template <class T>
   // gt32 = G32 - v32 B32: force with the turn solved [N]
   const T gt32_2 = G32_2 - v32 * T(0.9391485505499118);
   // nt32 = -tau_body_32_ b32 + P_b32 (N32 - v32 K32): moment with the turn solved [N m]
-  const T nt32_1 = v32 * T(0.1502637680879859) + N32_1;
+  const T nt32_1 = v32 * T(0.15026376808798592) + N32_1;
   const T nt32_2 = v32 * T(0.018782971010998236) + N32_2;
   // Mp32 = E32^T M32 E32: M passed on, lower body's axes [kg]
   const T b32_1 = E32_12 * T(1.6153846153846156);
@@ -2540,10 +2540,10 @@ template <class T>
   const T Hp32_22 = T(0.03230769230769231) + minus_Hp32_11;
   const T minus_Hp32_23 = E32_11 * T(0.9391485505499118);
   // Jp32 = E32^T J32 E32: J passed on, lower body's axes [kg m^2]
-  const T b32_3 = T(2) * E32_11 * T(0.01583076923076925) - E32_12 * T(0.16670769230769236);
+  const T b32_3 = T(2) * E32_11 * T(0.015830769230769245) - E32_12 * T(0.16670769230769236);
   const T b32_4 = E32_12 * b32_3;
-  const T minus_Jp32_11 = T(0.041353846153846165) + b32_4;
-  const T Jp32_12 = E32_11 * b32_3 - T(0.01583076923076925);
+  const T minus_Jp32_11 = T(0.04135384615384617) + b32_4;
+  const T Jp32_12 = E32_11 * b32_3 - T(0.015830769230769245);
   const T Jp32_22 = T(0.1253538461538462) + b32_4;
   // np32 = E32^T nt32: moment passed on, lower body's axes [N m]
   const T np32_1 = E32_11 * nt32_1 - E32_12 * nt32_2;
@@ -2612,7 +2612,7 @@ template <class T>
   // JA31 = q32~ Hp32^T + J_own_31 + Jp32 - Hb32 q32~: moment for an angular acceleration, body axes [kg m^2]
   const T JA31_11 = T(0.27175) + Jp32_11 + T(6.300000000000001) * Hp32_13;
   const T JA31_12 = Jp32_12 - T(4.666) + T(3.1500000000000004) * Hp32_23 - T(0.3) * Hp32_13;
-  const T JA31_13 = T(0.3) * Hp32_12 - T(0.19720000000000001) + T(3.1500000000000004) * minus_Hp32_11;
+  const T JA31_13 = T(0.3) * Hp32_12 - T(0.19720000000000004) + T(3.1500000000000004) * minus_Hp32_11;
   const T JA31_22 = T(1.51975) + Jp32_22 - T(0.6) * Hp32_23;
   const T JA31_23 = T(0.3) * Hp32_22 - T(2.3596500000000002) - T(3.1500000000000004) * Hp32_21;
   const T JA31_33 = Hb32_32 * T(0.3) - Hb32_31 * T(3.1500000000000004);
@@ -5845,11 +5845,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // N31 = h_own_31~ Pddot31 + axial(U31 (tr(J_own_31)/2 - J_own_31)): inertia less applied moment about the body
   //   origin, body axes [N m]
   const T N31_1 = T(2.3596500000000002) * (minus_U31_22 - minus_U31_33) - (T(0.624) * U31_32 + T(0.89575) * U31_23) +
-      T(4.666) * U31_31 - T(0.19720000000000001) * U31_21 - T(0.8350000000000001) * Pddot31_2;
+      T(4.666) * U31_31 - T(0.19720000000000004) * U31_21 - T(0.8350000000000001) * Pddot31_2;
   const T N31_2 = T(0.8350000000000001) * Pddot31_1 - T(1.67) * Pddot31_3 + T(0.89575) * U31_13 - T(0.624) * U31_31 +
-      T(0.19720000000000001) * (minus_U31_33 - minus_U31_11) + T(2.3596500000000002) * U31_12 - T(4.666) * U31_32;
+      T(0.19720000000000004) * (minus_U31_33 - minus_U31_11) + T(2.3596500000000002) * U31_12 - T(4.666) * U31_32;
   const T N31_3 = T(1.67) * Pddot31_2 + T(0.624) * U31_21 + T(0.624) * U31_12 + T(4.666) * (minus_U31_11 -
-      minus_U31_22) + T(0.19720000000000001) * U31_23 - T(2.3596500000000002) * U31_13;
+      minus_U31_22) + T(0.19720000000000004) * U31_23 - T(2.3596500000000002) * U31_13;
 
   // ---- body 32 (body_32) on body 31
   const T thetadot32 = y[31];
@@ -5896,12 +5896,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // N32 = h_own_32~ Pddot32 + axial(U32 (tr(J_own_32)/2 - J_own_32)): inertia less applied moment about the body
   //   origin, body axes [N m]
   const T N32_1 = T(0.21000000000000002) * U32_32 + T(0.21000000000000002) * U32_23 + T(0.018782971010998236) *
-      (minus_U32_22 - minus_U32_33) - T(0.02100000000000002) * U32_31 - T(0.1502637680879859) * U32_21;
-  const T N32_2 = T(0.1502637680879859) * (minus_U32_33 - minus_U32_11) - (T(0.21000000000000002) * U32_13 +
+      (minus_U32_22 - minus_U32_33) - T(0.02100000000000002) * U32_31 - T(0.15026376808798592) * U32_21;
+  const T N32_2 = T(0.15026376808798592) * (minus_U32_33 - minus_U32_11) - (T(0.21000000000000002) * U32_13 +
       T(0.3360000000000001) * U32_31) + T(0.018782971010998236) * U32_12 + T(0.02100000000000002) * U32_32 -
       T(0.9391485505499118) * Pddot32_3;
   const T N32_3 = T(0.9391485505499118) * Pddot32_2 + T(0.3360000000000001) * U32_21 - T(0.21000000000000002) * U32_12
-      - T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) + T(0.1502637680879859) * U32_23 -
+      - T(0.02100000000000002) * (minus_U32_11 - minus_U32_22) + T(0.15026376808798592) * U32_23 -
       T(0.018782971010998236) * U32_13;
 
   // ---- body 32 (body_32) and what it carries

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr64: equations of motion of 64 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 325af7f8a1892e53 of bench_cr64/scene.toml; functions kinematics energy accelerations residual
+// model 6a1e43e5e16508e1 of bench_cr64/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -192,7 +192,7 @@ inline constexpr int nx = 64;
 inline constexpr int ny = 64;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 64;
-inline constexpr char model_hash[] = "325af7f8a1892e53";
+inline constexpr char model_hash[] = "6a1e43e5e16508e1";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -3423,9 +3423,9 @@ inline constexpr C outward_6_numbers[20][16] = {
     {C(3), C(-3), C(-1.06), C(-24.474999999999998), C(24.474999999999998), C(1.06), C(0.545), C(-14.369999999999997),
      C(-2.4055), C(0.5784999999999999), C(-76.12274999999998), C(14.369999999999997), C(-0.5784999999999999),
      C(76.12274999999998), C(-0.545), C(2.4055)},
-    {C(3.15), C(-3.15), C(-1.105), C(-26.62), C(26.62), C(1.105), C(0.5681), C(-15.643500000000001),
-     C(-2.6182000000000003), C(0.6032500000000001), C(-86.78316000000001), C(15.643500000000001),
-     C(-0.6032500000000001), C(86.78316000000001), C(-0.5681), C(2.6182000000000003)},
+    {C(3.15), C(-3.15), C(-1.105), C(-26.620000000000005), C(26.620000000000005), C(1.105), C(0.5681),
+     C(-15.643500000000001), C(-2.6182000000000007), C(0.6032500000000001), C(-86.78316000000002),
+     C(15.643500000000001), C(-0.6032500000000001), C(86.78316000000002), C(-0.5681), C(2.6182000000000007)},
 };
 inline constexpr unsigned short inward_4_places[20][3] = {  // J, K, u_at
     {3962, 3896, 0},
@@ -4318,7 +4318,7 @@ template <class T>
   const T b64_7 = E64_13 * b64_6;
   const T minus_Jp64_11 = T(0.033707698113207535) + b64_7;
   const T Jp64_13 = E64_11 * b64_6 - T(0.1684351698113208);
-  const T Jp64_33 = b64_7 - T(7.956658716981135);
+  const T Jp64_33 = b64_7 - T(7.956658716981136);
   // np64 = E64^T nt64: moment passed on, lower body's axes [N m]
   const T np64_1 = E64_11 * nt64_1 - E64_13 * nt64_3;
   const T np64_3 = E64_13 * nt64_1 + E64_11 * nt64_3;
@@ -4380,16 +4380,16 @@ template <class T>
   const T E63_23 = own[frame::E_23];
   // HA63 = h_own_63~ + Hb64: moment for an acceleration of the origin, body axes [kg m]
   const T HA63_12 = Hp64_12 - T(1.105);
-  const T HA63_13 = T(26.62) + Hp64_13;
+  const T HA63_13 = T(26.620000000000005) + Hp64_13;
   const T HA63_21 = T(1.105) + Hb64_21;
-  const T HA63_31 = Hp64_31 - T(26.62);
+  const T HA63_31 = Hp64_31 - T(26.620000000000005);
   // JA63 = q64~ Hp64^T + J_own_63 + Jp64 - Hb64 q64~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA63_11 = T(87.38641000000001) + Jp64_11 - T(0.2) * Hp64_12;
+  const T JA63_11 = T(87.38641000000003) + Jp64_11 - T(0.2) * Hp64_12;
   const T JA63_12 = T(0.1) * Hp64_11 - T(15.643500000000001) - T(0.6) * Hp64_13;
   const T JA63_13 = Jp64_13 - T(0.5681) - T(0.1) * Hp64_32 + T(0.6) * Hp64_12;
   const T JA63_22 = Hb64_21 * T(0.1) - Hb64_23 * T(0.6);
-  const T JA63_23 = T(0.1) * Hp64_31 - T(2.6182000000000003) - T(0.6) * Hp64_33;
-  const T JA63_33 = T(86.17991) + Jp64_33 + T(1.2) * Hp64_32;
+  const T JA63_23 = T(0.1) * Hp64_31 - T(2.6182000000000007) - T(0.6) * Hp64_33;
+  const T JA63_33 = T(86.17991000000002) + Jp64_33 + T(1.2) * Hp64_32;
   // g63 = G63 + gp64: force that drives it, home axes [N]
   const T g63_1 = gp64_1 + G63_1;
   const T g63_2 = G64_2 + G63_2;
@@ -9308,18 +9308,19 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot63_2 = E63_22 * t63_7 + E63_23 * t63_8;
   const T Pddot63_3 = E63_22 * t63_8 - E63_23 * t63_7;
   // G63 = U63 h_own_63: inertia less applied force, body axes [N]
-  const T G63_1 = U63_12 * T(26.62) + U63_13 * T(1.105);
-  const T G63_2 = U63_23 * T(1.105) - minus_U63_22 * T(26.62);
-  const T G63_3 = U63_32 * T(26.62) - minus_U63_33 * T(1.105);
+  const T G63_1 = U63_12 * T(26.620000000000005) + U63_13 * T(1.105);
+  const T G63_2 = U63_23 * T(1.105) - minus_U63_22 * T(26.620000000000005);
+  const T G63_3 = U63_32 * T(26.620000000000005) - minus_U63_33 * T(1.105);
   // N63 = h_own_63~ Pddot63 + axial(U63 (tr(J_own_63)/2 - J_own_63)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N63_1 = T(26.62) * Pddot63_3 - T(1.105) * Pddot63_2 + T(86.78316000000001) * U63_32 - T(0.6032500000000001)
-      * U63_23 + T(2.6182000000000003) * (minus_U63_22 - minus_U63_33) + T(15.643500000000001) * U63_31 - T(0.5681) *
-      U63_21;
+  const T N63_1 = T(26.620000000000005) * Pddot63_3 - T(1.105) * Pddot63_2 + T(86.78316000000002) * U63_32 -
+      T(0.6032500000000001) * U63_23 + T(2.6182000000000007) * (minus_U63_22 - minus_U63_33) + T(15.643500000000001) *
+      U63_31 - T(0.5681) * U63_21;
   const T N63_2 = T(1.105) * Pddot63_1 + T(0.6032500000000001) * U63_13 + T(0.6032500000000001) * U63_31 + T(0.5681) *
-      (minus_U63_33 - minus_U63_11) + T(2.6182000000000003) * U63_12 - T(15.643500000000001) * U63_32;
+      (minus_U63_33 - minus_U63_11) + T(2.6182000000000007) * U63_12 - T(15.643500000000001) * U63_32;
   const T N63_3 = T(15.643500000000001) * (minus_U63_11 - minus_U63_22) - (T(0.6032500000000001) * U63_21 +
-      T(86.78316000000001) * U63_12) + T(0.5681) * U63_23 - T(2.6182000000000003) * U63_13 - T(26.62) * Pddot63_1;
+      T(86.78316000000002) * U63_12) + T(0.5681) * U63_23 - T(2.6182000000000007) * U63_13 - T(26.620000000000005) *
+      Pddot63_1;
 
   // ---- body 64 (body_64) on body 63
   const T thetadot64 = y[63];

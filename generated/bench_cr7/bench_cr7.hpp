@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 80973856f4613e10 of bench_cr7/scene.toml; the usual functions
+// model 2e95ed0d8a73e438 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -126,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "80973856f4613e10";
+inline constexpr char model_hash[] = "2e95ed0d8a73e438";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1379,17 +1379,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
-  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
-  const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  const T minus_G6_1 = U6_12 * T(1.2550000000000001) + U6_13 * T(0.25);
+  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.2550000000000001);
+  const T minus_G6_3 = U6_32 * T(1.2550000000000001) - minus_U6_33 * T(0.25);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
-      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T minus_N6_1 = T(1.2550000000000001) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.7935300000000001) * U6_32 -
+      T(0.133) * U6_23 + T(0.11590000000000002) * (minus_U6_22 - minus_U6_33) + T(0.681) * U6_31 - T(0.1292) * U6_21;
   const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
-      minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
-      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
+      minus_U6_11) + T(0.11590000000000002) * U6_12 - T(0.681) * U6_32;
+  const T minus_N6_3 = T(0.681) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.7935300000000001) * U6_12) +
+      T(0.1292) * U6_23 - T(0.11590000000000002) * U6_13 - T(1.2550000000000001) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T thetadot7 = y[6];
@@ -1432,13 +1432,13 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23)
-      - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
+  const T minus_N7_1 = T(0.09997459927401561) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) *
+      U7_23) - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
   const T minus_N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 -
-      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072)
+      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.09997459927401561) * U7_12 + T(0.009883420460549072)
       * U7_32;
   const T minus_N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22)
-      - T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
+      - T(0.010540000000000004) * U7_23 - T(0.09997459927401561) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // u_7 = b7 . N7 + tau_body_7_: drives it [N m], [N]
@@ -1449,7 +1449,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_gt7_1 = v7 * T(0.19006577808748215) + minus_G7_1;
   // nt7 = -tau_body_7_ b7 + P_b7 (N7 - v7 K7): moment with the turn solved [N m]
   const T minus_nt7_1 = minus_N7_1 + v7 * T(0.009883420460549072);
-  const T nt7_3 = v7 * T(0.0999745992740156) - minus_N7_3;
+  const T nt7_3 = v7 * T(0.09997459927401561) - minus_N7_3;
   // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
   const T b7_1 = minus_E7_13 * T(0.16037735849056606);
   const T b7_2 = minus_E7_13 * b7_1;
@@ -1467,11 +1467,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp7_13 = b7_5 - T(0.08435849056603775);
   const T Hp7_32 = minus_E7_13 * T(0.19006577808748215);
   // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
-  const T b7_6 = T(2) * E7_11 * T(0.014926641509433968) - minus_E7_13 * T(0.03662890566037737);
+  const T b7_6 = T(2) * E7_11 * T(0.014926641509433968) - minus_E7_13 * T(0.036628905660377374);
   const T b7_7 = minus_E7_13 * b7_6;
   const T Jp7_11 = b7_7 - T(0.007743660377358488);
   const T Jp7_13 = E7_11 * b7_6 - T(0.014926641509433968);
-  const T minus_Jp7_33 = T(0.04437256603773586) + b7_7;
+  const T minus_Jp7_33 = T(0.044372566037735865) + b7_7;
   // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
   const T np7_1 = minus_E7_13 * nt7_3 - E7_11 * minus_nt7_1;
   const T np7_3 = minus_E7_13 * minus_nt7_1 + E7_11 * nt7_3;
@@ -1482,16 +1482,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // ---- body 6 (body_6) and what it carries
   // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
   const T minus_HA6_12 = minus_Hp7_12 + T(0.25);
-  const T HA6_13 = T(1.255) + Hp7_13;
+  const T HA6_13 = T(1.2550000000000001) + Hp7_13;
   const T HA6_21 = T(0.25) + Hb7_21;
-  const T HA6_31 = b7_5 - T(1.255);
+  const T HA6_31 = b7_5 - T(1.2550000000000001);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(0.92653) + Jp7_11 + T(0.2) * minus_Hp7_12;
-  const T JA6_12 = T(0.1) * Hp7_11 - T(0.6809999999999999) - T(0.6) * Hp7_13;
+  const T JA6_11 = T(0.9265300000000001) + Jp7_11 + T(0.2) * minus_Hp7_12;
+  const T JA6_12 = T(0.1) * Hp7_11 - T(0.681) - T(0.6) * Hp7_13;
   const T JA6_13 = Jp7_13 - T(0.1292) - T(0.1) * Hp7_32 - T(0.6) * minus_Hp7_12;
   const T minus_JA6_22 = Hb7_23 * T(0.6) - Hb7_21 * T(0.1);
-  const T JA6_23 = T(0.1) * b7_5 - T(0.1159) + T(0.6) * b7_4;
-  const T JA6_33 = T(0.66053) - minus_Jp7_33 + T(1.2) * Hp7_32;
+  const T JA6_23 = T(0.1) * b7_5 - T(0.11590000000000002) + T(0.6) * b7_4;
+  const T JA6_33 = T(0.6605300000000001) - minus_Jp7_33 + T(1.2) * Hp7_32;
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T minus_g6_2 = minus_G7_2 + minus_G6_2;
@@ -2038,7 +2038,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
   const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
   // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
-  const T phi7 = v7 - T(0.8437992367923736) * beta7_1 - T(0.043877560313203424) * alphaL7_1 + T(0.4438383985527885) *
+  const T phi7 = v7 - T(0.8437992367923736) * beta7_1 - T(0.043877560313203424) * alphaL7_1 + T(0.44383839855278856) *
       alphaL7_3;
   // thetaddot7 = -b7 . alphaL7 + phi7
   const T thetaddot7 = phi7 - alphaL6_2;
@@ -2304,17 +2304,17 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
-  const T G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
-  const T G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
-  const T G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  const T G6_1 = U6_12 * T(1.2550000000000001) + U6_13 * T(0.25);
+  const T G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.2550000000000001);
+  const T G6_3 = U6_32 * T(1.2550000000000001) - minus_U6_33 * T(0.25);
   // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
-      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T N6_1 = T(1.2550000000000001) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.7935300000000001) * U6_32 - T(0.133) *
+      U6_23 + T(0.11590000000000002) * (minus_U6_22 - minus_U6_33) + T(0.681) * U6_31 - T(0.1292) * U6_21;
   const T N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 - minus_U6_11) +
-      T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
-      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
+      T(0.11590000000000002) * U6_12 - T(0.681) * U6_32;
+  const T N6_3 = T(0.681) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.7935300000000001) * U6_12) +
+      T(0.1292) * U6_23 - T(0.11590000000000002) * U6_13 - T(1.2550000000000001) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T thetadot7 = y[6];
@@ -2359,12 +2359,12 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T minus_G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = h_own_7~ Pddot7 + axial(U7 (tr(J_own_7)/2 - J_own_7)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23) -
+  const T N7_1 = T(0.09997459927401561) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23) -
       T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
   const T N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 - T(0.010540000000000004)
-      * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072) * U7_32;
+      * (minus_U7_33 - minus_U7_11) + T(0.09997459927401561) * U7_12 + T(0.009883420460549072) * U7_32;
   const T N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22) -
-      T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
+      T(0.010540000000000004) * U7_23 - T(0.09997459927401561) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // r_theta7 = b7 . N7 - tau_body_7_: Kane's equation of the angle [N m]
@@ -2697,17 +2697,17 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot6_2 = E6_22 * t6_7 + E6_23 * t6_8;
   const T Pddot6_3 = E6_22 * t6_8 - E6_23 * t6_7;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(1.255) + U6_13 * T(0.25);
-  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.255);
-  const T minus_G6_3 = U6_32 * T(1.255) - minus_U6_33 * T(0.25);
+  const T minus_G6_1 = U6_12 * T(1.2550000000000001) + U6_13 * T(0.25);
+  const T minus_G6_2 = U6_23 * T(0.25) - minus_U6_22 * T(1.2550000000000001);
+  const T minus_G6_3 = U6_32 * T(1.2550000000000001) - minus_U6_33 * T(0.25);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(1.255) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.79353) * U6_32 - T(0.133) * U6_23 + T(0.1159) *
-      (minus_U6_22 - minus_U6_33) + T(0.6809999999999999) * U6_31 - T(0.1292) * U6_21;
+  const T minus_N6_1 = T(1.2550000000000001) * Pddot6_3 - T(0.25) * Pddot6_2 + T(0.7935300000000001) * U6_32 -
+      T(0.133) * U6_23 + T(0.11590000000000002) * (minus_U6_22 - minus_U6_33) + T(0.681) * U6_31 - T(0.1292) * U6_21;
   const T minus_N6_2 = T(0.25) * Pddot6_1 + T(0.133) * U6_13 + T(0.133) * U6_31 + T(0.1292) * (minus_U6_33 -
-      minus_U6_11) + T(0.1159) * U6_12 - T(0.6809999999999999) * U6_32;
-  const T minus_N6_3 = T(0.6809999999999999) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.79353) * U6_12) +
-      T(0.1292) * U6_23 - T(0.1159) * U6_13 - T(1.255) * Pddot6_1;
+      minus_U6_11) + T(0.11590000000000002) * U6_12 - T(0.681) * U6_32;
+  const T minus_N6_3 = T(0.681) * (minus_U6_11 - minus_U6_22) - (T(0.133) * U6_21 + T(0.7935300000000001) * U6_12) +
+      T(0.1292) * U6_23 - T(0.11590000000000002) * U6_13 - T(1.2550000000000001) * Pddot6_1;
 
   // ---- body 7 (body_7) on body 6
   const T thetadot7 = y[6];
@@ -2750,13 +2750,13 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T G7_3 = minus_U7_33 * T(0.19006577808748215);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(0.0999745992740156) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) * U7_23)
-      - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
+  const T minus_N7_1 = T(0.09997459927401561) * (minus_U7_22 - minus_U7_33) - (T(0.11628) * U7_32 + T(0.10897) *
+      U7_23) - T(0.009883420460549072) * U7_31 + T(0.010540000000000004) * U7_21 - T(0.19006577808748215) * Pddot7_2;
   const T minus_N7_2 = T(0.19006577808748215) * Pddot7_1 + T(0.10897) * U7_13 - T(0.11628) * U7_31 -
-      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.0999745992740156) * U7_12 + T(0.009883420460549072)
+      T(0.010540000000000004) * (minus_U7_33 - minus_U7_11) + T(0.09997459927401561) * U7_12 + T(0.009883420460549072)
       * U7_32;
   const T minus_N7_3 = T(0.11628) * U7_21 + T(0.11628) * U7_12 - T(0.009883420460549072) * (minus_U7_11 - minus_U7_22)
-      - T(0.010540000000000004) * U7_23 - T(0.0999745992740156) * U7_13;
+      - T(0.010540000000000004) * U7_23 - T(0.09997459927401561) * U7_13;
 
   // ---- body 7 (body_7) and what it carries
   // f_theta7 = b7 . N7 + tau_body_7_: Kane's equation of the angle [N m]

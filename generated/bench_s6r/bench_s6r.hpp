@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2f54409fd52cdc84 of bench_s6r/scene.toml; the usual functions
+// model 8a3eaeae5da88c17 of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -129,7 +129,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "2f54409fd52cdc84";
+inline constexpr char model_hash[] = "8a3eaeae5da88c17";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -1211,8 +1211,8 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // N1 = r1~ R1 F1 - omega1~ J_all_1 omega1 + M1: applied less inertia moment about the body origin, body axes [N m]
   const T N1_1 = u.M_1_1 + T(0.2) * t1_18 - T(0.05) * t1_17 + T(0.91576) * U1_23 + T(0.22365000000000002) * (t1_14 -
       t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13;
-  const T N1_2 = u.M_1_2 + T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 -
-      t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
+  const T N1_2 = u.M_1_2 + T(0.05) * t1_16 - T(0.1) * t1_18 - T(0.52951) * U1_13 + T(0.3817) * (t1_13 - t1_15) +
+      T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
   const T N1_3 = u.M_1_3 + T(0.1) * t1_17 - T(0.2) * t1_16 - T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 -
       t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23;
 
@@ -1253,17 +1253,17 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T t2_10 = U1_13 * T(0.3);
   const T Pddot2_3 = t2_10 + U1_23 * T(0.1);
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
-  const T minus_G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
-  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.995);
-  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  const T minus_G2_1 = U2_12 * T(0.9949999999999999) - minus_U2_11 * T(1.06);
+  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.9949999999999999);
+  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.9949999999999999);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 +
-      T(0.1918) * (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
-  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 +
-      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.08148411764705878) * U2_12 + T(0.264) *
-      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
+  const T minus_N2_1 = T(0.9949999999999999) * Pddot2_3 + T(0.47501) * U2_32 + T(0.47501) * U2_23 + T(0.1918) *
+      (minus_U2_22 - minus_U2_33) + T(0.26399999999999996) * U2_31 - T(0.20240000000000002) * U2_12;
+  const T minus_N2_2 = T(0.20240000000000002) * (minus_U2_33 - minus_U2_11) - (T(0.47501) * U2_13 +
+      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.26399999999999996) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.9949999999999999) * Pddot2_1 + T(0.08148411764705887) * U2_12 +
+      T(0.26399999999999996) * (minus_U2_11 - minus_U2_22) + T(0.20240000000000002) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T thetadot3 = y[4];
@@ -1309,11 +1309,11 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) *
-      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 +
+      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747284) * U3_31 +
       T(0.00220707418783063) * U3_21;
   const T minus_N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
-      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
-  const T minus_N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747284) * U3_32;
+  const T minus_N3_3 = T(0.09994893107747284) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
       T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
       T(0.26800186566514794) * Pddot3_1;
 
@@ -1352,19 +1352,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
   const T Pddot4_2 = t3_11 + U2_12 * T(0.3);
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_13 * T(0.15652475842498528);
-  const T minus_G4_2 = U4_23 * T(0.15652475842498528);
-  const T G4_3 = minus_U4_33 * T(0.15652475842498528);
+  const T minus_G4_1 = U4_13 * T(0.15652475842498526);
+  const T minus_G4_2 = U4_23 * T(0.15652475842498526);
+  const T G4_3 = minus_U4_33 * T(0.15652475842498526);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
-      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528)
+  const T minus_N4_1 = T(0.05885330916779445) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
+      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498526)
       * Pddot4_2;
-  const T minus_N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
-      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+  const T minus_N4_2 = T(0.15652475842498526) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779445) * U4_12 + T(0.008139287438099234)
       * U4_32;
   const T minus_N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
-      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779445) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T thetadot5 = y[6];
@@ -1400,17 +1400,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot5_2 = E5_11 * t5_7 - E5_12 * t5_6;
   const T Pddot5_3 = t2_10 + U1_23 * T(0.25);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
-  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
-  const T minus_G5_2 = U5_12 * T(0.79) - minus_U5_22 * T(0.78);
-  const T minus_G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.7900000000000001);
+  const T minus_G5_2 = U5_12 * T(0.7900000000000001) - minus_U5_22 * T(0.78);
+  const T minus_G5_3 = U5_31 * T(0.7900000000000001) + U5_32 * T(0.78);
   // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
-      (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
-  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
-      T(0.5312235294117648) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117647) * U5_12 + T(0.2145) *
-      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+      (minus_U5_22 - minus_U5_33) + T(0.21450000000000005) * U5_31 - T(0.14600000000000005) * U5_12;
+  const T minus_N5_2 = T(0.14600000000000005) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
+      T(0.5312235294117649) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.21450000000000005) * U5_32 -
+      T(0.7900000000000001) * Pddot5_3;
+  const T minus_N5_3 = T(0.7900000000000001) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117648) * U5_12 +
+      T(0.21450000000000005) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000005) * U5_23 - T(0.14700000000000002) *
+      U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T thetadot6 = y[7];
@@ -1448,19 +1450,19 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
       minus_U5_22 * T(0.3));
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(0.3298484500494129);
-  const T G6_2 = minus_U6_22 * T(0.3298484500494129);
-  const T minus_G6_3 = U6_32 * T(0.3298484500494129);
+  const T minus_G6_1 = U6_12 * T(0.32984845004941293);
+  const T G6_2 = minus_U6_22 * T(0.32984845004941293);
+  const T minus_G6_3 = U6_32 * T(0.32984845004941293);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) *
-      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 +
+  const T minus_N6_1 = T(0.32984845004941293) * Pddot6_3 + T(0.12277647058823532) * U6_32 - T(0.1052235294117647) *
+      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.12301406901842814) * U6_31 +
       T(0.002716399000406929) * U6_21;
   const T minus_N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
-      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
-  const T minus_N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
-      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
-      T(0.3298484500494129) * Pddot6_1;
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.12301406901842814) * U6_32;
+  const T minus_N6_3 = T(0.12301406901842814) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.12277647058823532) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.32984845004941293) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // u_6 = b6 . N6 + tau_body_6_: drives it [N m], [N]
@@ -1468,32 +1470,32 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v6 = invD6 u_6: u/D
   const T v6 = T(4.385964912280701) * u_6;
   // gt6 = G6 - v6 B6: force with the turn solved [N]
-  const T minus_gt6_3 = v6 * T(0.3298484500494129) + minus_G6_3;
+  const T minus_gt6_3 = v6 * T(0.32984845004941293) + minus_G6_3;
   // nt6 = -tau_body_6_ b6 + P_b6 (N6 - v6 K6): moment with the turn solved [N m]
-  const T nt6_2 = v6 * T(0.1230140690184281) - minus_N6_2;
+  const T nt6_2 = v6 * T(0.12301406901842814) - minus_N6_2;
   const T minus_nt6_3 = minus_N6_3 + v6 * T(0.002716399000406929);
   // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
-  const T b6_1 = E6_23 * T(0.4771929824561404);
+  const T b6_1 = E6_23 * T(0.4771929824561405);
   const T minus_Mp6_22 = E6_23 * b6_1;
   const T Mp6_23 = E6_22 * b6_1;
-  const T Mp6_33 = minus_Mp6_22 - T(0.4771929824561404);
+  const T Mp6_33 = minus_Mp6_22 - T(0.4771929824561405);
   // gp6 = E6^T gt6: force passed on, lower body's axes [N]
   const T gp6_2 = E6_22 * G6_2 + E6_23 * minus_gt6_3;
   const T gp6_3 = E6_23 * G6_2 - E6_22 * minus_gt6_3;
   // Hp6 = E6^T H6 E6: H passed on, lower body's axes [kg m]
-  const T Hp6_21 = E6_23 * T(0.3298484500494129);
-  const T b6_2 = E6_23 * T(0.003929824561403508) + E6_22 * T(0.17796491228070177);
+  const T Hp6_21 = E6_23 * T(0.32984845004941293);
+  const T b6_2 = E6_23 * T(0.003929824561403508) + E6_22 * T(0.17796491228070185);
   const T minus_Hp6_22 = E6_23 * b6_2;
   const T Hp6_23 = E6_22 * b6_2;
-  const T minus_Hp6_31 = E6_22 * T(0.3298484500494129);
-  const T Hp6_32 = Hp6_23 - T(0.17796491228070177);
+  const T minus_Hp6_31 = E6_22 * T(0.32984845004941293);
+  const T Hp6_32 = Hp6_23 - T(0.17796491228070185);
   const T Hp6_33 = minus_Hp6_22 - T(0.003929824561403508);
   // Jp6 = E6^T J6 E6: J passed on, lower body's axes [kg m^2]
-  const T b6_3 = E6_23 * T(0.08389102167182665) + T(2) * E6_22 * T(0.01924028895768834);
+  const T b6_3 = E6_23 * T(0.0838910216718267) + T(2) * E6_22 * T(0.01924028895768834);
   const T b6_4 = E6_23 * b6_3;
-  const T Jp6_22 = b6_4 - T(0.06637044375644996);
+  const T Jp6_22 = b6_4 - T(0.06637044375645);
   const T Jp6_23 = T(0.01924028895768834) - E6_22 * b6_3;
-  const T Jp6_33 = T(0.017520577915376683) - b6_4;
+  const T Jp6_33 = T(0.017520577915376704) - b6_4;
   // np6 = E6^T nt6: moment passed on, lower body's axes [N m]
   const T np6_2 = E6_22 * nt6_2 + E6_23 * minus_nt6_3;
   const T np6_3 = E6_23 * nt6_2 - E6_22 * minus_nt6_3;
@@ -1504,16 +1506,16 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // ---- body 5 (body_5) and what it carries
   // HA5 = h_own_5~ + Hb6: moment for an acceleration of the origin, body axes [kg m]
   const T HA5_13 = T(0.78) + Hb6_13;
-  const T HA5_23 = Hp6_23 - T(0.79);
+  const T HA5_23 = Hp6_23 - T(0.7900000000000001);
   const T minus_HA5_31 = minus_Hp6_31 + T(0.78);
-  const T HA5_32 = T(0.79) + Hp6_32;
+  const T HA5_32 = T(0.7900000000000001) + Hp6_32;
   // JA5 = q6~ Hp6^T + J_own_5 + Jp6 - Hb6 q6~: moment for an angular acceleration, body axes [kg m^2]
   const T minus_JA5_11 = Hb6_12 * T(0.2) - Hb6_13 * T(0.3);
-  const T JA5_12 = T(0.2) * minus_Hp6_22 - T(0.2145) + T(0.3) * Hp6_23;
-  const T JA5_13 = T(0.3) * Hp6_33 - T(0.14600000000000002) - T(0.2) * Hp6_32;
-  const T JA5_22 = T(0.2822235294117647) + Jp6_22 + T(0.4) * Hp6_21;
+  const T JA5_12 = T(0.2) * minus_Hp6_22 - T(0.21450000000000005) + T(0.3) * Hp6_23;
+  const T JA5_13 = T(0.3) * Hp6_33 - T(0.14600000000000005) - T(0.2) * Hp6_32;
+  const T JA5_22 = T(0.2822235294117648) + Jp6_22 + T(0.4) * Hp6_21;
   const T JA5_23 = Jp6_23 - T(0.14700000000000002) - T(0.2) * minus_Hp6_31 - T(0.3) * Hp6_21;
-  const T JA5_33 = T(0.7802235294117648) + Jp6_33 + T(0.6) * minus_Hp6_31;
+  const T JA5_33 = T(0.7802235294117649) + Jp6_33 + T(0.6) * minus_Hp6_31;
   // g5 = G5 + gp6: force that drives it, home axes [N]
   const T minus_g5_1 = minus_G6_1 + minus_G5_1;
   const T g5_2 = gp6_2 - minus_G5_2;
@@ -1610,32 +1612,32 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // v4 = invD4 u_4: u/D
   const T v4 = T(5.390835579514825) * u_4;
   // gt4 = G4 - v4 B4: force with the turn solved [N]
-  const T minus_gt4_1 = v4 * T(0.15652475842498528) + minus_G4_1;
+  const T minus_gt4_1 = v4 * T(0.15652475842498526) + minus_G4_1;
   // nt4 = -tau_body_4_ b4 + P_b4 (N4 - v4 K4): moment with the turn solved [N m]
   const T minus_nt4_1 = minus_N4_1 + v4 * T(0.008139287438099234);
-  const T nt4_3 = v4 * T(0.05885330916779447) - minus_N4_3;
+  const T nt4_3 = v4 * T(0.05885330916779445) - minus_N4_3;
   // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
-  const T b4_1 = minus_E4_13 * T(0.1320754716981132);
+  const T b4_1 = minus_E4_13 * T(0.13207547169811318);
   const T b4_2 = minus_E4_13 * b4_1;
-  const T Mp4_11 = b4_2 - T(0.1320754716981132);
+  const T Mp4_11 = b4_2 - T(0.13207547169811318);
   const T Mp4_13 = E4_11 * b4_1;
   // gp4 = E4^T gt4: force passed on, lower body's axes [N]
   const T gp4_1 = minus_E4_13 * G4_3 - E4_11 * minus_gt4_1;
   const T gp4_3 = minus_E4_13 * minus_gt4_1 + E4_11 * G4_3;
   // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
-  const T b4_3 = minus_E4_13 * T(0.006867924528301887) + E4_11 * T(0.04966037735849057);
+  const T b4_3 = minus_E4_13 * T(0.006867924528301887) + E4_11 * T(0.04966037735849055);
   const T b4_4 = minus_E4_13 * b4_3;
   const T Hp4_11 = b4_4 - T(0.006867924528301887);
-  const T minus_Hp4_12 = E4_11 * T(0.15652475842498528);
+  const T minus_Hp4_12 = E4_11 * T(0.15652475842498526);
   const T b4_5 = E4_11 * b4_3;
-  const T Hp4_13 = b4_5 - T(0.04966037735849057);
-  const T Hp4_32 = minus_E4_13 * T(0.15652475842498528);
+  const T Hp4_13 = b4_5 - T(0.04966037735849055);
+  const T Hp4_32 = minus_E4_13 * T(0.15652475842498526);
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
-  const T b4_6 = T(2) * E4_11 * T(0.011262339622641518) - minus_E4_13 * T(0.012295169811320755);
+  const T b4_6 = T(2) * E4_11 * T(0.011262339622641516) - minus_E4_13 * T(0.01229516981132074);
   const T b4_7 = minus_E4_13 * b4_6;
-  const T Jp4_11 = b4_7 - T(0.006377132075471701);
-  const T Jp4_13 = E4_11 * b4_6 - T(0.011262339622641518);
-  const T minus_Jp4_33 = T(0.018672301886792454) + b4_7;
+  const T Jp4_11 = b4_7 - T(0.006377132075471705);
+  const T Jp4_13 = E4_11 * b4_6 - T(0.011262339622641516);
+  const T minus_Jp4_33 = T(0.018672301886792444) + b4_7;
   // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
   const T np4_1 = minus_E4_13 * nt4_3 - E4_11 * minus_nt4_1;
   const T np4_3 = minus_E4_13 * minus_nt4_1 + E4_11 * nt4_3;
@@ -1651,7 +1653,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   // gt3 = G3 - v3 B3: force with the turn solved [N]
   const T minus_gt3_3 = v3 * T(0.26800186566514794) + minus_G3_3;
   // nt3 = -tau_body_3_ b3 + P_b3 (N3 - v3 K3): moment with the turn solved [N m]
-  const T nt3_2 = v3 * T(0.09994893107747282) - minus_N3_2;
+  const T nt3_2 = v3 * T(0.09994893107747284) - minus_N3_2;
   const T minus_nt3_3 = minus_N3_3 + v3 * T(0.00220707418783063);
   // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
   const T b3_1 = E3_23 * T(0.3877192982456141);
@@ -1670,9 +1672,9 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T Hp3_32 = Hp3_23 - T(0.1445964912280702);
   const T Hp3_33 = minus_Hp3_22 - T(0.0031929824561403508);
   // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
-  const T b3_3 = E3_23 * T(0.06816145510835914) + T(2) * E3_22 * T(0.015632734778121774);
+  const T b3_3 = E3_23 * T(0.06816145510835915) + T(2) * E3_22 * T(0.015632734778121774);
   const T b3_4 = E3_23 * b3_3;
-  const T Jp3_22 = b3_4 - T(0.053925985552115585);
+  const T Jp3_22 = b3_4 - T(0.05392598555211559);
   const T Jp3_23 = T(0.015632734778121774) - E3_22 * b3_3;
   const T Jp3_33 = T(0.014235469556243552) - b3_4;
   // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
@@ -1687,18 +1689,20 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T MA2_33 = Mp3_33 - b4_2;
   // HA2 = h_own_2~ + Hb3 + Hb4: moment for an acceleration of the origin, body axes [kg m]
   const T HA2_12 = Hb3_12 - minus_Hp4_12;
-  const T HA2_13 = T(0.995) + Hb3_13 + Hp4_13;
+  const T HA2_13 = T(0.9949999999999999) + Hb3_13 + Hp4_13;
   const T HA2_21 = Hp3_21 + Hb4_21;
   const T HA2_23 = Hp3_23 - T(1.06) + Hb4_23;
-  const T HA2_31 = b4_5 - (minus_Hp3_31 + T(0.995));
+  const T HA2_31 = b4_5 - (minus_Hp3_31 + T(0.9949999999999999));
   const T HA2_32 = T(1.06) + Hp3_32 + Hp4_32;
   const T HA2_33 = Hp3_33 - b4_4;
   // JA2 = q3~ Hp3^T + q4~ Hp4^T + J_own_2 + Jp4 + Jp3 - Hb3 q3~ - Hb4 q4~: moment for an angular acceleration, body
   //   axes [kg m^2]
   const T JA2_11 = T(0.4) * minus_Hp4_12 + Jp4_11 - Hb3_12 * T(0.2) + Hb3_13 * T(0.15);
-  const T JA2_12 = T(0.2) * minus_Hp3_22 - T(0.264) + T(0.15) * Hp3_23 + T(0.2) * Hp4_11 - T(0.3) * Hp4_13;
-  const T JA2_13 = Jp4_13 - T(0.2024) + T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.3) * minus_Hp4_12;
-  const T JA2_22 = T(0.08148411764705878) + Jp3_22 + T(0.4) * Hp3_21 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
+  const T JA2_12 = T(0.2) * minus_Hp3_22 - T(0.26399999999999996) + T(0.15) * Hp3_23 + T(0.2) * Hp4_11 - T(0.3) *
+      Hp4_13;
+  const T JA2_13 = Jp4_13 - T(0.20240000000000002) + T(0.15) * Hp3_33 - T(0.2) * Hp3_32 - T(0.2) * Hp4_32 - T(0.3) *
+      minus_Hp4_12;
+  const T JA2_22 = T(0.08148411764705887) + Jp3_22 + T(0.4) * Hp3_21 - Hb4_23 * T(0.3) + Hb4_21 * T(0.2);
   const T JA2_23 = Jp3_23 - T(0.1918) + T(0.2) * b4_5 + T(0.3) * b4_4 - T(0.2) * minus_Hp3_31 - T(0.15) * Hp3_21;
   const T JA2_33 = T(1.0315041176470587) - minus_Jp4_33 + Jp3_33 + T(0.3) * minus_Hp3_31 + T(0.6) * Hp4_32;
   // g2 = G2 + gp4 + gp3: force that drives it, home axes [N]
@@ -1941,7 +1945,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL4_1 = E4_11 * alphaL2_1 - minus_E4_13 * phi2;
   const T alphaL4_3 = minus_E4_13 * alphaL2_1 + E4_11 * phi2;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = v4 - T(0.8437992367923735) * beta4_1 - T(0.04387756031320342) * alphaL4_1 + T(0.31726851303393244) *
+  const T phi4 = v4 - T(0.8437992367923733) * beta4_1 - T(0.043877560313203424) * alphaL4_1 + T(0.31726851303393233) *
       alphaL4_3;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = phi4 - alphaL2_2;
@@ -1970,7 +1974,7 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T alphaL6_2 = E6_22 * alphaL5_2 + E6_23 * phi5;
   const T alphaL6_3 = E6_22 * phi5 - E6_23 * alphaL5_2;
   // phi6 = -kB6 . beta6 + v6 - (P_b6 kK6) . alphaL6
-  const T phi6 = v6 - T(1.4467037282868984) * beta6_3 - T(0.01191403070353916) * alphaL6_3 + T(0.5395353904317022) *
+  const T phi6 = v6 - T(1.4467037282868986) * beta6_3 - T(0.01191403070353916) * alphaL6_3 + T(0.5395353904317023) *
       alphaL6_2;
   // thetaddot6 = -b6 . alphaL6 + phi6
   const T thetaddot6 = phi6 - alphaL5_1;
@@ -2096,17 +2100,18 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T t2_11 = Pddot1_3 + U1_31 * T(0.3);
   const T Pddot2_3 = t2_11 + U1_32 * T(0.1);
   // G2 = U2 h_own_2: inertia less applied force, body axes [N]
-  const T G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
-  const T G2_2 = U2_21 * T(1.06) - minus_U2_22 * T(0.995);
-  const T G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  const T G2_1 = U2_12 * T(0.9949999999999999) - minus_U2_11 * T(1.06);
+  const T G2_2 = U2_21 * T(1.06) - minus_U2_22 * T(0.9949999999999999);
+  const T G2_3 = U2_31 * T(1.06) + U2_32 * T(0.9949999999999999);
   // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 + T(0.1918) *
-      (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_21;
-  const T N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 + T(0.5564941176470588) *
-      U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.5564941176470588) * U2_21 - T(0.47501000000000004) *
-      U2_12 + T(0.264) * (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
+  const T N2_1 = T(0.9949999999999999) * Pddot2_3 + T(0.47501) * U2_32 + T(0.47501) * U2_23 + T(0.1918) * (minus_U2_22
+      - minus_U2_33) + T(0.26399999999999996) * U2_31 - T(0.20240000000000002) * U2_21;
+  const T N2_2 = T(0.20240000000000002) * (minus_U2_33 - minus_U2_11) - (T(0.47501) * U2_13 + T(0.5564941176470588) *
+      U2_31) + T(0.1918) * U2_12 - T(0.26399999999999996) * U2_32 - T(1.06) * Pddot2_3;
+  const T N2_3 = T(1.06) * Pddot2_2 - T(0.9949999999999999) * Pddot2_1 + T(0.5564941176470588) * U2_21 - T(0.47501) *
+      U2_12 + T(0.26399999999999996) * (minus_U2_11 - minus_U2_22) + T(0.20240000000000002) * U2_23 - T(0.1918) *
+      U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T thetadot3 = y[4];
@@ -2154,11 +2159,11 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   // N3 = h_own_3~ Pddot3 + axial(U3 (tr(J_own_3)/2 - J_own_3)): inertia less applied moment about the body origin,
   //   body axes [N m]
   const T N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) * U3_23 +
-      T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 + T(0.00220707418783063)
+      T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747284) * U3_31 + T(0.00220707418783063)
       * U3_21;
   const T N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
-      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
-  const T N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747284) * U3_32;
+  const T N3_3 = T(0.09994893107747284) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
       T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
       T(0.26800186566514794) * Pddot3_1;
 
@@ -2199,18 +2204,18 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
   const T Pddot4_2 = t3_11 + U2_21 * T(0.3);
   // G4 = U4 h_own_4: inertia less applied force, body axes [N]
-  const T G4_1 = U4_13 * T(0.15652475842498528);
-  const T G4_2 = U4_23 * T(0.15652475842498528);
-  const T minus_G4_3 = minus_U4_33 * T(0.15652475842498528);
+  const T G4_1 = U4_13 * T(0.15652475842498526);
+  const T G4_2 = U4_23 * T(0.15652475842498526);
+  const T minus_G4_3 = minus_U4_33 * T(0.15652475842498526);
   // N4 = h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 + T(0.08974) *
-      U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528) * Pddot4_2;
-  const T N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
-      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+  const T N4_1 = T(0.05885330916779445) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 + T(0.08974) *
+      U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498526) * Pddot4_2;
+  const T N4_2 = T(0.15652475842498526) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779445) * U4_12 + T(0.008139287438099234)
       * U4_32;
   const T N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
-      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779445) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T thetadot5 = y[6];
@@ -2250,17 +2255,18 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot5_2 = E5_11 * t5_8 - E5_12 * t5_7;
   const T Pddot5_3 = t2_11 + U1_32 * T(0.25);
   // G5 = U5 h_own_5: inertia less applied force, body axes [N]
-  const T G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
-  const T G5_2 = U5_21 * T(0.79) - minus_U5_22 * T(0.78);
-  const T G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  const T G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.7900000000000001);
+  const T G5_2 = U5_21 * T(0.7900000000000001) - minus_U5_22 * T(0.78);
+  const T G5_3 = U5_31 * T(0.7900000000000001) + U5_32 * T(0.78);
   // N5 = h_own_5~ Pddot5 + axial(U5 (tr(J_own_5)/2 - J_own_5)): inertia less applied moment about the body origin,
   //   body axes [N m]
   const T N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) * (minus_U5_22 -
-      minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_21;
-  const T N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.5312235294117648) *
-      U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.5312235294117648) * U5_21 - T(0.249) * U5_12 +
-      T(0.2145) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+      minus_U5_33) + T(0.21450000000000005) * U5_31 - T(0.14600000000000005) * U5_21;
+  const T N5_2 = T(0.14600000000000005) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 + T(0.5312235294117649) *
+      U5_31) + T(0.14700000000000002) * U5_12 - T(0.21450000000000005) * U5_32 - T(0.7900000000000001) * Pddot5_3;
+  const T N5_3 = T(0.7900000000000001) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.5312235294117649) * U5_21 - T(0.249) *
+      U5_12 + T(0.21450000000000005) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000005) * U5_23 -
+      T(0.14700000000000002) * U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T thetadot6 = y[7];
@@ -2300,19 +2306,19 @@ void residual([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, con
   const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
       minus_U5_22 * T(0.3));
   // G6 = U6 h_own_6: inertia less applied force, body axes [N]
-  const T G6_1 = U6_12 * T(0.3298484500494129);
-  const T minus_G6_2 = minus_U6_22 * T(0.3298484500494129);
-  const T G6_3 = U6_32 * T(0.3298484500494129);
+  const T G6_1 = U6_12 * T(0.32984845004941293);
+  const T minus_G6_2 = minus_U6_22 * T(0.32984845004941293);
+  const T G6_3 = U6_32 * T(0.32984845004941293);
   // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) * U6_23 +
-      T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 + T(0.002716399000406929)
+  const T N6_1 = T(0.32984845004941293) * Pddot6_3 + T(0.12277647058823532) * U6_32 - T(0.1052235294117647) * U6_23 +
+      T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.12301406901842814) * U6_31 + T(0.002716399000406929)
       * U6_21;
   const T N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
-      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
-  const T N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
-      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
-      T(0.3298484500494129) * Pddot6_1;
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.12301406901842814) * U6_32;
+  const T N6_3 = T(0.12301406901842814) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.12277647058823532) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.32984845004941293) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // r_theta6 = b6 . N6 - tau_body_6_: Kane's equation of the angle [N m]
@@ -2450,8 +2456,8 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   //   origin, body axes [N m]
   const T N1_1 = T(1.32) * Pddot1_2 - (T(0.05) * t1_17 - u.M_1_1 - T(0.2) * t1_18 + T(1.385) * Pddot1_3) + T(0.91576)
       * U1_23 + T(0.22365000000000002) * (t1_14 - t1_13) + T(0.3817) * U1_12 - T(0.366) * U1_13;
-  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - u.M_1_2 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) -
-      T(0.5295100000000001) * U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
+  const T N1_2 = T(2.21) * Pddot1_3 - (T(0.1) * t1_18 - u.M_1_2 - T(0.05) * t1_16 + T(1.32) * Pddot1_1) - T(0.52951) *
+      U1_13 + T(0.3817) * (t1_13 - t1_15) + T(0.366) * U1_23 - T(0.22365000000000002) * U1_12;
   const T N1_3 = T(1.385) * Pddot1_1 - (T(0.2) * t1_16 - u.M_1_3 - T(0.1) * t1_17 + T(2.21) * Pddot1_2) -
       T(0.3862499999999999) * U1_12 + T(0.366) * (t1_15 - t1_14) + T(0.22365000000000002) * U1_13 - T(0.3817) * U1_23;
 
@@ -2492,17 +2498,17 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T t2_10 = Pddot1_3 + U1_13 * T(0.3);
   const T Pddot2_3 = t2_10 + U1_23 * T(0.1);
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
-  const T minus_G2_1 = U2_12 * T(0.995) - minus_U2_11 * T(1.06);
-  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.995);
-  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.995);
+  const T minus_G2_1 = U2_12 * T(0.9949999999999999) - minus_U2_11 * T(1.06);
+  const T minus_G2_2 = U2_12 * T(1.06) - minus_U2_22 * T(0.9949999999999999);
+  const T minus_G2_3 = U2_31 * T(1.06) + U2_32 * T(0.9949999999999999);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.995) * Pddot2_3 + T(0.47501000000000004) * U2_32 + T(0.47501000000000004) * U2_23 +
-      T(0.1918) * (minus_U2_22 - minus_U2_33) + T(0.264) * U2_31 - T(0.2024) * U2_12;
-  const T minus_N2_2 = T(0.2024) * (minus_U2_33 - minus_U2_11) - (T(0.47501000000000004) * U2_13 +
-      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.264) * U2_32 - T(1.06) * Pddot2_3;
-  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.995) * Pddot2_1 + T(0.08148411764705878) * U2_12 + T(0.264) *
-      (minus_U2_11 - minus_U2_22) + T(0.2024) * U2_23 - T(0.1918) * U2_13;
+  const T minus_N2_1 = T(0.9949999999999999) * Pddot2_3 + T(0.47501) * U2_32 + T(0.47501) * U2_23 + T(0.1918) *
+      (minus_U2_22 - minus_U2_33) + T(0.26399999999999996) * U2_31 - T(0.20240000000000002) * U2_12;
+  const T minus_N2_2 = T(0.20240000000000002) * (minus_U2_33 - minus_U2_11) - (T(0.47501) * U2_13 +
+      T(0.5564941176470588) * U2_31) + T(0.1918) * U2_12 - T(0.26399999999999996) * U2_32 - T(1.06) * Pddot2_3;
+  const T minus_N2_3 = T(1.06) * Pddot2_2 - T(0.9949999999999999) * Pddot2_1 + T(0.08148411764705887) * U2_12 +
+      T(0.26399999999999996) * (minus_U2_11 - minus_U2_22) + T(0.20240000000000002) * U2_23 - T(0.1918) * U2_13;
 
   // ---- body 3 (body_3) on body 2
   const T thetadot3 = y[4];
@@ -2548,11 +2554,11 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N3_1 = T(0.26800186566514794) * Pddot3_3 + T(0.09975588235294118) * U3_32 - T(0.08549411764705883) *
-      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747282) * U3_31 +
+      U3_23 + T(0.016823529411764706) * (minus_U3_22 - minus_U3_33) + T(0.09994893107747284) * U3_31 +
       T(0.00220707418783063) * U3_21;
   const T minus_N3_2 = T(0.08549411764705883) * U3_13 + T(0.08549411764705883) * U3_31 - T(0.00220707418783063) *
-      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747282) * U3_32;
-  const T minus_N3_3 = T(0.09994893107747282) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
+      (minus_U3_33 - minus_U3_11) + T(0.016823529411764706) * U3_12 - T(0.09994893107747284) * U3_32;
+  const T minus_N3_3 = T(0.09994893107747284) * (minus_U3_11 - minus_U3_22) - (T(0.08549411764705883) * U3_21 +
       T(0.09975588235294118) * U3_12) - T(0.00220707418783063) * U3_23 - T(0.016823529411764706) * U3_13 -
       T(0.26800186566514794) * Pddot3_1;
 
@@ -2591,19 +2597,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot4_1 = E4_11 * (t3_9 - minus_U2_11 * T(0.3)) - minus_E4_13 * (U2_31 * T(0.3) - t3_10);
   const T Pddot4_2 = t3_11 + U2_12 * T(0.3);
   // G4 = -U4 h_own_4: applied less inertia force, body axes [N]
-  const T minus_G4_1 = U4_13 * T(0.15652475842498528);
-  const T minus_G4_2 = U4_23 * T(0.15652475842498528);
-  const T G4_3 = minus_U4_33 * T(0.15652475842498528);
+  const T minus_G4_1 = U4_13 * T(0.15652475842498526);
+  const T minus_G4_2 = U4_23 * T(0.15652475842498526);
+  const T G4_3 = minus_U4_33 * T(0.15652475842498526);
   // N4 = -h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N4_1 = T(0.05885330916779447) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
-      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498528)
+  const T minus_N4_1 = T(0.05885330916779445) * (minus_U4_22 - minus_U4_33) - (T(0.09576000000000001) * U4_32 +
+      T(0.08974) * U4_23) - T(0.008139287438099234) * U4_31 + T(0.008680000000000007) * U4_21 - T(0.15652475842498526)
       * Pddot4_2;
-  const T minus_N4_2 = T(0.15652475842498528) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
-      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779447) * U4_12 + T(0.008139287438099234)
+  const T minus_N4_2 = T(0.15652475842498526) * Pddot4_1 + T(0.08974) * U4_13 - T(0.09576000000000001) * U4_31 -
+      T(0.008680000000000007) * (minus_U4_33 - minus_U4_11) + T(0.05885330916779445) * U4_12 + T(0.008139287438099234)
       * U4_32;
   const T minus_N4_3 = T(0.09576000000000001) * U4_21 + T(0.09576000000000001) * U4_12 - T(0.008139287438099234) *
-      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779447) * U4_13;
+      (minus_U4_11 - minus_U4_22) - T(0.008680000000000007) * U4_23 - T(0.05885330916779445) * U4_13;
 
   // ---- body 5 (body_5) on body 1
   const T thetadot5 = y[6];
@@ -2639,17 +2645,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot5_2 = E5_11 * t5_7 - E5_12 * t5_6;
   const T Pddot5_3 = t2_10 + U1_23 * T(0.25);
   // G5 = -U5 h_own_5: applied less inertia force, body axes [N]
-  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.79);
-  const T minus_G5_2 = U5_12 * T(0.79) - minus_U5_22 * T(0.78);
-  const T minus_G5_3 = U5_31 * T(0.79) + U5_32 * T(0.78);
+  const T minus_G5_1 = U5_12 * T(0.78) - minus_U5_11 * T(0.7900000000000001);
+  const T minus_G5_2 = U5_12 * T(0.7900000000000001) - minus_U5_22 * T(0.78);
+  const T minus_G5_3 = U5_31 * T(0.7900000000000001) + U5_32 * T(0.78);
   // N5 = -h_own_5~ Pddot5 - axial(U5 (tr(J_own_5)/2 - J_own_5)): applied less inertia moment about the body origin,
   //   body axes [N m]
   const T minus_N5_1 = T(0.78) * Pddot5_3 + T(0.249) * U5_32 + T(0.249) * U5_23 + T(0.14700000000000002) *
-      (minus_U5_22 - minus_U5_33) + T(0.2145) * U5_31 - T(0.14600000000000002) * U5_12;
-  const T minus_N5_2 = T(0.14600000000000002) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
-      T(0.5312235294117648) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.2145) * U5_32 - T(0.79) * Pddot5_3;
-  const T minus_N5_3 = T(0.79) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117647) * U5_12 + T(0.2145) *
-      (minus_U5_11 - minus_U5_22) + T(0.14600000000000002) * U5_23 - T(0.14700000000000002) * U5_13;
+      (minus_U5_22 - minus_U5_33) + T(0.21450000000000005) * U5_31 - T(0.14600000000000005) * U5_12;
+  const T minus_N5_2 = T(0.14600000000000005) * (minus_U5_33 - minus_U5_11) - (T(0.249) * U5_13 +
+      T(0.5312235294117649) * U5_31) + T(0.14700000000000002) * U5_12 - T(0.21450000000000005) * U5_32 -
+      T(0.7900000000000001) * Pddot5_3;
+  const T minus_N5_3 = T(0.7900000000000001) * Pddot5_2 - T(0.78) * Pddot5_1 + T(0.2822235294117648) * U5_12 +
+      T(0.21450000000000005) * (minus_U5_11 - minus_U5_22) + T(0.14600000000000005) * U5_23 - T(0.14700000000000002) *
+      U5_13;
 
   // ---- body 6 (body_6) on body 5
   const T thetadot6 = y[7];
@@ -2687,19 +2695,19 @@ void forcing([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y, cons
   const T Pddot6_3 = E6_22 * (Pddot5_3 + U5_32 * T(0.3) - minus_U5_33 * T(0.2)) - E6_23 * (Pddot5_2 + U5_23 * T(0.2) -
       minus_U5_22 * T(0.3));
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
-  const T minus_G6_1 = U6_12 * T(0.3298484500494129);
-  const T G6_2 = minus_U6_22 * T(0.3298484500494129);
-  const T minus_G6_3 = U6_32 * T(0.3298484500494129);
+  const T minus_G6_1 = U6_12 * T(0.32984845004941293);
+  const T G6_2 = minus_U6_22 * T(0.32984845004941293);
+  const T minus_G6_3 = U6_32 * T(0.32984845004941293);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.3298484500494129) * Pddot6_3 + T(0.1227764705882353) * U6_32 - T(0.1052235294117647) *
-      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.1230140690184281) * U6_31 +
+  const T minus_N6_1 = T(0.32984845004941293) * Pddot6_3 + T(0.12277647058823532) * U6_32 - T(0.1052235294117647) *
+      U6_23 + T(0.020705882352941175) * (minus_U6_22 - minus_U6_33) + T(0.12301406901842814) * U6_31 +
       T(0.002716399000406929) * U6_21;
   const T minus_N6_2 = T(0.1052235294117647) * U6_13 + T(0.1052235294117647) * U6_31 - T(0.002716399000406929) *
-      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.1230140690184281) * U6_32;
-  const T minus_N6_3 = T(0.1230140690184281) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
-      T(0.1227764705882353) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
-      T(0.3298484500494129) * Pddot6_1;
+      (minus_U6_33 - minus_U6_11) + T(0.020705882352941175) * U6_12 - T(0.12301406901842814) * U6_32;
+  const T minus_N6_3 = T(0.12301406901842814) * (minus_U6_11 - minus_U6_22) - (T(0.1052235294117647) * U6_21 +
+      T(0.12277647058823532) * U6_12) - T(0.002716399000406929) * U6_23 - T(0.020705882352941175) * U6_13 -
+      T(0.32984845004941293) * Pddot6_1;
 
   // ---- body 6 (body_6) and what it carries
   // f_theta6 = b6 . N6 + tau_body_6_: Kane's equation of the angle [N m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 986ddd0236404e5a of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 4fb3771ee12e05c6 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "986ddd0236404e5a";
+inline constexpr char model_hash[] = "4fb3771ee12e05c6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -358,8 +358,6 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
   // ---- body 1 (cart) and what it carries
   // Fq_thetadot2_1 = -(E2^T G2)~ b2
   const T minus_Fq_thetadot2_1_1 = minus_E2_13 * G2_1_of_r + E2_11 * G2_3;
-  // r_sdot1 = -tau_cart_: Kane's equation of sdot [N]
-  const T minus_r_sdot1 = u.push - c.p.mu * z1_1;
 
   // ---- results
   S[2] = T(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 143d8c82cc1bea60 of double_pendulum/scene.toml; the usual functions
+// model d580ece62d3e1415 of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -120,7 +120,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "143d8c82cc1bea60";
+inline constexpr char model_hash[] = "d580ece62d3e1415";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -385,7 +385,6 @@ void accelerations([[maybe_unused]] const Prepared<T>& c, const T* x, const T* y
   const T minus_gt2_1 = minus_v2 * T(0.18);
   // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
   const T Mp2_11 = minus_E2_13 * T(0.44999999999999996) * minus_E2_13 - T(0.44999999999999996);
-  const T minus_Mp2_33 = minus_E2_13 * T(0.44999999999999996) * minus_E2_13;
   // gp2 = E2^T gt2: force passed on, lower body's axes [N]
   const T minus_gp2_1 = E2_11 * minus_gt2_1 + minus_E2_13 * minus_G2_3;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 97e13a36800cb005 of quadruped/scene.toml; the usual functions
+// model ea0389ec30876677 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -44,9 +44,9 @@
 //   energy                  1315 (558 add, 757 multiply, 24 sine or cosine)
 //   momentum                1700 (773 add, 927 multiply, 24 sine or cosine)
 //   power                   556 (236 add, 320 multiply, 24 sine or cosine)
-//   accelerations           3282 (1551 add, 1717 multiply, 14 divide, 24 sine or cosine)
-//   residual                1818 (868 add, 950 multiply, 24 sine or cosine)
-//   forcing                 1717 (804 add, 913 multiply, 24 sine or cosine)
+//   accelerations           3202 (1514 add, 1674 multiply, 14 divide, 24 sine or cosine)
+//   residual                1806 (860 add, 946 multiply, 24 sine or cosine)
+//   forcing                 1705 (796 add, 909 multiply, 24 sine or cosine)
 //   mass_matrix             780 (358 add, 422 multiply, 24 sine or cosine)
 //   partial_velocities      1632 (704 add, 928 multiply, 24 sine or cosine)
 //   partial_velocity_rates  3687 (1521 add, 2166 multiply, 24 sine or cosine)
@@ -142,7 +142,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "97e13a36800cb005";
+inline constexpr char model_hash[] = "ea0389ec30876677";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -237,9 +237,10 @@ struct Prepared {
   T c1_8;
   T c1_9;
   T c1_10;
+  T c1_11;
 };
 
-// prepare: 14 add, 11 multiply
+// prepare: 17 add, 11 multiply
 template <class T>
 Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
@@ -258,11 +259,14 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   const T c1_4 = J_all_1_11 - J_all_1_33;
   const T c1_5 = J_all_1_22 - J_all_1_11;
   const T m_all_1 = p.m_trunk + T(7.739999999999999);
-  const T c1_6 = T(0.5) * (J_all_1_33 + c1_5);
-  const T c1_7 = T(0.5) * (J_all_1_33 - c1_5);
-  const T c1_8 = T(0.5) * (J_all_1_11 + J_all_1_22 - J_all_1_33);
-  const T c1_9 = t1 + T(0.28990388342668794);
-  const T c1_10 = t2 + T(0.314855843426688);
+  const T t3 = t1 + T(0.28990388342668794);
+  const T c1_6 = J_all_1_11 - t3;
+  const T t4 = t2 + T(0.314855843426688);
+  const T c1_7 = T(0.5) * (t4 - c1_6);
+  const T c1_8 = T(0.5) * (t4 + c1_6);
+  const T c1_9 = T(0.5) * (J_all_1_11 + t3 - t4);
+  const T c1_10 = t4 - t3;
+  const T c1_11 = J_all_1_11 - t4;
   c.c1_1 = c1_1;
   c.c0_1 = c0_1;
   c.h_all_1_2 = h_all_1_2;
@@ -280,6 +284,7 @@ Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   c.c1_8 = c1_8;
   c.c1_9 = c1_9;
   c.c1_10 = c1_10;
+  c.c1_11 = c1_11;
   return c;
 }
 
@@ -2456,8 +2461,8 @@ void power(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* 
 
 // accelerations: ydot from A ydot = f.
 // rates of y (ny) [rad/s^2], [m/s^2]
-// 1551 add, 1717 multiply, 14 divide, 24 sine or cosine
-// by: articulated; composite would take 1656 add, 1904 multiply, 14 divide, 24 sine or cosine
+// 1514 add, 1674 multiply, 14 divide, 24 sine or cosine
+// by: articulated; composite would take 1640 add, 1892 multiply, 14 divide, 24 sine or cosine
 template <class T>
 void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* ydot) noexcept {
   T cosines[16], sines[16];  // of angles, at their places in x
@@ -2490,23 +2495,22 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T R1_32 = t1_11 - t1_12;
   const T R1_33 = t1_10 - t1_2;
   // U1 = omega1~ omega1~: takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]
-  const T t1_13 = omega1_3 * omega1_3;
-  const T t1_14 = omega1_2 * omega1_2;
-  const T minus_U1_11 = t1_13 + t1_14;
   const T U1_12 = omega1_2 * omega1_1;
   const T U1_13 = omega1_3 * omega1_1;
-  const T t1_15 = omega1_1 * omega1_1;
-  const T minus_U1_22 = t1_13 + t1_15;
+  const T t1_13 = omega1_3 * omega1_3;
+  const T t1_14 = omega1_1 * omega1_1;
+  const T minus_U1_22 = t1_13 + t1_14;
   const T U1_23 = omega1_3 * omega1_2;
-  const T minus_U1_33 = t1_14 + t1_15;
+  const T t1_15 = omega1_2 * omega1_2;
+  const T minus_U1_33 = t1_15 + t1_14;
   // G1 = -U1 h_all_1: applied less inertia force, body axes [N]
   const T minus_G1_1 = U1_12 * c.h_all_1_2 - U1_13 * c.c1_2;
   const T G1_2 = minus_U1_22 * c.h_all_1_2 + U1_23 * c.c1_2;
   const T minus_G1_3 = U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = -omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N m]
-  const T minus_N1_1 = c.c1_3 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) - T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
-  const T minus_N1_2 = c.c1_4 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12;
-  const T minus_N1_3 = c.c1_5 * U1_12 - T(3.66e-05) * (t1_15 - t1_14) + c.J_all_1_23 * U1_13 + T(6.11e-05) * U1_23;
+  const T minus_N1_1 = c.c1_3 * U1_23 + c.J_all_1_23 * (t1_15 - t1_13) - T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
+  const T minus_N1_2 = c.c1_4 * U1_13 - T(6.11e-05) * (t1_13 - t1_14) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12;
+  const T minus_N1_3 = c.c1_5 * U1_12 - T(3.66e-05) * (t1_14 - t1_15) + c.J_all_1_23 * U1_13 + T(6.11e-05) * U1_23;
 
   // ---- body 2 (fr_hip) on body 1
   const T theta2 = x[4];
@@ -2544,17 +2548,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U2_31 = t2_4 - omegadot2_2;
   const T minus_U2_33 = t2_2 + t2_5;
   // Pddot2 = E2 U1 q2: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t2_6 = minus_U1_11 * T(0.1805);
-  const T t2_7 = U1_12 * T(0.047);
-  const T minus_Pddot2_1 = t2_6 + t2_7;
-  const T t2_8 = U1_12 * T(0.1805);
-  const T t2_9 = minus_U1_22 * T(0.047);
-  const T t2_10 = t2_8 + t2_9;
-  const T t2_11 = U1_23 * T(0.047);
-  const T t2_12 = U1_13 * T(0.1805);
-  const T t2_13 = t2_11 - t2_12;
-  const T Pddot2_2 = E2_22 * t2_10 - E2_23 * t2_13;
-  const T minus_Pddot2_3 = E2_22 * t2_13 + E2_23 * t2_10;
+  const T minus_Pddot2_1 = U1_12 * T(0.047);
+  const T t2_6 = minus_U1_22 * T(0.047);
+  const T t2_7 = U1_23 * T(0.047);
+  const T Pddot2_2 = E2_22 * t2_6 - E2_23 * t2_7;
+  const T minus_Pddot2_3 = E2_23 * t2_6 + E2_22 * t2_7;
   // effort_fr_hip_2 = -theta2 k_fr_hip_ - thetadot2 c_fr_hip_ + tau_fr_hip_: along the coordinate [N m], [N]
   const T effort_fr_hip_2 = u.tau_fr_hip - theta2 * c.p.kp - thetadot2 * c.p.kd;
   // G2 = -U2 h_own_2: applied less inertia force, body axes [N]
@@ -2563,15 +2561,15 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T G2_3 = U2_23 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.006588148547768) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) -
-      T(7.94567044e-06) * U2_31 - T(2.70561864e-07) * U2_21 - T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) *
-      minus_Pddot2_3;
-  const T t2_14 = T(2.1575999999999998e-05) * minus_Pddot2_1;
-  const T minus_N2_2 = T(0.000361904168856) * U2_13 - t2_14 + T(0.000361904168856) * U2_31 + T(2.70561864e-07) *
-      (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23;
-  const T t2_15 = T(0.081652909) * minus_Pddot2_1;
-  const T minus_N2_3 = T(2.70561864e-07) * U2_23 - (t2_15 + T(0.000361904168856) * U2_21 + T(0.006950052716624) *
-      U2_12 + T(7.94567044e-06) * (minus_U2_11 - minus_U2_22)) + T(4.7970076e-07) * U2_13;
+  const T minus_N2_1 = T(0.081652909) * minus_Pddot2_3 - T(2.1575999999999998e-05) * Pddot2_2 +
+      T(0.006599357548829661) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) - T(0.014746295744939998) *
+      U2_31 - T(4.165029864e-06) * U2_21;
+  const T t2_8 = T(2.1575999999999998e-05) * minus_Pddot2_1;
+  const T minus_N2_2 = T(0.000361904168856) * U2_13 - t2_8 + T(0.000361904168856) * U2_31 + T(4.165029864e-06) *
+      (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(0.014746295744939998) * U2_23;
+  const T t2_9 = T(0.081652909) * minus_Pddot2_1;
+  const T minus_N2_3 = T(4.165029864e-06) * U2_23 - (t2_9 + T(0.000361904168856) * U2_21 + T(0.006961261717685661) *
+      U2_12 + T(0.014746295744939998) * (minus_U2_11 - minus_U2_22)) + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
   const T theta3 = x[5];
@@ -2611,11 +2609,11 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U3_32 = t3_6 + omegadot3_1;
   const T minus_U3_33 = t3_2 + t3_5;
   // Pddot3 = E3 (U2 q3 + Pddot2): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t3_7 = minus_Pddot2_1 + U2_12 * T(0.0838);
-  const T t3_8 = minus_Pddot2_3 + U2_23 * T(0.0838);
-  const T minus_Pddot3_1 = E3_11 * t3_7 - minus_E3_13 * t3_8;
-  const T Pddot3_2 = Pddot2_2 + minus_U2_22 * T(0.0838);
-  const T minus_Pddot3_3 = E3_11 * t3_8 + minus_E3_13 * t3_7;
+  const T t3_7 = minus_Pddot2_1 + minus_U2_11 * T(0.1805);
+  const T t3_8 = U2_31 * T(0.1805) - minus_Pddot2_3;
+  const T minus_Pddot3_1 = E3_11 * t3_7 + minus_E3_13 * t3_8;
+  const T Pddot3_2 = Pddot2_2 + U2_21 * T(0.1805);
+  const T Pddot3_3 = E3_11 * t3_8 - minus_E3_13 * t3_7;
   // stretch_fr_thigh_3 = theta3 - l_fr_thigh_: stretch of the spring
   const T stretch_fr_thigh_3 = theta3 - T(0.8);
   // effort_fr_thigh_3 = -thetadot3 c_fr_thigh_ + tau_fr_thigh_ - stretch_fr_thigh_3 k_fr_thigh_: along the coordinate
@@ -2627,77 +2625,82 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G3_3 = minus_U3_33 * T(0.072881238) - U3_31 * T(0.0032790809999999997);
   // N3 = -h_own_3~ Pddot3 - axial(U3 (tr(J_own_3)/2 - J_own_3)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N3_1 = T(0.072881238) * Pddot3_2 - T(0.000499645385197) * U3_32 - T(0.014446725509588) * U3_23 -
-      T(0.0005955910008259999) * (minus_U3_22 - minus_U3_33) - T(6.838704148699999e-05) * U3_31 + T(0.000254264832594)
+  const T minus_N3_1 = T(0.072881238) * Pddot3_2 - T(0.000499645385197) * U3_32 - T(0.014446725509588) * U3_23 +
+      T(0.005511856743573999) * (minus_U3_22 - minus_U3_33) + T(0.00020639994631299998) * U3_31 + T(0.000254264832594)
       * U3_21;
-  const T minus_N3_2 = T(0.072881238) * minus_Pddot3_1 - T(0.0032790809999999997) * minus_Pddot3_3 +
-      T(0.014446725509588) * U3_13 - T(0.000499645385197) * U3_31 - T(0.000254264832594) * (minus_U3_33 - minus_U3_11)
-      - T(0.0005955910008259999) * U3_12 + T(6.838704148699999e-05) * U3_32;
-  const T minus_N3_3 = T(0.000499645385197) * U3_21 + T(0.000499645385197) * U3_12 - T(6.838704148699999e-05) *
-      (minus_U3_11 - minus_U3_22) - T(0.000254264832594) * U3_23 + T(0.0005955910008259999) * U3_13 -
+  const T minus_N3_2 = T(0.072881238) * minus_Pddot3_1 + T(0.0032790809999999997) * Pddot3_3 + T(0.014446725509588) *
+      U3_13 - T(0.000499645385197) * U3_31 - T(0.000254264832594) * (minus_U3_33 - minus_U3_11) +
+      T(0.005511856743573999) * U3_12 - T(0.00020639994631299998) * U3_32;
+  const T minus_N3_3 = T(0.000499645385197) * U3_21 + T(0.000499645385197) * U3_12 + T(0.00020639994631299998) *
+      (minus_U3_11 - minus_U3_22) - T(0.000254264832594) * U3_23 - T(0.005511856743573999) * U3_13 -
       T(0.0032790809999999997) * Pddot3_2;
 
   // ---- body 4 (fr_calf) on body 3
   const T theta4 = x[6];
   const T thetadot4 = y[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cosines[6];
-  const T minus_E4_13 = sines[6];
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
+  const T minus_E4_11 = T(0.9993592865650762) * t4_1 + T(0.035791288830411085) * t4_2;
+  const T minus_E4_13 = T(0.035791288830411085) * t4_1 - T(0.9993592865650762) * t4_2;
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
-  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
-  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
-  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
-  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
-  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  const T minus_R4_11 = R3_11 * minus_E4_11 + R3_31 * minus_E4_13;
+  const T minus_R4_12 = R3_12 * minus_E4_11 + R3_32 * minus_E4_13;
+  const T minus_R4_13 = R3_13 * minus_E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 - R3_31 * minus_E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 - R3_32 * minus_E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 - R3_33 * minus_E4_11;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T minus_omega4_1 = minus_E4_11 * omega3_1 + minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
-  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  const T omega4_3 = minus_E4_13 * omega3_1 - minus_E4_11 * omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
-  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
-  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  const T minus_omegadot4_1 = thetadot4 * omega4_3 + minus_E4_11 * omegadot3_1 + minus_E4_13 * omegadot3_3;
+  const T omegadot4_3 = minus_E4_13 * omegadot3_1 - minus_E4_11 * omegadot3_3 - thetadot4 * minus_omega4_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_1;
-  const T U4_12 = t4_2 - omegadot4_3;
-  const T t4_3 = omega4_3 * omega4_1;
-  const T U4_13 = t4_3 + omegadot2_2;
-  const T U4_21 = t4_2 + omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_2;
-  const T U4_23 = t4_4 - omegadot4_1;
-  const T U4_31 = t4_3 - omegadot2_2;
-  const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  const T t4_3 = omega4_3 * omega4_3;
+  const T t4_4 = omega4_2 * omega4_2;
+  const T minus_U4_11 = t4_3 + t4_4;
+  const T t4_5 = omega4_2 * minus_omega4_1;
+  const T minus_U4_12 = t4_5 + omegadot4_3;
+  const T t4_6 = omega4_3 * minus_omega4_1;
+  const T U4_13 = omegadot2_2 - t4_6;
+  const T U4_21 = omegadot4_3 - t4_5;
+  const T t4_7 = minus_omega4_1 * minus_omega4_1;
+  const T minus_U4_22 = t4_3 + t4_7;
+  const T t4_8 = omega4_3 * omega4_2;
+  const T U4_23 = t4_8 + minus_omegadot4_1;
+  const T minus_U4_31 = t4_6 + omegadot2_2;
+  const T U4_32 = t4_8 - minus_omegadot4_1;
+  const T minus_U4_33 = t4_4 + t4_7;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = minus_Pddot3_1 + U3_13 * T(0.2);
-  const T t4_6 = minus_U3_33 * T(0.2) - minus_Pddot3_3;
-  const T minus_Pddot4_1 = E4_11 * t4_5 + minus_E4_13 * t4_6;
+  const T Pddot4_1 = minus_E4_11 * (minus_Pddot3_1 + U3_13 * T(0.2)) - minus_E4_13 * (Pddot3_3 + minus_U3_33 *
+      T(0.2));
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
-  const T Pddot4_3 = E4_11 * t4_6 - minus_E4_13 * t4_5;
   // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // G4 = R4 F_ground_on_fr_ - U4 h_own_4: applied less inertia force, body axes [N]
-  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
-  const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = t4_8 + U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821);
-  const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
-      minus_U4_33 * T(0.029826408000000002);
-  // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
+  const T t4_9 = minus_R4_11 * u.ground_fr_x + minus_R4_12 * u.ground_fr_y + minus_R4_13 * u.ground_fr_z;
+  const T minus_G4_1 = t4_9 + U4_13 * T(0.029845530432320418);
+  const T t4_10 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
+  const T G4_2 = t4_10 - U4_23 * T(0.029845530432320418);
+  const T t4_11 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T G4_3 = t4_11 + minus_U4_33 * T(0.029845530432320418);
+  // N4 = o4~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N4_1 = T(0.2) * t4_8 - T(0.029826408000000002) * Pddot4_2 + T(3.591193135000005e-05) * U4_32 +
-      T(0.007308926302304) * U4_23 + T(2.6450064520000005e-05) * U4_21;
-  const T minus_N4_2 = T(0.2) * t4_7 + T(0.029826408000000002) * minus_Pddot4_1 - T(0.00106821) * Pddot4_3 +
-      T(0.007308926302304) * U4_13 - T(3.591193135000005e-05) * U4_31 + T(2.6450064520000005e-05) * (minus_U4_33 -
-      minus_U4_11);
-  const T minus_N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12
-      + T(2.6450064520000005e-05) * U4_23;
+  const T N4_1 = T(0.029845530432320418) * Pddot4_2 - (T(0.19987185731301527) * t4_10 + T(0.0838) * t4_11) +
+      T(4.712093241166159e-05) * U4_32 + T(0.007297717301242339) * U4_23 + T(0.0025010554502284503) * (minus_U4_22 -
+      minus_U4_33) - T(5.215891594784536e-35) * minus_U4_31 + T(0.0002865260721362275) * U4_21;
+  const T minus_N4_2 = T(0.19987185731301527) * t4_9 + T(0.007158257766082217) * t4_11 + T(0.029845530432320418) *
+      Pddot4_1 + T(0.007297717301242339) * U4_13 + T(4.712093241166159e-05) * minus_U4_31 + T(0.0002865260721362275) *
+      (minus_U4_33 - minus_U4_11) + T(0.0025010554502284503) * minus_U4_12 + T(5.215891594784536e-35) * U4_32;
+  const T N4_3 = T(0.007158257766082217) * t4_10 - T(0.0838) * t4_9 - T(4.712093241166159e-05) * U4_21 +
+      T(4.712093241166159e-05) * minus_U4_12 + T(5.215891594784536e-35) * (minus_U4_11 - minus_U4_22) -
+      T(0.0002865260721362275) * U4_23 - T(0.0025010554502284503) * U4_13;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -2735,11 +2738,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U6_31 = t6_4 - omegadot6_2;
   const T minus_U6_33 = t6_2 + t6_5;
   // Pddot6 = E6 U1 q6: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T minus_Pddot6_1 = t2_6 - t2_7;
-  const T t6_6 = t2_12 + t2_11;
-  const T t6_7 = t2_9 - t2_8;
-  const T Pddot6_2 = E6_23 * t6_6 - E6_22 * t6_7;
-  const T Pddot6_3 = E6_22 * t6_6 + E6_23 * t6_7;
+  const T Pddot6_2 = E6_23 * t2_7 - E6_22 * t2_6;
+  const T Pddot6_3 = E6_23 * t2_6 + E6_22 * t2_7;
   // effort_fl_hip_6 = -theta6 k_fl_hip_ - thetadot6 c_fl_hip_ + tau_fl_hip_: along the coordinate [N m], [N]
   const T effort_fl_hip_6 = u.tau_fl_hip - theta6 * c.p.kp - thetadot6 * c.p.kd;
   // G6 = -U6 h_own_6: applied less inertia force, body axes [N]
@@ -2748,14 +2748,13 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G6_3 = U6_23 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006588148547768) * U6_23
-      + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
-  const T t6_8 = T(2.1575999999999998e-05) * minus_Pddot6_1;
-  const T minus_N6_2 = T(0.000361904168856) * U6_13 - t6_8 + T(0.000361904168856) * U6_31 + T(2.70561864e-07) *
-      (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23;
-  const T t6_9 = T(0.081652909) * minus_Pddot6_1;
-  const T minus_N6_3 = t6_9 - T(0.000361904168856) * U6_21 - T(0.006950052716624) * U6_12 + T(7.94567044e-06) *
-      (minus_U6_11 - minus_U6_22) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13;
+  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006599357548829661) *
+      U6_23 + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(0.014746295744939998) * U6_31 - T(4.165029864e-06) *
+      U6_21;
+  const T minus_N6_2 = t2_8 + T(0.000361904168856) * U6_13 + T(0.000361904168856) * U6_31 + T(4.165029864e-06) *
+      (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(0.014746295744939998) * U6_23;
+  const T minus_N6_3 = T(0.014746295744939998) * (minus_U6_11 - minus_U6_22) - (t2_9 + T(0.000361904168856) * U6_21 +
+      T(0.006961261717685661) * U6_12) + T(4.165029864e-06) * U6_23 - T(4.7970076e-07) * U6_13;
 
   // ---- body 7 (fl_thigh) on body 6
   const T theta7 = x[8];
@@ -2795,10 +2794,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U7_32 = t7_6 + omegadot7_1;
   const T minus_U7_33 = t7_2 + t7_5;
   // Pddot7 = E7 (U6 q7 + Pddot6): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t7_7 = U6_12 * T(0.0838) - minus_Pddot6_1;
-  const T t7_8 = Pddot6_3 + U6_23 * T(0.0838);
+  const T t7_7 = minus_Pddot2_1 - minus_U6_11 * T(0.1805);
+  const T t7_8 = Pddot6_3 + U6_31 * T(0.1805);
   const T Pddot7_1 = E7_11 * t7_7 - minus_E7_13 * t7_8;
-  const T Pddot7_2 = Pddot6_2 - minus_U6_22 * T(0.0838);
+  const T Pddot7_2 = Pddot6_2 + U6_21 * T(0.1805);
   const T Pddot7_3 = minus_E7_13 * t7_7 + E7_11 * t7_8;
   // stretch_fl_thigh_7 = theta7 - l_fl_thigh_: stretch of the spring
   const T stretch_fl_thigh_7 = theta7 - T(0.8);
@@ -2811,76 +2810,82 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G7_3 = minus_U7_33 * T(0.072881238) - U7_31 * T(0.0032790809999999997);
   // N7 = -h_own_7~ Pddot7 - axial(U7 (tr(J_own_7)/2 - J_own_7)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N7_1 = T(0.072881238) * Pddot7_2 - T(0.000499645385197) * U7_32 - T(0.014446725509588) * U7_23 +
-      T(0.0005955910008259999) * (minus_U7_22 - minus_U7_33) + T(6.838704148699999e-05) * U7_31 + T(0.000254264832594)
+  const T minus_N7_1 = T(0.072881238) * Pddot7_2 - T(0.000499645385197) * U7_32 - T(0.014446725509588) * U7_23 -
+      T(0.005511856743573999) * (minus_U7_22 - minus_U7_33) - T(0.00020639994631299998) * U7_31 + T(0.000254264832594)
       * U7_21;
   const T minus_N7_2 = T(0.0032790809999999997) * Pddot7_3 - T(0.072881238) * Pddot7_1 + T(0.014446725509588) * U7_13
-      - T(0.000499645385197) * U7_31 - T(0.000254264832594) * (minus_U7_33 - minus_U7_11) + T(0.0005955910008259999) *
-      U7_12 - T(6.838704148699999e-05) * U7_32;
-  const T minus_N7_3 = T(0.000499645385197) * U7_21 + T(0.000499645385197) * U7_12 + T(6.838704148699999e-05) *
-      (minus_U7_11 - minus_U7_22) - T(0.000254264832594) * U7_23 - T(0.0005955910008259999) * U7_13 -
+      - T(0.000499645385197) * U7_31 - T(0.000254264832594) * (minus_U7_33 - minus_U7_11) - T(0.005511856743573999) *
+      U7_12 + T(0.00020639994631299998) * U7_32;
+  const T minus_N7_3 = T(0.000499645385197) * U7_21 + T(0.000499645385197) * U7_12 - T(0.00020639994631299998) *
+      (minus_U7_11 - minus_U7_22) - T(0.000254264832594) * U7_23 + T(0.005511856743573999) * U7_13 -
       T(0.0032790809999999997) * Pddot7_2;
 
   // ---- body 8 (fl_calf) on body 7
   const T theta8 = x[9];
   const T thetadot8 = y[8];
-  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cosines[9];
-  const T minus_E8_13 = sines[9];
+  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T t8_1 = cosines[9];
+  const T t8_2 = sines[9];
+  const T minus_E8_11 = T(0.9993592865650762) * t8_1 + T(0.035791288830411085) * t8_2;
+  const T minus_E8_13 = T(0.035791288830411085) * t8_1 - T(0.9993592865650762) * t8_2;
   // R8^T = R7^T E8^T: R takes inertial components to body components
-  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
-  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
-  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
-  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
-  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
-  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  const T minus_R8_11 = R7_11 * minus_E8_11 + R7_31 * minus_E8_13;
+  const T minus_R8_12 = R7_12 * minus_E8_11 + R7_32 * minus_E8_13;
+  const T minus_R8_13 = R7_13 * minus_E8_11 + R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 - R7_31 * minus_E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 - R7_32 * minus_E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 - R7_33 * minus_E8_11;
   // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T minus_omega8_1 = minus_E8_11 * omega7_1 + minus_E8_13 * omega7_3;
   const T omega8_2 = thetadot8 + omega7_2;
-  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  const T omega8_3 = minus_E8_13 * omega7_1 - minus_E8_11 * omega7_3;
   // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
-  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
-  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  const T minus_omegadot8_1 = thetadot8 * omega8_3 + minus_E8_11 * omegadot7_1 + minus_E8_13 * omegadot7_3;
+  const T omegadot8_3 = minus_E8_13 * omegadot7_1 - minus_E8_11 * omegadot7_3 - thetadot8 * minus_omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
-  const T t8_2 = omega8_2 * omega8_1;
-  const T U8_12 = t8_2 - omegadot8_3;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 + omegadot6_2;
-  const T U8_21 = t8_2 + omegadot8_3;
-  const T t8_4 = omega8_3 * omega8_2;
-  const T U8_23 = t8_4 - omegadot8_1;
-  const T U8_31 = t8_3 - omegadot6_2;
-  const T U8_32 = t8_4 + omegadot8_1;
-  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  const T t8_3 = omega8_3 * omega8_3;
+  const T t8_4 = omega8_2 * omega8_2;
+  const T minus_U8_11 = t8_3 + t8_4;
+  const T t8_5 = omega8_2 * minus_omega8_1;
+  const T minus_U8_12 = t8_5 + omegadot8_3;
+  const T t8_6 = omega8_3 * minus_omega8_1;
+  const T U8_13 = omegadot6_2 - t8_6;
+  const T U8_21 = omegadot8_3 - t8_5;
+  const T t8_7 = minus_omega8_1 * minus_omega8_1;
+  const T minus_U8_22 = t8_3 + t8_7;
+  const T t8_8 = omega8_3 * omega8_2;
+  const T U8_23 = t8_8 + minus_omegadot8_1;
+  const T minus_U8_31 = t8_6 + omegadot6_2;
+  const T U8_32 = t8_8 - minus_omegadot8_1;
+  const T minus_U8_33 = t8_4 + t8_7;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
-  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T minus_Pddot8_1 = minus_E8_11 * (Pddot7_1 - U7_13 * T(0.2)) + minus_E8_13 * (Pddot7_3 + minus_U7_33 *
+      T(0.2));
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
-  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // G8 = R8 F_ground_on_fl_ - U8 h_own_8: applied less inertia force, body axes [N]
-  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
-  const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = t8_8 + U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821);
-  const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
-      minus_U8_33 * T(0.029826408000000002);
-  // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
+  const T t8_9 = minus_R8_11 * u.ground_fl_x + minus_R8_12 * u.ground_fl_y + minus_R8_13 * u.ground_fl_z;
+  const T minus_G8_1 = t8_9 + U8_13 * T(0.029845530432320418);
+  const T t8_10 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
+  const T G8_2 = t8_10 - U8_23 * T(0.029845530432320418);
+  const T t8_11 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T G8_3 = t8_11 + minus_U8_33 * T(0.029845530432320418);
+  // N8 = o8~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N8_1 = T(0.2) * t8_8 - T(0.029826408000000002) * Pddot8_2 + T(3.591193135000005e-05) * U8_32 +
-      T(0.007308926302304) * U8_23 + T(2.6450064520000005e-05) * U8_21;
-  const T N8_2 = T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3 - T(0.2) * t8_7 - T(0.007308926302304)
-      * U8_13 + T(3.591193135000005e-05) * U8_31 - T(2.6450064520000005e-05) * (minus_U8_33 - minus_U8_11);
-  const T minus_N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12
-      + T(2.6450064520000005e-05) * U8_23;
+  const T N8_1 = T(0.0838) * t8_11 - T(0.19987185731301527) * t8_10 + T(0.029845530432320418) * Pddot8_2 +
+      T(4.712093241166159e-05) * U8_32 + T(0.007297717301242339) * U8_23 - T(0.0025010554502284503) * (minus_U8_22 -
+      minus_U8_33) + T(5.215891594784536e-35) * minus_U8_31 + T(0.0002865260721362275) * U8_21;
+  const T N8_2 = T(0.029845530432320418) * minus_Pddot8_1 - (T(0.19987185731301527) * t8_9 + T(0.007158257766082217) *
+      t8_11) - T(0.007297717301242339) * U8_13 - T(4.712093241166159e-05) * minus_U8_31 - T(0.0002865260721362275) *
+      (minus_U8_33 - minus_U8_11) + T(0.0025010554502284503) * minus_U8_12 + T(5.215891594784536e-35) * U8_32;
+  const T N8_3 = T(0.007158257766082217) * t8_10 + T(0.0838) * t8_9 - T(4.712093241166159e-05) * U8_21 +
+      T(4.712093241166159e-05) * minus_U8_12 - T(5.215891594784536e-35) * (minus_U8_11 - minus_U8_22) -
+      T(0.0002865260721362275) * U8_23 + T(0.0025010554502284503) * U8_13;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -2918,8 +2923,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U10_31 = t10_4 - omegadot10_2;
   const T minus_U10_33 = t10_2 + t10_5;
   // Pddot10 = E10 U1 q10: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot10_2 = E10_22 * t6_7 - E10_23 * t6_6;
-  const T minus_Pddot10_3 = E10_23 * t6_7 + E10_22 * t6_6;
+  const T Pddot10_2 = E10_22 * t2_6 - E10_23 * t2_7;
+  const T minus_Pddot10_3 = E10_23 * t2_6 + E10_22 * t2_7;
   // effort_rr_hip_10 = -theta10 k_rr_hip_ - thetadot10 c_rr_hip_ + tau_rr_hip_: along the coordinate [N m], [N]
   const T effort_rr_hip_10 = u.tau_rr_hip - theta10 * c.p.kp - thetadot10 * c.p.kd;
   // G10 = -U10 h_own_10: applied less inertia force, body axes [N]
@@ -2929,12 +2934,12 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
   //   origin, body axes [N m]
   const T minus_N10_1 = T(0.081652909) * minus_Pddot10_3 - T(2.1575999999999998e-05) * Pddot10_2 +
-      T(0.006588148547768) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) + T(7.94567044e-06) * U10_31 +
-      T(2.70561864e-07) * U10_21;
-  const T minus_N10_2 = t6_8 + T(0.000361904168856) * U10_13 + T(0.000361904168856) * U10_31 - T(2.70561864e-07) *
-      (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) * U10_23;
-  const T minus_N10_3 = t6_9 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 + T(7.94567044e-06) *
-      (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
+      T(0.006599357548829661) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) + T(0.014746295744939998) *
+      U10_31 + T(4.165029864e-06) * U10_21;
+  const T minus_N10_2 = T(0.000361904168856) * U10_13 - t2_8 + T(0.000361904168856) * U10_31 - T(4.165029864e-06) *
+      (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(0.014746295744939998) * U10_23;
+  const T minus_N10_3 = T(0.014746295744939998) * (minus_U10_11 - minus_U10_22) - (t2_9 + T(0.000361904168856) *
+      U10_21 + T(0.006961261717685661) * U10_12) - T(4.165029864e-06) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
   const T theta11 = x[11];
@@ -2974,10 +2979,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U11_32 = t11_6 + omegadot11_1;
   const T minus_U11_33 = t11_2 + t11_5;
   // Pddot11 = E11 (U10 q11 + Pddot10): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t11_7 = minus_Pddot6_1 - U10_12 * T(0.0838);
-  const T t11_8 = minus_Pddot10_3 + U10_23 * T(0.0838);
+  const T t11_7 = minus_U10_11 * T(0.1805) - minus_Pddot2_1;
+  const T t11_8 = minus_Pddot10_3 + U10_31 * T(0.1805);
   const T Pddot11_1 = E11_11 * t11_7 + minus_E11_13 * t11_8;
-  const T Pddot11_2 = Pddot10_2 + minus_U10_22 * T(0.0838);
+  const T Pddot11_2 = Pddot10_2 - U10_21 * T(0.1805);
   const T Pddot11_3 = minus_E11_13 * t11_7 - E11_11 * t11_8;
   // stretch_rr_thigh_11 = theta11 - l_rr_thigh_: stretch of the spring
   const T stretch_rr_thigh_11 = theta11 - T(0.8);
@@ -2990,77 +2995,83 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G11_3 = minus_U11_33 * T(0.072881238) - U11_31 * T(0.0032790809999999997);
   // N11 = -h_own_11~ Pddot11 - axial(U11 (tr(J_own_11)/2 - J_own_11)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N11_1 = T(0.072881238) * Pddot11_2 - T(0.000499645385197) * U11_32 - T(0.014446725509588) * U11_23 -
-      T(0.0005955910008259999) * (minus_U11_22 - minus_U11_33) - T(6.838704148699999e-05) * U11_31 +
+  const T minus_N11_1 = T(0.072881238) * Pddot11_2 - T(0.000499645385197) * U11_32 - T(0.014446725509588) * U11_23 +
+      T(0.005511856743573999) * (minus_U11_22 - minus_U11_33) + T(0.00020639994631299998) * U11_31 +
       T(0.000254264832594) * U11_21;
   const T minus_N11_2 = T(0.0032790809999999997) * Pddot11_3 - T(0.072881238) * Pddot11_1 + T(0.014446725509588) *
-      U11_13 - T(0.000499645385197) * U11_31 - T(0.000254264832594) * (minus_U11_33 - minus_U11_11) -
-      T(0.0005955910008259999) * U11_12 + T(6.838704148699999e-05) * U11_32;
-  const T minus_N11_3 = T(0.000499645385197) * U11_21 + T(0.000499645385197) * U11_12 - T(6.838704148699999e-05) *
-      (minus_U11_11 - minus_U11_22) - T(0.000254264832594) * U11_23 + T(0.0005955910008259999) * U11_13 -
+      U11_13 - T(0.000499645385197) * U11_31 - T(0.000254264832594) * (minus_U11_33 - minus_U11_11) +
+      T(0.005511856743573999) * U11_12 - T(0.00020639994631299998) * U11_32;
+  const T minus_N11_3 = T(0.000499645385197) * U11_21 + T(0.000499645385197) * U11_12 + T(0.00020639994631299998) *
+      (minus_U11_11 - minus_U11_22) - T(0.000254264832594) * U11_23 - T(0.005511856743573999) * U11_13 -
       T(0.0032790809999999997) * Pddot11_2;
 
   // ---- body 12 (rr_calf) on body 11
   const T theta12 = x[12];
   const T thetadot12 = y[11];
-  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cosines[12];
-  const T minus_E12_13 = sines[12];
+  // E12^T = Z12^T Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T t12_1 = cosines[12];
+  const T t12_2 = sines[12];
+  const T minus_E12_11 = T(0.9993592865650762) * t12_1 + T(0.035791288830411085) * t12_2;
+  const T minus_E12_13 = T(0.035791288830411085) * t12_1 - T(0.9993592865650762) * t12_2;
   // R12^T = R11^T E12^T: R takes inertial components to body components
-  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
-  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
-  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
-  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
-  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
-  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  const T minus_R12_11 = R11_11 * minus_E12_11 + R11_31 * minus_E12_13;
+  const T minus_R12_12 = R11_12 * minus_E12_11 + R11_32 * minus_E12_13;
+  const T minus_R12_13 = R11_13 * minus_E12_11 + R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 - R11_31 * minus_E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 - R11_32 * minus_E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 - R11_33 * minus_E12_11;
   // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
-  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T minus_omega12_1 = minus_E12_11 * omega11_1 + minus_E12_13 * omega11_3;
   const T omega12_2 = thetadot12 + omega11_2;
-  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  const T omega12_3 = minus_E12_13 * omega11_1 - minus_E12_11 * omega11_3;
   // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
-  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
-  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  const T minus_omegadot12_1 = thetadot12 * omega12_3 + minus_E12_11 * omegadot11_1 + minus_E12_13 * omegadot11_3;
+  const T omegadot12_3 = minus_E12_13 * omegadot11_1 - minus_E12_11 * omegadot11_3 - thetadot12 * minus_omega12_1;
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
-  const T t12_2 = omega12_2 * omega12_1;
-  const T U12_12 = t12_2 - omegadot12_3;
-  const T t12_3 = omega12_3 * omega12_1;
-  const T U12_13 = t12_3 + omegadot10_2;
-  const T U12_21 = t12_2 + omegadot12_3;
-  const T t12_4 = omega12_3 * omega12_2;
-  const T U12_23 = t12_4 - omegadot12_1;
-  const T U12_31 = t12_3 - omegadot10_2;
-  const T U12_32 = t12_4 + omegadot12_1;
-  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  const T t12_3 = omega12_3 * omega12_3;
+  const T t12_4 = omega12_2 * omega12_2;
+  const T minus_U12_11 = t12_3 + t12_4;
+  const T t12_5 = omega12_2 * minus_omega12_1;
+  const T minus_U12_12 = t12_5 + omegadot12_3;
+  const T t12_6 = omega12_3 * minus_omega12_1;
+  const T U12_13 = omegadot10_2 - t12_6;
+  const T U12_21 = omegadot12_3 - t12_5;
+  const T t12_7 = minus_omega12_1 * minus_omega12_1;
+  const T minus_U12_22 = t12_3 + t12_7;
+  const T t12_8 = omega12_3 * omega12_2;
+  const T U12_23 = t12_8 + minus_omegadot12_1;
+  const T minus_U12_31 = t12_6 + omegadot10_2;
+  const T U12_32 = t12_8 - minus_omegadot12_1;
+  const T minus_U12_33 = t12_4 + t12_7;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
-  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T minus_Pddot12_1 = minus_E12_11 * (Pddot11_1 - U11_13 * T(0.2)) + minus_E12_13 * (Pddot11_3 + minus_U11_33 *
+      T(0.2));
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
-  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // G12 = R12 F_ground_on_rr_ - U12 h_own_12: applied less inertia force, body axes [N]
-  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
-  const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = t12_8 + U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821);
-  const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
-      minus_U12_33 * T(0.029826408000000002);
-  // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
+  const T t12_9 = minus_R12_11 * u.ground_rr_x + minus_R12_12 * u.ground_rr_y + minus_R12_13 * u.ground_rr_z;
+  const T minus_G12_1 = t12_9 + U12_13 * T(0.029845530432320418);
+  const T t12_10 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
+  const T G12_2 = t12_10 - U12_23 * T(0.029845530432320418);
+  const T t12_11 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T G12_3 = t12_11 + minus_U12_33 * T(0.029845530432320418);
+  // N12 = o12~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
   //   moment about the body origin, body axes [N m]
-  const T N12_1 = T(0.2) * t12_8 - T(0.029826408000000002) * Pddot12_2 + T(3.591193135000005e-05) * U12_32 +
-      T(0.007308926302304) * U12_23 + T(2.6450064520000005e-05) * U12_21;
-  const T N12_2 = T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3 - T(0.2) * t12_7 -
-      T(0.007308926302304) * U12_13 + T(3.591193135000005e-05) * U12_31 - T(2.6450064520000005e-05) * (minus_U12_33 -
-      minus_U12_11);
-  const T minus_N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) *
-      U12_12 + T(2.6450064520000005e-05) * U12_23;
+  const T N12_1 = T(0.029845530432320418) * Pddot12_2 - (T(0.19987185731301527) * t12_10 + T(0.0838) * t12_11) +
+      T(4.712093241166159e-05) * U12_32 + T(0.007297717301242339) * U12_23 + T(0.0025010554502284503) * (minus_U12_22
+      - minus_U12_33) - T(5.215891594784536e-35) * minus_U12_31 + T(0.0002865260721362275) * U12_21;
+  const T N12_2 = T(0.029845530432320418) * minus_Pddot12_1 - (T(0.19987185731301527) * t12_9 +
+      T(0.007158257766082217) * t12_11) - T(0.007297717301242339) * U12_13 - T(4.712093241166159e-05) * minus_U12_31 -
+      T(0.0002865260721362275) * (minus_U12_33 - minus_U12_11) - T(0.0025010554502284503) * minus_U12_12 -
+      T(5.215891594784536e-35) * U12_32;
+  const T N12_3 = T(0.007158257766082217) * t12_10 - T(0.0838) * t12_9 - T(4.712093241166159e-05) * U12_21 +
+      T(4.712093241166159e-05) * minus_U12_12 + T(5.215891594784536e-35) * (minus_U12_11 - minus_U12_22) -
+      T(0.0002865260721362275) * U12_23 - T(0.0025010554502284503) * U12_13;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -3098,8 +3109,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U14_31 = t14_4 - omegadot14_2;
   const T minus_U14_33 = t14_2 + t14_5;
   // Pddot14 = E14 U1 q14: acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T Pddot14_2 = E14_23 * t2_13 - E14_22 * t2_10;
-  const T Pddot14_3 = E14_23 * t2_10 + E14_22 * t2_13;
+  const T Pddot14_2 = E14_23 * t2_7 - E14_22 * t2_6;
+  const T Pddot14_3 = E14_23 * t2_6 + E14_22 * t2_7;
   // effort_rl_hip_14 = -theta14 k_rl_hip_ - thetadot14 c_rl_hip_ + tau_rl_hip_: along the coordinate [N m], [N]
   const T effort_rl_hip_14 = u.tau_rl_hip - theta14 * c.p.kp - thetadot14 * c.p.kd;
   // G14 = -U14 h_own_14: applied less inertia force, body axes [N]
@@ -3108,13 +3119,13 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G14_3 = U14_23 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
   // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006588148547768) *
-      U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 + T(2.70561864e-07) *
-      U14_21;
-  const T minus_N14_2 = t2_14 + T(0.000361904168856) * U14_13 + T(0.000361904168856) * U14_31 - T(2.70561864e-07) *
-      (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) * U14_23;
-  const T N14_3 = t2_15 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 + T(7.94567044e-06) *
-      (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
+  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006599357548829661) *
+      U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(0.014746295744939998) * U14_31 +
+      T(4.165029864e-06) * U14_21;
+  const T minus_N14_2 = t2_8 + T(0.000361904168856) * U14_13 + T(0.000361904168856) * U14_31 - T(4.165029864e-06) *
+      (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(0.014746295744939998) * U14_23;
+  const T N14_3 = t2_9 + T(0.000361904168856) * U14_21 + T(0.006961261717685661) * U14_12 + T(0.014746295744939998) *
+      (minus_U14_11 - minus_U14_22) + T(4.165029864e-06) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
   const T theta15 = x[14];
@@ -3154,10 +3165,10 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T U15_32 = t15_6 + omegadot15_1;
   const T minus_U15_33 = t15_2 + t15_5;
   // Pddot15 = E15 (U14 q15 + Pddot14): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t15_7 = minus_Pddot2_1 + U14_12 * T(0.0838);
-  const T t15_8 = Pddot14_3 + U14_23 * T(0.0838);
+  const T t15_7 = minus_Pddot2_1 + minus_U14_11 * T(0.1805);
+  const T t15_8 = Pddot14_3 - U14_31 * T(0.1805);
   const T Pddot15_1 = E15_11 * t15_7 - minus_E15_13 * t15_8;
-  const T Pddot15_2 = Pddot14_2 - minus_U14_22 * T(0.0838);
+  const T Pddot15_2 = Pddot14_2 - U14_21 * T(0.1805);
   const T Pddot15_3 = minus_E15_13 * t15_7 + E15_11 * t15_8;
   // stretch_rl_thigh_15 = theta15 - l_rl_thigh_: stretch of the spring
   const T stretch_rl_thigh_15 = theta15 - T(0.8);
@@ -3170,121 +3181,135 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_G15_3 = minus_U15_33 * T(0.072881238) - U15_31 * T(0.0032790809999999997);
   // N15 = -h_own_15~ Pddot15 - axial(U15 (tr(J_own_15)/2 - J_own_15)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N15_1 = T(0.072881238) * Pddot15_2 - T(0.000499645385197) * U15_32 - T(0.014446725509588) * U15_23 +
-      T(0.0005955910008259999) * (minus_U15_22 - minus_U15_33) + T(6.838704148699999e-05) * U15_31 +
+  const T minus_N15_1 = T(0.072881238) * Pddot15_2 - T(0.000499645385197) * U15_32 - T(0.014446725509588) * U15_23 -
+      T(0.005511856743573999) * (minus_U15_22 - minus_U15_33) - T(0.00020639994631299998) * U15_31 +
       T(0.000254264832594) * U15_21;
   const T minus_N15_2 = T(0.0032790809999999997) * Pddot15_3 - T(0.072881238) * Pddot15_1 + T(0.014446725509588) *
-      U15_13 - T(0.000499645385197) * U15_31 - T(0.000254264832594) * (minus_U15_33 - minus_U15_11) +
-      T(0.0005955910008259999) * U15_12 - T(6.838704148699999e-05) * U15_32;
-  const T minus_N15_3 = T(0.000499645385197) * U15_21 + T(0.000499645385197) * U15_12 + T(6.838704148699999e-05) *
-      (minus_U15_11 - minus_U15_22) - T(0.000254264832594) * U15_23 - T(0.0005955910008259999) * U15_13 -
+      U15_13 - T(0.000499645385197) * U15_31 - T(0.000254264832594) * (minus_U15_33 - minus_U15_11) -
+      T(0.005511856743573999) * U15_12 + T(0.00020639994631299998) * U15_32;
+  const T minus_N15_3 = T(0.000499645385197) * U15_21 + T(0.000499645385197) * U15_12 - T(0.00020639994631299998) *
+      (minus_U15_11 - minus_U15_22) - T(0.000254264832594) * U15_23 + T(0.005511856743573999) * U15_13 -
       T(0.0032790809999999997) * Pddot15_2;
 
   // ---- body 16 (rl_calf) on body 15
   const T theta16 = x[15];
   const T thetadot16 = y[14];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cosines[15];
-  const T minus_E16_13 = sines[15];
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cosines[15];
+  const T t16_2 = sines[15];
+  const T minus_E16_11 = T(0.9993592865650762) * t16_1 + T(0.035791288830411085) * t16_2;
+  const T minus_E16_13 = T(0.035791288830411085) * t16_1 - T(0.9993592865650762) * t16_2;
   // R16^T = R15^T E16^T: R takes inertial components to body components
-  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
-  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
-  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
-  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
-  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
-  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  const T minus_R16_11 = R15_11 * minus_E16_11 + R15_31 * minus_E16_13;
+  const T minus_R16_12 = R15_12 * minus_E16_11 + R15_32 * minus_E16_13;
+  const T minus_R16_13 = R15_13 * minus_E16_11 + R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 - R15_31 * minus_E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 - R15_32 * minus_E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 - R15_33 * minus_E16_11;
   // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
-  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T minus_omega16_1 = minus_E16_11 * omega15_1 + minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
-  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  const T omega16_3 = minus_E16_13 * omega15_1 - minus_E16_11 * omega15_3;
   // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
-  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
-  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  const T minus_omegadot16_1 = thetadot16 * omega16_3 + minus_E16_11 * omegadot15_1 + minus_E16_13 * omegadot15_3;
+  const T omegadot16_3 = minus_E16_13 * omegadot15_1 - minus_E16_11 * omegadot15_3 - thetadot16 * minus_omega16_1;
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
-  const T t16_2 = omega16_2 * omega16_1;
-  const T U16_12 = t16_2 - omegadot16_3;
-  const T t16_3 = omega16_3 * omega16_1;
-  const T U16_13 = t16_3 + omegadot14_2;
-  const T U16_21 = t16_2 + omegadot16_3;
-  const T t16_4 = omega16_3 * omega16_2;
-  const T U16_23 = t16_4 - omegadot16_1;
-  const T U16_31 = t16_3 - omegadot14_2;
-  const T U16_32 = t16_4 + omegadot16_1;
-  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  const T t16_3 = omega16_3 * omega16_3;
+  const T t16_4 = omega16_2 * omega16_2;
+  const T minus_U16_11 = t16_3 + t16_4;
+  const T t16_5 = omega16_2 * minus_omega16_1;
+  const T minus_U16_12 = t16_5 + omegadot16_3;
+  const T t16_6 = omega16_3 * minus_omega16_1;
+  const T U16_13 = omegadot14_2 - t16_6;
+  const T U16_21 = omegadot16_3 - t16_5;
+  const T t16_7 = minus_omega16_1 * minus_omega16_1;
+  const T minus_U16_22 = t16_3 + t16_7;
+  const T t16_8 = omega16_3 * omega16_2;
+  const T U16_23 = t16_8 + minus_omegadot16_1;
+  const T minus_U16_31 = t16_6 + omegadot14_2;
+  const T U16_32 = t16_8 - minus_omegadot16_1;
+  const T minus_U16_33 = t16_4 + t16_7;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
-  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T minus_Pddot16_1 = minus_E16_11 * (Pddot15_1 - U15_13 * T(0.2)) + minus_E16_13 * (Pddot15_3 + minus_U15_33 *
+      T(0.2));
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
-  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // G16 = R16 F_ground_on_rl_ - U16 h_own_16: applied less inertia force, body axes [N]
-  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
-  const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = t16_8 + U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821);
-  const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
-      minus_U16_33 * T(0.029826408000000002);
-  // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
+  const T t16_9 = minus_R16_11 * u.ground_rl_x + minus_R16_12 * u.ground_rl_y + minus_R16_13 * u.ground_rl_z;
+  const T minus_G16_1 = t16_9 + U16_13 * T(0.029845530432320418);
+  const T t16_10 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
+  const T G16_2 = t16_10 - U16_23 * T(0.029845530432320418);
+  const T t16_11 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T G16_3 = t16_11 + minus_U16_33 * T(0.029845530432320418);
+  // N16 = o16~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
   //   moment about the body origin, body axes [N m]
-  const T N16_1 = T(0.2) * t16_8 - T(0.029826408000000002) * Pddot16_2 + T(3.591193135000005e-05) * U16_32 +
-      T(0.007308926302304) * U16_23 + T(2.6450064520000005e-05) * U16_21;
-  const T N16_2 = T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3 - T(0.2) * t16_7 -
-      T(0.007308926302304) * U16_13 + T(3.591193135000005e-05) * U16_31 - T(2.6450064520000005e-05) * (minus_U16_33 -
-      minus_U16_11);
-  const T minus_N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) *
-      U16_12 + T(2.6450064520000005e-05) * U16_23;
+  const T N16_1 = T(0.0838) * t16_11 - T(0.19987185731301527) * t16_10 + T(0.029845530432320418) * Pddot16_2 +
+      T(4.712093241166159e-05) * U16_32 + T(0.007297717301242339) * U16_23 - T(0.0025010554502284503) * (minus_U16_22
+      - minus_U16_33) + T(5.215891594784536e-35) * minus_U16_31 + T(0.0002865260721362275) * U16_21;
+  const T N16_2 = T(0.029845530432320418) * minus_Pddot16_1 - (T(0.19987185731301527) * t16_9 +
+      T(0.007158257766082217) * t16_11) - T(0.007297717301242339) * U16_13 - T(4.712093241166159e-05) * minus_U16_31 -
+      T(0.0002865260721362275) * (minus_U16_33 - minus_U16_11) + T(0.0025010554502284503) * minus_U16_12 +
+      T(5.215891594784536e-35) * U16_32;
+  const T N16_3 = T(0.007158257766082217) * t16_10 + T(0.0838) * t16_9 - T(4.712093241166159e-05) * U16_21 +
+      T(4.712093241166159e-05) * minus_U16_12 - T(5.215891594784536e-35) * (minus_U16_11 - minus_U16_22) -
+      T(0.0002865260721362275) * U16_23 + T(0.0025010554502284503) * U16_13;
 
   // ---- body 16 (rl_calf) and what it carries
   // u_16 = b16 . N16 + effort_rl_calf_16: drives it [N m], [N]
   const T u_16 = N16_2 + effort_rl_calf_16;
   // v16 = invD16 u_16: u/D
-  const T v16 = T(136.15003737155254) * u_16;
+  const T v16 = T(136.15003737155251) * u_16;
   // gt16 = G16 - v16 B16: force with the turn solved [N]
-  const T gt16_1 = G16_1 + v16 * T(0.029826408000000002);
-  const T gt16_3 = G16_3 + v16 * T(0.00106821);
+  const T minus_gt16_1 = minus_G16_1 + v16 * T(0.029845530432320418);
+  // nt16 = -effort_rl_calf_16 b16 + P_b16 (N16 - v16 K16): moment with the turn solved [N m]
+  const T nt16_1 = N16_1 + v16 * T(5.215891594784536e-35);
+  const T nt16_3 = N16_3 + v16 * T(0.0025010554502284503);
   // Mp16 = E16^T M16 E16: M passed on, lower body's axes [kg]
-  const T b16_1 = T(2) * E16_11;
-  const T b16_2 = minus_E16_13 * T(0.1209657058895299) - b16_1 * T(0.004337858272180008);
-  const T b16_3 = minus_E16_13 * b16_2;
-  const T Mp16_11 = b16_3 - T(0.12112106296722176);
-  const T Mp16_13 = T(0.004337858272180008) + E16_11 * b16_2;
-  const T minus_Mp16_33 = T(0.00015535707769186977) + b16_3;
+  const T b16_1 = minus_E16_13 * T(0.12127642004491364);
+  const T b16_2 = minus_E16_13 * b16_1;
+  const T Mp16_11 = b16_2 - T(0.12127642004491364);
+  const T minus_Mp16_13 = minus_E16_11 * b16_1;
   // gp16 = E16^T gt16: force passed on, lower body's axes [N]
-  const T gp16_1 = E16_11 * gt16_1 + minus_E16_13 * gt16_3;
-  const T gp16_3 = E16_11 * gt16_3 - minus_E16_13 * gt16_1;
+  const T gp16_1 = minus_E16_11 * minus_gt16_1 + minus_E16_13 * G16_3;
+  const T gp16_3 = minus_E16_13 * minus_gt16_1 - minus_E16_11 * G16_3;
   // Hp16 = E16^T H16 E16: H passed on, lower body's axes [kg m]
-  const T Hp16_12 = minus_E16_13 * T(0.00106821) + E16_11 * T(0.029826408000000002);
-  const T Hp16_32 = E16_11 * T(0.00106821) - minus_E16_13 * T(0.029826408000000002);
+  const T b16_3 = minus_E16_13 * T(2.11946194554078e-34) + minus_E16_11 * T(0.010162963999763762);
+  const T b16_4 = minus_E16_13 * b16_3;
+  const T Hp16_11 = T(2.11946194554078e-34) - b16_4;
+  const T Hp16_12 = minus_E16_11 * T(0.029845530432320418);
+  const T b16_5 = minus_E16_11 * b16_3;
+  const T Hp16_13 = b16_5 - T(0.010162963999763762);
+  const T Hp16_32 = minus_E16_13 * T(0.029845530432320418);
   // Jp16 = E16^T J16 E16: J passed on, lower body's axes [kg m^2]
-  const T b16_4 = minus_E16_13 * T(0.007273014370954) + b16_1 * T(2.6450064520000005e-05);
-  const T b16_5 = minus_E16_13 * b16_4;
-  const T Jp16_11 = T(0.007273014370954) - b16_5;
-  const T Jp16_13 = T(2.6450064520000005e-05) - E16_11 * b16_4;
+  const T b16_6 = T(2) * minus_E16_11 * T(0.0002865260721362275) - minus_E16_13 * T(0.00810225275201088);
+  const T b16_7 = minus_E16_13 * b16_6;
+  const T Jp16_11 = T(0.007250596368830678) + b16_7;
+  const T Jp16_13 = T(0.0002865260721362275) - minus_E16_11 * b16_6;
+  const T minus_Jp16_33 = T(0.0008516563831802031) + b16_7;
   // np16 = E16^T nt16: moment passed on, lower body's axes [N m]
-  const T np16_1 = E16_11 * N16_1 - minus_E16_13 * minus_N16_3;
-  const T minus_np16_3 = minus_E16_13 * N16_1 + E16_11 * minus_N16_3;
+  const T np16_1 = minus_E16_13 * nt16_3 - minus_E16_11 * nt16_1;
+  const T minus_np16_3 = minus_E16_13 * nt16_1 + minus_E16_11 * nt16_3;
   // Hb16 = q16~ Mp16 + Hp16: H of the joint at the lower body's origin, its axes
   const T minus_Hb16_21 = T(0.2) * Mp16_11;
-  const T minus_Hb16_23 = T(0.2) * Mp16_13;
+  const T Hb16_23 = T(0.2) * minus_Mp16_13;
 
   // ---- body 15 (rl_thigh) and what it carries
   // HA15 = h_own_15~ + Hb16: moment for an acceleration of the origin, body axes [kg m]
   const T HA15_12 = Hp16_12 + T(0.072881238);
   const T minus_HA15_21 = T(0.072881238) + minus_Hb16_21;
-  const T HA15_23 = T(0.0032790809999999997) - minus_Hb16_23;
+  const T HA15_23 = T(0.0032790809999999997) + Hb16_23;
   const T HA15_32 = Hp16_32 - T(0.0032790809999999997);
   // JA15 = q16~ Hp16^T + J_own_15 + Jp16 - Hb16 q16~: moment for an angular acceleration, body axes [kg m^2]
   const T JA15_11 = T(0.013947080124391002) + Jp16_11 + T(0.4) * Hp16_12;
+  const T JA15_12 = T(0.00020639994631299998) - T(0.2) * Hp16_11;
   const T JA15_13 = T(0.000254264832594) + Jp16_13 + T(0.2) * Hp16_32;
   const T JA15_22 = T(0.014946370894785) + minus_Hb16_21 * T(0.2);
+  const T JA15_23 = T(0.005511856743573999) - T(0.2) * b16_5;
   // g15 = G15 + gp16: force that drives it, home axes [N]
   const T g15_1 = gp16_1 - minus_G15_1;
   const T g15_2 = G16_2 + G15_2;
@@ -3299,31 +3324,31 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_kB15_1 = invD15 * minus_HA15_21;
   const T kB15_3 = invD15 * HA15_23;
   // kK15 = invD15 K15: K/D
-  const T minus_kK15_1 = invD15 * T(6.838704148699999e-05);
-  const T minus_kK15_3 = invD15 * T(0.0005955910008259999);
+  const T kK15_1 = invD15 * JA15_12;
+  const T kK15_3 = invD15 * JA15_23;
   // u_15 = b15 . n15 + effort_rl_thigh_15: drives it [N m], [N]
   const T u_15 = effort_rl_thigh_15 - minus_n15_2;
   // v15 = invD15 u_15: u/D
   const T v15 = invD15 * u_15;
   // M15 = Mp16 - kB15 B15^T: MA less what the turn takes up [kg]
   const T M15_11 = Mp16_11 - minus_kB15_1 * minus_HA15_21;
-  const T M15_13 = Mp16_13 + minus_kB15_1 * HA15_23;
-  const T minus_M15_33 = minus_Mp16_33 + kB15_3 * HA15_23;
+  const T M15_13 = minus_kB15_1 * HA15_23 - minus_Mp16_13;
+  const T minus_M15_33 = b16_2 + kB15_3 * HA15_23;
   // H15 = P_b15 (HA15 - kK15 B15^T): HA less what the turn takes up [kg m]
-  const T minus_H15_11 = minus_kK15_1 * minus_HA15_21;
-  const T H15_13 = minus_kK15_1 * HA15_23;
-  const T minus_H15_31 = minus_kK15_3 * minus_HA15_21;
-  const T H15_33 = minus_kK15_3 * HA15_23;
+  const T H15_11 = Hp16_11 + kK15_1 * minus_HA15_21;
+  const T H15_13 = Hp16_13 - kK15_1 * HA15_23;
+  const T H15_31 = b16_5 + kK15_3 * minus_HA15_21;
+  const T H15_33 = b16_4 - kK15_3 * HA15_23;
   // J15 = P_b15 (JA15 - kK15 K15^T) P_b15: JA less what the turn takes up [kg m^2]
-  const T J15_11 = JA15_11 - minus_kK15_1 * T(6.838704148699999e-05);
-  const T J15_13 = JA15_13 - minus_kK15_1 * T(0.0005955910008259999);
-  const T J15_33 = b16_5 - minus_kK15_3 * T(0.0005955910008259999);
+  const T J15_11 = JA15_11 - kK15_1 * JA15_12;
+  const T J15_13 = JA15_13 - kK15_1 * JA15_23;
+  const T minus_J15_33 = minus_Jp16_33 + kK15_3 * JA15_23;
   // gt15 = g15 - v15 B15: force with the turn solved [N]
   const T gt15_1 = g15_1 + v15 * minus_HA15_21;
   const T gt15_3 = g15_3 - v15 * HA15_23;
   // nt15 = -effort_rl_thigh_15 b15 + P_b15 (n15 - v15 K15): moment with the turn solved [N m]
-  const T nt15_1 = n15_1 + v15 * T(6.838704148699999e-05);
-  const T nt15_3 = v15 * T(0.0005955910008259999) - minus_n15_3;
+  const T nt15_1 = n15_1 - v15 * JA15_12;
+  const T minus_nt15_3 = minus_n15_3 + v15 * JA15_23;
   // Mp15 = E15^T M15 E15: M passed on, lower body's axes [kg]
   const T b15_1 = T(2) * E15_11;
   const T b15_2 = b15_1 * M15_13 - minus_E15_13 * (minus_M15_33 + M15_11);
@@ -3335,85 +3360,86 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp15_1 = E15_11 * gt15_1 + minus_E15_13 * gt15_3;
   const T gp15_3 = E15_11 * gt15_3 - minus_E15_13 * gt15_1;
   // Hp15 = E15^T H15 E15: H passed on, lower body's axes [kg m]
-  const T b15_4 = minus_E15_13 * (H15_33 + minus_H15_11) + E15_11 * (H15_13 - minus_H15_31);
+  const T b15_4 = minus_E15_13 * (H15_33 - H15_11) + E15_11 * (H15_31 + H15_13);
   const T b15_5 = minus_E15_13 * b15_4;
-  const T Hp15_11 = b15_5 - minus_H15_11;
+  const T Hp15_11 = H15_11 + b15_5;
   const T Hp15_12 = minus_E15_13 * HA15_32 + E15_11 * HA15_12;
   const T b15_6 = E15_11 * b15_4;
-  const T Hp15_13 = b15_6 + minus_H15_31;
+  const T Hp15_13 = b15_6 - H15_31;
   const T Hp15_31 = b15_6 - H15_13;
   const T Hp15_32 = E15_11 * HA15_32 - minus_E15_13 * HA15_12;
   const T Hp15_33 = H15_33 - b15_5;
   // Jp15 = E15^T J15 E15: J passed on, lower body's axes [kg m^2]
-  const T b15_7 = minus_E15_13 * (J15_33 - J15_11) + b15_1 * J15_13;
+  const T b15_7 = b15_1 * J15_13 - minus_E15_13 * (minus_J15_33 + J15_11);
   const T b15_8 = minus_E15_13 * b15_7;
   const T Jp15_11 = J15_11 + b15_8;
   const T Jp15_13 = E15_11 * b15_7 - J15_13;
-  const T Jp15_33 = J15_33 - b15_8;
+  const T minus_Jp15_33 = minus_J15_33 + b15_8;
   // np15 = E15^T nt15: moment passed on, lower body's axes [N m]
-  const T np15_1 = E15_11 * nt15_1 + minus_E15_13 * nt15_3;
-  const T np15_3 = E15_11 * nt15_3 - minus_E15_13 * nt15_1;
+  const T np15_1 = E15_11 * nt15_1 - minus_E15_13 * minus_nt15_3;
+  const T minus_np15_3 = minus_E15_13 * nt15_1 + E15_11 * minus_nt15_3;
   // Hb15 = q15~ Mp15 + Hp15: H of the joint at the lower body's origin, its axes
-  const T b15_9 = T(0.0838) * Mp15_13;
-  const T Hb15_11 = b15_9 + Hp15_11;
-  const T Hb15_13 = Hp15_13 - T(0.0838) * minus_Mp15_33;
-  const T Hb15_31 = Hp15_31 - T(0.0838) * Mp15_11;
-  const T Hb15_33 = Hp15_33 - b15_9;
+  const T Hb15_21 = T(0.1805) * Mp15_13;
+  const T minus_Hb15_23 = T(0.1805) * minus_Mp15_33;
 
   // ---- body 14 (rl_hip) and what it carries
   // HA14 = h_own_14~ + Hb15: moment for an acceleration of the origin, body axes [kg m]
   const T HA14_12 = Hp15_12 - T(2.1575999999999998e-05);
-  const T HA14_13 = T(0.081652909) + Hb15_13;
-  const T HA14_31 = Hb15_31 - T(0.081652909);
+  const T HA14_13 = T(0.081652909) + Hp15_13;
+  const T HA14_21 = T(2.1575999999999998e-05) + Hb15_21;
+  const T HA14_31 = Hp15_31 - T(0.081652909);
   // JA14 = q15~ Hp15^T + J_own_14 + Jp15 - Hb15 q15~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA14_11 = T(0.00731195688548) + Jp15_11 + T(0.0838) * Hp15_13 + Hb15_13 * T(0.0838);
-  const T JA14_13 = T(2.70561864e-07) + Jp15_13 + T(0.0838) * Hp15_33 - Hb15_11 * T(0.0838);
-  const T JA14_33 = T(0.006588148547768) + Jp15_33 - T(0.0838) * Hp15_31 - Hb15_31 * T(0.0838);
+  const T JA14_11 = T(0.007323165886541661) + Jp15_11;
+  const T JA14_12 = T(0.014746295744939998) + T(0.1805) * Hp15_13;
+  const T JA14_13 = T(4.165029864e-06) + Jp15_13 - T(0.1805) * Hp15_12;
+  const T minus_JA14_22 = minus_Hb15_23 * T(0.1805);
+  const T JA14_23 = T(0.1805) * Hp15_33 - T(4.7970076e-07);
+  const T JA14_33 = T(0.006599357548829661) - minus_Jp15_33 - T(0.361) * Hp15_32;
   // g14 = G14 + gp15: force that drives it, home axes [N]
   const T g14_1 = gp15_1 - minus_G14_1;
   const T g14_2 = g15_2 - minus_G14_2;
   const T g14_3 = gp15_3 - minus_G14_3;
   // n14 = q15~ gp15 + N14 + np15: moment that drives it, body axes [N m]
-  const T n14_1 = np15_1 - minus_N14_1 + T(0.0838) * gp15_3;
-  const T minus_n14_2 = minus_N14_2 + effort_rl_thigh_15;
-  const T n14_3 = N14_3 + np15_3 - T(0.0838) * gp15_1;
+  const T n14_1 = np15_1 - minus_N14_1;
+  const T n14_2 = T(0.1805) * gp15_3 - (minus_N14_2 + effort_rl_thigh_15);
+  const T n14_3 = N14_3 - minus_np15_3 - T(0.1805) * g15_2;
   // invD14 = D14^-1: 1/D
   const T invD14 = T(1) / JA14_11;
   // kB14 = invD14 B14: B/D
-  const T kB14_1 = invD14 * Hb15_11;
+  const T kB14_1 = invD14 * Hp15_11;
   const T kB14_2 = invD14 * HA14_12;
   const T kB14_3 = invD14 * HA14_13;
   // kK14 = invD14 K14: K/D
-  const T kK14_2 = invD14 * T(7.94567044e-06);
+  const T kK14_2 = invD14 * JA14_12;
   const T kK14_3 = invD14 * JA14_13;
   // u_14 = b14 . n14 + effort_rl_hip_14: drives it [N m], [N]
   const T u_14 = n14_1 + effort_rl_hip_14;
   // v14 = invD14 u_14: u/D
   const T v14 = invD14 * u_14;
   // M14 = Mp15 - kB14 B14^T: MA less what the turn takes up [kg]
-  const T M14_11 = Mp15_11 - kB14_1 * Hb15_11;
+  const T M14_11 = Mp15_11 - kB14_1 * Hp15_11;
   const T minus_M14_12 = kB14_1 * HA14_12;
   const T M14_13 = Mp15_13 - kB14_1 * HA14_13;
   const T minus_M14_22 = kB14_2 * HA14_12;
   const T minus_M14_23 = kB14_2 * HA14_13;
   const T minus_M14_33 = minus_Mp15_33 + kB14_3 * HA14_13;
   // H14 = P_b14 (HA14 - kK14 B14^T): HA less what the turn takes up [kg m]
-  const T H14_21 = T(2.1575999999999998e-05) - kK14_2 * Hb15_11;
+  const T H14_21 = HA14_21 - kK14_2 * Hp15_11;
   const T minus_H14_22 = kK14_2 * HA14_12;
-  const T minus_H14_23 = kK14_2 * HA14_13;
-  const T H14_31 = HA14_31 - kK14_3 * Hb15_11;
+  const T minus_H14_23 = minus_Hb15_23 + kK14_2 * HA14_13;
+  const T H14_31 = HA14_31 - kK14_3 * Hp15_11;
   const T H14_32 = Hp15_32 - kK14_3 * HA14_12;
-  const T H14_33 = Hb15_33 - kK14_3 * HA14_13;
+  const T H14_33 = Hp15_33 - kK14_3 * HA14_13;
   // J14 = P_b14 (JA14 - kK14 K14^T) P_b14: JA less what the turn takes up [kg m^2]
-  const T minus_J14_22 = kK14_2 * T(7.94567044e-06);
-  const T minus_J14_23 = T(4.7970076e-07) + kK14_2 * JA14_13;
+  const T minus_J14_22 = minus_JA14_22 + kK14_2 * JA14_12;
+  const T J14_23 = JA14_23 - kK14_2 * JA14_13;
   const T J14_33 = JA14_33 - kK14_3 * JA14_13;
   // gt14 = g14 - v14 B14: force with the turn solved [N]
-  const T gt14_1 = g14_1 - v14 * Hb15_11;
+  const T gt14_1 = g14_1 - v14 * Hp15_11;
   const T gt14_2 = g14_2 - v14 * HA14_12;
   const T gt14_3 = g14_3 - v14 * HA14_13;
   // nt14 = -effort_rl_hip_14 b14 + P_b14 (n14 - v14 K14): moment with the turn solved [N m]
-  const T minus_nt14_2 = minus_n14_2 + v14 * T(7.94567044e-06);
+  const T nt14_2 = n14_2 - v14 * JA14_12;
   const T nt14_3 = n14_3 - v14 * JA14_13;
   // Mp14 = E14^T M14 E14: M passed on, lower body's axes [kg]
   const T minus_Mp14_12 = E14_22 * minus_M14_12 + E14_23 * M14_13;
@@ -3438,69 +3464,73 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hp14_32 = b14_6 + minus_H14_23;
   const T Hp14_33 = H14_33 + b14_5;
   // Jp14 = E14^T J14 E14: J passed on, lower body's axes [kg m^2]
-  const T b14_7 = E14_23 * (minus_J14_22 + J14_33) + b14_1 * minus_J14_23;
+  const T b14_7 = b14_1 * J14_23 - E14_23 * (minus_J14_22 + J14_33);
   const T b14_8 = E14_23 * b14_7;
-  const T Jp14_22 = b14_8 - minus_J14_22;
-  const T Jp14_23 = minus_J14_23 - E14_22 * b14_7;
-  const T Jp14_33 = J14_33 - b14_8;
+  const T minus_Jp14_22 = minus_J14_22 + b14_8;
+  const T Jp14_23 = E14_22 * b14_7 - J14_23;
+  const T Jp14_33 = J14_33 + b14_8;
   // np14 = E14^T nt14: moment passed on, lower body's axes [N m]
-  const T minus_np14_2 = E14_22 * minus_nt14_2 + E14_23 * nt14_3;
-  const T np14_3 = E14_22 * nt14_3 - E14_23 * minus_nt14_2;
+  const T np14_2 = E14_22 * nt14_2 - E14_23 * nt14_3;
+  const T np14_3 = E14_23 * nt14_2 + E14_22 * nt14_3;
   // Hb14 = q14~ Mp14 + Hp14: H of the joint at the lower body's origin, its axes
   const T Hb14_11 = T(0.047) * Mp14_13;
   const T Hb14_12 = T(0.047) * Mp14_23;
   const T Hb14_13 = T(0.047) * Mp14_33;
-  const T Hb14_21 = Hp14_21 + T(0.1805) * Mp14_13;
-  const T b14_9 = T(0.1805) * Mp14_23;
-  const T Hb14_22 = b14_9 - minus_Hp14_22;
-  const T Hb14_23 = Hp14_23 + T(0.1805) * Mp14_33;
-  const T Hb14_31 = Hp14_31 + T(0.1805) * minus_Mp14_12 - T(0.047) * M14_11;
-  const T Hb14_32 = Hp14_32 + T(0.047) * minus_Mp14_12 + T(0.1805) * minus_Mp14_22;
-  const T Hb14_33 = Hp14_33 - (b14_9 + Hb14_11);
+  const T Hb14_31 = Hp14_31 - T(0.047) * M14_11;
+  const T Hb14_32 = Hp14_32 + T(0.047) * minus_Mp14_12;
+  const T Hb14_33 = Hp14_33 - Hb14_11;
 
   // ---- body 12 (rr_calf) and what it carries
   // u_12 = b12 . N12 + effort_rr_calf_12: drives it [N m], [N]
   const T u_12 = N12_2 + effort_rr_calf_12;
   // v12 = invD12 u_12: u/D
-  const T v12 = T(136.15003737155254) * u_12;
+  const T v12 = T(136.15003737155251) * u_12;
   // gt12 = G12 - v12 B12: force with the turn solved [N]
-  const T gt12_1 = G12_1 + v12 * T(0.029826408000000002);
-  const T gt12_3 = G12_3 + v12 * T(0.00106821);
+  const T minus_gt12_1 = minus_G12_1 + v12 * T(0.029845530432320418);
+  // nt12 = -effort_rr_calf_12 b12 + P_b12 (N12 - v12 K12): moment with the turn solved [N m]
+  const T nt12_1 = N12_1 - v12 * T(5.215891594784536e-35);
+  const T nt12_3 = N12_3 - v12 * T(0.0025010554502284503);
   // Mp12 = E12^T M12 E12: M passed on, lower body's axes [kg]
-  const T b12_1 = T(2) * E12_11;
-  const T b12_2 = minus_E12_13 * T(0.1209657058895299) - b12_1 * T(0.004337858272180008);
-  const T b12_3 = minus_E12_13 * b12_2;
-  const T Mp12_11 = b12_3 - T(0.12112106296722176);
-  const T Mp12_13 = T(0.004337858272180008) + E12_11 * b12_2;
-  const T minus_Mp12_33 = T(0.00015535707769186977) + b12_3;
+  const T b12_1 = minus_E12_13 * T(0.12127642004491364);
+  const T b12_2 = minus_E12_13 * b12_1;
+  const T Mp12_11 = b12_2 - T(0.12127642004491364);
+  const T minus_Mp12_13 = minus_E12_11 * b12_1;
   // gp12 = E12^T gt12: force passed on, lower body's axes [N]
-  const T gp12_1 = E12_11 * gt12_1 + minus_E12_13 * gt12_3;
-  const T gp12_3 = E12_11 * gt12_3 - minus_E12_13 * gt12_1;
+  const T gp12_1 = minus_E12_11 * minus_gt12_1 + minus_E12_13 * G12_3;
+  const T gp12_3 = minus_E12_13 * minus_gt12_1 - minus_E12_11 * G12_3;
   // Hp12 = E12^T H12 E12: H passed on, lower body's axes [kg m]
-  const T Hp12_12 = minus_E12_13 * T(0.00106821) + E12_11 * T(0.029826408000000002);
-  const T Hp12_32 = E12_11 * T(0.00106821) - minus_E12_13 * T(0.029826408000000002);
+  const T b12_3 = minus_E12_13 * T(2.11946194554078e-34) + minus_E12_11 * T(0.010162963999763762);
+  const T b12_4 = minus_E12_13 * b12_3;
+  const T Hp12_11 = b12_4 - T(2.11946194554078e-34);
+  const T Hp12_12 = minus_E12_11 * T(0.029845530432320418);
+  const T b12_5 = minus_E12_11 * b12_3;
+  const T Hp12_13 = T(0.010162963999763762) - b12_5;
+  const T Hp12_32 = minus_E12_13 * T(0.029845530432320418);
   // Jp12 = E12^T J12 E12: J passed on, lower body's axes [kg m^2]
-  const T b12_4 = minus_E12_13 * T(0.007273014370954) + b12_1 * T(2.6450064520000005e-05);
-  const T b12_5 = minus_E12_13 * b12_4;
-  const T Jp12_11 = T(0.007273014370954) - b12_5;
-  const T Jp12_13 = T(2.6450064520000005e-05) - E12_11 * b12_4;
+  const T b12_6 = T(2) * minus_E12_11 * T(0.0002865260721362275) - minus_E12_13 * T(0.00810225275201088);
+  const T b12_7 = minus_E12_13 * b12_6;
+  const T Jp12_11 = T(0.007250596368830678) + b12_7;
+  const T Jp12_13 = T(0.0002865260721362275) - minus_E12_11 * b12_6;
+  const T minus_Jp12_33 = T(0.0008516563831802031) + b12_7;
   // np12 = E12^T nt12: moment passed on, lower body's axes [N m]
-  const T np12_1 = E12_11 * N12_1 - minus_E12_13 * minus_N12_3;
-  const T minus_np12_3 = minus_E12_13 * N12_1 + E12_11 * minus_N12_3;
+  const T np12_1 = minus_E12_13 * nt12_3 - minus_E12_11 * nt12_1;
+  const T minus_np12_3 = minus_E12_13 * nt12_1 + minus_E12_11 * nt12_3;
   // Hb12 = q12~ Mp12 + Hp12: H of the joint at the lower body's origin, its axes
   const T minus_Hb12_21 = T(0.2) * Mp12_11;
-  const T minus_Hb12_23 = T(0.2) * Mp12_13;
+  const T Hb12_23 = T(0.2) * minus_Mp12_13;
 
   // ---- body 11 (rr_thigh) and what it carries
   // HA11 = h_own_11~ + Hb12: moment for an acceleration of the origin, body axes [kg m]
   const T HA11_12 = Hp12_12 + T(0.072881238);
   const T minus_HA11_21 = T(0.072881238) + minus_Hb12_21;
-  const T HA11_23 = T(0.0032790809999999997) - minus_Hb12_23;
+  const T HA11_23 = T(0.0032790809999999997) + Hb12_23;
   const T HA11_32 = Hp12_32 - T(0.0032790809999999997);
   // JA11 = q12~ Hp12^T + J_own_11 + Jp12 - Hb12 q12~: moment for an angular acceleration, body axes [kg m^2]
   const T JA11_11 = T(0.013947080124391002) + Jp12_11 + T(0.4) * Hp12_12;
+  const T minus_JA11_12 = T(0.00020639994631299998) + T(0.2) * Hp12_11;
   const T JA11_13 = T(0.000254264832594) + Jp12_13 + T(0.2) * Hp12_32;
   const T JA11_22 = T(0.014946370894785) + minus_Hb12_21 * T(0.2);
+  const T JA11_23 = T(0.2) * b12_5 - T(0.005511856743573999);
   // g11 = G11 + gp12: force that drives it, home axes [N]
   const T g11_1 = gp12_1 - minus_G11_1;
   const T g11_2 = G12_2 + G11_2;
@@ -3515,31 +3545,31 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_kB11_1 = invD11 * minus_HA11_21;
   const T kB11_3 = invD11 * HA11_23;
   // kK11 = invD11 K11: K/D
-  const T kK11_1 = invD11 * T(6.838704148699999e-05);
-  const T kK11_3 = invD11 * T(0.0005955910008259999);
+  const T minus_kK11_1 = invD11 * minus_JA11_12;
+  const T kK11_3 = invD11 * JA11_23;
   // u_11 = b11 . n11 + effort_rr_thigh_11: drives it [N m], [N]
   const T u_11 = effort_rr_thigh_11 - minus_n11_2;
   // v11 = invD11 u_11: u/D
   const T v11 = invD11 * u_11;
   // M11 = Mp12 - kB11 B11^T: MA less what the turn takes up [kg]
   const T M11_11 = Mp12_11 - minus_kB11_1 * minus_HA11_21;
-  const T M11_13 = Mp12_13 + minus_kB11_1 * HA11_23;
-  const T minus_M11_33 = minus_Mp12_33 + kB11_3 * HA11_23;
+  const T M11_13 = minus_kB11_1 * HA11_23 - minus_Mp12_13;
+  const T minus_M11_33 = b12_2 + kB11_3 * HA11_23;
   // H11 = P_b11 (HA11 - kK11 B11^T): HA less what the turn takes up [kg m]
-  const T H11_11 = kK11_1 * minus_HA11_21;
-  const T minus_H11_13 = kK11_1 * HA11_23;
-  const T H11_31 = kK11_3 * minus_HA11_21;
-  const T minus_H11_33 = kK11_3 * HA11_23;
+  const T H11_11 = Hp12_11 - minus_kK11_1 * minus_HA11_21;
+  const T H11_13 = Hp12_13 + minus_kK11_1 * HA11_23;
+  const T H11_31 = kK11_3 * minus_HA11_21 - b12_5;
+  const T minus_H11_33 = b12_4 + kK11_3 * HA11_23;
   // J11 = P_b11 (JA11 - kK11 K11^T) P_b11: JA less what the turn takes up [kg m^2]
-  const T J11_11 = JA11_11 - kK11_1 * T(6.838704148699999e-05);
-  const T J11_13 = JA11_13 - kK11_1 * T(0.0005955910008259999);
-  const T J11_33 = b12_5 - kK11_3 * T(0.0005955910008259999);
+  const T J11_11 = JA11_11 - minus_kK11_1 * minus_JA11_12;
+  const T J11_13 = JA11_13 + minus_kK11_1 * JA11_23;
+  const T minus_J11_33 = minus_Jp12_33 + kK11_3 * JA11_23;
   // gt11 = g11 - v11 B11: force with the turn solved [N]
   const T gt11_1 = g11_1 + v11 * minus_HA11_21;
   const T gt11_3 = g11_3 - v11 * HA11_23;
   // nt11 = -effort_rr_thigh_11 b11 + P_b11 (n11 - v11 K11): moment with the turn solved [N m]
-  const T nt11_1 = n11_1 - v11 * T(6.838704148699999e-05);
-  const T minus_nt11_3 = minus_n11_3 + v11 * T(0.0005955910008259999);
+  const T nt11_1 = n11_1 + v11 * minus_JA11_12;
+  const T minus_nt11_3 = minus_n11_3 + v11 * JA11_23;
   // Mp11 = E11^T M11 E11: M passed on, lower body's axes [kg]
   const T b11_1 = T(2) * E11_11;
   const T b11_2 = b11_1 * M11_13 - minus_E11_13 * (minus_M11_33 + M11_11);
@@ -3551,86 +3581,87 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp11_1 = E11_11 * gt11_1 + minus_E11_13 * gt11_3;
   const T gp11_3 = E11_11 * gt11_3 - minus_E11_13 * gt11_1;
   // Hp11 = E11^T H11 E11: H passed on, lower body's axes [kg m]
-  const T b11_4 = E11_11 * (H11_31 - minus_H11_13) - minus_E11_13 * (minus_H11_33 + H11_11);
+  const T b11_4 = E11_11 * (H11_31 + H11_13) - minus_E11_13 * (minus_H11_33 + H11_11);
   const T b11_5 = minus_E11_13 * b11_4;
   const T Hp11_11 = H11_11 + b11_5;
   const T Hp11_12 = minus_E11_13 * HA11_32 + E11_11 * HA11_12;
   const T b11_6 = E11_11 * b11_4;
   const T Hp11_13 = b11_6 - H11_31;
-  const T Hp11_31 = b11_6 + minus_H11_13;
+  const T Hp11_31 = b11_6 - H11_13;
   const T Hp11_32 = E11_11 * HA11_32 - minus_E11_13 * HA11_12;
   const T minus_Hp11_33 = minus_H11_33 + b11_5;
   // Jp11 = E11^T J11 E11: J passed on, lower body's axes [kg m^2]
-  const T b11_7 = minus_E11_13 * (J11_33 - J11_11) + b11_1 * J11_13;
+  const T b11_7 = b11_1 * J11_13 - minus_E11_13 * (minus_J11_33 + J11_11);
   const T b11_8 = minus_E11_13 * b11_7;
   const T Jp11_11 = J11_11 + b11_8;
   const T Jp11_13 = E11_11 * b11_7 - J11_13;
-  const T Jp11_33 = J11_33 - b11_8;
+  const T minus_Jp11_33 = minus_J11_33 + b11_8;
   // np11 = E11^T nt11: moment passed on, lower body's axes [N m]
   const T np11_1 = E11_11 * nt11_1 - minus_E11_13 * minus_nt11_3;
   const T minus_np11_3 = minus_E11_13 * nt11_1 + E11_11 * minus_nt11_3;
   // Hb11 = q11~ Mp11 + Hp11: H of the joint at the lower body's origin, its axes
-  const T b11_9 = T(0.0838) * Mp11_13;
-  const T Hb11_11 = Hp11_11 - b11_9;
-  const T Hb11_13 = Hp11_13 + T(0.0838) * minus_Mp11_33;
-  const T Hb11_31 = Hp11_31 + T(0.0838) * Mp11_11;
-  const T Hb11_33 = b11_9 - minus_Hp11_33;
+  const T Hb11_21 = T(0.1805) * Mp11_13;
+  const T minus_Hb11_23 = T(0.1805) * minus_Mp11_33;
 
   // ---- body 10 (rr_hip) and what it carries
   // HA10 = h_own_10~ + Hb11: moment for an acceleration of the origin, body axes [kg m]
   const T HA10_12 = Hp11_12 - T(2.1575999999999998e-05);
-  const T HA10_13 = Hb11_13 - T(0.081652909);
-  const T HA10_31 = Hb11_31 + T(0.081652909);
+  const T HA10_13 = Hp11_13 - T(0.081652909);
+  const T HA10_21 = T(2.1575999999999998e-05) + Hb11_21;
+  const T HA10_31 = Hp11_31 + T(0.081652909);
   // JA10 = q11~ Hp11^T + J_own_10 + Jp11 - Hb11 q11~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA10_11 = T(0.00731195688548) + Jp11_11 - T(0.0838) * Hp11_13 - Hb11_13 * T(0.0838);
-  const T JA10_13 = T(2.70561864e-07) + Jp11_13 + T(0.0838) * minus_Hp11_33 + Hb11_11 * T(0.0838);
-  const T JA10_33 = T(0.006588148547768) + Jp11_33 + T(0.0838) * Hp11_31 + Hb11_31 * T(0.0838);
+  const T JA10_11 = T(0.007323165886541661) + Jp11_11;
+  const T JA10_12 = T(0.1805) * Hp11_13 - T(0.014746295744939998);
+  const T JA10_13 = T(4.165029864e-06) + Jp11_13 - T(0.1805) * Hp11_12;
+  const T minus_JA10_22 = minus_Hb11_23 * T(0.1805);
+  const T JA10_23 = T(4.7970076e-07) - T(0.1805) * minus_Hp11_33;
+  const T JA10_33 = T(0.006599357548829661) - minus_Jp11_33 - T(0.361) * Hp11_32;
   // g10 = G10 + gp11: force that drives it, home axes [N]
   const T g10_1 = gp11_1 - minus_G10_1;
   const T g10_2 = g11_2 - minus_G10_2;
   const T g10_3 = gp11_3 + G10_3;
   // n10 = q11~ gp11 + N10 + np11: moment that drives it, body axes [N m]
-  const T n10_1 = np11_1 - minus_N10_1 - T(0.0838) * gp11_3;
-  const T minus_n10_2 = minus_N10_2 + effort_rr_thigh_11;
-  const T n10_3 = T(0.0838) * gp11_1 - (minus_N10_3 + minus_np11_3);
+  const T n10_1 = np11_1 - minus_N10_1;
+  const T n10_2 = T(0.1805) * gp11_3 - (minus_N10_2 + effort_rr_thigh_11);
+  const T minus_n10_3 = minus_N10_3 + minus_np11_3 + T(0.1805) * g11_2;
   // invD10 = D10^-1: 1/D
   const T invD10 = T(1) / JA10_11;
   // kB10 = invD10 B10: B/D
-  const T kB10_1 = invD10 * Hb11_11;
+  const T kB10_1 = invD10 * Hp11_11;
   const T kB10_2 = invD10 * HA10_12;
   const T kB10_3 = invD10 * HA10_13;
   // kK10 = invD10 K10: K/D
-  const T minus_kK10_2 = invD10 * T(7.94567044e-06);
+  const T kK10_2 = invD10 * JA10_12;
   const T kK10_3 = invD10 * JA10_13;
   // u_10 = b10 . n10 + effort_rr_hip_10: drives it [N m], [N]
   const T u_10 = n10_1 + effort_rr_hip_10;
   // v10 = invD10 u_10: u/D
   const T v10 = invD10 * u_10;
   // M10 = Mp11 - kB10 B10^T: MA less what the turn takes up [kg]
-  const T M10_11 = Mp11_11 - kB10_1 * Hb11_11;
+  const T M10_11 = Mp11_11 - kB10_1 * Hp11_11;
   const T minus_M10_12 = kB10_1 * HA10_12;
   const T M10_13 = Mp11_13 - kB10_1 * HA10_13;
   const T minus_M10_22 = kB10_2 * HA10_12;
   const T minus_M10_23 = kB10_2 * HA10_13;
   const T minus_M10_33 = minus_Mp11_33 + kB10_3 * HA10_13;
   // H10 = P_b10 (HA10 - kK10 B10^T): HA less what the turn takes up [kg m]
-  const T H10_21 = T(2.1575999999999998e-05) + minus_kK10_2 * Hb11_11;
-  const T H10_22 = minus_kK10_2 * HA10_12;
-  const T H10_23 = minus_kK10_2 * HA10_13;
-  const T H10_31 = HA10_31 - kK10_3 * Hb11_11;
+  const T H10_21 = HA10_21 - kK10_2 * Hp11_11;
+  const T minus_H10_22 = kK10_2 * HA10_12;
+  const T minus_H10_23 = minus_Hb11_23 + kK10_2 * HA10_13;
+  const T H10_31 = HA10_31 - kK10_3 * Hp11_11;
   const T H10_32 = Hp11_32 - kK10_3 * HA10_12;
-  const T H10_33 = Hb11_33 - kK10_3 * HA10_13;
+  const T minus_H10_33 = minus_Hp11_33 + kK10_3 * HA10_13;
   // J10 = P_b10 (JA10 - kK10 K10^T) P_b10: JA less what the turn takes up [kg m^2]
-  const T minus_J10_22 = minus_kK10_2 * T(7.94567044e-06);
-  const T J10_23 = T(4.7970076e-07) + minus_kK10_2 * JA10_13;
+  const T minus_J10_22 = minus_JA10_22 + kK10_2 * JA10_12;
+  const T J10_23 = JA10_23 - kK10_2 * JA10_13;
   const T J10_33 = JA10_33 - kK10_3 * JA10_13;
   // gt10 = g10 - v10 B10: force with the turn solved [N]
-  const T gt10_1 = g10_1 - v10 * Hb11_11;
+  const T gt10_1 = g10_1 - v10 * Hp11_11;
   const T gt10_2 = g10_2 - v10 * HA10_12;
   const T gt10_3 = g10_3 - v10 * HA10_13;
   // nt10 = -effort_rr_hip_10 b10 + P_b10 (n10 - v10 K10): moment with the turn solved [N m]
-  const T nt10_2 = v10 * T(7.94567044e-06) - minus_n10_2;
-  const T nt10_3 = n10_3 - v10 * JA10_13;
+  const T nt10_2 = n10_2 - v10 * JA10_12;
+  const T minus_nt10_3 = minus_n10_3 + v10 * JA10_13;
   // Mp10 = E10^T M10 E10: M passed on, lower body's axes [kg]
   const T minus_Mp10_12 = E10_22 * minus_M10_12 + E10_23 * M10_13;
   const T Mp10_13 = E10_22 * M10_13 - E10_23 * minus_M10_12;
@@ -3645,14 +3676,14 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp10_3 = E10_23 * gt10_2 + E10_22 * gt10_3;
   // Hp10 = E10^T H10 E10: H passed on, lower body's axes [kg m]
   const T Hp10_21 = E10_22 * H10_21 - E10_23 * H10_31;
-  const T b10_4 = E10_23 * (H10_22 - H10_33) + E10_22 * (H10_23 + H10_32);
+  const T b10_4 = E10_23 * (minus_H10_33 - minus_H10_22) + E10_22 * (H10_32 - minus_H10_23);
   const T b10_5 = E10_23 * b10_4;
-  const T Hp10_22 = H10_22 - b10_5;
+  const T minus_Hp10_22 = minus_H10_22 + b10_5;
   const T b10_6 = E10_22 * b10_4;
   const T Hp10_23 = b10_6 - H10_32;
   const T Hp10_31 = E10_23 * H10_21 + E10_22 * H10_31;
-  const T Hp10_32 = b10_6 - H10_23;
-  const T Hp10_33 = H10_33 + b10_5;
+  const T Hp10_32 = b10_6 + minus_H10_23;
+  const T Hp10_33 = b10_5 - minus_H10_33;
   // Jp10 = E10^T J10 E10: J passed on, lower body's axes [kg m^2]
   const T b10_7 = b10_1 * J10_23 - E10_23 * (minus_J10_22 + J10_33);
   const T b10_8 = E10_23 * b10_7;
@@ -3660,63 +3691,67 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Jp10_23 = E10_22 * b10_7 - J10_23;
   const T Jp10_33 = J10_33 + b10_8;
   // np10 = E10^T nt10: moment passed on, lower body's axes [N m]
-  const T np10_2 = E10_22 * nt10_2 - E10_23 * nt10_3;
-  const T np10_3 = E10_23 * nt10_2 + E10_22 * nt10_3;
+  const T np10_2 = E10_22 * nt10_2 + E10_23 * minus_nt10_3;
+  const T np10_3 = E10_23 * nt10_2 - E10_22 * minus_nt10_3;
   // Hb10 = q10~ Mp10 + Hp10: H of the joint at the lower body's origin, its axes
   const T minus_Hb10_11 = T(0.047) * Mp10_13;
   const T minus_Hb10_12 = T(0.047) * Mp10_23;
   const T minus_Hb10_13 = T(0.047) * Mp10_33;
-  const T Hb10_21 = Hp10_21 + T(0.1805) * Mp10_13;
-  const T b10_9 = T(0.1805) * Mp10_23;
-  const T Hb10_22 = b10_9 + Hp10_22;
-  const T Hb10_23 = Hp10_23 + T(0.1805) * Mp10_33;
-  const T Hb10_31 = Hp10_31 + T(0.1805) * minus_Mp10_12 + T(0.047) * M10_11;
-  const T Hb10_32 = Hp10_32 + T(0.1805) * minus_Mp10_22 - T(0.047) * minus_Mp10_12;
-  const T Hb10_33 = minus_Hb10_11 - b10_9 + Hp10_33;
+  const T Hb10_31 = Hp10_31 + T(0.047) * M10_11;
+  const T Hb10_32 = Hp10_32 - T(0.047) * minus_Mp10_12;
+  const T Hb10_33 = minus_Hb10_11 + Hp10_33;
 
   // ---- body 8 (fl_calf) and what it carries
   // u_8 = b8 . N8 + effort_fl_calf_8: drives it [N m], [N]
   const T u_8 = N8_2 + effort_fl_calf_8;
   // v8 = invD8 u_8: u/D
-  const T v8 = T(136.15003737155254) * u_8;
+  const T v8 = T(136.15003737155251) * u_8;
   // gt8 = G8 - v8 B8: force with the turn solved [N]
-  const T gt8_1 = G8_1 + v8 * T(0.029826408000000002);
-  const T gt8_3 = G8_3 + v8 * T(0.00106821);
+  const T minus_gt8_1 = minus_G8_1 + v8 * T(0.029845530432320418);
+  // nt8 = -effort_fl_calf_8 b8 + P_b8 (N8 - v8 K8): moment with the turn solved [N m]
+  const T nt8_1 = N8_1 + v8 * T(5.215891594784536e-35);
+  const T nt8_3 = N8_3 + v8 * T(0.0025010554502284503);
   // Mp8 = E8^T M8 E8: M passed on, lower body's axes [kg]
-  const T b8_1 = T(2) * E8_11;
-  const T b8_2 = minus_E8_13 * T(0.1209657058895299) - b8_1 * T(0.004337858272180008);
-  const T b8_3 = minus_E8_13 * b8_2;
-  const T Mp8_11 = b8_3 - T(0.12112106296722176);
-  const T Mp8_13 = T(0.004337858272180008) + E8_11 * b8_2;
-  const T minus_Mp8_33 = T(0.00015535707769186977) + b8_3;
+  const T b8_1 = minus_E8_13 * T(0.12127642004491364);
+  const T b8_2 = minus_E8_13 * b8_1;
+  const T Mp8_11 = b8_2 - T(0.12127642004491364);
+  const T minus_Mp8_13 = minus_E8_11 * b8_1;
   // gp8 = E8^T gt8: force passed on, lower body's axes [N]
-  const T gp8_1 = E8_11 * gt8_1 + minus_E8_13 * gt8_3;
-  const T gp8_3 = E8_11 * gt8_3 - minus_E8_13 * gt8_1;
+  const T gp8_1 = minus_E8_11 * minus_gt8_1 + minus_E8_13 * G8_3;
+  const T gp8_3 = minus_E8_13 * minus_gt8_1 - minus_E8_11 * G8_3;
   // Hp8 = E8^T H8 E8: H passed on, lower body's axes [kg m]
-  const T Hp8_12 = minus_E8_13 * T(0.00106821) + E8_11 * T(0.029826408000000002);
-  const T Hp8_32 = E8_11 * T(0.00106821) - minus_E8_13 * T(0.029826408000000002);
+  const T b8_3 = minus_E8_13 * T(2.11946194554078e-34) + minus_E8_11 * T(0.010162963999763762);
+  const T b8_4 = minus_E8_13 * b8_3;
+  const T Hp8_11 = T(2.11946194554078e-34) - b8_4;
+  const T Hp8_12 = minus_E8_11 * T(0.029845530432320418);
+  const T b8_5 = minus_E8_11 * b8_3;
+  const T Hp8_13 = b8_5 - T(0.010162963999763762);
+  const T Hp8_32 = minus_E8_13 * T(0.029845530432320418);
   // Jp8 = E8^T J8 E8: J passed on, lower body's axes [kg m^2]
-  const T b8_4 = minus_E8_13 * T(0.007273014370954) + b8_1 * T(2.6450064520000005e-05);
-  const T b8_5 = minus_E8_13 * b8_4;
-  const T Jp8_11 = T(0.007273014370954) - b8_5;
-  const T Jp8_13 = T(2.6450064520000005e-05) - E8_11 * b8_4;
+  const T b8_6 = T(2) * minus_E8_11 * T(0.0002865260721362275) - minus_E8_13 * T(0.00810225275201088);
+  const T b8_7 = minus_E8_13 * b8_6;
+  const T Jp8_11 = T(0.007250596368830678) + b8_7;
+  const T Jp8_13 = T(0.0002865260721362275) - minus_E8_11 * b8_6;
+  const T minus_Jp8_33 = T(0.0008516563831802031) + b8_7;
   // np8 = E8^T nt8: moment passed on, lower body's axes [N m]
-  const T np8_1 = E8_11 * N8_1 - minus_E8_13 * minus_N8_3;
-  const T minus_np8_3 = minus_E8_13 * N8_1 + E8_11 * minus_N8_3;
+  const T np8_1 = minus_E8_13 * nt8_3 - minus_E8_11 * nt8_1;
+  const T minus_np8_3 = minus_E8_13 * nt8_1 + minus_E8_11 * nt8_3;
   // Hb8 = q8~ Mp8 + Hp8: H of the joint at the lower body's origin, its axes
   const T minus_Hb8_21 = T(0.2) * Mp8_11;
-  const T minus_Hb8_23 = T(0.2) * Mp8_13;
+  const T Hb8_23 = T(0.2) * minus_Mp8_13;
 
   // ---- body 7 (fl_thigh) and what it carries
   // HA7 = h_own_7~ + Hb8: moment for an acceleration of the origin, body axes [kg m]
   const T HA7_12 = Hp8_12 + T(0.072881238);
   const T minus_HA7_21 = T(0.072881238) + minus_Hb8_21;
-  const T HA7_23 = T(0.0032790809999999997) - minus_Hb8_23;
+  const T HA7_23 = T(0.0032790809999999997) + Hb8_23;
   const T HA7_32 = Hp8_32 - T(0.0032790809999999997);
   // JA7 = q8~ Hp8^T + J_own_7 + Jp8 - Hb8 q8~: moment for an angular acceleration, body axes [kg m^2]
   const T JA7_11 = T(0.013947080124391002) + Jp8_11 + T(0.4) * Hp8_12;
+  const T JA7_12 = T(0.00020639994631299998) - T(0.2) * Hp8_11;
   const T JA7_13 = T(0.000254264832594) + Jp8_13 + T(0.2) * Hp8_32;
   const T JA7_22 = T(0.014946370894785) + minus_Hb8_21 * T(0.2);
+  const T JA7_23 = T(0.005511856743573999) - T(0.2) * b8_5;
   // g7 = G7 + gp8: force that drives it, home axes [N]
   const T g7_1 = gp8_1 - minus_G7_1;
   const T g7_2 = G8_2 + G7_2;
@@ -3731,31 +3766,31 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_kB7_1 = invD7 * minus_HA7_21;
   const T kB7_3 = invD7 * HA7_23;
   // kK7 = invD7 K7: K/D
-  const T minus_kK7_1 = invD7 * T(6.838704148699999e-05);
-  const T minus_kK7_3 = invD7 * T(0.0005955910008259999);
+  const T kK7_1 = invD7 * JA7_12;
+  const T kK7_3 = invD7 * JA7_23;
   // u_7 = b7 . n7 + effort_fl_thigh_7: drives it [N m], [N]
   const T u_7 = effort_fl_thigh_7 - minus_n7_2;
   // v7 = invD7 u_7: u/D
   const T v7 = invD7 * u_7;
   // M7 = Mp8 - kB7 B7^T: MA less what the turn takes up [kg]
   const T M7_11 = Mp8_11 - minus_kB7_1 * minus_HA7_21;
-  const T M7_13 = Mp8_13 + minus_kB7_1 * HA7_23;
-  const T minus_M7_33 = minus_Mp8_33 + kB7_3 * HA7_23;
+  const T M7_13 = minus_kB7_1 * HA7_23 - minus_Mp8_13;
+  const T minus_M7_33 = b8_2 + kB7_3 * HA7_23;
   // H7 = P_b7 (HA7 - kK7 B7^T): HA less what the turn takes up [kg m]
-  const T minus_H7_11 = minus_kK7_1 * minus_HA7_21;
-  const T H7_13 = minus_kK7_1 * HA7_23;
-  const T minus_H7_31 = minus_kK7_3 * minus_HA7_21;
-  const T H7_33 = minus_kK7_3 * HA7_23;
+  const T H7_11 = Hp8_11 + kK7_1 * minus_HA7_21;
+  const T H7_13 = Hp8_13 - kK7_1 * HA7_23;
+  const T H7_31 = b8_5 + kK7_3 * minus_HA7_21;
+  const T H7_33 = b8_4 - kK7_3 * HA7_23;
   // J7 = P_b7 (JA7 - kK7 K7^T) P_b7: JA less what the turn takes up [kg m^2]
-  const T J7_11 = JA7_11 - minus_kK7_1 * T(6.838704148699999e-05);
-  const T J7_13 = JA7_13 - minus_kK7_1 * T(0.0005955910008259999);
-  const T J7_33 = b8_5 - minus_kK7_3 * T(0.0005955910008259999);
+  const T J7_11 = JA7_11 - kK7_1 * JA7_12;
+  const T J7_13 = JA7_13 - kK7_1 * JA7_23;
+  const T minus_J7_33 = minus_Jp8_33 + kK7_3 * JA7_23;
   // gt7 = g7 - v7 B7: force with the turn solved [N]
   const T gt7_1 = g7_1 + v7 * minus_HA7_21;
   const T gt7_3 = g7_3 - v7 * HA7_23;
   // nt7 = -effort_fl_thigh_7 b7 + P_b7 (n7 - v7 K7): moment with the turn solved [N m]
-  const T nt7_1 = n7_1 + v7 * T(6.838704148699999e-05);
-  const T nt7_3 = v7 * T(0.0005955910008259999) - minus_n7_3;
+  const T nt7_1 = n7_1 - v7 * JA7_12;
+  const T minus_nt7_3 = minus_n7_3 + v7 * JA7_23;
   // Mp7 = E7^T M7 E7: M passed on, lower body's axes [kg]
   const T b7_1 = T(2) * E7_11;
   const T b7_2 = b7_1 * M7_13 - minus_E7_13 * (minus_M7_33 + M7_11);
@@ -3767,85 +3802,86 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp7_1 = E7_11 * gt7_1 + minus_E7_13 * gt7_3;
   const T gp7_3 = E7_11 * gt7_3 - minus_E7_13 * gt7_1;
   // Hp7 = E7^T H7 E7: H passed on, lower body's axes [kg m]
-  const T b7_4 = minus_E7_13 * (H7_33 + minus_H7_11) + E7_11 * (H7_13 - minus_H7_31);
+  const T b7_4 = minus_E7_13 * (H7_33 - H7_11) + E7_11 * (H7_31 + H7_13);
   const T b7_5 = minus_E7_13 * b7_4;
-  const T Hp7_11 = b7_5 - minus_H7_11;
+  const T Hp7_11 = H7_11 + b7_5;
   const T Hp7_12 = minus_E7_13 * HA7_32 + E7_11 * HA7_12;
   const T b7_6 = E7_11 * b7_4;
-  const T Hp7_13 = b7_6 + minus_H7_31;
+  const T Hp7_13 = b7_6 - H7_31;
   const T Hp7_31 = b7_6 - H7_13;
   const T Hp7_32 = E7_11 * HA7_32 - minus_E7_13 * HA7_12;
   const T Hp7_33 = H7_33 - b7_5;
   // Jp7 = E7^T J7 E7: J passed on, lower body's axes [kg m^2]
-  const T b7_7 = minus_E7_13 * (J7_33 - J7_11) + b7_1 * J7_13;
+  const T b7_7 = b7_1 * J7_13 - minus_E7_13 * (minus_J7_33 + J7_11);
   const T b7_8 = minus_E7_13 * b7_7;
   const T Jp7_11 = J7_11 + b7_8;
   const T Jp7_13 = E7_11 * b7_7 - J7_13;
-  const T Jp7_33 = J7_33 - b7_8;
+  const T minus_Jp7_33 = minus_J7_33 + b7_8;
   // np7 = E7^T nt7: moment passed on, lower body's axes [N m]
-  const T np7_1 = E7_11 * nt7_1 + minus_E7_13 * nt7_3;
-  const T np7_3 = E7_11 * nt7_3 - minus_E7_13 * nt7_1;
+  const T np7_1 = E7_11 * nt7_1 - minus_E7_13 * minus_nt7_3;
+  const T minus_np7_3 = minus_E7_13 * nt7_1 + E7_11 * minus_nt7_3;
   // Hb7 = q7~ Mp7 + Hp7: H of the joint at the lower body's origin, its axes
-  const T b7_9 = T(0.0838) * Mp7_13;
-  const T Hb7_11 = b7_9 + Hp7_11;
-  const T Hb7_13 = Hp7_13 - T(0.0838) * minus_Mp7_33;
-  const T Hb7_31 = Hp7_31 - T(0.0838) * Mp7_11;
-  const T Hb7_33 = Hp7_33 - b7_9;
+  const T minus_Hb7_21 = T(0.1805) * Mp7_13;
+  const T Hb7_23 = T(0.1805) * minus_Mp7_33;
 
   // ---- body 6 (fl_hip) and what it carries
   // HA6 = h_own_6~ + Hb7: moment for an acceleration of the origin, body axes [kg m]
   const T HA6_12 = Hp7_12 - T(2.1575999999999998e-05);
-  const T HA6_13 = T(0.081652909) + Hb7_13;
-  const T HA6_31 = Hb7_31 - T(0.081652909);
+  const T HA6_13 = T(0.081652909) + Hp7_13;
+  const T HA6_21 = T(2.1575999999999998e-05) - minus_Hb7_21;
+  const T HA6_31 = Hp7_31 - T(0.081652909);
   // JA6 = q7~ Hp7^T + J_own_6 + Jp7 - Hb7 q7~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA6_11 = T(0.00731195688548) + Jp7_11 + T(0.0838) * Hp7_13 + Hb7_13 * T(0.0838);
-  const T JA6_13 = Jp7_13 - T(2.70561864e-07) + T(0.0838) * Hp7_33 - Hb7_11 * T(0.0838);
-  const T JA6_33 = T(0.006588148547768) + Jp7_33 - T(0.0838) * Hp7_31 - Hb7_31 * T(0.0838);
+  const T JA6_11 = T(0.007323165886541661) + Jp7_11;
+  const T minus_JA6_12 = T(0.014746295744939998) + T(0.1805) * Hp7_13;
+  const T JA6_13 = Jp7_13 - T(4.165029864e-06) + T(0.1805) * Hp7_12;
+  const T minus_JA6_22 = Hb7_23 * T(0.1805);
+  const T minus_JA6_23 = T(4.7970076e-07) + T(0.1805) * Hp7_33;
+  const T JA6_33 = T(0.006599357548829661) - minus_Jp7_33 + T(0.361) * Hp7_32;
   // g6 = G6 + gp7: force that drives it, home axes [N]
   const T g6_1 = gp7_1 - minus_G6_1;
   const T g6_2 = g7_2 - minus_G6_2;
   const T g6_3 = gp7_3 - minus_G6_3;
   // n6 = q7~ gp7 + N6 + np7: moment that drives it, body axes [N m]
-  const T n6_1 = np7_1 - minus_N6_1 + T(0.0838) * gp7_3;
-  const T minus_n6_2 = minus_N6_2 + effort_fl_thigh_7;
-  const T n6_3 = np7_3 - minus_N6_3 - T(0.0838) * gp7_1;
+  const T n6_1 = np7_1 - minus_N6_1;
+  const T minus_n6_2 = minus_N6_2 + effort_fl_thigh_7 + T(0.1805) * gp7_3;
+  const T n6_3 = T(0.1805) * g7_2 - (minus_N6_3 + minus_np7_3);
   // invD6 = D6^-1: 1/D
   const T invD6 = T(1) / JA6_11;
   // kB6 = invD6 B6: B/D
-  const T kB6_1 = invD6 * Hb7_11;
+  const T kB6_1 = invD6 * Hp7_11;
   const T kB6_2 = invD6 * HA6_12;
   const T kB6_3 = invD6 * HA6_13;
   // kK6 = invD6 K6: K/D
-  const T minus_kK6_2 = invD6 * T(7.94567044e-06);
+  const T minus_kK6_2 = invD6 * minus_JA6_12;
   const T kK6_3 = invD6 * JA6_13;
   // u_6 = b6 . n6 + effort_fl_hip_6: drives it [N m], [N]
   const T u_6 = n6_1 + effort_fl_hip_6;
   // v6 = invD6 u_6: u/D
   const T v6 = invD6 * u_6;
   // M6 = Mp7 - kB6 B6^T: MA less what the turn takes up [kg]
-  const T M6_11 = Mp7_11 - kB6_1 * Hb7_11;
+  const T M6_11 = Mp7_11 - kB6_1 * Hp7_11;
   const T minus_M6_12 = kB6_1 * HA6_12;
   const T M6_13 = Mp7_13 - kB6_1 * HA6_13;
   const T minus_M6_22 = kB6_2 * HA6_12;
   const T minus_M6_23 = kB6_2 * HA6_13;
   const T minus_M6_33 = minus_Mp7_33 + kB6_3 * HA6_13;
   // H6 = P_b6 (HA6 - kK6 B6^T): HA less what the turn takes up [kg m]
-  const T H6_21 = T(2.1575999999999998e-05) + minus_kK6_2 * Hb7_11;
+  const T H6_21 = HA6_21 + minus_kK6_2 * Hp7_11;
   const T H6_22 = minus_kK6_2 * HA6_12;
-  const T H6_23 = minus_kK6_2 * HA6_13;
-  const T H6_31 = HA6_31 - kK6_3 * Hb7_11;
+  const T H6_23 = Hb7_23 + minus_kK6_2 * HA6_13;
+  const T H6_31 = HA6_31 - kK6_3 * Hp7_11;
   const T H6_32 = Hp7_32 - kK6_3 * HA6_12;
-  const T H6_33 = Hb7_33 - kK6_3 * HA6_13;
+  const T H6_33 = Hp7_33 - kK6_3 * HA6_13;
   // J6 = P_b6 (JA6 - kK6 K6^T) P_b6: JA less what the turn takes up [kg m^2]
-  const T minus_J6_22 = minus_kK6_2 * T(7.94567044e-06);
-  const T J6_23 = minus_kK6_2 * JA6_13 - T(4.7970076e-07);
+  const T minus_J6_22 = minus_JA6_22 + minus_kK6_2 * minus_JA6_12;
+  const T J6_23 = minus_kK6_2 * JA6_13 - minus_JA6_23;
   const T J6_33 = JA6_33 - kK6_3 * JA6_13;
   // gt6 = g6 - v6 B6: force with the turn solved [N]
-  const T gt6_1 = g6_1 - v6 * Hb7_11;
+  const T gt6_1 = g6_1 - v6 * Hp7_11;
   const T gt6_2 = g6_2 - v6 * HA6_12;
   const T gt6_3 = g6_3 - v6 * HA6_13;
   // nt6 = -effort_fl_hip_6 b6 + P_b6 (n6 - v6 K6): moment with the turn solved [N m]
-  const T nt6_2 = v6 * T(7.94567044e-06) - minus_n6_2;
+  const T nt6_2 = v6 * minus_JA6_12 - minus_n6_2;
   const T nt6_3 = n6_3 - v6 * JA6_13;
   // Mp6 = E6^T M6 E6: M passed on, lower body's axes [kg]
   const T minus_Mp6_12 = E6_22 * minus_M6_12 + E6_23 * M6_13;
@@ -3882,57 +3918,61 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T Hb6_11 = T(0.047) * Mp6_13;
   const T Hb6_12 = T(0.047) * Mp6_23;
   const T Hb6_13 = T(0.047) * Mp6_33;
-  const T Hb6_21 = Hp6_21 - T(0.1805) * Mp6_13;
-  const T b6_9 = T(0.1805) * Mp6_23;
-  const T Hb6_22 = Hp6_22 - b6_9;
-  const T Hb6_23 = Hp6_23 - T(0.1805) * Mp6_33;
-  const T Hb6_31 = Hp6_31 - T(0.1805) * minus_Mp6_12 - T(0.047) * M6_11;
-  const T Hb6_32 = Hp6_32 + T(0.047) * minus_Mp6_12 - T(0.1805) * minus_Mp6_22;
-  const T Hb6_33 = b6_9 - Hb6_11 + Hp6_33;
+  const T Hb6_31 = Hp6_31 - T(0.047) * M6_11;
+  const T Hb6_32 = Hp6_32 + T(0.047) * minus_Mp6_12;
+  const T Hb6_33 = Hp6_33 - Hb6_11;
 
   // ---- body 4 (fr_calf) and what it carries
   // u_4 = b4 . N4 + effort_fr_calf_4: drives it [N m], [N]
   const T u_4 = effort_fr_calf_4 - minus_N4_2;
   // v4 = invD4 u_4: u/D
-  const T v4 = T(136.15003737155254) * u_4;
+  const T v4 = T(136.15003737155251) * u_4;
   // gt4 = G4 - v4 B4: force with the turn solved [N]
-  const T gt4_1 = G4_1 + v4 * T(0.029826408000000002);
-  const T gt4_3 = G4_3 + v4 * T(0.00106821);
+  const T minus_gt4_1 = minus_G4_1 + v4 * T(0.029845530432320418);
+  // nt4 = -effort_fr_calf_4 b4 + P_b4 (N4 - v4 K4): moment with the turn solved [N m]
+  const T nt4_1 = N4_1 - v4 * T(5.215891594784536e-35);
+  const T nt4_3 = N4_3 - v4 * T(0.0025010554502284503);
   // Mp4 = E4^T M4 E4: M passed on, lower body's axes [kg]
-  const T b4_1 = T(2) * E4_11;
-  const T b4_2 = minus_E4_13 * T(0.1209657058895299) - b4_1 * T(0.004337858272180008);
-  const T b4_3 = minus_E4_13 * b4_2;
-  const T Mp4_11 = b4_3 - T(0.12112106296722176);
-  const T Mp4_13 = T(0.004337858272180008) + E4_11 * b4_2;
-  const T minus_Mp4_33 = T(0.00015535707769186977) + b4_3;
+  const T b4_1 = minus_E4_13 * T(0.12127642004491364);
+  const T b4_2 = minus_E4_13 * b4_1;
+  const T Mp4_11 = b4_2 - T(0.12127642004491364);
+  const T minus_Mp4_13 = minus_E4_11 * b4_1;
   // gp4 = E4^T gt4: force passed on, lower body's axes [N]
-  const T gp4_1 = E4_11 * gt4_1 + minus_E4_13 * gt4_3;
-  const T gp4_3 = E4_11 * gt4_3 - minus_E4_13 * gt4_1;
+  const T gp4_1 = minus_E4_11 * minus_gt4_1 + minus_E4_13 * G4_3;
+  const T gp4_3 = minus_E4_13 * minus_gt4_1 - minus_E4_11 * G4_3;
   // Hp4 = E4^T H4 E4: H passed on, lower body's axes [kg m]
-  const T Hp4_12 = minus_E4_13 * T(0.00106821) + E4_11 * T(0.029826408000000002);
-  const T Hp4_32 = E4_11 * T(0.00106821) - minus_E4_13 * T(0.029826408000000002);
+  const T b4_3 = minus_E4_13 * T(2.11946194554078e-34) + minus_E4_11 * T(0.010162963999763762);
+  const T b4_4 = minus_E4_13 * b4_3;
+  const T Hp4_11 = b4_4 - T(2.11946194554078e-34);
+  const T Hp4_12 = minus_E4_11 * T(0.029845530432320418);
+  const T b4_5 = minus_E4_11 * b4_3;
+  const T Hp4_13 = T(0.010162963999763762) - b4_5;
+  const T Hp4_32 = minus_E4_13 * T(0.029845530432320418);
   // Jp4 = E4^T J4 E4: J passed on, lower body's axes [kg m^2]
-  const T b4_4 = minus_E4_13 * T(0.007273014370954) + b4_1 * T(2.6450064520000005e-05);
-  const T b4_5 = minus_E4_13 * b4_4;
-  const T Jp4_11 = T(0.007273014370954) - b4_5;
-  const T Jp4_13 = T(2.6450064520000005e-05) - E4_11 * b4_4;
+  const T b4_6 = T(2) * minus_E4_11 * T(0.0002865260721362275) - minus_E4_13 * T(0.00810225275201088);
+  const T b4_7 = minus_E4_13 * b4_6;
+  const T Jp4_11 = T(0.007250596368830678) + b4_7;
+  const T Jp4_13 = T(0.0002865260721362275) - minus_E4_11 * b4_6;
+  const T minus_Jp4_33 = T(0.0008516563831802031) + b4_7;
   // np4 = E4^T nt4: moment passed on, lower body's axes [N m]
-  const T np4_1 = E4_11 * N4_1 - minus_E4_13 * minus_N4_3;
-  const T minus_np4_3 = minus_E4_13 * N4_1 + E4_11 * minus_N4_3;
+  const T np4_1 = minus_E4_13 * nt4_3 - minus_E4_11 * nt4_1;
+  const T minus_np4_3 = minus_E4_13 * nt4_1 + minus_E4_11 * nt4_3;
   // Hb4 = q4~ Mp4 + Hp4: H of the joint at the lower body's origin, its axes
   const T minus_Hb4_21 = T(0.2) * Mp4_11;
-  const T minus_Hb4_23 = T(0.2) * Mp4_13;
+  const T Hb4_23 = T(0.2) * minus_Mp4_13;
 
   // ---- body 3 (fr_thigh) and what it carries
   // HA3 = h_own_3~ + Hb4: moment for an acceleration of the origin, body axes [kg m]
   const T HA3_12 = Hp4_12 + T(0.072881238);
   const T minus_HA3_21 = T(0.072881238) + minus_Hb4_21;
-  const T HA3_23 = T(0.0032790809999999997) - minus_Hb4_23;
+  const T HA3_23 = T(0.0032790809999999997) + Hb4_23;
   const T HA3_32 = Hp4_32 - T(0.0032790809999999997);
   // JA3 = q4~ Hp4^T + J_own_3 + Jp4 - Hb4 q4~: moment for an angular acceleration, body axes [kg m^2]
   const T JA3_11 = T(0.013947080124391002) + Jp4_11 + T(0.4) * Hp4_12;
+  const T minus_JA3_12 = T(0.00020639994631299998) + T(0.2) * Hp4_11;
   const T JA3_13 = T(0.000254264832594) + Jp4_13 + T(0.2) * Hp4_32;
   const T JA3_22 = T(0.014946370894785) + minus_Hb4_21 * T(0.2);
+  const T JA3_23 = T(0.2) * b4_5 - T(0.005511856743573999);
   // g3 = G3 + gp4: force that drives it, home axes [N]
   const T g3_1 = gp4_1 - minus_G3_1;
   const T g3_2 = G4_2 + G3_2;
@@ -3947,31 +3987,31 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_kB3_1 = invD3 * minus_HA3_21;
   const T kB3_3 = invD3 * HA3_23;
   // kK3 = invD3 K3: K/D
-  const T kK3_1 = invD3 * T(6.838704148699999e-05);
-  const T kK3_3 = invD3 * T(0.0005955910008259999);
+  const T minus_kK3_1 = invD3 * minus_JA3_12;
+  const T kK3_3 = invD3 * JA3_23;
   // u_3 = b3 . n3 + effort_fr_thigh_3: drives it [N m], [N]
   const T u_3 = effort_fr_thigh_3 - minus_n3_2;
   // v3 = invD3 u_3: u/D
   const T v3 = invD3 * u_3;
   // M3 = Mp4 - kB3 B3^T: MA less what the turn takes up [kg]
   const T M3_11 = Mp4_11 - minus_kB3_1 * minus_HA3_21;
-  const T M3_13 = Mp4_13 + minus_kB3_1 * HA3_23;
-  const T minus_M3_33 = minus_Mp4_33 + kB3_3 * HA3_23;
+  const T M3_13 = minus_kB3_1 * HA3_23 - minus_Mp4_13;
+  const T minus_M3_33 = b4_2 + kB3_3 * HA3_23;
   // H3 = P_b3 (HA3 - kK3 B3^T): HA less what the turn takes up [kg m]
-  const T H3_11 = kK3_1 * minus_HA3_21;
-  const T minus_H3_13 = kK3_1 * HA3_23;
-  const T H3_31 = kK3_3 * minus_HA3_21;
-  const T minus_H3_33 = kK3_3 * HA3_23;
+  const T H3_11 = Hp4_11 - minus_kK3_1 * minus_HA3_21;
+  const T H3_13 = Hp4_13 + minus_kK3_1 * HA3_23;
+  const T H3_31 = kK3_3 * minus_HA3_21 - b4_5;
+  const T minus_H3_33 = b4_4 + kK3_3 * HA3_23;
   // J3 = P_b3 (JA3 - kK3 K3^T) P_b3: JA less what the turn takes up [kg m^2]
-  const T J3_11 = JA3_11 - kK3_1 * T(6.838704148699999e-05);
-  const T J3_13 = JA3_13 - kK3_1 * T(0.0005955910008259999);
-  const T J3_33 = b4_5 - kK3_3 * T(0.0005955910008259999);
+  const T J3_11 = JA3_11 - minus_kK3_1 * minus_JA3_12;
+  const T J3_13 = JA3_13 + minus_kK3_1 * JA3_23;
+  const T minus_J3_33 = minus_Jp4_33 + kK3_3 * JA3_23;
   // gt3 = g3 - v3 B3: force with the turn solved [N]
   const T gt3_1 = g3_1 + v3 * minus_HA3_21;
   const T gt3_3 = g3_3 - v3 * HA3_23;
   // nt3 = -effort_fr_thigh_3 b3 + P_b3 (n3 - v3 K3): moment with the turn solved [N m]
-  const T nt3_1 = n3_1 - v3 * T(6.838704148699999e-05);
-  const T minus_nt3_3 = minus_n3_3 + v3 * T(0.0005955910008259999);
+  const T nt3_1 = n3_1 + v3 * minus_JA3_12;
+  const T minus_nt3_3 = minus_n3_3 + v3 * JA3_23;
   // Mp3 = E3^T M3 E3: M passed on, lower body's axes [kg]
   const T b3_1 = T(2) * E3_11;
   const T b3_2 = b3_1 * M3_13 - minus_E3_13 * (minus_M3_33 + M3_11);
@@ -3983,85 +4023,86 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp3_1 = E3_11 * gt3_1 + minus_E3_13 * gt3_3;
   const T gp3_3 = E3_11 * gt3_3 - minus_E3_13 * gt3_1;
   // Hp3 = E3^T H3 E3: H passed on, lower body's axes [kg m]
-  const T b3_4 = E3_11 * (H3_31 - minus_H3_13) - minus_E3_13 * (minus_H3_33 + H3_11);
+  const T b3_4 = E3_11 * (H3_31 + H3_13) - minus_E3_13 * (minus_H3_33 + H3_11);
   const T b3_5 = minus_E3_13 * b3_4;
   const T Hp3_11 = H3_11 + b3_5;
   const T Hp3_12 = minus_E3_13 * HA3_32 + E3_11 * HA3_12;
   const T b3_6 = E3_11 * b3_4;
   const T Hp3_13 = b3_6 - H3_31;
-  const T Hp3_31 = b3_6 + minus_H3_13;
+  const T Hp3_31 = b3_6 - H3_13;
   const T Hp3_32 = E3_11 * HA3_32 - minus_E3_13 * HA3_12;
   const T minus_Hp3_33 = minus_H3_33 + b3_5;
   // Jp3 = E3^T J3 E3: J passed on, lower body's axes [kg m^2]
-  const T b3_7 = minus_E3_13 * (J3_33 - J3_11) + b3_1 * J3_13;
+  const T b3_7 = b3_1 * J3_13 - minus_E3_13 * (minus_J3_33 + J3_11);
   const T b3_8 = minus_E3_13 * b3_7;
   const T Jp3_11 = J3_11 + b3_8;
   const T Jp3_13 = E3_11 * b3_7 - J3_13;
-  const T Jp3_33 = J3_33 - b3_8;
+  const T minus_Jp3_33 = minus_J3_33 + b3_8;
   // np3 = E3^T nt3: moment passed on, lower body's axes [N m]
   const T np3_1 = E3_11 * nt3_1 - minus_E3_13 * minus_nt3_3;
   const T minus_np3_3 = minus_E3_13 * nt3_1 + E3_11 * minus_nt3_3;
   // Hb3 = q3~ Mp3 + Hp3: H of the joint at the lower body's origin, its axes
-  const T b3_9 = T(0.0838) * Mp3_13;
-  const T Hb3_11 = Hp3_11 - b3_9;
-  const T Hb3_13 = Hp3_13 + T(0.0838) * minus_Mp3_33;
-  const T Hb3_31 = Hp3_31 + T(0.0838) * Mp3_11;
-  const T Hb3_33 = b3_9 - minus_Hp3_33;
+  const T minus_Hb3_21 = T(0.1805) * Mp3_13;
+  const T Hb3_23 = T(0.1805) * minus_Mp3_33;
 
   // ---- body 2 (fr_hip) and what it carries
   // HA2 = h_own_2~ + Hb3: moment for an acceleration of the origin, body axes [kg m]
   const T HA2_12 = Hp3_12 - T(2.1575999999999998e-05);
-  const T HA2_13 = Hb3_13 - T(0.081652909);
-  const T HA2_31 = Hb3_31 + T(0.081652909);
+  const T HA2_13 = Hp3_13 - T(0.081652909);
+  const T HA2_21 = T(2.1575999999999998e-05) - minus_Hb3_21;
+  const T HA2_31 = Hp3_31 + T(0.081652909);
   // JA2 = q3~ Hp3^T + J_own_2 + Jp3 - Hb3 q3~: moment for an angular acceleration, body axes [kg m^2]
-  const T JA2_11 = T(0.00731195688548) + Jp3_11 - T(0.0838) * Hp3_13 - Hb3_13 * T(0.0838);
-  const T JA2_13 = Jp3_13 - T(2.70561864e-07) + T(0.0838) * minus_Hp3_33 + Hb3_11 * T(0.0838);
-  const T JA2_33 = T(0.006588148547768) + Jp3_33 + T(0.0838) * Hp3_31 + Hb3_31 * T(0.0838);
+  const T JA2_11 = T(0.007323165886541661) + Jp3_11;
+  const T JA2_12 = T(0.014746295744939998) - T(0.1805) * Hp3_13;
+  const T JA2_13 = Jp3_13 - T(4.165029864e-06) + T(0.1805) * Hp3_12;
+  const T minus_JA2_22 = Hb3_23 * T(0.1805);
+  const T JA2_23 = T(4.7970076e-07) + T(0.1805) * minus_Hp3_33;
+  const T JA2_33 = T(0.006599357548829661) - minus_Jp3_33 + T(0.361) * Hp3_32;
   // g2 = G2 + gp3: force that drives it, home axes [N]
   const T g2_1 = gp3_1 - minus_G2_1;
   const T g2_2 = g3_2 - minus_G2_2;
   const T g2_3 = gp3_3 + G2_3;
   // n2 = q3~ gp3 + N2 + np3: moment that drives it, body axes [N m]
-  const T n2_1 = np3_1 - minus_N2_1 - T(0.0838) * gp3_3;
-  const T minus_n2_2 = minus_N2_2 + effort_fr_thigh_3;
-  const T n2_3 = T(0.0838) * gp3_1 - (minus_N2_3 + minus_np3_3);
+  const T n2_1 = np3_1 - minus_N2_1;
+  const T minus_n2_2 = minus_N2_2 + effort_fr_thigh_3 + T(0.1805) * gp3_3;
+  const T n2_3 = T(0.1805) * g3_2 - (minus_N2_3 + minus_np3_3);
   // invD2 = D2^-1: 1/D
   const T invD2 = T(1) / JA2_11;
   // kB2 = invD2 B2: B/D
-  const T kB2_1 = invD2 * Hb3_11;
+  const T kB2_1 = invD2 * Hp3_11;
   const T kB2_2 = invD2 * HA2_12;
   const T kB2_3 = invD2 * HA2_13;
   // kK2 = invD2 K2: K/D
-  const T kK2_2 = invD2 * T(7.94567044e-06);
+  const T kK2_2 = invD2 * JA2_12;
   const T kK2_3 = invD2 * JA2_13;
   // u_2 = b2 . n2 + effort_fr_hip_2: drives it [N m], [N]
   const T u_2 = n2_1 + effort_fr_hip_2;
   // v2 = invD2 u_2: u/D
   const T v2 = invD2 * u_2;
   // M2 = Mp3 - kB2 B2^T: MA less what the turn takes up [kg]
-  const T M2_11 = Mp3_11 - kB2_1 * Hb3_11;
+  const T M2_11 = Mp3_11 - kB2_1 * Hp3_11;
   const T minus_M2_12 = kB2_1 * HA2_12;
   const T M2_13 = Mp3_13 - kB2_1 * HA2_13;
   const T minus_M2_22 = kB2_2 * HA2_12;
   const T minus_M2_23 = kB2_2 * HA2_13;
   const T minus_M2_33 = minus_Mp3_33 + kB2_3 * HA2_13;
   // H2 = P_b2 (HA2 - kK2 B2^T): HA less what the turn takes up [kg m]
-  const T H2_21 = T(2.1575999999999998e-05) - kK2_2 * Hb3_11;
+  const T H2_21 = HA2_21 - kK2_2 * Hp3_11;
   const T minus_H2_22 = kK2_2 * HA2_12;
-  const T minus_H2_23 = kK2_2 * HA2_13;
-  const T H2_31 = HA2_31 - kK2_3 * Hb3_11;
+  const T H2_23 = Hb3_23 - kK2_2 * HA2_13;
+  const T H2_31 = HA2_31 - kK2_3 * Hp3_11;
   const T H2_32 = Hp3_32 - kK2_3 * HA2_12;
-  const T H2_33 = Hb3_33 - kK2_3 * HA2_13;
+  const T minus_H2_33 = minus_Hp3_33 + kK2_3 * HA2_13;
   // J2 = P_b2 (JA2 - kK2 K2^T) P_b2: JA less what the turn takes up [kg m^2]
-  const T minus_J2_22 = kK2_2 * T(7.94567044e-06);
-  const T J2_23 = T(4.7970076e-07) - kK2_2 * JA2_13;
+  const T minus_J2_22 = minus_JA2_22 + kK2_2 * JA2_12;
+  const T J2_23 = JA2_23 - kK2_2 * JA2_13;
   const T J2_33 = JA2_33 - kK2_3 * JA2_13;
   // gt2 = g2 - v2 B2: force with the turn solved [N]
-  const T gt2_1 = g2_1 - v2 * Hb3_11;
+  const T gt2_1 = g2_1 - v2 * Hp3_11;
   const T gt2_2 = g2_2 - v2 * HA2_12;
   const T gt2_3 = g2_3 - v2 * HA2_13;
   // nt2 = -effort_fr_hip_2 b2 + P_b2 (n2 - v2 K2): moment with the turn solved [N m]
-  const T minus_nt2_2 = minus_n2_2 + v2 * T(7.94567044e-06);
+  const T minus_nt2_2 = minus_n2_2 + v2 * JA2_12;
   const T nt2_3 = n2_3 - v2 * JA2_13;
   // Mp2 = E2^T M2 E2: M passed on, lower body's axes [kg]
   const T minus_Mp2_12 = E2_22 * minus_M2_12 + E2_23 * M2_13;
@@ -4077,14 +4118,14 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T gp2_3 = E2_23 * gt2_2 + E2_22 * gt2_3;
   // Hp2 = E2^T H2 E2: H passed on, lower body's axes [kg m]
   const T Hp2_21 = E2_22 * H2_21 - E2_23 * H2_31;
-  const T b2_4 = E2_22 * (H2_32 - minus_H2_23) - E2_23 * (minus_H2_22 + H2_33);
+  const T b2_4 = E2_23 * (minus_H2_33 - minus_H2_22) + E2_22 * (H2_23 + H2_32);
   const T b2_5 = E2_23 * b2_4;
   const T minus_Hp2_22 = minus_H2_22 + b2_5;
   const T b2_6 = E2_22 * b2_4;
   const T Hp2_23 = b2_6 - H2_32;
   const T Hp2_31 = E2_23 * H2_21 + E2_22 * H2_31;
-  const T Hp2_32 = b2_6 + minus_H2_23;
-  const T Hp2_33 = H2_33 + b2_5;
+  const T Hp2_32 = b2_6 - H2_23;
+  const T Hp2_33 = b2_5 - minus_H2_33;
   // Jp2 = E2^T J2 E2: J passed on, lower body's axes [kg m^2]
   const T b2_7 = b2_1 * J2_23 - E2_23 * (minus_J2_22 + J2_33);
   const T b2_8 = E2_23 * b2_7;
@@ -4098,13 +4139,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T minus_Hb2_11 = T(0.047) * Mp2_13;
   const T minus_Hb2_12 = T(0.047) * Mp2_23;
   const T minus_Hb2_13 = T(0.047) * Mp2_33;
-  const T Hb2_21 = Hp2_21 - T(0.1805) * Mp2_13;
-  const T b2_9 = T(0.1805) * Mp2_23;
-  const T minus_Hb2_22 = b2_9 + minus_Hp2_22;
-  const T Hb2_23 = Hp2_23 - T(0.1805) * Mp2_33;
-  const T Hb2_31 = Hp2_31 + T(0.047) * M2_11 - T(0.1805) * minus_Mp2_12;
-  const T Hb2_32 = Hp2_32 - T(0.047) * minus_Mp2_12 - T(0.1805) * minus_Mp2_22;
-  const T Hb2_33 = b2_9 + minus_Hb2_11 + Hp2_33;
+  const T Hb2_31 = Hp2_31 + T(0.047) * M2_11;
+  const T Hb2_32 = Hp2_32 - T(0.047) * minus_Mp2_12;
+  const T Hb2_33 = minus_Hb2_11 + Hp2_33;
 
   // ---- body 1 (trunk) and what it carries
   // MA1 = m_all_1 one + Mp14 + Mp10 + Mp6 + Mp2: force for an acceleration of the origin, home axes [kg]
@@ -4118,9 +4155,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   const T HA1_11 = Hb6_11 - minus_Hb2_11 - minus_Hb10_11 + Hb14_11;
   const T HA1_12 = c.c1_2 - minus_Hb2_12 + Hb6_12 - minus_Hb10_12 + Hb14_12;
   const T HA1_13 = c.h_all_1_2 - minus_Hb2_13 + Hb6_13 - minus_Hb10_13 + Hb14_13;
-  const T HA1_21 = Hb2_21 - c.c1_2 + Hb6_21 + Hb10_21 + Hb14_21;
-  const T HA1_22 = Hb6_22 - minus_Hb2_22 + Hb10_22 + Hb14_22;
-  const T HA1_23 = Hb2_23 + Hb6_23 + Hb10_23 + Hb14_23;
+  const T HA1_21 = Hp2_21 - c.c1_2 + Hp6_21 + Hp10_21 + Hp14_21;
+  const T HA1_22 = Hp6_22 - minus_Hp2_22 - minus_Hp10_22 - minus_Hp14_22;
+  const T HA1_23 = Hp2_23 + Hp6_23 + Hp10_23 + Hp14_23;
   const T HA1_31 = Hb2_31 - c.h_all_1_2 + Hb6_31 + Hb10_31 + Hb14_31;
   const T HA1_32 = Hb2_32 + Hb6_32 + Hb10_32 + Hb14_32;
   const T HA1_33 = Hb2_33 + Hb6_33 + Hb10_33 + Hb14_33;
@@ -4128,21 +4165,15 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   //   Hb10 q10~ - Hb14 q14~: moment for an angular acceleration, body axes [kg m^2]
   const T JA1_11 = c.J_all_1_11 + minus_Hb2_13 * T(0.047) + Hb6_13 * T(0.047) + minus_Hb10_13 * T(0.047) + Hb14_13 *
       T(0.047);
-  const T JA1_12 = T(0.047) * Hp6_23 - T(3.66e-05) - T(0.047) * Hp2_23 - T(0.047) * Hp10_23 + T(0.047) * Hp14_23 +
-      minus_Hb2_13 * T(0.1805) - Hb6_13 * T(0.1805) - minus_Hb10_13 * T(0.1805) + Hb14_13 * T(0.1805);
+  const T JA1_12 = T(0.047) * Hp6_23 - T(3.66e-05) - T(0.047) * Hp2_23 - T(0.047) * Hp10_23 + T(0.047) * Hp14_23;
   const T JA1_13 = T(0.047) * Hp6_33 - T(6.11e-05) - T(0.047) * Hp2_33 - T(0.047) * Hp10_33 + T(0.047) * Hp14_33 -
-      minus_Hb2_11 * T(0.047) - minus_Hb2_12 * T(0.1805) - Hb6_11 * T(0.047) + Hb6_12 * T(0.1805) - minus_Hb10_11 *
-      T(0.047) + minus_Hb10_12 * T(0.1805) - Hb14_11 * T(0.047) - Hb14_12 * T(0.1805);
-  const T JA1_22 = c.J_all_1_22 + Jp14_22 - minus_Jp10_22 - minus_Jp6_22 - minus_Jp2_22 - T(0.1805) * Hp2_23 -
-      T(0.1805) * Hp6_23 + T(0.1805) * Hp10_23 + T(0.1805) * Hp14_23 - Hb2_23 * T(0.1805) - Hb6_23 * T(0.1805) +
-      Hb10_23 * T(0.1805) + Hb14_23 * T(0.1805);
-  const T JA1_23 = c.J_all_1_23 + Jp14_23 + Jp10_23 + Jp6_23 + Jp2_23 - T(0.1805) * Hp2_33 - T(0.1805) * Hp6_33 +
-      T(0.1805) * Hp10_33 + T(0.1805) * Hp14_33 - minus_Hb2_22 * T(0.1805) + Hb2_21 * T(0.047) - Hb6_21 * T(0.047) +
-      Hb6_22 * T(0.1805) - Hb10_22 * T(0.1805) + Hb10_21 * T(0.047) - Hb14_21 * T(0.047) - Hb14_22 * T(0.1805);
-  const T JA1_33 = c.J_all_1_33 + Jp14_33 + Jp10_33 + Jp6_33 + Jp2_33 + T(0.1805) * Hp2_32 + T(0.047) * Hp2_31 +
-      T(0.1805) * Hp6_32 - T(0.047) * Hp6_31 + T(0.047) * Hp10_31 - T(0.1805) * Hp10_32 - T(0.1805) * Hp14_32 -
-      T(0.047) * Hp14_31 + Hb2_31 * T(0.047) + Hb2_32 * T(0.1805) - Hb6_31 * T(0.047) + Hb6_32 * T(0.1805) - Hb10_32 *
-      T(0.1805) + Hb10_31 * T(0.047) - Hb14_31 * T(0.047) - Hb14_32 * T(0.1805);
+      minus_Hb2_11 * T(0.047) - Hb6_11 * T(0.047) - minus_Hb10_11 * T(0.047) - Hb14_11 * T(0.047);
+  const T JA1_22 = c.J_all_1_22 - minus_Jp14_22 - minus_Jp10_22 - minus_Jp6_22 - minus_Jp2_22;
+  const T JA1_23 = c.J_all_1_23 + Jp14_23 + Jp10_23 + Jp6_23 + Jp2_23 + T(0.047) * Hp2_21 - T(0.047) * Hp6_21 +
+      T(0.047) * Hp10_21 - T(0.047) * Hp14_21;
+  const T JA1_33 = c.J_all_1_33 + Jp14_33 + Jp10_33 + Jp6_33 + Jp2_33 + T(0.047) * Hp2_31 - T(0.047) * Hp6_31 +
+      T(0.047) * Hp10_31 - T(0.047) * Hp14_31 + Hb2_31 * T(0.047) - Hb6_31 * T(0.047) + Hb10_31 * T(0.047) - Hb14_31 *
+      T(0.047);
   // g1 = G1 + gp14 + gp10 + gp6 + gp2: force that drives it, home axes [N]
   const T g1_1 = gt14_1 - minus_G1_1 + gt10_1 + gt6_1 + gt2_1;
   const T g1_2 = gp14_2 + G1_2 + gp10_2 + gp6_2 + gp2_2;
@@ -4151,10 +4182,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   //   [N m]
   const T n1_1 = T(0.047) * gp6_3 - (minus_N1_1 + effort_rl_hip_14 + effort_rr_hip_10 + effort_fl_hip_6 +
       effort_fr_hip_2) - T(0.047) * gp2_3 - T(0.047) * gp10_3 + T(0.047) * gp14_3;
-  const T n1_2 = np10_2 - (minus_N1_2 + minus_np14_2) + np6_2 - minus_np2_2 - T(0.1805) * gp2_3 - T(0.1805) * gp6_3 +
-      T(0.1805) * gp10_3 + T(0.1805) * gp14_3;
-  const T n1_3 = np14_3 - minus_N1_3 + np10_3 + np6_3 + np2_3 + T(0.1805) * gp2_2 + T(0.047) * gt2_1 + T(0.1805) *
-      gp6_2 - T(0.047) * gt6_1 + T(0.047) * gt10_1 - T(0.1805) * gp10_2 - T(0.1805) * gp14_2 - T(0.047) * gt14_1;
+  const T n1_2 = np14_2 - minus_N1_2 + np10_2 + np6_2 - minus_np2_2;
+  const T n1_3 = np14_3 - minus_N1_3 + np10_3 + np6_3 + np2_3 + T(0.047) * gt2_1 - T(0.047) * gt6_1 + T(0.047) *
+      gt10_1 - T(0.047) * gt14_1;
   // LD1 = L D L^T of JA1: L D L^T = JA: L, and 1/D on the diagonal
   const T LD1_11 = T(1) / JA1_11;
   const T LD1_21 = LD1_11 * JA1_12;
@@ -4233,12 +4263,9 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // beta2 = -E2 q2~ omegadot1 + E2 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T z2_1 = T(0.047) * z1_2;
   const T beta2_1 = Pddot1_1 + z2_1;
-  const T z2_2 = T(0.1805) * z1_2;
-  const T z2_3 = T(0.1805) * z1_3;
-  const T z2_4 = T(0.047) * omegadot1_1;
-  const T z2_5 = z2_3 + z2_4;
-  const T beta2_2 = E2_22 * z2_2 - E2_23 * z2_5 + E2_22 * z1_1 + E2_23 * ws1_3;
-  const T beta2_3 = E2_22 * ws1_3 - (E2_23 * z2_2 + E2_22 * z2_5) - E2_23 * z1_1;
+  const T z2_2 = T(0.047) * omegadot1_1;
+  const T beta2_2 = E2_22 * z1_1 + E2_23 * ws1_3 - E2_23 * z2_2;
+  const T beta2_3 = E2_22 * ws1_3 - E2_23 * z1_1 - E2_22 * z2_2;
   // alphaL2 = E2 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL2_2 = E2_22 * z1_3 + E2_23 * z1_2;
   const T alphaL2_3 = E2_22 * z1_2 - E2_23 * z1_3;
@@ -4250,26 +4277,27 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 3 (fr_thigh), solved
   // beta3 = -E3 q3~ alpha2 + E3 beta2: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z3_1 = T(0.0838) * alphaL2_3;
-  const T z3_2 = T(0.0838) * phi2;
-  const T beta3_1 = E3_11 * beta2_1 - minus_E3_13 * beta2_3 + E3_11 * z3_1 + minus_E3_13 * z3_2;
-  const T beta3_3 = minus_E3_13 * z3_1 - E3_11 * z3_2 + minus_E3_13 * beta2_1 + E3_11 * beta2_3;
+  const T z3_1 = T(0.1805) * alphaL2_2;
+  const T beta3_1 = E3_11 * beta2_1 - minus_E3_13 * beta2_3 + minus_E3_13 * z3_1;
+  const T beta3_3 = minus_E3_13 * beta2_1 + E3_11 * beta2_3 - E3_11 * z3_1;
   // alphaL3 = E3 alpha2: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL3_1 = E3_11 * phi2 - minus_E3_13 * alphaL2_3;
   const T alphaL3_3 = minus_E3_13 * phi2 + E3_11 * alphaL2_3;
   // phi3 = -kB3 . beta3 + v3 - (P_b3 kK3) . alphaL3
-  const T phi3 = v3 + minus_kB3_1 * beta3_1 - kB3_3 * beta3_3 - kK3_1 * alphaL3_1 - kK3_3 * alphaL3_3;
+  const T phi3 = v3 + minus_kB3_1 * beta3_1 - kB3_3 * beta3_3 - kK3_3 * alphaL3_3 + minus_kK3_1 * alphaL3_1;
   // thetaddot3 = -b3 . alphaL3 + phi3
   const T thetaddot3 = phi3 - alphaL2_2;
   ydot[4] = thetaddot3;
 
   // ---- body 4 (fr_calf), solved
   // beta4 = -E4 q4~ alpha3 + E4 beta3: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z4_1 = T(0.2) * phi3;
-  const T beta4_1 = E4_11 * beta3_1 - minus_E4_13 * beta3_3 - E4_11 * z4_1;
-  const T beta4_3 = minus_E4_13 * beta3_1 + E4_11 * beta3_3 - minus_E4_13 * z4_1;
+  const T beta4_1 = T(0.2) * phi3 * minus_E4_11 - (minus_E4_11 * beta3_1 + minus_E4_13 * beta3_3);
+  // alphaL4 = E4 alpha3: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T minus_alphaL4_1 = minus_E4_11 * alphaL3_1 + minus_E4_13 * alphaL3_3;
+  const T alphaL4_3 = minus_E4_13 * alphaL3_1 - minus_E4_11 * alphaL3_3;
   // phi4 = -kB4 . beta4 + v4 - (P_b4 kK4) . alphaL4
-  const T phi4 = v4 + T(4.060866563859173) * beta4_1 + T(0.14543683142066613) * beta4_3;
+  const T phi4 = v4 - T(4.063470083734233) * beta4_1 - T(0.34051879301692867) * alphaL4_3 + T(7.101438355558813e-33) *
+      minus_alphaL4_1;
   // thetaddot4 = -b4 . alphaL4 + phi4
   const T thetaddot4 = phi4 - phi3;
   ydot[5] = thetaddot4;
@@ -4277,9 +4305,8 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
   // ---- body 6 (fl_hip), solved
   // beta6 = -E6 q6~ omegadot1 + E6 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
   const T beta6_1 = Pddot1_1 - z2_1;
-  const T z6_1 = z2_3 - z2_4;
-  const T beta6_2 = E6_22 * z2_2 - E6_23 * z6_1 + E6_22 * z1_1 + E6_23 * ws1_3;
-  const T beta6_3 = E6_22 * ws1_3 - (E6_23 * z2_2 + E6_22 * z6_1) - E6_23 * z1_1;
+  const T beta6_2 = E6_22 * z1_1 + E6_23 * ws1_3 + E6_23 * z2_2;
+  const T beta6_3 = E6_22 * ws1_3 - E6_23 * z1_1 + E6_22 * z2_2;
   // alphaL6 = E6 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL6_2 = E6_22 * z1_3 + E6_23 * z1_2;
   const T alphaL6_3 = E6_22 * z1_2 - E6_23 * z1_3;
@@ -4292,74 +4319,76 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 7 (fl_thigh), solved
   // beta7 = -E7 q7~ alpha6 + E7 beta6: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z7_1 = T(0.0838) * alphaL6_3;
-  const T z7_2 = T(0.0838) * phi6;
-  const T beta7_1 = E7_11 * beta6_1 - (E7_11 * z7_1 + minus_E7_13 * z7_2) - minus_E7_13 * beta6_3;
-  const T beta7_3 = E7_11 * z7_2 - minus_E7_13 * z7_1 + minus_E7_13 * beta6_1 + E7_11 * beta6_3;
+  const T z7_1 = T(0.1805) * alphaL6_2;
+  const T beta7_1 = E7_11 * beta6_1 - minus_E7_13 * beta6_3 + minus_E7_13 * z7_1;
+  const T beta7_3 = minus_E7_13 * beta6_1 + E7_11 * beta6_3 - E7_11 * z7_1;
   // alphaL7 = E7 alpha6: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL7_1 = E7_11 * phi6 - minus_E7_13 * alphaL6_3;
   const T alphaL7_3 = minus_E7_13 * phi6 + E7_11 * alphaL6_3;
   // phi7 = -kB7 . beta7 + v7 - (P_b7 kK7) . alphaL7
-  const T phi7 = v7 + minus_kB7_1 * beta7_1 - kB7_3 * beta7_3 + minus_kK7_1 * alphaL7_1 + minus_kK7_3 * alphaL7_3;
+  const T phi7 = v7 + minus_kB7_1 * beta7_1 - kB7_3 * beta7_3 - kK7_1 * alphaL7_1 - kK7_3 * alphaL7_3;
   // thetaddot7 = -b7 . alphaL7 + phi7
   const T thetaddot7 = phi7 - alphaL6_2;
   ydot[7] = thetaddot7;
 
   // ---- body 8 (fl_calf), solved
   // beta8 = -E8 q8~ alpha7 + E8 beta7: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z8_1 = T(0.2) * phi7;
-  const T beta8_1 = E8_11 * beta7_1 - minus_E8_13 * beta7_3 - E8_11 * z8_1;
-  const T beta8_3 = minus_E8_13 * beta7_1 + E8_11 * beta7_3 - minus_E8_13 * z8_1;
+  const T beta8_1 = T(0.2) * phi7 * minus_E8_11 - (minus_E8_11 * beta7_1 + minus_E8_13 * beta7_3);
+  // alphaL8 = E8 alpha7: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T minus_alphaL8_1 = minus_E8_11 * alphaL7_1 + minus_E8_13 * alphaL7_3;
+  const T alphaL8_3 = minus_E8_13 * alphaL7_1 - minus_E8_11 * alphaL7_3;
   // phi8 = -kB8 . beta8 + v8 - (P_b8 kK8) . alphaL8
-  const T phi8 = v8 + T(4.060866563859173) * beta8_1 + T(0.14543683142066613) * beta8_3;
+  const T phi8 = v8 - T(4.063470083734233) * beta8_1 - T(7.101438355558813e-33) * minus_alphaL8_1 +
+      T(0.34051879301692867) * alphaL8_3;
   // thetaddot8 = -b8 . alphaL8 + phi8
   const T thetaddot8 = phi8 - phi7;
   ydot[8] = thetaddot8;
 
   // ---- body 10 (rr_hip), solved
   // beta10 = -E10 q10~ omegadot1 + E10 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T beta10_2 = E10_23 * z6_1 - E10_22 * z2_2 + E10_22 * z1_1 + E10_23 * ws1_3;
-  const T beta10_3 = E10_22 * ws1_3 - E10_23 * z1_1 + E10_22 * z6_1 + E10_23 * z2_2;
+  const T beta10_2 = E10_22 * z1_1 + E10_23 * ws1_3 - E10_23 * z2_2;
+  const T beta10_3 = E10_22 * ws1_3 - E10_23 * z1_1 - E10_22 * z2_2;
   // alphaL10 = E10 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL10_2 = E10_22 * z1_3 + E10_23 * z1_2;
   const T alphaL10_3 = E10_22 * z1_2 - E10_23 * z1_3;
   // phi10 = -kB10 . beta10 + v10 - (P_b10 kK10) . alphaL10
-  const T phi10 = v10 - kB10_1 * beta2_1 - kB10_2 * beta10_2 - kB10_3 * beta10_3 - kK10_3 * alphaL10_3 + minus_kK10_2
-      * alphaL10_2;
+  const T phi10 = v10 - kB10_1 * beta2_1 - kB10_2 * beta10_2 - kB10_3 * beta10_3 - kK10_2 * alphaL10_2 - kK10_3 *
+      alphaL10_3;
   // thetaddot10 = -b10 . alphaL10 + phi10
   const T thetaddot10 = phi10 - omegadot1_1;
   ydot[9] = thetaddot10;
 
   // ---- body 11 (rr_thigh), solved
   // beta11 = -E11 q11~ alpha10 + E11 beta10: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z11_1 = T(0.0838) * alphaL10_3;
-  const T z11_2 = T(0.0838) * phi10;
-  const T beta11_1 = E11_11 * beta2_1 - minus_E11_13 * beta10_3 + E11_11 * z11_1 + minus_E11_13 * z11_2;
-  const T beta11_3 = minus_E11_13 * z11_1 - E11_11 * z11_2 + minus_E11_13 * beta2_1 + E11_11 * beta10_3;
+  const T z11_1 = T(0.1805) * alphaL10_2;
+  const T beta11_1 = E11_11 * beta2_1 - minus_E11_13 * beta10_3 - minus_E11_13 * z11_1;
+  const T beta11_3 = minus_E11_13 * beta2_1 + E11_11 * beta10_3 + E11_11 * z11_1;
   // alphaL11 = E11 alpha10: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL11_1 = E11_11 * phi10 - minus_E11_13 * alphaL10_3;
   const T alphaL11_3 = minus_E11_13 * phi10 + E11_11 * alphaL10_3;
   // phi11 = -kB11 . beta11 + v11 - (P_b11 kK11) . alphaL11
-  const T phi11 = v11 + minus_kB11_1 * beta11_1 - kB11_3 * beta11_3 - kK11_1 * alphaL11_1 - kK11_3 * alphaL11_3;
+  const T phi11 = v11 + minus_kB11_1 * beta11_1 - kB11_3 * beta11_3 - kK11_3 * alphaL11_3 + minus_kK11_1 * alphaL11_1;
   // thetaddot11 = -b11 . alphaL11 + phi11
   const T thetaddot11 = phi11 - alphaL10_2;
   ydot[10] = thetaddot11;
 
   // ---- body 12 (rr_calf), solved
   // beta12 = -E12 q12~ alpha11 + E12 beta11: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z12_1 = T(0.2) * phi11;
-  const T beta12_1 = E12_11 * beta11_1 - minus_E12_13 * beta11_3 - E12_11 * z12_1;
-  const T beta12_3 = minus_E12_13 * beta11_1 + E12_11 * beta11_3 - minus_E12_13 * z12_1;
+  const T beta12_1 = T(0.2) * phi11 * minus_E12_11 - (minus_E12_11 * beta11_1 + minus_E12_13 * beta11_3);
+  // alphaL12 = E12 alpha11: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T minus_alphaL12_1 = minus_E12_11 * alphaL11_1 + minus_E12_13 * alphaL11_3;
+  const T alphaL12_3 = minus_E12_13 * alphaL11_1 - minus_E12_11 * alphaL11_3;
   // phi12 = -kB12 . beta12 + v12 - (P_b12 kK12) . alphaL12
-  const T phi12 = v12 + T(4.060866563859173) * beta12_1 + T(0.14543683142066613) * beta12_3;
+  const T phi12 = v12 - T(4.063470083734233) * beta12_1 - T(0.34051879301692867) * alphaL12_3 +
+      T(7.101438355558813e-33) * minus_alphaL12_1;
   // thetaddot12 = -b12 . alphaL12 + phi12
   const T thetaddot12 = phi12 - phi11;
   ydot[11] = thetaddot12;
 
   // ---- body 14 (rl_hip), solved
   // beta14 = -E14 q14~ omegadot1 + E14 Pddot1: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T beta14_2 = E14_23 * z2_5 - E14_22 * z2_2 + E14_22 * z1_1 + E14_23 * ws1_3;
-  const T beta14_3 = E14_22 * ws1_3 - E14_23 * z1_1 + E14_23 * z2_2 + E14_22 * z2_5;
+  const T beta14_2 = E14_22 * z1_1 + E14_23 * ws1_3 + E14_23 * z2_2;
+  const T beta14_3 = E14_22 * ws1_3 - E14_23 * z1_1 + E14_22 * z2_2;
   // alphaL14 = E14 omegadot1: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL14_2 = E14_22 * z1_3 + E14_23 * z1_2;
   const T alphaL14_3 = E14_22 * z1_2 - E14_23 * z1_3;
@@ -4372,27 +4401,27 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
   // ---- body 15 (rl_thigh), solved
   // beta15 = -E15 q15~ alpha14 + E15 beta14: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z15_1 = T(0.0838) * alphaL14_3;
-  const T z15_2 = T(0.0838) * phi14;
-  const T beta15_1 = E15_11 * beta6_1 - (E15_11 * z15_1 + minus_E15_13 * z15_2) - minus_E15_13 * beta14_3;
-  const T beta15_3 = E15_11 * z15_2 - minus_E15_13 * z15_1 + minus_E15_13 * beta6_1 + E15_11 * beta14_3;
+  const T z15_1 = T(0.1805) * alphaL14_2;
+  const T beta15_1 = E15_11 * beta6_1 - minus_E15_13 * beta14_3 - minus_E15_13 * z15_1;
+  const T beta15_3 = minus_E15_13 * beta6_1 + E15_11 * beta14_3 + E15_11 * z15_1;
   // alphaL15 = E15 alpha14: angular acceleration of the lower body beyond that at ydot = 0, body axes
   const T alphaL15_1 = E15_11 * phi14 - minus_E15_13 * alphaL14_3;
   const T alphaL15_3 = minus_E15_13 * phi14 + E15_11 * alphaL14_3;
   // phi15 = -kB15 . beta15 + v15 - (P_b15 kK15) . alphaL15
-  const T phi15 = v15 + minus_kB15_1 * beta15_1 - kB15_3 * beta15_3 + minus_kK15_1 * alphaL15_1 + minus_kK15_3 *
-      alphaL15_3;
+  const T phi15 = v15 + minus_kB15_1 * beta15_1 - kB15_3 * beta15_3 - kK15_1 * alphaL15_1 - kK15_3 * alphaL15_3;
   // thetaddot15 = -b15 . alphaL15 + phi15
   const T thetaddot15 = phi15 - alphaL14_2;
   ydot[13] = thetaddot15;
 
   // ---- body 16 (rl_calf), solved
   // beta16 = -E16 q16~ alpha15 + E16 beta15: acceleration of the origin beyond that at ydot = 0 [m/s^2]
-  const T z16_1 = T(0.2) * phi15;
-  const T beta16_1 = E16_11 * beta15_1 - minus_E16_13 * beta15_3 - E16_11 * z16_1;
-  const T beta16_3 = minus_E16_13 * beta15_1 + E16_11 * beta15_3 - minus_E16_13 * z16_1;
+  const T beta16_1 = T(0.2) * phi15 * minus_E16_11 - (minus_E16_11 * beta15_1 + minus_E16_13 * beta15_3);
+  // alphaL16 = E16 alpha15: angular acceleration of the lower body beyond that at ydot = 0, body axes
+  const T minus_alphaL16_1 = minus_E16_11 * alphaL15_1 + minus_E16_13 * alphaL15_3;
+  const T alphaL16_3 = minus_E16_13 * alphaL15_1 - minus_E16_11 * alphaL15_3;
   // phi16 = -kB16 . beta16 + v16 - (P_b16 kK16) . alphaL16
-  const T phi16 = v16 + T(4.060866563859173) * beta16_1 + T(0.14543683142066613) * beta16_3;
+  const T phi16 = v16 - T(4.063470083734233) * beta16_1 - T(7.101438355558813e-33) * minus_alphaL16_1 +
+      T(0.34051879301692867) * alphaL16_3;
   // thetaddot16 = -b16 . alphaL16 + phi16
   const T thetaddot16 = phi16 - phi15;
   ydot[14] = thetaddot16;
@@ -4400,7 +4429,7 @@ void accelerations(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>
 
 // residual: r = A ydot - f.
 // r (ny) [N m], [N]
-// 868 add, 950 multiply, 24 sine or cosine
+// 860 add, 946 multiply, 24 sine or cosine
 template <class T>
 void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const Inputs<T>& u, T* r) noexcept {
   T cosines[16], sines[16];  // of angles, at their places in x
@@ -4462,11 +4491,11 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T G1_3 = c.m_all_1 * Pddot1_3 + U1_32 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = h_all_1~ Pddot1 + axial(U1 (tr(J_all_1)/2 - J_all_1)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_7 * U1_32 - c.c1_8 * U1_23 - c.J_all_1_23 *
+  const T N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_8 * U1_32 - c.c1_9 * U1_23 - c.J_all_1_23 *
       (minus_U1_22 - minus_U1_33) + T(3.66e-05) * U1_31 - T(6.11e-05) * U1_21;
-  const T N1_2 = c.c1_8 * U1_13 - c.c1_6 * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) - c.J_all_1_23 * U1_12 -
+  const T N1_2 = c.c1_9 * U1_13 - c.c1_7 * U1_31 + T(6.11e-05) * (minus_U1_33 - minus_U1_11) - c.J_all_1_23 * U1_12 -
       T(3.66e-05) * U1_32 - c.c1_2 * Pddot1_1;
-  const T N1_3 = c.c1_6 * U1_21 - c.c1_7 * U1_12 + T(3.66e-05) * (minus_U1_11 - minus_U1_22) + T(6.11e-05) * U1_23 +
+  const T N1_3 = c.c1_7 * U1_21 - c.c1_8 * U1_12 + T(3.66e-05) * (minus_U1_11 - minus_U1_22) + T(6.11e-05) * U1_23 +
       c.J_all_1_23 * U1_13 - c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
@@ -4531,12 +4560,12 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_G2_3 = U2_32 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
   // N2 = h_own_2~ Pddot2 + axial(U2 (tr(J_own_2)/2 - J_own_2)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N2_1 = T(0.006950052716624) * U2_32 - (T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) * Pddot2_3) -
-      T(0.000361904168856) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) - T(7.94567044e-06) * U2_31 -
+  const T N2_1 = T(0.006961261717685661) * U2_32 - (T(2.1575999999999998e-05) * Pddot2_2 + T(0.081652909) * Pddot2_3)
+      - T(0.000361904168856) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) - T(7.94567044e-06) * U2_31 -
       T(2.70561864e-07) * U2_21;
   const T N2_2 = T(2.1575999999999998e-05) * Pddot2_1 + T(0.000361904168856) * U2_13 + T(0.000361904168856) * U2_31 +
       T(2.70561864e-07) * (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_32;
-  const T N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006950052716624) * U2_12 -
+  const T N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006961261717685661) * U2_12 -
       T(7.94567044e-06) * (minus_U2_11 - minus_U2_22) + T(2.70561864e-07) * U2_23 + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
@@ -4609,65 +4638,65 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta4 = x[6];
   const T thetadot4 = y[5];
   const T thetaddot4 = ydot[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cosines[6];
-  const T minus_E4_13 = sines[6];
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
+  const T minus_E4_11 = T(0.9993592865650762) * t4_1 + T(0.035791288830411085) * t4_2;
+  const T minus_E4_13 = T(0.035791288830411085) * t4_1 - T(0.9993592865650762) * t4_2;
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
-  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
-  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
-  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
-  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
-  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  const T minus_R4_11 = R3_11 * minus_E4_11 + R3_31 * minus_E4_13;
+  const T minus_R4_12 = R3_12 * minus_E4_11 + R3_32 * minus_E4_13;
+  const T minus_R4_13 = R3_13 * minus_E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 - R3_31 * minus_E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 - R3_32 * minus_E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 - R3_33 * minus_E4_11;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T minus_omega4_1 = minus_E4_11 * omega3_1 + minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
-  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  const T omega4_3 = minus_E4_13 * omega3_1 - minus_E4_11 * omega3_3;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + thetaddot4 b4 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
-  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
+  const T minus_omegadot4_1 = thetadot4 * omega4_3 + minus_E4_11 * omegadot3_1 + minus_E4_13 * omegadot3_3;
   const T omegadot4_2 = thetaddot4 + omegadot3_2;
-  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  const T omegadot4_3 = minus_E4_13 * omegadot3_1 - minus_E4_11 * omegadot3_3 - thetadot4 * minus_omega4_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_1;
-  const T U4_12 = t4_2 - omegadot4_3;
-  const T t4_3 = omega4_3 * omega4_1;
-  const T U4_13 = t4_3 + omegadot4_2;
-  const T U4_21 = t4_2 + omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_2;
-  const T U4_23 = t4_4 - omegadot4_1;
-  const T U4_31 = t4_3 - omegadot4_2;
-  const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  const T t4_3 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_3;
+  const T t4_4 = omega4_2 * minus_omega4_1;
+  const T minus_U4_12 = t4_4 + omegadot4_3;
+  const T t4_5 = omega4_3 * minus_omega4_1;
+  const T U4_13 = omegadot4_2 - t4_5;
+  const T U4_21 = omegadot4_3 - t4_4;
+  const T t4_6 = omega4_3 * omega4_2;
+  const T U4_23 = t4_6 + minus_omegadot4_1;
+  const T minus_U4_31 = t4_5 + omegadot4_2;
+  const T U4_32 = t4_6 - minus_omegadot4_1;
+  const T minus_U4_33 = t4_3 + minus_omega4_1 * minus_omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
-  const T t4_6 = Pddot3_3 + minus_U3_33 * T(0.2);
-  const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
+  const T minus_Pddot4_1 = minus_E4_11 * (Pddot3_1 - U3_13 * T(0.2)) + minus_E4_13 * (Pddot3_3 + minus_U3_33 *
+      T(0.2));
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
-  const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
   // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // G4 = -R4 F_ground_on_fr_ + U4 h_own_4: inertia less applied force, body axes [N]
-  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T minus_G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
+  const T t4_7 = minus_R4_11 * u.ground_fr_x + minus_R4_12 * u.ground_fr_y + minus_R4_13 * u.ground_fr_z;
+  const T G4_1 = t4_7 + U4_13 * T(0.029845530432320418);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = U4_21 * T(0.00106821) - t4_8 - U4_23 * T(0.029826408000000002);
-  const T G4_3 = U4_31 * T(0.00106821) - (R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z) +
-      minus_U4_33 * T(0.029826408000000002);
-  // N4 = -o5~ R4 F_ground_on_fr_ + h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment
+  const T G4_2 = U4_23 * T(0.029845530432320418) - t4_8;
+  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T minus_G4_3 = t4_9 + minus_U4_33 * T(0.029845530432320418);
+  // N4 = -o4~ R4 F_ground_on_fr_ + h_own_4~ Pddot4 + axial(U4 (tr(J_own_4)/2 - J_own_4)): inertia less applied moment
   //   about the body origin, body axes [N m]
-  const T N4_1 = T(0.029826408000000002) * Pddot4_2 - T(0.2) * t4_8 - T(3.591193135000005e-05) * U4_32 -
-      T(0.007308926302304) * U4_23 - T(2.6450064520000005e-05) * U4_21;
-  const T N4_2 = T(0.2) * t4_7 - (T(0.029826408000000002) * Pddot4_1 + T(0.00106821) * Pddot4_3) +
-      T(0.007308926302304) * U4_13 - T(3.591193135000005e-05) * U4_31 + T(2.6450064520000005e-05) * (minus_U4_33 -
-      minus_U4_11);
-  const T N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12 +
-      T(2.6450064520000005e-05) * U4_23;
+  const T N4_1 = T(0.19987185731301527) * t4_8 - T(0.029845530432320418) * Pddot4_2 - T(4.712093241166159e-05) * U4_32
+      - T(0.007297717301242339) * U4_23 - T(0.0002865260721362275) * U4_21;
+  const T N4_2 = T(0.19987185731301527) * t4_7 + T(0.007158257766082217) * t4_9 - T(0.029845530432320418) *
+      minus_Pddot4_1 + T(0.007297717301242339) * U4_13 + T(4.712093241166159e-05) * minus_U4_31 +
+      T(0.0002865260721362275) * (minus_U4_33 - minus_U4_11);
+  const T N4_3 = T(4.712093241166159e-05) * U4_21 - T(4.712093241166159e-05) * minus_U4_12 + T(0.0002865260721362275)
+      * U4_23 - T(0.007158257766082217) * t4_8;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -4725,13 +4754,13 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T G6_3 = U6_32 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
   // N6 = h_own_6~ Pddot6 + axial(U6 (tr(J_own_6)/2 - J_own_6)): inertia less applied moment about the body origin,
   //   body axes [N m]
-  const T N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006950052716624) * U6_32 -
+  const T N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006961261717685661) * U6_32 -
       T(0.000361904168856) * U6_23 + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 -
       T(2.70561864e-07) * U6_21;
   const T N6_2 = T(2.1575999999999998e-05) * Pddot6_1 + T(0.000361904168856) * U6_13 + T(0.000361904168856) * U6_31 +
       T(2.70561864e-07) * (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_32;
   const T N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
-      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
+      T(0.006961261717685661) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
       Pddot6_1;
 
   // ---- body 7 (fl_thigh) on body 6
@@ -4804,65 +4833,65 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta8 = x[9];
   const T thetadot8 = y[8];
   const T thetaddot8 = ydot[8];
-  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cosines[9];
-  const T minus_E8_13 = sines[9];
+  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T t8_1 = cosines[9];
+  const T t8_2 = sines[9];
+  const T minus_E8_11 = T(0.9993592865650762) * t8_1 + T(0.035791288830411085) * t8_2;
+  const T minus_E8_13 = T(0.035791288830411085) * t8_1 - T(0.9993592865650762) * t8_2;
   // R8^T = R7^T E8^T: R takes inertial components to body components
-  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
-  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
-  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
-  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
-  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
-  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  const T minus_R8_11 = R7_11 * minus_E8_11 + R7_31 * minus_E8_13;
+  const T minus_R8_12 = R7_12 * minus_E8_11 + R7_32 * minus_E8_13;
+  const T minus_R8_13 = R7_13 * minus_E8_11 + R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 - R7_31 * minus_E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 - R7_32 * minus_E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 - R7_33 * minus_E8_11;
   // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T minus_omega8_1 = minus_E8_11 * omega7_1 + minus_E8_13 * omega7_3;
   const T omega8_2 = thetadot8 + omega7_2;
-  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  const T omega8_3 = minus_E8_13 * omega7_1 - minus_E8_11 * omega7_3;
   // omegadot8 = -thetadot8 b8~ E8 omega7 + thetaddot8 b8 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
-  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
+  const T minus_omegadot8_1 = thetadot8 * omega8_3 + minus_E8_11 * omegadot7_1 + minus_E8_13 * omegadot7_3;
   const T omegadot8_2 = thetaddot8 + omegadot7_2;
-  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  const T omegadot8_3 = minus_E8_13 * omegadot7_1 - minus_E8_11 * omegadot7_3 - thetadot8 * minus_omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
-  const T t8_2 = omega8_2 * omega8_1;
-  const T U8_12 = t8_2 - omegadot8_3;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 + omegadot8_2;
-  const T U8_21 = t8_2 + omegadot8_3;
-  const T t8_4 = omega8_3 * omega8_2;
-  const T U8_23 = t8_4 - omegadot8_1;
-  const T U8_31 = t8_3 - omegadot8_2;
-  const T U8_32 = t8_4 + omegadot8_1;
-  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  const T t8_3 = omega8_2 * omega8_2;
+  const T minus_U8_11 = omega8_3 * omega8_3 + t8_3;
+  const T t8_4 = omega8_2 * minus_omega8_1;
+  const T minus_U8_12 = t8_4 + omegadot8_3;
+  const T t8_5 = omega8_3 * minus_omega8_1;
+  const T U8_13 = omegadot8_2 - t8_5;
+  const T U8_21 = omegadot8_3 - t8_4;
+  const T t8_6 = omega8_3 * omega8_2;
+  const T U8_23 = t8_6 + minus_omegadot8_1;
+  const T minus_U8_31 = t8_5 + omegadot8_2;
+  const T U8_32 = t8_6 - minus_omegadot8_1;
+  const T minus_U8_33 = t8_3 + minus_omega8_1 * minus_omega8_1;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
-  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T minus_Pddot8_1 = minus_E8_11 * (Pddot7_1 - U7_13 * T(0.2)) + minus_E8_13 * (Pddot7_3 + minus_U7_33 *
+      T(0.2));
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
-  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // G8 = -R8 F_ground_on_fl_ + U8 h_own_8: inertia less applied force, body axes [N]
-  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T minus_G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
+  const T t8_7 = minus_R8_11 * u.ground_fl_x + minus_R8_12 * u.ground_fl_y + minus_R8_13 * u.ground_fl_z;
+  const T G8_1 = t8_7 + U8_13 * T(0.029845530432320418);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = U8_21 * T(0.00106821) - t8_8 - U8_23 * T(0.029826408000000002);
-  const T G8_3 = U8_31 * T(0.00106821) - (R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z) +
-      minus_U8_33 * T(0.029826408000000002);
-  // N8 = -o9~ R8 F_ground_on_fl_ + h_own_8~ Pddot8 + axial(U8 (tr(J_own_8)/2 - J_own_8)): inertia less applied moment
+  const T G8_2 = U8_23 * T(0.029845530432320418) - t8_8;
+  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T minus_G8_3 = t8_9 + minus_U8_33 * T(0.029845530432320418);
+  // N8 = -o8~ R8 F_ground_on_fl_ + h_own_8~ Pddot8 + axial(U8 (tr(J_own_8)/2 - J_own_8)): inertia less applied moment
   //   about the body origin, body axes [N m]
-  const T N8_1 = T(0.029826408000000002) * Pddot8_2 - T(0.2) * t8_8 - T(3.591193135000005e-05) * U8_32 -
-      T(0.007308926302304) * U8_23 - T(2.6450064520000005e-05) * U8_21;
-  const T N8_2 = T(0.2) * t8_7 - (T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3) +
-      T(0.007308926302304) * U8_13 - T(3.591193135000005e-05) * U8_31 + T(2.6450064520000005e-05) * (minus_U8_33 -
-      minus_U8_11);
-  const T N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12 +
-      T(2.6450064520000005e-05) * U8_23;
+  const T N8_1 = T(0.19987185731301527) * t8_8 - T(0.029845530432320418) * Pddot8_2 - T(4.712093241166159e-05) * U8_32
+      - T(0.007297717301242339) * U8_23 - T(0.0002865260721362275) * U8_21;
+  const T N8_2 = T(0.19987185731301527) * t8_7 + T(0.007158257766082217) * t8_9 - T(0.029845530432320418) *
+      minus_Pddot8_1 + T(0.007297717301242339) * U8_13 + T(4.712093241166159e-05) * minus_U8_31 +
+      T(0.0002865260721362275) * (minus_U8_33 - minus_U8_11);
+  const T N8_3 = T(4.712093241166159e-05) * U8_21 - T(4.712093241166159e-05) * minus_U8_12 + T(0.0002865260721362275)
+      * U8_23 - T(0.007158257766082217) * t8_8;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -4918,13 +4947,13 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T minus_G10_3 = U10_32 * T(0.081652909) + minus_U10_33 * T(2.1575999999999998e-05);
   // N10 = h_own_10~ Pddot10 + axial(U10 (tr(J_own_10)/2 - J_own_10)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N10_1 = T(0.006950052716624) * U10_32 - (T(2.1575999999999998e-05) * Pddot10_2 + T(0.081652909) * Pddot10_3)
-      - T(0.000361904168856) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) + T(7.94567044e-06) * U10_31
-      + T(2.70561864e-07) * U10_21;
+  const T N10_1 = T(0.006961261717685661) * U10_32 - (T(2.1575999999999998e-05) * Pddot10_2 + T(0.081652909) *
+      Pddot10_3) - T(0.000361904168856) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) +
+      T(7.94567044e-06) * U10_31 + T(2.70561864e-07) * U10_21;
   const T N10_2 = T(2.1575999999999998e-05) * Pddot10_1 + T(0.000361904168856) * U10_13 + T(0.000361904168856) *
       U10_31 - T(2.70561864e-07) * (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) *
       U10_32;
-  const T N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 +
+  const T N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006961261717685661) * U10_12 +
       T(7.94567044e-06) * (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
@@ -4998,66 +5027,66 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta12 = x[12];
   const T thetadot12 = y[11];
   const T thetaddot12 = ydot[11];
-  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cosines[12];
-  const T minus_E12_13 = sines[12];
+  // E12^T = Z12^T Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T t12_1 = cosines[12];
+  const T t12_2 = sines[12];
+  const T minus_E12_11 = T(0.9993592865650762) * t12_1 + T(0.035791288830411085) * t12_2;
+  const T minus_E12_13 = T(0.035791288830411085) * t12_1 - T(0.9993592865650762) * t12_2;
   // R12^T = R11^T E12^T: R takes inertial components to body components
-  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
-  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
-  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
-  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
-  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
-  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  const T minus_R12_11 = R11_11 * minus_E12_11 + R11_31 * minus_E12_13;
+  const T minus_R12_12 = R11_12 * minus_E12_11 + R11_32 * minus_E12_13;
+  const T minus_R12_13 = R11_13 * minus_E12_11 + R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 - R11_31 * minus_E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 - R11_32 * minus_E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 - R11_33 * minus_E12_11;
   // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
-  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T minus_omega12_1 = minus_E12_11 * omega11_1 + minus_E12_13 * omega11_3;
   const T omega12_2 = thetadot12 + omega11_2;
-  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  const T omega12_3 = minus_E12_13 * omega11_1 - minus_E12_11 * omega11_3;
   // omegadot12 = -thetadot12 b12~ E12 omega11 + thetaddot12 b12 + E12 omegadot11: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
+  const T minus_omegadot12_1 = thetadot12 * omega12_3 + minus_E12_11 * omegadot11_1 + minus_E12_13 * omegadot11_3;
   const T omegadot12_2 = thetaddot12 + omegadot11_2;
-  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  const T omegadot12_3 = minus_E12_13 * omegadot11_1 - minus_E12_11 * omegadot11_3 - thetadot12 * minus_omega12_1;
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
-  const T t12_2 = omega12_2 * omega12_1;
-  const T U12_12 = t12_2 - omegadot12_3;
-  const T t12_3 = omega12_3 * omega12_1;
-  const T U12_13 = t12_3 + omegadot12_2;
-  const T U12_21 = t12_2 + omegadot12_3;
-  const T t12_4 = omega12_3 * omega12_2;
-  const T U12_23 = t12_4 - omegadot12_1;
-  const T U12_31 = t12_3 - omegadot12_2;
-  const T U12_32 = t12_4 + omegadot12_1;
-  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  const T t12_3 = omega12_2 * omega12_2;
+  const T minus_U12_11 = omega12_3 * omega12_3 + t12_3;
+  const T t12_4 = omega12_2 * minus_omega12_1;
+  const T minus_U12_12 = t12_4 + omegadot12_3;
+  const T t12_5 = omega12_3 * minus_omega12_1;
+  const T U12_13 = omegadot12_2 - t12_5;
+  const T U12_21 = omegadot12_3 - t12_4;
+  const T t12_6 = omega12_3 * omega12_2;
+  const T U12_23 = t12_6 + minus_omegadot12_1;
+  const T minus_U12_31 = t12_5 + omegadot12_2;
+  const T U12_32 = t12_6 - minus_omegadot12_1;
+  const T minus_U12_33 = t12_3 + minus_omega12_1 * minus_omega12_1;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
-  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T minus_Pddot12_1 = minus_E12_11 * (Pddot11_1 - U11_13 * T(0.2)) + minus_E12_13 * (Pddot11_3 + minus_U11_33 *
+      T(0.2));
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
-  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // G12 = -R12 F_ground_on_rr_ + U12 h_own_12: inertia less applied force, body axes [N]
-  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T minus_G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
+  const T t12_7 = minus_R12_11 * u.ground_rr_x + minus_R12_12 * u.ground_rr_y + minus_R12_13 * u.ground_rr_z;
+  const T G12_1 = t12_7 + U12_13 * T(0.029845530432320418);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = U12_21 * T(0.00106821) - t12_8 - U12_23 * T(0.029826408000000002);
-  const T G12_3 = U12_31 * T(0.00106821) - (R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z)
-      + minus_U12_33 * T(0.029826408000000002);
-  // N12 = -o13~ R12 F_ground_on_rr_ + h_own_12~ Pddot12 + axial(U12 (tr(J_own_12)/2 - J_own_12)): inertia less
+  const T G12_2 = U12_23 * T(0.029845530432320418) - t12_8;
+  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T minus_G12_3 = t12_9 + minus_U12_33 * T(0.029845530432320418);
+  // N12 = -o12~ R12 F_ground_on_rr_ + h_own_12~ Pddot12 + axial(U12 (tr(J_own_12)/2 - J_own_12)): inertia less
   //   applied moment about the body origin, body axes [N m]
-  const T N12_1 = T(0.029826408000000002) * Pddot12_2 - T(0.2) * t12_8 - T(3.591193135000005e-05) * U12_32 -
-      T(0.007308926302304) * U12_23 - T(2.6450064520000005e-05) * U12_21;
-  const T N12_2 = T(0.2) * t12_7 - (T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3) +
-      T(0.007308926302304) * U12_13 - T(3.591193135000005e-05) * U12_31 + T(2.6450064520000005e-05) * (minus_U12_33 -
-      minus_U12_11);
-  const T N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) * U12_12 +
-      T(2.6450064520000005e-05) * U12_23;
+  const T N12_1 = T(0.19987185731301527) * t12_8 - T(0.029845530432320418) * Pddot12_2 - T(4.712093241166159e-05) *
+      U12_32 - T(0.007297717301242339) * U12_23 - T(0.0002865260721362275) * U12_21;
+  const T N12_2 = T(0.19987185731301527) * t12_7 + T(0.007158257766082217) * t12_9 - T(0.029845530432320418) *
+      minus_Pddot12_1 + T(0.007297717301242339) * U12_13 + T(4.712093241166159e-05) * minus_U12_31 +
+      T(0.0002865260721362275) * (minus_U12_33 - minus_U12_11);
+  const T N12_3 = T(4.712093241166159e-05) * U12_21 - T(4.712093241166159e-05) * minus_U12_12 +
+      T(0.0002865260721362275) * U12_23 - T(0.007158257766082217) * t12_8;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -5113,14 +5142,14 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T G14_3 = U14_32 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
   // N14 = h_own_14~ Pddot14 + axial(U14 (tr(J_own_14)/2 - J_own_14)): inertia less applied moment about the body
   //   origin, body axes [N m]
-  const T N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006950052716624) * U14_32 -
-      T(0.000361904168856) * U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 +
-      T(2.70561864e-07) * U14_21;
+  const T N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006961261717685661) *
+      U14_32 - T(0.000361904168856) * U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) *
+      U14_31 + T(2.70561864e-07) * U14_21;
   const T N14_2 = T(2.1575999999999998e-05) * Pddot14_1 + T(0.000361904168856) * U14_13 + T(0.000361904168856) *
       U14_31 - T(2.70561864e-07) * (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) *
       U14_32;
-  const T minus_N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 +
-      T(7.94567044e-06) * (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
+  const T minus_N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006961261717685661) * U14_12
+      + T(7.94567044e-06) * (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
   const T theta15 = x[14];
@@ -5193,66 +5222,66 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
   const T theta16 = x[15];
   const T thetadot16 = y[14];
   const T thetaddot16 = ydot[14];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cosines[15];
-  const T minus_E16_13 = sines[15];
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cosines[15];
+  const T t16_2 = sines[15];
+  const T minus_E16_11 = T(0.9993592865650762) * t16_1 + T(0.035791288830411085) * t16_2;
+  const T minus_E16_13 = T(0.035791288830411085) * t16_1 - T(0.9993592865650762) * t16_2;
   // R16^T = R15^T E16^T: R takes inertial components to body components
-  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
-  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
-  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
-  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
-  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
-  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  const T minus_R16_11 = R15_11 * minus_E16_11 + R15_31 * minus_E16_13;
+  const T minus_R16_12 = R15_12 * minus_E16_11 + R15_32 * minus_E16_13;
+  const T minus_R16_13 = R15_13 * minus_E16_11 + R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 - R15_31 * minus_E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 - R15_32 * minus_E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 - R15_33 * minus_E16_11;
   // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
-  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T minus_omega16_1 = minus_E16_11 * omega15_1 + minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
-  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  const T omega16_3 = minus_E16_13 * omega15_1 - minus_E16_11 * omega15_3;
   // omegadot16 = -thetadot16 b16~ E16 omega15 + thetaddot16 b16 + E16 omegadot15: angular acceleration, body axes
   //   [rad/s^2]
-  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
+  const T minus_omegadot16_1 = thetadot16 * omega16_3 + minus_E16_11 * omegadot15_1 + minus_E16_13 * omegadot15_3;
   const T omegadot16_2 = thetaddot16 + omegadot15_2;
-  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  const T omegadot16_3 = minus_E16_13 * omegadot15_1 - minus_E16_11 * omegadot15_3 - thetadot16 * minus_omega16_1;
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
-  const T t16_2 = omega16_2 * omega16_1;
-  const T U16_12 = t16_2 - omegadot16_3;
-  const T t16_3 = omega16_3 * omega16_1;
-  const T U16_13 = t16_3 + omegadot16_2;
-  const T U16_21 = t16_2 + omegadot16_3;
-  const T t16_4 = omega16_3 * omega16_2;
-  const T U16_23 = t16_4 - omegadot16_1;
-  const T U16_31 = t16_3 - omegadot16_2;
-  const T U16_32 = t16_4 + omegadot16_1;
-  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  const T t16_3 = omega16_2 * omega16_2;
+  const T minus_U16_11 = omega16_3 * omega16_3 + t16_3;
+  const T t16_4 = omega16_2 * minus_omega16_1;
+  const T minus_U16_12 = t16_4 + omegadot16_3;
+  const T t16_5 = omega16_3 * minus_omega16_1;
+  const T U16_13 = omegadot16_2 - t16_5;
+  const T U16_21 = omegadot16_3 - t16_4;
+  const T t16_6 = omega16_3 * omega16_2;
+  const T U16_23 = t16_6 + minus_omegadot16_1;
+  const T minus_U16_31 = t16_5 + omegadot16_2;
+  const T U16_32 = t16_6 - minus_omegadot16_1;
+  const T minus_U16_33 = t16_3 + minus_omega16_1 * minus_omega16_1;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
-  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T minus_Pddot16_1 = minus_E16_11 * (Pddot15_1 - U15_13 * T(0.2)) + minus_E16_13 * (Pddot15_3 + minus_U15_33 *
+      T(0.2));
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
-  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // G16 = -R16 F_ground_on_rl_ + U16 h_own_16: inertia less applied force, body axes [N]
-  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T minus_G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
+  const T t16_7 = minus_R16_11 * u.ground_rl_x + minus_R16_12 * u.ground_rl_y + minus_R16_13 * u.ground_rl_z;
+  const T G16_1 = t16_7 + U16_13 * T(0.029845530432320418);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = U16_21 * T(0.00106821) - t16_8 - U16_23 * T(0.029826408000000002);
-  const T G16_3 = U16_31 * T(0.00106821) - (R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z)
-      + minus_U16_33 * T(0.029826408000000002);
-  // N16 = -o17~ R16 F_ground_on_rl_ + h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less
+  const T G16_2 = U16_23 * T(0.029845530432320418) - t16_8;
+  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T minus_G16_3 = t16_9 + minus_U16_33 * T(0.029845530432320418);
+  // N16 = -o16~ R16 F_ground_on_rl_ + h_own_16~ Pddot16 + axial(U16 (tr(J_own_16)/2 - J_own_16)): inertia less
   //   applied moment about the body origin, body axes [N m]
-  const T N16_1 = T(0.029826408000000002) * Pddot16_2 - T(0.2) * t16_8 - T(3.591193135000005e-05) * U16_32 -
-      T(0.007308926302304) * U16_23 - T(2.6450064520000005e-05) * U16_21;
-  const T N16_2 = T(0.2) * t16_7 - (T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3) +
-      T(0.007308926302304) * U16_13 - T(3.591193135000005e-05) * U16_31 + T(2.6450064520000005e-05) * (minus_U16_33 -
-      minus_U16_11);
-  const T N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) * U16_12 +
-      T(2.6450064520000005e-05) * U16_23;
+  const T N16_1 = T(0.19987185731301527) * t16_8 - T(0.029845530432320418) * Pddot16_2 - T(4.712093241166159e-05) *
+      U16_32 - T(0.007297717301242339) * U16_23 - T(0.0002865260721362275) * U16_21;
+  const T N16_2 = T(0.19987185731301527) * t16_7 + T(0.007158257766082217) * t16_9 - T(0.029845530432320418) *
+      minus_Pddot16_1 + T(0.007297717301242339) * U16_13 + T(4.712093241166159e-05) * minus_U16_31 +
+      T(0.0002865260721362275) * (minus_U16_33 - minus_U16_11);
+  const T N16_3 = T(4.712093241166159e-05) * U16_21 - T(4.712093241166159e-05) * minus_U16_12 +
+      T(0.0002865260721362275) * U16_23 - T(0.007158257766082217) * t16_8;
 
   // ---- body 16 (rl_calf) and what it carries
   // r_theta16 = b16 . N16 - effort_rl_calf_16: Kane's equation of the angle [N m]
@@ -5261,15 +5290,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 15 (rl_thigh) and what it carries
   // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = minus_E16_13 * G16_3 - E16_11 * minus_G16_1;
-  const T S15_1 = b15_1 + G15_1;
+  const T b15_1 = minus_E16_11 * G16_1 + minus_E16_13 * minus_G16_3;
+  const T S15_1 = G15_1 - b15_1;
   const T S15_2 = G16_2 - minus_G15_2;
-  const T S15_3 = G15_3 + minus_E16_13 * minus_G16_1 + E16_11 * G16_3;
+  const T S15_3 = G15_3 + minus_E16_11 * minus_G16_3 - minus_E16_13 * G16_1;
   // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho15_1 = N15_1 + T(0.2) * G16_2 + E16_11 * N16_1 + minus_E16_13 * N16_3;
-  const T rho15_2 = N16_2 + N15_2 - T(0.2) * b15_1;
-  const T rho15_3 = N15_3 + E16_11 * N16_3 - minus_E16_13 * N16_1;
+  const T rho15_1 = N15_1 + T(0.2) * G16_2 + minus_E16_13 * N16_3 - minus_E16_11 * N16_1;
+  const T rho15_2 = N16_2 + N15_2 + T(0.2) * b15_1;
+  const T rho15_3 = N15_3 - minus_E16_13 * N16_1 - minus_E16_11 * N16_3;
   // r_theta15 = b15 . rho15 - effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T r_theta15 = rho15_2 - effort_rl_thigh_15;
   r[13] = r_theta15;
@@ -5297,15 +5326,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 11 (rr_thigh) and what it carries
   // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
-  const T b11_1 = minus_E12_13 * G12_3 - E12_11 * minus_G12_1;
-  const T S11_1 = b11_1 + G11_1;
+  const T b11_1 = minus_E12_11 * G12_1 + minus_E12_13 * minus_G12_3;
+  const T S11_1 = G11_1 - b11_1;
   const T S11_2 = G12_2 - minus_G11_2;
-  const T S11_3 = G11_3 + minus_E12_13 * minus_G12_1 + E12_11 * G12_3;
+  const T S11_3 = G11_3 + minus_E12_11 * minus_G12_3 - minus_E12_13 * G12_1;
   // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho11_1 = N11_1 + T(0.2) * G12_2 + E12_11 * N12_1 + minus_E12_13 * N12_3;
-  const T rho11_2 = N12_2 + N11_2 - T(0.2) * b11_1;
-  const T rho11_3 = N11_3 + E12_11 * N12_3 - minus_E12_13 * N12_1;
+  const T rho11_1 = N11_1 + T(0.2) * G12_2 + minus_E12_13 * N12_3 - minus_E12_11 * N12_1;
+  const T rho11_2 = N12_2 + N11_2 + T(0.2) * b11_1;
+  const T rho11_3 = N11_3 - minus_E12_13 * N12_1 - minus_E12_11 * N12_3;
   // r_theta11 = b11 . rho11 - effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T r_theta11 = rho11_2 - effort_rr_thigh_11;
   r[10] = r_theta11;
@@ -5333,15 +5362,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 7 (fl_thigh) and what it carries
   // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
-  const T b7_1 = minus_E8_13 * G8_3 - E8_11 * minus_G8_1;
-  const T S7_1 = b7_1 + G7_1;
+  const T b7_1 = minus_E8_11 * G8_1 + minus_E8_13 * minus_G8_3;
+  const T S7_1 = G7_1 - b7_1;
   const T S7_2 = G8_2 - minus_G7_2;
-  const T S7_3 = G7_3 + minus_E8_13 * minus_G8_1 + E8_11 * G8_3;
+  const T S7_3 = G7_3 + minus_E8_11 * minus_G8_3 - minus_E8_13 * G8_1;
   // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho7_1 = N7_1 + T(0.2) * G8_2 + E8_11 * N8_1 + minus_E8_13 * N8_3;
-  const T rho7_2 = N8_2 + N7_2 - T(0.2) * b7_1;
-  const T rho7_3 = N7_3 + E8_11 * N8_3 - minus_E8_13 * N8_1;
+  const T rho7_1 = N7_1 + T(0.2) * G8_2 + minus_E8_13 * N8_3 - minus_E8_11 * N8_1;
+  const T rho7_2 = N8_2 + N7_2 + T(0.2) * b7_1;
+  const T rho7_3 = N7_3 - minus_E8_13 * N8_1 - minus_E8_11 * N8_3;
   // r_theta7 = b7 . rho7 - effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T r_theta7 = rho7_2 - effort_fl_thigh_7;
   r[7] = r_theta7;
@@ -5369,15 +5398,15 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
   // ---- body 3 (fr_thigh) and what it carries
   // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = minus_E4_13 * G4_3 - E4_11 * minus_G4_1;
-  const T S3_1 = b3_1 + G3_1;
+  const T b3_1 = minus_E4_11 * G4_1 + minus_E4_13 * minus_G4_3;
+  const T S3_1 = G3_1 - b3_1;
   const T S3_2 = G4_2 - minus_G3_2;
-  const T S3_3 = G3_3 + minus_E4_13 * minus_G4_1 + E4_11 * G4_3;
+  const T S3_3 = G3_3 + minus_E4_11 * minus_G4_3 - minus_E4_13 * G4_1;
   // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = N3_1 + T(0.2) * G4_2 + E4_11 * N4_1 + minus_E4_13 * N4_3;
-  const T rho3_2 = N4_2 + N3_2 - T(0.2) * b3_1;
-  const T rho3_3 = N3_3 + E4_11 * N4_3 - minus_E4_13 * N4_1;
+  const T rho3_1 = N3_1 + T(0.2) * G4_2 + minus_E4_13 * N4_3 - minus_E4_11 * N4_1;
+  const T rho3_2 = N4_2 + N3_2 + T(0.2) * b3_1;
+  const T rho3_3 = N3_3 - minus_E4_13 * N4_1 - minus_E4_11 * N4_3;
   // r_theta3 = b3 . rho3 - effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T r_theta3 = rho3_2 - effort_fr_thigh_3;
   r[4] = r_theta3;
@@ -5435,7 +5464,7 @@ void residual(const Prepared<T>& c, const T* x, const T* y, const T* ydot, const
 
 // forcing: f of A ydot = f.
 // f (ny) [N m], [N]
-// 804 add, 913 multiply, 24 sine or cosine
+// 796 add, 909 multiply, 24 sine or cosine
 template <class T>
 void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T* f) noexcept {
   T cosines[16], sines[16];  // of angles, at their places in x
@@ -5487,11 +5516,11 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G1_3 = c.m_all_1 * Pddot1_3 + U1_23 * c.h_all_1_2 + minus_U1_33 * c.c1_2;
   // N1 = -h_all_1~ Pddot1 - omega1~ J_all_1 omega1: applied less inertia moment about the body origin, body axes [N
   //   m]
-  const T minus_N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_3 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) -
+  const T minus_N1_1 = c.c1_2 * Pddot1_2 + c.h_all_1_2 * Pddot1_3 + c.c1_10 * U1_23 + c.J_all_1_23 * (t1_14 - t1_13) -
       T(6.11e-05) * U1_12 + T(3.66e-05) * U1_13;
-  const T minus_N1_2 = c.c1_4 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12 -
+  const T minus_N1_2 = c.c1_11 * U1_13 - T(6.11e-05) * (t1_13 - t1_15) - T(3.66e-05) * U1_23 - c.J_all_1_23 * U1_12 -
       c.c1_2 * Pddot1_1;
-  const T minus_N1_3 = c.c1_5 * U1_12 - T(3.66e-05) * (t1_15 - t1_14) + c.J_all_1_23 * U1_13 + T(6.11e-05) * U1_23 -
+  const T minus_N1_3 = c.J_all_1_23 * U1_13 - (c.c1_6 * U1_12 + T(3.66e-05) * (t1_15 - t1_14)) + T(6.11e-05) * U1_23 -
       c.h_all_1_2 * Pddot1_1;
 
   // ---- body 2 (fr_hip) on body 1
@@ -5552,12 +5581,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G2_3 = U2_23 * T(0.081652909) + minus_U2_33 * T(2.1575999999999998e-05);
   // N2 = -h_own_2~ Pddot2 - axial(U2 (tr(J_own_2)/2 - J_own_2)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N2_1 = T(0.006588148547768) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) -
+  const T minus_N2_1 = T(0.0065993575488296615) * U2_23 - T(4.7970076e-07) * (minus_U2_22 - minus_U2_33) -
       T(7.94567044e-06) * U2_31 - T(2.70561864e-07) * U2_21 - T(2.1575999999999998e-05) * Pddot2_2 - T(0.081652909) *
       Pddot2_3;
   const T minus_N2_2 = T(2.1575999999999998e-05) * Pddot2_1 + T(0.000361904168856) * U2_13 + T(0.000361904168856) *
       U2_31 + T(2.70561864e-07) * (minus_U2_33 - minus_U2_11) - T(4.7970076e-07) * U2_12 + T(7.94567044e-06) * U2_23;
-  const T minus_N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006950052716624) * U2_12 -
+  const T minus_N2_3 = T(0.081652909) * Pddot2_1 - T(0.000361904168856) * U2_21 - T(0.006961261717685661) * U2_12 -
       T(7.94567044e-06) * (minus_U2_11 - minus_U2_22) + T(2.70561864e-07) * U2_23 + T(4.7970076e-07) * U2_13;
 
   // ---- body 3 (fr_thigh) on body 2
@@ -5627,63 +5656,64 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 4 (fr_calf) on body 3
   const T theta4 = x[6];
   const T thetadot4 = y[5];
-  // E4^T = Rot(b4, theta4): E takes components in the lower body to those in the body
-  const T E4_11 = cosines[6];
-  const T minus_E4_13 = sines[6];
+  // E4^T = Z4^T Rot(b4, theta4): E takes components in the lower body to those in the body
+  const T t4_1 = cosines[6];
+  const T t4_2 = sines[6];
+  const T minus_E4_11 = T(0.9993592865650762) * t4_1 + T(0.035791288830411085) * t4_2;
+  const T minus_E4_13 = T(0.035791288830411085) * t4_1 - T(0.9993592865650762) * t4_2;
   // R4^T = R3^T E4^T: R takes inertial components to body components
-  const T R4_11 = R3_11 * E4_11 - R3_31 * minus_E4_13;
-  const T R4_12 = R3_12 * E4_11 - R3_32 * minus_E4_13;
-  const T R4_13 = R3_13 * E4_11 - R3_33 * minus_E4_13;
-  const T R4_31 = R3_11 * minus_E4_13 + R3_31 * E4_11;
-  const T R4_32 = R3_12 * minus_E4_13 + R3_32 * E4_11;
-  const T R4_33 = R3_13 * minus_E4_13 + R3_33 * E4_11;
+  const T minus_R4_11 = R3_11 * minus_E4_11 + R3_31 * minus_E4_13;
+  const T minus_R4_12 = R3_12 * minus_E4_11 + R3_32 * minus_E4_13;
+  const T minus_R4_13 = R3_13 * minus_E4_11 + R3_33 * minus_E4_13;
+  const T R4_31 = R3_11 * minus_E4_13 - R3_31 * minus_E4_11;
+  const T R4_32 = R3_12 * minus_E4_13 - R3_32 * minus_E4_11;
+  const T R4_33 = R3_13 * minus_E4_13 - R3_33 * minus_E4_11;
   // omega4 = thetadot4 b4 + E4 omega3: absolute angular velocity, body axes [rad/s]
-  const T omega4_1 = E4_11 * omega3_1 - minus_E4_13 * omega3_3;
+  const T minus_omega4_1 = minus_E4_11 * omega3_1 + minus_E4_13 * omega3_3;
   const T omega4_2 = thetadot4 + omega3_2;
-  const T omega4_3 = minus_E4_13 * omega3_1 + E4_11 * omega3_3;
+  const T omega4_3 = minus_E4_13 * omega3_1 - minus_E4_11 * omega3_3;
   // stretch_fr_calf_4 = theta4 - l_fr_calf_: stretch of the spring
   const T stretch_fr_calf_4 = theta4 + T(1.6);
   // effort_fr_calf_4 = -thetadot4 c_fr_calf_ + tau_fr_calf_ - stretch_fr_calf_4 k_fr_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fr_calf_4 = u.tau_fr_calf - thetadot4 * c.p.kd - stretch_fr_calf_4 * c.p.kp;
   // omegadot4 = -thetadot4 b4~ E4 omega3 + E4 omegadot3: angular acceleration, body axes [rad/s^2]
-  const T omegadot4_1 = E4_11 * omegadot3_1 - minus_E4_13 * omegadot3_3 - thetadot4 * omega4_3;
-  const T omegadot4_3 = thetadot4 * omega4_1 + minus_E4_13 * omegadot3_1 + E4_11 * omegadot3_3;
+  const T minus_omegadot4_1 = thetadot4 * omega4_3 + minus_E4_11 * omegadot3_1 + minus_E4_13 * omegadot3_3;
+  const T omegadot4_3 = minus_E4_13 * omegadot3_1 - minus_E4_11 * omegadot3_3 - thetadot4 * minus_omega4_1;
   // U4 = omega4~ omega4~ + omegadot4~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t4_1 = omega4_2 * omega4_2;
-  const T minus_U4_11 = t4_1 + omega4_3 * omega4_3;
-  const T t4_2 = omega4_2 * omega4_1;
-  const T U4_12 = t4_2 - omegadot4_3;
-  const T t4_3 = omega4_3 * omega4_1;
-  const T U4_13 = t4_3 + omegadot2_2;
-  const T U4_21 = t4_2 + omegadot4_3;
-  const T t4_4 = omega4_3 * omega4_2;
-  const T U4_23 = t4_4 - omegadot4_1;
-  const T U4_31 = t4_3 - omegadot2_2;
-  const T U4_32 = t4_4 + omegadot4_1;
-  const T minus_U4_33 = t4_1 + omega4_1 * omega4_1;
+  const T t4_3 = omega4_2 * omega4_2;
+  const T minus_U4_11 = omega4_3 * omega4_3 + t4_3;
+  const T t4_4 = omega4_2 * minus_omega4_1;
+  const T minus_U4_12 = t4_4 + omegadot4_3;
+  const T t4_5 = omega4_3 * minus_omega4_1;
+  const T U4_13 = omegadot2_2 - t4_5;
+  const T U4_21 = omegadot4_3 - t4_4;
+  const T t4_6 = omega4_3 * omega4_2;
+  const T U4_23 = t4_6 + minus_omegadot4_1;
+  const T minus_U4_31 = t4_5 + omegadot2_2;
+  const T U4_32 = t4_6 - minus_omegadot4_1;
+  const T minus_U4_33 = t4_3 + minus_omega4_1 * minus_omega4_1;
   // Pddot4 = E4 (U3 q4 + Pddot3): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t4_5 = Pddot3_1 - U3_13 * T(0.2);
-  const T t4_6 = Pddot3_3 + minus_U3_33 * T(0.2);
-  const T Pddot4_1 = E4_11 * t4_5 - minus_E4_13 * t4_6;
+  const T minus_Pddot4_1 = minus_E4_11 * (Pddot3_1 - U3_13 * T(0.2)) + minus_E4_13 * (Pddot3_3 + minus_U3_33 *
+      T(0.2));
   const T Pddot4_2 = Pddot3_2 - U3_23 * T(0.2);
-  const T Pddot4_3 = minus_E4_13 * t4_5 + E4_11 * t4_6;
   // G4 = R4 F_ground_on_fr_ - U4 h_own_4: applied less inertia force, body axes [N]
-  const T t4_7 = R4_11 * u.ground_fr_x + R4_12 * u.ground_fr_y + R4_13 * u.ground_fr_z;
-  const T G4_1 = t4_7 + minus_U4_11 * T(0.00106821) + U4_13 * T(0.029826408000000002);
+  const T t4_7 = minus_R4_11 * u.ground_fr_x + minus_R4_12 * u.ground_fr_y + minus_R4_13 * u.ground_fr_z;
+  const T minus_G4_1 = t4_7 + U4_13 * T(0.029845530432320418);
   const T t4_8 = R2_21 * u.ground_fr_x + R2_22 * u.ground_fr_y + R2_23 * u.ground_fr_z;
-  const T G4_2 = t4_8 + U4_23 * T(0.029826408000000002) - U4_21 * T(0.00106821);
-  const T G4_3 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z - U4_31 * T(0.00106821) -
-      minus_U4_33 * T(0.029826408000000002);
-  // N4 = o5~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
+  const T G4_2 = t4_8 - U4_23 * T(0.029845530432320418);
+  const T t4_9 = R4_31 * u.ground_fr_x + R4_32 * u.ground_fr_y + R4_33 * u.ground_fr_z;
+  const T G4_3 = t4_9 + minus_U4_33 * T(0.029845530432320418);
+  // N4 = o4~ R4 F_ground_on_fr_ - h_own_4~ Pddot4 - axial(U4 (tr(J_own_4)/2 - J_own_4)): applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N4_1 = T(0.2) * t4_8 - T(0.029826408000000002) * Pddot4_2 + T(3.591193135000005e-05) * U4_32 +
-      T(0.007308926302304) * U4_23 + T(2.6450064520000005e-05) * U4_21;
-  const T N4_2 = T(0.029826408000000002) * Pddot4_1 + T(0.00106821) * Pddot4_3 - T(0.2) * t4_7 - T(0.007308926302304)
-      * U4_13 + T(3.591193135000005e-05) * U4_31 - T(2.6450064520000005e-05) * (minus_U4_33 - minus_U4_11);
-  const T minus_N4_3 = T(0.00106821) * Pddot4_2 + T(3.591193135000005e-05) * U4_21 + T(3.591193135000005e-05) * U4_12
-      + T(2.6450064520000005e-05) * U4_23;
+  const T N4_1 = T(0.029845530432320418) * Pddot4_2 - T(0.19987185731301527) * t4_8 + T(4.712093241166159e-05) * U4_32
+      + T(0.007297717301242339) * U4_23 + T(0.0002865260721362275) * U4_21;
+  const T N4_2 = T(0.029845530432320418) * minus_Pddot4_1 - (T(0.19987185731301527) * t4_7 + T(0.007158257766082217) *
+      t4_9) - T(0.007297717301242339) * U4_13 - T(4.712093241166159e-05) * minus_U4_31 - T(0.0002865260721362275) *
+      (minus_U4_33 - minus_U4_11);
+  const T N4_3 = T(4.712093241166159e-05) * minus_U4_12 - T(4.712093241166159e-05) * U4_21 - T(0.0002865260721362275)
+      * U4_23 + T(0.007158257766082217) * t4_8;
 
   // ---- body 6 (fl_hip) on body 1
   const T theta6 = x[7];
@@ -5737,12 +5767,12 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G6_3 = U6_23 * T(0.081652909) - minus_U6_33 * T(2.1575999999999998e-05);
   // N6 = -h_own_6~ Pddot6 - axial(U6 (tr(J_own_6)/2 - J_own_6)): applied less inertia moment about the body origin,
   //   body axes [N m]
-  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.006588148547768) * U6_23
-      + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
+  const T minus_N6_1 = T(0.081652909) * Pddot6_3 - T(2.1575999999999998e-05) * Pddot6_2 + T(0.0065993575488296615) *
+      U6_23 + T(4.7970076e-07) * (minus_U6_22 - minus_U6_33) + T(7.94567044e-06) * U6_31 - T(2.70561864e-07) * U6_21;
   const T minus_N6_2 = T(2.1575999999999998e-05) * Pddot6_1 + T(0.000361904168856) * U6_13 + T(0.000361904168856) *
       U6_31 + T(2.70561864e-07) * (minus_U6_33 - minus_U6_11) + T(4.7970076e-07) * U6_12 - T(7.94567044e-06) * U6_23;
   const T minus_N6_3 = T(7.94567044e-06) * (minus_U6_11 - minus_U6_22) - (T(0.000361904168856) * U6_21 +
-      T(0.006950052716624) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
+      T(0.006961261717685661) * U6_12) + T(2.70561864e-07) * U6_23 - T(4.7970076e-07) * U6_13 - T(0.081652909) *
       Pddot6_1;
 
   // ---- body 7 (fl_thigh) on body 6
@@ -5812,63 +5842,64 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 8 (fl_calf) on body 7
   const T theta8 = x[9];
   const T thetadot8 = y[8];
-  // E8^T = Rot(b8, theta8): E takes components in the lower body to those in the body
-  const T E8_11 = cosines[9];
-  const T minus_E8_13 = sines[9];
+  // E8^T = Z8^T Rot(b8, theta8): E takes components in the lower body to those in the body
+  const T t8_1 = cosines[9];
+  const T t8_2 = sines[9];
+  const T minus_E8_11 = T(0.9993592865650762) * t8_1 + T(0.035791288830411085) * t8_2;
+  const T minus_E8_13 = T(0.035791288830411085) * t8_1 - T(0.9993592865650762) * t8_2;
   // R8^T = R7^T E8^T: R takes inertial components to body components
-  const T R8_11 = R7_11 * E8_11 - R7_31 * minus_E8_13;
-  const T R8_12 = R7_12 * E8_11 - R7_32 * minus_E8_13;
-  const T R8_13 = R7_13 * E8_11 - R7_33 * minus_E8_13;
-  const T R8_31 = R7_11 * minus_E8_13 + R7_31 * E8_11;
-  const T R8_32 = R7_12 * minus_E8_13 + R7_32 * E8_11;
-  const T R8_33 = R7_13 * minus_E8_13 + R7_33 * E8_11;
+  const T minus_R8_11 = R7_11 * minus_E8_11 + R7_31 * minus_E8_13;
+  const T minus_R8_12 = R7_12 * minus_E8_11 + R7_32 * minus_E8_13;
+  const T minus_R8_13 = R7_13 * minus_E8_11 + R7_33 * minus_E8_13;
+  const T R8_31 = R7_11 * minus_E8_13 - R7_31 * minus_E8_11;
+  const T R8_32 = R7_12 * minus_E8_13 - R7_32 * minus_E8_11;
+  const T R8_33 = R7_13 * minus_E8_13 - R7_33 * minus_E8_11;
   // omega8 = thetadot8 b8 + E8 omega7: absolute angular velocity, body axes [rad/s]
-  const T omega8_1 = E8_11 * omega7_1 - minus_E8_13 * omega7_3;
+  const T minus_omega8_1 = minus_E8_11 * omega7_1 + minus_E8_13 * omega7_3;
   const T omega8_2 = thetadot8 + omega7_2;
-  const T omega8_3 = minus_E8_13 * omega7_1 + E8_11 * omega7_3;
+  const T omega8_3 = minus_E8_13 * omega7_1 - minus_E8_11 * omega7_3;
   // stretch_fl_calf_8 = theta8 - l_fl_calf_: stretch of the spring
   const T stretch_fl_calf_8 = theta8 + T(1.6);
   // effort_fl_calf_8 = -thetadot8 c_fl_calf_ + tau_fl_calf_ - stretch_fl_calf_8 k_fl_calf_: along the coordinate [N
   //   m], [N]
   const T effort_fl_calf_8 = u.tau_fl_calf - thetadot8 * c.p.kd - stretch_fl_calf_8 * c.p.kp;
   // omegadot8 = -thetadot8 b8~ E8 omega7 + E8 omegadot7: angular acceleration, body axes [rad/s^2]
-  const T omegadot8_1 = E8_11 * omegadot7_1 - minus_E8_13 * omegadot7_3 - thetadot8 * omega8_3;
-  const T omegadot8_3 = thetadot8 * omega8_1 + minus_E8_13 * omegadot7_1 + E8_11 * omegadot7_3;
+  const T minus_omegadot8_1 = thetadot8 * omega8_3 + minus_E8_11 * omegadot7_1 + minus_E8_13 * omegadot7_3;
+  const T omegadot8_3 = minus_E8_13 * omegadot7_1 - minus_E8_11 * omegadot7_3 - thetadot8 * minus_omega8_1;
   // U8 = omega8~ omega8~ + omegadot8~: takes a point fixed in the body to its acceleration due to rotation, body axes
   //   [1/s^2]
-  const T t8_1 = omega8_2 * omega8_2;
-  const T minus_U8_11 = t8_1 + omega8_3 * omega8_3;
-  const T t8_2 = omega8_2 * omega8_1;
-  const T U8_12 = t8_2 - omegadot8_3;
-  const T t8_3 = omega8_3 * omega8_1;
-  const T U8_13 = t8_3 + omegadot6_2;
-  const T U8_21 = t8_2 + omegadot8_3;
-  const T t8_4 = omega8_3 * omega8_2;
-  const T U8_23 = t8_4 - omegadot8_1;
-  const T U8_31 = t8_3 - omegadot6_2;
-  const T U8_32 = t8_4 + omegadot8_1;
-  const T minus_U8_33 = t8_1 + omega8_1 * omega8_1;
+  const T t8_3 = omega8_2 * omega8_2;
+  const T minus_U8_11 = omega8_3 * omega8_3 + t8_3;
+  const T t8_4 = omega8_2 * minus_omega8_1;
+  const T minus_U8_12 = t8_4 + omegadot8_3;
+  const T t8_5 = omega8_3 * minus_omega8_1;
+  const T U8_13 = omegadot6_2 - t8_5;
+  const T U8_21 = omegadot8_3 - t8_4;
+  const T t8_6 = omega8_3 * omega8_2;
+  const T U8_23 = t8_6 + minus_omegadot8_1;
+  const T minus_U8_31 = t8_5 + omegadot6_2;
+  const T U8_32 = t8_6 - minus_omegadot8_1;
+  const T minus_U8_33 = t8_3 + minus_omega8_1 * minus_omega8_1;
   // Pddot8 = E8 (U7 q8 + Pddot7): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t8_5 = Pddot7_1 - U7_13 * T(0.2);
-  const T t8_6 = Pddot7_3 + minus_U7_33 * T(0.2);
-  const T Pddot8_1 = E8_11 * t8_5 - minus_E8_13 * t8_6;
+  const T minus_Pddot8_1 = minus_E8_11 * (Pddot7_1 - U7_13 * T(0.2)) + minus_E8_13 * (Pddot7_3 + minus_U7_33 *
+      T(0.2));
   const T Pddot8_2 = Pddot7_2 - U7_23 * T(0.2);
-  const T Pddot8_3 = minus_E8_13 * t8_5 + E8_11 * t8_6;
   // G8 = R8 F_ground_on_fl_ - U8 h_own_8: applied less inertia force, body axes [N]
-  const T t8_7 = R8_11 * u.ground_fl_x + R8_12 * u.ground_fl_y + R8_13 * u.ground_fl_z;
-  const T G8_1 = t8_7 + minus_U8_11 * T(0.00106821) + U8_13 * T(0.029826408000000002);
+  const T t8_7 = minus_R8_11 * u.ground_fl_x + minus_R8_12 * u.ground_fl_y + minus_R8_13 * u.ground_fl_z;
+  const T minus_G8_1 = t8_7 + U8_13 * T(0.029845530432320418);
   const T t8_8 = R6_21 * u.ground_fl_x + R6_22 * u.ground_fl_y + R6_23 * u.ground_fl_z;
-  const T G8_2 = t8_8 + U8_23 * T(0.029826408000000002) - U8_21 * T(0.00106821);
-  const T G8_3 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z - U8_31 * T(0.00106821) -
-      minus_U8_33 * T(0.029826408000000002);
-  // N8 = o9~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
+  const T G8_2 = t8_8 - U8_23 * T(0.029845530432320418);
+  const T t8_9 = R8_31 * u.ground_fl_x + R8_32 * u.ground_fl_y + R8_33 * u.ground_fl_z;
+  const T G8_3 = t8_9 + minus_U8_33 * T(0.029845530432320418);
+  // N8 = o8~ R8 F_ground_on_fl_ - h_own_8~ Pddot8 - axial(U8 (tr(J_own_8)/2 - J_own_8)): applied less inertia moment
   //   about the body origin, body axes [N m]
-  const T N8_1 = T(0.2) * t8_8 - T(0.029826408000000002) * Pddot8_2 + T(3.591193135000005e-05) * U8_32 +
-      T(0.007308926302304) * U8_23 + T(2.6450064520000005e-05) * U8_21;
-  const T N8_2 = T(0.029826408000000002) * Pddot8_1 + T(0.00106821) * Pddot8_3 - T(0.2) * t8_7 - T(0.007308926302304)
-      * U8_13 + T(3.591193135000005e-05) * U8_31 - T(2.6450064520000005e-05) * (minus_U8_33 - minus_U8_11);
-  const T minus_N8_3 = T(0.00106821) * Pddot8_2 + T(3.591193135000005e-05) * U8_21 + T(3.591193135000005e-05) * U8_12
-      + T(2.6450064520000005e-05) * U8_23;
+  const T N8_1 = T(0.029845530432320418) * Pddot8_2 - T(0.19987185731301527) * t8_8 + T(4.712093241166159e-05) * U8_32
+      + T(0.007297717301242339) * U8_23 + T(0.0002865260721362275) * U8_21;
+  const T N8_2 = T(0.029845530432320418) * minus_Pddot8_1 - (T(0.19987185731301527) * t8_7 + T(0.007158257766082217) *
+      t8_9) - T(0.007297717301242339) * U8_13 - T(4.712093241166159e-05) * minus_U8_31 - T(0.0002865260721362275) *
+      (minus_U8_33 - minus_U8_11);
+  const T N8_3 = T(4.712093241166159e-05) * minus_U8_12 - T(4.712093241166159e-05) * U8_21 - T(0.0002865260721362275)
+      * U8_23 + T(0.007158257766082217) * t8_8;
 
   // ---- body 10 (rr_hip) on body 1
   const T theta10 = x[10];
@@ -5919,14 +5950,14 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T G10_3 = U10_23 * T(0.081652909) + minus_U10_33 * T(2.1575999999999998e-05);
   // N10 = -h_own_10~ Pddot10 - axial(U10 (tr(J_own_10)/2 - J_own_10)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N10_1 = T(0.006588148547768) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) +
+  const T minus_N10_1 = T(0.0065993575488296615) * U10_23 - T(4.7970076e-07) * (minus_U10_22 - minus_U10_33) +
       T(7.94567044e-06) * U10_31 + T(2.70561864e-07) * U10_21 - T(2.1575999999999998e-05) * Pddot10_2 - T(0.081652909)
       * Pddot10_3;
   const T minus_N10_2 = T(2.1575999999999998e-05) * Pddot10_1 + T(0.000361904168856) * U10_13 + T(0.000361904168856) *
       U10_31 - T(2.70561864e-07) * (minus_U10_33 - minus_U10_11) - T(4.7970076e-07) * U10_12 - T(7.94567044e-06) *
       U10_23;
-  const T minus_N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006950052716624) * U10_12 +
-      T(7.94567044e-06) * (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
+  const T minus_N10_3 = T(0.081652909) * Pddot10_1 - T(0.000361904168856) * U10_21 - T(0.006961261717685661) * U10_12
+      + T(7.94567044e-06) * (minus_U10_11 - minus_U10_22) - T(2.70561864e-07) * U10_23 + T(4.7970076e-07) * U10_13;
 
   // ---- body 11 (rr_thigh) on body 10
   const T theta11 = x[11];
@@ -5995,64 +6026,64 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 12 (rr_calf) on body 11
   const T theta12 = x[12];
   const T thetadot12 = y[11];
-  // E12^T = Rot(b12, theta12): E takes components in the lower body to those in the body
-  const T E12_11 = cosines[12];
-  const T minus_E12_13 = sines[12];
+  // E12^T = Z12^T Rot(b12, theta12): E takes components in the lower body to those in the body
+  const T t12_1 = cosines[12];
+  const T t12_2 = sines[12];
+  const T minus_E12_11 = T(0.9993592865650762) * t12_1 + T(0.035791288830411085) * t12_2;
+  const T minus_E12_13 = T(0.035791288830411085) * t12_1 - T(0.9993592865650762) * t12_2;
   // R12^T = R11^T E12^T: R takes inertial components to body components
-  const T R12_11 = R11_11 * E12_11 - R11_31 * minus_E12_13;
-  const T R12_12 = R11_12 * E12_11 - R11_32 * minus_E12_13;
-  const T R12_13 = R11_13 * E12_11 - R11_33 * minus_E12_13;
-  const T R12_31 = R11_11 * minus_E12_13 + R11_31 * E12_11;
-  const T R12_32 = R11_12 * minus_E12_13 + R11_32 * E12_11;
-  const T R12_33 = R11_13 * minus_E12_13 + R11_33 * E12_11;
+  const T minus_R12_11 = R11_11 * minus_E12_11 + R11_31 * minus_E12_13;
+  const T minus_R12_12 = R11_12 * minus_E12_11 + R11_32 * minus_E12_13;
+  const T minus_R12_13 = R11_13 * minus_E12_11 + R11_33 * minus_E12_13;
+  const T R12_31 = R11_11 * minus_E12_13 - R11_31 * minus_E12_11;
+  const T R12_32 = R11_12 * minus_E12_13 - R11_32 * minus_E12_11;
+  const T R12_33 = R11_13 * minus_E12_13 - R11_33 * minus_E12_11;
   // omega12 = thetadot12 b12 + E12 omega11: absolute angular velocity, body axes [rad/s]
-  const T omega12_1 = E12_11 * omega11_1 - minus_E12_13 * omega11_3;
+  const T minus_omega12_1 = minus_E12_11 * omega11_1 + minus_E12_13 * omega11_3;
   const T omega12_2 = thetadot12 + omega11_2;
-  const T omega12_3 = minus_E12_13 * omega11_1 + E12_11 * omega11_3;
+  const T omega12_3 = minus_E12_13 * omega11_1 - minus_E12_11 * omega11_3;
   // stretch_rr_calf_12 = theta12 - l_rr_calf_: stretch of the spring
   const T stretch_rr_calf_12 = theta12 + T(1.6);
   // effort_rr_calf_12 = -thetadot12 c_rr_calf_ + tau_rr_calf_ - stretch_rr_calf_12 k_rr_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rr_calf_12 = u.tau_rr_calf - thetadot12 * c.p.kd - stretch_rr_calf_12 * c.p.kp;
   // omegadot12 = -thetadot12 b12~ E12 omega11 + E12 omegadot11: angular acceleration, body axes [rad/s^2]
-  const T omegadot12_1 = E12_11 * omegadot11_1 - minus_E12_13 * omegadot11_3 - thetadot12 * omega12_3;
-  const T omegadot12_3 = thetadot12 * omega12_1 + minus_E12_13 * omegadot11_1 + E12_11 * omegadot11_3;
+  const T minus_omegadot12_1 = thetadot12 * omega12_3 + minus_E12_11 * omegadot11_1 + minus_E12_13 * omegadot11_3;
+  const T omegadot12_3 = minus_E12_13 * omegadot11_1 - minus_E12_11 * omegadot11_3 - thetadot12 * minus_omega12_1;
   // U12 = omega12~ omega12~ + omegadot12~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t12_1 = omega12_2 * omega12_2;
-  const T minus_U12_11 = t12_1 + omega12_3 * omega12_3;
-  const T t12_2 = omega12_2 * omega12_1;
-  const T U12_12 = t12_2 - omegadot12_3;
-  const T t12_3 = omega12_3 * omega12_1;
-  const T U12_13 = t12_3 + omegadot10_2;
-  const T U12_21 = t12_2 + omegadot12_3;
-  const T t12_4 = omega12_3 * omega12_2;
-  const T U12_23 = t12_4 - omegadot12_1;
-  const T U12_31 = t12_3 - omegadot10_2;
-  const T U12_32 = t12_4 + omegadot12_1;
-  const T minus_U12_33 = t12_1 + omega12_1 * omega12_1;
+  const T t12_3 = omega12_2 * omega12_2;
+  const T minus_U12_11 = omega12_3 * omega12_3 + t12_3;
+  const T t12_4 = omega12_2 * minus_omega12_1;
+  const T minus_U12_12 = t12_4 + omegadot12_3;
+  const T t12_5 = omega12_3 * minus_omega12_1;
+  const T U12_13 = omegadot10_2 - t12_5;
+  const T U12_21 = omegadot12_3 - t12_4;
+  const T t12_6 = omega12_3 * omega12_2;
+  const T U12_23 = t12_6 + minus_omegadot12_1;
+  const T minus_U12_31 = t12_5 + omegadot10_2;
+  const T U12_32 = t12_6 - minus_omegadot12_1;
+  const T minus_U12_33 = t12_3 + minus_omega12_1 * minus_omega12_1;
   // Pddot12 = E12 (U11 q12 + Pddot11): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t12_5 = Pddot11_1 - U11_13 * T(0.2);
-  const T t12_6 = Pddot11_3 + minus_U11_33 * T(0.2);
-  const T Pddot12_1 = E12_11 * t12_5 - minus_E12_13 * t12_6;
+  const T minus_Pddot12_1 = minus_E12_11 * (Pddot11_1 - U11_13 * T(0.2)) + minus_E12_13 * (Pddot11_3 + minus_U11_33 *
+      T(0.2));
   const T Pddot12_2 = Pddot11_2 - U11_23 * T(0.2);
-  const T Pddot12_3 = minus_E12_13 * t12_5 + E12_11 * t12_6;
   // G12 = R12 F_ground_on_rr_ - U12 h_own_12: applied less inertia force, body axes [N]
-  const T t12_7 = R12_11 * u.ground_rr_x + R12_12 * u.ground_rr_y + R12_13 * u.ground_rr_z;
-  const T G12_1 = t12_7 + minus_U12_11 * T(0.00106821) + U12_13 * T(0.029826408000000002);
+  const T t12_7 = minus_R12_11 * u.ground_rr_x + minus_R12_12 * u.ground_rr_y + minus_R12_13 * u.ground_rr_z;
+  const T minus_G12_1 = t12_7 + U12_13 * T(0.029845530432320418);
   const T t12_8 = R10_21 * u.ground_rr_x + R10_22 * u.ground_rr_y + R10_23 * u.ground_rr_z;
-  const T G12_2 = t12_8 + U12_23 * T(0.029826408000000002) - U12_21 * T(0.00106821);
-  const T G12_3 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z - U12_31 * T(0.00106821) -
-      minus_U12_33 * T(0.029826408000000002);
-  // N12 = o13~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
+  const T G12_2 = t12_8 - U12_23 * T(0.029845530432320418);
+  const T t12_9 = R12_31 * u.ground_rr_x + R12_32 * u.ground_rr_y + R12_33 * u.ground_rr_z;
+  const T G12_3 = t12_9 + minus_U12_33 * T(0.029845530432320418);
+  // N12 = o12~ R12 F_ground_on_rr_ - h_own_12~ Pddot12 - axial(U12 (tr(J_own_12)/2 - J_own_12)): applied less inertia
   //   moment about the body origin, body axes [N m]
-  const T N12_1 = T(0.2) * t12_8 - T(0.029826408000000002) * Pddot12_2 + T(3.591193135000005e-05) * U12_32 +
-      T(0.007308926302304) * U12_23 + T(2.6450064520000005e-05) * U12_21;
-  const T N12_2 = T(0.029826408000000002) * Pddot12_1 + T(0.00106821) * Pddot12_3 - T(0.2) * t12_7 -
-      T(0.007308926302304) * U12_13 + T(3.591193135000005e-05) * U12_31 - T(2.6450064520000005e-05) * (minus_U12_33 -
-      minus_U12_11);
-  const T minus_N12_3 = T(0.00106821) * Pddot12_2 + T(3.591193135000005e-05) * U12_21 + T(3.591193135000005e-05) *
-      U12_12 + T(2.6450064520000005e-05) * U12_23;
+  const T N12_1 = T(0.029845530432320418) * Pddot12_2 - T(0.19987185731301527) * t12_8 + T(4.712093241166159e-05) *
+      U12_32 + T(0.007297717301242339) * U12_23 + T(0.0002865260721362275) * U12_21;
+  const T N12_2 = T(0.029845530432320418) * minus_Pddot12_1 - (T(0.19987185731301527) * t12_7 +
+      T(0.007158257766082217) * t12_9) - T(0.007297717301242339) * U12_13 - T(4.712093241166159e-05) * minus_U12_31 -
+      T(0.0002865260721362275) * (minus_U12_33 - minus_U12_11);
+  const T N12_3 = T(4.712093241166159e-05) * minus_U12_12 - T(4.712093241166159e-05) * U12_21 -
+      T(0.0002865260721362275) * U12_23 + T(0.007158257766082217) * t12_8;
 
   // ---- body 14 (rl_hip) on body 1
   const T theta14 = x[13];
@@ -6103,13 +6134,13 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   const T minus_G14_3 = U14_23 * T(0.081652909) - minus_U14_33 * T(2.1575999999999998e-05);
   // N14 = -h_own_14~ Pddot14 - axial(U14 (tr(J_own_14)/2 - J_own_14)): applied less inertia moment about the body
   //   origin, body axes [N m]
-  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.006588148547768) *
-      U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 + T(2.70561864e-07) *
+  const T minus_N14_1 = T(0.081652909) * Pddot14_3 - T(2.1575999999999998e-05) * Pddot14_2 + T(0.0065993575488296615)
+      * U14_23 + T(4.7970076e-07) * (minus_U14_22 - minus_U14_33) - T(7.94567044e-06) * U14_31 + T(2.70561864e-07) *
       U14_21;
   const T minus_N14_2 = T(2.1575999999999998e-05) * Pddot14_1 + T(0.000361904168856) * U14_13 + T(0.000361904168856) *
       U14_31 - T(2.70561864e-07) * (minus_U14_33 - minus_U14_11) + T(4.7970076e-07) * U14_12 + T(7.94567044e-06) *
       U14_23;
-  const T N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006950052716624) * U14_12 +
+  const T N14_3 = T(0.081652909) * Pddot14_1 + T(0.000361904168856) * U14_21 + T(0.006961261717685661) * U14_12 +
       T(7.94567044e-06) * (minus_U14_11 - minus_U14_22) + T(2.70561864e-07) * U14_23 + T(4.7970076e-07) * U14_13;
 
   // ---- body 15 (rl_thigh) on body 14
@@ -6179,64 +6210,64 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
   // ---- body 16 (rl_calf) on body 15
   const T theta16 = x[15];
   const T thetadot16 = y[14];
-  // E16^T = Rot(b16, theta16): E takes components in the lower body to those in the body
-  const T E16_11 = cosines[15];
-  const T minus_E16_13 = sines[15];
+  // E16^T = Z16^T Rot(b16, theta16): E takes components in the lower body to those in the body
+  const T t16_1 = cosines[15];
+  const T t16_2 = sines[15];
+  const T minus_E16_11 = T(0.9993592865650762) * t16_1 + T(0.035791288830411085) * t16_2;
+  const T minus_E16_13 = T(0.035791288830411085) * t16_1 - T(0.9993592865650762) * t16_2;
   // R16^T = R15^T E16^T: R takes inertial components to body components
-  const T R16_11 = R15_11 * E16_11 - R15_31 * minus_E16_13;
-  const T R16_12 = R15_12 * E16_11 - R15_32 * minus_E16_13;
-  const T R16_13 = R15_13 * E16_11 - R15_33 * minus_E16_13;
-  const T R16_31 = R15_11 * minus_E16_13 + R15_31 * E16_11;
-  const T R16_32 = R15_12 * minus_E16_13 + R15_32 * E16_11;
-  const T R16_33 = R15_13 * minus_E16_13 + R15_33 * E16_11;
+  const T minus_R16_11 = R15_11 * minus_E16_11 + R15_31 * minus_E16_13;
+  const T minus_R16_12 = R15_12 * minus_E16_11 + R15_32 * minus_E16_13;
+  const T minus_R16_13 = R15_13 * minus_E16_11 + R15_33 * minus_E16_13;
+  const T R16_31 = R15_11 * minus_E16_13 - R15_31 * minus_E16_11;
+  const T R16_32 = R15_12 * minus_E16_13 - R15_32 * minus_E16_11;
+  const T R16_33 = R15_13 * minus_E16_13 - R15_33 * minus_E16_11;
   // omega16 = thetadot16 b16 + E16 omega15: absolute angular velocity, body axes [rad/s]
-  const T omega16_1 = E16_11 * omega15_1 - minus_E16_13 * omega15_3;
+  const T minus_omega16_1 = minus_E16_11 * omega15_1 + minus_E16_13 * omega15_3;
   const T omega16_2 = thetadot16 + omega15_2;
-  const T omega16_3 = minus_E16_13 * omega15_1 + E16_11 * omega15_3;
+  const T omega16_3 = minus_E16_13 * omega15_1 - minus_E16_11 * omega15_3;
   // stretch_rl_calf_16 = theta16 - l_rl_calf_: stretch of the spring
   const T stretch_rl_calf_16 = theta16 + T(1.6);
   // effort_rl_calf_16 = -thetadot16 c_rl_calf_ + tau_rl_calf_ - stretch_rl_calf_16 k_rl_calf_: along the coordinate
   //   [N m], [N]
   const T effort_rl_calf_16 = u.tau_rl_calf - thetadot16 * c.p.kd - stretch_rl_calf_16 * c.p.kp;
   // omegadot16 = -thetadot16 b16~ E16 omega15 + E16 omegadot15: angular acceleration, body axes [rad/s^2]
-  const T omegadot16_1 = E16_11 * omegadot15_1 - minus_E16_13 * omegadot15_3 - thetadot16 * omega16_3;
-  const T omegadot16_3 = thetadot16 * omega16_1 + minus_E16_13 * omegadot15_1 + E16_11 * omegadot15_3;
+  const T minus_omegadot16_1 = thetadot16 * omega16_3 + minus_E16_11 * omegadot15_1 + minus_E16_13 * omegadot15_3;
+  const T omegadot16_3 = minus_E16_13 * omegadot15_1 - minus_E16_11 * omegadot15_3 - thetadot16 * minus_omega16_1;
   // U16 = omega16~ omega16~ + omegadot16~: takes a point fixed in the body to its acceleration due to rotation, body
   //   axes [1/s^2]
-  const T t16_1 = omega16_2 * omega16_2;
-  const T minus_U16_11 = t16_1 + omega16_3 * omega16_3;
-  const T t16_2 = omega16_2 * omega16_1;
-  const T U16_12 = t16_2 - omegadot16_3;
-  const T t16_3 = omega16_3 * omega16_1;
-  const T U16_13 = t16_3 + omegadot14_2;
-  const T U16_21 = t16_2 + omegadot16_3;
-  const T t16_4 = omega16_3 * omega16_2;
-  const T U16_23 = t16_4 - omegadot16_1;
-  const T U16_31 = t16_3 - omegadot14_2;
-  const T U16_32 = t16_4 + omegadot16_1;
-  const T minus_U16_33 = t16_1 + omega16_1 * omega16_1;
+  const T t16_3 = omega16_2 * omega16_2;
+  const T minus_U16_11 = omega16_3 * omega16_3 + t16_3;
+  const T t16_4 = omega16_2 * minus_omega16_1;
+  const T minus_U16_12 = t16_4 + omegadot16_3;
+  const T t16_5 = omega16_3 * minus_omega16_1;
+  const T U16_13 = omegadot14_2 - t16_5;
+  const T U16_21 = omegadot16_3 - t16_4;
+  const T t16_6 = omega16_3 * omega16_2;
+  const T U16_23 = t16_6 + minus_omegadot16_1;
+  const T minus_U16_31 = t16_5 + omegadot14_2;
+  const T U16_32 = t16_6 - minus_omegadot16_1;
+  const T minus_U16_33 = t16_3 + minus_omega16_1 * minus_omega16_1;
   // Pddot16 = E16 (U15 q16 + Pddot15): acceleration of the body origin, less gravity, body axes [m/s^2]
-  const T t16_5 = Pddot15_1 - U15_13 * T(0.2);
-  const T t16_6 = Pddot15_3 + minus_U15_33 * T(0.2);
-  const T Pddot16_1 = E16_11 * t16_5 - minus_E16_13 * t16_6;
+  const T minus_Pddot16_1 = minus_E16_11 * (Pddot15_1 - U15_13 * T(0.2)) + minus_E16_13 * (Pddot15_3 + minus_U15_33 *
+      T(0.2));
   const T Pddot16_2 = Pddot15_2 - U15_23 * T(0.2);
-  const T Pddot16_3 = minus_E16_13 * t16_5 + E16_11 * t16_6;
   // G16 = R16 F_ground_on_rl_ - U16 h_own_16: applied less inertia force, body axes [N]
-  const T t16_7 = R16_11 * u.ground_rl_x + R16_12 * u.ground_rl_y + R16_13 * u.ground_rl_z;
-  const T G16_1 = t16_7 + minus_U16_11 * T(0.00106821) + U16_13 * T(0.029826408000000002);
+  const T t16_7 = minus_R16_11 * u.ground_rl_x + minus_R16_12 * u.ground_rl_y + minus_R16_13 * u.ground_rl_z;
+  const T minus_G16_1 = t16_7 + U16_13 * T(0.029845530432320418);
   const T t16_8 = R14_21 * u.ground_rl_x + R14_22 * u.ground_rl_y + R14_23 * u.ground_rl_z;
-  const T G16_2 = t16_8 + U16_23 * T(0.029826408000000002) - U16_21 * T(0.00106821);
-  const T G16_3 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z - U16_31 * T(0.00106821) -
-      minus_U16_33 * T(0.029826408000000002);
-  // N16 = o17~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
+  const T G16_2 = t16_8 - U16_23 * T(0.029845530432320418);
+  const T t16_9 = R16_31 * u.ground_rl_x + R16_32 * u.ground_rl_y + R16_33 * u.ground_rl_z;
+  const T G16_3 = t16_9 + minus_U16_33 * T(0.029845530432320418);
+  // N16 = o16~ R16 F_ground_on_rl_ - h_own_16~ Pddot16 - axial(U16 (tr(J_own_16)/2 - J_own_16)): applied less inertia
   //   moment about the body origin, body axes [N m]
-  const T N16_1 = T(0.2) * t16_8 - T(0.029826408000000002) * Pddot16_2 + T(3.591193135000005e-05) * U16_32 +
-      T(0.007308926302304) * U16_23 + T(2.6450064520000005e-05) * U16_21;
-  const T N16_2 = T(0.029826408000000002) * Pddot16_1 + T(0.00106821) * Pddot16_3 - T(0.2) * t16_7 -
-      T(0.007308926302304) * U16_13 + T(3.591193135000005e-05) * U16_31 - T(2.6450064520000005e-05) * (minus_U16_33 -
-      minus_U16_11);
-  const T minus_N16_3 = T(0.00106821) * Pddot16_2 + T(3.591193135000005e-05) * U16_21 + T(3.591193135000005e-05) *
-      U16_12 + T(2.6450064520000005e-05) * U16_23;
+  const T N16_1 = T(0.029845530432320418) * Pddot16_2 - T(0.19987185731301527) * t16_8 + T(4.712093241166159e-05) *
+      U16_32 + T(0.007297717301242339) * U16_23 + T(0.0002865260721362275) * U16_21;
+  const T N16_2 = T(0.029845530432320418) * minus_Pddot16_1 - (T(0.19987185731301527) * t16_7 +
+      T(0.007158257766082217) * t16_9) - T(0.007297717301242339) * U16_13 - T(4.712093241166159e-05) * minus_U16_31 -
+      T(0.0002865260721362275) * (minus_U16_33 - minus_U16_11);
+  const T N16_3 = T(4.712093241166159e-05) * minus_U16_12 - T(4.712093241166159e-05) * U16_21 -
+      T(0.0002865260721362275) * U16_23 + T(0.007158257766082217) * t16_8;
 
   // ---- body 16 (rl_calf) and what it carries
   // f_theta16 = b16 . N16 + effort_rl_calf_16: Kane's equation of the angle [N m]
@@ -6245,15 +6276,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 15 (rl_thigh) and what it carries
   // S15 = E16^T G16 + G15: sum of the force balances of the subtree, body axes [N]
-  const T b15_1 = E16_11 * G16_1 + minus_E16_13 * G16_3;
+  const T b15_1 = minus_E16_11 * minus_G16_1 + minus_E16_13 * G16_3;
   const T S15_1 = b15_1 - minus_G15_1;
   const T S15_2 = G16_2 + G15_2;
-  const T S15_3 = E16_11 * G16_3 - minus_G15_3 - minus_E16_13 * G16_1;
+  const T S15_3 = minus_E16_13 * minus_G16_1 - minus_G15_3 - minus_E16_11 * G16_3;
   // rho15 = q16~ E16^T G16 + E16^T N16 + N15: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho15_1 = T(0.2) * G16_2 - minus_N15_1 + E16_11 * N16_1 - minus_E16_13 * minus_N16_3;
+  const T rho15_1 = T(0.2) * G16_2 - minus_N15_1 + minus_E16_13 * N16_3 - minus_E16_11 * N16_1;
   const T rho15_2 = N16_2 - minus_N15_2 - T(0.2) * b15_1;
-  const T minus_rho15_3 = minus_N15_3 + minus_E16_13 * N16_1 + E16_11 * minus_N16_3;
+  const T minus_rho15_3 = minus_N15_3 + minus_E16_13 * N16_1 + minus_E16_11 * N16_3;
   // f_theta15 = b15 . rho15 + effort_rl_thigh_15: Kane's equation of the angle [N m]
   const T f_theta15 = rho15_2 + effort_rl_thigh_15;
   f[13] = f_theta15;
@@ -6281,15 +6312,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 11 (rr_thigh) and what it carries
   // S11 = E12^T G12 + G11: sum of the force balances of the subtree, body axes [N]
-  const T b11_1 = E12_11 * G12_1 + minus_E12_13 * G12_3;
+  const T b11_1 = minus_E12_11 * minus_G12_1 + minus_E12_13 * G12_3;
   const T S11_1 = b11_1 - minus_G11_1;
   const T S11_2 = G12_2 + G11_2;
-  const T S11_3 = E12_11 * G12_3 - minus_G11_3 - minus_E12_13 * G12_1;
+  const T S11_3 = minus_E12_13 * minus_G12_1 - minus_G11_3 - minus_E12_11 * G12_3;
   // rho11 = q12~ E12^T G12 + E12^T N12 + N11: sum of the moment balances of the subtree about the body origin, body
   //   axes [N m]
-  const T rho11_1 = T(0.2) * G12_2 - minus_N11_1 + E12_11 * N12_1 - minus_E12_13 * minus_N12_3;
+  const T rho11_1 = T(0.2) * G12_2 - minus_N11_1 + minus_E12_13 * N12_3 - minus_E12_11 * N12_1;
   const T rho11_2 = N12_2 - minus_N11_2 - T(0.2) * b11_1;
-  const T minus_rho11_3 = minus_N11_3 + minus_E12_13 * N12_1 + E12_11 * minus_N12_3;
+  const T minus_rho11_3 = minus_N11_3 + minus_E12_13 * N12_1 + minus_E12_11 * N12_3;
   // f_theta11 = b11 . rho11 + effort_rr_thigh_11: Kane's equation of the angle [N m]
   const T f_theta11 = rho11_2 + effort_rr_thigh_11;
   f[10] = f_theta11;
@@ -6317,15 +6348,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 7 (fl_thigh) and what it carries
   // S7 = E8^T G8 + G7: sum of the force balances of the subtree, body axes [N]
-  const T b7_1 = E8_11 * G8_1 + minus_E8_13 * G8_3;
+  const T b7_1 = minus_E8_11 * minus_G8_1 + minus_E8_13 * G8_3;
   const T S7_1 = b7_1 - minus_G7_1;
   const T S7_2 = G8_2 + G7_2;
-  const T S7_3 = E8_11 * G8_3 - minus_G7_3 - minus_E8_13 * G8_1;
+  const T S7_3 = minus_E8_13 * minus_G8_1 - minus_G7_3 - minus_E8_11 * G8_3;
   // rho7 = q8~ E8^T G8 + E8^T N8 + N7: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho7_1 = T(0.2) * G8_2 - minus_N7_1 + E8_11 * N8_1 - minus_E8_13 * minus_N8_3;
+  const T rho7_1 = T(0.2) * G8_2 - minus_N7_1 + minus_E8_13 * N8_3 - minus_E8_11 * N8_1;
   const T rho7_2 = N8_2 - minus_N7_2 - T(0.2) * b7_1;
-  const T minus_rho7_3 = minus_N7_3 + minus_E8_13 * N8_1 + E8_11 * minus_N8_3;
+  const T minus_rho7_3 = minus_N7_3 + minus_E8_13 * N8_1 + minus_E8_11 * N8_3;
   // f_theta7 = b7 . rho7 + effort_fl_thigh_7: Kane's equation of the angle [N m]
   const T f_theta7 = rho7_2 + effort_fl_thigh_7;
   f[7] = f_theta7;
@@ -6353,15 +6384,15 @@ void forcing(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>& u, T
 
   // ---- body 3 (fr_thigh) and what it carries
   // S3 = E4^T G4 + G3: sum of the force balances of the subtree, body axes [N]
-  const T b3_1 = E4_11 * G4_1 + minus_E4_13 * G4_3;
+  const T b3_1 = minus_E4_11 * minus_G4_1 + minus_E4_13 * G4_3;
   const T S3_1 = b3_1 - minus_G3_1;
   const T S3_2 = G4_2 + G3_2;
-  const T S3_3 = E4_11 * G4_3 - minus_G3_3 - minus_E4_13 * G4_1;
+  const T S3_3 = minus_E4_13 * minus_G4_1 - minus_G3_3 - minus_E4_11 * G4_3;
   // rho3 = q4~ E4^T G4 + E4^T N4 + N3: sum of the moment balances of the subtree about the body origin, body axes [N
   //   m]
-  const T rho3_1 = T(0.2) * G4_2 - minus_N3_1 + E4_11 * N4_1 - minus_E4_13 * minus_N4_3;
+  const T rho3_1 = T(0.2) * G4_2 - minus_N3_1 + minus_E4_13 * N4_3 - minus_E4_11 * N4_1;
   const T rho3_2 = N4_2 - minus_N3_2 - T(0.2) * b3_1;
-  const T minus_rho3_3 = minus_N3_3 + minus_E4_13 * N4_1 + E4_11 * minus_N4_3;
+  const T minus_rho3_3 = minus_N3_3 + minus_E4_13 * N4_1 + minus_E4_11 * N4_3;
   // f_theta3 = b3 . rho3 + effort_fr_thigh_3: Kane's equation of the angle [N m]
   const T f_theta3 = rho3_2 + effort_fr_thigh_3;
   f[4] = f_theta3;
@@ -6517,13 +6548,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 16 (rl_calf) and what it carries
   // hc16 = E16^T h_own_16: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc16_1 = E16_11 * T(0.00106821) - minus_E16_13 * T(0.029826408000000002);
-  const T minus_hc16_3 = minus_E16_13 * T(0.00106821) + E16_11 * T(0.029826408000000002);
+  const T minus_hc16_1 = minus_E16_13 * T(0.029826408000000002) - E16_11 * T(0.00106821);
+  const T minus_hc16_3 = E16_11 * T(0.029826408000000002) + minus_E16_13 * T(0.00106821);
 
   // ---- body 15 (rl_thigh) and what it carries
   // h15 = h_own_15 + hc16: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h15_1 = hc16_1 - T(0.0032790809999999997);
-  const T minus_h15_3 = minus_hc16_3 + T(0.072881238);
+  const T minus_h15_1 = minus_hc16_1 + T(0.0032790809999999997);
+  const T minus_h15_3 = T(0.072881238) + minus_hc16_3;
   // J15 = -q16~ hc16~ + E16^T J_own_16 E16 + J_own_15 - hc16~ q16~: inertia carried, about the body origin, body axes
   //   [kg m^2]
   const T b15_1 = minus_E16_13 * T(0.007273014370954) + T(2) * E16_11 * T(2.6450064520000005e-05);
@@ -6531,7 +6562,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J15_11 = T(0.021220094495345) - b15_2 + T(0.4) * minus_hc16_3;
   const T b15_3 = minus_E16_13 * T(0.0024994529904) - E16_11 * T(8.9515998e-05);
   const T J15_12 = b15_3 + T(0.00020639994631299998);
-  const T J15_13 = T(0.00028071489711400005) - E16_11 * b15_1 + T(0.2) * hc16_1;
+  const T J15_13 = T(0.00028071489711400005) - E16_11 * b15_1 - T(0.2) * minus_hc16_1;
   const T b15_4 = T(0.2) * minus_hc16_3;
   const T b15_5 = b15_4 + T(0.007344838233654);
   const T J15_22 = b15_5 + T(0.014946370894785) + b15_4;
@@ -6539,14 +6570,14 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J15_23 = b15_6 + T(0.005511856743574);
   A[247] = J15_22;
   // hc15 = E15^T h15: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc15_1 = E15_11 * h15_1 - minus_E15_13 * minus_h15_3;
-  const T minus_hc15_3 = minus_E15_13 * h15_1 + E15_11 * minus_h15_3;
+  const T minus_hc15_1 = minus_E15_13 * minus_h15_3 + E15_11 * minus_h15_1;
+  const T minus_hc15_3 = E15_11 * minus_h15_3 - minus_E15_13 * minus_h15_1;
   A[248] = b15_5;
   A[265] = b15_5;
 
   // ---- body 14 (rl_hip) and what it carries
   // h14 = h_own_14 + hc15: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h14_3 = minus_hc15_3 - T(2.1575999999999998e-05);
+  const T h14_3 = T(2.1575999999999998e-05) - minus_hc15_3;
   // J14 = -q15~ hc15~ + E15^T J15 E15 + J_own_14 - hc15~ q15~: inertia carried, about the body origin, body axes [kg
   //   m^2]
   const T b14_1 = minus_E15_13 * (b15_2 - J15_11) + T(2) * E15_11 * J15_13;
@@ -6555,19 +6586,19 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b14_3 = E15_11 * J15_12 + minus_E15_13 * J15_23;
   const T J14_12 = b14_3 + T(0.014746295744939998);
   const T J14_13 = T(4.165029864e-06) - J15_13 + E15_11 * b14_1 - T(0.1805) * minus_hc15_3;
-  const T b14_4 = T(0.1805) * hc15_1;
-  const T b14_5 = J15_22 - b14_4;
-  const T J14_22 = b14_5 - b14_4;
+  const T b14_4 = T(0.1805) * minus_hc15_1;
+  const T b14_5 = b14_4 + J15_22;
+  const T J14_22 = b14_5 + b14_4;
   const T b14_6 = E15_11 * J15_23 - minus_E15_13 * J15_12;
   const T J14_23 = b14_6 - T(4.7970076e-07);
-  const T J14_33 = b15_2 - b14_2 + T(0.006588148547768) - T(0.361) * hc15_1;
+  const T J14_33 = b15_2 - b14_2 + T(0.006588148547768) + T(0.361) * minus_hc15_1;
   A[228] = J14_11;
   // hc14 = E14^T h14: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc14_2 = E14_22 * T(0.081652909) + E14_23 * minus_h14_3;
-  const T hc14_3 = E14_23 * T(0.081652909) - E14_22 * minus_h14_3;
+  const T hc14_2 = E14_22 * T(0.081652909) - E14_23 * h14_3;
+  const T hc14_3 = E14_22 * h14_3 + E14_23 * T(0.081652909);
   // B_thetadot16_14 = E15^T B_thetadot16_15
-  const T minus_B_thetadot16_14_1 = minus_E15_13 * hc16_1 + E15_11 * minus_hc16_3;
-  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 - E15_11 * hc16_1;
+  const T B_thetadot16_14_1 = minus_E15_13 * minus_hc16_1 - E15_11 * minus_hc16_3;
+  const T B_thetadot16_14_3 = minus_E15_13 * minus_hc16_3 + E15_11 * minus_hc16_1;
   // K_thetadot16_14 = q15~ E15^T B_thetadot16_15 + E15^T K_thetadot16_15
   const T K_thetadot16_14_1 = E15_11 * b15_3 + minus_E15_13 * b15_6;
   const T K_thetadot16_14_2 = b15_5 + T(0.1805) * B_thetadot16_14_3;
@@ -6579,13 +6610,13 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 12 (rr_calf) and what it carries
   // hc12 = E12^T h_own_12: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc12_1 = E12_11 * T(0.00106821) - minus_E12_13 * T(0.029826408000000002);
-  const T minus_hc12_3 = minus_E12_13 * T(0.00106821) + E12_11 * T(0.029826408000000002);
+  const T minus_hc12_1 = minus_E12_13 * T(0.029826408000000002) - E12_11 * T(0.00106821);
+  const T minus_hc12_3 = E12_11 * T(0.029826408000000002) + minus_E12_13 * T(0.00106821);
 
   // ---- body 11 (rr_thigh) and what it carries
   // h11 = h_own_11 + hc12: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h11_1 = hc12_1 - T(0.0032790809999999997);
-  const T minus_h11_3 = minus_hc12_3 + T(0.072881238);
+  const T minus_h11_1 = minus_hc12_1 + T(0.0032790809999999997);
+  const T minus_h11_3 = T(0.072881238) + minus_hc12_3;
   // J11 = -q12~ hc12~ + E12^T J_own_12 E12 + J_own_11 - hc12~ q12~: inertia carried, about the body origin, body axes
   //   [kg m^2]
   const T b11_1 = minus_E12_13 * T(0.007273014370954) + T(2) * E12_11 * T(2.6450064520000005e-05);
@@ -6593,7 +6624,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J11_11 = T(0.021220094495345) - b11_2 + T(0.4) * minus_hc12_3;
   const T b11_3 = E12_11 * T(8.9515998e-05) - minus_E12_13 * T(0.0024994529904);
   const T J11_12 = b11_3 - T(0.00020639994631299998);
-  const T J11_13 = T(0.00028071489711400005) - E12_11 * b11_1 + T(0.2) * hc12_1;
+  const T J11_13 = T(0.00028071489711400005) - E12_11 * b11_1 - T(0.2) * minus_hc12_1;
   const T b11_4 = T(0.2) * minus_hc12_3;
   const T b11_5 = b11_4 + T(0.007344838233654);
   const T J11_22 = b11_5 + T(0.014946370894785) + b11_4;
@@ -6601,14 +6632,14 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T minus_J11_23 = b11_6 + T(0.005511856743574);
   A[190] = J11_22;
   // hc11 = E11^T h11: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc11_1 = E11_11 * h11_1 - minus_E11_13 * minus_h11_3;
-  const T minus_hc11_3 = minus_E11_13 * h11_1 + E11_11 * minus_h11_3;
+  const T minus_hc11_1 = minus_E11_13 * minus_h11_3 + E11_11 * minus_h11_1;
+  const T minus_hc11_3 = E11_11 * minus_h11_3 - minus_E11_13 * minus_h11_1;
   A[191] = b11_5;
   A[208] = b11_5;
 
   // ---- body 10 (rr_hip) and what it carries
   // h10 = h_own_10 + hc11: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h10_3 = minus_hc11_3 - T(2.1575999999999998e-05);
+  const T h10_3 = T(2.1575999999999998e-05) - minus_hc11_3;
   // J10 = -q11~ hc11~ + E11^T J11 E11 + J_own_10 - hc11~ q11~: inertia carried, about the body origin, body axes [kg
   //   m^2]
   const T b10_1 = minus_E11_13 * (b11_2 - J11_11) + T(2) * E11_11 * J11_13;
@@ -6617,19 +6648,19 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b10_3 = E11_11 * J11_12 - minus_E11_13 * minus_J11_23;
   const T J10_12 = b10_3 - T(0.014746295744939998);
   const T J10_13 = T(4.165029864e-06) - J11_13 + E11_11 * b10_1 - T(0.1805) * minus_hc11_3;
-  const T b10_4 = T(0.1805) * hc11_1;
-  const T b10_5 = J11_22 - b10_4;
-  const T J10_22 = b10_5 - b10_4;
+  const T b10_4 = T(0.1805) * minus_hc11_1;
+  const T b10_5 = b10_4 + J11_22;
+  const T J10_22 = b10_5 + b10_4;
   const T b10_6 = minus_E11_13 * J11_12 + E11_11 * minus_J11_23;
   const T J10_23 = T(4.7970076e-07) - b10_6;
-  const T J10_33 = b11_2 - b10_2 + T(0.006588148547768) - T(0.361) * hc11_1;
+  const T J10_33 = b11_2 - b10_2 + T(0.006588148547768) + T(0.361) * minus_hc11_1;
   A[171] = J10_11;
   // hc10 = E10^T h10: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc10_2 = E10_22 * T(0.081652909) - E10_23 * minus_h10_3;
-  const T minus_hc10_3 = E10_23 * T(0.081652909) + E10_22 * minus_h10_3;
+  const T minus_hc10_2 = E10_23 * h10_3 + E10_22 * T(0.081652909);
+  const T minus_hc10_3 = E10_23 * T(0.081652909) - E10_22 * h10_3;
   // B_thetadot12_10 = E11^T B_thetadot12_11
-  const T minus_B_thetadot12_10_1 = minus_E11_13 * hc12_1 + E11_11 * minus_hc12_3;
-  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 - E11_11 * hc12_1;
+  const T B_thetadot12_10_1 = minus_E11_13 * minus_hc12_1 - E11_11 * minus_hc12_3;
+  const T B_thetadot12_10_3 = minus_E11_13 * minus_hc12_3 + E11_11 * minus_hc12_1;
   // K_thetadot12_10 = q11~ E11^T B_thetadot12_11 + E11^T K_thetadot12_11
   const T K_thetadot12_10_1 = E11_11 * b11_3 - minus_E11_13 * b11_6;
   const T K_thetadot12_10_2 = b11_5 + T(0.1805) * B_thetadot12_10_3;
@@ -6641,20 +6672,20 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 8 (fl_calf) and what it carries
   // hc8 = E8^T h_own_8: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc8_1 = E8_11 * T(0.00106821) - minus_E8_13 * T(0.029826408000000002);
-  const T minus_hc8_3 = minus_E8_13 * T(0.00106821) + E8_11 * T(0.029826408000000002);
+  const T minus_hc8_1 = minus_E8_13 * T(0.029826408000000002) - E8_11 * T(0.00106821);
+  const T minus_hc8_3 = E8_11 * T(0.029826408000000002) + minus_E8_13 * T(0.00106821);
 
   // ---- body 7 (fl_thigh) and what it carries
   // h7 = h_own_7 + hc8: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h7_1 = hc8_1 - T(0.0032790809999999997);
-  const T minus_h7_3 = minus_hc8_3 + T(0.072881238);
+  const T minus_h7_1 = minus_hc8_1 + T(0.0032790809999999997);
+  const T minus_h7_3 = T(0.072881238) + minus_hc8_3;
   // J7 = -q8~ hc8~ + E8^T J_own_8 E8 + J_own_7 - hc8~ q8~: inertia carried, about the body origin, body axes [kg m^2]
   const T b7_1 = minus_E8_13 * T(0.007273014370954) + T(2) * E8_11 * T(2.6450064520000005e-05);
   const T b7_2 = minus_E8_13 * b7_1;
   const T J7_11 = T(0.021220094495345) - b7_2 + T(0.4) * minus_hc8_3;
   const T b7_3 = minus_E8_13 * T(0.0024994529904) - E8_11 * T(8.9515998e-05);
   const T J7_12 = b7_3 + T(0.00020639994631299998);
-  const T J7_13 = T(0.00028071489711400005) - E8_11 * b7_1 + T(0.2) * hc8_1;
+  const T J7_13 = T(0.00028071489711400005) - E8_11 * b7_1 - T(0.2) * minus_hc8_1;
   const T b7_4 = T(0.2) * minus_hc8_3;
   const T b7_5 = b7_4 + T(0.007344838233654);
   const T J7_22 = b7_5 + T(0.014946370894785) + b7_4;
@@ -6662,14 +6693,14 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T J7_23 = b7_6 + T(0.005511856743574);
   A[133] = J7_22;
   // hc7 = E7^T h7: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc7_1 = E7_11 * h7_1 - minus_E7_13 * minus_h7_3;
-  const T minus_hc7_3 = minus_E7_13 * h7_1 + E7_11 * minus_h7_3;
+  const T minus_hc7_1 = minus_E7_13 * minus_h7_3 + E7_11 * minus_h7_1;
+  const T minus_hc7_3 = E7_11 * minus_h7_3 - minus_E7_13 * minus_h7_1;
   A[134] = b7_5;
   A[151] = b7_5;
 
   // ---- body 6 (fl_hip) and what it carries
   // h6 = h_own_6 + hc7: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h6_3 = minus_hc7_3 - T(2.1575999999999998e-05);
+  const T h6_3 = T(2.1575999999999998e-05) - minus_hc7_3;
   // J6 = -q7~ hc7~ + E7^T J7 E7 + J_own_6 - hc7~ q7~: inertia carried, about the body origin, body axes [kg m^2]
   const T b6_1 = minus_E7_13 * (b7_2 - J7_11) + T(2) * E7_11 * J7_13;
   const T b6_2 = minus_E7_13 * b6_1;
@@ -6677,19 +6708,19 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b6_3 = E7_11 * J7_12 + minus_E7_13 * J7_23;
   const T J6_12 = b6_3 - T(0.014746295744939998);
   const T J6_13 = E7_11 * b6_1 - (J7_13 + T(4.165029864e-06)) + T(0.1805) * minus_hc7_3;
-  const T b6_4 = T(0.1805) * hc7_1;
-  const T b6_5 = J7_22 + b6_4;
-  const T J6_22 = b6_5 + b6_4;
+  const T b6_4 = T(0.1805) * minus_hc7_1;
+  const T b6_5 = J7_22 - b6_4;
+  const T J6_22 = b6_5 - b6_4;
   const T b6_6 = E7_11 * J7_23 - minus_E7_13 * J7_12;
   const T J6_23 = b6_6 - T(4.7970076e-07);
-  const T J6_33 = b7_2 - b6_2 + T(0.006588148547768) + T(0.361) * hc7_1;
+  const T J6_33 = b7_2 - b6_2 + T(0.006588148547768) - T(0.361) * minus_hc7_1;
   A[114] = J6_11;
   // hc6 = E6^T h6: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc6_2 = E6_22 * T(0.081652909) + E6_23 * minus_h6_3;
-  const T hc6_3 = E6_23 * T(0.081652909) - E6_22 * minus_h6_3;
+  const T hc6_2 = E6_22 * T(0.081652909) - E6_23 * h6_3;
+  const T hc6_3 = E6_22 * h6_3 + E6_23 * T(0.081652909);
   // B_thetadot8_6 = E7^T B_thetadot8_7
-  const T minus_B_thetadot8_6_1 = minus_E7_13 * hc8_1 + E7_11 * minus_hc8_3;
-  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 - E7_11 * hc8_1;
+  const T B_thetadot8_6_1 = minus_E7_13 * minus_hc8_1 - E7_11 * minus_hc8_3;
+  const T B_thetadot8_6_3 = minus_E7_13 * minus_hc8_3 + E7_11 * minus_hc8_1;
   // K_thetadot8_6 = q7~ E7^T B_thetadot8_7 + E7^T K_thetadot8_7
   const T K_thetadot8_6_1 = E7_11 * b7_3 + minus_E7_13 * b7_6;
   const T K_thetadot8_6_2 = b7_5 - T(0.1805) * B_thetadot8_6_3;
@@ -6701,20 +6732,20 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 4 (fr_calf) and what it carries
   // hc4 = E4^T h_own_4: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc4_1 = E4_11 * T(0.00106821) - minus_E4_13 * T(0.029826408000000002);
-  const T minus_hc4_3 = minus_E4_13 * T(0.00106821) + E4_11 * T(0.029826408000000002);
+  const T minus_hc4_1 = minus_E4_13 * T(0.029826408000000002) - E4_11 * T(0.00106821);
+  const T minus_hc4_3 = E4_11 * T(0.029826408000000002) + minus_E4_13 * T(0.00106821);
 
   // ---- body 3 (fr_thigh) and what it carries
   // h3 = h_own_3 + hc4: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h3_1 = hc4_1 - T(0.0032790809999999997);
-  const T minus_h3_3 = minus_hc4_3 + T(0.072881238);
+  const T minus_h3_1 = minus_hc4_1 + T(0.0032790809999999997);
+  const T minus_h3_3 = T(0.072881238) + minus_hc4_3;
   // J3 = -q4~ hc4~ + E4^T J_own_4 E4 + J_own_3 - hc4~ q4~: inertia carried, about the body origin, body axes [kg m^2]
   const T b3_1 = minus_E4_13 * T(0.007273014370954) + T(2) * E4_11 * T(2.6450064520000005e-05);
   const T b3_2 = minus_E4_13 * b3_1;
   const T J3_11 = T(0.021220094495345) - b3_2 + T(0.4) * minus_hc4_3;
   const T b3_3 = E4_11 * T(8.9515998e-05) - minus_E4_13 * T(0.0024994529904);
   const T J3_12 = b3_3 - T(0.00020639994631299998);
-  const T J3_13 = T(0.00028071489711400005) - E4_11 * b3_1 + T(0.2) * hc4_1;
+  const T J3_13 = T(0.00028071489711400005) - E4_11 * b3_1 - T(0.2) * minus_hc4_1;
   const T b3_4 = T(0.2) * minus_hc4_3;
   const T b3_5 = b3_4 + T(0.007344838233654);
   const T J3_22 = b3_5 + T(0.014946370894785) + b3_4;
@@ -6722,14 +6753,14 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T minus_J3_23 = b3_6 + T(0.005511856743574);
   A[76] = J3_22;
   // hc3 = E3^T h3: first moment carried, about the body origin, lower body's axes [kg m]
-  const T hc3_1 = E3_11 * h3_1 - minus_E3_13 * minus_h3_3;
-  const T minus_hc3_3 = minus_E3_13 * h3_1 + E3_11 * minus_h3_3;
+  const T minus_hc3_1 = minus_E3_13 * minus_h3_3 + E3_11 * minus_h3_1;
+  const T minus_hc3_3 = E3_11 * minus_h3_3 - minus_E3_13 * minus_h3_1;
   A[77] = b3_5;
   A[94] = b3_5;
 
   // ---- body 2 (fr_hip) and what it carries
   // h2 = h_own_2 + hc3: first moment of mass carried, about the body origin, body axes [kg m]
-  const T minus_h2_3 = minus_hc3_3 - T(2.1575999999999998e-05);
+  const T h2_3 = T(2.1575999999999998e-05) - minus_hc3_3;
   // J2 = -q3~ hc3~ + E3^T J3 E3 + J_own_2 - hc3~ q3~: inertia carried, about the body origin, body axes [kg m^2]
   const T b2_1 = minus_E3_13 * (b3_2 - J3_11) + T(2) * E3_11 * J3_13;
   const T b2_2 = minus_E3_13 * b2_1;
@@ -6737,19 +6768,19 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b2_3 = E3_11 * J3_12 - minus_E3_13 * minus_J3_23;
   const T J2_12 = b2_3 + T(0.014746295744939998);
   const T J2_13 = E3_11 * b2_1 - (J3_13 + T(4.165029864e-06)) + T(0.1805) * minus_hc3_3;
-  const T b2_4 = T(0.1805) * hc3_1;
-  const T b2_5 = J3_22 + b2_4;
-  const T J2_22 = b2_5 + b2_4;
+  const T b2_4 = T(0.1805) * minus_hc3_1;
+  const T b2_5 = J3_22 - b2_4;
+  const T J2_22 = b2_5 - b2_4;
   const T b2_6 = minus_E3_13 * J3_12 + E3_11 * minus_J3_23;
   const T J2_23 = T(4.7970076e-07) - b2_6;
-  const T J2_33 = b3_2 - b2_2 + T(0.006588148547768) + T(0.361) * hc3_1;
+  const T J2_33 = b3_2 - b2_2 + T(0.006588148547768) - T(0.361) * minus_hc3_1;
   A[57] = J2_11;
   // hc2 = E2^T h2: first moment carried, about the body origin, lower body's axes [kg m]
-  const T minus_hc2_2 = E2_22 * T(0.081652909) - E2_23 * minus_h2_3;
-  const T minus_hc2_3 = E2_23 * T(0.081652909) + E2_22 * minus_h2_3;
+  const T minus_hc2_2 = E2_23 * h2_3 + E2_22 * T(0.081652909);
+  const T minus_hc2_3 = E2_23 * T(0.081652909) - E2_22 * h2_3;
   // B_thetadot4_2 = E3^T B_thetadot4_3
-  const T minus_B_thetadot4_2_1 = minus_E3_13 * hc4_1 + E3_11 * minus_hc4_3;
-  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 - E3_11 * hc4_1;
+  const T B_thetadot4_2_1 = minus_E3_13 * minus_hc4_1 - E3_11 * minus_hc4_3;
+  const T B_thetadot4_2_3 = minus_E3_13 * minus_hc4_3 + E3_11 * minus_hc4_1;
   // K_thetadot4_2 = q3~ E3^T B_thetadot4_3 + E3^T K_thetadot4_3
   const T K_thetadot4_2_1 = E3_11 * b3_3 - minus_E3_13 * b3_6;
   const T K_thetadot4_2_2 = b3_5 - T(0.1805) * B_thetadot4_2_3;
@@ -6761,7 +6792,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
 
   // ---- body 1 (trunk) and what it carries
   // h1 = h_all_1 + hc2 + hc6 + hc10 + hc14: first moment of mass carried, about the body origin, body axes [kg m]
-  const T h1_1 = hc3_1 + hc7_1 + hc11_1 + hc15_1;
+  const T minus_h1_1 = minus_hc3_1 + minus_hc7_1 + minus_hc11_1 + minus_hc15_1;
   const T h1_2 = c.h_all_1_2 - minus_hc2_2 + hc6_2 - minus_hc10_2 + hc14_2;
   const T h1_3 = hc6_3 - (minus_hc2_3 + c.c1_2) - minus_hc10_3 + hc14_3;
   // J1 = -q2~ hc2~ + E2^T J2 E2 - q6~ hc6~ + E6^T J6 E6 - q10~ hc10~ + E10^T J10 E10 - q14~ hc14~ + E14^T J14 E14 +
@@ -6775,8 +6806,8 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b1_5 = E6_22 * J6_12 - E6_23 * J6_13;
   const T b1_6 = E10_22 * J10_12 - E10_23 * J10_13;
   const T b1_7 = E14_22 * J14_12 - E14_23 * J14_13;
-  const T J1_12 = b1_4 + b1_5 + b1_6 + b1_7 - T(3.66e-05) + T(0.047) * hc3_1 - T(0.047) * hc7_1 + T(0.047) * hc11_1 -
-      T(0.047) * hc15_1;
+  const T J1_12 = b1_4 + b1_5 + b1_6 + b1_7 - T(3.66e-05) - T(0.047) * minus_hc3_1 + T(0.047) * minus_hc7_1 - T(0.047)
+      * minus_hc11_1 + T(0.047) * minus_hc15_1;
   const T b1_8 = E2_23 * J2_12 + E2_22 * J2_13;
   const T b1_9 = E6_23 * J6_12 + E6_22 * J6_13;
   const T b1_10 = E10_23 * J10_12 + E10_22 * J10_13;
@@ -6787,10 +6818,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T b1_14 = E10_23 * (J10_22 - J10_33) + T(2) * E10_22 * J10_23;
   const T b1_15 = E14_23 * (J14_22 - J14_33) + T(2) * E14_22 * J14_23;
   const T b1_16 = E2_23 * b1_12 + E6_23 * b1_13 + E10_23 * b1_14 + E14_23 * b1_15;
-  const T J1_22 = J2_22 - b1_16 + J6_22 + J10_22 + J14_22 + c.c1_9;
+  const T J1_22 = J2_22 - b1_16 + J6_22 + J10_22 + J14_22 + c.J_all_1_22;
   const T J1_23 = c.J_all_1_23 - (J2_23 + J6_23 + J10_23 + J14_23) + E2_22 * b1_12 + E6_22 * b1_13 + E10_22 * b1_14 +
       E14_22 * b1_15 - T(0.047) * minus_hc2_3 - T(0.047) * hc6_3 - T(0.047) * minus_hc10_3 - T(0.047) * hc14_3;
-  const T J1_33 = J2_33 + b1_16 + b1_3 + J6_33 + J10_33 + J14_33 + c.c1_10 + T(0.094) * minus_hc2_2;
+  const T J1_33 = J2_33 + b1_16 + b1_3 + J6_33 + J10_33 + J14_33 + c.J_all_1_33 + T(0.094) * minus_hc2_2;
   A[0] = J1_11;
   A[1] = J1_12;
   A[18] = J1_12;
@@ -6806,8 +6837,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot16_1 = q14~ E14^T B_thetadot16_14 + E14^T K_thetadot16_14
   const T K_thetadot16_1_1 = K_thetadot16_14_1 + T(0.047) * B_thetadot16_1_3;
   const T K_thetadot16_1_2 = E14_22 * K_thetadot16_14_2 - E14_23 * K_thetadot16_14_3;
-  const T K_thetadot16_1_3 = E14_23 * K_thetadot16_14_2 + E14_22 * K_thetadot16_14_3 + T(0.047) *
-      minus_B_thetadot16_14_1;
+  const T K_thetadot16_1_3 = E14_23 * K_thetadot16_14_2 + E14_22 * K_thetadot16_14_3 - T(0.047) * B_thetadot16_14_1;
   A[14] = K_thetadot16_1_1;
   A[252] = K_thetadot16_1_1;
   A[32] = K_thetadot16_1_2;
@@ -6815,10 +6845,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[50] = K_thetadot16_1_3;
   A[254] = K_thetadot16_1_3;
   // B_thetadot15_1 = E14^T B_thetadot15_14
-  const T B_thetadot15_1_2 = E14_23 * hc15_1;
-  const T minus_B_thetadot15_1_3 = E14_22 * hc15_1;
+  const T minus_B_thetadot15_1_2 = E14_23 * minus_hc15_1;
+  const T B_thetadot15_1_3 = E14_22 * minus_hc15_1;
   // K_thetadot15_1 = q14~ E14^T B_thetadot15_14 + E14^T K_thetadot15_14
-  const T K_thetadot15_1_1 = b14_3 - T(0.047) * minus_B_thetadot15_1_3;
+  const T K_thetadot15_1_1 = b14_3 + T(0.047) * B_thetadot15_1_3;
   const T K_thetadot15_1_2 = E14_22 * b14_5 - E14_23 * b14_6;
   const T K_thetadot15_1_3 = T(0.047) * minus_hc15_3 + E14_23 * b14_5 + E14_22 * b14_6;
   A[13] = K_thetadot15_1_1;
@@ -6841,7 +6871,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot12_1 = q10~ E10^T B_thetadot12_10 + E10^T K_thetadot12_10
   const T K_thetadot12_1_1 = K_thetadot12_10_1 - T(0.047) * B_thetadot12_1_3;
   const T K_thetadot12_1_2 = E10_22 * K_thetadot12_10_2 + E10_23 * minus_K_thetadot12_10_3;
-  const T K_thetadot12_1_3 = E10_23 * K_thetadot12_10_2 - T(0.047) * minus_B_thetadot12_10_1 - E10_22 *
+  const T K_thetadot12_1_3 = T(0.047) * B_thetadot12_10_1 + E10_23 * K_thetadot12_10_2 - E10_22 *
       minus_K_thetadot12_10_3;
   A[11] = K_thetadot12_1_1;
   A[198] = K_thetadot12_1_1;
@@ -6850,10 +6880,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[47] = K_thetadot12_1_3;
   A[200] = K_thetadot12_1_3;
   // B_thetadot11_1 = E10^T B_thetadot11_10
-  const T B_thetadot11_1_2 = E10_23 * hc11_1;
-  const T minus_B_thetadot11_1_3 = E10_22 * hc11_1;
+  const T minus_B_thetadot11_1_2 = E10_23 * minus_hc11_1;
+  const T B_thetadot11_1_3 = E10_22 * minus_hc11_1;
   // K_thetadot11_1 = q10~ E10^T B_thetadot11_10 + E10^T K_thetadot11_10
-  const T K_thetadot11_1_1 = b10_3 + T(0.047) * minus_B_thetadot11_1_3;
+  const T K_thetadot11_1_1 = b10_3 - T(0.047) * B_thetadot11_1_3;
   const T K_thetadot11_1_2 = E10_22 * b10_5 + E10_23 * b10_6;
   const T K_thetadot11_1_3 = E10_23 * b10_5 - E10_22 * b10_6 - T(0.047) * minus_hc11_3;
   A[10] = K_thetadot11_1_1;
@@ -6876,7 +6906,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot8_1 = q6~ E6^T B_thetadot8_6 + E6^T K_thetadot8_6
   const T K_thetadot8_1_1 = K_thetadot8_6_1 + T(0.047) * B_thetadot8_1_3;
   const T K_thetadot8_1_2 = E6_22 * K_thetadot8_6_2 - E6_23 * K_thetadot8_6_3;
-  const T K_thetadot8_1_3 = E6_23 * K_thetadot8_6_2 + E6_22 * K_thetadot8_6_3 + T(0.047) * minus_B_thetadot8_6_1;
+  const T K_thetadot8_1_3 = E6_23 * K_thetadot8_6_2 + E6_22 * K_thetadot8_6_3 - T(0.047) * B_thetadot8_6_1;
   A[8] = K_thetadot8_1_1;
   A[144] = K_thetadot8_1_1;
   A[26] = K_thetadot8_1_2;
@@ -6884,10 +6914,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[44] = K_thetadot8_1_3;
   A[146] = K_thetadot8_1_3;
   // B_thetadot7_1 = E6^T B_thetadot7_6
-  const T B_thetadot7_1_2 = E6_23 * hc7_1;
-  const T minus_B_thetadot7_1_3 = E6_22 * hc7_1;
+  const T minus_B_thetadot7_1_2 = E6_23 * minus_hc7_1;
+  const T B_thetadot7_1_3 = E6_22 * minus_hc7_1;
   // K_thetadot7_1 = q6~ E6^T B_thetadot7_6 + E6^T K_thetadot7_6
-  const T K_thetadot7_1_1 = b6_3 - T(0.047) * minus_B_thetadot7_1_3;
+  const T K_thetadot7_1_1 = b6_3 + T(0.047) * B_thetadot7_1_3;
   const T K_thetadot7_1_2 = E6_22 * b6_5 - E6_23 * b6_6;
   const T K_thetadot7_1_3 = T(0.047) * minus_hc7_3 + E6_23 * b6_5 + E6_22 * b6_6;
   A[7] = K_thetadot7_1_1;
@@ -6910,8 +6940,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   // K_thetadot4_1 = q2~ E2^T B_thetadot4_2 + E2^T K_thetadot4_2
   const T K_thetadot4_1_1 = K_thetadot4_2_1 - T(0.047) * B_thetadot4_1_3;
   const T K_thetadot4_1_2 = E2_22 * K_thetadot4_2_2 + E2_23 * minus_K_thetadot4_2_3;
-  const T K_thetadot4_1_3 = E2_23 * K_thetadot4_2_2 - T(0.047) * minus_B_thetadot4_2_1 - E2_22 *
-      minus_K_thetadot4_2_3;
+  const T K_thetadot4_1_3 = T(0.047) * B_thetadot4_2_1 + E2_23 * K_thetadot4_2_2 - E2_22 * minus_K_thetadot4_2_3;
   A[5] = K_thetadot4_1_1;
   A[90] = K_thetadot4_1_1;
   A[23] = K_thetadot4_1_2;
@@ -6919,10 +6948,10 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[41] = K_thetadot4_1_3;
   A[92] = K_thetadot4_1_3;
   // B_thetadot3_1 = E2^T B_thetadot3_2
-  const T B_thetadot3_1_2 = E2_23 * hc3_1;
-  const T minus_B_thetadot3_1_3 = E2_22 * hc3_1;
+  const T minus_B_thetadot3_1_2 = E2_23 * minus_hc3_1;
+  const T B_thetadot3_1_3 = E2_22 * minus_hc3_1;
   // K_thetadot3_1 = q2~ E2^T B_thetadot3_2 + E2^T K_thetadot3_2
-  const T K_thetadot3_1_1 = b2_3 + T(0.047) * minus_B_thetadot3_1_3;
+  const T K_thetadot3_1_1 = b2_3 - T(0.047) * B_thetadot3_1_3;
   const T K_thetadot3_1_2 = E2_22 * b2_5 + E2_23 * b2_6;
   const T K_thetadot3_1_3 = E2_23 * b2_5 - E2_22 * b2_6 - T(0.047) * minus_hc3_3;
   A[4] = K_thetadot3_1_1;
@@ -6948,22 +6977,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t3 = h1_2 * R1_33 - h1_3 * R1_23;
   A[17] = t3;
   A[306] = t3;
-  const T t4 = h1_3 * R1_11 - h1_1 * R1_31;
+  const T t4 = h1_3 * R1_11 + minus_h1_1 * R1_31;
   A[33] = t4;
   A[271] = t4;
-  const T t5 = h1_3 * R1_12 - h1_1 * R1_32;
+  const T t5 = h1_3 * R1_12 + minus_h1_1 * R1_32;
   A[34] = t5;
   A[289] = t5;
-  const T t6 = h1_3 * R1_13 - h1_1 * R1_33;
+  const T t6 = h1_3 * R1_13 + minus_h1_1 * R1_33;
   A[35] = t6;
   A[307] = t6;
-  const T t7 = h1_2 * R1_11 - h1_1 * R1_21;
+  const T t7 = minus_h1_1 * R1_21 + h1_2 * R1_11;
   A[51] = -t7;
   A[272] = -t7;
-  const T t8 = h1_2 * R1_12 - h1_1 * R1_22;
+  const T t8 = minus_h1_1 * R1_22 + h1_2 * R1_12;
   A[52] = -t8;
   A[290] = -t8;
-  const T t9 = h1_2 * R1_13 - h1_1 * R1_23;
+  const T t9 = minus_h1_1 * R1_23 + h1_2 * R1_13;
   A[53] = -t9;
   A[308] = -t9;
   const T t10 = R1_21 * minus_hc2_3 - R1_31 * minus_hc2_2;
@@ -6975,26 +7004,26 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t12 = R1_23 * minus_hc2_3 - R1_33 * minus_hc2_2;
   A[71] = t12;
   A[309] = t12;
-  const T t13 = R1_11 * minus_hc3_3 - R1_21 * B_thetadot3_1_2 + R1_31 * minus_B_thetadot3_1_3;
-  A[87] = -t13;
-  A[274] = -t13;
-  const T t14 = R1_12 * minus_hc3_3 - R1_22 * B_thetadot3_1_2 + R1_32 * minus_B_thetadot3_1_3;
-  A[88] = -t14;
-  A[292] = -t14;
-  const T t15 = R1_13 * minus_hc3_3 - R1_23 * B_thetadot3_1_2 + R1_33 * minus_B_thetadot3_1_3;
-  A[89] = -t15;
-  A[310] = -t15;
+  const T t13 = R1_31 * B_thetadot3_1_3 - (R1_11 * minus_hc3_3 + R1_21 * minus_B_thetadot3_1_2);
+  A[87] = t13;
+  A[274] = t13;
+  const T t14 = R1_32 * B_thetadot3_1_3 - (R1_12 * minus_hc3_3 + R1_22 * minus_B_thetadot3_1_2);
+  A[88] = t14;
+  A[292] = t14;
+  const T t15 = R1_33 * B_thetadot3_1_3 - (R1_13 * minus_hc3_3 + R1_23 * minus_B_thetadot3_1_2);
+  A[89] = t15;
+  A[310] = t15;
   A[95] = T(0.007344838233654);
   A[152] = T(0.007344838233654);
   A[209] = T(0.007344838233654);
   A[266] = T(0.007344838233654);
-  const T t16 = R1_31 * B_thetadot4_1_3 - (R1_11 * minus_B_thetadot4_2_1 + R1_21 * minus_B_thetadot4_1_2);
+  const T t16 = R1_11 * B_thetadot4_2_1 - R1_21 * minus_B_thetadot4_1_2 + R1_31 * B_thetadot4_1_3;
   A[105] = t16;
   A[275] = t16;
-  const T t17 = R1_32 * B_thetadot4_1_3 - (R1_12 * minus_B_thetadot4_2_1 + R1_22 * minus_B_thetadot4_1_2);
+  const T t17 = R1_12 * B_thetadot4_2_1 - R1_22 * minus_B_thetadot4_1_2 + R1_32 * B_thetadot4_1_3;
   A[106] = t17;
   A[293] = t17;
-  const T t18 = R1_33 * B_thetadot4_1_3 - (R1_13 * minus_B_thetadot4_2_1 + R1_23 * minus_B_thetadot4_1_2);
+  const T t18 = R1_13 * B_thetadot4_2_1 - R1_23 * minus_B_thetadot4_1_2 + R1_33 * B_thetadot4_1_3;
   A[107] = t18;
   A[311] = t18;
   const T t19 = R1_31 * hc6_2 - R1_21 * hc6_3;
@@ -7006,22 +7035,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t21 = R1_33 * hc6_2 - R1_23 * hc6_3;
   A[125] = t21;
   A[312] = t21;
-  const T t22 = R1_11 * minus_hc7_3 - R1_21 * B_thetadot7_1_2 + R1_31 * minus_B_thetadot7_1_3;
-  A[141] = -t22;
-  A[277] = -t22;
-  const T t23 = R1_12 * minus_hc7_3 - R1_22 * B_thetadot7_1_2 + R1_32 * minus_B_thetadot7_1_3;
-  A[142] = -t23;
-  A[295] = -t23;
-  const T t24 = R1_13 * minus_hc7_3 - R1_23 * B_thetadot7_1_2 + R1_33 * minus_B_thetadot7_1_3;
-  A[143] = -t24;
-  A[313] = -t24;
-  const T t25 = R1_31 * B_thetadot8_1_3 - (R1_11 * minus_B_thetadot8_6_1 + R1_21 * minus_B_thetadot8_1_2);
+  const T t22 = R1_31 * B_thetadot7_1_3 - (R1_11 * minus_hc7_3 + R1_21 * minus_B_thetadot7_1_2);
+  A[141] = t22;
+  A[277] = t22;
+  const T t23 = R1_32 * B_thetadot7_1_3 - (R1_12 * minus_hc7_3 + R1_22 * minus_B_thetadot7_1_2);
+  A[142] = t23;
+  A[295] = t23;
+  const T t24 = R1_33 * B_thetadot7_1_3 - (R1_13 * minus_hc7_3 + R1_23 * minus_B_thetadot7_1_2);
+  A[143] = t24;
+  A[313] = t24;
+  const T t25 = R1_11 * B_thetadot8_6_1 - R1_21 * minus_B_thetadot8_1_2 + R1_31 * B_thetadot8_1_3;
   A[159] = t25;
   A[278] = t25;
-  const T t26 = R1_32 * B_thetadot8_1_3 - (R1_12 * minus_B_thetadot8_6_1 + R1_22 * minus_B_thetadot8_1_2);
+  const T t26 = R1_12 * B_thetadot8_6_1 - R1_22 * minus_B_thetadot8_1_2 + R1_32 * B_thetadot8_1_3;
   A[160] = t26;
   A[296] = t26;
-  const T t27 = R1_33 * B_thetadot8_1_3 - (R1_13 * minus_B_thetadot8_6_1 + R1_23 * minus_B_thetadot8_1_2);
+  const T t27 = R1_13 * B_thetadot8_6_1 - R1_23 * minus_B_thetadot8_1_2 + R1_33 * B_thetadot8_1_3;
   A[161] = t27;
   A[314] = t27;
   const T t28 = R1_21 * minus_hc10_3 - R1_31 * minus_hc10_2;
@@ -7033,22 +7062,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t30 = R1_23 * minus_hc10_3 - R1_33 * minus_hc10_2;
   A[179] = t30;
   A[315] = t30;
-  const T t31 = R1_11 * minus_hc11_3 - R1_21 * B_thetadot11_1_2 + R1_31 * minus_B_thetadot11_1_3;
-  A[195] = -t31;
-  A[280] = -t31;
-  const T t32 = R1_12 * minus_hc11_3 - R1_22 * B_thetadot11_1_2 + R1_32 * minus_B_thetadot11_1_3;
-  A[196] = -t32;
-  A[298] = -t32;
-  const T t33 = R1_13 * minus_hc11_3 - R1_23 * B_thetadot11_1_2 + R1_33 * minus_B_thetadot11_1_3;
-  A[197] = -t33;
-  A[316] = -t33;
-  const T t34 = R1_31 * B_thetadot12_1_3 - (R1_11 * minus_B_thetadot12_10_1 + R1_21 * minus_B_thetadot12_1_2);
+  const T t31 = R1_31 * B_thetadot11_1_3 - (R1_11 * minus_hc11_3 + R1_21 * minus_B_thetadot11_1_2);
+  A[195] = t31;
+  A[280] = t31;
+  const T t32 = R1_32 * B_thetadot11_1_3 - (R1_12 * minus_hc11_3 + R1_22 * minus_B_thetadot11_1_2);
+  A[196] = t32;
+  A[298] = t32;
+  const T t33 = R1_33 * B_thetadot11_1_3 - (R1_13 * minus_hc11_3 + R1_23 * minus_B_thetadot11_1_2);
+  A[197] = t33;
+  A[316] = t33;
+  const T t34 = R1_11 * B_thetadot12_10_1 - R1_21 * minus_B_thetadot12_1_2 + R1_31 * B_thetadot12_1_3;
   A[213] = t34;
   A[281] = t34;
-  const T t35 = R1_32 * B_thetadot12_1_3 - (R1_12 * minus_B_thetadot12_10_1 + R1_22 * minus_B_thetadot12_1_2);
+  const T t35 = R1_12 * B_thetadot12_10_1 - R1_22 * minus_B_thetadot12_1_2 + R1_32 * B_thetadot12_1_3;
   A[214] = t35;
   A[299] = t35;
-  const T t36 = R1_33 * B_thetadot12_1_3 - (R1_13 * minus_B_thetadot12_10_1 + R1_23 * minus_B_thetadot12_1_2);
+  const T t36 = R1_13 * B_thetadot12_10_1 - R1_23 * minus_B_thetadot12_1_2 + R1_33 * B_thetadot12_1_3;
   A[215] = t36;
   A[317] = t36;
   const T t37 = R1_31 * hc14_2 - R1_21 * hc14_3;
@@ -7060,22 +7089,22 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   const T t39 = R1_33 * hc14_2 - R1_23 * hc14_3;
   A[233] = t39;
   A[318] = t39;
-  const T t40 = R1_11 * minus_hc15_3 - R1_21 * B_thetadot15_1_2 + R1_31 * minus_B_thetadot15_1_3;
-  A[249] = -t40;
-  A[283] = -t40;
-  const T t41 = R1_12 * minus_hc15_3 - R1_22 * B_thetadot15_1_2 + R1_32 * minus_B_thetadot15_1_3;
-  A[250] = -t41;
-  A[301] = -t41;
-  const T t42 = R1_13 * minus_hc15_3 - R1_23 * B_thetadot15_1_2 + R1_33 * minus_B_thetadot15_1_3;
-  A[251] = -t42;
-  A[319] = -t42;
-  const T t43 = R1_31 * B_thetadot16_1_3 - (R1_11 * minus_B_thetadot16_14_1 + R1_21 * minus_B_thetadot16_1_2);
+  const T t40 = R1_31 * B_thetadot15_1_3 - (R1_11 * minus_hc15_3 + R1_21 * minus_B_thetadot15_1_2);
+  A[249] = t40;
+  A[283] = t40;
+  const T t41 = R1_32 * B_thetadot15_1_3 - (R1_12 * minus_hc15_3 + R1_22 * minus_B_thetadot15_1_2);
+  A[250] = t41;
+  A[301] = t41;
+  const T t42 = R1_33 * B_thetadot15_1_3 - (R1_13 * minus_hc15_3 + R1_23 * minus_B_thetadot15_1_2);
+  A[251] = t42;
+  A[319] = t42;
+  const T t43 = R1_11 * B_thetadot16_14_1 - R1_21 * minus_B_thetadot16_1_2 + R1_31 * B_thetadot16_1_3;
   A[267] = t43;
   A[284] = t43;
-  const T t44 = R1_32 * B_thetadot16_1_3 - (R1_12 * minus_B_thetadot16_14_1 + R1_22 * minus_B_thetadot16_1_2);
+  const T t44 = R1_12 * B_thetadot16_14_1 - R1_22 * minus_B_thetadot16_1_2 + R1_32 * B_thetadot16_1_3;
   A[268] = t44;
   A[302] = t44;
-  const T t45 = R1_33 * B_thetadot16_1_3 - (R1_13 * minus_B_thetadot16_14_1 + R1_23 * minus_B_thetadot16_1_2);
+  const T t45 = R1_13 * B_thetadot16_14_1 - R1_23 * minus_B_thetadot16_1_2 + R1_33 * B_thetadot16_1_3;
   A[269] = t45;
   A[320] = t45;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 4cdb92c80ca99804 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 496359b09f876d46 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -130,7 +130,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "4cdb92c80ca99804";
+inline constexpr char model_hash[] = "496359b09f876d46";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -2561,10 +2561,6 @@ void state_matrix(const Prepared<T>& c, const T* x, const T* y, const Inputs<T>&
       KCc2_23 * omega1_2;
   const T Mq_thetadot2_1_3 = T(0.6) * minus_Fq_thetadot2_1_1 + E2_23 * minus_N2_3_of_r + b1_33 * U1_31_of_r - b1_31 *
       U1_21_of_r + KCc2_22 * omega1_2 - b2_4 * omega1_3;
-
-  // ---- body 1 (hub) and what it carries
-  // r_omega1 = -r_thruster_~ F_thruster_: Kane's equation of omega [N m]
-  const T r_omega1_3 = T(0.1) * u.thrust;
 
   // ---- results
   S[1] = omega1_3;

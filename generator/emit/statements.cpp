@@ -53,6 +53,7 @@ Statements::Statements(const program::Program& program, const std::vector<Stage>
                        const std::vector<Ref>& roots)
     : program_(program), stages_(stages), stage_(stage), alive_(reachable(program, roots)) {
   count_uses(roots);
+  written_.assign(program.nodes.size(), false);
 }
 
 // Uses by the nodes that the roots need and by the roots themselves.
@@ -71,7 +72,7 @@ void Statements::number_temporaries(const std::string& prefix) { prefix_ = prefi
 void Statements::define(const std::string& label, Ref ref) {
   const Stage stage = stages_[at(ref.node)];
   const bool is_operation = operands(program_.nodes[at(ref.node)]).count > 0;
-  if (!needs(ref) || has_name(ref) || stage != stage_ || !is_operation) return;
+  if (!needs(ref) || has_name(ref) || stage != stage_ || !is_operation || written_[at(ref.node)]) return;
   make_temporaries(ref.node);
   const Text t = operation(program_.nodes[at(ref.node)]);
   const Name given{ref.negative != t.negative ? "minus_" + label : label, t.negative};
@@ -109,6 +110,7 @@ Statements::Text Statements::expression(Index node) {
     if (stages_[at(node)] == stage_) used_.push_back(known->second.text);
     return {known->second.text, 2, known->second.negative};
   }
+  written_[at(node)] = stages_[at(node)] == stage_ && uses_[at(node)] == 1;
   return operation(program_.nodes[at(node)]);
 }
 

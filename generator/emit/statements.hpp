@@ -45,7 +45,8 @@ class Statements {
   void number_temporaries(const std::string& prefix);
 
   // Appends "const T <label> = <expression>;" where the node has no name yet, and temporaries before it. Where the program
-  // holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign.
+  // holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign. Nothing where the one
+  // expression that uses it is written already.
   void define(const std::string& label, program::Ref ref);
   // The expression of a value, after temporaries that it needs.
   std::string value(program::Ref ref);
@@ -85,6 +86,7 @@ class Statements {
   program::Stage stage_;
   std::vector<bool> alive_;
   std::vector<int> uses_;
+  std::vector<bool> written_;  // without a name, in the expression that alone uses it
   std::unordered_map<program::Index, Name> names_;
   std::unordered_map<program::Index, std::string> turns_;
   std::string prefix_ = "t";

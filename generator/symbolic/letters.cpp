@@ -358,12 +358,11 @@ class Definition {
       return derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(value)),
                                 "mass centre of the link, link axes [m]");
     };
+    const auto& turned = equations_.mechanism.link(j).centre;
+    const ex centre = turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned)) : ex(0);
     if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
-      const auto& turned = equations_.mechanism.link(j).centre;
-      const ex arm = turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned))
-                            : heavy[0]->orientation * heavy[0]->r;
-      l.r = define_centre(heavy[0]->offset + arm);
+      l.r = define_centre(turned ? centre : heavy[0]->offset + heavy[0]->orientation * heavy[0]->r);
       l.inertia = define_inertia(inertia_of(*heavy[0]));
       return;
     }
@@ -373,7 +372,7 @@ class Definition {
       moment += body->mass * (body->offset + body->orientation * body->r);
     }
     l.mass = derivation_.define("m_link", "m", j, Pass::outward, mass, "mass of the link [kg]");
-    if (!l.mass.is_zero()) l.r = define_centre(moment / l.mass);
+    if (!l.mass.is_zero()) l.r = define_centre(turned ? centre : moment / l.mass);
     for (const BodyFrame* body : heavy) {
       const ex arm = derivation_.define("arm", "c", j, Pass::outward,
                                         sum(expanded(body->offset + body->orientation * body->r - l.r)), "");

@@ -268,20 +268,59 @@ std::optional<Axis> constants_of(const scene::Vector& numbers) {
   return result;
 }
 
-// A link without others on it, and with one body: its axes may be any about that of its joint. Turned by the angle of
-// the body's mass centre, r has a zero for a sum and two products of each sine and cosine.
-void turn_axes(const scene::Scene& scene, Link& link, BodyPlace& place, int body) {
-  const int along = link.turning == Link::Turning::turn ? coordinate_axis(link.freedoms.front().axis) : -1;
-  const std::optional<Axis> r = constants_of(scene.bodies[static_cast<std::size_t>(body - 1)].r);
-  if (along < 0 || !is_identity(link.zero) || !r) return;
-  const auto i = static_cast<std::size_t>(along), j = (i + 1) % 3, k = (i + 2) % 3;
+void add_scaled(Axis& sum, double factor, const Axis& a) {
+  for (std::size_t i = 0; i < 3; ++i) sum[i] += factor * a[i];
+}
+
+// The mass centre of a body from its link's origin, link axes, where it is made of constants alone.
+std::optional<Axis> centre_of(const scene::Body& body, const BodyPlace& place) {
+  const std::optional<Axis> r = constants_of(body.r);
+  if (!r || body.mass.kind != scene::Number::Kind::constant) return std::nullopt;
   Axis centre = turned(place.orientation, *r);
-  if (centre[j] == 0 || centre[k] == 0) return;
-  const double angle = std::atan2(centre[k], centre[j]);
+  for (const OffsetTerm& term : place.offset) {
+    const std::optional<Axis> numbers = constants_of(term.numbers);
+    if (!numbers) return std::nullopt;
+    add_scaled(centre, 1.0, turned(term.orientation, *numbers));
+  }
+  return centre;
+}
+
+// Of all bodies on a link; nothing where that is not constant.
+std::optional<Axis> centre_of(const scene::Scene& scene, const Mechanism& mechanism, const std::vector<int>& bodies) {
+  Axis moment{};
+  double mass = 0.0;
+  for (const int k : bodies) {
+    const scene::Body& body = scene.bodies[static_cast<std::size_t>(k - 1)];
+    const std::optional<Axis> centre = centre_of(body, mechanism.body(k));
+    if (!centre) return std::nullopt;
+    mass += body.mass.value;
+    add_scaled(moment, body.mass.value, *centre);
+  }
+  if (mass == 0.0) return std::nullopt;
+  for (double& entry : moment) entry /= mass;
+  return moment;
+}
+
+// The axes of a link without others on it may be any about that of its joint. Turned by the angle of the mass centre, r
+// has a zero for a sum and two products of each sine and cosine.
+void turn_axes(const scene::Scene& scene, Mechanism& mechanism, int j) {
+  Link& link = mechanism.links[static_cast<std::size_t>(j - 1)];
+  const int along = link.turning == Link::Turning::turn ? coordinate_axis(link.freedoms.front().axis) : -1;
+  if (along < 0 || !is_identity(link.zero) || !mechanism.children(j).empty()) return;
+  const std::vector<int> bodies = mechanism.carried(j);
+  std::optional<Axis> centre = centre_of(scene, mechanism, bodies);
+  const auto i = static_cast<std::size_t>(along), second = (i + 1) % 3, third = (i + 2) % 3;
+  if (!centre || (*centre)[second] == 0 || (*centre)[third] == 0) return;
+  const double angle = std::atan2((*centre)[third], (*centre)[second]);
   link.zero = rotation_about(scene::no_rotation[i], angle);
-  place.orientation = product(rotation_about(scene::no_rotation[i], -angle), place.orientation);
-  centre[j] = std::hypot(centre[j], centre[k]);
-  centre[k] = 0;
+  const Rotation back = rotation_about(scene::no_rotation[i], -angle);
+  for (const int k : bodies) {
+    BodyPlace& place = mechanism.bodies[static_cast<std::size_t>(k - 1)];
+    place.orientation = product(back, place.orientation);
+    for (OffsetTerm& term : place.offset) term.orientation = product(back, term.orientation);
+  }
+  (*centre)[second] = std::hypot((*centre)[second], (*centre)[third]);
+  (*centre)[third] = 0;
   link.centre = centre;
 }
 
@@ -289,12 +328,7 @@ void turn_axes(const scene::Scene& scene, Link& link, BodyPlace& place, int body
 
 Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions) {
   Mechanism result = Builder(scene, reductions).result();
-  for (int j = 1; j <= result.size() && reductions.turn_axes; ++j) {
-    const std::vector<int> bodies = result.carried(j);
-    if (bodies.size() != 1 || !result.children(j).empty()) continue;
-    turn_axes(scene, result.links[static_cast<std::size_t>(j - 1)],
-              result.bodies[static_cast<std::size_t>(bodies[0] - 1)], bodies[0]);
-  }
+  for (int j = 1; j <= result.size() && reductions.turn_axes; ++j) turn_axes(scene, result, j);
   return result;
 }
 

@@ -49,7 +49,7 @@ struct Link {
       scene::no_rotation;  // link to lower link components at zero angle; of a held ball to inertial ones
   Offset offset;           // of its origin from the lower link's, without slides; lower link's axes
   double pitch = 0.0;      // of its turn [m/rad]
-  std::optional<scene::Axis> centre = {};  // mass centre from the body's origin, link axes [m], where these are turned for it
+  std::optional<scene::Axis> centre = {};  // mass centre, link axes [m], where these are turned for its sake
 };
 
 // Where a body of the scene is on its link.

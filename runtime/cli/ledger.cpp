@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "generator/pipeline.hpp"
+#include "generator/program/critical_path.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
 
@@ -57,7 +58,9 @@ SceneCost cost_of(const scene::Scene& scene, bool all_functions) {
   SceneCost cost{scene.name, size(scene), n_coordinates(scene), n_speeds(scene), {}, program::prepare_ledger(program)};
   const std::vector<program::Ledger> ledgers = program::ledgers(program);
   for (std::size_t i = 0; i < ledgers.size(); ++i)
-    cost.functions.push_back({program.functions[i].name, program.functions[i].n_out, ledgers[i]});
+    cost.functions.push_back({program.functions[i].name, program.functions[i].n_out, ledgers[i],
+                              program::instructions(program, program.functions[i]),
+                              program::critical_path(program, program.functions[i])});
   return cost;
 }
 
@@ -79,6 +82,8 @@ Json costs_json(const std::vector<SceneCost>& costs) {
     for (const FunctionCost& function : cost.functions) {
       functions.push_back({{"name", function.name}, {"results", function.results}});
       functions.back().update(ledger_json(function.ledger));
+      functions.back()["instructions"] = function.instructions;
+      functions.back()["critical_path"] = function.critical_path;
     }
     list.push_back({{"model", cost.name},
                     {"n_bodies", cost.bodies},

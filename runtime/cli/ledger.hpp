@@ -15,6 +15,7 @@ struct FunctionCost {
   std::string name;
   int results = 0;
   program::Ledger ledger;
+  int instructions = 0, critical_path = 0;
 };
 
 struct SceneCost {

@@ -102,7 +102,8 @@ TEST(Ways, differ_from_the_kept_one_in_one_thing) {
   for (std::size_t i = 1; i + 1 < ways.size(); ++i) {
     const symbolic::Reductions &a = ways[i].way.reductions, &b = kept.reductions;
     const int changes = (ways[i].way.algorithm != kept.algorithm) + (ways[i].way.axes != kept.axes) +
-                        (a.place_origins != b.place_origins) + (a.regroup != b.regroup || a.group != b.group);
+                        (a.place_origins != b.place_origins) + (a.turn_axes != b.turn_axes) +
+                        (a.regroup != b.regroup || a.group != b.group);
     EXPECT_EQ(changes, 1) << ways[i].name;
   }
   EXPECT_FALSE(ways.back().passes);
