@@ -1,5 +1,6 @@
 // Ways to compute some functions of a scene, side by side: what each costs, and how many digits it loses. Not: which
-// ways are worth a try (candidates.cpp). SPDX-License-Identifier: GPL-2.0-or-later
+// ways are worth a try (candidates.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <functional>

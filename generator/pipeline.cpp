@@ -38,6 +38,8 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const bool are_named = !options.functions.empty() || !scene.functions.empty();
   const Reach reach = within_reach(scene, requested_functions(scene, options.functions), are_named);
   const program::Program program = cheapest_program(scene, reach.names, options.algorithm);
+  std::vector<std::string> notes = reach.notes;
+  for (std::string& note : notes_on_size(program)) notes.push_back(std::move(note));
   // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
   // places
   const std::string mark = "@model-hash-mark";
@@ -52,7 +54,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   if (!source.empty()) replace_all(header, source, scene.source);
   replace_all(abi, mark, hash);
   replace_all(batch, mark, hash);
-  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch), reach.notes};
+  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch), std::move(notes)};
 }
 
 std::string version() { return KANEC_VERSION; }

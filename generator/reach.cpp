@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/lower/derivatives.hpp"
+#include "generator/program/ledger.hpp"
 #include "generator/requests.hpp"
 #include "runtime/base/error.hpp"
 
@@ -28,9 +30,14 @@ double speeds(const scene::Joint& joint) {
   return static_cast<double>(free) + (joint.ball && !joint.held ? 3 : 0);
 }
 
-bool has_mass_matrix(const std::string& name) {
+// The matrix itself, or a derivative that is it or needs it.
+bool has_mass_matrix(const scene::Scene& scene, const std::string& name) {
   const std::vector<std::string> of = parts(name);
-  return std::find(of.begin(), of.end(), "mass_matrix") != of.end();
+  const auto is_part = [&of](const std::string& part) { return std::find(of.begin(), of.end(), part) != of.end(); };
+  const std::vector<lower::Derived> derived = lower::derived_functions(scene);
+  return is_part("mass_matrix") || std::any_of(derived.begin(), derived.end(), [&](const lower::Derived& d) {
+           return is_part(d.name) && (d.of == "accelerations" || d.by.front() == "ydot");
+         });
 }
 
 }  // namespace
@@ -46,20 +53,31 @@ long mass_matrix_operations(const scene::Scene& scene) {
   return std::lround(22.5 * sum);
 }
 
+std::vector<std::string> notes_on_size(const program::Program& program) {
+  std::vector<std::string> notes;
+  for (const program::Function& function : program.functions) {
+    const long operations = program::ledger(program, function).operations();
+    if (operations > much && function.name != "mass_matrix")
+      notes.push_back(function.name + " takes " + some(operations) + "; --functions names those to be made");
+  }
+  return notes;
+}
+
 Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& names, bool are_named) {
   Reach reach{names, {}};
-  const auto found = std::find_if(names.begin(), names.end(), has_mass_matrix);
-  const long operations = found == names.end() ? 0 : mass_matrix_operations(scene);
+  const long operations = mass_matrix_operations(scene);
   if (operations <= much) return reach;
-  if (!are_named) {
-    reach.names.erase(reach.names.begin() + (found - names.begin()));
+  std::erase_if(reach.names, [&](const std::string& name) { return !are_named && has_mass_matrix(scene, name); });
+  if (reach.names.size() < names.size())
     reach.notes.push_back("mass_matrix is left out: it would take " + some(operations) +
                           "; with --functions mass_matrix it is made");
-  } else if (operations > most) {
-    throw InputError("function " + *found + ": found " + some(operations) + " for this scene; allowed: at most " +
-                     counted(most) + " (residual and accelerations do without the matrix)");
-  } else {
-    reach.notes.push_back(*found + " takes " + some(operations) + ": minutes to compile");
+  for (const std::string& name : reach.names) {
+    if (!has_mass_matrix(scene, name)) continue;
+    if (operations > most)
+      throw InputError("function " + name + ": found " + some(operations) +
+                       " for the mass matrix of this scene; allowed: at most " + counted(most) +
+                       " (residual and accelerations do without the matrix)");
+    reach.notes.push_back(name + " takes " + some(operations) + ": minutes to compile");
   }
   return reach;
 }

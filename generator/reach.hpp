@@ -1,10 +1,12 @@
 // Functions that grow with the square of the tree, estimated before anything is derived. Not: exact counts
-// (program/ledger). SPDX-License-Identifier: GPL-2.0-or-later
+// (program/ledger).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "generator/program/program.hpp"
 #include "generator/scene/scene.hpp"
 
 namespace kanec {
@@ -23,5 +25,8 @@ struct Reach {
 // Of the usual functions the mass matrix is left out beyond 200,000 operations, which take a compiler minutes. Named,
 // it is emitted with a note; beyond 2,000,000 that is refused (InputError).
 Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& names, bool are_named);
+
+// What to say of other functions that came out so large.
+std::vector<std::string> notes_on_size(const program::Program& program);
 
 }  // namespace kanec

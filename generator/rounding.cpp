@@ -146,8 +146,11 @@ Rounding expected_rounding(const program::Program& program, const program::Funct
   const Tape tape(program, function, arguments);
   Rounding result;
   double most = 0.0;
-  for (const program::Ref ref : function.outputs) result.size = std::max(result.size, std::fabs(tape.value(ref.node)));
-  for (const Index node : results_of(function, most_outputs)) most = std::max(most, tape.square(node));
+  const auto larger = [](double a, double b) {
+    return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+  };
+  for (const program::Ref ref : function.outputs) result.size = larger(result.size, std::fabs(tape.value(ref.node)));
+  for (const Index node : results_of(function, most_outputs)) most = larger(most, tape.square(node));
   result.error = std::sqrt(most);
   return result;
 }

@@ -1,5 +1,6 @@
 // Random states of a scene, the same for the same seed everywhere. Not: parameters beside their defaults
-// (runtime/cli/samples.hpp). SPDX-License-Identifier: BSD-3-Clause
+// (runtime/cli/samples.hpp).
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <cstddef>

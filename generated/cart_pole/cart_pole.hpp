@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 4fb3771ee12e05c6 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 2d6774a0d37c8f57 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "4fb3771ee12e05c6";
+inline constexpr char model_hash[] = "2d6774a0d37c8f57";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -302,7 +302,7 @@ void mass_matrix(const Prepared<T>& c, const T* x, T* A) noexcept {
   A[2] = t1;
 }
 
-// state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
+// state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes; xi: of a ball a turn, body axes; else as x.
 // S (2 ny x 2 ny)
 // 10 add, 34 multiply, 1 divide, 2 sine or cosine, 1 other function
 // by: equations differentiated; operations differentiated would take 12 add, 37 multiply, 1 divide, 2 sine or cosine,

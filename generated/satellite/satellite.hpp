@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 496359b09f876d46 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 84608ece6c60e039 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -130,7 +130,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "496359b09f876d46";
+inline constexpr char model_hash[] = "84608ece6c60e039";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -2010,7 +2010,7 @@ void kinematics_and_accelerations(const Prepared<T>& c, const T* x, const T* y, 
   xdot[9] = sdot1_3;
 }
 
-// state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes of the tangent xi and of y.
+// state_matrix: S of d(xi, y)/dt = S (xi, y) for small changes; xi: of a ball a turn, body axes; else as x.
 // S (2 ny x 2 ny)
 // 1309 add, 1583 multiply, 9 divide, 6 sine or cosine
 // by: equations differentiated; operations differentiated would take 1442 add, 1741 multiply, 6 divide, 6 sine or

@@ -1,5 +1,6 @@
 // How each function is written, as a straight line or as loops over bodies, and what either takes of memory. Not: the
-// text. SPDX-License-Identifier: BSD-3-Clause
+// text.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <optional>

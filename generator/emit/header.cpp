@@ -41,7 +41,7 @@ std::string emit_header(const Model& model, const program::Program& program) {
                      (included.empty() ? "" : "\n") + "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
                      "inline constexpr char model_hash[] = \"" + model.hash + "\";\n\n" + state_constants(scene) +
                      selection(program);
-  for (const program::Function& function : program.functions) text += sparsity(program, function);
+  text += sparsity(program);
   text += preparation.text;
   for (std::size_t i = 0; i < costs.size(); ++i)
     text += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named, how[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/sparsity.hpp"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "generator/emit/statements.hpp"
@@ -22,21 +24,50 @@ std::string list(const std::string& name, const std::vector<program::Index>& val
   return lines;
 }
 
+// Of one matrix: what is 0 in one of the functions that return it is 0.
+struct Pattern {
+  std::string name;
+  program::Index columns = 0;
+  std::vector<bool> zero;
+};
+
+void add(std::vector<Pattern>& list, const program::Program& program, const program::Result& result,
+         const program::Ref* entries) {
+  const auto is_same = [&result](const Pattern& pattern) { return pattern.name == result.function; };
+  auto known = std::find_if(list.begin(), list.end(), is_same);
+  if (known == list.end())
+    known = list.insert(list.end(), {result.function, result.columns,
+                                     std::vector<bool>(static_cast<std::size_t>(result.count), false)});
+  for (std::size_t i = 0; i < known->zero.size(); ++i) known->zero[i] = known->zero[i] || is_zero(program, entries[i]);
+}
+
+std::string text_of(const Pattern& pattern) {
+  std::vector<program::Index> row_of, column_of;
+  for (std::size_t i = 0; i < pattern.zero.size(); ++i) {
+    if (pattern.zero[i]) continue;
+    row_of.push_back(static_cast<program::Index>(i) / pattern.columns);
+    column_of.push_back(static_cast<program::Index>(i) % pattern.columns);
+  }
+  return "// Entries of " + pattern.name + " that are not always 0, row by row.\ninline constexpr int " + pattern.name +
+         "_nonzeros = " + std::to_string(row_of.size()) + ";\n" + list(pattern.name + "_rows", row_of) +
+         list(pattern.name + "_columns", column_of) + "\n";
+}
+
 }  // namespace
 
-std::string sparsity(const program::Program& program, const program::Function& function) {
-  const program::Index columns = function.signature.columns;
-  if (columns == 0 || !function.placements.empty()) return "";
-  std::vector<program::Index> row_of, column_of;
-  for (program::Index i = 0; i < function.n_out; ++i) {
-    if (is_zero(program, function.outputs[static_cast<std::size_t>(i)])) continue;
-    row_of.push_back(i / columns);
-    column_of.push_back(i % columns);
+std::string sparsity(const program::Program& program) {
+  std::vector<Pattern> patterns;
+  for (const program::Function& function : program.functions) {
+    if (!function.placements.empty()) continue;
+    const program::Ref* entries = function.outputs.data();
+    for (const program::Result& result : results(function)) {
+      if (result.columns > 0) add(patterns, program, result, entries);
+      entries += result.count;
+    }
   }
-  const std::string& name = function.name;
-  return "// Entries of " + name + " that are not always 0, row by row.\ninline constexpr int " + name +
-         "_nonzeros = " + std::to_string(row_of.size()) + ";\n" + list(name + "_rows", row_of) +
-         list(name + "_columns", column_of) + "\n";
+  std::string text;
+  for (const Pattern& pattern : patterns) text += text_of(pattern);
+  return text;
 }
 
 }  // namespace kanec::emit

@@ -9,8 +9,8 @@
 
 namespace kanec::emit {
 
-// "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order; empty for functions
-// whose signature has no columns. A result of a combined function is its own function's.
-std::string sparsity(const program::Program& program, const program::Function& function);
+// "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order, of each matrix that
+// some function returns, alone or in a combination.
+std::string sparsity(const program::Program& program);
 
 }  // namespace kanec::emit

@@ -1,4 +1,5 @@
-// Nodes of a program as C++ statements: which results get a name, which stand inside an expression. Not: functions and files.
+// Nodes of a program as C++ statements: which results get a name, which stand inside an expression. Not: functions and
+// files.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -21,13 +22,13 @@ struct Name {
 // A number as C++ reads it back: "0.1", "2", "12345678901234567168.0" where an integer literal would be too large.
 std::string literal(double value);
 
-// A line broken at blanks to the width of the emitted code; further lines begin with `indent`. Blanks that hold together what
-// stands on either side are written `no_break` and become blanks.
+// A line broken at blanks to the width of the emitted code; further lines begin with `indent`. Blanks that hold
+// together what stands on either side are written `no_break` and become blanks.
 inline constexpr char no_break = '\v';
 std::vector<std::string> wrapped(std::string text, const std::string& indent);
 
-// Prints one function's nodes of one stage. Names given once stay; a node that is used more than once and has none gets a
-// numbered temporary.
+// Prints one function's nodes of one stage. Names given once stay; a node that is used more than once and has none gets
+// a numbered temporary.
 class Statements {
  public:
   // roots: what the function returns. Nodes of another stage must have names before they are used.
@@ -44,9 +45,9 @@ class Statements {
   // Temporaries are numbered from 1 behind this prefix from now on.
   void number_temporaries(const std::string& prefix);
 
-  // Appends "const T <label> = <expression>;" where the node has no name yet, and temporaries before it. Where the program
-  // holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign. Nothing where the one
-  // expression that uses it is written already.
+  // Appends "const T <label> = <expression>;" where the node has no name yet, and temporaries before it. Where the
+  // program holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign. Nothing
+  // where the one expression that uses it is written already.
   void define(const std::string& label, program::Ref ref);
   // The expression of a value, after temporaries that it needs.
   std::string value(program::Ref ref);

@@ -1,5 +1,6 @@
 // Letters of the scene as program values: entries of the state, numbers, expressions. Not: named quantities
-// (lower.cpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (lower.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <vector>

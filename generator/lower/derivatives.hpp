@@ -1,5 +1,6 @@
 // Derivatives of emitted functions with respect to the state, by coordinates as they are or by the tangent of
-// rotations. Not: how operations are differentiated (program/derivative.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// rotations. Not: how operations are differentiated (program/derivative.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // The directions of the state that derivatives are taken along: by coordinates as they are, or by the tangent of
-// rotations. Not: derivatives. SPDX-License-Identifier: GPL-2.0-or-later
+// rotations. Not: derivatives.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

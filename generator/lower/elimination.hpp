@@ -1,6 +1,6 @@
 // A symmetric positive definite system solved entry by entry: L D Lᵀ in a given order, of the tree's pattern only,
-// which elimination from the leaves does not fill. Not: where the system comes from. SPDX-License-Identifier:
-// GPL-2.0-or-later
+// which elimination from the leaves does not fill. Not: where the system comes from.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <map>

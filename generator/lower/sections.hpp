@@ -1,6 +1,7 @@
 // In which section of a function each named quantity stands: outward by ascending bodies, inward by descending ones,
 // outward again with what was solved, the whole system last; never before what it is written in. Not: values
-// (lower.cpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (lower.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <map>

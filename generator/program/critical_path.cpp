@@ -15,6 +15,7 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 int latency(const Node& node) {
   if (std::holds_alternative<Divide>(node)) return 14;
   if (std::holds_alternative<SquareRoot>(node)) return 18;
+  if (std::holds_alternative<Select>(node)) return 4;
   const Operands from = operands(node);
   return from.count == 2 && !std::holds_alternative<BinaryCall>(node) ? 4 : from.count > 0 ? 60 : 0;
 }

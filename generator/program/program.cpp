@@ -47,7 +47,7 @@ const char* name(Binary function) {
 std::vector<Result> results(const Function& function) {
   const Signature& signature = function.signature;
   if (!signature.results.empty()) return signature.results;
-  return {{signature.out, function.n_out, signature.layout, signature.columns}};
+  return {{function.name, signature.out, function.n_out, signature.layout, signature.columns}};
 }
 
 std::vector<Stage> stages(const Program& program) {

@@ -67,8 +67,9 @@ struct Placement {
   Index offset;
 };
 
-// One of the results of a combined function.
+// One of the results of a function.
 struct Result {
+  std::string function;  // whose it is, also in a combination
   std::string out;
   Index count = 0;
   std::string layout;

@@ -1,5 +1,6 @@
 // How the joint of a body begins to move, and what of it is locked or prescribed. Not: the joint itself
-// (read_joint.hpp). SPDX-License-Identifier: BSD-3-Clause
+// (read_joint.hpp).
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <string>

@@ -2,7 +2,8 @@
 // joint passes nothing on: with ω̇ and P̈ of its body as unknowns in place of ω̇ and s̈, V is block diagonal there, so that
 // the tree falls into clusters that each begin with a free body (or with the inertial frame), and s̈ follows from the
 // accelerations of the two bodies. A cluster of one body is its own balance, m a = F and I ω̇ + ω̃ I ω = M; the others
-// are solved by elimination from the leaves inward, which fills in nothing. SPDX-License-Identifier: GPL-2.0-or-later
+// are solved by elimination from the leaves inward, which fills in nothing.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <map>
 
 #include "generator/symbolic/articulated.hpp"

@@ -1,6 +1,7 @@
 // A ẏ = f solved joint by joint, from the leaves inward and back: what a link and all above it ask of their joint, with
 // the joint's own speeds eliminated. Grows with the number of links, not with its cube. Not here: the choice between
-// this and a system for all speeds at once (accelerations.cpp). SPDX-License-Identifier: GPL-2.0-or-later
+// this and a system for all speeds at once (accelerations.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <map>

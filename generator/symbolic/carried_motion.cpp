@@ -44,8 +44,8 @@ void CarriedMotion::add(int k) {
   sum.rate = define("hdot", k, sum.rate, "twice the rate of the first moment carried, body axes [kg m/s]");
   sum.coriolis =
       define("KC", k, sum.coriolis, "moment of the Coriolis forces of an angular velocity, body axes [kg m^2/s]");
-  sum.pull = define("f", k, sum.pull, "what bodies beyond ball joints pull, body axes [N]");
-  sum.arms = define("W", k, sum.arms, "its moment as the body turns, body axes [N m]");
+  sum.pull = define("pull", k, sum.pull, "what bodies beyond ball joints pull, body axes [N]");
+  sum.arms = define("arms", k, sum.arms, "its moment as the body turns, body axes [N m]");
   links_[static_cast<std::size_t>(k)] = sum;
 }
 
@@ -80,8 +80,8 @@ Carried CarriedMotion::turned(int k) {
   joint.inertia = composites_.lower_inertia(k);
   joint.rate = define("hdotc", k, E_T * link.rate, "the same in the lower body's axes");
   joint.coriolis = square("KCc", link.coriolis, "the same in the lower body's axes");
-  joint.pull = define("fc", k, E_T * link.pull, "the same in the lower body's axes");
-  joint.arms = square("Wc", link.arms, "the same in the lower body's axes");
+  joint.pull = define("pullc", k, E_T * link.pull, "the same in the lower body's axes");
+  joint.arms = square("armsc", link.arms, "the same in the lower body's axes");
   joint.force = sums_.force_in_lower_axes(k);
   joint.torque = E_T * link.torque;
   joint.origin = derivation_.define("Pddotc", "\\ddot P", k, Pass::outward,
@@ -96,7 +96,7 @@ Carried CarriedMotion::beyond_ball(int k) {
   Carried joint;
   joint.mass = link.mass;
   joint.force = sums_.force_in_lower_axes(k);
-  joint.pull = define("fc", k, derivation_.in_axes(link.force - link.mass * link.origin, derivation_.home(k), below),
+  joint.pull = define("pullc", k, derivation_.in_axes(link.force - link.mass * link.origin, derivation_.home(k), below),
                       "force on the joint beyond that of its mass there, lower body's axes [N]");
   joint.origin = derivation_.in_axes(link.origin, derivation_.home(k), below);
   return joint;

@@ -1,9 +1,10 @@
 // What a joint carries while it moves: first and second moments of mass with their rates, and what of its inertia
-// forces turns with the joint and what does not. Not here: the mass matrix (composites.hpp), derivatives
-// (variations.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// forces turns with the joint and what does not. Not: the mass matrix (composites.hpp), derivatives (variations.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "generator/symbolic/acceleration_chain.hpp"

@@ -1,5 +1,6 @@
 // Mass, first moment and inertia of each link about its origin; what its joint cannot feel belongs to the lower link.
-// Not here: what joints carry (composites.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// Not here: what joints carry (composites.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "generator/symbolic/algebra.hpp"

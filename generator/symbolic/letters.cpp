@@ -201,9 +201,9 @@ class Definition {
     pair_of_attitude(j, "C", "C", transposed, plain);
     ex value = lower.to_body * l.to_inertial;
     if (!lower.e.is_zero()) {
-      const ex e = derivation_.define("erel", "e'", j, Pass::outward,
-                                      lower.eps4 * l.e - l.eps4 * lower.e - skew(lower.e) * l.e,
-                                      "Euler parameters relative to the lower body");
+      const ex e =
+          derivation_.define("erel", "e'", j, Pass::outward, lower.eps4 * l.e - l.eps4 * lower.e - skew(lower.e) * l.e,
+                             "Euler parameters relative to the lower body");
       const ex eps4 = derivation_.define("eps4rel", "\\varepsilon_4'", j, Pass::outward,
                                          lower.eps4 * l.eps4 + dot(lower.e, l.e), "");
       value = rotation(e, eps4);
@@ -359,7 +359,8 @@ class Definition {
                                 "mass centre of the link, link axes [m]");
     };
     const auto& turned = equations_.mechanism.link(j).centre;
-    const ex centre = turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned)) : ex(0);
+    const ex centre =
+        turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned)) : ex(0);
     if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
       l.r = define_centre(turned ? centre : heavy[0]->offset + heavy[0]->orientation * heavy[0]->r);

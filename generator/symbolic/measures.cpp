@@ -1,5 +1,6 @@
 // What one watches besides the motion: kinematical equations, poses, energy, momentum, power of the applied loads,
-// points. SPDX-License-Identifier: GPL-2.0-or-later
+// points.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/acceleration_chain.hpp"
 #include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/loads.hpp"

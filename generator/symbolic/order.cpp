@@ -2,6 +2,7 @@
 #include "generator/symbolic/order.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace kanec::symbolic {
@@ -14,21 +15,24 @@ using Key = std::vector<long>;
 
 bool commutes(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e); }
 
-// One negative mark a kind of expression, functions by their name.
+// One mark a kind of expression, functions by their name; long names go round in 64 bits.
 long kind(const ex& e) {
   if (!GiNaC::is_a<GiNaC::function>(e)) return -1;
-  long mark = -1000;
-  for (const char c : GiNaC::ex_to<GiNaC::function>(e).get_name()) mark = mark * 31 - c;
-  return mark;
+  std::uint64_t mark = static_cast<std::uint64_t>(-1000);
+  for (const char c : GiNaC::ex_to<GiNaC::function>(e).get_name()) mark = mark * 31 - static_cast<unsigned char>(c);
+  return static_cast<long>(mark);
 }
 
-// Letters by index; functions and numbers by negative marks, numbers also by value.
+// In sixteenths, as far as a long goes.
+long whole(double value) { return static_cast<long>(std::clamp(value * 16, -9e18, 9e18)); }
+
+// Letters by index; functions and numbers by marks, numbers also by value.
 void append_key(const ex& e, Key& key) {
   if (GiNaC::is_a<Atom>(e)) {
     key.push_back(GiNaC::ex_to<Atom>(e).index());
   } else if (GiNaC::is_a<GiNaC::numeric>(e)) {
     key.push_back(-3);
-    key.push_back(static_cast<long>(GiNaC::ex_to<GiNaC::numeric>(e).to_double() * 16));
+    key.push_back(whole(GiNaC::ex_to<GiNaC::numeric>(e).to_double()));
   } else {
     const std::vector<ex> operands = commutes(e) ? ordered(e) : std::vector<ex>(e.begin(), e.end());
     for (const ex& operand : operands)

@@ -68,9 +68,9 @@ VariationRows::Measure VariationRows::shifted(const Coordinate& row, int k, cons
   const int below = v_.lower(k);
   const ex& d = v_.derivation.joint_offsets[static_cast<std::size_t>(k)];
   const Frame frame = v_.derivation.home(below) == below ? below : m.frame;
-  const ex Z = v_.define("Z", below, row, v_.derivation.in_axes(m.Z, m.frame, below));
-  return {frame == below ? Z : m.Z, v_.define("w", below, row, v_.derivation.in_axes(m.w, m.frame, frame)), frame,
-          v_.define("X", below, row, m.X + skew(d) * Z), v_.define("Y", below, row, m.Y + skew(v_.joint_rate(k)) * Z)};
+  const ex Z = v_.define("B", below, row, v_.derivation.in_axes(m.Z, m.frame, below));
+  return {frame == below ? Z : m.Z, v_.define("Kh", below, row, v_.derivation.in_axes(m.w, m.frame, frame)), frame,
+          v_.define("K", below, row, m.X + skew(d) * Z), v_.define("Kv", below, row, m.Y + skew(v_.joint_rate(k)) * Z)};
 }
 
 // --- entries of rows: a column of three is written as its transpose

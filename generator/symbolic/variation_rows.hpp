@@ -1,5 +1,6 @@
 // A row of a derivative of r: how the equation of one coordinate changes with its own and with those of the joints
-// below. Not: with those of the joints above (variation_columns.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// below. Not: with those of the joints above (variation_columns.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "generator/symbolic/variation.hpp"

@@ -3,7 +3,8 @@
 // δρ̈ = φ × ρ̈ + 2 φ̇ × ρ̇ + φ̈ × ρ. So each column is one force and one moment at its joint, passed on inward, and each row
 // one measure of what its joint carries against the motion of the joints below: both as the columns of A are
 // (composites.hpp). After Jain & Rodriguez (1993) and Singh, Russo & Wensing (2022), here for absolute ω, ball joints
-// and slides as well, about joint origins. SPDX-License-Identifier: GPL-2.0-or-later
+// and slides as well, about joint origins.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/stages.hpp"
 #include "generator/symbolic/variation_columns.hpp"
 #include "generator/symbolic/variation_rows.hpp"

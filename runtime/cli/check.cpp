@@ -1,4 +1,5 @@
-// kanec check: the emitted code against its oracles. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec check: the emitted code against its oracles.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <cstdint>

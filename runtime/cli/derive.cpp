@@ -1,4 +1,5 @@
-// kanec derive: the tables of the derivation. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec derive: the tables of the derivation.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/derive.hpp"
 
 #include <optional>

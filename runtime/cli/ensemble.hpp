@@ -1,5 +1,6 @@
 // kanec simulate --ensemble: many scenarios of a scene, in lanes and threads. Not: the scenarios' table
-// (scenarios.hpp), nor a single run (simulate.cpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (scenarios.hpp), nor a single run (simulate.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
-// kanec eval: one function in one state. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec eval: one function in one state.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <algorithm>

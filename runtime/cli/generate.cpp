@@ -1,4 +1,5 @@
-// kanec generate: the emitted header as a file. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec generate: the emitted header as a file.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <deque>

@@ -1,5 +1,6 @@
 // The joint of a body as keys of its TOML table: kind, axes, frames, how it begins, what is locked or prescribed. Not:
-// the rest of the body (scene_text.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// the rest of the body (scene_text.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <span>

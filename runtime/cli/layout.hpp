@@ -1,5 +1,6 @@
 // Names, shapes and units of numbers that stand one after another. Not: which numbers these are (state_layout.hpp,
-// result_layout.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// result_layout.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <span>

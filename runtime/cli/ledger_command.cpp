@@ -1,4 +1,5 @@
-// kanec ledger: the operations of all functions of many scenes. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec ledger: the operations of all functions of many scenes.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <filesystem>
 #include <optional>

@@ -72,7 +72,9 @@ void add_build(CLI::App& command, BuildArguments& arguments) {
   const std::string group = "Compiling";
   add_algorithm(command, arguments.algorithm);
   add_optimize(command, arguments.optimize);
-  command.add_option("--compiler", arguments.compiler, "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++ (lanes: g++ first)")
+  command
+      .add_option("--compiler", arguments.compiler,
+                  "C++ compiler; else $KANEC_CXX, $CXX, clang++, c++ or g++ (lanes: g++ first)")
       ->option_text("PROGRAM")
       ->group(group);
   command

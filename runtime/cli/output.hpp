@@ -1,5 +1,6 @@
 // Standard output that notices when nobody gets it, and remarks on standard error. Not: files, which runtime/base
-// writes. SPDX-License-Identifier: GPL-2.0-or-later
+// writes.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // The three ways to a function's result, which share nothing but the scene (emitted, generic) or the program (emitted,
-// precise). Not: their comparison (agreement.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// precise). Not: their comparison (agreement.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

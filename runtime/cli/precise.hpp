@@ -1,5 +1,6 @@
 // A real number of 50 decimal digits, by CLN: the scalar in which a program tells the rounding error of its emitted
-// code. Not: a type for anything else. SPDX-License-Identifier: GPL-2.0-or-later
+// code. Not: a type for anything else.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cln/float.h>

@@ -1,5 +1,6 @@
 // What was taken out of a scene before its equations, for people and for machines. Not: the reductions themselves
-// (generator/pipeline.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (generator/pipeline.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // Scenarios of an ensemble as a table: values by name, one row a scenario, from a CSV file or drawn as the scene says.
-// Not: their integration. SPDX-License-Identifier: GPL-2.0-or-later
+// Not: their integration.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>

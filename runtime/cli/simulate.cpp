@@ -1,4 +1,5 @@
-// kanec simulate: a scene compiled and integrated. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec simulate: a scene compiled and integrated.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <map>

@@ -8,7 +8,8 @@
 //
 // Letters, frames and units of CONVENTIONS.md, blocks of state_layout.hpp. x is always there (unless nothing moves
 // freely); y and ydot where the function reads them. Each of these is complete. t that is left out is 0; parameters and
-// inputs that are left out have the scene's values. SPDX-License-Identifier: GPL-2.0-or-later
+// inputs that are left out have the scene's values.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Rows of text in aligned columns. Not: what stands in them. SPDX-License-Identifier: GPL-2.0-or-later
+// Rows of text in aligned columns. Not: what stands in them.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // How errors of results are measured: in units in the last place of the largest component. Not: which results are
-// compared (agreement.hpp, report/evaluation.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// compared (agreement.hpp, report/evaluation.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // A folder of compiled models, one entry a key, shared by all processes of one user. Not: how a model is compiled or
-// loaded. SPDX-License-Identifier: BSD-3-Clause
+// loaded.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <filesystem>

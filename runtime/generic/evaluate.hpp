@@ -1,5 +1,6 @@
 // The functions of a generic system by name, in the flat layouts of runtime/abi/solver.hpp: a check compares any
-// emitted function with it. Not: the equations (equations.hpp). SPDX-License-Identifier: BSD-3-Clause
+// emitted function with it. Not: the equations (equations.hpp).
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // What a model tells of a state besides its equations: partial velocities, energy, momentum, poses, powers, points.
 // Each flat, as an emitted solver writes it. Not: the equations (equations.hpp) or what joints transmit
-// (reactions.hpp). SPDX-License-Identifier: BSD-3-Clause
+// (reactions.hpp).
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "runtime/generic/equations.hpp"

@@ -1,5 +1,6 @@
 // A scene with the values of its parameters, its numbers in one scalar: what the generic path evaluates. Not: any
-// state, nor any part of the generator; of the scene it takes the data alone. SPDX-License-Identifier: BSD-3-Clause
+// state, nor any part of the generator; of the scene it takes the data alone.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <Eigen/Core>

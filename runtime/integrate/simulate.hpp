@@ -1,5 +1,6 @@
 // A run from an initial state to a duration: rows to an observer, a summary at the end. Not here: files
-// (trajectory.hpp), pictures (plot.hpp), how any of it is shown. SPDX-License-Identifier: BSD-3-Clause
+// (trajectory.hpp), pictures (plot.hpp), how any of it is shown.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 // One header line, then one line a row, comma-separated, every number the shortest text that reads back exactly.
 // Columns: t[s]; the coordinates (Euler parameters without unit, angles in [rad], translations in [m]); the speeds
 // ([rad/s], [m/s]); kinetic[J] and potential[J], both left out where the model has no `energy`; work[J] of the applied
-// loads since t = 0. SPDX-License-Identifier: BSD-3-Clause
+// loads since t = 0.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <filesystem>

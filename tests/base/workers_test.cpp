@@ -1,4 +1,5 @@
-// Threads that share numbered work. Oracle: the numbers. SPDX-License-Identifier: BSD-3-Clause
+// Threads that share numbered work. Oracle: the numbers.
+// SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/base/workers.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Oracle: identities of real numbers, in 50 digits. SPDX-License-Identifier: GPL-2.0-or-later
+// Oracle: identities of real numbers, in 50 digits.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/precise.hpp"
 
 #include <gtest/gtest.h>

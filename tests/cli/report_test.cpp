@@ -1,8 +1,8 @@
-// Oracles: the counts of `kanec ledger`, the errors that `kanec check` finds in compiled code, and the generic path, from
-// which a way with a mistake would be 1e10 ulps away. SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/report/evaluation.hpp"
-
+// Oracles: the counts of `kanec ledger`, the errors that `kanec check` finds in compiled code, and the generic path,
+// from which a way with a mistake would be 1e10 ulps away.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/scene/read.hpp"
+#include "runtime/cli/report/evaluation.hpp"
 #include "runtime/cli/report/ways.hpp"
 #include "runtime/cli/samples.hpp"
 #include "tests/cli/program.hpp"
@@ -23,14 +23,22 @@ TEST_F(Report, has_the_kept_way_first_with_the_counts_of_the_ledger) {
   const json counted = json_of({"ledger", model("bench_s6r"), "--json"}).at(0).at("functions");
   const json functions = functions_of("bench_s6r");
   ASSERT_EQ(functions.size(), 4u);
+  int compared = 0;
   for (const json& function : functions) {
     const json& kept = function.at("ways").at(0);
     EXPECT_EQ(kept.at("name"), "kept");
     for (const json& known : counted)
       if (known.at("name") == function.at("name")) {
         EXPECT_EQ(kept.at("operations"), known.at("operations")) << function;
+        ++compared;
       }
   }
+  EXPECT_EQ(compared, 4);
+}
+
+TEST_F(Report, has_hard_states_however_few_the_random_ones) {
+  for (const json& function : functions_of("arm_6", {"--functions", "accelerations", "--states", "1"}))
+    for (const json& way : function.at("ways")) EXPECT_GT(way.at("double").at("hard_ulps"), 0) << way;
 }
 
 TEST_F(Report, finds_every_way_some_ulps_from_fifty_digits_and_from_the_generic_path) {
@@ -48,14 +56,21 @@ TEST_F(Report, finds_every_way_some_ulps_from_fifty_digits_and_from_the_generic_
 TEST_F(Report, finds_the_errors_that_check_finds) {
   const json checked = json_of({"check", model("free_body"), "--functions", "energy", "--json"}).at("functions").at(0);
   const json reported = json_of({"report", model("free_body"), "--functions", "energy", "--json"})
-                            .at("scenes").at(0).at("functions").at(0).at("ways").at(0).at("double");
+                            .at("scenes")
+                            .at(0)
+                            .at("functions")
+                            .at(0)
+                            .at("ways")
+                            .at(0)
+                            .at("double");
   // the same states and the same operations, but for products and sums that the compiler may have fused
   EXPECT_NEAR(reported.at("median_ulps"), checked.at("median_ulps"), 1.0);
   EXPECT_NEAR(reported.at("largest_ulps"), checked.at("largest_ulps"), 2.0);
 }
 
 TEST_F(Report, says_the_same_as_text_table_and_page) {
-  const std::vector<std::string> command = {"report", model("pendulum"), "--functions", "accelerations", "--states", "4"};
+  const std::vector<std::string> command = {"report",        model("pendulum"), "--functions",
+                                            "accelerations", "--states",        "4"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = command;
     all.insert(all.end(), more.begin(), more.end());
@@ -64,7 +79,6 @@ TEST_F(Report, says_the_same_as_text_table_and_page) {
     return answer.out;
   };
   EXPECT_THAT(with({}), testing::StartsWith("pendulum: condition of A 1"));
-  EXPECT_THAT(with({"--evaluation"}), with({}));
   EXPECT_THAT(with({"--csv"}), HasSubstr("\npendulum,accelerations,kept,"));
   EXPECT_THAT(with({"--markdown"}), HasSubstr("## pendulum"));
   EXPECT_THAT(with({"--markdown", "-o", "page.md"}), IsEmpty());

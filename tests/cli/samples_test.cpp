@@ -1,4 +1,5 @@
-// Oracle: what samples.hpp promises. SPDX-License-Identifier: GPL-2.0-or-later
+// Oracle: what samples.hpp promises.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/samples.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Oracle: the reader: what is written reads back as what was read. SPDX-License-Identifier: GPL-2.0-or-later
+// Oracle: the reader: what is written reads back as what was read.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/scene_text.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What the tests of runtime/compile share: a small hand-written model, a compiler that counts its runs, a private
-// cache. Not: any expectation but one, that nothing unfinished stays in the cache. SPDX-License-Identifier:
-// BSD-3-Clause
+// cache. Not: any expectation but one, that nothing unfinished stays in the cache.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <gmock/gmock.h>

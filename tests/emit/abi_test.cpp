@@ -1,5 +1,6 @@
 // The source that puts a header's functions behind the ABI, compiled and loaded. Oracles: the scene, the ledger, and
-// the program evaluated operation by operation. SPDX-License-Identifier: GPL-2.0-or-later
+// the program evaluated operation by operation.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Emitted code compiled alone with strict warnings and run. Oracles: the program evaluated operation by operation (bit
-// for bit), the generic numeric path, and a scalar that counts what is executed. SPDX-License-Identifier:
-// GPL-2.0-or-later
+// for bit), the generic numeric path, and a scalar that counts what is executed.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>

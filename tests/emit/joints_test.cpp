@@ -1,6 +1,7 @@
 // Emitted code of small trees of every joint, compiled alone and run in each scalar. Oracles: the program evaluated
 // operation by operation, the generic numeric path, and the emitted derivatives against dual numbers through the same
-// header. SPDX-License-Identifier: GPL-2.0-or-later
+// header.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include "tests/emit/driver.hpp"

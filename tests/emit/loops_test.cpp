@@ -1,6 +1,6 @@
 // Functions emitted as loops over bodies, compiled alone with strict warnings and run. Oracles: the program evaluated
-// operation by operation (bit for bit), and a scalar that counts what is executed. SPDX-License-Identifier:
-// GPL-2.0-or-later
+// operation by operation (bit for bit), and a scalar that counts what is executed.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include "generator/program/ledger.hpp"

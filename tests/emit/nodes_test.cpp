@@ -1,5 +1,6 @@
 // Emitted code of programs with every kind of node, and what a header says besides. Oracles: the program evaluated
-// operation by operation, the ledger, and rules on the text. SPDX-License-Identifier: GPL-2.0-or-later
+// operation by operation, the ledger, and rules on the text.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // The text of emitted headers: the contract that a reader and a version control system rely on. Oracle: rules on the
-// text, and headers emitted under other circumstances. SPDX-License-Identifier: GPL-2.0-or-later
+// text, and headers emitted under other circumstances.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

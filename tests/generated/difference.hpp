@@ -1,5 +1,6 @@
 // Where two texts begin to differ, for a person to read. Not a diff: what follows an inserted line is not matched
-// again. SPDX-License-Identifier: BSD-3-Clause
+// again.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <sstream>

@@ -1,5 +1,6 @@
 // Systems whose equations stand in textbooks, in every kind of coordinate that they can be written in. Oracles: those
-// closed forms. SPDX-License-Identifier: BSD-3-Clause
+// closed forms.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

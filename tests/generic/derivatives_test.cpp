@@ -1,5 +1,6 @@
 // Jacobians of residual and accelerations. Oracles: central differences, with attitudes turned by rotations; the
-// implicit function theorem. SPDX-License-Identifier: BSD-3-Clause
+// implicit function theorem.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>

@@ -1,5 +1,6 @@
 // Driving loads and reactions. Oracles: the same scene with its locked and prescribed coordinates set free, whose
-// residual has rows along them; Newton's and Euler's laws. SPDX-License-Identifier: BSD-3-Clause
+// residual has rows along them; Newton's and Euler's laws.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
 // A, f, residual and accelerations. Oracles: definiteness, the kinetic energy, Newton's and Euler's laws body by body,
-// and the laws of energy and momentum. SPDX-License-Identifier: BSD-3-Clause
+// and the laws of energy and momentum.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

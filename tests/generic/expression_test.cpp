@@ -1,5 +1,6 @@
 // Values of expressions, their derivatives by dual numbers, the courses of prescribed coordinates. Oracles: the
-// standard library's functions, central differences, derivatives in closed form. SPDX-License-Identifier: BSD-3-Clause
+// standard library's functions, central differences, derivatives in closed form.
+// SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/generic/expression.hpp"
 
 #include <gtest/gtest.h>

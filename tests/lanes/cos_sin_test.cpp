@@ -1,5 +1,6 @@
 // Cosines and sines of several angles at once. Oracle: the functions in long double; large angles and what is no
-// number: the library's own. SPDX-License-Identifier: BSD-3-Clause
+// number: the library's own.
+// SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/lanes/cos_sin.hpp"
 
 #include <gtest/gtest.h>

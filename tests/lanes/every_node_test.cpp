@@ -1,5 +1,6 @@
 // Every kind of node in lanes, choices between values and parameters that only prepare() sees among them. Oracle: the
-// program evaluated operation by operation. SPDX-License-Identifier: GPL-2.0-or-later
+// program evaluated operation by operation.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/emit/every_node.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // Time of accelerations for each state of a batch: one state at a time, lanes of double and float, both layouts, in one
-// run. A benchmark, no test: lanes_bench [models/bench_cr7 ...]. SPDX-License-Identifier: GPL-2.0-or-later
+// run. A benchmark, no test: lanes_bench [models/bench_cr7 ...].
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -60,9 +60,9 @@ struct Benchmark {
 
 TEST(Counts, of_the_benchmark_trees_of_other_joints) {
   for (const Benchmark& most : {Benchmark{"s6b", 2385, 1174, 1087, 1004},
-                               {"s6r", 1439, 757, 691, 366},
-                               {"cr7", 1495, 700, 665, 439},
-                               {"cb6", 2363, 1105, 1031, 1227}}) {
+                                {"s6r", 1439, 757, 691, 366},
+                                {"cr7", 1495, 700, 665, 439},
+                                {"cb6", 2363, 1105, 1031, 1227}}) {
     const scene::Scene scene =
         read_reference(KANEC_SOURCE_DIR "/tests/data/reference_" + std::string(most.name) + ".json").scene;
     const program::Program program = program_of(scene);

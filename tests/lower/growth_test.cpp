@@ -1,5 +1,6 @@
 // Operations grow as the number of bodies does, on chains, stars and random trees of up to 500. Oracle: the law itself, on
-// counts, which are exact; no time is measured. SPDX-License-Identifier: GPL-2.0-or-later
+// counts, which are exact; no time is measured.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,6 @@
 // Derivative functions of trees of every joint. Oracle: the program's own residual and accelerations in dual numbers,
-// rates exact, direction by direction. SPDX-License-Identifier: GPL-2.0-or-later
+// rates exact, direction by direction.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>

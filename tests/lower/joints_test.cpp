@@ -1,5 +1,6 @@
 // Every function of 500 trees of every joint, load and motion: each kind of joint alone, and all of them together.
-// Oracle: the generic numeric path in long double. SPDX-License-Identifier: GPL-2.0-or-later
+// Oracle: the generic numeric path in long double.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include "generator/program/passes.hpp"

@@ -64,9 +64,10 @@ TEST(GenerateOptions, refuse_a_function_that_the_scene_does_not_have_and_name_th
       [] {
         generate(scene_of({}), {{"residual", "acceleration"}});
       },
-      ThrowsMessage<InputError>(HasSubstr("no function 'acceleration' in this model; it has: kinematics, poses, energy, "
-                                          "momentum, power, accelerations, residual, forcing, mass_matrix, "
-                                          "partial_velocities, partial_velocity_rates, ")));
+      ThrowsMessage<InputError>(
+          HasSubstr("no function 'acceleration' in this model; it has: kinematics, poses, energy, "
+                    "momentum, power, accelerations, residual, forcing, mass_matrix, "
+                    "partial_velocities, partial_velocity_rates, ")));
   EXPECT_THAT([] { generate(scene_of({.loads = false}), {{"power"}}); },
               ThrowsMessage<InputError>(HasSubstr("no function 'power' in this model; it has: kinematics, poses, ")));
 }
@@ -74,6 +75,16 @@ TEST(GenerateOptions, refuse_a_function_that_the_scene_does_not_have_and_name_th
 TEST(GenerateOptions, refuse_a_function_twice_in_one) {
   EXPECT_THAT([] { generate(scene_of({}), {{"energy+energy"}}); },
               ThrowsMessage<InputError>(HasSubstr("function 'energy' stands twice in 'energy+energy'")));
+}
+
+TEST(Generate, a_combination_has_the_patterns_of_its_parts_once) {
+  const scene::Scene scene = scene_of({});
+  const std::string header = generate(scene, {{"residual_x+residual_y", "residual_y"}}).header;
+  for (const char* name : {"residual_x_nonzeros", "residual_y_nonzeros"}) {
+    const std::size_t first = header.find(std::string("int ") + name);
+    EXPECT_NE(first, std::string::npos) << name;
+    EXPECT_EQ(header.find(std::string("int ") + name, first + 1), std::string::npos) << name;
+  }
 }
 
 // A column of a derivative by the inputs is one of theirs, read or not.

@@ -60,14 +60,19 @@ TEST(Reach, a_large_matrix_that_is_named_is_made_and_said) {
   EXPECT_THAT(reach.notes, ElementsAre("energy+mass_matrix takes some 681,000 operations: minutes to compile"));
 }
 
+TEST(Reach, a_derivative_that_needs_the_matrix_is_as_large) {
+  for (const char* name : {"residual_ydot", "accelerations_x", "state_matrix"})
+    EXPECT_THROW(generate(of_joints(500, "free"), {{name}}), InputError) << name;
+}
+
 TEST(Reach, a_matrix_beyond_all_measure_is_refused) {
   try {
     generate(of_joints(500, "free"), {{"mass_matrix"}});
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "function mass_matrix: found some 16,908,000 operations for this scene; allowed: at most "
-                 "2,000,000 operations (residual and accelerations do without the matrix)");
+                 "function mass_matrix: found some 16,908,000 operations for the mass matrix of this scene; "
+                 "allowed: at most 2,000,000 operations (residual and accelerations do without the matrix)");
   }
 }
 

@@ -1,5 +1,8 @@
 // Rounding errors of programs in double, in units of the last digit of a result's largest component. Oracle: the same
-// program in 50 digits. SPDX-License-Identifier: GPL-2.0-or-later
+// program in 50 digits.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/rounding.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +11,6 @@
 #include "generator/candidates.hpp"
 #include "generator/comparison.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/rounding.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/cli/precise.hpp"
 #include "tests/lower/trees.hpp"
@@ -22,9 +24,10 @@ using cli::Precise;
 std::vector<Precise> precise(const std::vector<double>& v) { return {v.begin(), v.end()}; }
 
 // Of one function in one state; a result that cancels below least_size is judged by that.
-double error_in_ulps(const program::Program& program, const program::Function& function, const program::Arguments<double>& at) {
-  const program::Arguments<Precise> exactly{precise(at.parameters), precise(at.x), precise(at.y), precise(at.ydot),
-                                            precise(at.inputs), Precise(at.time)};
+double error_in_ulps(const program::Program& program, const program::Function& function,
+                     const program::Arguments<double>& at) {
+  const program::Arguments<Precise> exactly{precise(at.parameters), precise(at.x),      precise(at.y),
+                                            precise(at.ydot),       precise(at.inputs), Precise(at.time)};
   const std::vector<double> found = evaluate(program, function, at);
   const std::vector<Precise> exact = evaluate(program, function, exactly);
   double largest = static_cast<double>(least_size), error = 0;
@@ -54,7 +57,8 @@ Worst worst(const scene::Scene& scene, Random& random, int n_states) {
   return result;
 }
 
-// Measured over ten states each: S6B 14, S6R 36, CR7 13, CB6 15. Roundings mostly cancel; a lost digit or two would show.
+// Measured over ten states each: S6B 14, S6R 36, CR7 13, CB6 15. Roundings mostly cancel; a lost digit or two would
+// show.
 TEST(Rounding, of_the_benchmark_trees_is_some_tens_of_units_of_the_last_digit) {
   Random random(1);
   for (const std::string name : {"s6b", "s6r", "cr7", "cb6"}) {
@@ -132,6 +136,18 @@ TEST(Rounding, of_a_sum_that_cancels_is_that_of_its_terms) {
 }
 
 // On a chain A loses digits, and so do masses that are all gathered in its first link.
+TEST(Rounding, of_what_is_no_number_is_infinite) {
+  program::Builder b;
+  const program::Ref x = b.variable(program::Group::x, 0);
+  program::Program program;
+  program.functions.emplace_back();
+  program.functions[0].outputs = {b.constant(1.0), b.divide(x, x)};
+  program.nodes = b.nodes();
+  program::Arguments<double> at;
+  at.x = {0.0};
+  EXPECT_TRUE(std::isinf(expected_rounding(program, program.functions[0], at, 24).ulps()));
+}
+
 TEST(Choice, is_no_way_that_loses_digits) {
   const scene::Scene chain = shipped("bench_cr7");
   const Chosen chosen = choose_ways(chain, {"accelerations"}).front();

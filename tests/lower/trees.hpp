@@ -1,5 +1,6 @@
 // What the tests of trees of every joint share: lists of functions, and results in a form that two derivations have in
-// common. Not: any expectation. SPDX-License-Identifier: GPL-2.0-or-later
+// common. Not: any expectation.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

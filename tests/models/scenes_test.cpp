@@ -44,8 +44,8 @@ Sample at_start(const scene::Scene& scene) {
           default_inputs(scene)};
 }
 
-// Measured: 1e-13, whatever the size of the scene, as accelerations joint by joint do not feel the condition of A (5e7 for a
-// chain of 64); 5e-12 for the crank, whose motion is an expression that cancels.
+// Measured: 1e-13, whatever the size of the scene, as accelerations joint by joint do not feel the condition of A (5e7
+// for a chain of 64); 5e-12 for the crank, whose motion is an expression that cancels.
 TEST_P(Shipped, functions_agree_with_the_generic_path) {
   const scene::Scene scene = shipped_scene(GetParam());
   const Model model(scene, functions_of(scene));

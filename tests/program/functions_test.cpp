@@ -1,5 +1,6 @@
 // Functions of one and two arguments, and selections, in builder, passes and evaluation. Oracles: the standard library,
-// and rules of arithmetic case by case. SPDX-License-Identifier: BSD-3-Clause
+// and rules of arithmetic case by case.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

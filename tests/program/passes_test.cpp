@@ -1,5 +1,6 @@
 // Every pass on random programs. Oracle: the program before the pass, evaluated exactly in a prime field, and its
-// ledger. SPDX-License-Identifier: BSD-3-Clause
+// ledger.
+// SPDX-License-Identifier: BSD-3-Clause
 #include "generator/program/passes.hpp"
 
 #include <gtest/gtest.h>

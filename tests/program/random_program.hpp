@@ -1,5 +1,6 @@
 // Random straight-line programs for tests of passes, each a function of its seed alone. Not: what a derivation lowers
-// to. SPDX-License-Identifier: BSD-3-Clause
+// to.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "generator/program/evaluate.hpp"

@@ -1,4 +1,5 @@
-// What [ensemble] may say. Oracle: the rules of models/README.md. SPDX-License-Identifier: BSD-3-Clause
+// What [ensemble] may say. Oracle: the rules of models/README.md.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
 #include "tests/scene/snippets.hpp"

@@ -1,5 +1,6 @@
 // Random loads at points, along coordinates and between points, and random named points. Not: the force and moment that
-// stand with a body. SPDX-License-Identifier: BSD-3-Clause
+// stand with a body.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "tests/support/random_numbers.hpp"

@@ -1,5 +1,6 @@
 // The numbers of one random scene: constants, or the parameters, inputs and expressions that the options ask for.
-// Not: what they stand for. SPDX-License-Identifier: BSD-3-Clause
+// Not: what they stand for.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <string>

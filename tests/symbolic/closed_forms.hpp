@@ -1,5 +1,6 @@
 // The closed forms of positions and partial velocities for any tree, typed in from the text, and the scenes on which
-// the derived ones are compared with them. Not: derived from anything. SPDX-License-Identifier: GPL-2.0-or-later
+// the derived ones are compared with them. Not: derived from anything.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <vector>

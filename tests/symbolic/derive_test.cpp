@@ -1,5 +1,6 @@
 // Positions, velocities and partial velocities that the generator derives. Oracle: the closed forms of the text, and
-// the product rule on them. SPDX-License-Identifier: GPL-2.0-or-later
+// the product rule on them.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/derive.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // A compiled batch with a pool of states in blocks of its lanes: how emitted code is timed in lanes. Not: batches in
-// use (runtime/abi/batch_solver.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// use (runtime/abi/batch_solver.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <memory>

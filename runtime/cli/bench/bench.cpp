@@ -1,4 +1,5 @@
-// kanec bench: what an evaluation costs, beside what it costs elsewhere. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec bench: what an evaluation costs, beside what it costs elsewhere.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

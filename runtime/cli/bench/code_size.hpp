@@ -1,5 +1,6 @@
 // Bytes of machine code and tables of an emitted function, from its library's symbols. Not: constants that stand in no
-// table, or what it calls in other libraries. SPDX-License-Identifier: GPL-2.0-or-later
+// table, or what it calls in other libraries.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Contests as a page of documentation: a row a scene and function, a column a path. Not: the text and JSON of a run
-// (contest_text.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (contest_text.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

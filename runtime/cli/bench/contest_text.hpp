@@ -1,4 +1,5 @@
-// Contests as text and for machines. Not: as a picture (contest_chart.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// Contests as text and for machines. Not: as a picture (contest_chart.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>

@@ -82,9 +82,12 @@ class Errors {
 template <class Real>
 double distance(const std::vector<Real>& a, const std::vector<long double>& b) {
   double error = 0.0;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    error = std::max(error, static_cast<double>(std::fabs(static_cast<long double>(a[i]) - b[i])));
-  return std::isfinite(error) ? error : infinity;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double one = static_cast<double>(std::fabs(static_cast<long double>(a[i]) - b[i]));
+    if (!std::isfinite(one)) return infinity;
+    error = std::max(error, one);
+  }
+  return error;
 }
 
 double size_of(const std::vector<long double>& values) {
@@ -257,7 +260,9 @@ std::vector<State> hard_states(const scene::Scene& scene, const std::vector<Stat
   constexpr double high = 1e3, large = 1e4, pi = std::numbers::pi;
   const auto square = [](double angle) { return std::round(angle * 2 / pi) * pi / 2; };
   std::vector<State> list;
-  for (std::size_t i = 1; i < std::min<std::size_t>(random.size(), 4); ++i) {
+  // the first random one is the scene's own start
+  const std::size_t first = random.size() > 1 ? 1 : 0;
+  for (std::size_t i = first; i < std::min<std::size_t>(random.size(), 4); ++i) {
     State fast = random[i], aligned = random[i], right = random[i], far = random[i];
     for (double& speed : fast.y) speed *= high;
     set_angles(scene, aligned, [](double) { return 0.0; });

@@ -1,5 +1,6 @@
 // The rounding errors of a scene's functions, computed in several ways, in double and in float. Not: how they are shown
-// (evaluation_text.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (evaluation_text.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// kanec report: what speed costs in digits. SPDX-License-Identifier: GPL-2.0-or-later
+// kanec report: what speed costs in digits.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <optional>
 
 #include "runtime/base/error.hpp"
@@ -20,7 +21,7 @@ constexpr auto footer =
   kanec report models/bench_cr7 --functions accelerations
   kanec report models/bench_* --markdown -o docs/accuracy.md
 
-Every function is derived in the way that `generate` keeps, and in ways that differ from it in one thing: the other
+Each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way that `generate` keeps, and in ways that differ from it in one thing: the other
 algorithm, other axes, origins as typed, masses not regrouped, regrouped within a few links or altogether, no passes.
 Each is evaluated in double and in float, in seeded random states (those of kanec check) and in hard ones (speeds a
 thousand times as high, angles zero, at multiples of a right angle, and of ten thousand radians), and compared with
@@ -33,7 +34,6 @@ struct Options {
   std::vector<std::string> scenes;
   std::string connection;
   EvaluationOptions evaluation;
-  bool evaluation_only = false;
   bool json = false, csv = false, markdown = false;
   std::string output = "-";
 };
@@ -66,6 +66,9 @@ std::string command_of(const Options& options) {
   if (!options.connection.empty()) command += " --connection " + options.connection;
   for (std::size_t i = 0; i < options.evaluation.functions.size(); ++i)
     command += (i == 0 ? " --functions " : ",") + options.evaluation.functions[i];
+  const EvaluationOptions usual;
+  if (options.evaluation.states != usual.states) command += " --states " + std::to_string(options.evaluation.states);
+  if (options.evaluation.seed != usual.seed) command += " --seed " + std::to_string(options.evaluation.seed);
   return command + " --markdown";
 }
 
@@ -92,12 +95,10 @@ int report(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(app, action, "report", "speed against error", footer, &report);
+  const auto [command, options] = add_command(app, action, "report", "operations against digits", footer, &report);
   command->add_option("SCENE", options->scenes, "scene.toml files, or folders that hold one")->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");
-  command->add_flag("--evaluation", options->evaluation_only,
-                    "of the evaluation of functions (which is all there is yet)");
   add_functions(*command, options->evaluation.functions);
   command->add_option("--states", options->evaluation.states, "random states (32)")
       ->option_text("NUMBER")

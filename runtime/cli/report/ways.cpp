@@ -82,6 +82,7 @@ std::string description(const Way& way, const std::string& function) {
   if (function == "accelerations") append(way.algorithm == Algorithm::composite ? "A and L D L^T" : "joint by joint");
   if (way.axes == Axes::body) append("own axes");
   if (!way.reductions.place_origins) append("origins as typed");
+  if (!way.reductions.turn_axes) append("axes as typed");
   if (!way.reductions.regroup)
     append("masses not regrouped");
   else if (way.reductions.group != symbolic::Reductions::any_number)

@@ -1,5 +1,6 @@
 // The ways of computing a function that a report sets side by side, by name. Not: which of them the generator keeps
-// (generator/candidates.hpp). SPDX-License-Identifier: GPL-2.0-or-later
+// (generator/candidates.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
@@ -20,10 +21,10 @@ struct NamedWay {
 // The kept way first, then those that differ from it in one thing, as far as the scene and the function have them.
 std::vector<NamedWay> ways_beside(const scene::Scene& scene, const std::string& function, const symbolic::Way& kept);
 
-// "joint by joint, body axes, masses of up to 4 links together"
+// "joint by joint, own axes, masses of 3 together"
 std::string description(const symbolic::Way& way, const std::string& function);
 
-// The function alone, as it would be emitted.
+// The function alone, as it would be emitted, or without passes.
 program::Program program_in(const scene::Scene& scene, const std::string& function, const NamedWay& way);
 
 }  // namespace kanec::cli

@@ -1,5 +1,6 @@
 // MuJoCo's way from a state to accelerations, without what it does for contacts, constraints, actuators and sensors.
-// Not: how it is timed. SPDX-License-Identifier: BSD-3-Clause
+// Not: how it is timed.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <mujoco/mujoco.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Principal axes of an inertia, to rounding. Not: whose. SPDX-License-Identifier: BSD-3-Clause
+// Principal axes of an inertia, to rounding. Not: whose.
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,5 @@
-// Simbody's way from a state to accelerations. Not: how it is timed. SPDX-License-Identifier: BSD-3-Clause
+// Simbody's way from a state to accelerations. Not: how it is timed.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <Simbody.h>
 
 #include <Eigen/Geometry>
