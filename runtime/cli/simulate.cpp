@@ -210,9 +210,9 @@ void add_simulate(CLI::App& app, Action& action) {
   add_scene(*command, options->scene);
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
   command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
-  command->add_option("--integrator", options->integrator, "rk4: fixed step; the others: SUNDIALS, error control")
-      ->option_text("rk4|arkode|cvode|cvode_bdf");
-  command->add_option("--step", options->step, "of rk4, the longest [s]")->option_text("SECONDS");
+  command->add_option("--integrator", options->integrator, "rk4, gauss4, gauss6: fixed step; the others: SUNDIALS, error control")
+      ->option_text("rk4|gauss4|gauss6|arkode|cvode|cvode_bdf");
+  command->add_option("--step", options->step, "of rk4 and gauss, the longest [s]")->option_text("SECONDS");
   command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
   command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");
   add_settings(*command, options->settings);

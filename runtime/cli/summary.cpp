@@ -27,7 +27,7 @@ std::string relative(const Deviation& deviation) { return brief(deviation.relati
 
 std::string method_text(const integrate::Options& options) {
   const std::string name = integrate::name_of(options.method);
-  if (options.method == integrate::Method::rk4) return name + ", steps of at most " + shortest(options.step) + " s";
+  if (has_fixed_step(options.method)) return name + ", steps of at most " + shortest(options.step) + " s";
   return fmt::format("{}, tolerances {} relative, {} absolute", name, shortest(options.relative_tolerance),
                      shortest(options.absolute_tolerance));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/integrate/options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -11,8 +12,12 @@
 namespace kanec::integrate {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 4> methods = {
-    {{"rk4", Method::rk4}, {"arkode", Method::arkode}, {"cvode", Method::cvode}, {"cvode_bdf", Method::cvode_bdf}}};
+constexpr std::array<std::pair<std::string_view, Method>, 6> methods = {{{"rk4", Method::rk4},
+                                                                         {"gauss4", Method::gauss4},
+                                                                         {"gauss6", Method::gauss6},
+                                                                         {"arkode", Method::arkode},
+                                                                         {"cvode", Method::cvode},
+                                                                         {"cvode_bdf", Method::cvode_bdf}}};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
   throw InputError(option + ": found " + found + "; allowed: " + allowed);
@@ -32,6 +37,15 @@ void check_tolerance(const std::string& option, double value) {
 }
 
 }  // namespace
+
+bool has_fixed_step(Method method) {
+  return method == Method::rk4 || method == Method::gauss4 || method == Method::gauss6;
+}
+
+std::int64_t equal_steps(double stretch, double longest) {
+  if (!(stretch > 0.0)) return 0;
+  return std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(stretch / longest - 1e-9)), 1);
+}
 
 int arkode_order(const Options& options) {
   if (options.order != 0) return options.order;

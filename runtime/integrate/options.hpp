@@ -10,6 +10,8 @@ namespace kanec::integrate {
 
 enum class Method {
   rk4,        // classical Runge-Kutta, fixed step
+  gauss4,     // Gauss collocation of order 4, fixed step: keeps quadratic invariants, energy does not drift
+  gauss6,     // the same of order 6
   arkode,     // SUNDIALS ARKODE, explicit Runge-Kutta pair of order 4 to 8, error control
   cvode,      // SUNDIALS CVODE, Adams-Moulton of order 1 to 12, error control
   cvode_bdf,  // SUNDIALS CVODE, BDF of order 1 to 5 with a dense difference-quotient Jacobian, for stiff loads
@@ -19,12 +21,18 @@ struct Options {
   Method method = Method::arkode;
   double duration = 10.0;             // from t = 0 [s]
   double output_step = 0.01;          // between rows [s]; the last row stands at the duration
-  double step = 1e-3;                 // of rk4, the longest [s]: each row interval is divided evenly into such steps
+  double step = 1e-3;                 // of rk4, gauss4 and gauss6, the longest [s]: each row interval is divided evenly into such steps
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
   double absolute_tolerance = 1e-12;  // the same, in the unit of each component
   int order = 0;                      // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8
   std::int64_t max_steps = 100'000'000;
 };
+
+// Whether a method takes equal steps, Options::step at the longest.
+bool has_fixed_step(Method method);
+
+// In how many of them a stretch of time is divided.
+std::int64_t equal_steps(double stretch, double longest);
 
 // The order that arkode takes with these options.
 int arkode_order(const Options& options);
@@ -32,7 +40,7 @@ int arkode_order(const Options& options);
 // Throws InputError that names the option, what was found and what is allowed.
 void check(const Options& options);
 
-// "rk4", "arkode", "cvode", "cvode_bdf". Throws InputError for another name.
+// "rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf". Throws InputError for another name.
 Method method_of(std::string_view name);
 std::string name_of(Method method);
 

@@ -16,8 +16,7 @@ class Rk4 final : public Stepper {
 
   std::span<const double> advance(double t) override {
     const double begin = t_;
-    const auto n = static_cast<std::int64_t>(std::max(0.0, std::ceil((t - begin) / longest_ - 1e-9)));
-    const std::int64_t steps = t > begin ? std::max<std::int64_t>(n, 1) : 0;
+    const std::int64_t steps = equal_steps(t - begin, longest_);
     for (std::int64_t i = 0; i < steps; ++i) {
       const double end =
           i + 1 == steps ? t : begin + (t - begin) * (static_cast<double>(i + 1) / static_cast<double>(steps));

@@ -20,6 +20,9 @@ std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, con
   switch (options.method) {
     case Method::rk4:
       return make_rk4(system, std::move(z), options, book);
+    case Method::gauss4:
+    case Method::gauss6:
+      return make_gauss(system, std::move(z), options, book);
     case Method::arkode:
       return make_arkode(system, std::move(z), options, book);
     case Method::cvode:

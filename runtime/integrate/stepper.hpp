@@ -37,12 +37,13 @@ class Stepper {
   virtual ~Stepper() = default;
 
   // Goes on to time t, not before the last one asked for, never evaluating beyond the end it was made for. Returns z
-  // there with projected Euler parameters, valid until the next call. Throws IntegrationError.
+  // there with Euler parameters of unit norm, projected or kept so by the method, valid until the next call. Throws IntegrationError.
   virtual std::span<const double> advance(double t) = 0;
 };
 
 // `z` at t = 0; system and book must outlive the stepper.
 std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_cvode(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, const Options& options, StepBook& book);

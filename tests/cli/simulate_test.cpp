@@ -132,7 +132,7 @@ TEST_F(Simulate, options_that_cannot_be_are_refused_by_their_names) {
   refuses(run("free_body", {"--step", "inf"}), "--step: found inf");
   refuses(run("free_body", {"--rtol", "2"}), "--rtol: found 2");
   refuses(run("free_body", {"--atol", "0"}), "--atol: found 0");
-  refuses(run("free_body", {"--integrator", "rk5"}), "--integrator: found \"rk5\"; allowed: rk4, arkode");
+  refuses(run("free_body", {"--integrator", "rk5"}), "--integrator: found \"rk5\"; allowed: rk4, gauss4, gauss6, arkode");
   refuses(run("free_body", {"--output-step", "1e-12"}), "rows");
 }
 

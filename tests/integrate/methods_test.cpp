@@ -54,6 +54,46 @@ TEST(Rk4, converges_with_order_four) {
   EXPECT_NEAR(std::log2(fine / finer), 4.0, 0.1);
 }
 
+double gauss_error(Method method, double step) {
+  Options options;
+  options.method = method;
+  options.step = step;
+  options.output_step = 1.0;
+  const Summary summary = run(single_body(), options);
+  return largest_difference({summary.x, summary.y}, precession(options.duration));
+}
+
+TEST(Gauss, converges_with_order_four_or_six) {
+  const double coarse = gauss_error(Method::gauss4, 0.1), fine = gauss_error(Method::gauss4, 0.05);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.1);  // the next term of the error expansion is of order 6
+  const double coarse_6 = gauss_error(Method::gauss6, 0.2), fine_6 = gauss_error(Method::gauss6, 0.1);
+  EXPECT_LT(coarse_6, 1e-5);
+  EXPECT_NEAR(std::log2(coarse_6 / fine_6), 6.0, 0.1);
+}
+
+// 10,000 coarse steps without projection. The norm is a quadratic invariant, which only rounding of 1e-16 a step moves,
+// and that is compensated.
+TEST(Gauss, keeps_the_norm_of_euler_parameters_without_projection) {
+  for (const Method method : {Method::gauss4, Method::gauss6}) {
+    Options options;
+    options.method = method;
+    options.step = 0.1;
+    options.output_step = 1.0;
+    options.duration = 1000.0;
+    EXPECT_LT(run(single_body(), options).worst_norm_error_before, 2e-14);
+  }
+}
+
+TEST(Gauss, says_when_the_stages_do_not_converge) {
+  Options options;
+  options.method = Method::gauss6;
+  options.step = options.output_step = 1000.0;
+  options.duration = 2000.0;
+  EXPECT_THAT([&] { run(single_body(), options); },
+              ThrowsMessage<IntegrationError>(HasSubstr("stages of a step of 1000 s do not converge; take shorter")));
+}
+
 TEST(Rk4, takes_equal_steps_no_longer_than_asked_for) {
   Options options;
   options.method = Method::rk4;

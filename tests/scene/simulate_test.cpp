@@ -78,13 +78,13 @@ TEST(Simulate, refuses_tolerances_out_of_reach) {
 TEST(Simulate, refuses_an_unknown_integrator_with_the_nearest) {
   EXPECT_EQ(
       message(simulate("integrator = 'arcode'")),
-      "f:7: simulate.integrator: found \"arcode\"; allowed: rk4, arkode, cvode, cvode_bdf (did you mean arkode?)");
+      "f:7: simulate.integrator: found \"arcode\"; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf (did you mean arkode?)");
   EXPECT_EQ(message(simulate("integrator = 4")),
-            "f:7: simulate.integrator: found 4; allowed: rk4, arkode, cvode, cvode_bdf");
+            "f:7: simulate.integrator: found 4; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf");
 }
 
 TEST(Simulate, knows_its_integrators) {
-  for (const std::string name : {"rk4", "arkode", "cvode", "cvode_bdf"})
+  for (const std::string name : {"rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf"})
     EXPECT_EQ(parse(simulate("integrator = '" + name + "'"), "f").simulation.integrator, name);
 }
 
