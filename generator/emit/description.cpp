@@ -55,7 +55,8 @@ std::string description(const Model& model, std::size_t n_functions, bool callab
          std::to_string(n_functions) +
          ", parameter_names, parameter_defaults, input_names,\n    input_defaults, sizeof(Prepared), " +
          (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " +
-         std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
+         std::to_string(attitudes(scene).size()) + ", attitudes, " +
+         (callable ? "n_taylor, taylor" : "0, nullptr") + "};\n\n";
 }
 
 }  // namespace
@@ -70,9 +71,9 @@ std::string described(const Model& model, const program::Program& program, const
          attitude_list(*model.scene) + "\n" + description(model, costs.size(), callable);
 }
 
-std::string spread(const std::string& array, std::size_t count) {
+std::string spread(const std::string& array, std::size_t count, const std::string& close) {
   std::string text = "{";
-  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + array + "[" + std::to_string(i) + "]";
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + array + "[" + std::to_string(i) + "]" + close;
   return text + "}";
 }
 

@@ -90,7 +90,7 @@ void check_simulation(const Simulation& simulation, const PlaceOf& place_of) {
     fail(place_of("absolute_tolerance"), shortest(simulation.absolute_tolerance), "a positive number below 1");
   if (simulation.relative_tolerance < tightest_relative || simulation.relative_tolerance >= 1)
     fail(place_of("relative_tolerance"), shortest(simulation.relative_tolerance), "from 1e-15 to below 1");
-  const std::vector<std::string> integrators = {"rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf"};
+  const std::vector<std::string> integrators = {"rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf", "taylor", "taylor_extended"};
   if (std::find(integrators.begin(), integrators.end(), simulation.integrator) == integrators.end())
     fail(place_of("integrator"), in_quotes(simulation.integrator), one_of(integrators, simulation.integrator));
 }

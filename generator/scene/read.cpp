@@ -113,7 +113,7 @@ Simulation read_simulation(const Table& root) {
   real("step", out.step);
   real("relative_tolerance", out.relative_tolerance);
   real("absolute_tolerance", out.absolute_tolerance);
-  if (const auto found = table.find("integrator")) out.integrator = found->text("rk4, gauss4, gauss6, arkode, cvode, cvode_bdf");
+  if (const auto found = table.find("integrator")) out.integrator = found->text("rk4, gauss4, gauss6, arkode, cvode, cvode_bdf, taylor, taylor_extended");
   check_simulation(out, [&table](const std::string& key) {
     const auto found = table.find(key);
     Place place = found ? found->place() : table.place();

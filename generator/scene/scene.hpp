@@ -44,7 +44,7 @@ struct Body {
 struct Simulation {
   double duration = 10.0;             // [s]
   double output_step = 0.01;          // between rows of the trajectory [s]
-  std::string integrator = "arkode";  // rk4, gauss4, gauss6, arkode, cvode, cvode_bdf
+  std::string integrator = "arkode";  // rk4, gauss4, gauss6, arkode, cvode, cvode_bdf, taylor, taylor_extended
   double step = 0.001;                // of rk4, gauss4, gauss6 [s]
   double relative_tolerance = 1e-9;   // of arkode and cvode
   double absolute_tolerance = 1e-12;

@@ -18,7 +18,8 @@ Solver::Solver(const kanec_model& model)
 
 void Solver::set_parameters(std::span<const double> parameters) {
   if (parameters.size() != static_cast<std::size_t>(model_->n_parameters)) throw InputError("wrong number of parameters");
-  model_->prepare(parameters.data(), prepared_.data());
+  parameters_.assign(parameters.begin(), parameters.end());
+  model_->prepare(parameters_.data(), prepared_.data());
 }
 
 void Solver::set_inputs(std::span<const double> inputs) {

@@ -44,6 +44,7 @@ class Solver {
   const kanec_model& model() const { return *model_; }
   void set_parameters(std::span<const double> parameters);  // runs prepare(); InputError unless n_parameters
   void set_inputs(std::span<const double> inputs);          // InputError unless n_inputs
+  std::span<const double> parameters() const { return parameters_; }
   std::span<const double> inputs() const { return inputs_; }
 
   // The function of that name, or nullptr where the model was emitted without it.
@@ -57,7 +58,7 @@ class Solver {
 
  private:
   const kanec_model* model_;
-  std::vector<double> inputs_;
+  std::vector<double> parameters_, inputs_;
   std::vector<double> prepared_;  // double for its alignment
 };
 

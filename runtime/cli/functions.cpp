@@ -34,6 +34,11 @@ std::vector<std::string> parts_of_emitted(const std::string& name, const std::ve
   return {name};
 }
 
+std::string all_rates(const scene::Scene& scene) {
+  const std::string rates = "kinematics+accelerations";
+  return Functions(scene).has("power") ? rates + "+power" : rates;
+}
+
 Functions::Functions(const scene::Scene& scene) : all_(available_functions(scene)) {}
 
 std::vector<std::string> Functions::names() const {

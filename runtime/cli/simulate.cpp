@@ -138,8 +138,7 @@ class Products {
 
 // All rates in one call, which is what the integrators look for first.
 std::vector<std::string> needed_functions(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
+  return {all_rates(scene), "energy", "momentum"};
 }
 
 integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene,
@@ -175,7 +174,7 @@ int simulate_scene(const Options& options) {
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;
   Products products(options, scene);
-  const CompiledModel model = build(scene, needed_functions(scene), options.build);
+  const CompiledModel model = build(scene, needed_functions(scene), options.build, integrate::needs_series(run.method));
   const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
   const Json last = state_json(set, final_state(set, summary, run.duration));
@@ -210,8 +209,8 @@ void add_simulate(CLI::App& app, Action& action) {
   add_scene(*command, options->scene);
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
   command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
-  command->add_option("--integrator", options->integrator, "rk4, gauss4, gauss6: fixed step; the others: SUNDIALS, error control")
-      ->option_text("rk4|gauss4|gauss6|arkode|cvode|cvode_bdf");
+  command->add_option("--integrator", options->integrator, "rk4, gauss4, gauss6: fixed step; the others: error control")
+      ->option_text("rk4|gauss4|gauss6|arkode|cvode|cvode_bdf|taylor|taylor_extended");
   command->add_option("--step", options->step, "of rk4 and gauss, the longest [s]")->option_text("SECONDS");
   command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
   command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");

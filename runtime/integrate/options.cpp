@@ -12,12 +12,14 @@
 namespace kanec::integrate {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 6> methods = {{{"rk4", Method::rk4},
+constexpr std::array<std::pair<std::string_view, Method>, 8> methods = {{{"rk4", Method::rk4},
                                                                          {"gauss4", Method::gauss4},
                                                                          {"gauss6", Method::gauss6},
                                                                          {"arkode", Method::arkode},
                                                                          {"cvode", Method::cvode},
-                                                                         {"cvode_bdf", Method::cvode_bdf}}};
+                                                                         {"cvode_bdf", Method::cvode_bdf},
+                                                                         {"taylor", Method::taylor},
+                                                                         {"taylor_extended", Method::taylor_extended}}};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
   throw InputError(option + ": found " + found + "; allowed: " + allowed);
@@ -37,6 +39,8 @@ void check_tolerance(const std::string& option, double value) {
 }
 
 }  // namespace
+
+bool needs_series(Method method) { return method == Method::taylor || method == Method::taylor_extended; }
 
 bool has_fixed_step(Method method) {
   return method == Method::rk4 || method == Method::gauss4 || method == Method::gauss6;

@@ -15,6 +15,8 @@ enum class Method {
   arkode,     // SUNDIALS ARKODE, explicit Runge-Kutta pair of order 4 to 8, error control
   cvode,      // SUNDIALS CVODE, Adams-Moulton of order 1 to 12, error control
   cvode_bdf,  // SUNDIALS CVODE, BDF of order 1 to 5 with a dense difference-quotient Jacobian, for stiff loads
+  taylor,           // Taylor series of order 4 to 24, error control
+  taylor_extended,  // the same in long double up to order 32: for references
 };
 
 struct Options {
@@ -27,6 +29,9 @@ struct Options {
   int order = 0;                      // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8
   std::int64_t max_steps = 100'000'000;
 };
+
+// Whether a method needs a model that was compiled with its Taylor series.
+bool needs_series(Method method);
 
 // Whether a method takes equal steps, Options::step at the longest.
 bool has_fixed_step(Method method);

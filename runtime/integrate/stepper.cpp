@@ -28,6 +28,9 @@ std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, con
     case Method::cvode:
     case Method::cvode_bdf:
       return make_cvode(system, std::move(z), options, book);
+    case Method::taylor:
+    case Method::taylor_extended:
+      return make_taylor(system, std::move(z), options, book);
   }
   throw InternalError("integration method without a stepper");
 }

@@ -46,6 +46,7 @@ std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const O
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_cvode(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_taylor(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, const Options& options, StepBook& book);
 
 }  // namespace kanec::integrate
