@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-#define KANEC_ABI_VERSION 3u
+#define KANEC_ABI_VERSION 4u
 
 /* One evaluation. Every emitted function has this shape; arguments that it does not read may be null.
    The results of a combined function stand one after another in out.
@@ -32,6 +32,13 @@ typedef struct kanec_attitude {
   int32_t eps, omega;
 } kanec_attitude;
 
+/* Entries of a matrix that are not always 0, row by row; wherever a function of the model returns that matrix. */
+typedef struct kanec_pattern {
+  const char* name; /* "accelerations_x" */
+  int32_t rows, columns, nonzeros;
+  const int32_t *row_of, *column_of; /* (nonzeros) */
+} kanec_pattern;
+
 typedef struct kanec_model {
   uint32_t abi_version; /* KANEC_ABI_VERSION */
   uint32_t struct_size; /* sizeof(kanec_model) */
@@ -49,6 +56,8 @@ typedef struct kanec_model {
   const char* const* speed_names;      /* (ny): "thetadot_3" */
   int32_t n_attitudes;
   const kanec_attitude* attitudes; /* (n_attitudes) */
+  int32_t n_patterns;
+  const kanec_pattern* patterns; /* (n_patterns) */
 } kanec_model;
 
 /* The one symbol that a compiled model exports. */

@@ -200,7 +200,7 @@ TEST(Options, out_of_range_are_refused) {
 TEST(Options, name_their_methods) {
   for (const Method method : all_methods) EXPECT_EQ(method_of(name_of(method)), method);
   EXPECT_THAT([] { method_of("euler"); },
-              ThrowsMessage<InputError>("integrator: found 'euler'; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf"));
+              ThrowsMessage<InputError>("integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, cvode_bdf, ida"));
 }
 
 TEST(InitialState, that_cannot_be_used_is_refused) {
