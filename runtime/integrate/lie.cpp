@@ -26,14 +26,27 @@ Vector angular_velocity(const double* e, const double* edot) {
   return omega;
 }
 
-// (1 − ½ θ cot ½θ) / θ² of the square of an angle below one turn; near 0, where it cancels, its series: the next term is
-// below 1e-17 there.
-double second_coefficient(double angle_squared) {
-  if (angle_squared < 0.02)
-    return 1.0 / 12 + angle_squared * (1.0 / 720 + angle_squared * (1.0 / 30240 + angle_squared * (1.0 / 1209600 +
-           angle_squared / 47900160)));
-  const double half = 0.5 * std::sqrt(angle_squared);
-  return (1.0 - half / std::tan(half)) / angle_squared;
+// Below this square of an angle series take over, which are faster, and do not cancel: what they leave out is below 1e-17.
+constexpr double small_square = 0.02;
+
+// (1 − ½ θ cot ½θ) / θ² of the square of an angle below one turn.
+double second_coefficient(double w) {
+  if (w < small_square)
+    return 1.0 / 12 + w * (1.0 / 720 + w * (1.0 / 30240 + w * (1.0 / 1209600 + w / 47900160)));
+  const double half = 0.5 * std::sqrt(w);
+  return (1.0 - half / std::tan(half)) / w;
+}
+
+// sin(½θ)/θ and cos(½θ) − 1 of the square of an angle.
+struct HalfAngle {
+  double sine_part, cosine_less_one;
+};
+HalfAngle half_angle(double w) {
+  if (w < small_square)
+    return {0.5 - w * (1.0 / 48 - w * (1.0 / 3840 - w * (1.0 / 645120 - w / 185794560))),
+            -w * (1.0 / 8 - w * (1.0 / 384 - w * (1.0 / 46080 - w * (1.0 / 10321920 - w / 3715891200))))};
+  const double angle = std::sqrt(w), quarter = std::sin(0.25 * angle);
+  return {std::sin(0.5 * angle) / angle, -2.0 * quarter * quarter};
 }
 
 // σ̇ = ω + ½ σ × ω + c σ × (σ × ω), where exp(σ) turns the body from where it was, σ in body axes (Bortz 1971).
@@ -45,10 +58,9 @@ Vector rotation_vector_rate(const Vector& sigma, const Vector& omega) {
   return rate;
 }
 
-// ε exp(σ) − ε, without the cancellation of that difference: e = σ sin(½θ)/θ, ε4 − 1 = −2 sin²(¼θ).
+// ε exp(σ) − ε, without the cancellation of that difference.
 std::array<double, 4> change_of_attitude(const double* eps, const Vector& sigma) {
-  const double angle = std::sqrt(square(sigma)), quarter = std::sin(0.25 * angle);
-  const double part = angle > 0.0 ? std::sin(0.5 * angle) / angle : 0.5, less = -2.0 * quarter * quarter;
+  const auto [part, less] = half_angle(square(sigma));
   const Vector e = {part * sigma[0], part * sigma[1], part * sigma[2]};
   const Vector across = cross({eps[0], eps[1], eps[2]}, e);
   std::array<double, 4> change;

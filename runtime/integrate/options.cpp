@@ -101,7 +101,7 @@ std::int64_t equal_steps(double stretch, double longest) {
 
 int arkode_order(const Options& options) {
   if (options.order != 0) return options.order;
-  if (options.method == Method::arkode_dirk) return 4;
+  if (options.method == Method::arkode_dirk) return 5;
   return options.relative_tolerance > 1e-6 ? 5 : 8;
 }
 
