@@ -69,8 +69,7 @@ std::string described(const Model& model, const program::Program& program, const
     text += record(program.functions[i], costs[i], callable ? program.functions[i].name : "nullptr");
   return text + "};\n\n" + named_lists("parameter", read.parameters) + named_lists("input", read.inputs) +
          name_list("coordinate", coordinate_names(*model.scene)) + name_list("speed", speed_names(*model.scene)) +
-         attitude_list(*model.scene) + patterns.text + "\n" +
-         description(model, costs.size(), patterns.size, callable);
+         attitude_list(*model.scene) + patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
 }
 
 std::string spread(const std::string& array, std::size_t count) {

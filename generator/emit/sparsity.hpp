@@ -1,5 +1,5 @@
-// Which entries of a matrix that a function returns are not always 0, as constants in emitted code. Not: how these entries
-// are computed.
+// Which entries of a matrix that a function returns are not always 0, as constants in emitted code. Not: how these
+// entries are computed.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace kanec::emit {
 
-// "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order, of each matrix that
-// some function returns, alone or in a combination.
+// "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order, of each matrix
+// that some function returns, alone or in a combination.
 std::string sparsity(const program::Program& program);
 
 // The matrices that these are of, as a table of kanec_pattern `patterns`, and how many they are.

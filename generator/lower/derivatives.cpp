@@ -90,7 +90,8 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
   const auto matrix = [](const std::string& name, const std::string& meaning, const std::string& of,
                          const std::string& by, int rows, int columns, const std::string& out,
                          const std::string& shape) {
-    program::Signature signature{true, true, of == "residual", of != "kinematics", out, out + " (" + shape + ")", columns};
+    program::Signature signature{true,   true, of == "residual", of != "kinematics", out, out + " (" + shape + ")",
+                                 columns};
     signature.by_inputs = by == "u";
     return Derived{name, meaning, of, {by}, rows, columns, signature};
   };

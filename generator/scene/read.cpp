@@ -104,8 +104,8 @@ Simulation read_simulation(const Table& root) {
   const std::optional<Node> node = root.find("simulate");
   if (!node) return out;
   const Table table(*node, "simulate.");
-  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance",
-              "jacobian", "order"});
+  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance", "jacobian",
+              "order"});
   const auto real = [&table](const char* key, double& value) {
     if (const auto found = table.find(key)) value = found->real("a positive number");
   };

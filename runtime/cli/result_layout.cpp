@@ -90,11 +90,19 @@ const std::map<std::string, Builder>& builders() {
       {"partial_velocity_rates", [](const Scene& s) { return by_body_and_speed(s, "v_y_dot", "v"); }},
       {"partial_angular_velocities", [](const Scene& s) { return by_body_and_speed(s, "omega_y", "omega"); }},
       {"partial_angular_velocity_rates", [](const Scene& s) { return by_body_and_speed(s, "omega_y_dot", "omega"); }},
-      {"energy", [](const Scene&) { return Layout{"energy", {{"kinetic", {}, "J"}, {"potential", {}, "J"}}}; }},
+      {"energy",
+       [](const Scene&) {
+         return Layout{"energy", {{"kinetic", {}, "J"}, {"potential", {}, "J"}}};
+       }},
       {"momentum",
-       [](const Scene&) { return Layout{"momentum", {{"linear", {3}, "kg m/s"}, {"angular", {3}, "kg m^2/s"}}}; }},
+       [](const Scene&) {
+         return Layout{"momentum", {{"linear", {3}, "kg m/s"}, {"angular", {3}, "kg m^2/s"}}};
+       }},
       {"poses", poses},
-      {"power", [](const Scene&) { return Layout{"power", {{"applied", {}, "W"}}}; }},
+      {"power",
+       [](const Scene&) {
+         return Layout{"power", {{"applied", {}, "W"}}};
+       }},
       {"load_powers", load_powers},
       {"driving_loads", driving_loads_layout},
       {"reactions", reactions},

@@ -217,16 +217,18 @@ void add_simulate(CLI::App& app, Action& action) {
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
   command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
   command
-      ->add_option("--integrator", options->integrator,
-                   "rk4, lie4, gauss4, gauss6: fixed step; the others: SUNDIALS, error control; arkode_dirk, cvode_bdf, "
-                   "ida: for stiff scenes")
+      ->add_option(
+          "--integrator", options->integrator,
+          "rk4, lie4, gauss4, gauss6: fixed step; the others: SUNDIALS, error control; arkode_dirk, cvode_bdf, "
+          "ida: for stiff scenes")
       ->option_text("rk4|lie4|gauss4|gauss6|arkode|arkode_dirk|cvode|cvode_bdf|ida");
   command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
   command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
       ->option_text("N");
   command
-      ->add_option("--jacobian", options->jacobian,
-                   "of arkode_dirk, cvode_bdf, ida: emitted derivatives, solved dense or sparse, or difference quotients")
+      ->add_option(
+          "--jacobian", options->jacobian,
+          "of arkode_dirk, cvode_bdf, ida: emitted derivatives, solved dense or sparse, or difference quotients")
       ->option_text("auto|dense|sparse|differences");
   command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
   command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");

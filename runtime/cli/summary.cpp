@@ -28,15 +28,15 @@ std::string relative(const Deviation& deviation) { return brief(deviation.relati
 std::string method_text(const integrate::Options& options) {
   const std::string name = integrate::name_of(options.method);
   if (has_fixed_step(options.method)) return name + ", steps of at most " + shortest(options.step) + " s";
-  const std::string jacobian =
-      has_jacobian(options.method) ? ", Jacobian " + integrate::name_of(options.jacobian) : "";
+  const std::string jacobian = has_jacobian(options.method) ? ", Jacobian " + integrate::name_of(options.jacobian) : "";
   return fmt::format("{}{}, tolerances {} relative, {} absolute", name, jacobian, shortest(options.relative_tolerance),
                      shortest(options.absolute_tolerance));
 }
 
 void add_evaluations(Lines& lines, const integrate::Summary& summary, const integrate::Options& options) {
   std::string text = fmt::format("{} of xdot and ydot", summary.evaluations);
-  if (options.method == integrate::Method::ida) text = fmt::format("{} of the residual or the rates", summary.evaluations);
+  if (options.method == integrate::Method::ida)
+    text = fmt::format("{} of the residual or the rates", summary.evaluations);
   if (summary.jacobians > 0)
     text += fmt::format(", {} of their derivatives", summary.jacobians);
   else if (has_jacobian(options.method))

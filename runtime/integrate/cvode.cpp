@@ -99,8 +99,7 @@ class Cvode final : public Stepper {
     linear_.emplace(data_.system, options, LinearSolver::Form::rates, vector_.get(), context_);
     data_.linear = &*linear_;
     require(CVodeSetLinearSolver(memory_.get(), linear_->solver(), linear_->matrix()), "CVodeSetLinearSolver", data_);
-    if (linear_->has_jacobian())
-      require(CVodeSetJacFn(memory_.get(), kanec_sundials_jacobian), "CVodeSetJacFn", data_);
+    if (linear_->has_jacobian()) require(CVodeSetJacFn(memory_.get(), kanec_sundials_jacobian), "CVodeSetJacFn", data_);
     if (data_.system.attitudes().empty()) return;
     require(CVodeSetProjFn(memory_.get(), kanec_cvode_project), "CVodeSetProjFn", data_);
   }

@@ -42,8 +42,7 @@ class Dirk final : public Stepper {
     require(ARKStepSStolerances(ark, options.relative_tolerance, options.absolute_tolerance), "ARKStepSStolerances",
             data_);
     require(ARKStepSetLinearSolver(ark, linear_->solver(), linear_->matrix()), "ARKStepSetLinearSolver", data_);
-    if (linear_->has_jacobian())
-      require(ARKStepSetJacFn(ark, kanec_sundials_jacobian), "ARKStepSetJacFn", data_);
+    if (linear_->has_jacobian()) require(ARKStepSetJacFn(ark, kanec_sundials_jacobian), "ARKStepSetJacFn", data_);
     require(ARKStepSetPostprocessStepFn(ark, kanec_dirk_project), "ARKStepSetPostprocessStepFn", data_);
   }
 

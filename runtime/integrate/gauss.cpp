@@ -128,7 +128,7 @@ class Gauss final : public FixedStep {
 
   const Tableau<s>& tableau_;
   double last_step_ = 0.0;
-  Compensated sum_;  // over the steps
+  Compensated sum_;           // over the steps
   std::vector<double> size_;  // largest magnitude of each component so far
   std::vector<double> stage_, rate_;
   std::array<std::vector<double>, s> rates_, guesses_;

@@ -31,9 +31,9 @@ struct IdaDeleter {
   void operator()(void* memory) const { IDAFree(&memory); }
 };
 
-// BDF of variable coefficients on F(t, z, ż) = 0, which asks for A ẏ - f and never for A⁻¹. Rows are interpolated by the
-// method's own polynomial, then projected. IDA has no projection: as Adams in cvode.cpp it starts anew from projected
-// values once the norm is off by `drift_limit_`.
+// BDF of variable coefficients on F(t, z, ż) = 0, which asks for A ẏ - f and never for A⁻¹. Rows are interpolated by
+// the method's own polynomial, then projected. IDA has no projection: as Adams in cvode.cpp it starts anew from
+// projected values once the norm is off by `drift_limit_`.
 class Ida final : public Stepper {
  public:
   Ida(System& system, std::vector<double> z, const Options& options, StepBook& book)

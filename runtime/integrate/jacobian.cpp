@@ -20,10 +20,8 @@ std::string joined(const Blocks& blocks, const std::string& by) {
 }  // namespace
 
 std::vector<Jacobian::Block> Jacobian::rate_blocks(int nx, int ny, bool has_work) {
-  std::vector<Block> blocks = {{"kinematics_x", 0, 0},
-                               {"kinematics_y", 0, nx},
-                               {"accelerations_x", nx, 0},
-                               {"accelerations_y", nx, nx}};
+  std::vector<Block> blocks = {
+      {"kinematics_x", 0, 0}, {"kinematics_y", 0, nx}, {"accelerations_x", nx, 0}, {"accelerations_y", nx, nx}};
   if (has_work) blocks.push_back({"power_x", nx + ny, 0});
   if (has_work) blocks.push_back({"power_y", nx + ny, nx});
   return blocks;

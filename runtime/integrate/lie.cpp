@@ -26,13 +26,13 @@ Vector angular_velocity(const double* e, const double* edot) {
   return omega;
 }
 
-// Below this square of an angle series take over, which are faster, and do not cancel: what they leave out is below 1e-17.
+// Below this square of an angle series take over, which are faster, and do not cancel: what they leave out is below
+// 1e-17.
 constexpr double small_square = 0.02;
 
 // (1 − ½ θ cot ½θ) / θ² of the square of an angle below one turn.
 double second_coefficient(double w) {
-  if (w < small_square)
-    return 1.0 / 12 + w * (1.0 / 720 + w * (1.0 / 30240 + w * (1.0 / 1209600 + w / 47900160)));
+  if (w < small_square) return 1.0 / 12 + w * (1.0 / 720 + w * (1.0 / 30240 + w * (1.0 / 1209600 + w / 47900160)));
   const double half = 0.5 * std::sqrt(w);
   return (1.0 - half / std::tan(half)) / w;
 }
@@ -70,17 +70,21 @@ std::array<double, 4> change_of_attitude(const double* eps, const Vector& sigma)
 }
 
 // The classical Runge-Kutta method where it is linear, in the rotation vectors since the step's start and all other
-// coordinates (Munthe-Kaas 1998): attitudes are products of rotations, which no projection has to mend. Sums and products
-// over steps are compensated.
+// coordinates (Munthe-Kaas 1998): attitudes are products of rotations, which no projection has to mend. Sums and
+// products over steps are compensated.
 class Lie final : public FixedStep {
  public:
   Lie(System& system, std::vector<double> z, double longest, StepBook& book)
-      : FixedStep(system, std::move(z), longest, book), total_(z_), stage_(z_), rate_(z_.size()), sum_(z_.size()),
+      : FixedStep(system, std::move(z), longest, book),
+        total_(z_),
+        stage_(z_),
+        rate_(z_.size()),
+        sum_(z_.size()),
         at_(z_.size()) {}
 
  private:
-  // In `at_` and `rate_`, three entries of each set of Euler parameters are the rotation vector and its rate, the fourth
-  // is 0.
+  // In `at_` and `rate_`, three entries of each set of Euler parameters are the rotation vector and its rate, the
+  // fourth is 0.
   double step(double t, double h) override {
     std::fill(at_.begin(), at_.end(), 0.0);
     std::fill(sum_.begin(), sum_.end(), 0.0);

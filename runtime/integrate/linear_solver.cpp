@@ -20,8 +20,7 @@ constexpr double most_filled = 0.25;
 
 bool pays_sparse(const Jacobian& jacobian) {
   const double size = jacobian.size();
-  return jacobian.size() >= least_sparse &&
-         static_cast<double>(jacobian.values().size()) < most_filled * size * size;
+  return jacobian.size() >= least_sparse && static_cast<double>(jacobian.values().size()) < most_filled * size * size;
 }
 
 std::optional<Jacobian> jacobian_of(const System& system, const Options& options, LinearSolver::Form form) {

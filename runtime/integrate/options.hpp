@@ -33,10 +33,11 @@ struct Options {
   Method method = Method::arkode;
   double duration = 10.0;     // from t = 0 [s]
   double output_step = 0.01;  // between rows [s]; the last row stands at the duration
-  double step = 1e-3;  // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
+  double step = 1e-3;         // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
   double absolute_tolerance = 1e-12;  // the same, in the unit of each component
-  int order = 0;  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
+  int order =
+      0;  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
   JacobianChoice jacobian = JacobianChoice::automatic;
   std::int64_t max_steps = 100'000'000;
 };

@@ -23,8 +23,8 @@ class StepBook {
   void accepted(double t, double norm_error);
 
   std::int64_t steps = 0;
-  std::int64_t failed = 0;    // rejected by error control or not converged
-  std::int64_t restarts = 0;  // of a multistep method, because of the norm of the Euler parameters
+  std::int64_t failed = 0;     // rejected by error control or not converged
+  std::int64_t restarts = 0;   // of a multistep method, because of the norm of the Euler parameters
   std::int64_t jacobians = 0;  // evaluations of emitted derivatives
   double worst_norm_error = 0.0;
 

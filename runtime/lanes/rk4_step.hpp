@@ -1,5 +1,5 @@
-// One step of the classical Runge-Kutta method, for whoever holds an emitted header: no heap, no exceptions, no library.
-// Not: which steps are taken, nor what they do to anything but z.
+// One step of the classical Runge-Kutta method, for whoever holds an emitted header: no heap, no exceptions, no
+// library. Not: which steps are taken, nor what they do to anything but z.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

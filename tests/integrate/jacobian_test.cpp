@@ -1,11 +1,11 @@
 // Where blocks of derivatives stand in the whole. Oracle: central differences of the rates and of the residual.
 // SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/integrate/jacobian.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-
-#include "runtime/integrate/jacobian.hpp"
 
 namespace kanec::integrate::test {
 namespace {
@@ -107,12 +107,12 @@ void expect_derivatives(const Jacobian& jacobian, const std::function<Vector(con
   for (int j = 0; j < jacobian.size(); ++j) {
     Vector along(5), column(5);
     along[static_cast<std::size_t>(j)] = 1.0;
-    for (auto k = jacobian.starts()[static_cast<std::size_t>(j)]; k < jacobian.starts()[static_cast<std::size_t>(j) + 1]; ++k)
+    for (auto k = jacobian.starts()[static_cast<std::size_t>(j)];
+         k < jacobian.starts()[static_cast<std::size_t>(j) + 1]; ++k)
       column[static_cast<std::size_t>(jacobian.rows()[static_cast<std::size_t>(k)])] =
           jacobian.values()[static_cast<std::size_t>(k)];
     const Vector after = at(along, 1e-5), before = at(along, -1e-5);
-    for (std::size_t i = 0; i < 5; ++i)
-      EXPECT_NEAR(column[i], (after[i] - before[i]) / 2e-5, 1e-9) << i << " by " << j;
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(column[i], (after[i] - before[i]) / 2e-5, 1e-9) << i << " by " << j;
   }
 }
 

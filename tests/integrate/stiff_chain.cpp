@@ -86,10 +86,10 @@ struct Band {
 // The descriptor with the arrays that it points to.
 struct Descriptor {
   Band none{-1}, diagonal{0}, three{1};
-  std::vector<kanec_pattern> patterns = {
-      none.pattern("kinematics_x"),    diagonal.pattern("kinematics_y"), three.pattern("accelerations_x"),
-      three.pattern("accelerations_y"), three.pattern("residual_x"),      three.pattern("residual_y"),
-      diagonal.pattern("residual_ydot")};
+  std::vector<kanec_pattern> patterns = {none.pattern("kinematics_x"),     diagonal.pattern("kinematics_y"),
+                                         three.pattern("accelerations_x"), three.pattern("accelerations_y"),
+                                         three.pattern("residual_x"),      three.pattern("residual_y"),
+                                         diagonal.pattern("residual_ydot")};
   std::vector<kanec_function> functions = {
       function("kinematics_and_accelerations", 2 * n, rates), function("kinematics_and_residual", 2 * n, residual),
       function("kinematics_x_and_kinematics_y_and_accelerations_x_and_accelerations_y", 4 * n * n, rate_derivatives),

@@ -1,5 +1,5 @@
-// A chain of masses between two walls, with stiff springs and dampers and all derivatives, and its modes in closed form.
-// Not: its integration.
+// A chain of masses between two walls, with stiff springs and dampers and all derivatives, and its modes in closed
+// form. Not: its integration.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

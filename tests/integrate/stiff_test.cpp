@@ -34,8 +34,7 @@ double error_of(const Summary& summary) { return largest_difference({summary.x, 
 // Speeds are near 100 m/s: the tolerance, some hundred steps. An explicit method needs steps of 1e-5 s.
 TEST(Stiff, chain_follows_its_modes_in_few_steps) {
   for (const Method method : {Method::cvode_bdf, Method::arkode_dirk, Method::ida})
-    for (const JacobianChoice jacobian :
-         {JacobianChoice::dense, JacobianChoice::sparse, JacobianChoice::differences}) {
+    for (const JacobianChoice jacobian : {JacobianChoice::dense, JacobianChoice::sparse, JacobianChoice::differences}) {
       const Summary summary = run(with(method, jacobian));
       EXPECT_LT(error_of(summary), 1e-3) << name_of(method) << " " << name_of(jacobian);
       EXPECT_LT(summary.steps, 1500) << name_of(method) << " " << name_of(jacobian);

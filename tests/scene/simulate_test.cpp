@@ -101,8 +101,9 @@ TEST(Simulate, refuses_an_order_that_the_integrator_does_not_have) {
 
 TEST(Simulate, refuses_an_unknown_jacobian) {
   EXPECT_EQ(parse(simulate("jacobian = 'sparse'"), "f").simulation.jacobian, "sparse");
-  EXPECT_EQ(message(simulate("jacobian = 'spars'")),
-            "f:7: simulate.jacobian: found \"spars\"; allowed: auto, dense, sparse, differences (did you mean sparse?)");
+  EXPECT_EQ(
+      message(simulate("jacobian = 'spars'")),
+      "f:7: simulate.jacobian: found \"spars\"; allowed: auto, dense, sparse, differences (did you mean sparse?)");
 }
 
 }  // namespace
