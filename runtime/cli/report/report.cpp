@@ -38,13 +38,6 @@ struct Options {
   std::string output = "-";
 };
 
-std::vector<scene::Scene> load(const Options& options) {
-  std::vector<scene::Scene> list;
-  for (const std::string& path : options.scenes) list.push_back(cli::load(SceneArgument{path, options.connection}));
-  if (list.empty()) list.push_back(cli::load(SceneArgument{"", options.connection}));
-  return list;
-}
-
 std::vector<SceneErrors> measured(const Options& options, const std::vector<scene::Scene>& scenes) {
   const Interrupts interrupts;
   std::vector<SceneErrors> list;
@@ -75,7 +68,7 @@ std::string command_of(const Options& options) {
 int report(const Options& options) {
   if (options.json + options.csv + options.markdown > 1)
     throw InputError("--json, --csv, --markdown: found several of them; allowed: one");
-  const std::vector<scene::Scene> scenes = load(options);
+  const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   std::optional<AtomicFile> file;
   if (!is_standard_output(options.output)) file.emplace(options.output);
   const std::vector<SceneErrors> errors = measured(options, scenes);
@@ -96,7 +89,8 @@ int report(const Options& options) {
 
 void add_report(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(app, action, "report", "operations against digits", footer, &report);
-  command->add_option("SCENE", options->scenes, "scene.toml files, or folders that hold one")->option_text("...");
+  command->add_option("SCENE", options->scenes, "scene.toml files, folders that hold one, or folders of these")
+      ->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");
   add_functions(*command, options->evaluation.functions);
