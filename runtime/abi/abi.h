@@ -43,6 +43,12 @@ typedef struct kanec_taylor {
      1 <= order <= highest_order; work need not be initialised, and holds nothing between calls. */
   void (*coefficients)(const void* prepared, double t, const double* u, int32_t order, void* z, void* work);
 } kanec_taylor;
+/* Entries of a matrix that are not always 0, row by row; wherever a function of the model returns that matrix. */
+typedef struct kanec_pattern {
+  const char* name; /* "accelerations_x" */
+  int32_t rows, columns, nonzeros;
+  const int32_t *row_of, *column_of; /* (nonzeros) */
+} kanec_pattern;
 
 typedef struct kanec_model {
   uint32_t abi_version; /* KANEC_ABI_VERSION */
@@ -63,6 +69,8 @@ typedef struct kanec_model {
   const kanec_attitude* attitudes; /* (n_attitudes) */
   int32_t n_taylor;
   const kanec_taylor* taylor; /* (n_taylor): none unless the model was compiled with KANEC_TAYLOR */
+  int32_t n_patterns;
+  const kanec_pattern* patterns; /* (n_patterns) */
 } kanec_model;
 
 /* The one symbol that a compiled model exports. */

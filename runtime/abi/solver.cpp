@@ -33,4 +33,10 @@ const kanec_function* Solver::find(std::string_view name) const {
   return nullptr;
 }
 
+const kanec_pattern* Solver::find_pattern(std::string_view name) const {
+  for (const kanec_pattern& pattern : std::span(model_->patterns, static_cast<std::size_t>(model_->n_patterns)))
+    if (name == pattern.name) return &pattern;
+  return nullptr;
+}
+
 }  // namespace kanec

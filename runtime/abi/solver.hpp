@@ -33,6 +33,7 @@ namespace kanec {
 //   P_position, P_velocity, P_acceleration (x y ẏ u) -> of a named point P, inertial axes (3); P_jacobian -> ∂velocity/∂y (3 × ny)
 //   residual_x (ny × nx), residual_y, residual_ydot (ny × ny), accelerations_x (ny × nx), accelerations_y (ny × ny),
 //   accelerations_u (ny × inputs of the scene, read or not): derivatives of the emitted formulas
+//   kinematics_x (nx × nx), kinematics_y (nx × ny), power_x (1 × nx), power_y (1 × ny)
 //   residual_xi, accelerations_xi (ny × ny): by the tangent ξ: of a ball its rotation vector in body axes, else δx
 //   state_matrix (2ny × 2ny), input_matrix (2ny × inputs of the scene): of d/dt (δξ, δy)
 //   a_and_b                           -> results of a, then of b
@@ -49,6 +50,9 @@ class Solver {
 
   // The function of that name, or nullptr where the model was emitted without it.
   const kanec_function* find(std::string_view name) const;
+
+  // The pattern of the matrix of that name, or nullptr where no function returns it.
+  const kanec_pattern* find_pattern(std::string_view name) const;
 
   // One evaluation with these parameters and inputs; arguments that `function` does not read may be null.
   void evaluate(const kanec_function& function, double t, const double* x, const double* y, const double* ydot,

@@ -62,7 +62,9 @@ class Engine {
  public:
   explicit Engine(const EnsembleJob& job)
       : options_{job.run, job.ensemble.keep_every}, in_lanes_(job.run.method == integrate::Method::rk4) {
-    const std::vector<std::string> functions = {all_rates(job.scene), "energy"};
+    std::vector<std::string> functions =
+        needed_functions(job.run, Functions(job.scene).has("power"), n_coordinates(job.scene));
+    functions.emplace_back("energy");
     if (in_lanes_) {
       model_.emplace(build_batch(job.scene, functions, job.build));
       lanes_.emplace(model_->library.batch(), job.ensemble.threads);

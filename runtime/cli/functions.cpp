@@ -6,6 +6,7 @@
 
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/integrate/options.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -35,8 +36,7 @@ std::vector<std::string> parts_of_emitted(const std::string& name, const std::ve
 }
 
 std::string all_rates(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  return Functions(scene).has("power") ? rates + "+power" : rates;
+  return integrate::needed_functions({}, Functions(scene).has("power"), n_coordinates(scene)).front();
 }
 
 Functions::Functions(const scene::Scene& scene) : all_(available_functions(scene)) {}
