@@ -82,6 +82,12 @@ std::string name_of(Method method) {
   throw InternalError("integration method without a name");
 }
 
+std::vector<Method> all_methods() {
+  std::vector<Method> list;
+  for (const auto& [name, method] : methods) list.push_back(method);
+  return list;
+}
+
 RowTimes::RowTimes(double duration, double output_step) : duration_(duration), step_(output_step), last_(0) {
   const double intervals = duration / output_step;
   const double whole = std::round(intervals);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kanec::integrate {
 
@@ -43,6 +44,9 @@ void check(const Options& options);
 // "rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf". Throws InputError for another name.
 Method method_of(std::string_view name);
 std::string name_of(Method method);
+
+// In the order in which they are listed above.
+std::vector<Method> all_methods();
 
 // Times of the rows: 0, output_step, 2 output_step, …, duration, each computed on its own.
 class RowTimes {
