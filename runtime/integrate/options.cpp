@@ -82,9 +82,9 @@ std::string name_of(Method method) {
   throw InternalError("integration method without a name");
 }
 
-std::vector<Method> all_methods() {
-  std::vector<Method> list;
-  for (const auto& [name, method] : methods) list.push_back(method);
+std::vector<std::string> method_names() {
+  std::vector<std::string> list;
+  for (const auto& [name, method] : methods) list.emplace_back(name);
   return list;
 }
 

@@ -45,8 +45,8 @@ void check(const Options& options);
 Method method_of(std::string_view name);
 std::string name_of(Method method);
 
-// In the order in which they are listed above.
-std::vector<Method> all_methods();
+// All names, in order.
+std::vector<std::string> method_names();
 
 // Times of the rows: 0, output_step, 2 output_step, …, duration, each computed on its own.
 class RowTimes {

@@ -63,7 +63,7 @@ TEST(Choice, is_told_with_the_command_to_type_or_with_the_cause) {
   const SceneRuns scene = some_runs();
   EXPECT_EQ(recommendation(scene, 1e-6),
             "for an error of 1e-06: cvode, rtol 1e-09, in 2 ms (worst error 1.0e-09): kanec simulate models/arm "
-            "--integrator cvode --rtol 1e-09 --atol 1e-09");
+            "--duration 10 --output-step 0.01 --integrator cvode --rtol 1e-09 --atol 1e-09");
   EXPECT_THAT(recommendation(scene, 5e-12), HasSubstr("none of these; the most accurate is cvode, rtol 1e-12"));
   EXPECT_THAT(recommendation(scene, 1e-13), HasSubstr("the reference is known to 1.0e-12"));
 }

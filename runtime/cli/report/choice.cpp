@@ -14,9 +14,11 @@ namespace {
 
 std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
   const integrate::Options& options = run.options;
-  std::string text = fmt::format("kanec simulate {} --integrator {}", scene.path, name_of(options.method));
-  if (has_fixed_step(options.method)) return text + " --step " + shortest(options.step);
-  return text + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
+  const std::string common =
+      fmt::format("kanec simulate {} --duration {} --output-step {} --integrator {}", scene.path,
+                  shortest(options.duration), shortest(options.output_step), name_of(options.method));
+  if (has_fixed_step(options.method)) return common + " --step " + shortest(options.step);
+  return common + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
 }
 
 const IntegrationRun* most_accurate(const std::vector<IntegrationRun>& runs) {

@@ -43,7 +43,7 @@ class Sweep {
         const std::function<void(double)>& progress)
       : options_(options),
         progress_(progress),
-        methods_(options.methods.empty() ? integrate::all_methods() : options.methods),
+        methods_(methods_of(options.integrators.empty() ? integrate::method_names() : options.integrators)),
         conserved_{is_isolated(scene), has_drives(scene)},
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
@@ -80,6 +80,12 @@ class Sweep {
   struct Conserved {
     bool momentum, driven;
   };
+
+  static std::vector<Method> methods_of(const std::vector<std::string>& names) {
+    std::vector<Method> list;
+    for (const std::string& name : names) list.push_back(integrate::method_of(name));
+    return list;
+  }
 
   static void require(double duration) {
     if (!(duration > 0.0) || !std::isfinite(duration))
@@ -138,7 +144,7 @@ class Sweep {
   void add(const Trial& trial) {
     IntegrationRun run;
     run.options = trial.options;
-    run.failure = trial.failure;
+    run.failure = trial.failure + (trial.out_of_time ? "; finer ones are left out" : "");
     run.wall_seconds = trial.wall_seconds;
     if (trial.ok()) judge(trial, run);
     runs_.push_back(std::move(run));

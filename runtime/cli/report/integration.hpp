@@ -17,11 +17,11 @@
 namespace kanec::cli {
 
 struct IntegrationOptions {
-  std::vector<integrate::Method> methods;  // empty: all
-  std::optional<double> duration;          // [s]; none: the scene's
-  std::optional<double> error;             // that a recommendation is wanted for
-  double limit = 1.0;                      // of one run [s]
-  int rows = 20;                           // after the start, at which errors are looked at
+  std::vector<std::string> integrators;  // by name; empty: all
+  std::optional<double> duration;        // [s]; none: the scene's
+  std::optional<double> error;           // that a recommendation is wanted for
+  double limit = 1.0;                    // of one run [s]
+  int rows = 20;                         // after the start, at which errors are looked at
 };
 
 // One integrator with one tolerance or step.

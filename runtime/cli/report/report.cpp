@@ -35,10 +35,11 @@ shows its wall time (the least of a few), steps, evaluations, worst and last err
 or why it failed. A recommendation names the fastest run for a wanted error, as a command to type. --plot draws wall time
 against error, a line an integrator, the Pareto front marked.
 
-Evaluation: each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way that `generate` keeps, and in ways that differ from it in one thing: the other
-algorithm, other axes, origins as typed, masses not regrouped, regrouped within a few links or altogether, no passes.
-Each is evaluated in double and in float, in seeded random states (those of kanec check) and in hard ones (speeds a
-thousand times as high, angles zero, at multiples of a right angle, and of ten thousand radians), and compared with
+Evaluation: each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way
+that `generate` keeps, and in ways that differ from it in one thing: the other algorithm, other axes, origins as typed,
+masses not regrouped, regrouped within a few links or altogether, no passes. Each is evaluated in double and in float, in
+seeded random states (those of kanec check) and in hard ones (speeds a thousand times as high, angles zero, at multiples
+of a right angle, and of ten thousand radians), and compared with
   - the same program in 50 digits: what rounding costs, in ulps of the largest component;
   - the generic numeric path in long double, which shares no code with the generator: no mistake in algebra hides;
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
@@ -52,7 +53,6 @@ struct Options {
   bool evaluation_alone = false, integration_alone = false;
   EvaluationOptions evaluation;
   IntegrationOptions integration;
-  std::vector<std::string> integrators;
   BuildArguments build;
   bool json = false, csv = false, markdown = false;
   std::string output = "-", plot;
@@ -122,7 +122,7 @@ std::string command_of(const Options& options) {
   if (options.evaluation.states != usual.states) command += fmt::format(" --states {}", options.evaluation.states);
   if (options.evaluation.seed != usual.seed) command += fmt::format(" --seed {}", options.evaluation.seed);
   const IntegrationOptions& run = options.integration;
-  if (!options.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(options.integrators, ","));
+  if (!run.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(run.integrators, ","));
   if (run.duration) command += " --duration " + shortest(*run.duration);
   if (run.error) command += " --error " + shortest(*run.error);
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
@@ -169,6 +169,7 @@ std::string text_of(const Findings& findings, const Options& options) {
 void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
 
 void check(const Options& options) {
+  for (const std::string& name : options.integration.integrators) integrate::method_of(name);
   if (options.json + options.csv + options.markdown > 1)
     refuse("--json, --csv, --markdown: found several of them", "one");
   if (options.evaluation_alone && options.integration_alone)
@@ -184,9 +185,8 @@ void check(const Options& options) {
   if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
 }
 
-int report(Options options) {
+int report(const Options& options) {
   check(options);
-  for (const std::string& name : options.integrators) options.integration.methods.push_back(integrate::method_of(name));
   const std::vector<scene::Scene> scenes = load(options);
   AtomicFile file(options.output);
   std::optional<AtomicFile> picture;
@@ -217,9 +217,9 @@ void add_evaluation(CLI::App& command, EvaluationOptions& options) {
 void add_integration(CLI::App& command, Options& options) {
   const std::string group = "Integration";
   IntegrationOptions& run = options.integration;
-  std::string all;
-  for (const integrate::Method method : integrate::all_methods()) all += (all.empty() ? "" : ", ") + name_of(method);
-  command.add_option("--integrators", options.integrators, "these alone (" + all + ")")
+  command
+      .add_option("--integrators", run.integrators,
+                  fmt::format("these alone ({})", fmt::join(integrate::method_names(), ", ")))
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
@@ -242,8 +242,7 @@ void add_integration(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command<Options>(app, action, "report", "speed against error", footer,
-                                                       [](const Options& given) { return report(given); });
+  const auto [command, options] = add_command(app, action, "report", "speed against error", footer, &report);
   command->add_option("SCENE", options->scenes, "scene.toml files, or folders that hold one")->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");

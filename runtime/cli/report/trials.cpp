@@ -86,8 +86,8 @@ double Trials::wall_seconds(const integrate::Options& options) const {
 }
 
 Trial Trials::timed(const integrate::Options& options, double limit) const {
-  constexpr int most_runs = 5;
-  constexpr double enough = 0.1;  // [s] of all runs
+  constexpr int most_runs = 7;
+  constexpr double enough = 0.2;  // [s] of all runs
   Trial trial = once(options, limit);
   double spent = trial.wall_seconds;
   for (int i = 1; i < most_runs && spent < enough && trial.ok(); ++i) {
